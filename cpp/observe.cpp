@@ -1,0 +1,176 @@
+#include "observe.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace matrixworld {
+
+namespace {
+
+constexpr int kChunk = Board::kMaxWidth;  // cells of a row that are read at once
+
+// Eight bits spread to eight bytes.
+const std::array<std::uint64_t, 256>& spread_table() {
+    static const std::array<std::uint64_t, 256> table = [] {
+        std::array<std::uint64_t, 256> bytes{};
+        for (int value = 0; value < 256; ++value) {
+            for (int bit = 0; bit < 8; ++bit) {
+                if (value >> bit & 1) bytes[value] |= std::uint64_t{1} << (8 * bit);
+            }
+        }
+        return bytes;
+    }();
+    return table;
+}
+
+void spread(std::uint64_t bits, int width, std::uint8_t* out) {
+    const auto& table = spread_table();
+    for (; width > 0; width -= 8, out += 8, bits >>= 8) {
+        std::memcpy(out, &table[bits & 0xFF], static_cast<std::size_t>(std::min(width, 8)));
+    }
+}
+
+struct Window {
+    Window(const World& world, int agent)
+        : fov(world.config().fov),
+          top(world.grid().row(world.cell(agent)) - fov / 2),
+          left(world.grid().col(world.cell(agent)) - fov / 2) {}
+
+    int fov;
+    int top;
+    int left;
+};
+
+// The bits of `columns` cells from column `left` that lie outside a grid of `cols` columns.
+std::uint64_t outside(int left, int columns, int cols) {
+    const auto low_bits = [](int n) {
+        return (std::uint64_t{1} << std::clamp(n, 0, kChunk)) - 1;
+    };
+    return low_bits(columns) & (low_bits(-left) | ~low_bits(cols - left));
+}
+
+// Is the agent alone of its team on its cell? Then the centre of its own channel stays empty.
+bool alone(const World& world, const Occupancy& occupancy, int agent) {
+    return occupancy.count(world.cell(agent), world.team(agent)) == 1;
+}
+
+int own_centre(const World& world, int agent) {
+    const int fov = world.config().fov;
+    const int channel = world.team(agent) == Team::Pursuer ? kPursuers : kEvaders;
+    return (channel * fov + fov / 2) * fov + fov / 2;
+}
+
+// Calls visit(index of the first cell, bits) for the windows of a board, row by row.
+template <typename Visit>
+void for_each_chunk(const Board& board, const Window& window, Visit visit) {
+    for (int r = 0; r < window.fov; ++r) {
+        for (int c = 0; c < window.fov; c += kChunk) {
+            const int width = std::min(kChunk, window.fov - c);
+            const Board::Reader reader = board.window(window.top + r, window.left + c);
+            visit(r * window.fov + c, width, reader.row(0, width));
+        }
+    }
+}
+
+}  // namespace
+
+void write_view(const World& world, const Occupancy& occupancy, int agent, std::uint8_t* out) {
+    const Config& config = world.config();
+    const int area = config.fov * config.fov;
+    if (!world.alive(agent)) {
+        std::memset(out, 0, static_cast<std::size_t>(kChannels) * area);
+        return;
+    }
+    const Window window(world, agent);
+    const auto write = [&](std::uint8_t* channel) {
+        return [=](int index, int width, std::uint64_t bits) {
+            spread(bits, width, channel + index);
+        };
+    };
+    for_each_chunk(occupancy.board(Team::Evader), window, write(out + kEvaders * area));
+    for_each_chunk(occupancy.board(Team::Pursuer), window, write(out + kPursuers * area));
+    for_each_chunk(world.ground().walls, window,
+                   [&](int index, int width, std::uint64_t bits) {
+                       const int row = window.top + index / window.fov;
+                       const int left = window.left + index % window.fov;
+                       const bool beyond = row < 0 || row >= config.rows;
+                       bits |= beyond ? ~std::uint64_t{0} : outside(left, width, config.cols);
+                       spread(bits, width, out + kObstacles * area + index);
+                   });
+    if (alone(world, occupancy, agent)) out[own_centre(world, agent)] = 0;
+}
+
+namespace {
+
+// Lists the cells that are set in the window of one board, numbered from `first`. The centre is
+// left out where `hide_centre`; several rows are read to a word.
+template <int kFov>
+int* list_narrow(const Board& board, const Window& window, int first, bool hide_centre, int* out) {
+    const int fov = kFov ? kFov : window.fov;  // kFov where the compiler is to know it
+    const int rows_a_word = 64 / fov;
+    const Board::Reader reader = board.window(window.top, window.left);
+    for (int r = 0; r < fov; r += rows_a_word) {
+        std::uint64_t bits = 0;
+        for (int i = 0; i < rows_a_word && r + i < fov; ++i) {
+            bits |= reader.row(r + i, fov) << (i * fov);
+        }
+        if (hide_centre && r <= fov / 2 && fov / 2 < r + rows_a_word) {
+            bits &= ~(std::uint64_t{1} << (fov * fov / 2 - r * fov));
+        }
+        for (; bits; bits &= bits - 1) *out++ = first + r * fov + __builtin_ctzll(bits);
+    }
+    return out;
+}
+
+int* list_wide(const Board& board, const Window& window, int first, bool hide_centre, int* out) {
+    const int centre = window.fov * window.fov / 2;
+    for_each_chunk(board, window, [&](int index, int, std::uint64_t bits) {
+        for (; bits; bits &= bits - 1) {
+            const int place = index + __builtin_ctzll(bits);
+            if (!(hide_centre && place == centre)) *out++ = first + place;
+        }
+    });
+    return out;
+}
+
+int* list_board(const Board& board, const Window& window, int first, bool hide_centre, int* out) {
+    constexpr int kUsual = 11;
+    if (window.fov == kUsual) return list_narrow<kUsual>(board, window, first, hide_centre, out);
+    if (window.fov <= kChunk) return list_narrow<0>(board, window, first, hide_centre, out);
+    return list_wide(board, window, first, hide_centre, out);
+}
+
+}  // namespace
+
+int list_view(const World& world, const Occupancy& occupancy, int agent, int* out) {
+    const Window window(world, agent);
+    const int area = window.fov * window.fov;
+    const bool hide = alone(world, occupancy, agent);
+    const bool pursuer = world.team(agent) == Team::Pursuer;
+    int* end = out;
+    end = list_board(occupancy.board(Team::Evader), window, kEvaders * area, hide && !pursuer, end);
+    end = list_board(occupancy.board(Team::Pursuer), window, kPursuers * area, hide && pursuer, end);
+    if (world.ground().has_obstacles) {
+        end = list_board(world.ground().walls, window, kObstacles * area, false, end);
+    }
+    return static_cast<int>(end - out);
+}
+
+void write_state(const World& world, std::uint8_t* out) {
+    const Config& config = world.config();
+    const Grid& grid = world.grid();
+    const int area = config.rows * config.cols;
+    std::memset(out, 0, static_cast<std::size_t>(kChannels) * area);
+    for (int a : world.living()) {
+        const int channel = world.team(a) == Team::Pursuer ? kPursuers : kEvaders;
+        const int cell = world.cell(a);
+        out[channel * area + grid.row(cell) * config.cols + grid.col(cell)] = 1;
+    }
+    for (int i = 0; i < area; ++i) {
+        out[kObstacles * area + i] =
+            world.ground().kind[grid.cell(i / config.cols, i % config.cols)] == kObstacle;
+    }
+}
+
+}  // namespace matrixworld

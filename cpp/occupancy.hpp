@@ -1,0 +1,43 @@
+// Who stands where: scratch memory of one thread, shared by all the worlds that it plays. A world
+// puts its agents in, is played and looked at, and takes them out again; every operation costs
+// O(1), whatever the size of the grid. For each cell: how many agents of each team, and the list
+// of who. For each team: a board of bits, framed by `margin` empty cells so that a window around
+// any cell can be read without a test.
+#pragma once
+
+#include "board.hpp"
+#include "grid.hpp"
+
+namespace matrixworld {
+
+class Occupancy {
+  public:
+    Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin);
+
+    void add(int agent, int cell);
+    void remove(int agent, int cell);
+
+    int count(int cell, Team team) const { return count_(static_cast<int>(team), cell); }
+    bool empty(int cell) const { return first_[cell] < 0; }
+    // Cells that hold at least one agent of the team.
+    int distinct_cells(Team team) const { return distinct_[static_cast<int>(team)]; }
+    const Board& board(Team team) const { return boards_[static_cast<int>(team)]; }
+
+    // The agents on a cell, in no particular order: for (a = first(cell); a >= 0; a = next(a)).
+    int first(int cell) const { return first_[cell]; }
+    int next(int agent) const { return next_[agent]; }
+
+    Team team(int agent) const { return agent < n_pursuers_ ? Team::Pursuer : Team::Evader; }
+
+  private:
+    const Grid grid_;
+    int n_pursuers_;
+    Eigen::Array<int, kTeams, Eigen::Dynamic> count_;
+    IntArray first_;
+    IntArray next_;
+    IntArray previous_;
+    int distinct_[kTeams] = {0, 0};
+    Board boards_[kTeams];
+};
+
+}  // namespace matrixworld

@@ -1,0 +1,93 @@
+#include "player.hpp"
+
+#include <algorithm>
+#include <climits>
+#include <cstdlib>
+
+namespace matrixworld {
+
+void Player::decide(const World& world, const Occupancy& occupancy, int first, int last,
+                    std::vector<std::uint8_t>& actions) {
+    agents_.clear();
+    for (int a = first; a < last; ++a) {
+        if (world.alive(a)) agents_.push_back(a);
+    }
+    if (agents_.empty()) return;
+    draws_.clear();
+    Block block{};
+    int number = -1;
+    for (int a : agents_) {
+        if (a / 4 != number) {
+            number = a / 4;
+            block = world.key().block(Purpose::Decide, number, world.steps());
+        }
+        draws_.push_back(block[a % 4]);
+    }
+    chosen_.resize(agents_.size());
+    choose(world, occupancy);
+    for (std::size_t i = 0; i < agents_.size(); ++i) actions[agents_[i]] = chosen_[i];
+}
+
+void NetworkPlayer::choose(const World& world, const Occupancy& occupancy) {
+    units_.clear();
+    for (std::uint64_t draw : draws_) units_.push_back(unit(draw));
+    mlp_.act(world, occupancy, agents_, units_, chosen_);
+}
+
+void ScriptedPlayer::choose(const World& world, const Occupancy& occupancy) {
+    const int n_actions = world.config().n_actions();
+    for (std::size_t i = 0; i < agents_.size(); ++i) {
+        switch (script_) {
+            case Script::Random:
+                chosen_[i] = static_cast<std::uint8_t>(below(draws_[i], n_actions));
+                break;
+            case Script::Still:
+                chosen_[i] = 0;
+                break;
+            case Script::Chaser:
+            case Script::Fleer:
+                chosen_[i] = chase_or_flee(world, occupancy, agents_[i], draws_[i]);
+                break;
+        }
+    }
+}
+
+std::uint8_t ScriptedPlayer::chase_or_flee(const World& world, const Occupancy& occupancy,
+                                           int agent, std::uint64_t draw) {
+    const Team adversary = world.team(agent) == Team::Pursuer ? Team::Evader : Team::Pursuer;
+    const int n_set = list_view(world, occupancy, agent, view_.data());
+    int best = 0;
+    int n_best = 0;
+    std::uint8_t moves[kDiagonalMoves];
+    for (int move = 0; move < world.config().n_actions(); ++move) {
+        const int there = world.cell(agent) + world.grid().delta(move);
+        if (move != 0 && world.ground().kind[there] != kFree) continue;
+        const int distance = distance_after(world, adversary, n_set, move);
+        const int value = script_ == Script::Chaser ? -distance : distance;
+        if (n_best == 0 || value > best) {
+            best = value;
+            n_best = 0;
+        }
+        if (value == best) moves[n_best++] = static_cast<std::uint8_t>(move);
+    }
+    return moves[below(draw, n_best)];
+}
+
+// Moves from the cell that `move` leads to, to the nearest adversary in view; INT_MAX without one.
+int ScriptedPlayer::distance_after(const World& world, Team adversary, int n_set,
+                                   int move) const {
+    const int fov = world.config().fov;
+    const int channel = adversary == Team::Pursuer ? kPursuers : kEvaders;
+    int nearest = INT_MAX;
+    for (int i = 0; i < n_set; ++i) {
+        if (view_[i] / (fov * fov) != channel) continue;
+        const int place = view_[i] % (fov * fov);
+        const int rows = std::abs(place / fov - fov / 2 - kRowStep[move]);
+        const int cols = std::abs(place % fov - fov / 2 - kColStep[move]);
+        nearest = std::min(nearest,
+                           world.config().diagonal ? std::max(rows, cols) : rows + cols);
+    }
+    return nearest;
+}
+
+}  // namespace matrixworld

@@ -1,0 +1,115 @@
+// Intents and rules -> outcomes, for one turn. Pure: no random number, no reward, no clock. The
+// four methods that `resolve` calls are the first four stages of a step; each judges all agents
+// at once from the state that it found, so the numbering of agents cannot matter.
+//
+// For each cell that somebody heads for, one word tells who: per team, one bit for each of the
+// nine ways to get there (bit 0: by standing there already), one for "several", one for "a
+// standing agent whose turn it is". Whether an agent is in conflict is then a look at two words,
+// that of the cell it heads for and that of the cell it leaves. The work is O(agents), plus the
+// pairs of a chain or a capture where several share a cell.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "grid.hpp"
+#include "rules.hpp"
+
+namespace matrixworld {
+
+// What became of one agent, as bits.
+using Flags = std::uint16_t;
+constexpr Flags involved(Kind kind) { return Flags(1 << static_cast<int>(kind)); }
+constexpr Flags at_fault(Kind kind) { return Flags(1 << (kKinds + static_cast<int>(kind))); }
+constexpr Flags kReportMask = (1 << (2 * kKinds)) - 1;  // the bits of involved and at_fault
+constexpr Flags kHeld = 1 << 6;     // its move is cancelled
+constexpr Flags kCrashed = 1 << 7;  // gone in stage 1
+constexpr Flags kDoomed = 1 << 8;   // gone in stage 5
+constexpr Flags kBarred = 1 << 9;   // held before stage 4: it heads nowhere any more
+
+// One conflict, as a reader wants to hear of it. Sides: bit 0 the first agent, bit 1 the second.
+struct Conflict {
+    int turn;
+    Kind kind;
+    Form form;
+    int first;
+    int second;  // -1 where the other side is an obstacle
+    int cell;    // the common target; for an edge and a chain, where `first` headed
+    std::uint8_t at_fault;
+    std::uint8_t held;
+    std::uint8_t doomed;
+};
+
+// The agents that may meet in this turn and what they set out to do. Those with first_actor <=
+// agent < last_actor act; the move of anybody else is 0.
+struct Turn {
+    const std::vector<int>& cast;  // living agents
+    const IntArray& cell;          // by agent
+    const ByteArray& move;         // by agent
+    const ByteArray& ground;       // by cell
+    int first_actor;
+    int last_actor;
+    int number;
+
+    bool acts(int agent) const { return agent >= first_actor && agent < last_actor; }
+};
+
+class Resolver {
+  public:
+    Resolver(const Grid& grid, const Rules& rules, int n_pursuers, int n_agents);
+
+    // Appends each conflict to `log` where one is given; that costs the number of conflicts.
+    void resolve(const Turn& turn, std::vector<Conflict>* log);
+
+    Flags flags(int agent) const { return flags_[agent]; }
+    int target(int agent) const { return target_[agent]; }
+    // (evader, pursuer) for every contact that captures; each pair once.
+    const std::vector<std::pair<int, int>>& captures() const { return captures_; }
+
+  private:
+    void obstacles();
+    void teammates();
+    void adversaries();
+    void chains();
+
+    void set_out();
+    void post();
+    void unpost();
+    void list_targets();
+    void unlist_targets();
+    void spread_bounce();
+    void note_captors(int evader);
+    void enter_link(int entrant, int link);
+    bool swap(int a, int b) const;
+    bool meets_teammate(int agent) const;
+    void judge_adversaries(int agent);
+
+    void log_obstacle(int agent, Outcome outcome);
+    void log_pairs(Kind kind);
+    void log_pair(Form form, int a, int b, int cell);
+
+    Team team(int agent) const { return agent < n_pursuers_ ? Team::Pursuer : Team::Evader; }
+
+    const Grid grid_;
+    const Rules rules_;
+    int n_pursuers_;
+
+    const Turn* turn_ = nullptr;
+    std::vector<Conflict>* log_ = nullptr;
+    std::vector<int> present_;   // the cast without the crashed
+    std::vector<int> held_now_;  // held during this stage, not yet followed up
+    std::vector<std::pair<int, int>> captures_;
+
+    Eigen::Array<Flags, Eigen::Dynamic, 1> flags_;  // by agent
+    ByteArray way_;                                 // by agent: the move that it still intends
+    IntArray target_;                               // by agent: the cell that it heads for
+
+    Eigen::Array<std::uint32_t, Eigen::Dynamic, 1> headed_;  // by cell: who heads for it
+    std::vector<int> posted_;                                // cells with a word in headed_
+    IntArray first_;                                         // by cell: list by target
+    IntArray next_;                                          // by agent
+    std::vector<int> listed_;                                // cells with a list
+};
+
+}  // namespace matrixworld

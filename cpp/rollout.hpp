@@ -1,0 +1,60 @@
+// Matches -> scores: whole episodes of one team's genomes against another's, without leaving C++.
+// A pure function of its arguments: world j of a match is episode j of the match's seed, and no
+// result depends on the number of threads or on the other matches.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "mlp.hpp"
+#include "player.hpp"
+#include "world.hpp"
+
+namespace matrixworld {
+
+// One team's candidates: genomes of one network, (n, genome_size) floats, or a script.
+struct Candidates {
+    std::optional<Network> network;
+    const float* genomes = nullptr;
+    int n = 1;
+    Script script = Script::Random;
+};
+
+struct Match {
+    int pursuer;  // which candidate
+    int evader;
+    std::uint64_t seed;
+};
+
+// What one episode came to. Means over steps are over max_steps; after an early end the share of
+// captured evaders stands as it was, and crowding counts 0.
+struct Score {
+    float capture_rate = 0;       // share of the evaders that count as captured at the end
+    float captured_fraction = 0;  // the same share, mean over steps
+    std::int32_t length = 0;      // steps
+    std::array<double, kTeams> returns{};            // rewards summed over team and steps
+    std::array<std::int32_t, kTeams> survivors{};
+    std::array<float, kTeams> crowding{};            // (alive - distinct cells) / team size, mean
+    std::array<std::int32_t, kTeams * kKinds> collisions{};  // agent-steps involved, by team, kind
+    std::array<std::int32_t, kTeams * kKinds> faults{};      // agent-steps at fault
+};
+
+// Called with the world after the reset (without actions) and after every step.
+using Watcher =
+    std::function<void(const World& world, const std::vector<std::uint8_t>* actions)>;
+
+// Scores, (n matches, n_worlds), in the order of the matches.
+std::vector<Score> play_matches(const std::shared_ptr<const Setup>& setup,
+                                const Candidates& pursuers, const Candidates& evaders,
+                                const std::vector<Match>& matches, int n_worlds, int n_threads);
+
+// Plays one episode of a match again, for a watcher.
+Score watch_match(const std::shared_ptr<const Setup>& setup, const Candidates& pursuers,
+                  const Candidates& evaders, const Match& match, std::uint64_t episode,
+                  const Watcher& watcher);
+
+}  // namespace matrixworld

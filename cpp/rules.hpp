@@ -1,0 +1,86 @@
+// The rules of a world as data. A game variant is one row of `Rules`; nothing in the engine is
+// written for a particular variant.
+//
+//   interaction         who moves together: everybody, one team at a time, one agent at a time
+//   obstacle            outcome of an agent that runs into an obstacle or the border
+//   teammate            outcome, for both, of a collision of two agents of one team
+//   evader, pursuer     outcomes of the two sides of a collision of adversaries
+//   capture             an evader is captured by being reached, or by being surrounded
+//   captured_disappear  whether a surrounded evader is removed (read under SURROUND only)
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace matrixworld {
+
+enum class Outcome : std::uint8_t { Disappear, Reach, Bounce };
+enum class Interaction : std::uint8_t { Simultaneous, SwarmTurns, AgentTurns };
+enum class Capture : std::uint8_t { Occupation, Surround };
+
+enum class Team : std::uint8_t { Pursuer, Evader };
+enum class Kind : std::uint8_t { Obstacle, Teammate, Adversary };
+enum class Form : std::uint8_t { Vertex, Edge, Chain };
+
+constexpr int kTeams = 2;
+constexpr int kKinds = 3;
+constexpr int kMaxSide = 4096;         // cells along one side of the grid
+constexpr int kMaxFieldOfView = 255;   // cells along one side of a view
+constexpr int kCompassMoves = 5;       // stay, north, east, south, west
+constexpr int kDiagonalMoves = 9;      // the same, then NE, SE, SW, NW
+
+using ByteArray = Eigen::Array<std::uint8_t, Eigen::Dynamic, 1>;
+using IntArray = Eigen::ArrayXi;
+using FloatArray = Eigen::ArrayXf;
+
+struct Rules {
+    Interaction interaction = Interaction::Simultaneous;
+    Outcome obstacle = Outcome::Bounce;
+    Outcome teammate = Outcome::Reach;
+    Outcome evader = Outcome::Disappear;
+    Outcome pursuer = Outcome::Reach;
+    Capture capture = Capture::Occupation;
+    bool captured_disappear = false;
+
+    Outcome adversary(Team team) const { return team == Team::Pursuer ? pursuer : evader; }
+
+    // Under occupation these are the adversary pairs that capture at all.
+    bool contact_captures() const {
+        return capture == Capture::Occupation &&
+               (evader == Outcome::Disappear ||
+                (evader == Outcome::Reach && pursuer == Outcome::Reach));
+    }
+};
+
+// What is paid, indexed by team (pursuer, evader).
+struct Rewards {
+    float capture[kTeams] = {10.0f, -10.0f};
+    float neighbor[kTeams] = {0.1f, -0.1f};
+    float collide[kTeams] = {-12.0f, -12.0f};
+    float step[kTeams] = {-0.05f, -0.05f};
+    bool capture_repeats = false;
+};
+
+// Everything that is fixed for a world before its first episode.
+struct Config {
+    Rules rules;
+    Rewards rewards;
+    int rows = 40;
+    int cols = 40;
+    int n_pursuers = 8;
+    int n_evaders = 30;
+    int fov = 11;
+    bool diagonal = false;
+    int max_steps = 500;
+    double density = 0.0;  // share of the cells that become obstacles at every reset
+    ByteArray map;         // (rows * cols) 1 where an obstacle is; empty when there is none
+
+    int n_agents() const { return n_pursuers + n_evaders; }
+    int n_actions() const { return diagonal ? kDiagonalMoves : kCompassMoves; }
+    int n_random_obstacles() const;
+
+    // Throws std::invalid_argument that says which field, what was expected and what came.
+    void validate() const;
+};
+
+}  // namespace matrixworld

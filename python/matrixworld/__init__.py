@@ -1,0 +1,45 @@
+"""matrixworld: pursuit and evasion on a grid, for safe coordination and co-evolution.
+
+Worlds: `World`, `Batch`, `WorldConfig`, `Rules`, `VARIANTS`, `Rewards`, `Action`.
+Policies and matches: `Network`, `Population`, `Matches`, `rollout`, `Scores`, `record`.
+Episodes: `Episode`, and the modules `replay` and `render`.
+Evolution and its analysis: the packages `coevolution` and `analysis`, the module `plots`.
+"""
+
+from matrixworld._core import Capture, Interaction, Outcome
+from matrixworld.config import WorldConfig
+from matrixworld.conflicts import Conflict
+from matrixworld.episode import Episode
+from matrixworld.maps import read_map
+from matrixworld.policy import SCRIPTS, Network, Population
+from matrixworld.rollout import Matches, Scores, match_seed, record, rollout
+from matrixworld.rules import KINDS, VARIANTS, Action, Rewards, Rules
+from matrixworld.world import Batch, World, array_specs
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "KINDS",
+    "SCRIPTS",
+    "VARIANTS",
+    "Action",
+    "Batch",
+    "Capture",
+    "Conflict",
+    "Episode",
+    "Interaction",
+    "Matches",
+    "Network",
+    "Outcome",
+    "Population",
+    "Rewards",
+    "Rules",
+    "Scores",
+    "World",
+    "WorldConfig",
+    "array_specs",
+    "match_seed",
+    "read_map",
+    "record",
+    "rollout",
+]

@@ -1,0 +1,187 @@
+"""What is fixed for a world before its first episode."""
+
+from __future__ import annotations
+
+import operator
+import warnings
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld import _core
+from matrixworld._core import Capture
+from matrixworld.maps import MapLike, read_map
+from matrixworld.rules import Rewards, Rules, rules_of
+
+Obstacles: TypeAlias = "None | float | MapLike"
+
+_SIDE = 40
+_TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}  # the paper's
+
+
+def _integer(name: str, value: Any) -> int:
+    if isinstance(value, bool):
+        raise TypeError(f"{name}: expected an int, got {value!r}")
+    try:
+        return operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name}: expected an int, got {value!r}") from None
+
+
+def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
+    if given is None:
+        return 0.0
+    if isinstance(given, int | float | np.floating) and not isinstance(given, bool):
+        return float(given)
+    return read_map(given)
+
+
+@dataclass(frozen=True, eq=False, init=False)
+class WorldConfig:
+    """The settings of a world.
+
+    rules: a row of rules, or the name of a variant
+    rows, cols: cells, 1 to 4096 a side; by default those of the obstacle map, or 40
+    n_pursuers, n_evaders: at least 1; by default the paper's 8 and 30, under surround 20 and 5
+    fov: side of an agent's square view in cells, odd, at most 255
+    diagonal: whether agents move in 8 directions instead of 4
+    max_steps: rounds until an episode is truncated
+    obstacles: none; the share of the cells, in [0, 1), that become obstacles anew at every reset
+        (drawn uniformly, without care for connectedness); or a map as `read_map` takes it
+    rewards: what is paid
+
+    Raises TypeError for values of a wrong type and ValueError for values out of range, such as
+    more agents than free cells. Warns where the rules can never capture anybody.
+    """
+
+    rules: Rules
+    rows: int
+    cols: int
+    n_pursuers: int
+    n_evaders: int
+    fov: int
+    diagonal: bool
+    max_steps: int
+    obstacles: float | NDArray[np.bool_]
+    rewards: Rewards
+
+    def __init__(
+        self,
+        rules: Rules | str = "O",
+        *,
+        rows: int | None = None,
+        cols: int | None = None,
+        n_pursuers: int | None = None,
+        n_evaders: int | None = None,
+        fov: int = 11,
+        diagonal: bool = False,
+        max_steps: int = 500,
+        obstacles: Obstacles = None,
+        rewards: Rewards | None = None,
+    ) -> None:
+        row = rules_of(rules)
+        ground = _obstacles(obstacles)
+        height, width = ground.shape if isinstance(ground, np.ndarray) else (_SIDE, _SIDE)
+        pursuers, evaders = _TEAM_SIZES[row.capture]
+        if not isinstance(diagonal, bool):
+            raise TypeError(f"diagonal: expected a bool, got {diagonal!r}")
+        if rewards is not None and not isinstance(rewards, Rewards):
+            raise TypeError(f"rewards: expected Rewards, got {rewards!r}")
+        values = {
+            "rules": row,
+            "rows": _integer("rows", height if rows is None else rows),
+            "cols": _integer("cols", width if cols is None else cols),
+            "n_pursuers": _integer("n_pursuers", pursuers if n_pursuers is None else n_pursuers),
+            "n_evaders": _integer("n_evaders", evaders if n_evaders is None else n_evaders),
+            "fov": _integer("fov", fov),
+            "diagonal": diagonal,
+            "max_steps": _integer("max_steps", max_steps),
+            "obstacles": ground,
+            "rewards": Rewards() if rewards is None else rewards,
+        }
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+        self.check_map(self.map)
+        self.setup  # noqa: B018  (the engine checks the ranges)
+        if not row.captures:
+            warnings.warn("these rules can never capture an evader", stacklevel=2)
+
+    @classmethod
+    def of(cls, config: WorldConfig | Rules | str = "O", **changes: Any) -> WorldConfig:
+        """``config`` itself or the config of these rules, with some fields changed."""
+        if isinstance(config, WorldConfig):
+            return replace(config, **changes) if changes else config
+        return cls(config, **changes)
+
+    @property
+    def n_agents(self) -> int:
+        """Agents of both teams."""
+        return self.n_pursuers + self.n_evaders
+
+    @property
+    def n_actions(self) -> int:
+        """5, or 9 with diagonal moves."""
+        return 9 if self.diagonal else 5
+
+    @property
+    def map(self) -> NDArray[np.bool_] | None:
+        """The given obstacle map, ``(rows, cols)`` bool, or None."""
+        return self.obstacles if isinstance(self.obstacles, np.ndarray) else None
+
+    @property
+    def density(self) -> float:
+        """The share of cells that become obstacles at a reset; 0 with a given map."""
+        return 0.0 if isinstance(self.obstacles, np.ndarray) else self.obstacles
+
+    def agent_name(self, agent: int) -> str:
+        """``pursuer_0`` ... and then ``evader_0`` ..."""
+        if agent < self.n_pursuers:
+            return f"pursuer_{agent}"
+        return f"evader_{agent - self.n_pursuers}"
+
+    def check_map(self, obstacles: NDArray[np.bool_] | None) -> None:
+        """Raise ValueError where a map is not of this size."""
+        if obstacles is not None and obstacles.shape != (self.rows, self.cols):
+            raise ValueError(
+                f"obstacle map: expected shape {(self.rows, self.cols)} as rows and cols say, "
+                f"got {obstacles.shape}"
+            )
+
+    def to_json(self) -> dict[str, Any]:
+        """The settings as plain values: numbers, names, and rows of text for a map."""
+        plain = {item.name: getattr(self, item.name) for item in fields(self)}
+        plain["rules"] = {
+            item.name: getattr(value, "name", value)
+            for item in fields(self.rules)
+            for value in [getattr(self.rules, item.name)]
+        }
+        plain["rewards"] = {
+            item.name: getattr(self.rewards, item.name) for item in fields(self.rewards)
+        }
+        if self.map is not None:
+            plain["obstacles"] = ["".join(".#"[cell] for cell in row) for row in self.map]
+        return plain
+
+    @cached_property
+    def setup(self) -> _core.Setup:
+        """The engine's form of these settings."""
+        rules = {item.name: getattr(self.rules, item.name) for item in fields(self.rules)}
+        paid = {
+            name: self.rewards.by_team(name) for name in ("capture", "neighbor", "collide", "step")
+        }
+        return _core.Setup(
+            rules=_core.Rules(**rules),
+            rewards=_core.Rewards(**paid, capture_repeats=self.rewards.capture_repeats),
+            rows=self.rows,
+            cols=self.cols,
+            n_pursuers=self.n_pursuers,
+            n_evaders=self.n_evaders,
+            fov=self.fov,
+            diagonal=self.diagonal,
+            max_steps=self.max_steps,
+            density=self.density,
+            map=None if self.map is None else self.map.astype(np.uint8),
+        )

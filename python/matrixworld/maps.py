@@ -1,0 +1,76 @@
+"""Obstacle maps: from arrays, rows of text, and MovingAI ``.map`` files."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from os import PathLike, fspath
+from pathlib import Path
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+MapLike: TypeAlias = "NDArray[np.bool_] | Sequence[str] | str | PathLike[str]"
+
+FREE = ".GS"
+"""Characters of passable terrain (ground, swamp) in a map."""
+BLOCKED = "#@OTW"
+"""Characters of impassable terrain: walls, out of bounds, trees, water."""
+
+
+def read_map(source: MapLike) -> NDArray[np.bool_]:
+    """An obstacle map, ``(rows, cols)`` bool, True where an obstacle is.
+
+    source: a bool array, rows of text (see `FREE` and `BLOCKED`), or the path of a MovingAI
+        ``.map`` file (Sturtevant 2012).
+
+    Raises TypeError for another type, ValueError for a map that is empty, ragged or has an
+    unknown character, and FileNotFoundError for a path that does not exist.
+    """
+    if isinstance(source, np.ndarray):
+        return _from_array(source)
+    if isinstance(source, str | PathLike):
+        return _from_file(Path(fspath(source)))
+    if isinstance(source, Sequence) and all(isinstance(row, str) for row in source):
+        return _from_rows(list(source), "map")
+    raise TypeError(f"map: expected a bool array, rows of text or a path, got {source!r}")
+
+
+def _from_array(array: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    if array.dtype != np.bool_:
+        raise TypeError(f"map: expected dtype bool, got {array.dtype}")
+    if array.ndim != 2 or array.size == 0:
+        raise ValueError(f"map: expected shape (rows, cols), got {array.shape}")
+    return array.copy()
+
+
+def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:
+    if not rows or not rows[0]:
+        raise ValueError(f"{name}: expected at least one row of at least one cell, got {rows!r}")
+    for number, row in enumerate(rows):
+        if len(row) != len(rows[0]):
+            raise ValueError(
+                f"{name}, row {number}: expected {len(rows[0])} cells as in row 0, got {len(row)}"
+            )
+        unknown = set(row) - set(FREE + BLOCKED)
+        if unknown:
+            raise ValueError(
+                f"{name}, row {number}: expected {FREE!r} (free) or {BLOCKED!r} (obstacle), "
+                f"got {sorted(unknown)}"
+            )
+    return np.array([[cell in BLOCKED for cell in row] for row in rows])
+
+
+def _from_file(path: Path) -> NDArray[np.bool_]:
+    lines = path.read_text(encoding="ascii").splitlines()
+    header = dict(line.split(maxsplit=1) for line in lines[:3] if len(line.split()) > 1)
+    if lines[3:4] != ["map"] or set(header) != {"type", "height", "width"}:
+        raise ValueError(
+            f"{path}: expected a MovingAI map (lines type, height, width and map), "
+            f"got {lines[:4]}"
+        )
+    array = _from_rows(lines[4:], str(path))
+    expected = (int(header["height"]), int(header["width"]))
+    if array.shape != expected:
+        raise ValueError(f"{path}: expected {expected} cells as in its header, got {array.shape}")
+    return array

@@ -1,0 +1,151 @@
+"""Whole episodes in the engine: matches in, scores out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld import _core
+from matrixworld.config import WorldConfig
+from matrixworld.episode import Episode
+from matrixworld.policy import Team, check_team
+from matrixworld.world import check_threads
+
+
+class Matches(NamedTuple):
+    """M matches: which pursuers meet which evaders, under which seed.
+
+    pursuer, evader: ``(M,)`` int32 indices into the populations, 0 for a script
+    seed: ``(M,)`` uint64; world j of a match is episode j of its seed
+    """
+
+    pursuer: NDArray[np.int32]
+    evader: NDArray[np.int32]
+    seed: NDArray[np.uint64]
+
+    @classmethod
+    def of(cls, pursuer: ArrayLike, evader: ArrayLike, seed: ArrayLike) -> Matches:
+        """Matches from integers that broadcast against each other to ``(M,)``.
+
+        Raises TypeError for other numbers, ValueError where they do not broadcast to one axis.
+        """
+        parts = []
+        for name, part, dtype in (
+            ("pursuer", pursuer, np.int32),
+            ("evader", evader, np.int32),
+            ("seed", seed, np.uint64),
+        ):
+            array = np.asarray(part)
+            if array.dtype.kind not in "iu":
+                raise TypeError(f"{name}: expected integers, got dtype {array.dtype}")
+            if array.size and array.dtype.kind == "i" and array.min() < 0:
+                raise ValueError(f"{name}: expected 0 or more, got {array.min()}")
+            parts.append(array.astype(dtype))
+        broadcast = np.broadcast_arrays(*np.atleast_1d(*parts))
+        if broadcast[0].ndim != 1:
+            raise ValueError(f"matches: expected one axis, got shape {broadcast[0].shape}")
+        return cls(*(np.ascontiguousarray(part) for part in broadcast))
+
+
+@dataclass(frozen=True, eq=False)
+class Scores:
+    """What the episodes of M matches, W worlds each, came to; every array begins ``(M, W)``.
+
+    capture_rate: float32, share of the evaders that count as captured at the end (at some time
+        under occupation, at that moment under surround)
+    captured_fraction: float32, the same share as a mean over ``max_steps``; after an early end it
+        stands as it was, so that fast captures score higher
+    length: int32, steps
+    pursuer_return, evader_return: float64, rewards summed over team and steps
+    pursuer_survivors, evader_survivors: int32, agents alive at the end
+    pursuer_crowding, evader_crowding: float32, (alive agents - distinct cells that they stand
+        on) / team size, mean over ``max_steps``
+    collisions, faults: ``(M, W, 2, 3)`` int32, agent-steps involved and at fault, by team
+        (pursuers, evaders) and kind (obstacle, teammate, adversary)
+    """
+
+    capture_rate: NDArray[np.float32]
+    captured_fraction: NDArray[np.float32]
+    length: NDArray[np.int32]
+    pursuer_return: NDArray[np.float64]
+    evader_return: NDArray[np.float64]
+    pursuer_survivors: NDArray[np.int32]
+    evader_survivors: NDArray[np.int32]
+    pursuer_crowding: NDArray[np.float32]
+    evader_crowding: NDArray[np.float32]
+    collisions: NDArray[np.int32]
+    faults: NDArray[np.int32]
+
+
+def rollout(
+    config: WorldConfig,
+    pursuers: Team,
+    evaders: Team,
+    matches: Matches,
+    *,
+    worlds: int = 1,
+    threads: int | None = None,
+) -> Scores:
+    """Play every match in ``worlds`` worlds and score the episodes.
+
+    A pure function: the same arguments give the same bits, for any number of threads and in any
+    company of other matches. Where the rules take turns, an agent looks when its turn comes.
+
+    pursuers, evaders: a `Population`, or the name of a script
+    threads: by default one a core
+
+    Raises ValueError for an index beyond a population and for a network that does not fit the
+    world, TypeError and ValueError for other bad arguments.
+    """
+    if worlds < 1:
+        raise ValueError(f"worlds: expected at least 1, got {worlds}")
+    columns = _core.rollout(
+        config.setup,
+        check_team("pursuers", pursuers),
+        check_team("evaders", evaders),
+        *Matches.of(*matches),
+        n_worlds=worlds,
+        n_threads=check_threads(threads),
+    )
+    return Scores(**columns)
+
+
+def record(
+    config: WorldConfig,
+    pursuers: Team,
+    evaders: Team,
+    *,
+    seed: int,
+    pursuer: int = 0,
+    evader: int = 0,
+    episode: int = 0,
+) -> Episode:
+    """Play one episode and keep every moment of it.
+
+    The episode is that of world ``episode`` in `rollout` of the match (pursuer, evader, seed).
+    """
+    match = Matches.of(pursuer, evader, seed)
+    arrays = _core.record(
+        config.setup,
+        check_team("pursuers", pursuers),
+        check_team("evaders", evaders),
+        pursuer=int(match.pursuer[0]),
+        evader=int(match.evader[0]),
+        seed=int(match.seed[0]),
+        episode=episode,
+    )
+    for name in ("alive", "captured", "ever_captured", "involved", "fault", "map"):
+        arrays[name] = arrays[name].astype(bool)
+    return Episode(**arrays, n_pursuers=config.n_pursuers, config=config.to_json())
+
+
+def match_seed(run_seed: int, *key: int) -> int:
+    """The seed of a match, from the seed of a run and what tells the match from the others.
+
+    By numpy.random.SeedSequence, whose numbers are the same on every machine and version.
+    """
+    words = np.random.SeedSequence([run_seed, *key]).generate_state(1, np.uint64)
+    return int(words[0])
