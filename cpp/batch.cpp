@@ -94,9 +94,8 @@ void Batch::reset(const std::uint64_t* seeds, std::uint64_t episode, const Buffe
 }
 
 void Batch::play(const Buffers& buffers) {
-    for_each_world([&](World& world, std::size_t w, Scratch& scratch) {
-        play(world, w, scratch, buffers);
-    });
+    for_each_world(
+        [&](World& world, std::size_t w, Scratch& scratch) { play(world, w, scratch, buffers); });
 }
 
 void Batch::play(World& world, std::size_t number, Scratch& scratch, const Buffers& buffers) {

@@ -14,19 +14,19 @@ namespace matrixworld {
 
 // Where to write what, by world and then by agent or evader; nothing is written to a null one.
 struct Buffers {
-    std::int32_t* positions = nullptr;     // (W, A, 2) row, col; -1, -1 when gone
-    std::uint8_t* alive = nullptr;         // (W, A)
-    std::uint8_t* captured = nullptr;      // (W, E)
-    std::uint8_t* ever_captured = nullptr; // (W, E)
-    std::int32_t* captors = nullptr;       // (W, E)
-    std::uint8_t* involved = nullptr;      // (W, A, 3)
-    std::uint8_t* fault = nullptr;         // (W, A, 3)
-    float* rewards = nullptr;              // (W, A)
-    std::int32_t* steps = nullptr;         // (W,)
-    std::uint8_t* terminated = nullptr;    // (W,)
-    std::uint8_t* truncated = nullptr;     // (W,)
-    std::uint8_t* views = nullptr;         // (W, A, 3, fov, fov)
-    std::uint8_t* state = nullptr;         // (W, 3, rows, cols)
+    std::int32_t* positions = nullptr;      // (W, A, 2) row, col; -1, -1 when gone
+    std::uint8_t* alive = nullptr;          // (W, A)
+    std::uint8_t* captured = nullptr;       // (W, E)
+    std::uint8_t* ever_captured = nullptr;  // (W, E)
+    std::int32_t* captors = nullptr;        // (W, E)
+    std::uint8_t* involved = nullptr;       // (W, A, 3)
+    std::uint8_t* fault = nullptr;          // (W, A, 3)
+    float* rewards = nullptr;               // (W, A)
+    std::int32_t* steps = nullptr;          // (W,)
+    std::uint8_t* terminated = nullptr;     // (W,)
+    std::uint8_t* truncated = nullptr;      // (W,)
+    std::uint8_t* views = nullptr;          // (W, A, 3, fov, fov)
+    std::uint8_t* state = nullptr;          // (W, 3, rows, cols)
 };
 
 // Writes one world's share; the agents must be in the occupancy.

@@ -119,7 +119,8 @@ HeldBuffers hold(const Config& config, const Shape& lead, const py::dict& arrays
         }
         auto array = py::reinterpret_borrow<py::array>(object);
         using T = std::remove_reference_t<decltype(*pointer)>;
-        if (!(array.dtype().is(py::dtype::of<decltype(dtypes)>()) || ...)) require_dtype<T>(name, array);
+        if (!(array.dtype().is(py::dtype::of<decltype(dtypes)>()) || ...))
+            require_dtype<T>(name, array);
         require_shape(name, array, joined(lead, shape));
         if (!(array.flags() & py::array::c_style) || !array.writeable()) {
             throw py::value_error(std::string(name) + ": expected a writeable C-contiguous array");
@@ -385,8 +386,8 @@ py::dict rollout(const std::shared_ptr<const Setup>& setup, const py::object& pu
     std::vector<Score> scores;
     {
         const py::gil_scoped_release release;
-        scores = play_matches(setup, left.candidates, right.candidates, matches, n_worlds,
-                              n_threads);
+        scores =
+            play_matches(setup, left.candidates, right.candidates, matches, n_worlds, n_threads);
     }
     return to_columns(scores, {n, n_worlds});
 }
@@ -549,8 +550,8 @@ PYBIND11_MODULE(_core, m) {
 
     py::class_<SingleWorld>(m, "World")
         .def(py::init<std::shared_ptr<const Setup>>(), py::arg("setup"))
-        .def("reset", &SingleWorld::reset, py::arg("seed"), py::arg("episode"),
-             py::arg("pursuers"), py::arg("evaders"), py::arg("map"))
+        .def("reset", &SingleWorld::reset, py::arg("seed"), py::arg("episode"), py::arg("pursuers"),
+             py::arg("evaders"), py::arg("map"))
         .def("step", &SingleWorld::step, py::arg("actions"), py::arg("explain"))
         .def("write", &SingleWorld::write, py::arg("arrays"))
         .def("conflicts", &SingleWorld::conflicts)

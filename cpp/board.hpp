@@ -55,7 +55,9 @@ class Board {
         return static_cast<std::size_t>(row + margin_) * stride_ + (x >> 3);
     }
     std::uint8_t& byte(int row, int col) { return bits_[index(row, col + margin_)]; }
-    std::uint8_t bit(int col) const { return static_cast<std::uint8_t>(1 << ((col + margin_) & 7)); }
+    std::uint8_t bit(int col) const {
+        return static_cast<std::uint8_t>(1 << ((col + margin_) & 7));
+    }
 
     int stride_;  // bytes a row
     int margin_;

@@ -109,7 +109,8 @@ inline void dense_tile(const float* in, int in_stride, int n_in, const float* we
     }
     for (int k = 0; k < n_in; ++k) {
         Vec row[kVecs];
-        for (int v = 0; v < kVecs; ++v) row[v] = load(weights + static_cast<long>(k) * width + v * kLanes);
+        for (int v = 0; v < kVecs; ++v)
+            row[v] = load(weights + static_cast<long>(k) * width + v * kLanes);
         for (int i = 0; i < kRows; ++i) {
             const Vec x = splat(in[static_cast<long>(i) * in_stride + k]);
             for (int v = 0; v < kVecs; ++v) sum[i][v] = madd(x, row[v], sum[i][v]);
@@ -124,8 +125,7 @@ inline void dense_tile(const float* in, int in_stride, int n_in, const float* we
 
 template <int kRows>
 inline void dense_rows(const float* in, int in_stride, int n_in, const float* weights,
-                       const float* bias, int width, int n_out, Activation activation,
-                       float* out) {
+                       const float* bias, int width, int n_out, Activation activation, float* out) {
     int column = 0;
     for (; column + kLanes < n_out; column += 2 * kLanes) {
         dense_tile<kRows, 2>(in, in_stride, n_in, weights + column, bias + column, width,
@@ -137,8 +137,8 @@ inline void dense_rows(const float* in, int in_stride, int n_in, const float* we
     }
 }
 
-void dense(const float* in, int in_stride, int n, int n_in, const float* weights,
-           const float* bias, int width, int n_out, Activation activation, float* out) {
+void dense(const float* in, int in_stride, int n, int n_in, const float* weights, const float* bias,
+           int width, int n_out, Activation activation, float* out) {
     int i = 0;
     const auto rest = [&](int rows) { return n - i >= rows; };
     const auto at = [&](const float* array, int stride) {
@@ -146,14 +146,17 @@ void dense(const float* in, int in_stride, int n, int n_in, const float* weights
     };
     const auto to = [&] { return out + static_cast<long>(i) * width; };
     for (; rest(8); i += 8) {
-        dense_rows<8>(at(in, in_stride), in_stride, n_in, weights, bias, width, n_out, activation, to());
+        dense_rows<8>(at(in, in_stride), in_stride, n_in, weights, bias, width, n_out, activation,
+                      to());
     }
     if (rest(4)) {
-        dense_rows<4>(at(in, in_stride), in_stride, n_in, weights, bias, width, n_out, activation, to());
+        dense_rows<4>(at(in, in_stride), in_stride, n_in, weights, bias, width, n_out, activation,
+                      to());
         i += 4;
     }
     for (; rest(1); ++i) {
-        dense_rows<1>(at(in, in_stride), in_stride, n_in, weights, bias, width, n_out, activation, to());
+        dense_rows<1>(at(in, in_stride), in_stride, n_in, weights, bias, width, n_out, activation,
+                      to());
     }
 }
 
@@ -163,15 +166,18 @@ constexpr int kMaxActions = 9;
 void sample(const float* logits, int stride, int n, int n_actions, const float* units,
             std::uint8_t* actions) {
     for (int first = 0; first < n; first += kLanes) {
-        Vec logit[kMaxActions];
-        Vec unit;
+        float by_action[kMaxActions][kLanes];
+        float by_lane[kLanes];
         for (int lane = 0; lane < kLanes; ++lane) {
             const int i = first + lane < n ? first + lane : n - 1;
-            unit[lane] = units[i];
+            by_lane[lane] = units[i];
             for (int a = 0; a < n_actions; ++a) {
-                logit[a][lane] = logits[static_cast<long>(i) * stride + a];
+                by_action[a][lane] = logits[static_cast<long>(i) * stride + a];
             }
         }
+        const Vec unit = load(by_lane);
+        Vec logit[kMaxActions];
+        for (int a = 0; a < n_actions; ++a) logit[a] = load(by_action[a]);
         Vec most = logit[0];
         for (int a = 1; a < n_actions; ++a) most = larger(logit[a], most);
         Vec cumulated[kMaxActions];

@@ -85,8 +85,8 @@ void Mlp::sum_border() {
     const auto corner = [&](int r, int c) { return corner_sums_.row(r * (fov + 1) + c); };
     for (int r = 0; r < fov; ++r) {
         for (int c = 0; c < fov; ++c) {
-            corner(r + 1, c + 1) = obstacles.row(r * fov + c) + corner(r, c + 1) +
-                                   (corner(r + 1, c) - corner(r, c));
+            corner(r + 1, c + 1) =
+                obstacles.row(r * fov + c) + corner(r, c + 1) + (corner(r + 1, c) - corner(r, c));
         }
     }
     std::fill(base_known_.begin(), base_known_.end(), 0);

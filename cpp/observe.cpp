@@ -44,9 +44,7 @@ struct Window {
 
 // The bits of `columns` cells from column `left` that lie outside a grid of `cols` columns.
 std::uint64_t outside(int left, int columns, int cols) {
-    const auto low_bits = [](int n) {
-        return (std::uint64_t{1} << std::clamp(n, 0, kChunk)) - 1;
-    };
+    const auto low_bits = [](int n) { return (std::uint64_t{1} << std::clamp(n, 0, kChunk)) - 1; };
     return low_bits(columns) & (low_bits(-left) | ~low_bits(cols - left));
 }
 
@@ -84,20 +82,18 @@ void write_view(const World& world, const Occupancy& occupancy, int agent, std::
     }
     const Window window(world, agent);
     const auto write = [&](std::uint8_t* channel) {
-        return [=](int index, int width, std::uint64_t bits) {
-            spread(bits, width, channel + index);
-        };
+        return
+            [=](int index, int width, std::uint64_t bits) { spread(bits, width, channel + index); };
     };
     for_each_chunk(occupancy.board(Team::Evader), window, write(out + kEvaders * area));
     for_each_chunk(occupancy.board(Team::Pursuer), window, write(out + kPursuers * area));
-    for_each_chunk(world.ground().walls, window,
-                   [&](int index, int width, std::uint64_t bits) {
-                       const int row = window.top + index / window.fov;
-                       const int left = window.left + index % window.fov;
-                       const bool beyond = row < 0 || row >= config.rows;
-                       bits |= beyond ? ~std::uint64_t{0} : outside(left, width, config.cols);
-                       spread(bits, width, out + kObstacles * area + index);
-                   });
+    for_each_chunk(world.ground().walls, window, [&](int index, int width, std::uint64_t bits) {
+        const int row = window.top + index / window.fov;
+        const int left = window.left + index % window.fov;
+        const bool beyond = row < 0 || row >= config.rows;
+        bits |= beyond ? ~std::uint64_t{0} : outside(left, width, config.cols);
+        spread(bits, width, out + kObstacles * area + index);
+    });
     if (alone(world, occupancy, agent)) out[own_centre(world, agent)] = 0;
 }
 
@@ -150,7 +146,8 @@ int list_view(const World& world, const Occupancy& occupancy, int agent, int* ou
     const bool pursuer = world.team(agent) == Team::Pursuer;
     int* end = out;
     end = list_board(occupancy.board(Team::Evader), window, kEvaders * area, hide && !pursuer, end);
-    end = list_board(occupancy.board(Team::Pursuer), window, kPursuers * area, hide && pursuer, end);
+    end =
+        list_board(occupancy.board(Team::Pursuer), window, kPursuers * area, hide && pursuer, end);
     if (world.ground().has_obstacles) {
         end = list_board(world.ground().walls, window, kObstacles * area, false, end);
     }

@@ -16,8 +16,8 @@ class Workers {
   public:
     // 0 threads: as many as the machine has cores.
     explicit Workers(int n_threads) {
-        const int n = n_threads > 0 ? n_threads
-                                    : static_cast<int>(std::thread::hardware_concurrency());
+        const int n =
+            n_threads > 0 ? n_threads : static_cast<int>(std::thread::hardware_concurrency());
         for (int i = 1; i < n; ++i) threads_.emplace_back([this, i] { wait_for_work(i); });
     }
 

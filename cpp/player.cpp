@@ -8,29 +8,33 @@ namespace matrixworld {
 
 void Player::decide(const World& world, const Occupancy& occupancy, int first, int last,
                     std::vector<std::uint8_t>& actions) {
-    agents_.clear();
-    for (int a = first; a < last; ++a) {
-        if (world.alive(a)) agents_.push_back(a);
-    }
-    if (agents_.empty()) return;
-    draws_.clear();
+    const auto room = static_cast<std::size_t>(last - first);
+    agents_.resize(room);
+    draws_.resize(room);
+    std::size_t n = 0;
     Block block{};
     int number = -1;
-    for (int a : agents_) {
-        if (a / 4 != number) {
-            number = a / 4;
+    for (int a = first; a < last; ++a) {
+        if (!world.alive(a)) continue;
+        if (a / kDrawsPerBlock != number) {
+            number = a / kDrawsPerBlock;
             block = world.key().block(Purpose::Decide, number, world.steps());
         }
-        draws_.push_back(block[a % 4]);
+        agents_[n] = a;
+        draws_[n] = block[a % kDrawsPerBlock];
+        ++n;
     }
-    chosen_.resize(agents_.size());
+    agents_.resize(n);
+    draws_.resize(n);
+    chosen_.resize(n);
+    if (n == 0) return;
     choose(world, occupancy);
-    for (std::size_t i = 0; i < agents_.size(); ++i) actions[agents_[i]] = chosen_[i];
+    for (std::size_t i = 0; i < n; ++i) actions[agents_[i]] = chosen_[i];
 }
 
 void NetworkPlayer::choose(const World& world, const Occupancy& occupancy) {
-    units_.clear();
-    for (std::uint64_t draw : draws_) units_.push_back(unit(draw));
+    units_.resize(draws_.size());
+    for (std::size_t i = 0; i < draws_.size(); ++i) units_[i] = unit(draws_[i]);
     mlp_.act(world, occupancy, agents_, units_, chosen_);
 }
 
@@ -74,8 +78,7 @@ std::uint8_t ScriptedPlayer::chase_or_flee(const World& world, const Occupancy& 
 }
 
 // Moves from the cell that `move` leads to, to the nearest adversary in view; INT_MAX without one.
-int ScriptedPlayer::distance_after(const World& world, Team adversary, int n_set,
-                                   int move) const {
+int ScriptedPlayer::distance_after(const World& world, Team adversary, int n_set, int move) const {
     const int fov = world.config().fov;
     const int channel = adversary == Team::Pursuer ? kPursuers : kEvaders;
     int nearest = INT_MAX;
@@ -84,8 +87,7 @@ int ScriptedPlayer::distance_after(const World& world, Team adversary, int n_set
         const int place = view_[i] % (fov * fov);
         const int rows = std::abs(place / fov - fov / 2 - kRowStep[move]);
         const int cols = std::abs(place % fov - fov / 2 - kColStep[move]);
-        nearest = std::min(nearest,
-                           world.config().diagonal ? std::max(rows, cols) : rows + cols);
+        nearest = std::min(nearest, world.config().diagonal ? std::max(rows, cols) : rows + cols);
     }
     return nearest;
 }

@@ -11,7 +11,8 @@
 
 namespace matrixworld {
 
-using Block = std::array<std::uint64_t, 4>;
+constexpr int kDrawsPerBlock = 4;
+using Block = std::array<std::uint64_t, kDrawsPerBlock>;
 
 enum class Purpose : std::uint64_t { Reset = 1, Decide = 2 };
 
@@ -60,8 +61,10 @@ class Stream {
     Stream(EpisodeKey key, Purpose purpose) : key_(key), purpose_(purpose) {}
 
     std::uint64_t next() {
-        if (drawn_ % 4 == 0) block_ = key_.block(purpose_, drawn_ / 4, 0);
-        return block_[drawn_++ % 4];
+        if (drawn_ % kDrawsPerBlock == 0) {
+            block_ = key_.block(purpose_, drawn_ / kDrawsPerBlock, 0);
+        }
+        return block_[drawn_++ % kDrawsPerBlock];
     }
 
   private:

@@ -7,9 +7,9 @@ namespace {
 // The layout of a word of `headed_`, for each team in its own 11 bits.
 using Word = std::uint32_t;
 constexpr int kTeamBits = 11;
-constexpr Word kStanding = 1;                               // way 0
+constexpr Word kStanding = 1;  // way 0
 constexpr Word kMoving = (1u << kDiagonalMoves) - 1 - kStanding;
-constexpr Word kSeveral = 1u << kDiagonalMoves;             // more than one agent
+constexpr Word kSeveral = 1u << kDiagonalMoves;  // more than one agent
 constexpr Word kStandingActor = 1u << (kDiagonalMoves + 1);
 constexpr Word kTeamMask = (1u << kTeamBits) - 1;
 
@@ -23,8 +23,8 @@ Team opponent(Team team) { return team == Team::Pursuer ? Team::Evader : Team::P
 struct Contact {
     bool moves;
     bool other_moves;
-    bool other_on_target;     // the other stands on the cell that this one means to enter
-    bool on_others_target;    // and the reverse
+    bool other_on_target;   // the other stands on the cell that this one means to enter
+    bool on_others_target;  // and the reverse
 
     Contact reversed() const { return {other_moves, moves, on_others_target, other_on_target}; }
 };
@@ -39,8 +39,7 @@ bool holds(const Contact& contact, Outcome own, Outcome other) {
 // Blame among adversaries: whoever is held; where nobody is, under surround, whoever moves.
 bool blames(const Contact& contact, Outcome own, Outcome other, Capture capture) {
     if (holds(contact, own, other)) return true;
-    return capture == Capture::Surround && contact.moves &&
-           !holds(contact.reversed(), other, own);
+    return capture == Capture::Surround && contact.moves && !holds(contact.reversed(), other, own);
 }
 
 std::uint8_t sides(bool first, bool second) {
@@ -60,6 +59,7 @@ Resolver::Resolver(const Grid& grid, const Rules& rules, int n_pursuers, int n_a
       first_(IntArray::Constant(grid.n_cells(), -1)),
       next_(IntArray::Constant(n_agents, -1)) {
     present_.reserve(n_agents);
+    company_.reserve(n_agents);
     held_now_.reserve(n_agents);
     posted_.reserve(n_agents);
     listed_.reserve(n_agents);
@@ -118,9 +118,20 @@ void Resolver::post() {
         if (word == 0) posted_.push_back(target_[a]);
         const int shift = kTeamBits * static_cast<int>(team(a));
         Word news = 1u << way_[a];
-        if (word & (((kMoving | kStanding)) << shift)) news |= kSeveral;
+        if (word & ((kMoving | kStanding) << shift)) news |= kSeveral;
         if (way_[a] == 0 && turn_->acts(a)) news |= kStandingActor;
         word |= news << shift;
+    }
+}
+
+// Those who are not alone: somebody else heads for the same cell, or for the cell that they leave.
+// Nobody else can be in conflict.
+void Resolver::find_company() {
+    company_.clear();
+    for (int a : present_) {
+        const Word alone = 1u << (kTeamBits * static_cast<int>(team(a)) + way_[a]);
+        const Word there = headed_[target_[a]] & ~(kStandingActor | kStandingActor << kTeamBits);
+        if (there != alone || (way_[a] && headed_[turn_->cell[a]])) company_.push_back(a);
     }
 }
 
@@ -153,12 +164,13 @@ bool Resolver::swap(int a, int b) const {
 
 void Resolver::teammates() {
     post();
+    find_company();
     if (log_) {
         list_targets();
         log_pairs(Kind::Teammate);
         unlist_targets();
     }
-    for (int a : present_) {
+    for (int a : company_) {
         if (!meets_teammate(a)) continue;
         flags_[a] |= involved(Kind::Teammate) | at_fault(Kind::Teammate);
         if (rules_.teammate == Outcome::Disappear) flags_[a] |= kDoomed;
@@ -171,6 +183,7 @@ void Resolver::teammates() {
     spread_bounce();
     unpost();  // stage 3 judges what stage 2 left
     post();
+    find_company();
 }
 
 bool Resolver::meets_teammate(int a) const {
@@ -191,7 +204,8 @@ void Resolver::spread_bounce() {
         target_[b] = turn_->cell[b];
         for (int a = first_[turn_->cell[b]]; a >= 0; a = next_[a]) {
             if (way_[a] == 0 || (flags_[a] & kBarred) || team(a) != team(b)) continue;
-            for (int side : {a, b}) flags_[side] |= involved(Kind::Teammate) | at_fault(Kind::Teammate);
+            for (int side : {a, b})
+                flags_[side] |= involved(Kind::Teammate) | at_fault(Kind::Teammate);
             flags_[a] |= kHeld | kBarred;
             if (log_) log_pair(Form::Chain, a, b, turn_->cell[b]);
             held_now_.push_back(a);
@@ -207,7 +221,7 @@ void Resolver::adversaries() {
         list_targets();
         log_pairs(Kind::Adversary);
     }
-    for (int a : present_) judge_adversaries(a);
+    for (int a : company_) judge_adversaries(a);
     unpost();
 }
 
@@ -299,8 +313,8 @@ void Resolver::enter_link(int a, int link) {
 // ---- The list of conflicts ------------------------------------------------------------------
 
 void Resolver::log_obstacle(int a, Outcome outcome) {
-    log_->push_back({turn_->number, Kind::Obstacle, Form::Vertex, a, -1, target_[a], sides(true, false),
-                     sides(outcome == Outcome::Bounce, false),
+    log_->push_back({turn_->number, Kind::Obstacle, Form::Vertex, a, -1, target_[a],
+                     sides(true, false), sides(outcome == Outcome::Bounce, false),
                      sides(outcome == Outcome::Disappear, false)});
 }
 
@@ -330,13 +344,12 @@ void Resolver::log_pair(Form form, int a, int b, int cell) {
     const Outcome own = friends ? rules_.teammate : rules_.adversary(team(a));
     const Outcome other = friends ? rules_.teammate : rules_.adversary(team(b));
     const Contact reversed = contact.reversed();
-    log_->push_back(
-        {turn_->number, friends ? Kind::Teammate : Kind::Adversary, form, a, b, cell,
-         friends ? sides(true, true)
-                 : sides(blames(contact, own, other, rules_.capture),
-                         blames(reversed, other, own, rules_.capture)),
-         sides(holds(contact, own, other), holds(reversed, other, own)),
-         sides(own == Outcome::Disappear, other == Outcome::Disappear)});
+    log_->push_back({turn_->number, friends ? Kind::Teammate : Kind::Adversary, form, a, b, cell,
+                     friends ? sides(true, true)
+                             : sides(blames(contact, own, other, rules_.capture),
+                                     blames(reversed, other, own, rules_.capture)),
+                     sides(holds(contact, own, other), holds(reversed, other, own)),
+                     sides(own == Outcome::Disappear, other == Outcome::Disappear)});
 }
 
 }  // namespace matrixworld

@@ -23,10 +23,10 @@ using Flags = std::uint16_t;
 constexpr Flags involved(Kind kind) { return Flags(1 << static_cast<int>(kind)); }
 constexpr Flags at_fault(Kind kind) { return Flags(1 << (kKinds + static_cast<int>(kind))); }
 constexpr Flags kReportMask = (1 << (2 * kKinds)) - 1;  // the bits of involved and at_fault
-constexpr Flags kHeld = 1 << 6;     // its move is cancelled
-constexpr Flags kCrashed = 1 << 7;  // gone in stage 1
-constexpr Flags kDoomed = 1 << 8;   // gone in stage 5
-constexpr Flags kBarred = 1 << 9;   // held before stage 4: it heads nowhere any more
+constexpr Flags kHeld = 1 << 6;                         // its move is cancelled
+constexpr Flags kCrashed = 1 << 7;                      // gone in stage 1
+constexpr Flags kDoomed = 1 << 8;                       // gone in stage 5
+constexpr Flags kBarred = 1 << 9;  // held before stage 4: it heads nowhere any more
 
 // One conflict, as a reader wants to hear of it. Sides: bit 0 the first agent, bit 1 the second.
 struct Conflict {
@@ -75,6 +75,7 @@ class Resolver {
 
     void set_out();
     void post();
+    void find_company();
     void unpost();
     void list_targets();
     void unlist_targets();
@@ -98,6 +99,7 @@ class Resolver {
     const Turn* turn_ = nullptr;
     std::vector<Conflict>* log_ = nullptr;
     std::vector<int> present_;   // the cast without the crashed
+    std::vector<int> company_;   // those of them who may be in conflict
     std::vector<int> held_now_;  // held during this stage, not yet followed up
     std::vector<std::pair<int, int>> captures_;
 

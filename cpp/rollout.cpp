@@ -25,8 +25,7 @@ class Seat {
 
     Player& take(int candidate) {
         if (network_ && candidate != loaded_) {
-            network_->load(candidates_.genomes +
-                           candidate * candidates_.network->genome_size());
+            network_->load(candidates_.genomes + candidate * candidates_.network->genome_size());
             loaded_ = candidate;
         }
         return *player_;
@@ -71,8 +70,8 @@ class Tally {
         captured_ += static_cast<std::int64_t>(idle) * world_.n_captured();
         score_.length = world_.steps();
         score_.capture_rate = share(world_.n_captured(), config.n_evaders);
-        score_.captured_fraction = share(static_cast<double>(captured_) / config.max_steps,
-                                         config.n_evaders);
+        score_.captured_fraction =
+            share(static_cast<double>(captured_) / config.max_steps, config.n_evaders);
         for (int t = 0; t < kTeams; ++t) {
             score_.survivors[t] = world_.n_living(static_cast<Team>(t));
             score_.crowding[t] =

@@ -33,19 +33,18 @@ struct Match {
 // What one episode came to. Means over steps are over max_steps; after an early end the share of
 // captured evaders stands as it was, and crowding counts 0.
 struct Score {
-    float capture_rate = 0;       // share of the evaders that count as captured at the end
-    float captured_fraction = 0;  // the same share, mean over steps
-    std::int32_t length = 0;      // steps
-    std::array<double, kTeams> returns{};            // rewards summed over team and steps
+    float capture_rate = 0;                // share of the evaders that count as captured at the end
+    float captured_fraction = 0;           // the same share, mean over steps
+    std::int32_t length = 0;               // steps
+    std::array<double, kTeams> returns{};  // rewards summed over team and steps
     std::array<std::int32_t, kTeams> survivors{};
-    std::array<float, kTeams> crowding{};            // (alive - distinct cells) / team size, mean
+    std::array<float, kTeams> crowding{};  // (alive - distinct cells) / team size, mean
     std::array<std::int32_t, kTeams * kKinds> collisions{};  // agent-steps involved, by team, kind
     std::array<std::int32_t, kTeams * kKinds> faults{};      // agent-steps at fault
 };
 
 // Called with the world after the reset (without actions) and after every step.
-using Watcher =
-    std::function<void(const World& world, const std::vector<std::uint8_t>* actions)>;
+using Watcher = std::function<void(const World& world, const std::vector<std::uint8_t>* actions)>;
 
 // Scores, (n matches, n_worlds), in the order of the matches.
 std::vector<Score> play_matches(const std::shared_ptr<const Setup>& setup,

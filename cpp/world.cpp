@@ -84,8 +84,7 @@ Setup::Setup(Config given) : config(std::move(given)), grid(config.rows, config.
 }
 
 Scratch::Scratch(const Setup& setup)
-    : occupancy(setup.grid, setup.config.n_pursuers, setup.config.n_agents(),
-                setup.config.fov / 2),
+    : occupancy(setup.grid, setup.config.n_pursuers, setup.config.n_agents(), setup.config.fov / 2),
       resolver(setup.grid, setup.config.rules, setup.config.n_pursuers, setup.config.n_agents()),
       order(setup.config.rows * setup.config.cols),
       move(ByteArray::Zero(setup.config.n_agents())) {
@@ -122,8 +121,8 @@ void World::check(const Placement& placement) const {
         throw std::invalid_argument("obstacle map: expected " + std::to_string(area) +
                                     " cells, got " + std::to_string(map.size()));
     }
-    const int blocked = map.size() ? static_cast<int>(map.cast<int>().sum())
-                                   : config().n_random_obstacles();
+    const int blocked =
+        map.size() ? static_cast<int>(map.cast<int>().sum()) : config().n_random_obstacles();
     if (config().n_agents() > area - blocked) {
         throw std::invalid_argument("obstacle map: expected at least " +
                                     std::to_string(config().n_agents()) + " free cells, got " +
@@ -303,13 +302,12 @@ void World::play_turn(int number, const std::uint8_t* actions, Scratch& scratch,
 
 void World::end_round() {
     ++steps_;
-    truncated_ = !terminated_ && steps_ >= config().max_steps;
+    truncated_ = steps_ >= config().max_steps;
 }
 
 // Everybody; where a single agent acts, it and those on the cell it leaves or heads for: nobody
 // else can meet it.
-void World::choose_cast(int first, int last, const std::uint8_t* actions,
-                        Scratch& scratch) const {
+void World::choose_cast(int first, int last, const std::uint8_t* actions, Scratch& scratch) const {
     std::swap(scratch.cast, scratch.last_cast);
     if (last - first > 1) {
         scratch.cast = living_;
@@ -384,6 +382,9 @@ void World::add_captor(int evader, int pursuer) {
 // turn of a round judges every evader.
 void World::choose_judged(const Turn& turn, const Scratch& scratch) {
     judged_.clear();
+    const bool captured_live_on =
+        config().rules.capture == Capture::Surround || config().rules.evader == Outcome::Reach;
+    if (!captured_live_on) return;  // no living evader is captured
     if (fresh_round_ || turn.last_actor - turn.first_actor > 1) {
         for (int a : living_) choose_evader(a);
         return;

@@ -56,7 +56,7 @@ struct Scratch {
     std::vector<int> last_cast;  // and in the turn before, within the round
     int here = 0;                // where a single actor stands and where it heads for
     int there = 0;
-    ByteArray move;              // by agent
+    ByteArray move;  // by agent
 };
 
 class World {
@@ -102,7 +102,7 @@ class World {
     // Evaders that count as captured: ever under occupation, at this moment under surround.
     int n_captured() const { return n_captured_; }
 
-    const FloatArray& rewards() const { return rewards_; }   // by agent, of the last round
+    const FloatArray& rewards() const { return rewards_; }    // by agent, of the last round
     Flags report(int agent) const { return report_[agent]; }  // involved and at_fault bits
     int steps() const { return steps_; }
     bool terminated() const { return terminated_; }
@@ -153,14 +153,14 @@ class World {
     int n_captured_ = 0;  // evaders that count as captured
     int n_at_large_ = 0;  // living evaders that do not
 
-    ByteArray captured_;                             // by evader
-    ByteArray ever_captured_;                        // by evader
-    ByteArray capture_paid_;                         // by evader
-    IntArray captors_;                               // by evader
-    std::vector<std::pair<int, int>> unpaid_;        // (evader, captor) judged in this turn
-    std::vector<int> judged_;                        // living evaders to judge in this turn
-    ByteArray is_judged_;                            // by evader
-    bool fresh_round_ = false;                       // no turn of this round has been played yet
+    ByteArray captured_;                       // by evader
+    ByteArray ever_captured_;                  // by evader
+    ByteArray capture_paid_;                   // by evader
+    IntArray captors_;                         // by evader
+    std::vector<std::pair<int, int>> unpaid_;  // (evader, captor) judged in this turn
+    std::vector<int> judged_;                  // living evaders to judge in this turn
+    ByteArray is_judged_;                      // by evader
+    bool fresh_round_ = false;                 // no turn of this round has been played yet
 
     FloatArray rewards_;
     Eigen::Array<Flags, Eigen::Dynamic, 1> report_;
