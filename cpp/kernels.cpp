@@ -83,19 +83,27 @@ inline Vec activate(Vec x, Activation activation) {
     return x;
 }
 
+// kVecs vectors of the sum, in registers.
+template <int kVecs>
+inline void sum_columns(const float* base, const float* weights, int stride, const int* rows, int n,
+                        Activation activation, float* out) {
+    Vec sum[kVecs];
+    for (int v = 0; v < kVecs; ++v) sum[v] = load(base + v * kLanes);
+    for (int i = 0; i < n; ++i) {
+        const float* row = weights + static_cast<long>(rows[i]) * stride;
+        for (int v = 0; v < kVecs; ++v) sum[v] += load(row + v * kLanes);
+    }
+    for (int v = 0; v < kVecs; ++v) store(out + v * kLanes, activate(sum[v], activation));
+}
+
 void sum_rows(const float* base, const float* weights, int stride, const int* rows, int n,
               int width, Activation activation, float* out) {
-    for (int column = 0; column < width; column += kPad) {
-        constexpr int kVecs = kPad / kLanes;
-        Vec sum[kVecs];
-        for (int v = 0; v < kVecs; ++v) sum[v] = load(base + column + v * kLanes);
-        for (int i = 0; i < n; ++i) {
-            const float* row = weights + static_cast<long>(rows[i]) * stride + column;
-            for (int v = 0; v < kVecs; ++v) sum[v] += load(row + v * kLanes);
-        }
-        for (int v = 0; v < kVecs; ++v) {
-            store(out + column + v * kLanes, activate(sum[v], activation));
-        }
+    int c = 0;
+    for (; c + 2 * kPad <= width; c += 2 * kPad) {
+        sum_columns<2 * kPad / kLanes>(base + c, weights + c, stride, rows, n, activation, out + c);
+    }
+    if (c < width) {
+        sum_columns<kPad / kLanes>(base + c, weights + c, stride, rows, n, activation, out + c);
     }
 }
 

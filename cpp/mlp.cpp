@@ -28,12 +28,29 @@ Eigen::Index Network::genome_size() const {
     return size;
 }
 
+namespace {
+
+// For each place along a side of the grid, a number that is the same for all places from which the
+// same part of the border is seen.
+std::vector<int> border_cases(int side, int fov) {
+    const int cases = std::min(side, fov);
+    const int middle = std::min(fov / 2, cases - 1);
+    std::vector<int> numbers(side);
+    for (int place = 0; place < side; ++place) {
+        numbers[place] = std::min(place, std::max(middle, place - (side - cases)));
+    }
+    return numbers;
+}
+
+}  // namespace
+
 Mlp::Mlp(const Network& network, const Grid& grid)
     : network_(network),
       grid_(grid),
       inputs_(network.n_inputs()),
-      row_cases_(std::min(grid.rows(), network.fov)),
-      col_cases_(std::min(grid.cols(), network.fov)) {
+      row_case_(border_cases(grid.rows(), network.fov)),
+      col_case_(border_cases(grid.cols(), network.fov)),
+      col_cases_(col_case_.back() + 1) {
     for (std::size_t i = 0; i + 1 < network.sizes.size(); ++i) {
         Layer layer;
         layer.n_in = network.sizes[i];
@@ -49,8 +66,9 @@ Mlp::Mlp(const Network& network, const Grid& grid)
     }
     activations_.resize(layers_.size());
     corner_sums_ = Matrix::Zero((network.fov + 1) * (network.fov + 1), layers_[0].width);
-    base_ = Matrix::Zero(row_cases_ * col_cases_, layers_[0].width);
-    base_known_.resize(row_cases_ * col_cases_);
+    const int n_cases = (row_case_.back() + 1) * col_cases_;
+    base_ = Matrix::Zero(n_cases, layers_[0].width);
+    base_known_.resize(n_cases);
 }
 
 void Mlp::load(const float* genome) {
@@ -92,31 +110,30 @@ void Mlp::sum_border() {
     std::fill(base_known_.begin(), base_known_.end(), 0);
 }
 
-// Bias plus the weights of all cells of the window that lie outside the grid. Places that see the
-// same part of the border share an entry.
+// Bias plus the weights of all cells of the window that lie outside the grid.
 const float* Mlp::base(int cell) {
-    const int reach = network_.fov / 2;
-    const auto case_of = [&](int place, int side, int cases) {
-        return std::min(place, std::max(std::min(reach, cases - 1), place - (side - cases)));
-    };
     const int row = grid_.row(cell);
     const int col = grid_.col(cell);
-    const int number = case_of(row, grid_.rows(), row_cases_) * col_cases_ +
-                       case_of(col, grid_.cols(), col_cases_);
+    const int number = row_case_[row] * col_cases_ + col_case_[col];
     if (!base_known_[number]) {
-        const int fov = network_.fov;
-        const int top = std::max(0, reach - row);
-        const int left = std::max(0, reach - col);
-        const int bottom = std::min(fov, reach + grid_.rows() - row);
-        const int right = std::min(fov, reach + grid_.cols() - col);
-        const auto corner = [&](int r, int c) { return corner_sums_.row(r * (fov + 1) + c); };
-        const Eigen::Map<const Matrix> bias(layers_.front().bias, 1, layers_.front().width);
-        base_.row(number) =
-            bias.row(0) + (corner(fov, fov) - (corner(bottom, right) - corner(top, right) -
-                                               corner(bottom, left) + corner(top, left)));
+        make_base(number, row, col);
         base_known_[number] = 1;
     }
     return &base_(number, 0);
+}
+
+void Mlp::make_base(int number, int row, int col) {
+    const int fov = network_.fov;
+    const int reach = fov / 2;
+    const int top = std::max(0, reach - row);
+    const int left = std::max(0, reach - col);
+    const int bottom = std::min(fov, reach + grid_.rows() - row);
+    const int right = std::min(fov, reach + grid_.cols() - col);
+    const auto corner = [&](int r, int c) { return corner_sums_.row(r * (fov + 1) + c); };
+    const Eigen::Map<const Matrix> bias(layers_.front().bias, 1, layers_.front().width);
+    base_.row(number) =
+        bias.row(0) + (corner(fov, fov) - (corner(bottom, right) - corner(top, right) -
+                                           corner(bottom, left) + corner(top, left)));
 }
 
 void Mlp::act(const World& world, const Occupancy& occupancy, const std::vector<int>& agents,

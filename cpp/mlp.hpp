@@ -60,6 +60,7 @@ class Mlp {
     void read(Layer& layer, const float* genome);
     void sum_border();
     const float* base(int cell);
+    void make_base(int number, int row, int col);
     void choose_largest(std::size_t n, std::vector<std::uint8_t>& actions) const;
 
     Network network_;
@@ -68,10 +69,11 @@ class Mlp {
     std::vector<std::vector<float>> activations_;  // by layer
     std::vector<int> inputs_;
 
-    Matrix corner_sums_;  // ((fov + 1)^2, width): summed-area table of the obstacle weights
-    int row_cases_;
+    Matrix corner_sums_;         // ((fov + 1)^2, width): summed-area table of the obstacle weights
+    std::vector<int> row_case_;  // by row: which part of the border is seen
+    std::vector<int> col_case_;  // by column
     int col_cases_;
-    Matrix base_;                           // (row_cases * col_cases, width): bias + border
+    Matrix base_;                           // (row cases * col cases, width): bias + border
     std::vector<std::uint8_t> base_known_;  // by case
 };
 

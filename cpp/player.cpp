@@ -6,6 +6,12 @@
 
 namespace matrixworld {
 
+namespace {
+
+constexpr int kAgentsPerBlock = 2 * kDrawsPerBlock;  // 32 bits for each
+
+}  // namespace
+
 void Player::decide(const World& world, const Occupancy& occupancy, int first, int last,
                     std::vector<std::uint8_t>& actions) {
     const auto room = static_cast<std::size_t>(last - first);
@@ -16,12 +22,13 @@ void Player::decide(const World& world, const Occupancy& occupancy, int first, i
     int number = -1;
     for (int a = first; a < last; ++a) {
         if (!world.alive(a)) continue;
-        if (a / kDrawsPerBlock != number) {
-            number = a / kDrawsPerBlock;
+        if (a / kAgentsPerBlock != number) {
+            number = a / kAgentsPerBlock;
             block = world.key().block(Purpose::Decide, number, world.steps());
         }
         agents_[n] = a;
-        draws_[n] = block[a % kDrawsPerBlock];
+        const std::uint64_t pair = block[a % kAgentsPerBlock / 2];
+        draws_[n] = static_cast<std::uint32_t>(a % 2 ? pair >> 32 : pair);
         ++n;
     }
     agents_.resize(n);
@@ -57,7 +64,7 @@ void ScriptedPlayer::choose(const World& world, const Occupancy& occupancy) {
 }
 
 std::uint8_t ScriptedPlayer::chase_or_flee(const World& world, const Occupancy& occupancy,
-                                           int agent, std::uint64_t draw) {
+                                           int agent, std::uint32_t draw) {
     const Team adversary = world.team(agent) == Team::Pursuer ? Team::Evader : Team::Pursuer;
     const int n_set = list_view(world, occupancy, agent, view_.data());
     int best = 0;

@@ -26,11 +26,11 @@ class Player {
                 std::vector<std::uint8_t>& actions);
 
   protected:
-    // chosen_[i] for agents_[i], from draws_[i], 64 random bits of its own.
+    // chosen_[i] for agents_[i], from draws_[i], 32 random bits of its own.
     virtual void choose(const World& world, const Occupancy& occupancy) = 0;
 
     std::vector<int> agents_;
-    std::vector<std::uint64_t> draws_;
+    std::vector<std::uint32_t> draws_;
     std::vector<std::uint8_t> chosen_;
 };
 
@@ -55,7 +55,7 @@ class ScriptedPlayer : public Player {
   private:
     void choose(const World& world, const Occupancy& occupancy) override;
     std::uint8_t chase_or_flee(const World& world, const Occupancy& occupancy, int agent,
-                               std::uint64_t draw);
+                               std::uint32_t draw);
     int distance_after(const World& world, Team adversary, int n_set, int move) const;
 
     Script script_;

@@ -46,14 +46,17 @@ struct EpisodeKey {
     }
 };
 
-// An integer in [0, n) from 64 random bits; its bias is below n / 2^64.
+// An integer in [0, n) from 32 or 64 random bits; its bias is below n / 2^32 or n / 2^64.
+inline int below(std::uint32_t bits, int n) {
+    return static_cast<int>((static_cast<std::uint64_t>(bits) * static_cast<unsigned>(n)) >> 32);
+}
 inline int below(std::uint64_t bits, int n) {
     return static_cast<int>((static_cast<unsigned __int128>(bits) * static_cast<unsigned>(n)) >>
                             64);
 }
 
-// A float in [0, 1) with 24 random bits, taken from the top.
-inline float unit(std::uint64_t bits) { return static_cast<float>(bits >> 40) * 0x1p-24f; }
+// A float in [0, 1) from the upper 24 of 32 random bits.
+inline float unit(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
 
 // Numbers one after the other, for a reset.
 class Stream {
