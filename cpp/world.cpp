@@ -333,7 +333,7 @@ void World::settle(Scratch& scratch) {
     for (int a : scratch.cast) {
         const Flags flags = scratch.resolver.flags(a);
         if (flags & (kCrashed | kDoomed)) {
-            if (team(a) == Team::Evader) set_captured(evader_number(a), false);  // until judged
+            if (team(a) == Team::Evader) release(evader_number(a));  // until judged
             remove(a, scratch);
         } else if (!(flags & kHeld) && scratch.resolver.target(a) != cell_[a]) {
             scratch.occupancy.remove(a, cell_[a]);
@@ -369,6 +369,11 @@ void World::set_captured(int evader, bool captured) {
     const int change = static_cast<int>(counts_as_captured(evader)) - static_cast<int>(counted);
     n_captured_ += change;
     if (alive(evader_agent(evader))) n_at_large_ -= change;
+}
+
+void World::release(int evader) {
+    captors_[evader] = 0;
+    if (captured_[evader]) set_captured(evader, false);
 }
 
 void World::add_captor(int evader, int pursuer) {
@@ -420,8 +425,7 @@ void World::judge_captures(const Turn& turn, Scratch& scratch) {
     choose_judged(turn, scratch);
     for (int e : judged_) {
         is_judged_[e] = 0;
-        captors_[e] = 0;
-        if (captured_[e]) set_captured(e, false);
+        release(e);
     }
     if (config().rules.capture == Capture::Occupation) {
         judge_contacts(turn, scratch);

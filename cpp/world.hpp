@@ -129,6 +129,7 @@ class World {
     void choose_evader(int agent);
     void add_captor(int evader, int pursuer);
     void set_captured(int evader, bool captured);
+    void release(int evader);
     bool counts_as_captured(int evader) const;
     void pay_captures();
     void remove_captured(Scratch& scratch);

@@ -1,0 +1,342 @@
+// Drives random worlds, batches and rollouts through the engine, for a build with sanitizers and
+// assertions that throw. Checks what must hold of every one of them; exits with 1 if something
+// does not.
+#include <cstdio>
+
+#include "batch.hpp"
+#include "invariants.hpp"
+
+namespace matrixworld::tests {
+namespace {
+
+using SharedSetup = std::shared_ptr<const Setup>;
+
+// ---- Worlds ----------------------------------------------------------------------------------
+
+std::vector<int> pairs(const World& world, int first, int last) {
+    std::vector<int> flat;
+    for (int a = first; a < last; ++a) {
+        flat.push_back(world.grid().row(world.cell(a)));
+        flat.push_back(world.grid().col(world.cell(a)));
+    }
+    return flat;
+}
+
+// A world laid out by hand as another one was by chance.
+void check_placement(const SharedSetup& setup, const World& world) {
+    const Config& config = setup->config;
+    Placement placement{pairs(world, 0, config.n_pursuers),
+                        pairs(world, config.n_pursuers, config.n_agents()),
+                        ByteArray::Zero(config.rows * config.cols)};
+    for (int i = 0; i < placement.map.size(); ++i) {
+        const int cell = world.grid().cell(i / config.cols, i % config.cols);
+        placement.map[i] = world.ground().kind[cell] == kObstacle;
+    }
+    Scratch scratch(*setup);
+    World copy(setup);
+    copy.reset({1, 1}, scratch, placement);
+    check_equal(world, copy);
+    require((world.ground().kind == copy.ground().kind).all(), "the same ground");
+
+    Placement overlap = placement;
+    std::copy_n(overlap.evaders.begin(), 2, overlap.pursuers.begin());
+    Placement outside = placement;
+    outside.evaders[0] = config.rows;
+    Placement too_many = placement;
+    too_many.pursuers.insert(too_many.pursuers.end(), {0, 0});
+    Placement small_map = placement;
+    small_map.map = ByteArray::Zero(1);
+    for (const Placement& wrong : {overlap, outside, too_many, small_map}) {
+        require(refused([&] { copy.reset({2, 0}, scratch, wrong); }), "a wrong placement");
+        check_equal(world, copy);
+    }
+}
+
+void play_world(const Rules& rules, Random& random) {
+    const auto setup = std::make_shared<const Setup>(random_config(rules, random));
+    Scratch scratch(*setup);
+    World world(setup);
+    world.reset({random.bits(), random.bits()}, scratch);
+    check_moment(world, scratch, random);
+    check_placement(setup, world);
+    Scratch other(*setup);
+    World twin = world;
+    twin.enter(other);
+    std::vector<Conflict> log;
+    while (!world.over()) {
+        const World before = world;
+        const auto actions = random_actions(setup->config, setup->config.n_agents(), random);
+        log.clear();
+        world.step(actions.data(), scratch, &log);
+        twin.step(actions.data(), other);
+        check_equal(world, twin);
+        check_moment(world, scratch, random);
+        check_moves(before, world, actions);
+        check_apart(before, world);
+        for (const Conflict& conflict : log) check_conflict(before, world, conflict);
+    }
+    world.leave(scratch);
+    check_occupancy(world, scratch.occupancy, false);
+}
+
+// ---- Batches ---------------------------------------------------------------------------------
+
+// Memory of exactly the sizes that are promised to be written, once for everything.
+struct Memory {
+    Memory(const Config& config, int n_worlds)
+        : bytes(static_cast<std::size_t>(kArrays)), n_worlds(n_worlds) {
+        const std::size_t a = static_cast<std::size_t>(config.n_agents());
+        const std::size_t e = static_cast<std::size_t>(config.n_evaders);
+        const std::size_t view = static_cast<std::size_t>(kChannels) * config.fov * config.fov;
+        const std::size_t area = static_cast<std::size_t>(config.rows) * config.cols;
+        take(buffers.positions, 2 * a);
+        take(buffers.alive, a);
+        take(buffers.captured, e);
+        take(buffers.ever_captured, e);
+        take(buffers.captors, e);
+        take(buffers.involved, kKinds * a);
+        take(buffers.fault, kKinds * a);
+        take(buffers.rewards, a);
+        take(buffers.steps, 1);
+        take(buffers.terminated, 1);
+        take(buffers.truncated, 1);
+        take(buffers.views, a * view);
+        take(buffers.state, kChannels * area);
+    }
+
+    template <typename T>
+    void take(T*& pointer, std::size_t per_world) {
+        auto& block = bytes[static_cast<std::size_t>(taken++)];
+        block.assign(per_world * static_cast<std::size_t>(n_worlds) * sizeof(T), 0xEE);
+        pointer = reinterpret_cast<T*>(block.data());
+    }
+
+    static constexpr int kArrays = 13;
+    std::vector<std::vector<std::uint8_t>> bytes;
+    Buffers buffers;
+    int n_worlds;
+    int taken = 0;
+};
+
+// The same worlds, one after the other.
+class SingleWorlds {
+  public:
+    SingleWorlds(const SharedSetup& setup, int n_worlds, bool autoreset)
+        : autoreset_(autoreset),
+          worlds_(static_cast<std::size_t>(n_worlds), World(setup)),
+          scratch_(*setup) {}
+
+    void reset(const std::vector<std::uint64_t>& seeds, std::uint64_t episode, Memory& memory) {
+        for (std::size_t w = 0; w < worlds_.size(); ++w) {
+            worlds_[w].reset({seeds[w], episode}, scratch_);
+            write(worlds_[w], scratch_.occupancy, w, memory.buffers);
+            worlds_[w].leave(scratch_);
+        }
+    }
+
+    void step(const std::vector<std::uint8_t>& actions, Memory& memory) {
+        for (std::size_t w = 0; w < worlds_.size(); ++w) {
+            World& world = worlds_[w];
+            const auto n_agents = static_cast<std::size_t>(world.config().n_agents());
+            if (world.over()) {
+                world.begin_round();
+            } else {
+                world.enter(scratch_);
+                world.step(actions.data() + w * n_agents, scratch_);
+                world.leave(scratch_);
+            }
+            const World ended = world;
+            if (autoreset_ && world.over()) {
+                world.reset({world.key().seed, world.key().episode + 1}, scratch_);
+                world.leave(scratch_);
+            }
+            write_both(ended, world, w, memory.buffers);
+        }
+    }
+
+  private:
+    // What happened is told of the ended episode, what is now of the new one.
+    void write_both(const World& ended, const World& now, std::size_t w, const Buffers& all) {
+        Buffers happened = all;
+        happened.positions = nullptr;
+        happened.alive = nullptr;
+        happened.steps = nullptr;
+        happened.views = nullptr;
+        happened.state = nullptr;
+        write(ended, scratch_.occupancy, w, happened);
+        Buffers present;
+        present.positions = all.positions;
+        present.alive = all.alive;
+        present.steps = all.steps;
+        present.views = all.views;
+        present.state = all.state;
+        now.enter(scratch_);
+        write(now, scratch_.occupancy, w, present);
+        now.leave(scratch_);
+    }
+
+    bool autoreset_;
+    std::vector<World> worlds_;
+    Scratch scratch_;
+};
+
+void play_batch(const Rules& rules, Random& random) {
+    const auto setup = std::make_shared<const Setup>(random_config(rules, random));
+    const Config& config = setup->config;
+    const int n_worlds = random.between(1, 40);
+    const bool autoreset = random.chance(50);
+    Memory memory(config, n_worlds);
+    Memory expected(config, n_worlds);
+    Batch batch(setup, n_worlds, random.between(1, 4), autoreset);
+    SingleWorlds singles(setup, n_worlds, autoreset);
+    std::vector<std::uint64_t> seeds(static_cast<std::size_t>(n_worlds));
+    for (auto& seed : seeds) seed = random.bits();
+
+    batch.reset(seeds.data(), 3, memory.buffers);
+    singles.reset(seeds, 3, expected);
+    require(memory.bytes == expected.bytes, "a batch begins like single worlds");
+    for (int step = 0; step < 6; ++step) {
+        auto actions = random_actions(config, n_worlds * config.n_agents(), random);
+        batch.step(actions.data(), memory.buffers);
+        singles.step(actions, expected);
+        require(memory.bytes == expected.bytes, "a batch plays like single worlds");
+    }
+}
+
+// ---- Rollouts --------------------------------------------------------------------------------
+
+void check_same(const Score& a, const Score& b) {
+    require(a.capture_rate == b.capture_rate && a.captured_fraction == b.captured_fraction,
+            "the same captures");
+    require(a.length == b.length && a.survivors == b.survivors, "the same length and survivors");
+    require(a.returns == b.returns && a.crowding == b.crowding, "the same returns and crowding");
+    require(a.collisions == b.collisions && a.faults == b.faults, "the same collisions");
+}
+
+void play_rollout(const Rules& rules, Random& random) {
+    const auto setup = std::make_shared<const Setup>(random_config(rules, random));
+    const auto pursuers = random_side(setup->config, random);
+    const auto evaders = random_side(setup->config, random);
+    const int n_worlds = random.between(1, 20);
+    std::vector<Match> matches(static_cast<std::size_t>(random.between(1, 4)));
+    for (Match& match : matches) {
+        match = {random.below(pursuers->candidates.n), random.below(evaders->candidates.n),
+                 random.bits()};
+    }
+    const auto play = [&](int n_threads) {
+        return play_matches(setup, pursuers->candidates, evaders->candidates, matches, n_worlds,
+                            n_threads);
+    };
+    const auto scores = play(1);
+    const auto threaded = play(3);
+    require(scores.size() == matches.size() * static_cast<std::size_t>(n_worlds), "all scores");
+    for (std::size_t i = 0; i < scores.size(); ++i) check_same(scores[i], threaded[i]);
+
+    const std::size_t m = matches.size() - 1;
+    const int episode = random.below(n_worlds);
+    int moments = 0;
+    const Score watched = watch_match(setup, pursuers->candidates, evaders->candidates, matches[m],
+                                      static_cast<std::uint64_t>(episode),
+                                      [&](const World& world, const std::vector<std::uint8_t>*) {
+                                          check_places(world);
+                                          check_counters(world);
+                                          ++moments;
+                                      });
+    check_same(watched, scores[m * static_cast<std::size_t>(n_worlds) + episode]);
+    require(watched.length == moments - 1, "the length is the number of steps");
+}
+
+// ---- The build and the limits ----------------------------------------------------------------
+
+void check_build() {
+    bool thrown = false;
+    try {
+        const IntArray array = IntArray::Zero(3);
+        thrown = array[static_cast<Eigen::Index>(n_passed < 0 ? 0 : 3)] != 0;
+    } catch (const std::logic_error&) {
+        thrown = true;
+    }
+    require(thrown, "Eigen's assertions throw");
+}
+
+void check_limits() {
+    const auto refuses = [](auto change) {
+        Config config;
+        change(config);
+        return refused([&] { Setup setup(config); });
+    };
+    require(!refuses([](Config&) {}), "the defaults");
+    require(refuses([](Config& c) { c.rows = kMaxSide + 1; }), "too many rows");
+    require(refuses([](Config& c) { c.cols = 0; }), "no columns");
+    require(refuses([](Config& c) { c.n_pursuers = 0; }), "no pursuers");
+    require(refuses([](Config& c) { c.n_evaders = 40 * 40; }), "more agents than cells");
+    require(refuses([](Config& c) { c.fov = 4; }), "an even field of view");
+    require(refuses([](Config& c) { c.fov = kMaxFieldOfView + 2; }), "too wide a view");
+    require(refuses([](Config& c) { c.max_steps = 0; }), "no steps");
+    require(refuses([](Config& c) { c.density = 1.0; }), "obstacles everywhere");
+    require(refuses([](Config& c) { c.density = 0.999; }), "no room between obstacles");
+    require(refuses([](Config& c) { c.map = ByteArray::Zero(3); }), "a map of another size");
+    require(refused([] { Network(11, {0}, 5, Activation::Relu, true); }), "an empty layer");
+}
+
+// The largest grid, with agents in its corners, and views that reach beyond it.
+void check_large(Random& random) {
+    Config config;
+    config.rows = kMaxSide;
+    config.cols = kMaxSide;
+    config.n_pursuers = 2000;
+    config.n_evaders = 2000;
+    config.fov = kMaxFieldOfView;
+    const auto setup = std::make_shared<const Setup>(config);
+    Scratch scratch(*setup);
+    World world(setup);
+    world.reset({7, 7}, scratch);
+    for (int step = 0; step < 3; ++step) {
+        const World before = world;
+        const auto actions = random_actions(config, config.n_agents(), random);
+        world.step(actions.data(), scratch);
+        check_moves(before, world, actions);
+    }
+    check_places(world);
+    check_counters(world);
+    check_view(world, scratch.occupancy, world.living().back());
+}
+
+template <typename Play>
+int run(const char* name, Play play) {
+    try {
+        play();
+        return 0;
+    } catch (const std::exception& error) {
+        std::printf("%s: %s\n", name, error.what());
+        return 1;
+    }
+}
+
+int run_all() {
+    constexpr int kWorldsPerRow = 5;
+    Random random(20);
+    int n_failed = run("build", check_build);
+    n_failed += run("limits", check_limits);
+    n_failed += run("large world", [&] { check_large(random); });
+    int number = 0;
+    for (const Rules& rules : all_rules()) {
+        const std::string row = "rules " + std::to_string(number++) + ", ";
+        for (int i = 0; i < kWorldsPerRow; ++i) {
+            n_failed += run((row + "a world").c_str(), [&] { play_world(rules, random); });
+        }
+        n_failed += run((row + "a batch").c_str(), [&] { play_batch(rules, random); });
+        n_failed += run((row + "a rollout").c_str(), [&] { play_rollout(rules, random); });
+    }
+    return n_failed;
+}
+
+}  // namespace
+}  // namespace matrixworld::tests
+
+int main() {
+    const int n_failed = matrixworld::tests::run_all();
+    std::printf("random worlds: %ld checks passed, %d failed\n", matrixworld::tests::n_passed,
+                n_failed);
+    return n_failed == 0 ? 0 : 1;
+}
