@@ -1,0 +1,30 @@
+"""The colours of the project, safe for colour-blind readers (Okabe and Ito 2008).
+
+Strings ``"#RRGGBB"``, which Matplotlib, Pillow, terminals and HTML all take. This module imports
+nothing, so that figures and renderers share it.
+"""
+
+from __future__ import annotations
+
+ORANGE = "#E69F00"
+SKY_BLUE = "#56B4E9"
+GREEN = "#009E73"
+YELLOW = "#F0E442"
+BLUE = "#0072B2"
+VERMILLION = "#D55E00"
+PURPLE = "#CC79A7"
+BLACK = "#000000"
+
+PAPER = "#FFFFFF"
+INK = "#1A1A1A"
+MUTED = "#767676"  # the lightest grey still readable as text on paper (contrast 4.5 to 1)
+GRID = "#E3E3E3"
+
+PURSUER = VERMILLION
+EVADER = BLUE
+OBSTACLE = "#4D4D4D"
+CAPTURE = ORANGE
+COLLISION = PURPLE
+
+TEAMS = (PURSUER, EVADER)  # in the order of every team axis
+CONFLICTS = (INK, PURPLE, GREEN)  # in the order of every kind axis: obstacle, teammate, adversary

@@ -1,0 +1,89 @@
+"""Where things lie in a picture, in pixels."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+FIELD_PIXELS = 720  # the longer side of the field that is aimed at
+LARGEST_CELL = 48
+NARROWEST = 464  # leaves room for the title above a small grid
+LARGEST_SIDE = 8192  # of a picture
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Sizes of a picture of ``rows x cols`` cells of `cell` pixels."""
+
+    margin: ClassVar[int] = 12
+    header: ClassVar[int] = 38
+    text: ClassVar[int] = 16  # font size
+
+    rows: int
+    cols: int
+    cell: int
+
+    @classmethod
+    def of(cls, shape: tuple[int, int], cell: int | None = None) -> Layout:
+        """A given cell size, or one that suits the grid.
+
+        Raises ValueError for a cell below 1 or a picture that would be too large.
+        """
+        rows, cols = shape
+        chosen = cell
+        if chosen is None:
+            chosen = min(max(FIELD_PIXELS // max(rows, cols), 1), LARGEST_CELL)
+        if chosen < 1 or max(rows, cols) * chosen > LARGEST_SIDE:
+            raise ValueError(
+                f"cell: expected 1 to {LARGEST_SIDE // max(rows, cols)} pixels "
+                f"for {rows} x {cols} cells, got {cell}"
+            )
+        return cls(rows, cols, chosen)
+
+    @property
+    def width(self) -> int:
+        """Of the whole picture; even, as video wants it."""
+        wide = max(self.cols * self.cell + 2 * self.margin, NARROWEST)
+        return wide + wide % 2
+
+    @property
+    def height(self) -> int:
+        """Of the whole picture; even, as video wants it."""
+        high = self.header + self.rows * self.cell + self.margin
+        return high + high % 2
+
+    @property
+    def field(self) -> tuple[int, int, int, int]:
+        """Left, top, and the first pixels right of and below the grid."""
+        left = (self.width - self.cols * self.cell) // 2
+        return left, self.header, left + self.cols * self.cell, self.header + self.rows * self.cell
+
+    @property
+    def agent(self) -> int:
+        """Diameter of an agent: most of a cell, and never too small to see."""
+        return max(4, round(self.cell * 0.86))
+
+    @property
+    def halo(self) -> int:
+        """Light border that sets an agent off from what lies below."""
+        return 1 if self.cell >= 8 else 0
+
+    @property
+    def stroke(self) -> int:
+        """Width of an outline."""
+        return 2 if self.cell >= 12 else 1
+
+    def centre(self, row: int, col: int) -> tuple[float, float]:
+        """Middle of a cell: x, y."""
+        left, top, _, _ = self.field
+        return left + (col + 0.5) * self.cell, top + (row + 0.5) * self.cell
+
+    def box(self, row0: int, col0: int, row1: int, col1: int) -> tuple[int, int, int, int]:
+        """Left, top, right, bottom of these cells, both included, cut to the grid."""
+        left, top, right, bottom = self.field
+        return (
+            max(left, left + col0 * self.cell),
+            max(top, top + row0 * self.cell),
+            min(right, left + (col1 + 1) * self.cell),
+            min(bottom, top + (row1 + 1) * self.cell),
+        )

@@ -1,0 +1,99 @@
+"""Small anti-aliased shapes, as masks through which a colour is painted.
+
+A shape is drawn once, `OVERSAMPLING` times too large, reduced and kept, so a frame costs a few
+pastes rather than a drawing.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import lru_cache
+
+from PIL import Image, ImageDraw, ImageFont
+
+OVERSAMPLING = 8
+Point = tuple[float, float]
+
+
+@lru_cache(maxsize=1024)
+def shape(name: str, size: int, opacity: float = 1.0) -> Image.Image:
+    """Mask of a shape: a grey image of ``size x size`` pixels, 255 inside times the opacity."""
+    large = Image.new("L", (size * OVERSAMPLING, size * OVERSAMPLING), 0)
+    _SHAPES[name](ImageDraw.Draw(large), size * OVERSAMPLING)
+    return large.reduce(OVERSAMPLING).point([round(opacity * level) for level in range(256)])
+
+
+def stamp(
+    canvas: Image.Image, name: str, colour: str, centre: Point, size: int, opacity: float = 1.0
+) -> None:
+    """Paint a shape of a colour onto the canvas, centred on a point in pixels."""
+    corner = (round(centre[0] - size / 2), round(centre[1] - size / 2))
+    canvas.paste(colour, corner, shape(name, size, opacity))
+
+
+@lru_cache(maxsize=64)
+def font(size: float) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
+    """The font that comes with Pillow, the same on every machine; size in pixels."""
+    return ImageFont.load_default(size)
+
+
+def _disc(draw: ImageDraw.ImageDraw, size: int) -> None:
+    draw.ellipse((0, 0, size - 1, size - 1), fill=255)
+
+
+def _ring(draw: ImageDraw.ImageDraw, size: int) -> None:
+    draw.ellipse((0, 0, size - 1, size - 1), outline=255, width=max(1, round(size * 0.11)))
+
+
+def _thick_ring(draw: ImageDraw.ImageDraw, size: int) -> None:
+    draw.ellipse((0, 0, size - 1, size - 1), outline=255, width=max(1, round(size * 0.2)))
+
+
+def _square(draw: ImageDraw.ImageDraw, size: int) -> None:
+    draw.rounded_rectangle((0, 0, size - 1, size - 1), radius=size * 0.12, fill=255)
+
+
+def _triangle(draw: ImageDraw.ImageDraw, size: int) -> None:
+    """Pointing up, corners rounded, its centre of mass close to the middle of the square."""
+    radius = size * 0.09
+    corners = [
+        (size / 2, size * 0.03 + radius),
+        (size - radius, size * 0.93 - radius),
+        (radius, size * 0.93 - radius),
+    ]
+    _rounded_polygon(draw, corners, radius)
+
+
+def _rounded_polygon(draw: ImageDraw.ImageDraw, corners: list[Point], radius: float) -> None:
+    draw.polygon(corners, fill=255)
+    draw.line([*corners, corners[0]], fill=255, width=round(2 * radius))
+    for x, y in corners:
+        draw.ellipse((x - radius, y - radius, x + radius, y + radius), fill=255)
+
+
+def _cross(draw: ImageDraw.ImageDraw, size: int) -> None:
+    near, far, width = size * 0.18, size * 0.82, round(size * 0.17)
+    draw.line((near, near, far, far), fill=255, width=width)
+    draw.line((near, far, far, near), fill=255, width=width)
+
+
+def _burst(draw: ImageDraw.ImageDraw, size: int) -> None:
+    """A star of eight rays."""
+    middle, points = size / 2, []
+    for corner in range(16):
+        reach = middle * (0.98 if corner % 2 == 0 else 0.62)
+        angle = math.pi * corner / 8
+        points.append((middle + reach * math.sin(angle), middle - reach * math.cos(angle)))
+    draw.polygon(points, fill=255)
+
+
+_SHAPES: dict[str, Callable[[ImageDraw.ImageDraw, int], None]] = {
+    "disc": _disc,
+    "ring": _ring,
+    "thick ring": _thick_ring,
+    "square": _square,
+    "triangle": _triangle,
+    "cross": _cross,
+    "burst": _burst,
+}
