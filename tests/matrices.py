@@ -1,0 +1,28 @@
+"""Payoff matrices whose analysis is known beforehand."""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def staircase(size: int) -> np.ndarray:
+    """Pursuers catch everyone of an earlier or the same generation and nobody else."""
+    return np.tri(size)
+
+
+def additive(rows: int, columns: int, seed: int = 0) -> np.ndarray:
+    rng = np.random.default_rng(seed)
+    return 0.1 + rng.uniform(0, 0.4, (rows, 1)) + rng.uniform(0, 0.4, (1, columns))
+
+
+def circular(size: int, period: float = 5.0) -> np.ndarray:
+    """Who wins depends on the difference of two positions on a circle and on nothing else."""
+    generation = np.arange(size)
+    turn = 2 * np.pi / period * (generation[:, None] - generation[None, :])
+    return 0.5 + 0.45 * np.cos(turn - np.pi / 3)
+
+
+def logistic(size: int, slope: float = 0.15) -> np.ndarray:
+    """Later generations of both teams are steadily stronger."""
+    generation = np.arange(size)
+    return 1 / (1 + np.exp(-slope * (generation[:, None] - generation[None, :])))

@@ -1,0 +1,332 @@
+"""The measures of matrixworld.analysis on matrices whose answer is known."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+from matrices import additive, circular, logistic, staircase
+
+from matrixworld import analysis
+from matrixworld.analysis.summary import MARGIN
+
+PENNIES = np.array([[1.0, 0.0], [0.0, 1.0]])
+ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
+
+
+# Rates in sixteenths: their differences and complements are exact, so counts cannot be rounded.
+sixteenths = st.integers(0, 16).map(lambda n: n / 16)
+shapes = arrays.array_shapes(min_dims=2, max_dims=2, min_side=1, max_side=6)
+payoffs = arrays.arrays(np.float64, shapes, elements=sixteenths)
+margins = st.integers(0, 15).map(lambda n: n / 16)
+
+
+# ---- the matrix ---------------------------------------------------------------------------------
+
+
+def test_a_payoff_matrix_may_be_lists_booleans_or_float32() -> None:
+    for given_matrix in ([[0, 1], [1, 0]], np.eye(2, dtype=bool), np.eye(2, dtype=np.float32)):
+        checked = analysis.check_payoff(given_matrix)
+        assert checked.dtype == np.float64
+        assert checked.shape == (2, 2)
+
+
+@pytest.mark.parametrize(
+    ("bad", "error", "message"),
+    [
+        ([0.1, 0.2], ValueError, r"2 dimension.*got shape \(2,\)"),
+        (np.zeros((2, 2, 2)), ValueError, r"got shape \(2, 2, 2\)"),
+        (np.zeros((0, 3)), ValueError, r"got shape \(0, 3\)"),
+        (0.5, ValueError, r"got shape \(\)"),
+        ([[0.1, 0.2], [0.3]], ValueError, "rows of equal length"),
+        ([[0.0, np.nan]], ValueError, r"got nan at index \(0, 1\)"),
+        ([[0.0], [np.inf]], ValueError, r"got inf at index \(1, 0\)"),
+        ([[0.0, -0.01]], ValueError, r"\[0, 1\], got -0.01 at index \(0, 1\)"),
+        ([[1.5, 0.0]], ValueError, r"\[0, 1\], got 1.5 at index \(0, 0\)"),
+        ([["a", "b"]], TypeError, "real numbers, got dtype <U1"),
+        ([[1j]], TypeError, "real numbers, got dtype complex128"),
+        ([[None]], TypeError, "real numbers, got dtype object"),
+    ],
+)
+def test_bad_matrices_are_refused(bad: object, error: type[Exception], message: str) -> None:
+    for function in (
+        analysis.check_payoff,
+        analysis.generalization,
+        analysis.lag_profile,
+        analysis.transitive_share,
+        analysis.checkerboards,
+        analysis.summarize,
+    ):
+        with pytest.raises(error, match=message):
+            function(bad)
+
+
+def test_measures_leave_the_matrix_alone() -> None:
+    matrix = circular(13)
+    before = matrix.copy()
+    analysis.summarize(matrix)
+    np.testing.assert_array_equal(matrix, before)
+
+
+def test_the_last_half_of_31_generations_is_15_to_30() -> None:
+    matrix = np.arange(31)[:, None] / 100 + np.zeros((1, 31))
+    half = analysis.last_half(matrix)
+    assert half.shape == (16, 16)
+    np.testing.assert_allclose(half[:, 0], np.arange(15, 31) / 100)
+
+
+def test_the_last_half_takes_each_side_by_itself() -> None:
+    matrix = additive(5, 8)
+    np.testing.assert_array_equal(analysis.last_half(matrix), matrix[2:, 4:])
+    np.testing.assert_array_equal(analysis.last_half([[0.25]]), [[0.25]])
+
+
+# ---- progress -----------------------------------------------------------------------------------
+
+
+def test_generalization_is_row_means_and_one_minus_column_means() -> None:
+    curves = analysis.generalization([[0.0, 0.5, 1.0], [1.0, 1.0, 1.0]])
+    np.testing.assert_allclose(curves.pursuers, [0.5, 1.0])
+    np.testing.assert_allclose(curves.evaders, [0.5, 0.25, 0.0])
+
+
+def test_lag_profile_of_a_toeplitz_matrix_is_its_diagonals() -> None:
+    by_lag = {lag: (lag + 3) / 10 for lag in range(-3, 5)}
+    matrix = [[by_lag[g - h] for h in range(4)] for g in range(5)]
+    profile = analysis.lag_profile(matrix)
+    assert profile.lags.tolist() == [-3, -2, -1, 0, 1, 2, 3, 4]
+    assert profile.cells.tolist() == [1, 2, 3, 4, 4, 3, 2, 1]
+    np.testing.assert_allclose(profile.means, [by_lag[lag] for lag in profile.lags.tolist()])
+    assert profile.at(2) == pytest.approx(by_lag[2])
+    for outside in (-4, 5):
+        with pytest.raises(ValueError, match=f"from -3 to 4, got {outside}"):
+            profile.at(outside)
+
+
+@given(payoffs)
+def test_lag_profile_agrees_with_the_sum_written_out(matrix: np.ndarray) -> None:
+    profile = analysis.lag_profile(matrix)
+    rows, columns = matrix.shape
+    for lag, mean, cells in zip(profile.lags, profile.means, profile.cells, strict=True):
+        cases = [matrix[k + lag, k] for k in range(columns) if 0 <= k + lag < rows]
+        assert cells == len(cases)
+        assert mean == pytest.approx(sum(cases) / len(cases))
+    assert profile.cells.sum() == matrix.size
+
+
+def test_lag_rise_compares_a_third_of_the_run_later_with_earlier() -> None:
+    matrix = logistic(31)
+    expected = 1 / (1 + np.exp(-1.5)) - 1 / (1 + np.exp(1.5))
+    assert analysis.lag_rise(matrix) == pytest.approx(expected)
+    assert analysis.lag_rise(matrix[::-1, ::-1]) == pytest.approx(-expected)
+    assert analysis.lag_rise(matrix, lag=1) == pytest.approx(np.tanh(0.075))
+    for lag in (0, 31):
+        with pytest.raises(ValueError, match=f"lag from 1 to 30, got {lag}"):
+            analysis.lag_rise(matrix, lag)
+
+
+def test_half_steps_are_next_to_and_on_the_diagonal() -> None:
+    matrix = [[0.0, 0.1, 0.2], [0.3, 0.4, 0.5], [0.6, 0.7, 0.8], [0.9, 1.0, 1.0]]
+    np.testing.assert_allclose(analysis.half_steps(matrix), [[0.3, 0.4], [0.7, 0.8]])
+    assert analysis.half_steps([[0.5]]).shape == (0, 2)
+
+
+def test_swing_is_the_mean_move_of_the_evaders_answer() -> None:
+    matrix = np.full((9, 9), 0.5)
+    answers = np.array([0.9, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7])
+    matrix[np.arange(1, 9), np.arange(1, 9)] = answers
+    assert analysis.swing(matrix, start=1) == pytest.approx(np.abs(answers - 0.5).mean())
+    assert analysis.swing(matrix) == pytest.approx(np.abs(answers[2:] - 0.5).mean())  # from 3
+    assert analysis.swing(matrix, start=8) == pytest.approx(0.2)
+    for start in (0, 9):
+        with pytest.raises(ValueError, match=f"start from 1 to 8, got {start}"):
+            analysis.swing(matrix, start)
+
+
+def test_swing_leaves_out_the_first_quarter_of_31_generations() -> None:
+    matrix = np.full((31, 31), 0.5)
+    matrix[7, 7] = 1.0
+    assert analysis.swing(matrix) == 0.0
+    matrix[8, 8] = 1.0
+    assert analysis.swing(matrix) == pytest.approx(0.5 / 23)
+
+
+def test_forgetting_is_the_drop_below_the_best_so_far() -> None:
+    lost = analysis.forgetting([[0.2, 0.8], [0.6, 0.4], [0.5, 0.9]])
+    np.testing.assert_allclose(lost.pursuers, [0.0, 0.2, 0.05])
+    np.testing.assert_allclose(lost.evaders, [0.0, (0.6 + 0.0 + 0.4) / 3])
+
+
+@given(payoffs)
+def test_nothing_is_forgotten_where_every_generation_improves(matrix: np.ndarray) -> None:
+    improving = np.sort(np.sort(matrix, axis=0), axis=1)[:, ::-1]
+    lost = analysis.forgetting(improving)
+    assert not lost.pursuers.any()
+    assert not lost.evaders.any()
+
+
+# ---- transitive share and checkerboards ---------------------------------------------------------
+
+
+@pytest.mark.parametrize("logits", [False, True])
+def test_a_transitive_matrix_of_zeros_and_ones_tends_to_two_thirds(logits: bool) -> None:
+    share = analysis.transitive_share(staircase(400), logits=logits)
+    assert share == pytest.approx(2 / 3, abs=0.005)
+    assert analysis.checkerboards(staircase(40)).count == 0
+
+
+def test_an_additive_matrix_is_wholly_transitive() -> None:
+    assert analysis.transitive_share(additive(7, 12)) == pytest.approx(1.0)
+
+
+def test_a_logistic_matrix_is_wholly_transitive_on_logits() -> None:
+    matrix = logistic(21, slope=0.3)
+    assert analysis.transitive_share(matrix) < 0.97
+    assert analysis.transitive_share(matrix, logits=True, shrinkage=1e-9) == pytest.approx(1.0)
+
+
+def test_matching_pennies_and_rock_paper_scissors() -> None:
+    assert analysis.transitive_share(PENNIES) == 0.0
+    assert analysis.transitive_share(ROCK_PAPER_SCISSORS) == 0.0
+    pennies = analysis.checkerboards(PENNIES)
+    assert (pennies.count, pennies.possible, pennies.share) == (1, 1, 1.0)
+    rps = analysis.checkerboards(ROCK_PAPER_SCISSORS)
+    assert (rps.count, rps.possible) == (3, 9)
+
+
+def test_rock_paper_scissors_with_draws_given_to_either_team() -> None:
+    for draw in (0.0, 1.0):
+        matrix = np.where(ROCK_PAPER_SCISSORS == 0.5, draw, ROCK_PAPER_SCISSORS)
+        for level in (0.5, None):
+            boards = analysis.checkerboards(matrix, margin=0.9, level=level)
+            assert (boards.count, boards.possible) == (3, 9)
+
+
+def test_cycling_away_from_one_half_is_seen_without_a_level() -> None:
+    low = 0.1 + 0.3 * PENNIES
+    assert analysis.checkerboards(low).count == 0
+    assert analysis.checkerboards(low, level=None).count == 1
+    assert analysis.checkerboards(low, margin=0.25, level=None).count == 1
+    assert analysis.checkerboards(low, margin=0.35, level=None).count == 0
+
+
+def test_one_margin_too_small_is_no_checkerboard() -> None:
+    matrix = [[0.9, 0.2], [0.8, 0.95]]  # both prefer as they should, but 0.9 hardly exceeds 0.8
+    assert analysis.checkerboards(matrix, level=None).count == 1
+    assert analysis.checkerboards(matrix, margin=0.15, level=None).count == 0
+
+
+def test_constant_and_tiny_matrices_have_no_share() -> None:
+    assert np.isnan(analysis.transitive_share(np.full((4, 5), 0.1)))
+    assert np.isnan(analysis.transitive_share(np.full((4, 5), 0.1), logits=True))
+    assert np.isnan(analysis.checkerboards([[0.0, 1.0]]).share)
+
+
+def brute_force(matrix: np.ndarray, margin: float, level: float | None) -> int:
+    """The definition of a checkerboard, four loops and nothing clever."""
+
+    def is_one(p1: int, p2: int, e1: int, e2: int) -> bool:
+        winners = (matrix[p1, e1], matrix[p2, e2])
+        losers = (matrix[p1, e2], matrix[p2, e1])
+        clear = all(w - loser > margin for w in winners for loser in losers)
+        beats = level is None or (
+            all(w > level for w in winners) and all(loser <= level for loser in losers)
+        )
+        return clear and beats
+
+    rows, columns = matrix.shape
+    return sum(
+        is_one(p1, p2, e1, e2) or is_one(p1, p2, e2, e1)
+        for p1, p2 in combinations(range(rows), 2)
+        for e1, e2 in combinations(range(columns), 2)
+    )
+
+
+@given(payoffs, margins, st.none() | sixteenths)
+def test_checkerboards_agree_with_four_loops(
+    matrix: np.ndarray, margin: float, level: float | None
+) -> None:
+    boards = analysis.checkerboards(matrix, margin=margin, level=level)
+    rows, columns = matrix.shape
+    assert boards.count == brute_force(matrix, margin, level)
+    assert boards.possible == rows * (rows - 1) * columns * (columns - 1) // 4
+
+
+@given(st.integers(0, 2**32 - 1), st.integers(2, 12), st.integers(2, 12))
+def test_an_additive_matrix_with_noise_has_no_checkerboards_at_the_margin(
+    seed: int, rows: int, columns: int
+) -> None:
+    # The four margins of a quadruple sum to twice the interaction of its noise, which is at most
+    # four times the largest: above four margins takes noise above the margin over two.
+    noise = np.random.default_rng(seed).uniform(-MARGIN / 2, MARGIN / 2, (rows, columns))
+    matrix = additive(rows, columns, seed) + noise
+    assert analysis.checkerboards(matrix, margin=MARGIN, level=None).count == 0
+
+
+@given(payoffs, margins)
+def test_swapping_the_teams_swaps_the_results(matrix: np.ndarray, margin: float) -> None:
+    swapped = analysis.swap_teams(matrix)
+    np.testing.assert_array_equal(analysis.swap_teams(swapped), matrix)
+    for ours, theirs in zip(
+        analysis.generalization(matrix), analysis.generalization(swapped)[::-1], strict=True
+    ):
+        np.testing.assert_allclose(ours, theirs)
+    for ours, theirs in zip(
+        analysis.forgetting(matrix), analysis.forgetting(swapped)[::-1], strict=True
+    ):
+        np.testing.assert_allclose(ours, theirs, atol=1e-12)
+    np.testing.assert_allclose(
+        analysis.lag_profile(swapped).means, 1 - analysis.lag_profile(matrix).means[::-1]
+    )
+    for logits in (False, True):
+        np.testing.assert_allclose(
+            analysis.transitive_share(matrix, logits=logits),
+            analysis.transitive_share(swapped, logits=logits),
+            atol=1e-9,
+        )
+    boards = analysis.checkerboards(matrix, margin=margin, level=None)
+    assert analysis.checkerboards(swapped, margin=margin, level=None) == boards
+
+
+@given(payoffs, margins, st.randoms(use_true_random=False))
+def test_the_order_of_generations_does_not_matter_to_cycles(
+    matrix: np.ndarray, margin: float, random: object
+) -> None:
+    rng = np.random.default_rng(random.getrandbits(32))  # type: ignore[attr-defined]
+    shuffled = matrix[rng.permutation(matrix.shape[0])][:, rng.permutation(matrix.shape[1])]
+    assert analysis.checkerboards(shuffled, margin=margin) == analysis.checkerboards(
+        matrix, margin=margin
+    )
+    np.testing.assert_allclose(
+        analysis.transitive_share(shuffled), analysis.transitive_share(matrix), atol=1e-9
+    )
+
+
+@given(payoffs)
+def test_checkerboards_without_level_or_margin_depend_on_order_only(matrix: np.ndarray) -> None:
+    boards = analysis.checkerboards(matrix, level=None)
+    assert analysis.checkerboards(matrix**2, level=None) == boards
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"margin": -0.1}, "margin in \\[0, 1\\), got -0.1"),
+        ({"margin": 1.0}, "margin in \\[0, 1\\), got 1.0"),
+        ({"margin": float("nan")}, "margin in \\[0, 1\\), got nan"),
+        ({"level": 1.1}, "level in \\[0, 1\\] or None, got 1.1"),
+    ],
+)
+def test_checkerboards_refuse_bad_settings(arguments: dict[str, float], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        analysis.checkerboards(PENNIES, **arguments)
+
+
+@pytest.mark.parametrize("shrinkage", [0.0, 0.5, float("nan")])
+def test_logits_need_a_shrinkage(shrinkage: float) -> None:
+    with pytest.raises(ValueError, match=f"shrinkage in \\(0, 0.5\\), got {shrinkage}"):
+        analysis.transitive_share(PENNIES, logits=True, shrinkage=shrinkage)

@@ -1,0 +1,192 @@
+"""Disengagement, the summary of a race and its description in words."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+from matrices import additive, circular, logistic, staircase
+
+from matrixworld import analysis
+from matrixworld.analysis import Disengagement
+
+# Rates in sixteenths: their complements are exact.
+sixteenths = st.integers(0, 16).map(lambda n: n / 16)
+big_payoffs = arrays.arrays(
+    np.float64,
+    arrays.array_shapes(min_dims=2, max_dims=2, min_side=2, max_side=14),
+    elements=st.floats(0, 1),
+)
+
+
+WON, LOST, OPEN, HALF_WON = (0.98, 0.99), (0.04, 0.0), (0.7, 0.3), (0.99, 0.5)
+
+
+@pytest.mark.parametrize(
+    ("rates", "expected"),
+    [
+        ([OPEN] * 5, ()),
+        ([WON] * 2, ()),
+        ([WON] * 3, (Disengagement("pursuers", 1, 3),)),
+        ([LOST] * 3 + [OPEN], (Disengagement("evaders", 1, 3),)),
+        ([OPEN, *[LOST] * 4], (Disengagement("evaders", 2, 5),)),
+        ([WON, WON, OPEN, WON, WON], ()),
+        ([HALF_WON] * 9, ()),
+        ([WON, WON, LOST, LOST], ()),
+        ([(0.99, 0.01)] * 6, ()),
+        ([(0.97, 0.97)] * 6, ()),
+        ([(0.05, 0.05)] * 6, ()),
+        ([WON] * 3 + [LOST] * 4, (Disengagement("pursuers", 1, 3), Disengagement("evaders", 4, 7))),
+    ],
+)
+def test_disengagement_takes_both_half_steps_three_generations_in_a_row(
+    rates: list[tuple[float, float]], expected: tuple[Disengagement, ...]
+) -> None:
+    assert analysis.disengagements(rates) == expected
+
+
+def test_disengagement_before_the_first_generation_and_with_another_first() -> None:
+    assert analysis.disengagements(np.empty((0, 2))) == ()
+    assert analysis.disengagements([WON] * 3, first=7) == (Disengagement("pursuers", 7, 9),)
+    assert len(analysis.disengagements([WON] * 2, patience=2)[0]) == 2
+    assert analysis.disengagements([OPEN] * 3, high=0.2, low=0.1)[0].winner == "pursuers"
+
+
+def test_a_disengagement_says_who_needs_more_epochs() -> None:
+    stretch = Disengagement("pursuers", 4, 9)
+    assert stretch.loser == "evaders"
+    assert str(stretch).startswith("generations 4 to 9: the pursuers win nearly everything")
+    assert str(stretch).endswith("give the evaders more epochs")
+    assert Disengagement("evaders", 1, 3).loser == "pursuers"
+
+
+@given(arrays.arrays(np.float64, st.tuples(st.integers(0, 30), st.just(2)), elements=sixteenths))
+def test_swapping_the_teams_swaps_the_winner(rates: np.ndarray) -> None:
+    names = {"pursuers": "evaders", "evaders": "pursuers"}
+    found = analysis.disengagements(rates, high=0.75, low=0.125, patience=2)
+    swapped = analysis.disengagements(1 - rates, high=0.875, low=0.25, patience=2)
+    assert [(names[s.winner], s.first, s.last) for s in found] == [
+        (s.winner, s.first, s.last) for s in swapped
+    ]
+
+
+@pytest.mark.parametrize(
+    ("rates", "settings", "message"),
+    [
+        ([[0.5, 0.5, 0.5]], {}, r"shape \(K, 2\), got \(1, 3\)"),
+        ([0.5, 0.5], {}, r"got shape \(2,\)"),
+        ([[0.5, 1.5]], {}, "got 1.5"),
+        ([[0.5, np.nan]], {}, "got nan"),
+        ([OPEN], {"high": 0.1, "low": 0.2}, "low < high, got low 0.2 and high 0.1"),
+        ([OPEN], {"patience": 0}, "patience of at least 1 generation, got 0"),
+    ],
+)
+def test_disengagement_refuses_bad_input(
+    rates: object, settings: dict[str, float], message: str
+) -> None:
+    with pytest.raises(ValueError, match=message):
+        analysis.disengagements(rates, **settings)  # type: ignore[arg-type]
+
+
+# ---- summary and words --------------------------------------------------------------------------
+
+
+def test_a_race_on_a_circle_looks_like_cycling() -> None:
+    summary = analysis.summarize(circular(31))
+    assert summary.verdict == "cycling"
+    assert summary.last_half.transitive_share is not None
+    assert summary.last_half.transitive_share < 0.1
+    assert summary.last_half.quadruples == 120**2
+    text = analysis.describe(summary)
+    assert text.startswith("This run looks like cycling, because its transitive share is below")
+    assert "single run" in text
+    assert "progress" not in text
+
+
+def test_steadily_stronger_teams_look_like_progress() -> None:
+    summary = analysis.summarize(logistic(31))
+    assert summary.verdict == "progress"
+    assert summary.last_half.checkerboards == 0
+    assert summary.pursuers.best_generation == summary.evaders.best_generation == 30
+    assert summary.pursuers.generalization_last > summary.pursuers.generalization_first
+    assert summary.pursuers.forgetting == summary.evaders.forgetting == 0.0
+    text = analysis.describe(summary)
+    assert text.startswith("This run looks like progress, because its transitive share is above")
+    assert "cycling" not in text
+
+
+@pytest.mark.parametrize(
+    ("matrix", "reason"),
+    [
+        (circular(11), "a verdict needs at least 12 generations and there are 11"),
+        (logistic(31)[::-1, ::-1], "it does not follow time"),
+        (np.tri(31, k=-1), "this race lies between"),
+        (staircase(31), "one team won nearly everything"),
+        (0.5 + 0.01 * circular(31), "this race lies between"),
+        (np.full((31, 31), 0.99), "one team won nearly everything"),
+        (np.full((31, 31), 0.5), "the capture rate never changes"),
+    ],
+)
+def test_no_verdict_without_its_evidence(matrix: np.ndarray, reason: str) -> None:
+    summary = analysis.summarize(matrix)
+    assert summary.verdict == "undecided"
+    assert reason in summary.reason
+    assert analysis.describe(summary).startswith("This run is undecided")
+
+
+def test_swapping_the_teams_keeps_the_verdict() -> None:
+    for matrix in (circular(31), logistic(31), staircase(31)):
+        summary = analysis.summarize(matrix)
+        swapped = analysis.summarize(analysis.swap_teams(matrix))
+        assert swapped.verdict == summary.verdict
+        assert swapped.lag_rise == pytest.approx(summary.lag_rise)
+
+
+def test_the_description_quotes_the_numbers() -> None:
+    summary = analysis.summarize(circular(31))
+    text = analysis.describe(summary)
+    late = summary.last_half
+    assert f"{late.checkerboards:,} of 14,400" in text
+    assert f"{late.transitive_share:.2f}" in text
+    assert f"by {summary.swing:.2f}" in text
+    assert "From generation 15 on" in text
+    assert "From generation 8 on" in text
+    assert "Warning" not in text
+
+
+def test_the_description_warns_of_disengagement() -> None:
+    matrix = logistic(31)
+    matrix[20:, :] = 0.99
+    text = analysis.describe(analysis.summarize(matrix))
+    assert "Warning: disengagement in generations 20 to 30: the pursuers win" in text
+
+
+def test_a_short_race_has_the_lags_it_has() -> None:
+    summary = analysis.summarize(logistic(4))
+    assert summary.lags == (-1, 0, 1)
+    assert summary.lag_cells == (3, 4, 3)
+    assert "0: 0.50, +1: 0.54" in analysis.describe(summary)
+
+
+def test_sides_of_different_length_are_summarized_too() -> None:
+    summary = analysis.summarize(additive(20, 14))
+    assert (summary.pursuers.generations, summary.evaders.generations) == (20, 14)
+    assert "From generation 10 / 7 on" in analysis.describe(summary)
+
+
+def test_one_generation_is_not_a_race() -> None:
+    with pytest.raises(ValueError, match=r"at least 2 x 2 generations, got \(1, 5\)"):
+        analysis.summarize(np.zeros((1, 5)))
+
+
+@given(big_payoffs)
+def test_every_summary_is_json_and_has_words(matrix: np.ndarray) -> None:
+    summary = analysis.summarize(matrix)
+    plain = summary.to_dict()
+    assert json.loads(json.dumps(plain, allow_nan=False)) == plain
+    assert plain["last_half"]["first_pursuers"] == matrix.shape[0] // 2
+    assert "nan" not in analysis.describe(summary)
