@@ -1,0 +1,109 @@
+"""Co-evolution: learners, schedules, races, and the directories they are kept in.
+
+A race in a few lines::
+
+    from matrixworld import coevolution
+
+    settings = coevolution.RaceSettings(schedule="generalist-generalist", seed=1)
+    with coevolution.ProgressBar() as bar:
+        payoff = coevolution.start(settings, "my-race").run(bar)
+
+``coevolution.resume("my-race").run()`` goes on after an interruption, and
+``coevolution.open_run("my-race").record(pursuer=30, evader=10)`` plays a match again.
+
+=================  ===============================================================================
+settings           what defines a run, with help texts
+runs               start and resume; `saved_run` to look at one
+race               alternating races, by one of three `schedules`
+hall_of_fame       simultaneous races of two populations
+single             one team against opponents that stand still
+tournament         payoff matrices
+learners           the interface of `evolution_strategy` and `genetic_algorithm`
+toolbox            learners as DEAP toolboxes
+fitness            from scores to fitness
+run_directory      the files of a run (`files`, `lock`, `run_log`)
+=================  ===============================================================================
+
+Everything is scored through one pure function with the arguments of `matrixworld.rollout`.
+"""
+
+from __future__ import annotations
+
+from matrixworld.coevolution.evolution_strategy import Adam, EvolutionStrategy, centred_ranks
+from matrixworld.coevolution.files import DamagedFileError
+from matrixworld.coevolution.fitness import FITNESS, fitness
+from matrixworld.coevolution.genetic_algorithm import (
+    GeneticAlgorithm,
+    mate_uniform,
+    mutate_gaussian,
+    select_tournament,
+    select_truncation,
+)
+from matrixworld.coevolution.hall_of_fame import HallOfFameRace
+from matrixworld.coevolution.keys import TEAMS, Team, evaluation_seed, training_seeds
+from matrixworld.coevolution.learners import Learner
+from matrixworld.coevolution.lock import LockedError
+from matrixworld.coevolution.noise import NoiseTable
+from matrixworld.coevolution.progress import ProgressBar, Report
+from matrixworld.coevolution.race import DisengagementWarning, Race
+from matrixworld.coevolution.run import Run
+from matrixworld.coevolution.run_directory import RunDirectory
+from matrixworld.coevolution.runs import resume, start
+from matrixworld.coevolution.saved_run import SavedRun, last_generation, open_run
+from matrixworld.coevolution.schedules import HALL_OF_FAME, SCHEDULES, Schedule
+from matrixworld.coevolution.settings import RaceSettings, SingleSettings, TrainingSettings
+from matrixworld.coevolution.single import SingleTeam
+from matrixworld.coevolution.toolbox import (
+    Candidates,
+    Individual,
+    generate_update_toolbox,
+    learner_toolbox,
+)
+from matrixworld.coevolution.tournament import Payoff, Rollout, tournament
+
+__all__ = [
+    "FITNESS",
+    "HALL_OF_FAME",
+    "SCHEDULES",
+    "TEAMS",
+    "Adam",
+    "Candidates",
+    "DamagedFileError",
+    "DisengagementWarning",
+    "EvolutionStrategy",
+    "GeneticAlgorithm",
+    "HallOfFameRace",
+    "Individual",
+    "Learner",
+    "LockedError",
+    "NoiseTable",
+    "Payoff",
+    "ProgressBar",
+    "Race",
+    "RaceSettings",
+    "Report",
+    "Rollout",
+    "Run",
+    "RunDirectory",
+    "SavedRun",
+    "Schedule",
+    "SingleSettings",
+    "SingleTeam",
+    "Team",
+    "TrainingSettings",
+    "centred_ranks",
+    "evaluation_seed",
+    "fitness",
+    "generate_update_toolbox",
+    "last_generation",
+    "learner_toolbox",
+    "mate_uniform",
+    "mutate_gaussian",
+    "open_run",
+    "resume",
+    "select_tournament",
+    "select_truncation",
+    "start",
+    "tournament",
+    "training_seeds",
+]

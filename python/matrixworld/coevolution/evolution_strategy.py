@@ -1,0 +1,155 @@
+"""The evolution strategy of Salimans et al. 2017.
+
+"Evolution strategies as a scalable alternative to reinforcement learning", arXiv:1703.03864.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld.coevolution.keys import Genome, Genomes
+from matrixworld.coevolution.learners import State, checked_fitness
+from matrixworld.coevolution.noise import NoiseTable
+
+ANNEALED_RATE = 0.1
+"""What a learning rate that is annealed has fallen to at the end, as a share of its start."""
+
+
+def centred_ranks(fitness: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the ranks of `fitness` (n,), scaled to [-0.5, 0.5] (Salimans et al. 2017).
+
+    Equal fitness gets an equal rank, the mean of those that it spans; all equal gives zeros.
+    """
+    n = len(fitness)
+    if n < 2:
+        return np.zeros(n)
+    in_order = np.sort(fitness)
+    below = np.searchsorted(in_order, fitness, side="left")
+    not_above = np.searchsorted(in_order, fitness, side="right")
+    return (below + not_above - 1) / (2 * (n - 1)) - 0.5
+
+
+class Adam:
+    """Adam's step upwards (Kingma & Ba 2015, algorithm 1), on float32 arrays of shape (size,)."""
+
+    def __init__(
+        self, size: int, *, beta1: float = 0.9, beta2: float = 0.999, epsilon: float = 1e-8
+    ) -> None:
+        self.beta1, self.beta2, self.epsilon = beta1, beta2, epsilon
+        self.mean = np.zeros(size, dtype=np.float32)
+        self.square = np.zeros(size, dtype=np.float32)
+        self.updates = 0
+
+    def step(self, gradient: Genome, rate: float) -> Genome:
+        """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""
+        self.updates += 1
+        self.mean += (1 - self.beta1) * (gradient - self.mean)
+        self.square += (1 - self.beta2) * (gradient * gradient - self.square)
+        mean = self.mean / (1 - self.beta1**self.updates)
+        square = self.square / (1 - self.beta2**self.updates)
+        change: Genome = rate * mean / (np.sqrt(square) + self.epsilon)
+        return change
+
+
+class EvolutionStrategy:
+    """An evolution strategy with mirrored samples, ranks and Adam (Salimans et al. 2017).
+
+    ::
+
+        ask:   for each pair i: e_i ~ N(0, 1);  candidates  m + s e_i  and  m - s e_i
+        tell:  u = centred ranks of the fitness
+               m = m + Adam( sum_i (u_i+ - u_i-) e_i / (n s) )
+
+    Both of a pair are scored on the same match seed, so that luck of the draw cancels out.
+    One `sigma` serves all genes; there is no weight decay.
+
+    Parameters
+    ----------
+    genome : (genes,) float32, where the mean starts.
+    noise : table of the same number of genes.
+    samples : candidates per epoch (n), even.
+    sigma : standard deviation of the samples (s).
+    learning_rate : Adam's rate.
+    anneal_over : number of updates over which the rate falls linearly to a tenth; None: constant.
+    """
+
+    def __init__(
+        self,
+        genome: ArrayLike,
+        noise: NoiseTable,
+        *,
+        samples: int = 64,
+        sigma: float = 0.1,
+        learning_rate: float = 0.02,
+        anneal_over: int | None = None,
+    ) -> None:
+        if samples < 2 or samples % 2:
+            raise ValueError(f"samples: expected an even number of at least 2, got {samples}")
+        self.genome = np.array(genome, dtype=np.float32)
+        if self.genome.shape != (noise.size,):
+            raise ValueError(f"genome: expected shape ({noise.size},), got {self.genome.shape}")
+        self.samples, self.sigma = samples, sigma
+        self.learning_rate, self.anneal_over = learning_rate, anneal_over
+        self._adam = Adam(noise.size)
+        self._table = noise
+        self._noise: list[Genome] = []
+
+    @property
+    def match_of_candidate(self) -> NDArray[np.intp]:
+        """The pair of each candidate."""
+        return np.tile(np.arange(self.samples // 2), 2)
+
+    @property
+    def rate(self) -> float:
+        """The learning rate of the next update."""
+        if self.anneal_over is None:
+            return self.learning_rate
+        done = min(1.0, self._adam.updates / self.anneal_over)
+        return self.learning_rate * (1.0 - (1.0 - ANNEALED_RATE) * done)
+
+    def ask(self, rng: np.random.Generator) -> Genomes:
+        """Return the samples: the first half, and their mirror images in the same order."""
+        pairs = self.samples // 2
+        self._noise = self._table.draw(pairs, rng)
+        candidates = np.empty((2, pairs, self._table.size), dtype=np.float32)
+        plus, minus = candidates
+        for i, noise in enumerate(self._noise):
+            np.multiply(noise, np.float32(self.sigma), out=plus[i])
+            np.subtract(self.genome, plus[i], out=minus[i])
+            plus[i] += self.genome
+        return candidates.reshape(self.samples, -1)
+
+    def tell(self, fitness: ArrayLike) -> None:
+        """Move the mean towards the better samples."""
+        if not self._noise:
+            raise RuntimeError("tell: expected after ask, got no candidates to be told of")
+        gradient = self._gradient(centred_ranks(checked_fitness(fitness, self.samples)))
+        self.genome = self.genome + self._adam.step(gradient, self.rate)
+        self._noise = []
+
+    def _gradient(self, utility: NDArray[np.float64]) -> Genome:
+        plus, minus = utility.reshape(2, -1)
+        weights = ((plus - minus) / (self.samples * self.sigma)).astype(np.float32)
+        gradient = np.zeros(self._table.size, dtype=np.float32)
+        # Term by term, not as a matrix product: BLAS adds in an order that depends on the machine.
+        for weight, noise in zip(weights, self._noise, strict=True):
+            gradient += weight * noise
+        return gradient
+
+    def state(self) -> State:
+        """Return the mean, and Adam's means and count."""
+        return {
+            "genome": self.genome,
+            "adam_mean": self._adam.mean.copy(),
+            "adam_square": self._adam.square.copy(),
+            "updates": np.array(self._adam.updates),
+        }
+
+    def restore(self, state: State) -> None:
+        """Take up a state that `state` returned."""
+        self.genome = state["genome"].astype(np.float32)
+        self._adam.mean = state["adam_mean"].astype(np.float32)
+        self._adam.square = state["adam_square"].astype(np.float32)
+        self._adam.updates = int(state["updates"])
+        self._noise = []

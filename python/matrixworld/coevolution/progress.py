@@ -1,0 +1,50 @@
+"""Progress of a run. Silent unless asked: pass a `ProgressBar` as `report`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import TracebackType
+
+from tqdm import tqdm
+
+SECONDS = 0.5
+"""Time between two drawings of the bar."""
+
+Report = Callable[[str, int, int], None]
+"""Called as report(what is going on, episodes played, episodes in all), often."""
+
+
+def silent(what: str, done: int, total: int) -> None:
+    """Report nothing."""
+
+
+class ProgressBar:
+    """A tqdm bar on the terminal, with rate and time left::
+
+    with ProgressBar() as bar:
+        race.run(bar)
+    """
+
+    def __init__(self) -> None:
+        self._bar: tqdm[None] | None = None
+
+    def __call__(self, what: str, done: int, total: int) -> None:
+        """Show that `done` of `total` episodes have been played."""
+        if self._bar is None:
+            self._bar = tqdm(
+                total=total, initial=done, unit=" matches", unit_scale=True, mininterval=SECONDS
+            )
+        self._bar.set_description_str(what, refresh=False)
+        self._bar.update(done - self._bar.n)
+
+    def __enter__(self) -> ProgressBar:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self._bar is not None:
+            self._bar.close()

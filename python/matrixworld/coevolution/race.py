@@ -1,0 +1,127 @@
+"""An alternating race: one team learns while the other stands still, turn and turn about."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld.analysis import Disengagement, disengagements, summarize
+from matrixworld.analysis.engagement import PATIENCE
+from matrixworld.coevolution.half_step import HalfStep
+from matrixworld.coevolution.keys import TEAMS, Team, other
+from matrixworld.coevolution.run import Run
+from matrixworld.coevolution.schedules import SCHEDULES
+from matrixworld.coevolution.settings import RaceSettings
+from matrixworld.coevolution.tournament import Opponents, Payoff, tournament
+
+
+class DisengagementWarning(UserWarning):
+    """One team wins nearly everything, so neither has much to learn from."""
+
+
+class Race(Run[RaceSettings]):
+    """Co-evolution by one of the paper's three schedules.
+
+    ::
+
+        p[0], e[0] untrained
+        for k in 1 .. generations:
+            p[k] = p[k-1], improved for some epochs against the evaders that the schedule names
+            e[k] = e[k-1], improved for some epochs against the pursuers that the schedule names
+        payoff[g, h] = capture rate of p[g] against e[h]
+
+    Learners keep their state from generation to generation. A stage is a half-step: one team's
+    epochs of one generation. Parameters and attributes as in `Run`.
+    """
+
+    kind: ClassVar[str] = "race"
+    settings_class: ClassVar[type[Any]] = RaceSettings
+    stages_per_generation: ClassVar[int] = 2
+
+    def check_settings(self) -> None:
+        """Raise ValueError unless the schedule is one of the paper's."""
+        super().check_settings()
+        if self.settings.schedule not in SCHEDULES:
+            known = ", ".join(SCHEDULES)
+            raise ValueError(f"schedule: expected one of {known}, got {self.settings.schedule!r}")
+
+    @property
+    def n_stages(self) -> int:
+        """The half-steps of the run."""
+        return self.stages_per_generation * self.settings.generations
+
+    def learning_teams(self) -> tuple[Team, ...]:
+        """Return both teams."""
+        return TEAMS
+
+    def learn(self, stage: int) -> None:
+        """Let one team learn for the epochs of a generation, and archive what it has become."""
+        generation, team = 1 + stage // 2, TEAMS[stage % 2]
+        half_step = HalfStep(
+            self.training,
+            self.learners[team],
+            team,
+            generation,
+            meet=lambda epoch: self._opponent(team, generation, epoch),
+            on_epoch=lambda: self.report(f"generation {generation}: {team}s"),
+        )
+        half_step.run(range(self.settings.epochs(team)))
+        self.archive[team].append(self.learners[team].genome)
+
+    def _opponent(self, team: Team, generation: int, epoch: int) -> tuple[int, Opponents]:
+        met = SCHEDULES[self.settings.schedule].opponent(team, generation, epoch)
+        return met, self.training.population(self.archive[other(team)][met][np.newaxis])
+
+    def training_matches(self) -> int:
+        """Return the episodes of the training."""
+        epochs = sum(self.settings.total_epochs(team) for team in TEAMS)
+        return epochs * self.settings.population * self.settings.worlds
+
+    def total_matches(self) -> int:
+        """Return the episodes of the training and of the payoff matrix."""
+        cells = (self.settings.generations + 1) ** 2
+        return self.training_matches() + cells * self.settings.eval_episodes
+
+    def evaluate(self) -> Payoff:
+        """Play every archived generation against every other, the untrained ones included."""
+        settings, training = self.settings, self.training
+        return tournament(
+            settings.world(settings.eval_steps),
+            training.population(self.genomes("pursuer")),
+            training.population(self.genomes("evader")),
+            seed=settings.seed,
+            episodes=settings.eval_episodes,
+            threads=training.threads,
+            play=training.rollout,
+            on_row=lambda played: self.report("tournament", played),
+        )
+
+    def after_stage(self) -> None:
+        """Warn when a race has been disengaged for just as long as it takes to count."""
+        if self.stage % self.stages_per_generation == 0:
+            generation = self.stage // self.stages_per_generation
+            for stretch in self.disengagements():
+                if stretch.last == generation and len(stretch) == PATIENCE:
+                    warnings.warn(str(stretch), DisengagementWarning, stacklevel=4)
+
+    def disengagements(self) -> tuple[Disengagement, ...]:
+        """Return the stretches of finished generations in which one team won everything."""
+        return disengagements(self.half_step_rates())
+
+    def half_step_rates(self) -> NDArray[np.float64]:
+        """Return the capture rates (K, 2) of both half-steps of the K finished generations."""
+        stages = self.stages_per_generation
+        finished = len(self.captures) // stages
+        rates = np.array(self.captures[: finished * stages]).reshape(finished, stages)
+        return np.broadcast_to(rates, (finished, 2))
+
+    def summary(self, payoff: Payoff) -> dict[str, Any]:
+        """Return counts, stretches of disengagement, and the analysis of the payoff matrix."""
+        return {
+            **super().summary(payoff),
+            "disengagement": [str(stretch) for stretch in self.disengagements()],
+            "analysis": summarize(payoff.capture_rate).to_dict(),
+        }

@@ -1,0 +1,229 @@
+"""A run: stages of learning with a checkpoint after each, then an evaluation.
+
+Subclasses say what a stage is. Everything that a stage changes (learners, archive, counters, log)
+is saved when it ends; a run stopped inside a stage, however roughly, goes back to its beginning
+and ends bit for bit as if it had never been stopped.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from pathlib import Path
+from typing import Any, ClassVar, Generic, TypeVar
+
+import numpy as np
+
+from matrixworld.coevolution.keys import TEAMS, Genome, Genomes, Team
+from matrixworld.coevolution.progress import Report, silent
+from matrixworld.coevolution.run_directory import RunDirectory
+from matrixworld.coevolution.settings import RaceSettings, SingleSettings
+from matrixworld.coevolution.settings_json import settings_of, settings_to_json
+from matrixworld.coevolution.starting import new_learner, untrained
+from matrixworld.coevolution.tournament import Payoff, Rollout
+from matrixworld.coevolution.training import Training
+from matrixworld.policy import Network
+from matrixworld.rollout import rollout
+
+AnySettings = TypeVar("AnySettings", RaceSettings, SingleSettings)
+AnyRun = TypeVar("AnyRun", bound="Run[Any]")
+
+
+class Run(ABC, Generic[AnySettings]):
+    """A run in a directory; see `Race`, `HallOfFameRace` and `SingleTeam`.
+
+    Parameters
+    ----------
+    settings : what is run.
+    directory : a new or empty directory; FileExistsError if it holds anything.
+    threads : handed to `play`; None: all cores. Results do not depend on it.
+    play : scores matches; a pure function with the arguments of `matrixworld.rollout`.
+
+    Attributes
+    ----------
+    archive : per team the genomes (genes,) float32 of generations 0, 1, ...
+    stage, n_stages : finished stages, and all.
+    captures : mean capture rate in the second half of each finished stage.
+    training : counts episodes and steps.
+    """
+
+    kind: ClassVar[str]
+    settings_class: ClassVar[type[Any]]
+
+    def __init__(
+        self,
+        settings: AnySettings,
+        directory: str | Path | RunDirectory,
+        *,
+        threads: int | None = None,
+        play: Rollout = rollout,
+    ) -> None:
+        self.settings: AnySettings = settings
+        self.check_settings()
+        self.training = Training(settings, play, threads)
+        self.network: Network = self.training.network
+        self.stage = 0
+        self.captures: list[float] = []
+        count = settings.population if settings.learner_name == "ga" else 1
+        self.learners = {
+            team: new_learner(settings, team, self.first_population(team, count))
+            for team in self.learning_teams()
+        }
+        self.archive: dict[Team, list[Genome]] = self.first_archive()
+        self._report: Report = silent
+        if isinstance(directory, RunDirectory):
+            self.files = directory
+            with self.files.lock():
+                self._restore()
+        else:
+            self.files = RunDirectory.create(directory)
+            self._write_new()
+
+    @classmethod
+    def resume(
+        cls: type[AnyRun],
+        directory: str | Path,
+        *,
+        threads: int | None = None,
+        play: Rollout = rollout,
+    ) -> AnyRun:
+        """Return the run that a directory holds, as of its last checkpoint; `run` goes on.
+
+        ValueError if it is of another kind or format, LockedError while another process runs it.
+        """
+        files = RunDirectory.open(directory)
+        config = files.config()
+        if config["kind"] != cls.kind:
+            raise ValueError(f"{directory}: expected a {cls.kind} run, got {config['kind']!r}")
+        return cls(settings_of(config), files, threads=threads, play=play)
+
+    # What each kind of run says:
+
+    @property
+    @abstractmethod
+    def n_stages(self) -> int:
+        """The number of stages."""
+
+    @abstractmethod
+    def learning_teams(self) -> tuple[Team, ...]:
+        """Return the teams that learn."""
+
+    @abstractmethod
+    def learn(self, stage: int) -> None:
+        """Do one stage: improve learners, extend the archive, record each epoch."""
+
+    @abstractmethod
+    def evaluate(self) -> Payoff:
+        """Return what the archive scores."""
+
+    @abstractmethod
+    def total_matches(self) -> int:
+        """Return the episodes of the whole run, evaluation included."""
+
+    def first_population(self, team: Team, count: int) -> Genomes:
+        """Return `count` genomes from which a learner starts; the first is generation 0."""
+        return untrained(self.settings, team, count)
+
+    def first_archive(self) -> dict[Team, list[Genome]]:
+        """Return the archive of a run that has not begun."""
+        return {team: [self.learners[team].genome] for team in TEAMS}
+
+    def more_config(self) -> dict[str, Any]:
+        """Return what config.json holds beside the settings."""
+        return {}
+
+    def check_settings(self) -> None:
+        """Raise TypeError or ValueError if this kind of run cannot have these settings."""
+        if not isinstance(self.settings, self.settings_class):
+            expected, got = self.settings_class.__name__, type(self.settings).__name__
+            raise TypeError(f"settings: expected {expected}, got {got}")
+
+    def after_stage(self) -> None:
+        """Look at the run after each stage; may warn."""
+
+    # The run:
+
+    def run(self, report: Report = silent) -> Payoff:
+        """Go on from the last checkpoint to the end; return (and save) the payoff.
+
+        `report` is called often with the progress (see `ProgressBar`). On KeyboardInterrupt, or
+        any other error, the files hold the last finished stage; `run` or `resume` goes on.
+        """
+        self._report = report
+        with self.files.lock():
+            self._restore()
+            while self.stage < self.n_stages:
+                self.learn(self.stage)
+                self._end_stage()
+            if not self.files.finished:
+                self._finish()
+        return self.payoff()
+
+    def payoff(self) -> Payoff:
+        """Return the saved payoff; FileNotFoundError before the run has finished."""
+        return Payoff.from_arrays(self.files.payoff())
+
+    def genomes(self, team: Team) -> Genomes:
+        """Return a team's archive as one array (generations, genes) float32."""
+        archive = self.archive[team]
+        return np.stack(archive) if archive else np.empty((0, self.network.genome_size), np.float32)
+
+    def report(self, what: str, evaluated: int = 0) -> None:
+        """Report the progress: what is going on, and the episodes of the evaluation so far."""
+        self._report(what, self.training.matches + evaluated, self.total_matches())
+
+    def summary(self, payoff: Payoff) -> dict[str, Any]:
+        """Return the run in a few numbers, as summary.json holds them."""
+        return {
+            "training_matches": self.training.matches,
+            "training_steps": self.training.steps,
+            "evaluation_matches": int(payoff.lengths.size),
+        }
+
+    def _end_stage(self) -> None:
+        rows = self.training.rows
+        rates = [row["capture_rate"] for row in rows[len(rows) // 2 :]]
+        self.captures.append(float(np.mean(rates)))
+        self.stage += 1
+        self._save()
+        self.after_stage()
+
+    def _finish(self) -> None:
+        payoff = self.evaluate()
+        self.files.save_payoff(payoff.arrays())
+        self.files.save_summary(self.summary(payoff))
+
+    # Its files:
+
+    def _write_new(self) -> None:
+        with self.files.lock():
+            self.files.check_empty()
+            self._save()
+            settings = settings_to_json(self.settings)
+            self.files.write_config(self.kind, settings, **self.more_config())
+
+    def _save(self) -> None:
+        state: dict[str, Any] = {
+            "stage": self.stage,
+            "matches": self.training.matches,
+            "steps": self.training.steps,
+            "captures": np.array(self.captures, dtype=np.float64),
+        }
+        for team, learner in self.learners.items():
+            state |= {f"{team}.{name}": value for name, value in learner.state().items()}
+        self.files.save({t: self.genomes(t) for t in TEAMS}, self.training.rows, state)
+        self.training.rows = []
+
+    def _restore(self) -> None:
+        saved = self.files.restore()
+        state = saved.state
+        self.stage, self.captures = int(state["stage"]), state["captures"].tolist()
+        self.training.matches, self.training.steps = int(state["matches"]), int(state["steps"])
+        self.training.rows = []
+        self.archive = {team: list(saved.archive[team]) for team in TEAMS}
+        for team, learner in self.learners.items():
+            learner.restore(_of_team(team, state))
+
+
+def _of_team(team: Team, state: dict[str, Any]) -> dict[str, Any]:
+    prefix = f"{team}."
+    return {key.removeprefix(prefix): state[key] for key in state if key.startswith(prefix)}

@@ -1,0 +1,46 @@
+"""Start or take up a run of any kind."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from matrixworld.coevolution.hall_of_fame import HallOfFameRace
+from matrixworld.coevolution.race import Race
+from matrixworld.coevolution.run_directory import RunDirectory
+from matrixworld.coevolution.schedules import HALL_OF_FAME
+from matrixworld.coevolution.settings import RaceSettings, SingleSettings
+from matrixworld.coevolution.single import SingleTeam
+from matrixworld.coevolution.tournament import Rollout
+from matrixworld.rollout import rollout
+
+AnyRun = Race | HallOfFameRace | SingleTeam
+
+KINDS: dict[str, type[Race] | type[HallOfFameRace] | type[SingleTeam]] = {
+    run.kind: run for run in (Race, HallOfFameRace, SingleTeam)
+}
+
+
+def start(
+    settings: RaceSettings | SingleSettings,
+    directory: str | Path,
+    *,
+    threads: int | None = None,
+    play: Rollout = rollout,
+) -> AnyRun:
+    """Return a new run of the kind that the settings ask for (parameters as in `Run`)."""
+    if isinstance(settings, SingleSettings):
+        return SingleTeam(settings, directory, threads=threads, play=play)
+    kind = HallOfFameRace if settings.schedule == HALL_OF_FAME else Race
+    return kind(settings, directory, threads=threads, play=play)
+
+
+def resume(directory: str | Path, *, threads: int | None = None, play: Rollout = rollout) -> AnyRun:
+    """Return the run that a directory holds, as of its last checkpoint; its `run` goes on.
+
+    FileNotFoundError if the directory holds no run, DamagedFileError if none of its checkpoints is
+    whole, ValueError if it is of another format, LockedError while another process runs it.
+    """
+    kind = RunDirectory.open(directory).config()["kind"]
+    if kind not in KINDS:
+        raise ValueError(f"{directory}: expected a run of {', '.join(KINDS)}, got {kind!r}")
+    return KINDS[kind].resume(directory, threads=threads, play=play)

@@ -1,0 +1,242 @@
+"""What defines a run. Two runs of equal settings are equal bit for bit.
+
+Each field carries its help text (``dataclasses.fields(RaceSettings)[i].metadata["help"]``), from
+which the command line makes its options. The number of threads is no setting: results do not
+depend on it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld import Outcome
+from matrixworld.coevolution.checks import check_choice, check_flag, check_integer, check_number
+from matrixworld.coevolution.fitness import FITNESS
+from matrixworld.coevolution.keys import TEAMS, Team
+from matrixworld.coevolution.schedules import HALL_OF_FAME, SCHEDULES
+from matrixworld.config import WorldConfig
+from matrixworld.policy import Network
+from matrixworld.rules import VARIANTS, Rules
+
+LEARNERS = {"es": "evolution strategy", "ga": "genetic algorithm"}
+SELECTIONS = ("tournament", "truncation")
+
+SHARED_CELL_CROWDING = 0.2
+"""Default crowding penalty where teammates may share a cell (rules.teammate is REACH)."""
+
+MOST_SEED = 2**63 - 1
+
+
+def option(default: Any, text: str) -> Any:
+    """Return a dataclass field with a default and a help text."""
+    return field(default=default, metadata={"help": text})
+
+
+@dataclass(frozen=True)
+class TrainingSettings:
+    """World, policy, learner and budget of a run. ValueError or TypeError on a bad field."""
+
+    variant: str | Rules = option("O", "game variant: a name of VARIANTS, or Rules")  # noqa: RUF009
+    rows: int | None = option(None, "rows of the grid; default: the obstacle map's, or 40")
+    cols: int | None = option(None, "columns of the grid; default: the obstacle map's, or 40")
+    pursuers: int | None = option(None, "number of pursuers; default: the variant's own")
+    evaders: int | None = option(None, "number of evaders; default: the variant's own")
+    obstacles: Any = option(  # noqa: RUF009
+        None, "obstacles: a density in [0, 1), rows of text, a bool array or a MovingAI .map file"
+    )
+    fov: int = option(11, "side of an agent's square view, in cells; odd")
+    diagonal: bool = option(False, "allow diagonal moves (9 actions instead of 5)")
+
+    hidden: tuple[int, ...] = option((32,), "sizes of the policy's hidden layers")
+    activation: str = option("relu", "activation of the hidden layers: relu or tanh")
+    initial_weight: float = option(0.05, "standard deviation of untrained hidden weights")
+    initial_head: float = option(0.1, "standard deviation of untrained output weights")
+
+    learner: str | None = option(
+        None, "es (evolution strategy) or ga (genetic algorithm); default: ga for hall-of-fame"
+    )
+    population: int = option(64, "candidates an epoch")
+    sigma: float = option(0.1, "es: standard deviation of the samples")
+    learning_rate: float = option(0.02, "es: learning rate of Adam")
+    anneal: bool = option(False, "es: let the learning rate fall linearly to a tenth over the run")
+    mutation: float = option(0.05, "ga: standard deviation of a mutation")
+    crossover: float = option(0.0, "ga: probability that a child has two parents")
+    selection: str = option("tournament", "ga: tournament or truncation")
+    tournament: int = option(5, "ga: individuals in a tournament")
+    truncation: float = option(0.25, "ga: share of the population that truncation lets breed")
+    elites: int = option(2, "ga: fittest individuals kept unchanged")
+
+    fitness: str = option("captured-fraction", f"fitness: {', '.join(FITNESS)}")
+    crowding: float | None = option(
+        None, "penalty on evaders sharing cells; default: 0.2 where teammates may share, else 0"
+    )
+    train_steps: int = option(200, "most steps of an episode in training")
+    worlds: int = option(1, "episodes of each match in training")
+    eval_steps: int = option(500, "most steps of an episode in evaluation")
+    eval_episodes: int = option(10, "episodes of each evaluated pair")
+    seed: int = option(0, "seed of the run")
+
+    def __post_init__(self) -> None:
+        self._freeze("hidden", tuple(int(size) for size in self.hidden))
+        self._check_budget()
+        self._check_learner()
+        self._check_world()
+
+    def _freeze(self, name: str, value: Any) -> None:
+        object.__setattr__(self, name, value)
+
+    def _check_budget(self) -> None:
+        for name in ("train_steps", "worlds", "eval_steps", "eval_episodes"):
+            check_integer(name, getattr(self, name), least=1)
+        check_integer("seed", self.seed, least=0)
+        if self.seed > MOST_SEED:
+            raise ValueError(f"seed: expected at most {MOST_SEED}, got {self.seed}")
+        check_choice("fitness", self.fitness, FITNESS)
+        if self.crowding is not None:
+            check_number("crowding", self.crowding, least=0.0)
+
+    def _check_learner(self) -> None:
+        if self.learner is not None:
+            check_choice("learner", self.learner, LEARNERS)
+        check_integer("population", self.population, least=2)
+        if self.learner_name == "es" and self.population % 2:
+            raise ValueError(f"population: expected an even number for es, got {self.population}")
+        for name in ("sigma", "learning_rate", "mutation"):
+            check_number(name, getattr(self, name), least=0.0, positive=True)
+        check_flag("anneal", self.anneal)
+        check_number("crossover", self.crossover, least=0.0, most=1.0)
+        check_choice("selection", self.selection, SELECTIONS)
+        check_integer("tournament", self.tournament, least=1)
+        check_number("truncation", self.truncation, least=0.0, most=1.0, positive=True)
+        check_integer("elites", self.elites, least=0)
+        if self.learner_name == "ga" and self.elites >= self.population:
+            raise ValueError(f"elites: expected fewer than {self.population}, got {self.elites}")
+
+    def _check_world(self) -> None:
+        check_number("initial_weight", self.initial_weight, least=0.0)
+        check_number("initial_head", self.initial_head, least=0.0)
+        config = self.world(self.train_steps)
+        if config.map is not None:
+            self._freeze("obstacles", map_as_text(config.map))
+        Network.for_config(config, hidden=self.hidden, activation=self.activation)
+
+    def world(self, max_steps: int) -> WorldConfig:
+        """Return the world's configuration, its episodes ending after `max_steps`."""
+        if isinstance(self.variant, str):
+            check_choice("variant", self.variant, VARIANTS)
+        return WorldConfig(
+            self.variant,
+            rows=self.rows,
+            cols=self.cols,
+            n_pursuers=self.pursuers,
+            n_evaders=self.evaders,
+            fov=self.fov,
+            diagonal=self.diagonal,
+            obstacles=list(self.obstacles) if isinstance(self.obstacles, tuple) else self.obstacles,
+            max_steps=max_steps,
+        )
+
+    @property
+    def network(self) -> Network:
+        """The policy network of a learning team."""
+        world = self.world(self.train_steps)
+        return Network.for_config(world, hidden=self.hidden, activation=self.activation)
+
+    @property
+    def rules(self) -> Rules:
+        """The rules of the variant."""
+        return VARIANTS[self.variant] if isinstance(self.variant, str) else self.variant
+
+    @property
+    def learner_name(self) -> str:
+        """The learner, with the default filled in."""
+        return self.learner or "es"
+
+    @property
+    def crowding_penalty(self) -> float:
+        """The crowding penalty, with the default filled in."""
+        if self.crowding is not None:
+            return self.crowding
+        may_share = self.rules.teammate is Outcome.REACH and self.fitness != "rewards"
+        return SHARED_CELL_CROWDING if may_share else 0.0
+
+
+@dataclass(frozen=True)
+class RaceSettings(TrainingSettings):
+    """Settings of co-evolution, both teams learning."""
+
+    schedule: str = option(
+        "generalist-generalist", f"who meets whom: {', '.join([*SCHEDULES, HALL_OF_FAME])}"
+    )
+    generations: int = option(30, "generations after the untrained one")
+    pursuer_epochs: int = option(60, "epochs of a generation in which the pursuers learn")
+    evader_epochs: int = option(120, "epochs of a generation in which the evaders learn")
+    joint_epochs: int = option(15, "hall-of-fame: epochs of a generation, both teams learning")
+    contemporaries: int = option(4, "hall-of-fame: living opponents that an individual meets")
+    hall_sample: int = option(4, "hall-of-fame: opponents of the hall that an individual meets")
+
+    def __post_init__(self) -> None:
+        check_choice("schedule", self.schedule, [*SCHEDULES, HALL_OF_FAME])
+        for name in ("generations", "pursuer_epochs", "evader_epochs", "joint_epochs"):
+            check_integer(name, getattr(self, name), least=1)
+        check_integer("contemporaries", self.contemporaries, least=0)
+        check_integer("hall_sample", self.hall_sample, least=0)
+        if self.contemporaries + self.hall_sample < 1:
+            raise ValueError("contemporaries and hall_sample: expected one opponent or more, got 0")
+        if self.schedule == HALL_OF_FAME and self.learner == "es":
+            raise ValueError("learner: expected ga for the hall-of-fame schedule, got 'es'")
+        super().__post_init__()
+
+    @property
+    def learner_name(self) -> str:
+        """The learner, with the default of the schedule filled in."""
+        return self.learner or ("ga" if self.schedule == HALL_OF_FAME else "es")
+
+    def epochs(self, team: Team) -> int:
+        """Return the epochs of a generation in which `team` learns."""
+        if self.schedule == HALL_OF_FAME:
+            return self.joint_epochs
+        return self.pursuer_epochs if team == "pursuer" else self.evader_epochs
+
+    def total_epochs(self, team: Team) -> int:
+        """Return the epochs of the whole run in which `team` learns."""
+        return self.generations * self.epochs(team)
+
+
+@dataclass(frozen=True)
+class SingleSettings(TrainingSettings):
+    """Settings of the evolution of one team against opponents that stand still."""
+
+    population: int = option(128, "candidates an epoch")
+    anneal: bool = option(True, "es: let the learning rate fall linearly to a tenth over the run")
+    train_steps: int = option(500, "most steps of an episode in training")
+    eval_episodes: int = option(200, "fresh episodes of the evaluation, against each opponent")
+
+    team: Team = option("pursuer", "team that learns: pursuer or evader")  # noqa: RUF009
+    against: str = option(
+        "random", "opponent: random, still, chaser, fleer, or a run directory (its last generation)"
+    )
+    start: str | None = option(
+        None, "run directory whose last generation to start from; default: an untrained genome"
+    )
+    epochs: int = option(6000, "epochs of the run")
+    archive_every: int = option(100, "epochs between entries of the archive; each is a checkpoint")
+
+    def __post_init__(self) -> None:
+        check_choice("team", self.team, TEAMS)
+        check_integer("epochs", self.epochs, least=1)
+        check_integer("archive_every", self.archive_every, least=1)
+        super().__post_init__()
+
+    def total_epochs(self, team: Team) -> int:
+        """Return the epochs of the whole run."""
+        return self.epochs
+
+
+def map_as_text(obstacles: NDArray[np.bool_]) -> tuple[str, ...]:
+    """Return an obstacle map (rows, cols) as rows of text, '#' obstacle and '.' free."""
+    return tuple("".join("#" if cell else "." for cell in row) for row in obstacles)

@@ -1,0 +1,44 @@
+"""What a run starts from: untrained genomes and new learners."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from matrixworld.coevolution.evolution_strategy import EvolutionStrategy
+from matrixworld.coevolution.genetic_algorithm import GeneticAlgorithm
+from matrixworld.coevolution.keys import TEAMS, Genomes, Purpose, Team, keyed_generator
+from matrixworld.coevolution.learners import Learner
+from matrixworld.coevolution.noise import NoiseTable
+from matrixworld.coevolution.settings import RaceSettings, SingleSettings
+
+
+def untrained(settings: RaceSettings | SingleSettings, team: Team, count: int) -> Genomes:
+    """Return the first `count` untrained genomes (count, genes) of a team of a run."""
+    rng = keyed_generator(settings.seed, Purpose.INITIAL, TEAMS.index(team))
+    weight, head = settings.initial_weight, settings.initial_head
+    return np.stack([settings.network.initial(rng, weight=weight, head=head) for _ in range(count)])
+
+
+def new_learner(
+    settings: RaceSettings | SingleSettings, team: Team, population: Genomes
+) -> Learner:
+    """Return the learner of the settings, starting from `population` (or from its first row)."""
+    if settings.learner_name == "ga":
+        return GeneticAlgorithm(
+            population,
+            selection=settings.selection,
+            tournament=settings.tournament,
+            truncation=settings.truncation,
+            elites=settings.elites,
+            crossover=settings.crossover,
+            sigma=settings.mutation,
+        )
+    rng = keyed_generator(settings.seed, Purpose.NOISE, TEAMS.index(team))
+    return EvolutionStrategy(
+        population[0],
+        NoiseTable(population.shape[1], rng),
+        samples=settings.population,
+        sigma=settings.sigma,
+        learning_rate=settings.learning_rate,
+        anneal_over=settings.total_epochs(team) if settings.anneal else None,
+    )

@@ -1,0 +1,99 @@
+"""Playing the matches of training, and keeping count of them."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld.coevolution.fitness import fitness
+from matrixworld.coevolution.keys import Genomes, Seeds, Team
+from matrixworld.coevolution.run_log import Row
+from matrixworld.coevolution.settings import TrainingSettings
+from matrixworld.coevolution.tournament import Opponents, Rollout
+from matrixworld.policy import Population
+from matrixworld.rollout import Matches, Scores
+
+
+class Training:
+    """Scores candidates in the training world of a run, and logs what it sees.
+
+    Parameters
+    ----------
+    settings : of the run.
+    play : scores matches, with the arguments of `matrixworld.rollout`.
+    threads : handed to `play`.
+
+    Attributes
+    ----------
+    matches, steps : episodes and world steps played so far.
+    rows : of the log, one per epoch, since the last checkpoint.
+    """
+
+    def __init__(self, settings: TrainingSettings, play: Rollout, threads: int | None) -> None:
+        self.settings = settings
+        self.network = settings.network
+        self.world = settings.world(settings.train_steps)
+        self.threads = threads
+        self.matches = self.steps = 0
+        self.rows: list[Row] = []
+        self.rollout = play
+
+    def population(self, genomes: Genomes) -> Population:
+        """Return genomes (n, genes) as a population of the run's network."""
+        return Population(genomes, self.network)
+
+    def play(self, pursuers: Opponents, evaders: Opponents, matches: Matches) -> Scores:
+        """Play and count matches; the scores' arrays are (M, worlds)."""
+        worlds, threads = self.settings.worlds, self.threads
+        scores = self.rollout(
+            self.world, pursuers, evaders, matches, worlds=worlds, threads=threads
+        )
+        self.matches += int(scores.length.size)
+        self.steps += int(scores.length.sum())
+        return scores
+
+    def play_candidates(
+        self, team: Team, candidates: Genomes, opponent: Opponents, seeds: Seeds
+    ) -> Scores:
+        """Play each candidate (n, genes) of `team` on its own seed (n,) against one opponent.
+
+        `opponent` is a scripted team or a population of one.
+        """
+        own, learning = np.arange(len(candidates)), self.population(candidates)
+        if team == "pursuer":
+            return self.play(learning, opponent, Matches.of(own, 0, seeds))
+        return self.play(opponent, learning, Matches.of(0, own, seeds))
+
+    def fitness(self, scores: Scores, team: Team) -> NDArray[np.float64]:
+        """Return the fitness (M,) of `team` in M matches, by the run's measure."""
+        crowding = self.settings.crowding_penalty
+        return fitness(scores, team, measure=self.settings.fitness, crowding=crowding)
+
+    def record(
+        self,
+        scores: Scores,
+        values: NDArray[np.float64],
+        *,
+        team: Team,
+        generation: int,
+        epoch: int,
+        opponent: int,
+    ) -> None:
+        """Log one epoch of one team: its `scores` and the fitness `values` (n,) of candidates."""
+        faults = scores.faults.sum(axis=3).mean(axis=(0, 1))
+        row: Row = {
+            "generation": generation,
+            "team": team,
+            "epoch": epoch,
+            "opponent": opponent,
+            "fitness_mean": float(values.mean()),
+            "fitness_std": float(values.std()),
+            "fitness_best": float(values.max()),
+            "capture_rate": float(scores.capture_rate.mean(dtype=np.float64)),
+            "length": float(scores.length.mean()),
+            "pursuer_faults": float(faults[0]),
+            "evader_faults": float(faults[1]),
+            "matches": self.matches,
+            "steps": self.steps,
+        }
+        self.rows.append(row)

@@ -1,0 +1,257 @@
+"""Learners and their parts, on functions whose optimum is known."""
+
+from __future__ import annotations
+
+import math
+from itertools import count
+
+import numpy as np
+import pytest
+from deap import algorithms, tools
+
+from matrixworld.coevolution import (
+    Adam,
+    EvolutionStrategy,
+    GeneticAlgorithm,
+    NoiseTable,
+    centred_ranks,
+    generate_update_toolbox,
+    mate_uniform,
+    mutate_gaussian,
+    select_tournament,
+    select_truncation,
+)
+
+SIZE = 20
+TARGET = np.linspace(-1.0, 1.0, SIZE)
+
+
+def closeness(genomes):
+    """Minus the squared distance from the target: a sphere, best at zero."""
+    return -((np.asarray(genomes, dtype=np.float64) - TARGET) ** 2).sum(axis=-1)
+
+
+def generator(epoch=0):
+    return np.random.Generator(np.random.SFC64([7, epoch]))
+
+
+def strategy(**changes):
+    options = {"samples": 16, "sigma": 0.05, "learning_rate": 0.05, **changes}
+    return EvolutionStrategy(np.zeros(SIZE), NoiseTable(SIZE, generator(99)), **options)
+
+
+def algorithm(**changes):
+    population = generator(98).standard_normal((40, SIZE), dtype=np.float32)
+    return GeneticAlgorithm(population, **changes)
+
+
+def teach(learner, epochs, first=0):
+    for epoch in range(first, first + epochs):
+        learner.tell(closeness(learner.ask(generator(epoch))))
+    return learner
+
+
+@pytest.mark.parametrize(
+    ("fitness", "ranks"),
+    [
+        ([10.0, 30.0, 20.0], [-0.5, 0.5, 0.0]),
+        ([5.0, 5.0, 5.0, 5.0], [0.0, 0.0, 0.0, 0.0]),
+        ([1.0, 2.0, 2.0, 3.0, 3.0], [-0.5, -0.125, -0.125, 0.375, 0.375]),
+        ([4.0], [0.0]),
+    ],
+)
+def test_centred_ranks(fitness, ranks):
+    assert centred_ranks(np.array(fitness)).tolist() == ranks
+
+
+def test_adam_is_the_textbook_algorithm():
+    gradients = [[0.3, -2.0], [0.1, 1.0], [-0.5, 0.0], [0.2, 4.0]]
+    adam = Adam(2)
+    for t, gradient in enumerate(gradients, start=1):
+        got = adam.step(np.array(gradient, dtype=np.float32), 0.02)
+        for gene in range(2):
+            m = sum(0.1 * 0.9 ** (t - 1 - s) * gradients[s][gene] for s in range(t))
+            v = sum(0.001 * 0.999 ** (t - 1 - s) * gradients[s][gene] ** 2 for s in range(t))
+            expected = 0.02 * (m / (1 - 0.9**t)) / (math.sqrt(v / (1 - 0.999**t)) + 1e-8)
+            assert got[gene] == pytest.approx(expected, rel=1e-4)
+
+
+def test_noise_vectors_are_windows_of_normal_numbers():
+    table = NoiseTable(50, generator())
+    vectors = np.array(table.draw(400, generator(1)))
+    assert vectors.shape == (400, 50)
+    assert abs(vectors.mean()) < 0.05
+    assert abs(vectors.std() - 1.0) < 0.05
+    assert len({vector.tobytes() for vector in vectors}) > 380
+    again = np.array(NoiseTable(50, generator()).draw(400, generator(1)))
+    assert np.array_equal(vectors, again)
+    with pytest.raises(ValueError, match="read-only"):
+        table.draw(1, generator())[0][0] = 1.0
+
+
+def test_evolution_strategy_samples_mirrored_pairs_on_shared_matches():
+    learner = teach(strategy(), 3)
+    candidates = learner.ask(generator(3))
+    assert candidates.shape == (16, SIZE)
+    assert candidates.dtype == np.float32
+    assert np.allclose((candidates[:8] + candidates[8:]) / 2, learner.genome, atol=1e-6)
+    assert np.std(candidates - learner.genome) == pytest.approx(0.05, rel=0.2)
+    assert learner.match_of_candidate.tolist() == [*range(8), *range(8)]
+
+
+def test_evolution_strategy_finds_the_target():
+    learner = teach(strategy(anneal_over=400), 400)
+    assert closeness(learner.genome) > -0.01 > closeness(np.zeros(SIZE))
+
+
+def test_evolution_strategy_follows_the_published_update():
+    learner = strategy()
+    candidates = learner.ask(generator())
+    fitness = closeness(candidates)
+    noise = candidates / 0.05
+    ranks = np.argsort(np.argsort(fitness)) / 15 - 0.5
+    gradient = (ranks[:, None] * noise).sum(axis=0) / (16 * 0.05)
+    learner.tell(fitness)
+    assert np.allclose(learner.genome, 0.05 * np.sign(gradient), atol=1e-4)  # Adam's first step
+
+
+def test_equal_fitness_teaches_nothing():
+    learner = strategy()
+    learner.ask(generator())
+    learner.tell(np.full(16, 3.0))
+    assert not learner.genome.any()
+
+
+def test_annealed_rate_falls_to_a_tenth():
+    learner = strategy(anneal_over=10, learning_rate=1.0)
+    rates = []
+    for epoch in range(12):
+        rates.append(learner.rate)
+        teach(learner, 1, first=epoch)
+    assert rates[0] == 1.0
+    assert rates[5] == pytest.approx(0.55)
+    assert rates[10:] == pytest.approx([0.1, 0.1])
+    assert strategy().rate == teach(strategy(), 3).rate == 0.05
+
+
+@pytest.mark.parametrize("make", [strategy, algorithm])
+def test_restored_learner_goes_on_bit_for_bit(make):
+    straight = teach(make(), 8)
+    stopped = teach(make(), 5)
+    state = {name: value.copy() for name, value in stopped.state().items()}
+    teach(stopped, 2, first=50)
+    resumed = make()
+    resumed.restore(state)
+    teach(resumed, 3, first=5)
+    assert np.array_equal(resumed.genome, straight.genome)
+    for name, value in straight.state().items():
+        assert np.array_equal(resumed.state()[name], value), name
+
+
+def test_a_new_learner_can_be_saved_and_restored():
+    state = algorithm().state()
+    other = GeneticAlgorithm(np.zeros((40, SIZE)))
+    other.restore(state)
+    assert np.array_equal(other.ask(generator()), algorithm().ask(generator()))
+
+
+@pytest.mark.parametrize("make", [strategy, algorithm])
+@pytest.mark.parametrize("fitness", [np.zeros(3), np.full(16, np.nan), np.zeros((16, 1))])
+def test_bad_fitness_is_refused(make, fitness):
+    learner = make()
+    with pytest.raises(RuntimeError, match="ask"):
+        learner.tell(fitness)
+    learner.ask(generator())
+    with pytest.raises(ValueError, match="fitness: expected"):
+        learner.tell(fitness)
+
+
+def test_bad_learners_are_refused():
+    with pytest.raises(ValueError, match=r"samples: expected an even number.*got 5"):
+        strategy(samples=5)
+    with pytest.raises(ValueError, match="genome: expected shape"):
+        EvolutionStrategy(np.zeros(SIZE + 1), NoiseTable(SIZE, generator()))
+    with pytest.raises(ValueError, match="selection: expected tournament or truncation"):
+        algorithm(selection="roulette")
+    with pytest.raises(ValueError, match="population: expected"):
+        algorithm(elites=40)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {},
+        {"selection": "truncation"},
+        {"crossover": 0.7},
+        {"selection": "truncation", "elites": 0, "mutation": 0.3},
+    ],
+)
+def test_genetic_algorithm_improves(options):
+    start = algorithm(**options)
+    learner = teach(algorithm(sigma=0.1, **options), 150)
+    best_at_first = closeness(start.ask(generator())).max()
+    assert closeness(learner.genome) > best_at_first / 10
+
+
+def test_elites_are_kept_unchanged():
+    learner = algorithm(elites=3)
+    first = learner.ask(generator())
+    learner.tell(closeness(first))
+    best = first[np.argsort(-closeness(first))[:3]]
+    assert np.array_equal(learner.ask(generator(1))[:3], best)
+    assert np.array_equal(learner.genome, best[0])
+
+
+def test_tournament_prefers_the_fitter():
+    fitness = np.arange(10.0)
+    chosen = select_tournament(fitness, 20_000, generator(), size=3)
+    share_of_best = np.mean(chosen == 9)
+    assert share_of_best == pytest.approx(1 - 0.9**3, abs=0.02)
+    at_random = select_tournament(fitness, 20_000, generator(), size=1)
+    assert np.bincount(at_random).min() > 1700
+
+
+def test_truncation_takes_from_the_best_only():
+    chosen = select_truncation(np.array([3.0, 9.0, 1.0, 8.0]), 500, generator(), fraction=0.5)
+    assert set(chosen) == {1, 3}
+
+
+def test_mating_mixes_the_given_share():
+    first, second = np.zeros((2000, 10), np.float32), np.ones((2000, 10), np.float32)
+    children = mate_uniform(first, second, generator(), probability=0.25)
+    mixed = children.any(axis=1)
+    assert mixed.mean() == pytest.approx(0.25, abs=0.04)
+    assert children[mixed].mean() == pytest.approx(0.5, abs=0.03)
+    assert not first.any()
+
+
+def test_mutation_moves_the_given_share_of_genes():
+    genomes = np.full((500, 100), 3.0, dtype=np.float32)
+    mutants = mutate_gaussian(genomes, generator(), sigma=0.5, probability=0.2)
+    moved = mutants != genomes
+    assert moved.mean() == pytest.approx(0.2, abs=0.01)
+    assert (mutants - genomes)[moved].std() == pytest.approx(0.5, abs=0.02)
+    assert (genomes == 3.0).all()
+
+
+@pytest.mark.parametrize("make", [strategy, algorithm])
+def test_learners_work_with_deap_algorithms(make):
+    toolbox = generate_update_toolbox(
+        make(),
+        lambda candidates: closeness(candidates.genomes),
+        (generator(epoch) for epoch in count()),
+    )
+    best = tools.HallOfFame(1)
+    statistics = tools.Statistics(lambda individual: individual.fitness.values[0])
+    statistics.register("max", max)
+    population, logbook = algorithms.eaGenerateUpdate(
+        toolbox, ngen=30, halloffame=best, stats=statistics, verbose=False
+    )
+    by_hand = teach(make(), 30)
+    assert len(logbook) == 30
+    assert logbook[-1]["max"] > logbook[0]["max"]
+    assert best[0].fitness.values[0] == closeness(best[0].genome) == max(logbook.select("max"))
+    last = np.array([individual.genome for individual in population])
+    again = make()
+    assert np.array_equal(last, teach(again, 29).ask(generator(29)))
+    assert not np.array_equal(by_hand.genome, make().genome)

@@ -1,0 +1,102 @@
+"""The paper's three schedules, against its algorithms written out."""
+
+from __future__ import annotations
+
+import pytest
+
+from matrixworld.coevolution import SCHEDULES, RaceSettings
+
+# The paper's pseudo-code, generations 1 to 3 with four epochs each, by hand:
+# schedule: {k: (generations of e that the pursuers meet, generations of p that the evaders meet)}
+BY_HAND = {
+    "specialist-specialist": {
+        1: ([0, 0, 0, 0], [1, 1, 1, 1]),
+        2: ([1, 1, 1, 1], [2, 2, 2, 2]),
+        3: ([2, 2, 2, 2], [3, 3, 3, 3]),
+    },
+    "generalist-specialist": {
+        1: ([0, 0, 0, 0], [1, 1, 1, 1]),
+        2: ([0, 1, 0, 1], [2, 2, 2, 2]),
+        3: ([0, 1, 2, 0], [3, 3, 3, 3]),
+    },
+    "generalist-generalist": {
+        1: ([0, 0, 0, 0], [0, 1, 0, 1]),
+        2: ([0, 1, 0, 1], [0, 1, 2, 0]),
+        3: ([0, 1, 2, 0], [0, 1, 2, 3]),
+    },
+}
+
+
+def test_all_schedules_are_written_out():
+    assert SCHEDULES.keys() == BY_HAND.keys()
+
+
+@pytest.mark.parametrize("name", BY_HAND)
+@pytest.mark.parametrize("k", [1, 2, 3])
+def test_schedule(name, k):
+    pursuers_meet, evaders_meet = BY_HAND[name][k]
+    schedule = SCHEDULES[name]
+    assert [schedule.opponent("pursuer", k, i) for i in range(4)] == pursuers_meet
+    assert [schedule.opponent("evader", k, i) for i in range(4)] == evaders_meet
+
+
+@pytest.mark.parametrize("name", BY_HAND)
+def test_opponents_exist_when_they_are_met(name):
+    for k in range(1, 12):
+        for i in range(40):
+            assert 0 <= SCHEDULES[name].opponent("pursuer", k, i) <= k - 1
+            assert 0 <= SCHEDULES[name].opponent("evader", k, i) <= k
+
+
+def test_generation_zero_learns_nothing():
+    with pytest.raises(ValueError, match="generation >= 1"):
+        SCHEDULES["generalist-generalist"].opponent("pursuer", 0, 0)
+
+
+def test_defaults_are_those_that_were_seen_to_work():
+    settings = RaceSettings()
+    assert (settings.generations, settings.pursuer_epochs, settings.evader_epochs) == (30, 60, 120)
+    assert settings.total_epochs("evader") == 3600
+    assert settings.learner_name == "es"
+    assert settings.crowding_penalty == 0.2
+    assert settings.network.genome_size == 363 * 32 + 32 + 32 * 5 + 5
+
+
+def test_crowding_is_penalised_where_teammates_may_share_a_cell():
+    assert RaceSettings(variant="SB").crowding_penalty == 0.0
+    assert RaceSettings(fitness="rewards").crowding_penalty == 0.0
+    assert RaceSettings(variant="SB", crowding=0.5).crowding_penalty == 0.5
+
+
+@pytest.mark.parametrize(
+    ("changes", "error", "message"),
+    [
+        ({"schedule": "generalist"}, ValueError, "schedule: expected one of specialist-specialist"),
+        ({"generations": 0}, ValueError, "generations: expected at least 1, got 0"),
+        ({"generations": 2.5}, TypeError, "generations: expected an integer, got 2.5"),
+        ({"pursuer_epochs": 0}, ValueError, "pursuer_epochs"),
+        ({"population": 7}, ValueError, "population: expected an even number for es, got 7"),
+        ({"sigma": 0.0}, ValueError, "sigma: expected a number above 0"),
+        ({"learning_rate": float("nan")}, ValueError, "learning_rate"),
+        ({"learning_rate": "fast"}, TypeError, "learning_rate: expected a number, got 'fast'"),
+        ({"learner": "cma"}, ValueError, "learner: expected one of es, ga, got 'cma'"),
+        ({"learner": "ga", "elites": 64}, ValueError, "elites: expected fewer than 64"),
+        ({"learner": "es", "schedule": "hall-of-fame"}, ValueError, "learner: expected ga"),
+        ({"contemporaries": 0, "hall_sample": 0}, ValueError, "contemporaries and hall_sample"),
+        ({"fitness": "style"}, ValueError, "fitness: expected one of captured-fraction"),
+        ({"crowding": -1.0}, ValueError, "crowding"),
+        ({"variant": "X"}, ValueError, "variant: expected one of"),
+        ({"fov": 4}, ValueError, "fov"),
+        ({"rows": 2, "cols": 2}, ValueError, "."),
+        ({"hidden": (0,)}, ValueError, "."),
+        ({"activation": "sine"}, ValueError, "."),
+        ({"seed": -1}, ValueError, "seed: expected at least 0, got -1"),
+        ({"seed": 2**63}, ValueError, "seed: expected at most"),
+        ({"anneal": 1}, TypeError, "anneal: expected True or False, got 1"),
+        ({"train_steps": 0}, ValueError, "train_steps"),
+        ({"initial_head": -0.1}, ValueError, "initial_head"),
+    ],
+)
+def test_bad_settings_are_refused(changes, error, message):
+    with pytest.raises(error, match=message):
+        RaceSettings(**changes)

@@ -1,0 +1,158 @@
+"""Evolution of one team against opponents that stand still."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from matrixworld import coevolution
+from matrixworld.coevolution import Race, SingleTeam, last_generation, open_run
+from matrixworld.policy import Network, Population
+from tiny_race import StopAt, results, tiny_race, tiny_single
+
+
+@pytest.mark.parametrize("team", ["pursuer", "evader"])
+@pytest.mark.parametrize("against", ["random", "still", "chaser", "fleer"])
+def test_against_scripts(tmp_path, team, against):
+    run = coevolution.start(tiny_single(team=team, against=against), tmp_path / "run")
+    payoff = run.run()
+    assert payoff.capture_rates.shape == (1, 1, 3)
+    archive = run.files.archive()
+    other = "evader" if team == "pursuer" else "pursuer"
+    assert len(archive[team]) == 4
+    assert len(archive[other]) == 0
+    log = run.files.log()
+    assert set(log["team"]) == {team}
+    assert log["epoch"].tolist() == [0, 1, 2, 3, 4]
+    saved = open_run(tmp_path / "run")
+    assert saved.teams[other] == against
+    assert saved.record(episode=2).length == payoff.lengths[0, 0, 2]
+    summary = run.files.summary()
+    assert summary["training_matches"] == 20
+    assert summary["length"] == payoff.lengths.mean()
+    assert summary["capture_rate_std"] == pytest.approx(payoff.capture_rates.std())
+
+
+@pytest.mark.parametrize("call", range(6))
+def test_interrupted_run_ends_as_if_never_stopped(tmp_path, call):
+    settings = tiny_single(team="evader", learner="ga")
+    coevolution.start(settings, tmp_path / "straight", threads=2).run()
+    run = coevolution.start(settings, tmp_path / "run", threads=1, play=StopAt(call))
+    with pytest.raises(KeyboardInterrupt):
+        run.run()
+    coevolution.resume(tmp_path / "run").run()
+    assert results(tmp_path / "run") == results(tmp_path / "straight")
+
+
+@pytest.fixture
+def other_run(tmp_path):
+    """A race with another network than that of the single runs."""
+    race = Race(tiny_race(hidden=(3, 2), activation="tanh"), tmp_path / "race")
+    race.run()
+    return race
+
+
+@pytest.mark.parametrize("team", ["pursuer", "evader"])
+def test_against_a_run(tmp_path, other_run, team):
+    other = "evader" if team == "pursuer" else "pursuer"
+    settings = tiny_single(team=team, against=str(other_run.files.path))
+    run = SingleTeam(settings, tmp_path / "run", play=StopAt(4))
+    with pytest.raises(KeyboardInterrupt):
+        run.run()
+    straight = SingleTeam(settings, tmp_path / "straight")
+    straight.run()
+    for path in other_run.files.path.iterdir():  # a run is complete in itself
+        path.unlink()
+    resumed = coevolution.resume(tmp_path / "run")
+    resumed.run()
+    assert results(tmp_path / "run") == results(tmp_path / "straight")
+    assert np.array_equal(resumed.genomes(other), other_run.genomes(other)[-1:])
+    saved = open_run(tmp_path / "run")
+    assert saved.teams[other].network == other_run.network
+    assert saved.teams[team].network == settings.network
+    lengths = saved.payoff().lengths
+    assert [saved.record(episode=number).length for number in range(3)] == list(lengths.flat)
+
+
+def test_several_opponents_are_met_in_turn(tmp_path):
+    settings = tiny_single(team="evader")
+    genomes = np.stack([settings.network.initial(np.random.default_rng(i)) for i in range(2)])
+    opponents = Population(genomes, settings.network)
+    run = SingleTeam(settings, tmp_path / "run", opponents=opponents)
+    payoff = run.run()
+    assert run.files.log()["opponent"].tolist() == [0, 1, 0, 1, 0]
+    assert payoff.capture_rates.shape == (2, 1, 3)
+    assert run.total_matches() == 5 * 4 + 2 * 3
+    assert coevolution.resume(tmp_path / "run").settings.against == "given as genomes"
+
+
+@pytest.mark.parametrize("learner", ["es", "ga"])
+def test_warm_start(tmp_path, learner):
+    first = SingleTeam(tiny_single(team="evader"), tmp_path / "first")
+    first.run()
+    champion = last_generation(tmp_path / "first", "evader").genomes[0]
+    assert np.array_equal(champion, first.genomes("evader")[-1])
+    settings = tiny_single(team="evader", learner=learner, start=str(tmp_path / "first"))
+    second = SingleTeam(settings, tmp_path / "second")
+    assert np.array_equal(second.genomes("evader")[0], champion)
+    second.run()
+    given = tiny_single(team="evader", learner=learner)
+    third = SingleTeam(given, tmp_path / "third", start=champion)
+    third.run()
+    assert np.array_equal(second.genomes("evader"), third.genomes("evader"))
+    assert not np.array_equal(second.genomes("evader")[-1], champion)
+
+
+def test_learning_works(tmp_path):
+    """Pursuers that learn catch far more of the still evaders than untrained ones."""
+    settings = tiny_single(
+        fov=5,
+        hidden=(),
+        population=64,
+        worlds=2,
+        sigma=0.2,
+        learning_rate=0.05,
+        epochs=100,
+        archive_every=100,
+        train_steps=20,
+        eval_steps=20,
+        eval_episodes=400,
+        against="still",
+    )
+    run = SingleTeam(settings, tmp_path / "run")
+    learned = run.run().capture_rate[0, 0]
+    untrained = Population(run.genomes("pursuer")[:1], settings.network)
+    before = coevolution.tournament(settings.world(20), untrained, "still", seed=1, episodes=400)
+    assert learned > before.capture_rate[0, 0] + 0.2
+
+
+def test_bad_opponents_and_starts_are_refused(tmp_path):
+    with pytest.raises(FileNotFoundError, match="holds no run"):
+        SingleTeam(tiny_single(against=str(tmp_path / "nowhere")), tmp_path / "run")
+    settings = tiny_single()
+    wide = Network(hidden=(4,), fov=5)
+    genomes = np.zeros((1, wide.genome_size), dtype=np.float32)
+    with pytest.raises(ValueError, match=r"opponents: expected genomes for fov 3 .* got fov 5"):
+        SingleTeam(settings, tmp_path / "run", opponents=Population(genomes, wide))
+    size = settings.network.genome_size
+    with pytest.raises(ValueError, match=f"start: expected {size} finite genes"):
+        SingleTeam(settings, tmp_path / "run", start=np.zeros(size - 1))
+    with pytest.raises(ValueError, match=f"start: expected {size} finite genes"):
+        SingleTeam(settings, tmp_path / "run", start=np.full(size, np.nan))
+    with pytest.raises(TypeError, match="settings: expected SingleSettings, got RaceSettings"):
+        SingleTeam(tiny_race(), tmp_path / "run")
+    with pytest.raises(ValueError, match="team: expected one of pursuer, evader, got 'both'"):
+        tiny_single(team="both")
+    assert not (tmp_path / "run").exists()
+
+
+def test_start_with_another_network_is_refused(tmp_path, other_run):
+    settings = tiny_single(start=str(other_run.files.path))
+    with pytest.raises(ValueError, match=r"start: expected a genome of Network\(hidden=\(4,\)"):
+        SingleTeam(settings, tmp_path / "run")
+
+
+def test_run_without_genomes_of_a_team_cannot_be_met(tmp_path):
+    SingleTeam(tiny_single(team="pursuer"), tmp_path / "run").run()
+    with pytest.raises(ValueError, match="expected a run with genomes of evaders, got none"):
+        last_generation(tmp_path / "run", "evader")
