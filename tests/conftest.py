@@ -1,0 +1,54 @@
+"""Settings of the random tests, and the two worlds that every case of the rules is played in."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, settings
+
+import matrixworld as mw
+from drawing import Cells, Start
+from reference import ReferenceWorld
+
+SLOW = [HealthCheck.too_slow, HealthCheck.data_too_large]
+settings.register_profile(
+    "ci",
+    max_examples=1000,
+    derandomize=True,
+    database=None,
+    deadline=None,
+    suppress_health_check=SLOW,
+)
+# pytest --hypothesis-profile=long tests/test_reference.py
+settings.register_profile(
+    "long", max_examples=50_000, database=None, deadline=None, suppress_health_check=SLOW
+)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if not config.getoption("--hypothesis-profile"):
+        settings.load_profile("ci")
+
+
+def start_engine(
+    config: mw.WorldConfig, pursuers: Cells, evaders: Cells, obstacles: np.ndarray
+) -> mw.World:
+    """A compiled world at the given start."""
+    world = mw.World(config)
+    world.reset(seed=0, pursuers=pursuers, evaders=evaders, obstacles=obstacles)
+    return world
+
+
+def start_reference(
+    config: mw.WorldConfig, pursuers: Cells, evaders: Cells, obstacles: np.ndarray
+) -> ReferenceWorld:
+    """The slow world at the given start."""
+    world = ReferenceWorld(config)
+    world.place(pursuers, evaders, obstacles)
+    return world
+
+
+@pytest.fixture(params=[start_reference, start_engine], ids=["reference", "engine"])
+def start(request: pytest.FixtureRequest) -> Start:
+    """Begins an episode, in turn in the slow world and in the compiled one."""
+    return request.param

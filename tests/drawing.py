@@ -1,0 +1,273 @@
+"""Worlds drawn as text, so that a case of the rules reads at a glance.
+
+A drawing has its rows on lines or between slashes and its cells between spaces: ``.`` free,
+``#`` obstacle, a letter for an agent.  ``A B C`` are pursuers 0, 1, 2 and ``a b c`` evaders
+0, 1, 2; several on one cell are written together (``AB``, ``Aa``, ``#A``), and an agent that
+is missing is gone.  Moves are ``"A> b^"``, or ``A↗`` on a diagonal; who is not named stays.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from reference import ReferenceWorld, records
+from reference_stages import KINDS
+
+Cell = tuple[int, int]
+Cells = Sequence[Sequence[int]]
+World = mw.World | ReferenceWorld
+Start = Callable[[mw.WorldConfig, Cells, Cells, np.ndarray], World]
+
+OUTCOMES = {"D": mw.Outcome.DISAPPEAR, "R": mw.Outcome.REACH, "B": mw.Outcome.BOUNCE}
+CAPTURES = {"occupation": mw.Capture.OCCUPATION, "surround": mw.Capture.SURROUND}
+INTERACTIONS = {
+    "simultaneous": mw.Interaction.SIMULTANEOUS,
+    "swarm turns": mw.Interaction.SWARM_TURNS,
+    "agent turns": mw.Interaction.AGENT_TURNS,
+}
+ARROWS = {"^": 1, ">": 2, "v": 3, "<": 4, "↗": 5, "↘": 6, "↙": 7, "↖": 8}
+# No two sums of a few of these are equal.
+UNITS = mw.Rewards(
+    pursuer_capture=1000,
+    evader_capture=-2000,
+    pursuer_neighbor=3,
+    evader_neighbor=-5,
+    pursuer_collide=-70,
+    evader_collide=-110,
+    pursuer_step=-0.25,
+    evader_step=-0.5,
+)
+
+
+def rules(
+    interaction: str = "simultaneous",
+    *,
+    obstacle: str = "B",
+    teammate: str = "R",
+    adversary: str = "BR",
+    capture: str = "surround",
+    disappear: bool = False,
+) -> mw.Rules:
+    """One row of rules; ``adversary`` is the evader's outcome, then the pursuer's."""
+    return mw.Rules(
+        interaction=INTERACTIONS[interaction],
+        obstacle=OUTCOMES[obstacle],
+        teammate=OUTCOMES[teammate],
+        evader=OUTCOMES[adversary[0]],
+        pursuer=OUTCOMES[adversary[1]],
+        capture=CAPTURES[capture],
+        captured_disappear=disappear,
+    )
+
+
+def quiet_config(**fields: Any) -> mw.WorldConfig:
+    """A config that does not warn when its rules can capture nobody, with ``UNITS`` as rewards."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return mw.WorldConfig(**{"rewards": UNITS, **fields})
+
+
+def conflict(
+    kind_and_form: str,
+    agents: str,
+    cell: Cell,
+    *,
+    held: str = "",
+    doomed: str = "",
+    fault: str = "",
+    turn: int = 0,
+) -> tuple:
+    """An expected conflict; ``kind_and_form`` is like ``"teammate vertex"``."""
+    kind, form = kind_and_form.split()
+    return turn, kind, form, agents, cell, fault, held, doomed
+
+
+@dataclass(frozen=True)
+class Play:
+    """One step and what must come of it; ``None`` is not looked at.
+
+    ``fault`` and ``involved`` are like ``"obstacle A; teammate AB"``, ``paid`` is like
+    ``"A: capture step; a: step"`` (agents left out earn nothing), ``captors`` like ``"a2 b1"``.
+    ``ever`` is by default everybody captured in the plays so far.
+    """
+
+    moves: str
+    after: str
+    captured: str = ""
+    ever: str | None = None
+    captors: str | None = None
+    fault: str | None = None
+    involved: str | None = None
+    conflicts: list[tuple] | None = None
+    paid: str | None = None
+    ended: bool = False
+
+
+@dataclass(frozen=True)
+class Case:
+    """A named start and the plays from it."""
+
+    name: str
+    rules: mw.Rules | str
+    before: str
+    plays: tuple[Play, ...]
+    changes: dict[str, Any] = field(default_factory=dict)
+
+
+def case(name: str, rules: mw.Rules | str, before: str, *plays: Play, **changes: Any) -> Case:
+    """A case; ``changes`` are fields of ``mw.WorldConfig``."""
+    return Case(name, rules, before, plays, changes)
+
+
+def table(*cases: Case) -> pytest.MarkDecorator:
+    """Parametrises a test with cases."""
+    return pytest.mark.parametrize("case", [pytest.param(c, id=c.name) for c in cases])
+
+
+class Drawing:
+    """A drawing that was read: ``obstacles`` and the cell of each letter."""
+
+    def __init__(self, text: str) -> None:
+        lines = text.replace("/", "\n").strip().splitlines()
+        rows = [line.split() for line in lines]
+        self.obstacles = np.array([["#" in token for token in row] for row in rows])
+        self.cells: dict[str, Cell] = {
+            letter: (r, c)
+            for r, row in enumerate(rows)
+            for c, token in enumerate(row)
+            for letter in token
+            if letter.isalpha()
+        }
+        # capital letters come first, as pursuers do
+        self.letters = "".join(sorted(self.cells))
+        self.pursuers = [self.cells[a] for a in self.letters if a.isupper()]
+        self.evaders = [self.cells[a] for a in self.letters if a.islower()]
+
+    def __str__(self) -> str:
+        return draw(self.cells, self.obstacles)
+
+
+def draw(cells: dict[str, Cell], obstacles: np.ndarray) -> str:
+    """The one way to write a drawing."""
+    rows = []
+    for r, row in enumerate(obstacles):
+        here = ["".join(sorted(a for a in cells if cells[a] == (r, c))) for c in range(len(row))]
+        walls = ["#" if wall else "" for wall in row]
+        rows.append(" ".join(wall + who or "." for wall, who in zip(walls, here, strict=True)))
+    return "\n" + "\n".join(rows)
+
+
+def actions_of(moves: str, letters: str) -> list[int]:
+    """Actions of ``"A> b^"`` for all agents."""
+    chosen = {move[0]: ARROWS[move[1:]] for move in moves.split()}
+    assert set(chosen) <= set(letters), f"{moves} names an agent that is not in {letters}"
+    return [chosen.get(letter, 0) for letter in letters]
+
+
+def begin(start: Start, case: Case) -> tuple[World, str]:
+    """The world of a case, and the letters of its agents."""
+    drawing = Drawing(case.before)
+    config = quiet_config(
+        rules=case.rules,
+        rows=drawing.obstacles.shape[0],
+        cols=drawing.obstacles.shape[1],
+        n_pursuers=len(drawing.pursuers),
+        n_evaders=len(drawing.evaders),
+        **case.changes,
+    )
+    world = start(config, drawing.pursuers, drawing.evaders, drawing.obstacles)
+    return world, drawing.letters
+
+
+def check(start: Start, case: Case) -> None:
+    """Plays a case and compares all that its plays say."""
+    world, letters = begin(start, case)
+    ever = ""
+    for play in case.plays:
+        world.step(actions_of(play.moves, letters), explain=True)
+        ever = "".join(sorted(set(ever + play.captured))) if play.ever is None else play.ever
+        seen = look(world, letters)
+        wanted = expectation(play, letters, ever)
+        wrong = [
+            f"{what}: expected {value}, got {seen[what]}"
+            for what, value in wanted.items()
+            if seen[what] != value
+        ]
+        assert not wrong, "\n".join([f"{case.name}, {play.moves!r}:", *wrong])
+
+
+def expectation(play: Play, letters: str, ever: str) -> dict[str, Any]:
+    """What a play says, in the form that ``look`` gives."""
+    pictured = Drawing(play.after)
+    wanted = {
+        "after": str(pictured),
+        "alive": pictured.letters,
+        "captured": play.captured,
+        "ever": ever,
+        "ended": play.ended,
+        "captors": play.captors,
+        "fault": read_marks(play.fault),
+        "involved": read_marks(play.involved),
+        "conflicts": None if play.conflicts is None else sorted(play.conflicts),
+        "paid": read_paid(play.paid, letters),
+    }
+    return {what: value for what, value in wanted.items() if value is not None}
+
+
+def look(world: World, letters: str) -> dict[str, Any]:
+    """All that a play can speak of, as the world reports it."""
+    evaders = [letter for letter in letters if letter.islower()]
+    cells = dict(zip(letters, map(tuple, np.asarray(world.positions).tolist()), strict=True))
+    captors = zip(evaders, np.asarray(world.captors).tolist(), strict=True)
+    return {
+        "after": draw(cells, world.map),
+        "alive": pick(letters, world.alive),
+        "captured": pick(evaders, world.captured),
+        "ever": pick(evaders, world.ever_captured),
+        "ended": bool(world.terminated),
+        "captors": " ".join(f"{e}{n}" for e, n in captors if n),
+        "fault": marks(letters, world.fault),
+        "involved": marks(letters, world.involved),
+        "conflicts": sorted(spell(record, letters) for record in records(world.conflicts)),
+        "paid": dict(zip(letters, np.asarray(world.rewards).tolist(), strict=True)),
+    }
+
+
+def pick(letters: str | list[str], chosen: np.ndarray) -> str:
+    return "".join(letter for letter, yes in zip(letters, chosen, strict=True) if yes)
+
+
+def marks(letters: str, table: np.ndarray) -> dict[str, str]:
+    """Kind -> letters, without the kinds of nobody."""
+    found = {kind: pick(letters, np.asarray(table)[:, k]) for k, kind in enumerate(KINDS)}
+    return {kind: who for kind, who in found.items() if who}
+
+
+def read_marks(text: str | None) -> dict[str, str] | None:
+    return None if text is None else dict(part.split() for part in text.split(";") if part)
+
+
+def read_paid(text: str | None, letters: str) -> dict[str, float] | None:
+    if text is None:
+        return None
+    paid = Counter(dict.fromkeys(letters, 0.0))
+    for part in text.split(";"):
+        letter, fields = (piece.strip() for piece in part.split(":"))
+        team = "pursuer" if letter.isupper() else "evader"
+        paid[letter] += sum(getattr(UNITS, f"{team}_{field}") for field in fields.split())
+    return dict(paid)
+
+
+def spell(record: tuple, letters: str) -> tuple:
+    """A record of a conflict with letters for agents."""
+    turn, kind, form, agents, cell, *groups = record
+    named = ("".join(letters[a] for a in group) for group in (agents, *groups))
+    return turn, kind, form, next(named), cell, *named

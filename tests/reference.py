@@ -1,0 +1,251 @@
+"""The world, read from its rules in the most obvious way; the engine is compared with it.
+
+Every pair of agents is looked at, in sets and dictionaries, with one short function for each
+sentence of the rules; nothing is fast.  Stages 1 to 4 are in ``reference_stages.py``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
+
+import matrixworld as mw
+from matrixworld import Capture, Interaction, Outcome
+from reference_stages import ADVERSARY, KINDS, Cell, Clash, Setting, Turn
+
+AXIAL = [(-1, 0), (0, 1), (1, 0), (0, -1)]
+DIAGONAL = [(-1, 1), (1, 1), (1, -1), (-1, -1)]
+MOVES = [(0, 0), *AXIAL, *DIAGONAL]
+GONE = (-1, -1)
+
+
+def add(cell: Cell, move: Cell) -> Cell:
+    """The cell one move away."""
+    return cell[0] + move[0], cell[1] + move[1]
+
+
+def records(conflicts: Iterable[Clash | mw.Conflict]) -> list[tuple]:
+    """Conflicts of either world as plain tuples, in an order that does not matter."""
+    return sorted(
+        (
+            c.turn,
+            c.kind,
+            c.form,
+            tuple(c.agents),
+            tuple(c.cell),
+            *(tuple(sorted(group)) for group in (c.at_fault, c.held, c.doomed)),
+        )
+        for c in conflicts
+    )
+
+
+class ReferenceWorld:
+    """A world with the attributes of ``mw.World``; agents are pursuers first, then evaders."""
+
+    def __init__(self, config: mw.WorldConfig) -> None:
+        self.config = config
+        self.rules = mw.VARIANTS[config.rules] if isinstance(config.rules, str) else config.rules
+        self.directions = AXIAL + (DIAGONAL if config.diagonal else [])
+
+    def place(
+        self,
+        pursuers: Sequence[Sequence[int]],
+        evaders: Sequence[Sequence[int]],
+        map: np.ndarray | None = None,
+    ) -> None:
+        """Begin an episode from given cells and obstacles (``(rows, cols)`` bool)."""
+        shape = (self.config.rows, self.config.cols)
+        self.map = np.zeros(shape, bool) if map is None else np.array(map, bool)
+        self.setting = Setting(self.rules, self.map, len(pursuers))
+        cells = [(int(row), int(col)) for row, col in [*pursuers, *evaders]]
+        self.where: dict[int, Cell] = dict(enumerate(cells))
+        self.agents, self.evaders = range(len(cells)), range(len(pursuers), len(cells))
+        self.ever: set[int] = set()
+        self.taken: set[int] = set()  # evaders that were captured when they went
+        self.steps, self.terminated = 0, False
+        self.begin_round()
+
+    # -- a round ---------------------------------------------------------------------------
+
+    def begin_round(self) -> None:
+        self.now: dict[int, set[int]] = {}  # captured evader -> its captors
+        self.paid: set[int] = set()  # evaders whose capture was paid in this round
+        self.last: dict[int, set[int]] = {}  # the captors of evaders that went in this round
+        self.conflicts: list[Clash] = []
+        self.rewards = np.zeros(len(self.agents))
+
+    def step(self, actions: Sequence[int], *, explain: bool = True) -> np.ndarray:
+        """Play one round; the conflicts are kept whatever ``explain`` says."""
+        if self.terminated or self.truncated:
+            raise RuntimeError("the episode has ended")
+        for a in sorted(self.where):
+            if not 0 <= actions[a] <= len(self.directions):
+                raise ValueError(f"agent {a}: no action {actions[a]}")
+        self.begin_round()
+        self.steps += 1
+        for number, agents in self.turns():
+            acting = {a for a in agents if a in self.where}
+            if acting and not self.terminated:
+                self.play(number, acting, actions)
+        self.pay_collisions()
+        return self.rewards
+
+    def turns(self) -> Iterator[tuple[int, list[int]]]:
+        if self.rules.interaction == Interaction.SIMULTANEOUS:
+            yield 0, list(self.agents)
+        elif self.rules.interaction == Interaction.SWARM_TURNS:
+            yield 0, [a for a in self.agents if a not in self.evaders]
+            yield 1, list(self.evaders)
+        else:
+            yield from ((a, [a]) for a in self.agents)
+
+    def play(self, number: int, acting: set[int], actions: Sequence[int]) -> None:
+        """One turn: intentions, then the five stages."""
+        p = dict(self.where)
+        q = {a: add(cell, MOVES[actions[a]]) if a in acting else cell for a, cell in p.items()}
+        turn = Turn(self.setting, number, acting, p, q)
+        turn.judge()
+        self.settle(turn)
+
+    # -- stage 5 ---------------------------------------------------------------------------
+
+    def settle(self, turn: Turn) -> None:
+        self.where = {a: cell for a, cell in turn.q.items() if a not in turn.doomed}
+        self.conflicts += turn.clashes
+        self.now = self.captures(turn)
+        self.pay_captures()
+        self.ever |= set(self.now)
+        if self.rules.capture == Capture.SURROUND and self.rules.captured_disappear:
+            self.where = {a: cell for a, cell in self.where.items() if a not in self.now}
+        self.last |= {e: captors for e, captors in self.now.items() if e not in self.where}
+        self.taken |= set(self.last)
+        self.pay_turn(turn)
+        self.terminated = self.has_ended()
+
+    def captures(self, turn: Turn) -> dict[int, set[int]]:
+        """The captors of every evader that is captured in this turn."""
+        surround = self.rules.capture == Capture.SURROUND
+        found = {
+            e: self.surrounding(e) if surround else self.occupying(turn, e) for e in self.evaders
+        }
+        return {e: captors for e, captors in found.items() if captors}
+
+    def occupying(self, turn: Turn, e: int) -> set[int]:
+        both_reach = self.rules.evader == self.rules.pursuer == Outcome.REACH
+        if self.rules.evader != Outcome.DISAPPEAR and not both_reach:
+            return set()
+        met = {a for c in turn.clashes if c.kind == ADVERSARY and e in c.agents for a in c.agents}
+        shared = self.pursuers_on(self.where[e]) if both_reach and e in self.where else set()
+        return met - {e} | shared
+
+    def surrounding(self, e: int) -> set[int]:
+        if e not in self.where:
+            return set()
+        around = [add(self.where[e], move) for move in self.directions]
+        if not all(self.setting.blocked(cell) or self.pursuers_on(cell) for cell in around):
+            return set()
+        return {a for cell in around for a in self.pursuers_on(cell)}
+
+    def pursuers_on(self, cell: Cell) -> set[int]:
+        return {a for a, at in self.where.items() if at == cell and a not in self.evaders}
+
+    def has_ended(self) -> bool:
+        over = self.ever if self.rules.capture == Capture.OCCUPATION else set(self.now)
+        pursuers = [a for a in self.where if a not in self.evaders]
+        at_large = [a for a in self.where if a in self.evaders and a not in over]
+        return not pursuers or not at_large
+
+    # -- rewards ---------------------------------------------------------------------------
+
+    def worth(self, what: str, a: int) -> float:
+        team = "evader" if a in self.evaders else "pursuer"
+        return float(getattr(self.config.rewards, f"{team}_{what}"))
+
+    def pay_captures(self) -> None:
+        """Once per evader and episode, or once per round if captures repeat."""
+        already = self.paid if self.config.rewards.capture_repeats else self.ever
+        for e in set(self.now) - already:
+            for a in {e} | self.now[e]:
+                self.rewards[a] += self.worth("capture", a)
+        self.paid |= set(self.now)
+
+    def pay_turn(self, turn: Turn) -> None:
+        """What the agents of this turn earn for acting and for adversaries beside them."""
+        for a in turn.acting:
+            self.rewards[a] += self.worth("step", a)
+            if a in self.where and self.adversary_beside(a):
+                self.rewards[a] += self.worth("neighbor", a)
+
+    def adversary_beside(self, a: int) -> bool:
+        beside = [add(self.where[a], move) for move in AXIAL]
+        return any(
+            cell in beside and not self.setting.same_team(a, b) for b, cell in self.where.items()
+        )
+
+    def pay_collisions(self) -> None:
+        for a in self.agents:
+            self.rewards[a] += self.worth("collide", a) * self.fault[a].sum()
+
+    # -- what a caller sees ----------------------------------------------------------------
+
+    @property
+    def truncated(self) -> bool:
+        return self.steps >= self.config.max_steps
+
+    @property
+    def positions(self) -> np.ndarray:
+        return np.array([self.where.get(a, GONE) for a in self.agents])
+
+    @property
+    def alive(self) -> np.ndarray:
+        return np.array([a in self.where for a in self.agents])
+
+    @property
+    def captured(self) -> np.ndarray:
+        """At this moment, or when it went."""
+        return np.array([e in self.now or e in self.taken for e in self.evaders])
+
+    @property
+    def ever_captured(self) -> np.ndarray:
+        return np.array([e in self.ever for e in self.evaders])
+
+    @property
+    def captors(self) -> np.ndarray:
+        """Captors at this moment, or when it went in this round."""
+        return np.array([len((self.last | self.now).get(e, ())) for e in self.evaders])
+
+    @property
+    def involved(self) -> np.ndarray:
+        return self.marks({(a, c.kind) for c in self.conflicts for a in c.agents})
+
+    @property
+    def fault(self) -> np.ndarray:
+        return self.marks({(a, c.kind) for c in self.conflicts for a in c.at_fault})
+
+    def marks(self, pairs: set[tuple[int, str]]) -> np.ndarray:
+        return np.array([[(a, kind) in pairs for kind in KINDS] for a in self.agents])
+
+    def state(self) -> np.ndarray:
+        """The channels evaders, pursuers, obstacles of the whole world."""
+        seen = np.zeros((3, self.config.rows, self.config.cols), np.uint8)
+        seen[2] = self.map
+        for a, cell in self.where.items():
+            seen[(0 if a in self.evaders else 1, *cell)] = 1
+        return seen
+
+    def views(self) -> np.ndarray:
+        return np.array([self.view(a) for a in self.agents])
+
+    def view(self, a: int) -> np.ndarray:
+        """What one agent sees: a window with the agent in the middle, without itself."""
+        fov = self.config.fov
+        seen = np.zeros((3, fov, fov), np.uint8)
+        if a not in self.where:
+            return seen
+        corner = add(self.where[a], (-(fov // 2), -(fov // 2)))
+        for row, col in np.ndindex(fov, fov):
+            cell = add(corner, (row, col))
+            others = {b in self.evaders for b, at in self.where.items() if at == cell and b != a}
+            seen[:, row, col] = True in others, False in others, self.setting.blocked(cell)
+        return seen

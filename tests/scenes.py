@@ -1,0 +1,143 @@
+"""Small crowded worlds with the actions of a few steps, for random tests."""
+
+from __future__ import annotations
+
+import string
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from hypothesis import strategies as st
+
+import matrixworld as mw
+from drawing import ARROWS, CAPTURES, INTERACTIONS, UNITS, draw, quiet_config, rules
+from reference import Cell, ReferenceWorld
+
+MAX_SIDE, MAX_AGENTS, MAX_STEPS = 6, 10, 6
+FIELDS: dict[str, list[Any]] = {
+    "interaction": list(INTERACTIONS),
+    "obstacle": list("DRB"),
+    "teammate": list("DRB"),
+    "adversary": [evader + pursuer for evader in "DRB" for pursuer in "DRB"],
+    "capture": list(CAPTURES),
+    "disappear": [False, True],
+}
+TOGETHER = ["simultaneous", "swarm turns"]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A start, and the actions of all agents for each step."""
+
+    fields: dict[str, Any]
+    config: mw.WorldConfig
+    pursuers: list[Cell]
+    evaders: list[Cell]
+    obstacles: np.ndarray
+    actions: list[list[int]]
+
+    def reference(self) -> ReferenceWorld:
+        """The slow world at the start of the scene."""
+        world = ReferenceWorld(self.config)
+        world.place(self.pursuers, self.evaders, self.obstacles)
+        return world
+
+    def engine(self) -> mw.World:
+        """The compiled world at the start of the scene."""
+        world = mw.World(self.config)
+        world.reset(seed=0, pursuers=self.pursuers, evaders=self.evaders, obstacles=self.obstacles)
+        return world
+
+    def __str__(self) -> str:
+        """In the words of a hand-written case."""
+        letters = [*string.ascii_uppercase[: len(self.pursuers)]]
+        letters += string.ascii_lowercase[: len(self.evaders)]
+        cells = dict(zip(letters, [*self.pursuers, *self.evaders], strict=True))
+        arrow = {number: mark for mark, number in ARROWS.items()}
+        moves = [
+            " ".join(who + arrow[a] for who, a in zip(letters, step, strict=True) if a)
+            for step in self.actions
+        ]
+        return f"rules(**{self.fields})\n{self.config}{draw(cells, self.obstacles)}\n{moves}"
+
+
+def scene(
+    fields: dict[str, Any],
+    shape: Cell,
+    cells: Sequence[Cell],
+    n_pursuers: int,
+    n_agents: int,
+    n_obstacles: int,
+    actions: list[list[int]],
+    **changes: Any,
+) -> Scene:
+    """The first of the shuffled cells are for agents, the next for obstacles."""
+    obstacles = np.zeros(shape, bool)
+    for cell in cells[n_agents : n_agents + n_obstacles]:
+        obstacles[cell] = True
+    config = quiet_config(
+        rules=rules(**fields),
+        rows=shape[0],
+        cols=shape[1],
+        n_pursuers=n_pursuers,
+        n_evaders=n_agents - n_pursuers,
+        **changes,
+    )
+    pursuers, evaders = list(cells[:n_pursuers]), list(cells[n_pursuers:n_agents])
+    return Scene(fields, config, pursuers, evaders, obstacles, actions)
+
+
+def any_rules(**limits: list[Any]) -> st.SearchStrategy[dict[str, Any]]:
+    """Any row of rules, as far as ``limits`` allow."""
+    return st.fixed_dictionaries(
+        {name: st.sampled_from(values) for name, values in {**FIELDS, **limits}.items()}
+    )
+
+
+@st.composite
+def scenes(pick: Callable[..., Any], **limits: list[Any]) -> Scene:
+    """Any scene on a grid of 1 x 2 to 6 x 6, with rules as far as ``limits`` allow."""
+    rows = pick(st.integers(1, MAX_SIDE))
+    cols = pick(st.integers(2 if rows == 1 else 1, MAX_SIDE))
+    cells = pick(st.permutations(list(np.ndindex(rows, cols))))
+    n_agents = pick(st.integers(2, min(MAX_AGENTS, len(cells))))
+    diagonal = pick(st.booleans())
+    action = st.integers(0, 8 if diagonal else 4)
+    step = st.lists(action, min_size=n_agents, max_size=n_agents)
+    return scene(
+        pick(any_rules(**limits)),
+        (rows, cols),
+        cells,
+        pick(st.integers(1, n_agents - 1)),
+        n_agents,
+        pick(st.integers(0, (len(cells) - n_agents) // 2)),
+        pick(st.lists(step, min_size=1, max_size=MAX_STEPS)),
+        diagonal=diagonal,
+        fov=pick(st.sampled_from([1, 3, 5])),
+        max_steps=pick(st.sampled_from([2, 500])),
+        rewards=replace(UNITS, capture_repeats=pick(st.booleans())),
+    )
+
+
+def random_scene(fields: dict[str, Any], rng: np.random.Generator) -> Scene:
+    """A scene of given rules that is often nearly full, without hypothesis."""
+    rows, cols = (int(side) for side in rng.integers(1, 5, size=2))
+    rows += rows * cols == 1
+    n_cells = rows * cols
+    cells = [(int(k) // cols, int(k) % cols) for k in rng.permutation(n_cells)]
+    n_agents = int(rng.integers(2, 1 + min(MAX_AGENTS, n_cells)))
+    diagonal = bool(rng.integers(2))
+    actions = rng.integers(0, 9 if diagonal else 5, size=(MAX_STEPS, n_agents))
+    return scene(
+        fields,
+        (rows, cols),
+        cells,
+        int(rng.integers(1, n_agents)),
+        n_agents,
+        int(rng.integers(0, 1 + (n_cells - n_agents) // 2)),
+        actions.tolist(),
+        diagonal=diagonal,
+        fov=3,
+        rewards=replace(UNITS, capture_repeats=bool(rng.integers(2))),
+    )
