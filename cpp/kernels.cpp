@@ -96,6 +96,57 @@ inline void sum_columns(const float* base, const float* weights, int stride, con
     for (int v = 0; v < kVecs; ++v) store(out + v * kLanes, activate(sum[v], activation));
 }
 
+// Which of 64 places lie in a window of `side` + 1 rows and columns from (top, left), as bits. One
+// comparison finds both ends: above the window, the difference wraps to a large number.
+inline std::uint64_t near_bits(const std::int16_t* rows, const std::int16_t* cols, short top,
+                               short left, short side) {
+    std::uint64_t bits = 0;
+#if defined(__AVX512BW__)
+    const auto within = [&](const std::int16_t* places, short from) {
+        const __m512i offset =
+            _mm512_sub_epi16(_mm512_loadu_si512(places), _mm512_set1_epi16(from));
+        return std::uint64_t{_mm512_cmple_epu16_mask(offset, _mm512_set1_epi16(side))};
+    };
+    for (int i = 0; i < 64; i += 32) {
+        bits |= (within(rows + i, top) & within(cols + i, left)) << i;
+    }
+#elif defined(__AVX2__)
+    const auto within = [&](const std::int16_t* places, short from) {
+        const __m256i offset = _mm256_sub_epi16(
+            _mm256_loadu_si256(reinterpret_cast<const __m256i*>(places)), _mm256_set1_epi16(from));
+        return _mm256_cmpeq_epi16(_mm256_min_epu16(offset, _mm256_set1_epi16(side)), offset);
+    };
+    const auto both = [&](int i) {
+        return _mm256_and_si256(within(rows + i, top), within(cols + i, left));
+    };
+    for (int i = 0; i < 64; i += 32) {
+        const __m256i bytes =
+            _mm256_permute4x64_epi64(_mm256_packs_epi16(both(i), both(i + 16)), 0b11011000);
+        bits |= std::uint64_t{static_cast<std::uint32_t>(_mm256_movemask_epi8(bytes))} << i;
+    }
+#else
+    const auto within = [&](std::int16_t place, short from) {
+        return static_cast<std::uint16_t>(place - from) <= static_cast<std::uint16_t>(side);
+    };
+    for (int i = 0; i < 64; ++i) {
+        bits |= std::uint64_t{within(rows[i], top) && within(cols[i], left)} << i;
+    }
+#endif
+    return bits;
+}
+
+int find_near(const std::int16_t* rows, const std::int16_t* cols, int n, int row, int col,
+              int reach, int* found) {
+    int count = 0;
+    for (int first = 0; first < n; first += kPlacePad) {
+        std::uint64_t bits =
+            near_bits(rows + first, cols + first, static_cast<short>(row - reach),
+                      static_cast<short>(col - reach), static_cast<short>(2 * reach));
+        for (; bits; bits &= bits - 1) found[count++] = first + __builtin_ctzll(bits);
+    }
+    return count;
+}
+
 void sum_rows(const float* base, const float* weights, int stride, const int* rows, int n,
               int width, Activation activation, float* out) {
     int c = 0;
@@ -209,7 +260,8 @@ void sample(const float* logits, int stride, int n, int n_actions, const float* 
 #define MATRIXWORLD_NAME(name) MATRIXWORLD_STRING(name)
 
 const Kernels& MATRIXWORLD_LEVEL() {
-    static constexpr Kernels level{MATRIXWORLD_NAME(MATRIXWORLD_LEVEL), sum_rows, dense, sample};
+    static constexpr Kernels level{MATRIXWORLD_NAME(MATRIXWORLD_LEVEL), find_near, sum_rows, dense,
+                                   sample};
     return level;
 }
 

@@ -11,10 +11,17 @@ enum class Activation : std::uint8_t { None, Relu, Tanh };
 
 constexpr int kPad = 16;  // widths of layers in memory are multiples of this many floats
 
+constexpr int kPlacePad = 64;
+
 inline int padded(int n) { return (n + kPad - 1) / kPad * kPad; }
 
 struct Kernels {
     const char* level;
+
+    // Writes to `found` which of n places lie within `reach` rows and columns of (row, col),
+    // ascending, and returns how many. `rows` and `cols` have room for a multiple of kPlacePad.
+    int (*find_near)(const std::int16_t* rows, const std::int16_t* cols, int n, int row, int col,
+                     int reach, int* found);
 
     // out[0, width) = activation(base + the sum of the named rows of `weights`), width a multiple
     // of kPad.

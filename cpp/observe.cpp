@@ -4,6 +4,8 @@
 #include <array>
 #include <cstring>
 
+#include "kernels.hpp"
+
 namespace matrixworld {
 
 namespace {
@@ -137,18 +139,50 @@ int* list_board(const Board& board, const Window& window, int first, bool hide_c
     return list_wide(board, window, first, hide_centre, out);
 }
 
-}  // namespace
+// Up to this many agents, looking at the place of each costs less than reading the boards.
+constexpr int kFewAgents = 128;
 
-int list_view(const World& world, const Occupancy& occupancy, int agent, int* out) {
+int* list_places(const World& world, const Occupancy& occupancy, int agent, int* out) {
+    const int fov = world.config().fov;
+    const int row = occupancy.rows()[agent];
+    const int col = occupancy.cols()[agent];
+    int seen[kFewAgents];
+    const int n = kernels().find_near(occupancy.rows(), occupancy.cols(), occupancy.n_agents(), row,
+                                      col, fov / 2, seen);
+    int* const begin = out;
+    for (int i = 0; i < n; ++i) {
+        const int other = seen[i];
+        const int channel = world.team(other) == Team::Pursuer ? kPursuers : kEvaders;
+        const int down = occupancy.rows()[other] - row + fov / 2;
+        const int right = occupancy.cols()[other] - col + fov / 2;
+        const int input = (channel * fov + down) * fov + right;
+        const bool several = occupancy.count(world.cell(other), world.team(other)) > 1;
+        if (several && std::find(begin, out, input) != out) continue;  // one bit for all of them
+        *out = input;
+        out += other != agent;
+    }
+    return out;
+}
+
+int* list_boards(const World& world, const Occupancy& occupancy, int agent, int* out) {
     const Window window(world, agent);
     const int area = window.fov * window.fov;
     const bool hide = alone(world, occupancy, agent);
     const bool pursuer = world.team(agent) == Team::Pursuer;
-    int* end = out;
-    end = list_board(occupancy.board(Team::Evader), window, kEvaders * area, hide && !pursuer, end);
-    end =
-        list_board(occupancy.board(Team::Pursuer), window, kPursuers * area, hide && pursuer, end);
+    out = list_board(occupancy.board(Team::Evader), window, kEvaders * area, hide && !pursuer, out);
+    return list_board(occupancy.board(Team::Pursuer), window, kPursuers * area, hide && pursuer,
+                      out);
+}
+
+}  // namespace
+
+int list_view(const World& world, const Occupancy& occupancy, int agent, int* out) {
+    const bool few = occupancy.n_agents() <= kFewAgents;
+    int* end =
+        few ? list_places(world, occupancy, agent, out) : list_boards(world, occupancy, agent, out);
     if (world.ground().has_obstacles) {
+        const Window window(world, agent);
+        const int area = window.fov * window.fov;
         end = list_board(world.ground().walls, window, kObstacles * area, false, end);
     }
     return static_cast<int>(end - out);

@@ -17,7 +17,7 @@ enum Channel : int { kEvaders = 0, kPursuers = 1, kObstacles = 2, kChannels = 3 
 void write_view(const World& world, const Occupancy& occupancy, int agent, std::uint8_t* out);
 
 // Writes the inputs that are set in the view of a living agent, each as an index into the
-// flattened (3, fov, fov) view, ascending, without those outside the grid; returns how many.
+// flattened (3, fov, fov) view, each once, without those outside the grid; returns how many.
 // `out` has room for 3 * fov * fov.
 int list_view(const World& world, const Occupancy& occupancy, int agent, int* out);
 

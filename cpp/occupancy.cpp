@@ -1,6 +1,18 @@
 #include "occupancy.hpp"
 
+#include "kernels.hpp"
+
 namespace matrixworld {
+
+namespace {
+
+constexpr std::int16_t kFarOff = -16384;  // out of every view of the largest grid
+
+std::size_t room(int n_agents) {
+    return static_cast<std::size_t>((n_agents + kPlacePad - 1) / kPlacePad) * kPlacePad;
+}
+
+}  // namespace
 
 Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin)
     : grid_(grid),
@@ -9,6 +21,8 @@ Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin)
       first_(IntArray::Constant(grid.n_cells(), -1)),
       next_(IntArray::Constant(n_agents, -1)),
       previous_(IntArray::Constant(n_agents, -1)),
+      rows_(room(n_agents), kFarOff),
+      cols_(room(n_agents), kFarOff),
       boards_{Board(grid, margin), Board(grid, margin)} {}
 
 void Occupancy::add(int agent, int cell) {
@@ -18,10 +32,14 @@ void Occupancy::add(int agent, int cell) {
     if (head >= 0) previous_[head] = agent;
     first_[cell] = agent;
 
+    const int row = grid_.row(cell);
+    const int col = grid_.col(cell);
+    rows_[agent] = static_cast<std::int16_t>(row);
+    cols_[agent] = static_cast<std::int16_t>(col);
     const int team = static_cast<int>(this->team(agent));
     if (count_(team, cell)++ == 0) {
         ++distinct_[team];
-        boards_[team].set(grid_.row(cell), grid_.col(cell));
+        boards_[team].set(row, col);
     }
 }
 
@@ -35,10 +53,14 @@ void Occupancy::remove(int agent, int cell) {
     }
     if (after >= 0) previous_[after] = before;
 
+    const int row = rows_[agent];
+    const int col = cols_[agent];
+    rows_[agent] = kFarOff;
+    cols_[agent] = kFarOff;
     const int team = static_cast<int>(this->team(agent));
     if (--count_(team, cell) == 0) {
         --distinct_[team];
-        boards_[team].clear(grid_.row(cell), grid_.col(cell));
+        boards_[team].clear(row, col);
     }
 }
 

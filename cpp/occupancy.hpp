@@ -5,6 +5,9 @@
 // any cell can be read without a test.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "board.hpp"
 #include "grid.hpp"
 
@@ -27,6 +30,11 @@ class Occupancy {
     int first(int cell) const { return first_[cell]; }
     int next(int agent) const { return next_[agent]; }
 
+    // Row and column by agent, with room for a multiple of kPlacePad; far off when not here.
+    const std::int16_t* rows() const { return rows_.data(); }
+    const std::int16_t* cols() const { return cols_.data(); }
+    int n_agents() const { return static_cast<int>(next_.size()); }
+
     Team team(int agent) const { return agent < n_pursuers_ ? Team::Pursuer : Team::Evader; }
 
   private:
@@ -36,6 +44,8 @@ class Occupancy {
     IntArray first_;
     IntArray next_;
     IntArray previous_;
+    std::vector<std::int16_t> rows_;
+    std::vector<std::int16_t> cols_;
     int distinct_[kTeams] = {0, 0};
     Board boards_[kTeams];
 };
