@@ -51,7 +51,12 @@ from matrixworld.coevolution.run_directory import RunDirectory
 from matrixworld.coevolution.runs import resume, start
 from matrixworld.coevolution.saved_run import SavedRun, last_generation, open_run
 from matrixworld.coevolution.schedules import HALL_OF_FAME, SCHEDULES, Schedule
-from matrixworld.coevolution.settings import RaceSettings, SingleSettings, TrainingSettings
+from matrixworld.coevolution.settings import (
+    SINGLE_DEFAULTS,
+    RaceSettings,
+    SingleSettings,
+    TrainingSettings,
+)
 from matrixworld.coevolution.single import SingleTeam
 from matrixworld.coevolution.toolbox import (
     Candidates,
@@ -65,6 +70,7 @@ __all__ = [
     "FITNESS",
     "HALL_OF_FAME",
     "SCHEDULES",
+    "SINGLE_DEFAULTS",
     "TEAMS",
     "Adam",
     "Candidates",

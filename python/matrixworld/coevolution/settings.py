@@ -26,7 +26,10 @@ LEARNERS = {"es": "evolution strategy", "ga": "genetic algorithm"}
 SELECTIONS = ("tournament", "truncation")
 
 SHARED_CELL_CROWDING = 0.2
-"""Default crowding penalty where teammates may share a cell (rules.teammate is REACH)."""
+"""Default crowding penalty of a race where teammates may share a cell."""
+
+SHARED_CELL_CROWDING_ALONE = 0.5
+"""The same where evaders learn alone from untrained genomes."""
 
 MOST_SEED = 2**63 - 1
 
@@ -59,7 +62,7 @@ class TrainingSettings:
     learner: str | None = option(
         None, "es (evolution strategy) or ga (genetic algorithm); default: ga for hall-of-fame"
     )
-    population: int = option(64, "candidates an epoch")
+    population: int = option(48, "candidates an epoch")
     sigma: float = option(0.1, "es: standard deviation of the samples")
     learning_rate: float = option(0.02, "es: learning rate of Adam")
     anneal: bool = option(False, "es: let the learning rate fall linearly to a tenth over the run")
@@ -72,7 +75,9 @@ class TrainingSettings:
 
     fitness: str = option("captured-fraction", f"fitness: {', '.join(FITNESS)}")
     crowding: float | None = option(
-        None, "penalty on evaders sharing cells; default: 0.2 where teammates may share, else 0"
+        None,
+        "penalty on evaders sharing cells; default: where teammates may share, 0.2, or 0.5 for "
+        "evaders alone from untrained genomes; else 0",
     )
     train_steps: int = option(200, "most steps of an episode in training")
     worlds: int = option(1, "episodes of each match in training")
@@ -162,7 +167,12 @@ class TrainingSettings:
         if self.crowding is not None:
             return self.crowding
         may_share = self.rules.teammate is Outcome.REACH and self.fitness != "rewards"
-        return SHARED_CELL_CROWDING if may_share else 0.0
+        return self.default_crowding if may_share else 0.0
+
+    @property
+    def default_crowding(self) -> float:
+        """The crowding penalty where teammates may share a cell."""
+        return SHARED_CELL_CROWDING
 
 
 @dataclass(frozen=True)
@@ -207,11 +217,24 @@ class RaceSettings(TrainingSettings):
         return self.generations * self.epochs(team)
 
 
+SINGLE_DEFAULTS: dict[Team, dict[str, float]] = {
+    "pursuer": {"sigma": 0.15, "initial_weight": 0.2, "initial_head": 0.09, "epochs": 6000},
+    "evader": {"sigma": 0.1, "initial_weight": 0.05, "initial_head": 0.1, "epochs": 2400},
+}
+"""What was seen to learn best against random opponents, by the team that learns."""
+
+
 @dataclass(frozen=True)
 class SingleSettings(TrainingSettings):
-    """Settings of the evolution of one team against opponents that stand still."""
+    """Settings of the evolution of one team against opponents that stand still.
 
+    What is None by default takes the team's value of `SINGLE_DEFAULTS`.
+    """
+
+    initial_weight: float = option(None, "standard deviation of untrained hidden weights")
+    initial_head: float = option(None, "standard deviation of untrained output weights")
     population: int = option(128, "candidates an epoch")
+    sigma: float = option(None, "es: standard deviation of the samples")
     anneal: bool = option(True, "es: let the learning rate fall linearly to a tenth over the run")
     train_steps: int = option(500, "most steps of an episode in training")
     eval_episodes: int = option(200, "fresh episodes of the evaluation, against each opponent")
@@ -223,14 +246,22 @@ class SingleSettings(TrainingSettings):
     start: str | None = option(
         None, "run directory whose last generation to start from; default: an untrained genome"
     )
-    epochs: int = option(6000, "epochs of the run")
+    epochs: int = option(None, "epochs of the run")
     archive_every: int = option(100, "epochs between entries of the archive; each is a checkpoint")
 
     def __post_init__(self) -> None:
         check_choice("team", self.team, TEAMS)
+        for name, value in SINGLE_DEFAULTS[self.team].items():
+            if getattr(self, name) is None:
+                self._freeze(name, value)
         check_integer("epochs", self.epochs, least=1)
         check_integer("archive_every", self.archive_every, least=1)
         super().__post_init__()
+
+    @property
+    def default_crowding(self) -> float:
+        """The crowding penalty where teammates may share a cell."""
+        return SHARED_CELL_CROWDING_ALONE if self.start is None else SHARED_CELL_CROWDING
 
     def total_epochs(self, team: Team) -> int:
         """Return the epochs of the whole run."""
