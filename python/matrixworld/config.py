@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 import warnings
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
@@ -13,28 +12,22 @@ from numpy.typing import NDArray
 
 from matrixworld import _core
 from matrixworld._core import Capture
+from matrixworld.checks import check_bool, check_integer
 from matrixworld.maps import MapLike, read_map
 from matrixworld.rules import Rewards, Rules, rules_of
 
-Obstacles: TypeAlias = "None | float | MapLike"
+Obstacles: TypeAlias = "float | MapLike | None"
 
 _SIDE = 40
 _TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}  # the paper's
 
 
-def _integer(name: str, value: Any) -> int:
-    if isinstance(value, bool):
-        raise TypeError(f"{name}: expected an int, got {value!r}")
-    try:
-        return operator.index(value)
-    except TypeError:
-        raise TypeError(f"{name}: expected an int, got {value!r}") from None
-
-
 def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
     if given is None:
         return 0.0
-    if isinstance(given, int | float | np.floating) and not isinstance(given, bool):
+    if isinstance(given, bool):
+        raise TypeError(f"obstacles: expected a number in [0, 1) or a map, got {given!r}")
+    if isinstance(given, int | float | np.floating):
         return float(given)
     return read_map(given)
 
@@ -86,22 +79,22 @@ class WorldConfig:
         ground = _obstacles(obstacles)
         height, width = ground.shape if isinstance(ground, np.ndarray) else (_SIDE, _SIDE)
         pursuers, evaders = _TEAM_SIZES[row.capture]
-        if not isinstance(diagonal, bool):
-            raise TypeError(f"diagonal: expected a bool, got {diagonal!r}")
         if rewards is not None and not isinstance(rewards, Rewards):
             raise TypeError(f"rewards: expected Rewards, got {rewards!r}")
-        values = {
+        values: dict[str, Any] = {
             "rules": row,
-            "rows": _integer("rows", height if rows is None else rows),
-            "cols": _integer("cols", width if cols is None else cols),
-            "n_pursuers": _integer("n_pursuers", pursuers if n_pursuers is None else n_pursuers),
-            "n_evaders": _integer("n_evaders", evaders if n_evaders is None else n_evaders),
-            "fov": _integer("fov", fov),
-            "diagonal": diagonal,
-            "max_steps": _integer("max_steps", max_steps),
+            "rows": height if rows is None else rows,
+            "cols": width if cols is None else cols,
+            "n_pursuers": pursuers if n_pursuers is None else n_pursuers,
+            "n_evaders": evaders if n_evaders is None else n_evaders,
+            "fov": fov,
+            "diagonal": check_bool("diagonal", diagonal),
+            "max_steps": max_steps,
             "obstacles": ground,
             "rewards": Rewards() if rewards is None else rewards,
         }
+        for name in ("rows", "cols", "n_pursuers", "n_evaders", "fov", "max_steps"):
+            values[name] = check_integer(name, values[name])
         for name, value in values.items():
             object.__setattr__(self, name, value)
         self.check_map(self.map)
@@ -162,7 +155,7 @@ class WorldConfig:
             item.name: getattr(self.rewards, item.name) for item in fields(self.rewards)
         }
         if self.map is not None:
-            plain["obstacles"] = ["".join(".#"[cell] for cell in row) for row in self.map]
+            plain["obstacles"] = ["".join(".#"[int(cell)] for cell in row) for row in self.map]
         return plain
 
     @cached_property

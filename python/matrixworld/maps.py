@@ -41,7 +41,7 @@ def _from_array(array: NDArray[np.bool_]) -> NDArray[np.bool_]:
         raise TypeError(f"map: expected dtype bool, got {array.dtype}")
     if array.ndim != 2 or array.size == 0:
         raise ValueError(f"map: expected shape (rows, cols), got {array.shape}")
-    return array.copy()
+    return np.array(array, np.bool_)
 
 
 def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:
@@ -62,15 +62,14 @@ def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:
 
 
 def _from_file(path: Path) -> NDArray[np.bool_]:
-    lines = path.read_text(encoding="ascii").splitlines()
+    lines = path.read_text(encoding="ascii", errors="replace").rstrip().splitlines()
     header = dict(line.split(maxsplit=1) for line in lines[:3] if len(line.split()) > 1)
     if lines[3:4] != ["map"] or set(header) != {"type", "height", "width"}:
         raise ValueError(
-            f"{path}: expected a MovingAI map (lines type, height, width and map), "
-            f"got {lines[:4]}"
+            f"{path}: expected a MovingAI map (lines type, height, width and map), got {lines[:4]}"
         )
     array = _from_rows(lines[4:], str(path))
-    expected = (int(header["height"]), int(header["width"]))
-    if array.shape != expected:
+    expected = f"({header['height'].strip()}, {header['width'].strip()})"
+    if str(array.shape) != expected:
         raise ValueError(f"{path}: expected {expected} cells as in its header, got {array.shape}")
     return array

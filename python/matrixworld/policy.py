@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -11,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
+from matrixworld.checks import check_bool, check_integer
 from matrixworld.config import WorldConfig
 
 Script: TypeAlias = Literal["random", "still", "chaser", "fleer"]
@@ -29,6 +31,9 @@ nobody; near is counted in moves.
 
 CHANNELS = 3
 
+_MAX_FOV = 255  # as in a world
+_MAX_LAYER = 2**20
+
 
 @dataclass(frozen=True)
 class Network:
@@ -43,7 +48,8 @@ class Network:
     A genome is flat float32: layer by layer the weights, ``(inputs, outputs)`` row by row, and
     then the biases.
 
-    Raises ValueError for sizes below 1, an even fov, or another activation.
+    Raises ValueError for sizes below 1 or above 2**20, an even fov, or another activation;
+    TypeError for values of a wrong type.
     """
 
     hidden: tuple[int, ...] = (32,)
@@ -53,15 +59,24 @@ class Network:
     sampled: bool = True
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "hidden", tuple(int(size) for size in self.hidden))
-        if self.fov < 1 or self.fov % 2 == 0:
+        if not isinstance(self.hidden, Iterable):
+            raise TypeError(f"hidden: expected a sequence of ints, got {self.hidden!r}")
+        sizes = tuple(check_integer("hidden", size, 1, _MAX_LAYER) for size in self.hidden)
+        object.__setattr__(self, "hidden", sizes)
+        object.__setattr__(self, "fov", check_integer("fov", self.fov, 1, _MAX_FOV))
+        object.__setattr__(self, "n_actions", check_integer("n_actions", self.n_actions))
+        if self.fov % 2 == 0:
             raise ValueError(f"fov: expected an odd number, got {self.fov}")
         if self.n_actions not in (5, 9):
             raise ValueError(f"n_actions: expected 5 or 9, got {self.n_actions}")
-        self.core  # noqa: B018  (the engine checks sizes and activation)
+        check_bool("sampled", self.sampled)
+        if self.activation not in ("relu", "tanh"):
+            raise ValueError(f"activation: expected 'relu' or 'tanh', got {self.activation!r}")
 
     @classmethod
-    def for_config(cls, config: WorldConfig, hidden: tuple[int, ...] = (32,), **more: Any) -> Network:
+    def for_config(
+        cls, config: WorldConfig, hidden: tuple[int, ...] = (32,), **more: Any
+    ) -> Network:
         """The network that fits a world's views and actions."""
         return cls(hidden, fov=config.fov, n_actions=config.n_actions, **more)
 
@@ -92,7 +107,13 @@ class Network:
         return layers
 
     def logits(self, genome: NDArray[np.float32], views: NDArray[np.uint8]) -> NDArray[np.float32]:
-        """Outputs ``(n, n_actions)`` float32 for views ``(n, 3, fov, fov)``, in NumPy."""
+        """Outputs ``(n, n_actions)`` float32 for views ``(n, 3, fov, fov)``, in NumPy.
+
+        Raises ValueError for views or a genome of another shape.
+        """
+        expected = (CHANNELS, self.fov, self.fov)
+        if views.shape[1:] != expected:
+            raise ValueError(f"views: expected shape (n, {str(expected)[1:]}, got {views.shape}")
         x = views.reshape(len(views), -1).astype(np.float32)
         *hidden, last = self.layers(genome)
         for weights, bias in hidden:
@@ -135,17 +156,22 @@ class Population:
     network: Network
 
     def __post_init__(self) -> None:
+        if not isinstance(self.network, Network):
+            raise TypeError(f"network: expected a Network, got {self.network!r}")
         genomes = np.atleast_2d(self.genomes)
         if genomes.dtype != np.float32:
             raise TypeError(f"genomes: expected dtype float32, got {genomes.dtype}")
         expected = (len(genomes), self.network.genome_size)
         if genomes.shape != expected or len(genomes) == 0:
             raise ValueError(
-                f"genomes: expected shape (n >= 1, {expected[1]}), got {self.genomes.shape}"
+                f"genomes: expected shape (n >= 1, {expected[1]}), got {np.shape(self.genomes)}"
             )
         if not np.isfinite(genomes).all():
-            where = np.argwhere(~np.isfinite(genomes))[0]
-            raise ValueError(f"genomes: expected finite numbers, got {genomes[tuple(where)]} at {where}")
+            genome, gene = np.argwhere(~np.isfinite(genomes))[0]
+            raise ValueError(
+                f"genomes: expected finite numbers, got {genomes[genome, gene]} "
+                f"(genome {genome}, number {gene})"
+            )
         object.__setattr__(self, "genomes", np.ascontiguousarray(genomes))
 
 

@@ -9,10 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
+from matrixworld.checks import INT_MAX, SEED_MAX, check_integer, check_naturals, check_threads
 from matrixworld.config import WorldConfig
 from matrixworld.episode import Episode
 from matrixworld.policy import Team, check_team
-from matrixworld.world import check_threads
+from matrixworld.rules import Rules
 
 
 class Matches(NamedTuple):
@@ -30,20 +31,14 @@ class Matches(NamedTuple):
     def of(cls, pursuer: ArrayLike, evader: ArrayLike, seed: ArrayLike) -> Matches:
         """Matches from integers that broadcast against each other to ``(M,)``.
 
-        Raises TypeError for other numbers, ValueError where they do not broadcast to one axis.
+        Raises TypeError for other numbers, ValueError for numbers below 0 or too large and where
+        they do not broadcast to one axis.
         """
-        parts = []
-        for name, part, dtype in (
-            ("pursuer", pursuer, np.int32),
-            ("evader", evader, np.int32),
-            ("seed", seed, np.uint64),
-        ):
-            array = np.asarray(part)
-            if array.dtype.kind not in "iu":
-                raise TypeError(f"{name}: expected integers, got dtype {array.dtype}")
-            if array.size and array.dtype.kind == "i" and array.min() < 0:
-                raise ValueError(f"{name}: expected 0 or more, got {array.min()}")
-            parts.append(array.astype(dtype))
+        parts = (
+            check_naturals("pursuer", pursuer, np.int32),
+            check_naturals("evader", evader, np.int32),
+            check_naturals("seed", seed, np.uint64),
+        )
         broadcast = np.broadcast_arrays(*np.atleast_1d(*parts))
         if broadcast[0].ndim != 1:
             raise ValueError(f"matches: expected one axis, got shape {broadcast[0].shape}")
@@ -81,7 +76,7 @@ class Scores:
 
 
 def rollout(
-    config: WorldConfig,
+    config: WorldConfig | Rules | str,
     pursuers: Team,
     evaders: Team,
     matches: Matches,
@@ -94,27 +89,26 @@ def rollout(
     A pure function: the same arguments give the same bits, for any number of threads and in any
     company of other matches. Where the rules take turns, an agent looks when its turn comes.
 
+    config: a `WorldConfig`, `Rules`, or the name of a variant
     pursuers, evaders: a `Population`, or the name of a script
     threads: by default one a core
 
     Raises ValueError for an index beyond a population and for a network that does not fit the
     world, TypeError and ValueError for other bad arguments.
     """
-    if worlds < 1:
-        raise ValueError(f"worlds: expected at least 1, got {worlds}")
     columns = _core.rollout(
-        config.setup,
+        WorldConfig.of(config).setup,
         check_team("pursuers", pursuers),
         check_team("evaders", evaders),
         *Matches.of(*matches),
-        n_worlds=worlds,
+        n_worlds=check_integer("worlds", worlds, 1),
         n_threads=check_threads(threads),
     )
     return Scores(**columns)
 
 
 def record(
-    config: WorldConfig,
+    config: WorldConfig | Rules | str,
     pursuers: Team,
     evaders: Team,
     *,
@@ -126,16 +120,17 @@ def record(
     """Play one episode and keep every moment of it.
 
     The episode is that of world ``episode`` in `rollout` of the match (pursuer, evader, seed).
+    Raises as `rollout` does.
     """
-    match = Matches.of(pursuer, evader, seed)
+    config = WorldConfig.of(config)
     arrays = _core.record(
         config.setup,
         check_team("pursuers", pursuers),
         check_team("evaders", evaders),
-        pursuer=int(match.pursuer[0]),
-        evader=int(match.evader[0]),
-        seed=int(match.seed[0]),
-        episode=episode,
+        pursuer=check_integer("pursuer", pursuer, 0, INT_MAX),
+        evader=check_integer("evader", evader, 0, INT_MAX),
+        seed=check_integer("seed", seed, 0, SEED_MAX),
+        episode=check_integer("episode", episode, 0, SEED_MAX),
     )
     for name in ("alive", "captured", "ever_captured", "involved", "fault", "map"):
         arrays[name] = arrays[name].astype(bool)
@@ -145,7 +140,9 @@ def record(
 def match_seed(run_seed: int, *key: int) -> int:
     """The seed of a match, from the seed of a run and what tells the match from the others.
 
-    By numpy.random.SeedSequence, whose numbers are the same on every machine and version.
+    By numpy.random.SeedSequence, whose numbers are the same on every machine and version. Raises
+    ValueError for numbers below 0, TypeError for what is not an integer.
     """
-    words = np.random.SeedSequence([run_seed, *key]).generate_state(1, np.uint64)
+    entropy = [check_integer("match seed", part, 0, SEED_MAX) for part in (run_seed, *key)]
+    words = np.random.SeedSequence(entropy).generate_state(1, np.uint64)
     return int(words[0])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from enum import Enum, IntEnum
+from numbers import Real
 from types import MappingProxyType
 
 import numpy as np
@@ -27,6 +28,9 @@ class Action(IntEnum):
     SOUTHEAST = 6
     SOUTHWEST = 7
     NORTHWEST = 8
+
+
+_LARGEST = float(np.finfo(np.float32).max)
 
 
 def _require(name: str, value: object, kind: type[Enum]) -> None:
@@ -111,7 +115,7 @@ class Rewards:
     surviving 500 steps (-25). The published code pays it +0.05 instead, and pays a lasting
     capture in every step: ``Rewards(evader_step=0.05, capture_repeats=True)``.
 
-    Raises ValueError for a number that is not finite.
+    Raises ValueError for a number that is not finite as a float32, TypeError for other values.
     """
 
     pursuer_capture: float = 10.0
@@ -125,10 +129,15 @@ class Rewards:
     capture_repeats: bool = False
 
     def __post_init__(self) -> None:
-        for item in fields(self):
-            value = getattr(self, item.name)
-            if isinstance(value, str) or not np.isfinite(value):
-                raise ValueError(f"{item.name}: expected a finite number, got {value!r}")
+        if not isinstance(self.capture_repeats, bool):
+            raise TypeError(f"capture_repeats: expected a bool, got {self.capture_repeats!r}")
+        for name in (item.name for item in fields(self) if item.name != "capture_repeats"):
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, Real):
+                raise TypeError(f"{name}: expected a number, got {value!r}")
+            if not abs(value) <= _LARGEST:
+                raise ValueError(f"{name}: expected a finite number, got {value!r}")
+            object.__setattr__(self, name, float(value))
 
     def by_team(self, name: str) -> tuple[float, float]:
         """(pursuer's, evader's) reward called ``name``."""

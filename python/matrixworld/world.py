@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld import _core
+from matrixworld.checks import SEED_MAX, check_bool, check_integer, check_naturals, check_threads
 from matrixworld.config import WorldConfig
 from matrixworld.conflicts import Conflict, conflict_of
 from matrixworld.maps import MapLike, read_map
 from matrixworld.rules import Rules
+
+if TYPE_CHECKING:
+    from matrixworld.render import Scene
 
 
 def array_specs(config: WorldConfig) -> dict[str, tuple[tuple[int, ...], DTypeLike]]:
@@ -34,19 +38,15 @@ def array_specs(config: WorldConfig) -> dict[str, tuple[tuple[int, ...], DTypeLi
     }
 
 
-def _seed(value: Any) -> int:
-    if isinstance(value, bool) or not isinstance(value, int | np.integer):
-        raise TypeError(f"seed: expected an int, got {value!r}")
-    if not 0 <= value < 2**64:
-        raise ValueError(f"seed: expected 0 to 2**64 - 1, got {value}")
-    return int(value)
-
-
 def _integers(name: str, given: ArrayLike) -> NDArray[Any]:
     array = np.asarray(given)
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name}: expected integers, got dtype {array.dtype}")
-    return array if array.dtype in (np.uint8, np.int64) else array.astype(np.int64)
+    if array.dtype in (np.uint8, np.int64):
+        return array
+    if array.dtype.kind == "u" and array.itemsize == 8:
+        array = array.clip(max=np.iinfo(np.int64).max)
+    return array.astype(np.int64)
 
 
 def _positions(name: str, given: ArrayLike | None, n: int) -> NDArray[np.int32] | None:
@@ -90,7 +90,7 @@ class World:
         """Start an episode.
 
         seed, episode: which one, by two ints in [0, 2**64); without a seed the next episode of
-            the seed in use
+            the seed in use, and ``episode`` must be left out
         pursuers, evaders: where they start, ``(n, 2)`` ints (row, col); drawn where not given
         obstacles: a map for this episode, as `read_map` takes it, instead of the config's
 
@@ -99,9 +99,14 @@ class World:
         or without room; TypeError for values that are not integers.
         """
         if seed is None:
+            if episode != 0:
+                raise ValueError(f"episode: expected a seed with it, got episode {episode} alone")
             key = self._seed, self._episode + 1
         else:
-            key = _seed(seed), _seed(episode)
+            key = (
+                check_integer("seed", seed, 0, SEED_MAX),
+                check_integer("episode", episode, 0, SEED_MAX),
+            )
         own_map = None if obstacles is None else read_map(obstacles)
         self.config.check_map(own_map)
         self._core.reset(
@@ -203,7 +208,7 @@ class World:
     @property
     def map(self) -> NDArray[np.bool_]:
         """``(rows, cols)`` bool obstacles of this episode."""
-        return self.state()[2].astype(bool)
+        return np.asarray(self.state()[2], np.bool_)
 
     def views(self) -> NDArray[np.uint8]:
         """``(A, 3, fov, fov)`` uint8, 0 or 1: what each agent sees.
@@ -216,6 +221,24 @@ class World:
     def state(self) -> NDArray[np.uint8]:
         """``(3, rows, cols)`` uint8, 0 or 1: the whole world, in the channels of `views`."""
         return self._read("state")
+
+    def scene(self, title: str = "") -> Scene:
+        """This moment to be drawn, as `matrixworld.render` does; a notebook shows it as a picture.
+
+        Collisions of the last step are marked.
+        """
+        from matrixworld.render import Scene
+
+        return Scene(
+            positions=self.positions,
+            alive=self.alive,
+            captured=self.captured,
+            map=self.map,
+            n_pursuers=self.config.n_pursuers,
+            involved=self.involved,
+            fault=self.fault,
+            title=title,
+        )
 
     def __str__(self) -> str:
         """The world as text: '.' free, '#' obstacle, 'P' pursuer, 'E' evader, 'X' both.
@@ -247,7 +270,8 @@ class Batch:
     buffers: arrays to write into, any of `array_specs` with W in front; by default all but
         ``views`` and ``state`` are made. The same arrays are written at every step.
 
-    Raises ValueError and TypeError for a buffer of another name, shape, dtype or layout.
+    Raises ValueError and TypeError for a buffer of another name, shape, dtype or layout, and for
+    other bad arguments.
     """
 
     def __init__(
@@ -260,13 +284,17 @@ class Batch:
         buffers: dict[str, NDArray[Any]] | None = None,
         **changes: Any,
     ) -> None:
-        if n_worlds < 1:
-            raise ValueError(f"n_worlds: expected at least 1, got {n_worlds}")
         self.config = WorldConfig.of(config, **changes)
-        self.n_worlds = n_worlds
+        self.n_worlds = check_integer("n_worlds", n_worlds, 1)
         self.buffers = self._default_buffers() if buffers is None else buffers
+        if not isinstance(self.buffers, dict):
+            raise TypeError(f"buffers: expected a dict of arrays, got {self.buffers!r}")
         self._core = _core.Batch(
-            self.config.setup, n_worlds, check_threads(threads), autoreset, self.buffers
+            self.config.setup,
+            self.n_worlds,
+            check_threads(threads),
+            check_bool("autoreset", autoreset),
+            dict(self.buffers),
         )
         self.reset(0)
 
@@ -284,16 +312,11 @@ class Batch:
             World w then plays as `World` does after ``reset(seed of w, episode=episode)``.
         """
         if isinstance(seed, int | np.integer):
-            first = _seed(seed)
+            first = check_integer("seed", seed, 0, SEED_MAX)
             seeds = np.array([(first + w) % 2**64 for w in range(self.n_worlds)], np.uint64)
         else:
-            seeds = np.asarray(seed)
-            if seeds.dtype.kind not in "iu":
-                raise TypeError(f"seeds: expected integers, got dtype {seeds.dtype}")
-            if seeds.dtype.kind == "i" and (seeds < 0).any():
-                raise ValueError(f"seeds: expected 0 to 2**64 - 1, got {seeds.min()}")
-            seeds = np.ascontiguousarray(seeds, np.uint64)
-        self._core.reset(seeds, _seed(episode))
+            seeds = np.ascontiguousarray(check_naturals("seeds", seed, np.uint64))
+        self._core.reset(seeds, check_integer("episode", episode, 0, SEED_MAX))
         return self.buffers
 
     def step(self, actions: ArrayLike) -> dict[str, NDArray[Any]]:
@@ -306,15 +329,3 @@ class Batch:
         """
         self._core.step(_integers("actions", actions))
         return self.buffers
-
-
-def check_threads(threads: int | None) -> int:
-    """The number of threads for the engine, where 0 stands for one a core.
-
-    Raises ValueError below 1.
-    """
-    if threads is None:
-        return 0
-    if threads < 1:
-        raise ValueError(f"threads: expected at least 1, got {threads}")
-    return threads

@@ -1,0 +1,163 @@
+# The engine. Sizes in the letters of the package: W worlds, A agents (pursuers first), E evaders,
+# M matches. Wrong values raise ValueError, wrong types TypeError.
+
+from collections.abc import Sequence
+from enum import Enum
+from typing import Any, TypeAlias, type_check_only
+
+import numpy as np
+from numpy.typing import NDArray
+
+_Integers: TypeAlias = NDArray[np.uint8 | np.int8 | np.int32 | np.int64]
+_Map: TypeAlias = NDArray[np.uint8] | None  # (rows, cols), 1 where an obstacle is
+_Positions: TypeAlias = NDArray[np.int32] | None  # (n, 2) rows and columns
+_ByTeam: TypeAlias = tuple[float, float]  # the pursuers' and the evaders'
+_Candidates: TypeAlias = tuple[Network, NDArray[np.float32]] | str  # or the name of a script
+# turn, kind, form, first agent, second agent or -1, cell; at fault, held and doomed as bits, of
+# which bit 0 is the first agent's and bit 1 the second's
+_Conflict: TypeAlias = tuple[int, int, int, int, int, tuple[int, int], int, int, int]
+
+@type_check_only
+class _Pybind11Type(type): ...  # pybind11's metaclass, which cannot be imported
+
+class Outcome(Enum):
+    """What a collision does to an agent."""
+
+    __pybind11_native_enum__: object
+    DISAPPEAR = 0
+    REACH = 1
+    BOUNCE = 2
+
+class Interaction(Enum):
+    """Who moves together."""
+
+    __pybind11_native_enum__: object
+    SIMULTANEOUS = 0
+    SWARM_TURNS = 1
+    AGENT_TURNS = 2
+
+class Capture(Enum):
+    """How an evader is captured."""
+
+    __pybind11_native_enum__: object
+    OCCUPATION = 0
+    SURROUND = 1
+
+class Rules(metaclass=_Pybind11Type):
+    """A row of rules."""
+
+    def __init__(
+        self,
+        *,
+        interaction: Interaction,
+        obstacle: Outcome,
+        teammate: Outcome,
+        evader: Outcome,
+        pursuer: Outcome,
+        capture: Capture,
+        captured_disappear: bool,
+    ) -> None: ...
+
+class Rewards(metaclass=_Pybind11Type):
+    """What is paid."""
+
+    def __init__(
+        self,
+        *,
+        capture: _ByTeam,
+        neighbor: _ByTeam,
+        collide: _ByTeam,
+        step: _ByTeam,
+        capture_repeats: bool,
+    ) -> None: ...
+
+class Setup(metaclass=_Pybind11Type):
+    """What all worlds of a configuration share."""
+
+    def __init__(
+        self,
+        *,
+        rules: Rules,
+        rewards: Rewards,
+        rows: int,
+        cols: int,
+        n_pursuers: int,
+        n_evaders: int,
+        fov: int,
+        diagonal: bool,
+        max_steps: int,
+        density: float,
+        map: _Map,
+    ) -> None: ...
+
+class Network(metaclass=_Pybind11Type):
+    """The shape of a policy network; `hidden` are the sizes of its hidden layers."""
+
+    def __init__(
+        self, *, fov: int, hidden: Sequence[int], n_actions: int, activation: str, sampled: bool
+    ) -> None: ...
+
+class World(metaclass=_Pybind11Type):
+    """One world."""
+
+    def __init__(self, setup: Setup) -> None: ...
+    def reset(
+        self, seed: int, episode: int, pursuers: _Positions, evaders: _Positions, map: _Map
+    ) -> None: ...
+    def step(self, actions: _Integers, explain: bool) -> None:
+        """Play one round with actions (A,)."""
+
+    def write(self, arrays: dict[str, NDArray[Any]]) -> None:
+        """Fill the given arrays, named and shaped as `matrixworld.array_specs` says."""
+
+    def conflicts(self) -> list[_Conflict]:
+        """Those of the last step, if it was played with `explain`."""
+
+    def logits(self, network: Network, genome: NDArray[np.float32]) -> NDArray[np.float32]:
+        """The network's outputs, (living agents, n_actions)."""
+
+class Batch(metaclass=_Pybind11Type):
+    """W worlds that write to the caller's buffers."""
+
+    def __init__(
+        self,
+        setup: Setup,
+        n_worlds: int,
+        n_threads: int,
+        autoreset: bool,
+        buffers: dict[str, NDArray[Any]],
+    ) -> None: ...
+    def reset(self, seeds: NDArray[np.uint64], episode: int) -> None:
+        """Start an episode of seeds (W,)."""
+
+    def step(self, actions: _Integers) -> None:
+        """Play one round with actions (W, A)."""
+
+def rollout(
+    setup: Setup,
+    pursuers: _Candidates,
+    evaders: _Candidates,
+    pursuer: NDArray[np.int32],
+    evader: NDArray[np.int32],
+    seed: NDArray[np.uint64],
+    n_worlds: int,
+    n_threads: int,
+) -> dict[str, NDArray[Any]]:
+    """Scores of matches (M,), as arrays (M, n_worlds, ...) by name; 0 threads: one a core."""
+
+def record(
+    setup: Setup,
+    pursuers: _Candidates,
+    evaders: _Candidates,
+    pursuer: int,
+    evader: int,
+    seed: int,
+    episode: int,
+) -> dict[str, NDArray[Any]]:
+    """The arrays of one episode; truth values are uint8."""
+
+def philox(counter: Sequence[int], key: Sequence[int]) -> list[int]:
+    """Four random 64-bit numbers of Philox4x64-10, from a counter (4,) and a key (2,)."""
+
+def kernel_level() -> str:
+    """The instruction set that the networks' kernels in use were compiled for."""
