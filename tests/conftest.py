@@ -13,7 +13,6 @@ from reference import ReferenceWorld
 SLOW = [HealthCheck.too_slow, HealthCheck.data_too_large]
 settings.register_profile(
     "ci",
-    max_examples=1000,
     derandomize=True,
     database=None,
     deadline=None,
@@ -21,7 +20,7 @@ settings.register_profile(
 )
 # pytest --hypothesis-profile=long tests/test_reference.py
 settings.register_profile(
-    "long", max_examples=50_000, database=None, deadline=None, suppress_health_check=SLOW
+    "long", max_examples=5000, database=None, deadline=None, suppress_health_check=SLOW
 )
 
 

@@ -90,6 +90,12 @@ SWARM_TURNS = (
         Play("A> a>", ". A a b", captured="", ever="a", captors=""),
     ),
     case(
+        "captured in the pursuers' turn, free in the evaders', and dead of something else",
+        rules(SWARM, obstacle="D", adversary="RR", capture="occupation"),
+        "a A b . . .",
+        Play("A< a^", "A . b . . .", captured="", ever="a", captors=""),
+    ),
+    case(
         "the round ends at the turn in which the world terminates",
         rules(SWARM, adversary="RR", capture="occupation"),
         "A a . .",

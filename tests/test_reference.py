@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import matrixworld as mw
@@ -18,7 +18,9 @@ from reference import MOVES, ReferenceWorld, records
 from scenes import FIELDS, TOGETHER, Scene, random_scene, scenes
 
 World = mw.World | ReferenceWorld
-WORLDS_PER_ROW = 12
+WORLDS_PER_ROW = 8
+WORLDS_OF_SHARED_CELLS = 1500
+MANY = settings(max_examples=8 * settings().max_examples)
 ARRAYS = ("positions", "alive", "captured", "ever_captured", "captors", "involved", "fault")
 NUMBERS = ("steps", "terminated", "truncated")
 
@@ -58,6 +60,7 @@ def compare(scene: Scene) -> None:
 
 
 @pytest.mark.parametrize("interaction", FIELDS["interaction"])
+@MANY
 @given(data=st.data())
 def test_the_engine_agrees_with_the_slow_reading(interaction: str, data: st.DataObject) -> None:
     compare(data.draw(scenes(interaction=[interaction])))
@@ -73,6 +76,14 @@ def test_every_row_of_rules(adversary: str, interaction: str) -> None:
         rng = np.random.default_rng([*"".join(map(str, fields.values())).encode()])
         for _ in range(WORLDS_PER_ROW):
             compare(random_scene(fields, rng))
+
+
+def test_links_that_share_a_cell() -> None:
+    """Evaders that may share a cell and be held there one after another are rare elsewhere."""
+    fields = {"obstacle": "B", "teammate": "R", "adversary": "BR", "capture": "surround"}
+    rng = np.random.default_rng(0)
+    for _ in range(WORLDS_OF_SHARED_CELLS):
+        compare(random_scene(fields, rng))
 
 
 # -- numbering ---------------------------------------------------------------------------------
@@ -98,6 +109,7 @@ def named(world: World, order: list[int]) -> list[tuple]:
     return sorted(found)
 
 
+@MANY
 @given(scenes(interaction=TOGETHER), st.randoms(use_true_random=False))
 def test_renumbering_agents_renumbers_the_result(scene: Scene, random: Any) -> None:
     n, total = len(scene.pursuers), scene.config.n_agents
@@ -135,6 +147,7 @@ def assert_apart(before: dict, after: dict, pairs: list[tuple[int, int]]) -> Non
             assert not swapped, f"{a} and {b} swapped"
 
 
+@MANY
 @given(scenes(teammate=["B"]))
 def test_teammates_that_bounce_stay_apart(scene: Scene) -> None:
     n, total = len(scene.pursuers), scene.config.n_agents
@@ -143,6 +156,7 @@ def test_teammates_that_bounce_stay_apart(scene: Scene) -> None:
         assert_apart(before, after, pairs)
 
 
+@MANY
 @given(scenes(adversary=[pair for pair in FIELDS["adversary"] if pair != "RR"]))
 def test_adversaries_stay_apart_unless_both_reach(scene: Scene) -> None:
     n, total = len(scene.pursuers), scene.config.n_agents
@@ -151,6 +165,7 @@ def test_adversaries_stay_apart_unless_both_reach(scene: Scene) -> None:
         assert_apart(before, after, pairs)
 
 
+@MANY
 @given(scenes())
 def test_an_agent_stays_or_does_what_it_set_out_to_do(scene: Scene) -> None:
     for before, after, actions, _ in played(scene):
@@ -164,6 +179,7 @@ def test_an_agent_stays_or_does_what_it_set_out_to_do(scene: Scene) -> None:
                 assert not scene.obstacles[row, col]
 
 
+@MANY
 @given(scenes())
 def test_the_reports_agree_with_each_other(scene: Scene) -> None:
     n = len(scene.pursuers)

@@ -314,7 +314,7 @@ int run(const char* name, Play play) {
 }
 
 int run_all() {
-    constexpr int kWorldsPerRow = 5;
+    constexpr int kWorldsPerRow = 4;
     Random random(20);
     int n_failed = run("build", check_build);
     n_failed += run("limits", check_limits);

@@ -103,7 +103,8 @@ inline Config random_config(const Rules& rules, Random& random) {
         random.chance(20) ? std::min(free, 40) : random.between(2, std::min(free, 12));
     config.n_pursuers = random.between(1, total - 1);
     config.n_evaders = total - config.n_pursuers;
-    config.fov = random.one_of({1, 3, 5, 7, 11, 11, 15, 21, 55, 57, 61, 113});
+    config.fov = random.chance(90) ? random.one_of({1, 3, 5, 7, 11, 15, 21})
+                                   : random.one_of({55, 57, 61, 113});
     config.diagonal = random.chance(40);
     config.max_steps = random.between(1, 12);
     config.rewards.capture_repeats = random.chance(30);

@@ -1,0 +1,41 @@
+"""Tables of bad input: who is asked, what is raised, and what the message says."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+import matrixworld as mw
+from rows import random_genome
+
+SMALL = {"rows": 3, "cols": 4, "n_pursuers": 2, "n_evaders": 1}
+CONFIG = mw.WorldConfig(**SMALL, fov=5)
+NETWORK = mw.Network.for_config(CONFIG, (4,))
+GENOME = random_genome(NETWORK, 0)
+
+
+def value(name: str, call: Any, says: str) -> Any:
+    """A case of a wrong value; ``says`` is what was expected ``|`` what came."""
+    return pytest.param(call, ValueError, says, id=name)
+
+
+def kind(name: str, call: Any, says: str) -> Any:
+    """A case of a value of a wrong type."""
+    return pytest.param(call, TypeError, says, id=name)
+
+
+def table(cases: list[Any]) -> pytest.MarkDecorator:
+    return pytest.mark.parametrize(("call", "error", "says"), cases)
+
+
+def assert_refuses(call: Callable[[], Any], error: type[Exception], says: str) -> None:
+    """The very exception, with ``expected ...`` and what came in its message."""
+    expected, received = says.split(" | ")
+    with pytest.raises(error) as caught:
+        call()
+    message = str(caught.value)
+    assert type(caught.value) is error
+    assert f"expected {expected}" in message, message
+    assert received in message, message

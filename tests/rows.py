@@ -1,0 +1,65 @@
+"""Worlds that several tests play in: the nine variants, and rows of rules that are none of them."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+import numpy as np
+
+import matrixworld as mw
+
+D, R, B = mw.Outcome.DISAPPEAR, mw.Outcome.REACH, mw.Outcome.BOUNCE
+TOGETHER = mw.Interaction.SIMULTANEOUS
+SWARM = mw.Interaction.SWARM_TURNS
+AGENTS = mw.Interaction.AGENT_TURNS
+OCCUPATION, SURROUND = mw.Capture.OCCUPATION, mw.Capture.SURROUND
+
+#              interaction, obstacle, teammate, evader, pursuer, capture, captured disappear
+CUSTOM = {
+    "swarm-D": mw.Rules(SWARM, D, D, D, D, OCCUPATION),
+    "swarm-R": mw.Rules(SWARM, R, R, R, R, OCCUPATION),
+    "swarm-S": mw.Rules(SWARM, B, B, B, R, SURROUND),
+    "swarm-SD": mw.Rules(SWARM, R, D, R, B, SURROUND, True),
+    "agents-D": mw.Rules(AGENTS, D, B, D, D, OCCUPATION),
+    "agents-R": mw.Rules(AGENTS, R, B, R, R, OCCUPATION),
+    "agents-S": mw.Rules(AGENTS, B, R, B, R, SURROUND),
+    "agents-SD": mw.Rules(AGENTS, R, R, B, B, SURROUND, True),
+    "wall-R": mw.Rules(TOGETHER, R, B, D, B, OCCUPATION),
+    "pursuer-D": mw.Rules(TOGETHER, B, D, R, D, SURROUND),
+    "both-B": mw.Rules(TOGETHER, D, B, B, B, SURROUND, True),
+    "nobody": mw.Rules(TOGETHER, B, R, B, R, OCCUPATION),
+}
+
+
+def config_of(name: str, **changes: Any) -> mw.WorldConfig:
+    """A small, crowded world of a variant or of a row above."""
+    surround = (CUSTOM | dict(mw.VARIANTS))[name].capture is SURROUND
+    small = {
+        "rows": 7,
+        "cols": 6,
+        "n_pursuers": 6 if surround else 3,
+        "n_evaders": 2 if surround else 4,
+        "fov": 5,
+        "max_steps": 20,
+    }
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # "nobody" is told that it can capture nobody
+        return mw.WorldConfig(CUSTOM.get(name, name), **(small | changes))
+
+
+def raw_numbers(seed: int, *shape: int) -> np.ndarray:
+    """Random 64-bit numbers that no version of NumPy changes, as those of a Generator may."""
+    raw = np.random.Philox(key=[seed, 0]).random_raw(int(np.prod(shape)))
+    return np.asarray(raw, np.uint64).reshape(shape)
+
+
+def random_actions(seed: int, n_actions: int, *shape: int) -> np.ndarray:
+    """Random actions, the same with every version of NumPy."""
+    return (raw_numbers(seed, *shape) >> np.uint64(32)).astype(np.int64) % n_actions
+
+
+def random_genome(network: mw.Network, seed: int, scale: float = 0.3) -> np.ndarray:
+    """Uniform numbers in [-scale, scale), the same with every version of NumPy."""
+    units = (raw_numbers(seed, network.genome_size) >> np.uint64(40)).astype(np.float32) / 2**24
+    return (scale * (2 * units - 1)).astype(np.float32)

@@ -1,0 +1,323 @@
+"""Batches against single worlds, and the memory and threads that they use."""
+
+from __future__ import annotations
+
+import threading
+import time
+import weakref
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from rows import CUSTOM, config_of, random_actions
+
+NAMES = [*mw.VARIANTS, *CUSTOM]
+MOMENT = ("positions", "alive", "steps", "views", "state")  # of the new episode under autoreset
+
+
+def all_buffers(config: mw.WorldConfig, n_worlds: int) -> dict[str, np.ndarray]:
+    specs = mw.array_specs(config).items()
+    return {name: np.zeros((n_worlds, *shape), dtype) for name, (shape, dtype) in specs}
+
+
+def snapshot(world: mw.World) -> dict[str, Any]:
+    names = mw.array_specs(world.config)
+    values = {name: getattr(world, name) for name in names}
+    return {name: value() if callable(value) else value for name, value in values.items()}
+
+
+class SingleWorld:
+    """What a batch promises of one of its worlds, in Python."""
+
+    def __init__(self, config: mw.WorldConfig, seed: int, episode: int, autoreset: bool) -> None:
+        self.world = mw.World(config)
+        self.world.reset(seed, episode=episode)
+        self.autoreset = autoreset
+        self.seen = snapshot(self.world)
+
+    def step(self, actions: np.ndarray) -> None:
+        if self.world.terminated or self.world.truncated:
+            for name in ("rewards", "involved", "fault", "captors"):
+                self.seen[name] = np.zeros_like(self.seen[name])
+            return
+        self.world.step(actions)
+        self.seen = snapshot(self.world)
+        if self.autoreset and (self.world.terminated or self.world.truncated):
+            self.world.reset()
+            self.seen |= {name: snapshot(self.world)[name] for name in MOMENT}
+
+
+@pytest.mark.parametrize("autoreset", [False, True])
+@pytest.mark.parametrize("obstacles", [None, 0.15])
+@pytest.mark.parametrize("name", NAMES)
+def test_each_world_is_a_single_world(name: str, obstacles: float | None, autoreset: bool) -> None:
+    config = config_of(name, obstacles=obstacles, max_steps=9)
+    n_worlds = 5
+    batch = mw.Batch(
+        n_worlds, config, threads=2, autoreset=autoreset, buffers=all_buffers(config, n_worlds)
+    )
+    seeds = [3, 3, 2**63 + 1, 0, 17]
+    batch.reset(seeds, episode=2)
+    worlds = [SingleWorld(config, seed, 2, autoreset) for seed in seeds]
+    actions = random_actions(1, config.n_actions, 14, n_worlds, config.n_agents)
+    for step in range(15):
+        for w, world in enumerate(worlds):
+            for what, expected in world.seen.items():
+                np.testing.assert_array_equal(
+                    batch.buffers[what][w], expected, f"{what} of world {w} after step {step}"
+                )
+        if step < 14:
+            batch.step(actions[step])
+            for w, world in enumerate(worlds):
+                world.step(actions[step, w])
+
+
+@pytest.mark.parametrize("name", ["O", "SD", "TO"])
+def test_threads_change_nothing(name: str) -> None:
+    config = config_of(name, obstacles=0.1, diagonal=True)
+    n_worlds = 70
+    actions = random_actions(2, config.n_actions, 25, n_worlds, config.n_agents)
+    played = []
+    for threads in (1, 2, 3, None):
+        batch = mw.Batch(
+            n_worlds,
+            config,
+            threads=threads,
+            autoreset=True,
+            buffers=all_buffers(config, n_worlds),
+        )
+        batch.reset(5)
+        for step in range(25):
+            batch.step(actions[step])
+        played.append({what: array.copy() for what, array in batch.buffers.items()})
+    assert any(played[0]["steps"] < 25)
+    for other in played[1:]:
+        for what, array in played[0].items():
+            np.testing.assert_array_equal(array, other[what])
+
+
+def test_neither_number_nor_order_of_worlds_matters() -> None:
+    config = config_of("R")
+    seeds = np.arange(40)
+    actions = random_actions(3, 5, 8, 40, config.n_agents)
+    order = np.argsort(random_actions(4, 1000, 40), kind="stable")
+    whole, shuffled, few = (mw.Batch(n, config) for n in (40, 40, 7))
+    whole.reset(seeds)
+    shuffled.reset(seeds[order])
+    few.reset(seeds[5:12])
+    for step in range(8):
+        whole.step(actions[step])
+        shuffled.step(actions[step][order])
+        few.step(actions[step][5:12])
+        for what, array in whole.buffers.items():
+            np.testing.assert_array_equal(array[order], shuffled.buffers[what])
+            np.testing.assert_array_equal(array[5:12], few.buffers[what])
+
+
+# ---- Seeds -----------------------------------------------------------------------------------
+
+
+def test_an_int_seeds_the_worlds_one_after_the_other() -> None:
+    config = config_of("O")
+    one, other = mw.Batch(4, config), mw.Batch(4, config)
+    one.reset(7)
+    other.reset(np.array([7, 8, 9, 10], np.int32))
+    np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
+    one.reset(2**64 - 2)
+    other.reset([2**64 - 2, 2**64 - 1, 0, 1])
+    np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
+
+
+def test_a_new_batch_has_been_reset_with_seed_0() -> None:
+    config = config_of("O")
+    world, batch = mw.World(config), mw.Batch(2, config)
+    np.testing.assert_array_equal(batch.buffers["positions"][0], world.positions)
+    world.reset(1)
+    np.testing.assert_array_equal(batch.buffers["positions"][1], world.positions)
+
+
+def test_episodes_follow_each_other() -> None:
+    config = config_of("O", max_steps=1)
+    batch = mw.Batch(3, config, autoreset=True)
+    batch.reset(5, episode=8)
+    batch.step(np.zeros((3, config.n_agents), int))
+    world = mw.World(config)
+    world.reset(6, episode=9)
+    assert batch.buffers["truncated"].all()
+    assert not batch.buffers["steps"].any()
+    np.testing.assert_array_equal(batch.buffers["positions"][1], world.positions)
+
+
+# ---- Memory ----------------------------------------------------------------------------------
+
+
+def test_the_arrays_are_those_of_the_caller() -> None:
+    config = config_of("SB")
+    buffers = all_buffers(config, 3)
+    kept = dict(buffers)
+    batch = mw.Batch(3, config, buffers=buffers)
+    assert batch.reset(1) is buffers
+    before = {name: array.copy() for name, array in kept.items()}
+    assert batch.step(np.full((3, config.n_agents), mw.Action.EAST)) is buffers
+    assert all(batch.buffers[name] is array for name, array in kept.items())
+    changed = {name for name in kept if not np.array_equal(kept[name], before[name])}
+    assert {"positions", "rewards", "steps", "views", "state", "involved", "fault"} <= changed
+
+
+def test_some_arrays_are_enough() -> None:
+    config = config_of("O")
+    full = mw.Batch(6, config, buffers=all_buffers(config, 6))
+    actions = random_actions(5, 5, 6, config.n_agents)
+    for name in full.buffers:
+        some = mw.Batch(6, config, buffers={name: np.zeros_like(full.buffers[name])})
+        some.reset(2)
+        full.reset(2)
+        some.step(actions)
+        full.step(actions)
+        assert list(some.buffers) == [name]
+        np.testing.assert_array_equal(some.buffers[name], full.buffers[name])
+    assert mw.Batch(6, config, buffers={}).step(actions) == {}
+
+
+def test_the_default_arrays() -> None:
+    config = config_of("O")
+    batch = mw.Batch(4, config)
+    specs = mw.array_specs(config)
+    assert set(batch.buffers) == set(specs) - {"views", "state"}
+    for name, array in batch.buffers.items():
+        shape, dtype = specs[name]
+        assert array.shape == (4, *shape)
+        assert array.dtype == dtype
+
+
+def test_arrays_may_be_parts_of_a_larger_one() -> None:
+    """Two batches that write into one block of memory, and nowhere else."""
+    config = config_of("O")
+    block = np.full((5, 4, config.n_agents), -77, np.float32)
+    for part in (1, 3):
+        batch = mw.Batch(4, config, buffers={"rewards": block[part]})
+        batch.reset(part)
+        batch.step(np.zeros((4, config.n_agents), int))
+    assert (block[[0, 2, 4]] == -77).all()
+    assert (block[[1, 3]] != -77).all()
+
+
+@pytest.mark.parametrize("dtype", [np.int8, np.uint8, np.int16, np.uint16, np.int32, np.int64])
+def test_any_integers_are_actions(dtype: type) -> None:
+    config = config_of("O")
+    actions = random_actions(6, 5, 3, config.n_agents)
+    one, other = mw.Batch(3, config), mw.Batch(3, config)
+    one.step(actions)
+    other.step(np.asfortranarray(actions.astype(dtype)))
+    np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
+
+
+# ---- Ended worlds ----------------------------------------------------------------------------
+
+
+def test_ended_worlds_stand_still() -> None:
+    config = config_of("D", max_steps=6)
+    batch = mw.Batch(30, config, buffers=all_buffers(config, 30))
+    for step in range(6):
+        batch.step(random_actions(step, 5, 30, config.n_agents))
+    over = batch.buffers["terminated"] | batch.buffers["truncated"]
+    assert over.all()
+    assert batch.buffers["terminated"].any()
+    before = {name: array.copy() for name, array in batch.buffers.items()}
+    batch.step(np.full((30, config.n_agents), 99))  # what ended worlds are told is not looked at
+    silent = ("rewards", "involved", "fault", "captors")
+    for name in silent:
+        assert not batch.buffers[name].any()
+    for name in before.keys() - set(silent):
+        np.testing.assert_array_equal(batch.buffers[name], before[name])
+
+
+def test_a_refused_action_changes_nothing() -> None:
+    config = config_of("O")
+    batch = mw.Batch(3, config, buffers=all_buffers(config, 3))
+    before = {name: array.copy() for name, array in batch.buffers.items()}
+    actions = np.full((3, config.n_agents), 2)
+    actions[2, 4] = 5
+    with pytest.raises(ValueError, match=r"expected 0 to 4, got 5 \(world 2, agent 4\)"):
+        batch.step(actions)
+    for name, array in batch.buffers.items():
+        np.testing.assert_array_equal(array, before[name])
+    actions[2, 4] = 2
+    fresh = mw.Batch(3, config)
+    np.testing.assert_array_equal(
+        batch.step(actions)["positions"], fresh.step(actions)["positions"]
+    )
+
+
+# ---- Python's other threads ------------------------------------------------------------------
+
+
+def test_other_threads_run_during_a_step() -> None:
+    """A thread that keeps noting the time notes some in the middle of a step."""
+    config = mw.WorldConfig(fov=61)
+    n_worlds = 40
+    batch = mw.Batch(
+        n_worlds,
+        config,
+        threads=1,
+        autoreset=True,
+        buffers={"views": np.zeros((n_worlds, 38, 3, 61, 61), np.uint8)},
+    )
+    actions = np.zeros((n_worlds, 38), np.uint8)
+    noted: list[float] = []
+    done = threading.Event()
+
+    def note() -> None:
+        while not done.is_set():
+            noted.append(time.perf_counter())
+            time.sleep(1e-5)
+
+    thread = threading.Thread(target=note)
+    thread.start()
+    try:
+        for _ in range(2000):
+            start = time.perf_counter()
+            batch.step(actions)
+            quarter = (time.perf_counter() - start) / 4
+            if any(start + quarter < moment < start + 3 * quarter for moment in noted):
+                break
+            noted.clear()
+        else:
+            pytest.fail("no other thread ran during 2000 steps")
+    finally:
+        done.set()
+        thread.join()
+
+
+def test_batches_in_several_python_threads() -> None:
+    config = config_of("O")
+    actions = random_actions(8, 5, 30, 20, config.n_agents)
+    results: dict[int, np.ndarray] = {}
+
+    def play(number: int) -> None:
+        batch = mw.Batch(20, config, threads=2, autoreset=True)
+        for step in range(30):
+            batch.step(actions[step])
+        results[number] = batch.buffers["positions"].copy()
+
+    threads = [threading.Thread(target=play, args=(number,)) for number in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert sorted(results) == [0, 1, 2, 3]
+    for positions in results.values():
+        np.testing.assert_array_equal(positions, results[0])
+
+
+def test_a_batch_keeps_its_arrays_alive() -> None:
+    config = config_of("O")
+    batch = mw.Batch(2, config)
+    rewards = weakref.ref(batch.buffers["rewards"])
+    batch.buffers.clear()
+    batch.step(np.zeros((2, config.n_agents), np.uint8))
+    array = rewards()
+    assert array is not None
+    assert (array != 0).all()

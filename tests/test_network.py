@@ -1,0 +1,222 @@
+"""The compiled network against NumPy, what it draws, and the kernels of each instruction set."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from scipy import stats
+
+import matrixworld as mw
+import network_hash
+from matrixworld import _core
+from network_hash import HIDDEN
+from rows import random_genome
+
+LEVELS = {"base": "kernels_base", "x86-64-v3": "kernels_v3", "x86-64-v4": "kernels_v4"}
+
+
+def logits_of(world: mw.World, network: mw.Network, genome: np.ndarray) -> np.ndarray:
+    return world._core.logits(network.core, genome)
+
+
+def assert_agrees(world: mw.World, network: mw.Network, seed: int) -> None:
+    genome = random_genome(network, seed)
+    expected = network.logits(genome, world.views()[world.alive])
+    found = logits_of(world, network, genome)
+    assert found.dtype == np.float32
+    scale = max(1.0, float(np.abs(expected).max()))
+    np.testing.assert_allclose(found, expected, rtol=1e-4, atol=1e-5 * scale)
+
+
+@pytest.mark.parametrize("activation", ["relu", "tanh"])
+@pytest.mark.parametrize("hidden", HIDDEN)
+def test_shapes(hidden: tuple[int, ...], activation: str) -> None:
+    for number, (fov, diagonal) in enumerate([(5, False), (11, True), (13, False)]):
+        world = mw.World(rows=9, cols=14, fov=fov, diagonal=diagonal, obstacles=0.2)
+        network = mw.Network.for_config(world.config, hidden, activation=activation)
+        assert_agrees(world, network, number)
+
+
+@pytest.mark.parametrize("fov", [1, 3, 5, 7, 9, 11, 13, 15, 55, 57, 61])
+@pytest.mark.parametrize("shape", [(7, 6), (1, 40), (33, 2), (20, 24)])
+def test_every_place_in_every_view(shape: tuple[int, int], fov: int) -> None:
+    """Wherever an agent stands, it sees the border that belongs to that place."""
+    rows, cols = shape
+    n_evaders = rows * cols // 3
+    n_pursuers = rows * cols - n_evaders
+    world = mw.World(rows=rows, cols=cols, n_pursuers=n_pursuers, n_evaders=n_evaders, fov=fov)
+    assert_agrees(world, mw.Network.for_config(world.config, (9,)), fov)
+
+
+def test_after_deaths_and_with_shared_cells() -> None:
+    world = mw.World("D", rows=8, cols=8, n_pursuers=10, n_evaders=20, fov=7, obstacles=0.1)
+    network = mw.Network.for_config(world.config, (12, 12))
+    rng = np.random.default_rng(1)
+    for step in range(4):
+        world.step(rng.integers(0, 5, world.config.n_agents))
+        assert_agrees(world, network, step)
+    assert not world.alive.all()
+    assert world.alive.any()
+
+
+def test_a_genome_is_read_layer_by_layer() -> None:
+    network = mw.Network((4,), fov=1, n_actions=5)
+    genome = np.arange(network.genome_size, dtype=np.float32)
+    (first, bias), (last, head) = network.layers(genome)
+    assert network.sizes == (3, 4, 5)
+    assert network.genome_size == 3 * 4 + 4 + 4 * 5 + 5
+    np.testing.assert_array_equal(first, [[0, 1, 2, 3], [4, 5, 6, 7], [8, 9, 10, 11]])
+    np.testing.assert_array_equal(bias, [12, 13, 14, 15])
+    assert last.shape == (4, 5)
+    assert last[0, 0] == 16
+    np.testing.assert_array_equal(head, [36, 37, 38, 39, 40])
+    assert np.shares_memory(last, genome)
+
+
+def test_initial_genomes() -> None:
+    network = mw.Network((50, 40), fov=11)
+    genome = network.initial(np.random.default_rng(0), weight=0.05, head=0.1)
+    assert genome.dtype == np.float32
+    *hidden, head = network.layers(genome)
+    for weights, _ in hidden:
+        assert weights.std() == pytest.approx(0.05, rel=0.1)
+    assert head[0].std() == pytest.approx(0.1, rel=0.2)
+    assert not np.concatenate([bias for _, bias in network.layers(genome)]).any()
+    again = network.initial(np.random.default_rng(0), weight=0.05, head=0.1)
+    np.testing.assert_array_equal(genome, again)
+
+
+# ---- Choosing actions ------------------------------------------------------------------------
+
+# Everybody is walled in, stays for ever and sees the same at every step.
+CELLS = [
+    "##########",
+    "#.##.#.###",
+    "##########",
+    "#.###.####",
+    "##########",
+]
+
+
+def sealed(steps: int, *, diagonal: bool = False) -> mw.WorldConfig:
+    return mw.WorldConfig(
+        "SB", obstacles=CELLS, n_pursuers=4, n_evaders=1, fov=5, diagonal=diagonal, max_steps=steps
+    )
+
+
+def softmax(logits: np.ndarray) -> np.ndarray:
+    powers = np.exp(logits.astype(float) - logits.max(axis=1, keepdims=True))
+    return powers / powers.sum(axis=1, keepdims=True)
+
+
+@pytest.mark.parametrize("diagonal", [False, True])
+@pytest.mark.parametrize("activation", ["relu", "tanh"])
+def test_sampled_actions_follow_the_softmax(activation: str, diagonal: bool) -> None:
+    steps = 4000
+    config = sealed(steps, diagonal=diagonal)
+    network = mw.Network.for_config(config, (8,), activation=activation)
+    genome = random_genome(network, 5, scale=0.6)
+    episode = mw.record(config, mw.Population(genome, network), "still", seed=3)
+    world = mw.World(config)
+    world.reset(3)
+    np.testing.assert_array_equal(episode.positions[-1], world.positions)
+    expected = softmax(network.logits(genome, world.views()[:4]))
+    for agent in range(4):
+        counts = np.bincount(episode.actions[:, agent], minlength=config.n_actions)
+        assert stats.chisquare(counts, steps * expected[agent]).pvalue > 1e-3
+
+
+def test_draws_are_independent_of_each_other() -> None:
+    """Of two agents in one step, and of one agent in two steps."""
+    config = sealed(4000)
+    network = mw.Network.for_config(config, ())
+    genome = np.zeros(network.genome_size, np.float32)
+    actions = mw.record(config, mw.Population(genome, network), "still", seed=9).actions
+    pairs = [(actions[:, a], actions[:, b]) for a in range(4) for b in range(a)]
+    pairs += [(actions[:-1, a], actions[1:, a]) for a in range(4)]
+    for one, other in pairs:
+        table = np.zeros((5, 5))
+        np.add.at(table, (one, other), 1)
+        assert stats.chi2_contingency(table).pvalue > 1e-3
+
+
+def test_extreme_logits() -> None:
+    config = sealed(300)
+    network = mw.Network.for_config(config, ())
+    genome = np.zeros(network.genome_size, np.float32)
+    genome[-5:] = [-3e38, 0, -200, 3e4, 3e4]
+    actions = mw.record(config, mw.Population(genome, network), "still", seed=0).actions[:, :4]
+    assert set(np.unique(actions)) == {3, 4}
+
+
+def test_the_largest_output_is_taken_without_sampling() -> None:
+    config = mw.WorldConfig("D", rows=12, cols=12, fov=7, max_steps=30, obstacles=0.1)
+    network = mw.Network.for_config(config, (16,), sampled=False)
+    genome = random_genome(network, 2)
+    team = mw.Population(genome, network)
+    episode = mw.record(config, team, team, seed=4)
+    world = mw.World(config)
+    world.reset(4)
+    sure = 0
+    for step in range(episode.length):
+        alive = world.alive
+        logits = network.logits(genome, world.views()[alive])
+        best, second = np.sort(logits, axis=1)[:, [-1, -2]].T
+        clear = best - second > 1e-4
+        chosen = episode.actions[step][alive]
+        np.testing.assert_array_equal(chosen[clear], logits.argmax(axis=1)[clear])
+        sure += clear.sum()
+        world.step(episode.actions[step])
+    assert sure > 50
+
+
+def test_of_equal_outputs_the_first_is_taken() -> None:
+    config = sealed(10)
+    network = mw.Network.for_config(config, (), sampled=False)
+    genome = np.zeros(network.genome_size, np.float32)
+    genome[-5:] = [0, 1, 0, 1, 1]
+    actions = mw.record(config, mw.Population(genome, network), "still", seed=0).actions[:, :4]
+    np.testing.assert_array_equal(actions, 1)
+
+
+# ---- Instruction sets ------------------------------------------------------------------------
+
+
+def run_with_kernels(level: str | None) -> subprocess.CompletedProcess[str]:
+    environment = {k: v for k, v in os.environ.items() if k != "MATRIXWORLD_KERNELS"}
+    environment["PYTHONPATH"] = os.pathsep.join(sys.path)
+    if level is not None:
+        environment["MATRIXWORLD_KERNELS"] = level
+    command = [sys.executable, network_hash.__file__]
+    return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+
+
+def hash_with_kernels(level: str | None) -> tuple[str, str]:
+    """The level that was used, and the hash."""
+    done = run_with_kernels(level)
+    assert done.returncode == 0, done.stderr
+    used, digest = done.stdout.split()
+    return used, digest
+
+
+def test_every_instruction_set_gives_the_same_bits() -> None:
+    best, expected = hash_with_kernels(None)
+    lower = list(LEVELS.values())[: list(LEVELS.values()).index(best)]
+    for level in (level for level, name in LEVELS.items() if name in lower):
+        assert hash_with_kernels(level) == (LEVELS[level], expected)
+    assert network_hash.of_everything() == expected
+
+
+def test_an_unknown_instruction_set() -> None:
+    done = run_with_kernels("sse9")
+    assert done.returncode != 0
+    assert "ValueError: MATRIXWORLD_KERNELS: expected base, x86-64-v3 or x86-64-v4" in done.stderr
+    assert "got sse9" in done.stderr
+
+
+def test_the_level_in_use_is_known() -> None:
+    assert _core.kernel_level() in LEVELS.values()

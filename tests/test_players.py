@@ -1,0 +1,216 @@
+"""The scripted opponents, and who sees what where the rules take turns."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import stats
+
+import matrixworld as mw
+from rows import config_of
+
+MOVES = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)]
+SCORES = {"chaser": min, "fleer": max}
+
+
+def arena(rules: str, **changes: object) -> mw.WorldConfig:
+    settings = {"rows": 10, "cols": 10, "n_pursuers": 3, "n_evaders": 4, "fov": 7, "max_steps": 40}
+    return mw.WorldConfig(rules, **(settings | changes))
+
+
+def distance(config: mw.WorldConfig, one: tuple[int, int], other: tuple[int, int]) -> int:
+    """How many moves it is from one cell to another."""
+    rows, cols = abs(one[0] - other[0]), abs(one[1] - other[1])
+    return max(rows, cols) if config.diagonal else rows + cols
+
+
+def good_moves(
+    script: str,
+    config: mw.WorldConfig,
+    ground: np.ndarray,
+    here: tuple[int, int],
+    adversaries: list[tuple[int, int]],
+) -> set[int]:
+    """The moves that a chaser or fleer chooses from."""
+    reach = config.fov // 2
+    seen = [c for c in adversaries if max(abs(c[0] - here[0]), abs(c[1] - here[1])) <= reach]
+    value = {}
+    for move in range(config.n_actions):
+        row, col = here[0] + MOVES[move][0], here[1] + MOVES[move][1]
+        free = 0 <= row < config.rows and 0 <= col < config.cols and not ground[row, col]
+        if move == 0 or free:
+            value[move] = min((distance(config, (row, col), c) for c in seen), default=0)
+    best = SCORES[script](value.values())
+    return {move for move, worth in value.items() if worth == best}
+
+
+def cells(positions: np.ndarray, chosen: np.ndarray) -> list[tuple[int, int]]:
+    return [(int(row), int(col)) for row, col in positions[chosen]]
+
+
+def check_choices(config: mw.WorldConfig, script: str, team: str, seed: int) -> list[int]:
+    """Checks every choice of one team in one episode; how many moves each had to choose from."""
+    sides = ("random", script) if team == "evader" else (script, "random")
+    episode = mw.record(config, *sides, seed=seed)
+    is_mine = (np.arange(config.n_agents) >= config.n_pursuers) == (team == "evader")
+    choices = []
+    for step in range(episode.length):
+        positions, alive = episode.positions[step], episode.alive[step]
+        theirs = cells(positions, ~is_mine & alive)
+        for agent in np.flatnonzero(is_mine & alive):
+            [here] = cells(positions, [agent])
+            good = good_moves(script, config, episode.map, here, theirs)
+            assert episode.actions[step, agent] in good
+            choices.append(len(good))
+    return choices
+
+
+@pytest.mark.parametrize("obstacles", [None, 0.2])
+@pytest.mark.parametrize("diagonal", [False, True])
+@pytest.mark.parametrize("team", ["pursuer", "evader"])
+@pytest.mark.parametrize("script", ["chaser", "fleer"])
+def test_choices(script: str, team: str, diagonal: bool, obstacles: float | None) -> None:
+    config = arena("O", diagonal=diagonal, obstacles=obstacles)
+    choices = [n for seed in range(5) for n in check_choices(config, script, team, seed)]
+    assert 1 in choices
+    assert max(choices) == config.n_actions  # nobody in view, no wall beside
+    surround = arena("SB", diagonal=diagonal, obstacles=obstacles, fov=5)
+    assert check_choices(surround, script, team, 9)
+
+
+def test_ties_are_broken_evenly() -> None:
+    """Nobody in view: each free move as often as any other."""
+    config = arena("O", rows=60, cols=60, n_pursuers=1, n_evaders=1, fov=1, max_steps=3000)
+    episode = mw.record(config, "chaser", "still", seed=2)
+    inside = (episode.positions[:-1, 0] > 0) & (episode.positions[:-1, 0] < 59)
+    counts = np.bincount(episode.actions[inside.all(axis=1), 0], minlength=5)
+    assert counts.sum() > 1000
+    assert stats.chisquare(counts).pvalue > 1e-3
+
+
+@pytest.mark.parametrize("diagonal", [False, True])
+def test_random_players_take_every_action_equally_often(diagonal: bool) -> None:
+    config = arena("S", diagonal=diagonal, max_steps=400)
+    actions = mw.record(config, "random", "random", seed=1).actions
+    assert len(actions) == 400
+    for agent in range(config.n_agents):
+        counts = np.bincount(actions[:, agent], minlength=config.n_actions)
+        assert len(counts) == config.n_actions
+        assert stats.chisquare(counts).pvalue > 1e-4
+
+
+def test_still_players_stay() -> None:
+    episode = mw.record(arena("SB"), "still", "still", seed=5)
+    assert not episode.actions.any()
+    assert (episode.positions == episode.positions[0]).all()
+
+
+@pytest.mark.parametrize("script", ["chaser", "fleer"])
+def test_nobody_walks_into_walls(script: str) -> None:
+    config = arena("SB", obstacles=0.2)
+    matches = mw.Matches.of(0, 0, np.arange(20))
+    scores = mw.rollout(config, script, script, matches)
+    assert not scores.collisions[..., 0].any()
+    assert mw.rollout(config, "random", "random", matches).collisions[..., 0].all()
+
+
+def test_who_is_good_at_what() -> None:
+    config = arena("O", max_steps=60)
+    matches = mw.Matches.of(0, 0, np.arange(60))
+
+    def caught(pursuers: str, evaders: str) -> float:
+        return float(mw.rollout(config, pursuers, evaders, matches).captured_fraction.mean())
+
+    assert caught("chaser", "random") > caught("random", "random") + 0.2
+    assert caught("random", "fleer") < caught("random", "random") - 0.1
+    assert caught("chaser", "fleer") < caught("chaser", "random") - 0.1
+    assert caught("still", "still") == 0
+
+
+def test_fleers_survive_longer() -> None:
+    config = arena("O", max_steps=150)
+    matches = mw.Matches.of(0, 0, np.arange(40))
+    random = mw.rollout(config, "random", "random", matches)
+    fleer = mw.rollout(config, "random", "fleer", matches)
+    assert fleer.length.mean() > random.length.mean()
+    assert fleer.evader_survivors.mean() > random.evader_survivors.mean()
+
+
+# ---- Turns -----------------------------------------------------------------------------------
+
+
+def first_moves(name: str) -> list[tuple[int, int]]:
+    """First moves in a corridor in which nobody sees the other until the pursuer steps east.
+
+    ``P . e .`` with a view of one cell on each side; the evader flees from what it sees.
+    """
+    config = config_of(name, rows=1, cols=4, n_pursuers=1, n_evaders=1, fov=3, max_steps=1)
+    moves = []
+    for seed in range(300):
+        episode = mw.record(config, "chaser", "fleer", seed=seed)
+        if episode.positions[0, :, 1].tolist() == [0, 2]:
+            pursuer, evader = episode.actions[0]
+            moves.append((int(pursuer), int(evader)))
+    return moves
+
+
+@pytest.mark.parametrize("name", ["TO", "agents-S", "swarm-S"])
+def test_later_turns_see_what_earlier_ones_did(name: str) -> None:
+    moves = first_moves(name)
+    assert {pursuer for pursuer, _ in moves} == {mw.Action.STAY, mw.Action.EAST}
+    after_approach = {evader for pursuer, evader in moves if pursuer == mw.Action.EAST}
+    assert after_approach == {mw.Action.EAST}
+    unseen = {evader for pursuer, evader in moves if pursuer == mw.Action.STAY}
+    assert unseen == {mw.Action.STAY, mw.Action.EAST, mw.Action.WEST}
+
+
+def test_at_one_time_nobody_sees_what_the_others_do() -> None:
+    moves = first_moves("O")
+    after_approach = {evader for pursuer, evader in moves if pursuer == mw.Action.EAST}
+    assert after_approach == {mw.Action.STAY, mw.Action.EAST, mw.Action.WEST}
+
+
+def test_teammates_see_each_other_move_in_agent_turns() -> None:
+    """Pursuer 1 turns away from a cell only after pursuer 0 has made room or filled it.
+
+    With a network that reads one cell: "go east if no teammate is east of me, else stay".
+    """
+    config = config_of("TO", rows=1, cols=5, n_pursuers=2, n_evaders=1, fov=3, max_steps=1)
+    network = mw.Network.for_config(config, (), sampled=False)
+    genome = np.zeros(network.genome_size, np.float32)
+    [(weights, bias)] = network.layers(genome)
+    east_of_me = (1 * 3 + 1) * 3 + 2  # channel of pursuers, middle row, last column
+    bias[mw.Action.EAST] = 1
+    weights[east_of_me, mw.Action.EAST] = -2
+    team = mw.Population(genome, network)
+    seen = set()
+    for seed in range(200):
+        episode = mw.record(config, team, "still", seed=seed)
+        columns = episode.positions[0, :, 1].tolist()
+        if columns == [2, 1, 4]:  # ". 1 0 . e": 0 leaves before 1 looks
+            assert episode.actions[0, :2].tolist() == [mw.Action.EAST, mw.Action.EAST]
+            seen.add("follows")
+        if columns == [1, 2, 4]:  # ". 0 1 . e": 0 sees 1, which is still there
+            assert episode.actions[0, :2].tolist() == [mw.Action.STAY, mw.Action.EAST]
+            seen.add("waits")
+    assert seen == {"follows", "waits"}
+
+
+@pytest.mark.parametrize("name", ["TO", "swarm-S"])
+def test_fleers_flee_from_where_pursuers_went(name: str) -> None:
+    """Pursuers act first; under these rules they never move or die in an evader's turn."""
+    config = config_of(name, rows=9, cols=9, n_pursuers=3, n_evaders=4, fov=7, max_steps=30)
+    n_pursuers = config.n_pursuers
+    n_checked = 0
+    for seed in range(6):
+        episode = mw.record(config, "random", "fleer", seed=seed)
+        for step in range(episode.length):
+            pursuers = cells(episode.positions[step + 1], np.arange(n_pursuers))
+            for agent in range(n_pursuers, config.n_agents):
+                if not episode.alive[step + 1, agent]:
+                    continue
+                [here] = cells(episode.positions[step], [agent])
+                good = good_moves("fleer", config, episode.map, here, pursuers)
+                assert episode.actions[step, agent] in good
+                n_checked += len(good) < config.n_actions
+    assert n_checked > 100

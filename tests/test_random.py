@@ -1,0 +1,120 @@
+"""Random numbers: the generator against NumPy's, and what a reset does with it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import stats
+
+import matrixworld as mw
+from matrixworld import _core
+
+WORD = 2**64
+KEYS = [(0, 0), (1, 0), (0, 1), (2**64 - 1, 2**63), (0x123456789ABCDEF, 0xFEDCBA987654321)]
+COUNTERS = [(1, 0, 0, 0), (0, 1, 0, 0), (7, 500, 2, 0), (3, 2, 1, 2**64 - 1), (0, 0, 0, 0)]
+
+
+def by_numpy(counter: tuple[int, ...], key: tuple[int, ...]) -> list[int]:
+    """NumPy counts up before its first block."""
+    number = sum(word * WORD**i for i, word in enumerate(counter)) - 1
+    before = [(number % WORD**4) // WORD**i % WORD for i in range(4)]
+    generator = np.random.Philox(counter=np.array(before, np.uint64), key=np.array(key, np.uint64))
+    return [int(word) for word in generator.random_raw(4)]
+
+
+@pytest.mark.parametrize("key", KEYS)
+@pytest.mark.parametrize("counter", COUNTERS)
+def test_philox_is_that_of_numpy(counter: tuple[int, ...], key: tuple[int, ...]) -> None:
+    assert _core.philox(counter, key) == by_numpy(counter, key)
+
+
+# ---- Resets ----------------------------------------------------------------------------------
+
+N_WORLDS = 6000
+
+
+def starts(config: mw.WorldConfig, *buffers: str) -> dict[str, np.ndarray]:
+    """Buffers of many worlds after a reset, of neighbouring seeds."""
+    specs = mw.array_specs(config)
+    arrays = {name: np.zeros((N_WORLDS, *specs[name][0]), specs[name][1]) for name in buffers}
+    return mw.Batch(N_WORLDS, config, buffers=arrays).reset(11)
+
+
+def cells(config: mw.WorldConfig) -> np.ndarray:
+    """The number of the cell of each agent in each world."""
+    positions = starts(config, "positions")["positions"]
+    return positions[:, :, 0] * config.cols + positions[:, :, 1]
+
+
+def is_uniform(numbers: np.ndarray, n: int) -> bool:
+    return bool(stats.chisquare(np.bincount(numbers, minlength=n)).pvalue > 1e-3)
+
+
+def test_agents_start_anywhere() -> None:
+    config = mw.WorldConfig(rows=3, cols=5, n_pursuers=2, n_evaders=2)
+    places = cells(config)
+    for agent in range(4):
+        assert is_uniform(places[:, agent], 15)
+
+
+def test_agents_start_apart_and_know_nothing_of_each_other() -> None:
+    """Ordered pairs of distinct cells are equally likely."""
+    config = mw.WorldConfig(rows=2, cols=4, n_pursuers=2, n_evaders=2)
+    places = cells(config)
+    for one in range(4):
+        for other in range(one):
+            first, second = places[:, one], places[:, other]
+            assert (first != second).all()
+            rank = second - (second > first)  # among the seven cells that are left
+            assert is_uniform(first * 7 + rank, 56)
+
+
+def test_agents_start_on_free_cells_of_a_map() -> None:
+    ground = np.zeros((4, 4), bool)
+    ground[[0, 1, 3], [2, 1, 3]] = True
+    config = mw.WorldConfig(obstacles=ground, n_pursuers=1, n_evaders=1)
+    places = cells(config)
+    free = np.flatnonzero(~ground)
+    assert np.isin(places, free).all()
+    for agent in range(2):
+        assert is_uniform(np.searchsorted(free, places[:, agent]), len(free))
+
+
+def test_obstacles_of_a_density_lie_anywhere() -> None:
+    config = mw.WorldConfig(rows=4, cols=5, n_pursuers=1, n_evaders=1, obstacles=0.25)
+    arrays = starts(config, "positions", "state")
+    ground = arrays["state"][:, 2].reshape(N_WORLDS, 20)
+    assert (ground.sum(axis=1) == 5).all()
+    assert stats.chisquare(ground.sum(axis=0)).pvalue > 1e-3
+    places = arrays["positions"][..., 0] * 5 + arrays["positions"][..., 1]
+    assert not np.take_along_axis(ground, places, axis=1).any()
+
+
+@pytest.mark.parametrize("density", [0.0, 0.01, 0.07, 0.1, 1 / 3, 0.5, 0.77])
+@pytest.mark.parametrize("shape", [(3, 3), (7, 9), (40, 40)])
+def test_a_density_is_a_number_of_obstacles(shape: tuple[int, int], density: float) -> None:
+    rows, cols = shape
+    world = mw.World(rows=rows, cols=cols, n_pursuers=1, n_evaders=1, obstacles=density)
+    assert world.map.sum() == int(density * rows * cols + 0.5)
+    first = world.map
+    world.reset()
+    assert world.map.sum() == first.sum()
+
+
+def test_seeds_and_episodes_are_told_apart() -> None:
+    config = mw.WorldConfig(rows=40, cols=40)
+    world = mw.World(config)
+    drawn = set()
+    for seed in (0, 1, 2**32, 2**64 - 1):
+        for episode in (0, 1, 2**32, 2**64 - 1):
+            world.reset(seed, episode=episode)
+            drawn.add(world.positions.tobytes())
+    assert len(drawn) == 16
+
+
+def test_match_seeds() -> None:
+    assert mw.match_seed(1, 2, 3) == mw.match_seed(1, 2, 3)
+    words = np.random.SeedSequence([1, 2, 3]).generate_state(1, np.uint64)
+    assert mw.match_seed(1, 2, 3) == int(words[0])
+    seeds = {mw.match_seed(run, p, e) for run in range(5) for p in range(20) for e in range(20)}
+    assert len(seeds) == 2000

@@ -1,0 +1,213 @@
+"""Scores against the recorded episodes, counted in plain NumPy; and that nothing else matters."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from rows import CUSTOM, config_of, random_genome
+
+NAMES = [*mw.VARIANTS, *CUSTOM]
+FIELDS = [item.name for item in fields(mw.Scores)]
+
+
+def population(config: mw.WorldConfig, n: int, hidden: tuple[int, ...] = (8,)) -> mw.Population:
+    network = mw.Network.for_config(config, hidden)
+    return mw.Population(
+        np.stack([random_genome(network, i, scale=1.0) for i in range(n)]), network
+    )
+
+
+def score_of(episode: mw.Episode, config: mw.WorldConfig) -> dict[str, Any]:
+    """What `rollout` says of an episode, from its arrays."""
+    n_pursuers, n_evaders = config.n_pursuers, config.n_evaders
+    ever = config.rules.capture is mw.Capture.OCCUPATION
+    counted = episode.ever_captured if ever else episode.captured
+    share = [row.mean() for row in counted[1:]]
+    share += [share[-1]] * (config.max_steps - episode.length)
+    score: dict[str, Any] = {
+        "capture_rate": counted[-1].mean(),
+        "captured_fraction": np.mean(share),
+        "length": episode.length,
+    }
+    teams = {"pursuer": slice(0, n_pursuers), "evader": slice(n_pursuers, None)}
+    for name, team in teams.items():
+        size = {"pursuer": n_pursuers, "evader": n_evaders}[name]
+        score[f"{name}_return"] = episode.rewards[:, team].astype(float).sum()
+        score[f"{name}_survivors"] = episode.alive[-1, team].sum()
+        crowded = [
+            alive.sum() - len({tuple(cell) for cell in cells[alive]})
+            for alive, cells in zip(
+                episode.alive[1:, team], episode.positions[1:, team], strict=True
+            )
+        ]
+        score[f"{name}_crowding"] = sum(crowded) / size / config.max_steps
+    for name, flags in (("collisions", episode.involved), ("faults", episode.fault)):
+        score[name] = [flags[:, team].sum(axis=(0, 1)) for team in teams.values()]
+    return score
+
+
+def assert_same_bits(one: mw.Scores, other: mw.Scores, rows: Any = slice(None)) -> None:
+    for name in FIELDS:
+        expected, found = getattr(one, name)[rows], getattr(other, name)
+        assert expected.dtype == found.dtype
+        np.testing.assert_array_equal(expected, found, name)
+
+
+# ---- Scores ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_scores_are_those_of_the_recorded_episodes(name: str) -> None:
+    config = config_of(name, max_steps=25, obstacles=0.1)
+    team = population(config, 2)
+    both, one = [0, 1, 1], [0, 0, 0]
+    seeds = [5, 6, 2**64 - 1]
+    for pursuers, evaders, matches in (
+        (team, team, mw.Matches.of(both, both[::-1], seeds)),
+        (team, "random", mw.Matches.of(both, one, seeds)),
+        ("chaser", team, mw.Matches.of(one, both, seeds)),
+    ):
+        scores = mw.rollout(config, pursuers, evaders, matches, worlds=2)
+        for m, (pursuer, evader, seed) in enumerate(zip(*matches, strict=True)):
+            chosen = {"pursuer": int(pursuer), "evader": int(evader), "seed": int(seed)}
+            for world in range(2):
+                episode = mw.record(config, pursuers, evaders, episode=world, **chosen)
+                for field, expected in score_of(episode, config).items():
+                    found = getattr(scores, field)[m, world]
+                    np.testing.assert_allclose(found, expected, rtol=1e-6, atol=1e-6, err_msg=field)
+
+
+def test_shapes_and_types() -> None:
+    config = config_of("O")
+    scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, [1, 2, 3]), worlds=4)
+    types = {
+        "capture_rate": "f4",
+        "captured_fraction": "f4",
+        "length": "i4",
+        "pursuer_return": "f8",
+        "evader_return": "f8",
+        "pursuer_survivors": "i4",
+        "evader_survivors": "i4",
+        "pursuer_crowding": "f4",
+        "evader_crowding": "f4",
+        "collisions": "i4",
+        "faults": "i4",
+    }
+    assert list(types) == FIELDS
+    for name, dtype in types.items():
+        array = getattr(scores, name)
+        assert array.dtype == dtype
+        assert array.shape == ((3, 4, 2, 3) if name in ("collisions", "faults") else (3, 4))
+
+
+def test_no_matches() -> None:
+    scores = mw.rollout("O", "random", "still", mw.Matches.of([], [], []), worlds=2)
+    assert scores.length.shape == (0, 2)
+
+
+def test_the_episode_is_that_of_a_world_with_the_same_seed() -> None:
+    """A recorded episode, played again by hand."""
+    for name in ("O", "SD", "swarm-R"):
+        config = config_of(name, obstacles=0.15, diagonal=True)
+        episode = mw.record(config, population(config, 1), "fleer", seed=12, episode=3)
+        world = mw.World(config)
+        world.reset(12, episode=3)
+        np.testing.assert_array_equal(episode.map, world.map)
+        for step in range(episode.length + 1):
+            for what in ("positions", "alive", "captured", "ever_captured"):
+                np.testing.assert_array_equal(getattr(episode, what)[step], getattr(world, what))
+            if step == episode.length:
+                assert world.terminated or world.truncated
+                break
+            world.step(episode.actions[step])
+            for what in ("rewards", "involved", "fault"):
+                np.testing.assert_array_equal(getattr(episode, what)[step], getattr(world, what))
+
+
+def test_episodes_end_early_or_at_max_steps() -> None:
+    config = config_of("O", max_steps=60)
+    scores = mw.rollout(config, "chaser", "random", mw.Matches.of(0, 0, 1), worlds=40)
+    early = scores.length < 60
+    assert early.any()
+    assert (scores.length <= 60).all()
+    assert (scores.capture_rate[early] == 1).all()
+    assert (scores.evader_survivors[early] == 0).all()
+    assert (scores.captured_fraction <= scores.capture_rate).all()
+
+
+# ---- A pure function -------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module", params=["O", "SB", "TO", "swarm-D"])
+def race(request: pytest.FixtureRequest) -> tuple[mw.WorldConfig, mw.Population, mw.Matches]:
+    config = config_of(request.param, obstacles=0.1)
+    matches = mw.Matches.of([0, 1, 2, 3, 0, 1, 2, 3, 3], [0, 0, 1, 1, 2, 2, 3, 3, 3], np.arange(9))
+    return config, population(config, 4), matches
+
+
+@pytest.mark.parametrize("threads", [2, 3, 7, None])
+def test_threads_change_nothing(race: Any, threads: int | None) -> None:
+    config, team, matches = race
+    one = mw.rollout(config, team, team, matches, worlds=20, threads=1)
+    assert_same_bits(one, mw.rollout(config, team, team, matches, worlds=20, threads=threads))
+
+
+def test_company_and_order_change_nothing(race: Any) -> None:
+    config, team, matches = race
+    whole = mw.rollout(config, team, team, matches, worlds=3)
+    for rows in ([8, 3, 0, 5, 1, 2, 7, 6, 4], [4], [2, 2, 2], [7, 1]):
+        some = mw.Matches(*(column[rows] for column in matches))
+        assert_same_bits(whole, mw.rollout(config, team, team, some, worlds=3), rows)
+
+
+def test_worlds_are_the_episodes_of_a_seed(race: Any) -> None:
+    config, team, matches = race
+    few = mw.rollout(config, team, team, matches, worlds=2)
+    many = mw.rollout(config, team, team, matches, worlds=18)
+    for name in FIELDS:
+        np.testing.assert_array_equal(getattr(few, name), getattr(many, name)[:, :2])
+    assert len(np.unique(many.pursuer_return)) > 18
+
+
+def test_what_a_candidate_is_depends_on_its_genome_alone(race: Any) -> None:
+    config, team, matches = race
+    whole = mw.rollout(config, team, team, matches)
+    for m, (pursuer, evader, seed) in enumerate(zip(*matches, strict=True)):
+        alone = mw.rollout(
+            config,
+            mw.Population(team.genomes[pursuer], team.network),
+            mw.Population(team.genomes[evader], team.network),
+            mw.Matches.of(0, 0, seed),
+        )
+        assert_same_bits(whole, alone, [m])
+
+
+def test_teams_may_have_different_networks() -> None:
+    config = config_of("O")
+    one, other = population(config, 2, (16, 4)), population(config, 3, ())
+    scores = mw.rollout(config, one, other, mw.Matches.of([0, 1, 1], [2, 0, 1], 4))
+    assert scores.length.shape == (3, 1)
+    assert_same_bits(scores, mw.rollout(config, one, other, mw.Matches.of([0, 1, 1], [2, 0, 1], 4)))
+
+
+# ---- Matches ---------------------------------------------------------------------------------
+
+
+def test_matches_broadcast() -> None:
+    matches = mw.Matches.of([0, 1, 2], 7, 9)
+    np.testing.assert_array_equal(matches.pursuer, [0, 1, 2])
+    np.testing.assert_array_equal(matches.evader, [7, 7, 7])
+    np.testing.assert_array_equal(matches.seed, [9, 9, 9])
+    assert [column.dtype for column in matches] == [np.int32, np.int32, np.uint64]
+    assert all(column.flags.c_contiguous for column in matches)
+    assert mw.Matches.of(1, 2, 3).pursuer.shape == (1,)
+
+
+def test_large_and_small_seeds_side_by_side() -> None:
+    seeds = [3, 2**64 - 1, 2**63 + 1]
+    assert mw.Matches.of(0, 0, seeds).seed.tolist() == seeds

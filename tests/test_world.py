@@ -1,0 +1,474 @@
+"""One world: episodes and seeds, starts, maps, text, and sizes from the smallest on."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from rows import config_of, random_actions
+
+ARRAYS = [name for name, (shape, _) in mw.array_specs(mw.WorldConfig()).items() if shape]
+
+
+def read(world: mw.World, name: str) -> np.ndarray:
+    value = getattr(world, name)
+    return value() if callable(value) else value
+
+
+def small(**changes: object) -> mw.World:
+    return mw.World(**({"rows": 3, "cols": 4, "n_pursuers": 2, "n_evaders": 1} | changes))
+
+
+# ---- Episodes --------------------------------------------------------------------------------
+
+
+def test_a_new_world_is_in_its_first_episode_of_seed_0() -> None:
+    world, other = mw.World("S"), mw.World("S")
+    other.reset(0)
+    np.testing.assert_array_equal(world.positions, other.positions)
+    assert (world.steps, world.terminated, world.truncated) == (0, False, False)
+    assert world.alive.all()
+    for name in ("captured", "ever_captured", "captors", "involved", "fault", "rewards"):
+        assert not read(world, name).any()
+
+
+def test_the_same_seed_gives_the_same_episode() -> None:
+    one, other = (mw.World(config_of("O", obstacles=0.1)) for _ in range(2))
+    other.step(np.zeros(other.config.n_agents, int))
+    for world in (one, other):
+        world.reset(123)
+    for actions in random_actions(1, 5, 6, one.config.n_agents):
+        for name in ARRAYS:
+            np.testing.assert_array_equal(read(one, name), read(other, name))
+        one.step(actions)
+        other.step(actions)
+
+
+def test_another_seed_gives_another_episode() -> None:
+    world = mw.World("O")
+    first = world.positions
+    world.reset(1)
+    assert not np.array_equal(world.positions, first)
+
+
+def test_without_a_seed_the_next_episode_follows() -> None:
+    world, other = mw.World("O"), mw.World("O")
+    world.reset(5)
+    for episode in (1, 2, 3):
+        world.reset()
+        other.reset(5, episode=episode)
+        np.testing.assert_array_equal(world.positions, other.positions)
+    world.reset(5, episode=9)
+    world.reset()
+    other.reset(5, episode=10)
+    np.testing.assert_array_equal(world.positions, other.positions)
+
+
+def test_a_refused_reset_does_not_use_up_an_episode() -> None:
+    world, other = small(), small()
+    with pytest.raises(ValueError, match="distinct"):
+        world.reset(pursuers=[[0, 0], [0, 0]])
+    world.reset()
+    other.reset()
+    np.testing.assert_array_equal(world.positions, other.positions)
+
+
+def test_a_reset_forgets_the_last_episode() -> None:
+    config = config_of("B", max_steps=3)
+    world, other = mw.World(config), mw.World(config)
+    for actions in random_actions(2, 5, 3, config.n_agents):
+        world.step(actions)
+    assert world.truncated
+    world.reset(77)
+    other.reset(77)
+    for name in ARRAYS:
+        np.testing.assert_array_equal(read(world, name), read(other, name))
+    assert (world.steps, world.terminated, world.truncated) == (0, False, False)
+
+
+def test_an_ended_world_takes_no_step() -> None:
+    world = small(max_steps=1)
+    world.step([0, 0, 0])
+    assert world.truncated
+    with pytest.raises(RuntimeError, match="ended"):
+        world.step([0, 0, 0])
+    world.reset()
+    world.step([0, 0, 0])
+
+
+def test_the_last_capture_ends_a_world() -> None:
+    world = small()
+    world.reset(pursuers=[[0, 0], [2, 0]], evaders=[[0, 1]])
+    world.step([mw.Action.EAST, 0, 0])
+    assert world.terminated
+    assert not world.truncated
+    assert world.captured.tolist() == [True]
+    with pytest.raises(RuntimeError, match="ended"):
+        world.step([0, 0, 0])
+
+
+# ---- Starts ----------------------------------------------------------------------------------
+
+
+def test_given_positions() -> None:
+    world = small()
+    world.reset(pursuers=[[2, 3], [0, 0]], evaders=[[1, 2]])
+    assert world.positions.tolist() == [[2, 3], [0, 0], [1, 2]]
+
+
+@pytest.mark.parametrize("dtype", [np.int8, np.uint8, np.uint16, np.int64, np.uint64])
+def test_positions_of_any_integers(dtype: type) -> None:
+    world = small()
+    world.reset(pursuers=np.array([[2, 3], [0, 0]], dtype), evaders=np.array([[1, 2]], dtype))
+    assert world.positions.tolist() == [[2, 3], [0, 0], [1, 2]]
+
+
+def test_one_team_given_the_other_drawn() -> None:
+    config = mw.WorldConfig(rows=2, cols=3, n_pursuers=2, n_evaders=4)
+    world = mw.World(config)
+    for seed in range(20):
+        world.reset(seed, pursuers=[[1, 2], [0, 0]])
+        places = [tuple(cell) for cell in world.positions.tolist()]
+        assert places[:2] == [(1, 2), (0, 0)]
+        assert len(set(places)) == 6
+        world.reset(seed, evaders=[[0, 0], [0, 1], [0, 2], [1, 1]])
+        assert {tuple(cell) for cell in world.positions[:2].tolist()} == {(1, 0), (1, 2)}
+
+
+def test_given_positions_and_a_density() -> None:
+    """Obstacles are drawn around the agents that were put somewhere."""
+    world = small(obstacles=0.75)
+    for seed in range(20):
+        world.reset(seed, pursuers=[[0, 0], [1, 1]], evaders=[[2, 3]])
+        assert world.map.sum() == 9
+        assert world.positions.tolist() == [[0, 0], [1, 1], [2, 3]]
+        assert not world.map[[0, 1, 2], [0, 1, 3]].any()
+
+
+def test_obstacles_for_one_episode() -> None:
+    world = small(obstacles=["....", ".##.", "...."])
+    assert world.map.sum() == 2
+    world.reset(obstacles=["#...", "....", "...."])
+    assert world.map.tolist()[0] == [True, False, False, False]
+    assert world.map.sum() == 1
+    world.reset()
+    assert world.map.sum() == 2
+
+
+def test_a_free_map_for_one_episode_of_a_density() -> None:
+    world = small(obstacles=0.5)
+    world.reset(obstacles=np.zeros((3, 4), bool))
+    assert not world.map.any()
+    world.reset()
+    assert world.map.sum() == 6
+
+
+# ---- What a world tells ----------------------------------------------------------------------
+
+
+def test_text() -> None:
+    world = mw.World("R", obstacles=["....#", ".....", "....."], n_pursuers=4, n_evaders=3)
+    world.reset(pursuers=[[0, 0], [2, 0], [2, 1], [1, 4]], evaders=[[1, 2], [0, 2], [2, 4]])
+    assert str(world) == "P.E.#\n..E.P\nPP..E"
+    east, south, north = mw.Action.EAST, mw.Action.SOUTH, mw.Action.NORTH
+    world.step([0, east, 0, 0, 0, south, north])
+    assert str(world) == "P...#\n..2.X\n.2..."
+
+
+def test_text_counts_to_nine() -> None:
+    config = mw.WorldConfig("R", rows=3, cols=12, n_pursuers=12, n_evaders=1, max_steps=50)
+    world = mw.World(config)
+    world.reset(pursuers=[[1, col] for col in range(12)], evaders=[[0, 11]])
+    for _ in range(8):
+        world.step([mw.Action.WEST] * 12 + [0])
+    assert str(world).splitlines()[1] == "9PPP........"
+    for _ in range(3):
+        world.step([mw.Action.WEST] * 12 + [0])
+    assert str(world).splitlines()[1] == "9..........."
+
+
+def test_attributes_are_copies() -> None:
+    world = mw.World(config_of("O", obstacles=0.1))
+    names = [*ARRAYS, "map"]
+    before = {name: read(world, name).copy() for name in names}
+    for name in names:
+        read(world, name)[...] = 1
+    for name in names:
+        np.testing.assert_array_equal(read(world, name), before[name])
+    kept = world.positions
+    world.step(np.ones(world.config.n_agents, int))
+    np.testing.assert_array_equal(kept, before["positions"])
+    rewards = world.rewards
+    returned = world.step(np.ones(world.config.n_agents, int))
+    assert rewards is not returned
+    np.testing.assert_array_equal(returned, world.rewards)
+
+
+def test_arrays_are_as_specified() -> None:
+    world = mw.World(config_of("SB", diagonal=True))
+    for name, (shape, dtype) in mw.array_specs(world.config).items():
+        value = np.asarray(read(world, name))
+        assert value.shape == shape
+        assert value.dtype == dtype or not shape
+
+
+def test_conflicts_need_to_be_asked_for() -> None:
+    world = small()
+    with pytest.raises(RuntimeError, match="explain=True"):
+        _ = world.conflicts
+    world.step([0, 0, 0], explain=True)
+    assert world.conflicts == []
+    world.step([0, 0, 0])
+    with pytest.raises(RuntimeError, match="explain=True"):
+        _ = world.conflicts
+    world.step([0, 0, 0], explain=True)
+    world.reset()
+    with pytest.raises(RuntimeError, match="explain=True"):
+        _ = world.conflicts
+
+
+def test_conflicts_in_words() -> None:
+    world = mw.World("B", rows=3, cols=4, n_pursuers=3, n_evaders=2)
+    world.reset(pursuers=[[0, 0], [0, 2], [2, 0]], evaders=[[2, 2], [1, 3]])
+    east, west, south = mw.Action.EAST, mw.Action.WEST, mw.Action.SOUTH
+    world.step([east, west, south, west, west], explain=True)
+    assert sorted(map(str, world.conflicts)) == [
+        "pursuer_0 and pursuer_1 both headed for (0, 1): both bounce",
+        "pursuer_2 ran into the obstacle or border at (3, 0): pursuer_2 bounces",
+    ]
+    [bounce] = [c for c in world.conflicts if c.kind == "teammate"]
+    assert bounce == mw.Conflict(
+        kind="teammate",
+        form="vertex",
+        agents=(0, 1),
+        cell=(0, 1),
+        at_fault=(0, 1),
+        held=(0, 1),
+        doomed=(),
+        turn=0,
+        text="pursuer_0 and pursuer_1 both headed for (0, 1): both bounce",
+    )
+
+
+def test_asking_for_conflicts_changes_nothing() -> None:
+    one, other = (mw.World(config_of("SDB", obstacles=0.1)) for _ in range(2))
+    for actions in random_actions(4, 5, 10, one.config.n_agents):
+        one.step(actions)
+        other.step(actions, explain=True)
+        for name in ARRAYS:
+            np.testing.assert_array_equal(read(one, name), read(other, name))
+        if one.terminated:
+            break
+
+
+# ---- Sizes -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("shape", [(1, 2), (2, 1)])
+@pytest.mark.parametrize("name", [*mw.VARIANTS])
+def test_the_smallest_world(name: str, shape: tuple[int, int]) -> None:
+    rows, cols = shape
+    config = mw.WorldConfig(name, rows=rows, cols=cols, n_pursuers=1, n_evaders=1, max_steps=8)
+    world = mw.World(config)
+    assert world.views().shape == (2, 3, 11, 11)
+    for seed in range(6):
+        world.reset(seed)
+        for actions in random_actions(seed, 5, 8, 2):
+            world.step(actions)
+            if world.terminated:
+                break
+        assert world.terminated or world.truncated
+
+
+def test_two_who_swap_in_the_smallest_world() -> None:
+    world = mw.World("O", rows=1, cols=2, n_pursuers=1, n_evaders=1)
+    world.reset(pursuers=[[0, 0]], evaders=[[0, 1]])
+    rewards = world.step([mw.Action.EAST, mw.Action.WEST], explain=True)
+    assert world.terminated
+    assert world.positions.tolist() == [[0, 1], [-1, -1]]
+    assert [c.form for c in world.conflicts] == ["edge"]
+    np.testing.assert_allclose(rewards, [9.95, -10.05], rtol=1e-6)
+
+
+def test_a_full_world() -> None:
+    world = mw.World("SB", rows=5, cols=5, n_pursuers=20, n_evaders=5)
+    assert not (world.state()[0] & world.state()[1]).any()
+    assert (world.state()[:2].sum(axis=0) == 1).all()
+    world.step(random_actions(0, 5, 25))
+    assert len(np.unique(world.positions, axis=0)) == 25
+
+
+def test_a_large_world() -> None:
+    side, n = 1024, 3000
+    config = mw.WorldConfig(
+        "O", rows=side, cols=side, n_pursuers=n, n_evaders=n, obstacles=0.1, max_steps=5
+    )
+    world = mw.World(config)
+    assert world.map.sum() == round(0.1 * side * side)
+    start = world.positions
+    assert len(np.unique(start, axis=0)) == 2 * n
+    assert (start.max(axis=0) > side - 10).all()
+    actions = random_actions(0, 5, 5, 2 * n)
+    for row in actions:
+        world.step(row)
+    assert world.truncated
+    moved = np.abs(world.positions - start)[world.alive]
+    assert moved.sum(axis=1).max() == 5
+    assert not world.map[tuple(world.positions[world.alive].T)].any()
+    state = world.state()
+    assert state[1][tuple(world.positions[:n].T)].all()
+
+
+def test_a_wide_view() -> None:
+    world = mw.World("O", rows=3, cols=5, n_pursuers=1, n_evaders=1, fov=255)
+    world.reset(pursuers=[[0, 0]], evaders=[[2, 4]])
+    evaders, pursuers, obstacles = world.views()[0]
+    assert np.argwhere(evaders).tolist() == [[129, 131]]
+    assert not pursuers.any()
+    assert obstacles.sum() == 255**2 - 15
+    assert not obstacles[127:130, 127:132].any()
+
+
+# ---- Configurations --------------------------------------------------------------------------
+
+
+def test_defaults_follow_the_capture() -> None:
+    for name in ("D", "R", "B", "O", "TO"):
+        config = mw.WorldConfig(name)
+        assert (config.n_pursuers, config.n_evaders) == (8, 30)
+    for name in ("S", "SB", "SD", "SDB"):
+        config = mw.WorldConfig(name)
+        assert (config.n_pursuers, config.n_evaders) == (20, 5)
+    assert (config.rows, config.cols, config.fov, config.max_steps) == (40, 40, 11, 500)
+    assert (config.n_agents, config.n_actions, config.density, config.map) == (25, 5, 0.0, None)
+    assert mw.WorldConfig(n_pursuers=3).n_evaders == 30
+    assert mw.WorldConfig(diagonal=True).n_actions == 9
+
+
+def test_names_of_variants() -> None:
+    for name in ("SDB", "sdb", "-SDB", "pursuit-evasion-sdb", "Pursuit-Evasion-SDB"):
+        assert mw.WorldConfig(name).rules is mw.VARIANTS["SDB"]
+    assert mw.World(mw.VARIANTS["TO"]).config.rules is mw.VARIANTS["TO"]
+
+
+def test_names_of_agents() -> None:
+    config = mw.WorldConfig(n_pursuers=2, n_evaders=3)
+    names = [config.agent_name(agent) for agent in range(5)]
+    assert names == ["pursuer_0", "pursuer_1", "evader_0", "evader_1", "evader_2"]
+
+
+def test_replacing_fields() -> None:
+    config = mw.WorldConfig("S", rows=9, obstacles=["....", "...#"] * 4 + ["...."])
+    other = dataclasses.replace(config, max_steps=7, fov=3)
+    assert (other.max_steps, other.fov, other.rows, other.cols) == (7, 3, 9, 4)
+    assert other.rules is config.rules
+    np.testing.assert_array_equal(other.map, config.map)
+    assert config.max_steps == 500
+    world = mw.World(config, n_evaders=2)
+    assert world.config.n_evaders == 2
+    assert mw.World(config).config is config
+
+
+def test_a_map_gives_the_size() -> None:
+    config = mw.WorldConfig("SB", obstacles=["..#..", "....."], n_pursuers=2, n_evaders=2)
+    assert (config.rows, config.cols) == (2, 5)
+    assert config.map is not None
+    assert config.map.tolist() == [[False, False, True, False, False], [False] * 5]
+    assert config.density == 0
+
+
+def test_a_config_keeps_its_own_map() -> None:
+    ground = np.zeros((4, 4), bool)
+    config = mw.WorldConfig(obstacles=ground, n_pursuers=2, n_evaders=2)
+    ground[:] = True
+    assert config.map is not None
+    assert not config.map.any()
+
+
+@pytest.mark.parametrize(
+    "config",
+    [
+        mw.WorldConfig("SDB", rows=np.int64(9), obstacles=np.float32(0.25)),
+        mw.WorldConfig("O", obstacles=["..#", "...", "#.."], n_pursuers=2, n_evaders=2),
+        mw.WorldConfig("TO", rewards=mw.Rewards(evader_step=np.float32(0.5), capture_repeats=True)),
+    ],
+)
+def test_json(config: mw.WorldConfig) -> None:
+    plain = json.loads(json.dumps(config.to_json()))
+    assert set(plain) == {item.name for item in dataclasses.fields(config)}
+    assert plain["rules"]["capture"] == config.rules.capture.name
+    enums = {"interaction": mw.Interaction, "capture": mw.Capture}
+    rules = {
+        name: value if isinstance(value, bool) else enums.get(name, mw.Outcome)[value]
+        for name, value in plain.pop("rules").items()
+    }
+    rewards = mw.Rewards(**plain.pop("rewards"))
+    again = mw.WorldConfig(mw.Rules(**rules), rewards=rewards, **plain)
+    assert again.to_json() == config.to_json()
+
+
+def test_rows_that_capture_nobody_warn() -> None:
+    d, r, b = mw.Outcome.DISAPPEAR, mw.Outcome.REACH, mw.Outcome.BOUNCE
+    occupation = [(e, p) for e in (d, r, b) for p in (d, r, b)]
+    warned = set()
+    for evader, pursuer in occupation:
+        for capture in mw.Capture:
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                mw.WorldConfig(mw.Rules(evader=evader, pursuer=pursuer, capture=capture))
+            if caught:
+                assert "never capture" in str(caught[0].message)
+                assert Path(caught[0].filename) == Path(__file__)
+                warned.add((evader, pursuer, capture))
+    expected = {(r, d), (r, b), (b, d), (b, r), (b, b)}
+    assert warned == {(e, p, mw.Capture.OCCUPATION) for e, p in expected}
+
+
+def test_rewards_reach_the_engine() -> None:
+    rewards = mw.Rewards(pursuer_step=-1, evader_step=2, pursuer_neighbor=8, evader_neighbor=-16)
+    world = small(rewards=rewards)
+    world.reset(pursuers=[[0, 0], [2, 3]], evaders=[[0, 1]])
+    assert world.step([0, 0, 0]).tolist() == [7, -1, -14]
+
+
+# ---- Maps ------------------------------------------------------------------------------------
+
+MOVING_AI = """type octile
+height 3
+width 8
+map
+.GS.....
+@OTW#...
+........
+"""
+
+
+def test_a_movingai_map(tmp_path: Path) -> None:
+    path = tmp_path / "street.map"
+    path.write_text(MOVING_AI)
+    expected = np.zeros((3, 8), bool)
+    expected[1, :5] = True
+    for source in (path, str(path)):
+        np.testing.assert_array_equal(mw.read_map(source), expected)
+    path.write_text(MOVING_AI.replace("\n", "\r\n") + "\n\n")
+    np.testing.assert_array_equal(mw.read_map(path), expected)
+    world = mw.World("O", obstacles=path, n_pursuers=2, n_evaders=3)
+    np.testing.assert_array_equal(world.map, expected)
+    world.reset(obstacles=str(path))
+    assert (world.config.rows, world.config.cols) == (3, 8)
+    assert str(world).splitlines()[1].startswith("#####")
+
+
+def test_maps_of_text_and_arrays() -> None:
+    ground = mw.read_map(["..#", "#.."])
+    assert ground.tolist() == [[False, False, True], [True, False, False]]
+    assert ground.dtype == bool
+    np.testing.assert_array_equal(mw.read_map(ground), ground)
+    assert mw.read_map(ground) is not ground
+    np.testing.assert_array_equal(mw.read_map(("..#", "#..")), ground)
