@@ -110,6 +110,7 @@ inline void check_view(const World& world, const Occupancy& occupancy, int agent
         if (set && !outside) expected.push_back(i);
     }
     require(agrees, "a view shows the state");
+    std::sort(listed.begin(), listed.end());
     require(listed == expected, "the list of a view's cells");
 }
 

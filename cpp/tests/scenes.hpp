@@ -99,8 +99,8 @@ inline Config random_config(const Rules& rules, Random& random) {
         config.map = {};
         free = config.rows * config.cols;
     }
-    const int total =
-        random.chance(20) ? std::min(free, 40) : random.between(2, std::min(free, 12));
+    const int crowd = random.one_of({12, 12, 12, 40, 200});
+    const int total = random.between(2, std::min(free, crowd));
     config.n_pursuers = random.between(1, total - 1);
     config.n_evaders = total - config.n_pursuers;
     config.fov = random.chance(90) ? random.one_of({1, 3, 5, 7, 11, 15, 21})

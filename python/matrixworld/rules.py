@@ -135,9 +135,10 @@ class Rewards:
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, Real):
                 raise TypeError(f"{name}: expected a number, got {value!r}")
-            if not abs(value) <= _LARGEST:
+            number = float(value)
+            if not abs(number) <= _LARGEST:
                 raise ValueError(f"{name}: expected a finite number, got {value!r}")
-            object.__setattr__(self, name, float(value))
+            object.__setattr__(self, name, number)
 
     def by_team(self, name: str) -> tuple[float, float]:
         """(pursuer's, evader's) reward called ``name``."""

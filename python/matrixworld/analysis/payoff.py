@@ -50,7 +50,8 @@ def last_half(payoff: ArrayLike) -> Rates:
 
 def swap_teams(payoff: ArrayLike) -> Rates:
     """The same matches seen by the evaders, shape ``(m, n)``: ``1 - M.T``."""
-    return 1.0 - check_payoff(payoff).T
+    swapped: Rates = 1.0 - check_payoff(payoff).T
+    return swapped
 
 
 def _as_array(values: ArrayLike, what: str) -> NDArray[np.generic]:

@@ -218,8 +218,20 @@ class RaceSettings(TrainingSettings):
 
 
 SINGLE_DEFAULTS: dict[Team, dict[str, float]] = {
-    "pursuer": {"sigma": 0.15, "initial_weight": 0.2, "initial_head": 0.09, "epochs": 6000},
-    "evader": {"sigma": 0.1, "initial_weight": 0.05, "initial_head": 0.1, "epochs": 2400},
+    "pursuer": {
+        "sigma": 0.15,
+        "initial_weight": 0.2,
+        "initial_head": 0.09,
+        "epochs": 6000,
+        "train_steps": 500,
+    },
+    "evader": {
+        "sigma": 0.1,
+        "initial_weight": 0.05,
+        "initial_head": 0.1,
+        "epochs": 4000,
+        "train_steps": 300,
+    },
 }
 """What was seen to learn best against random opponents, by the team that learns."""
 
@@ -236,7 +248,7 @@ class SingleSettings(TrainingSettings):
     population: int = option(128, "candidates an epoch")
     sigma: float = option(None, "es: standard deviation of the samples")
     anneal: bool = option(True, "es: let the learning rate fall linearly to a tenth over the run")
-    train_steps: int = option(500, "most steps of an episode in training")
+    train_steps: int = option(None, "most steps of an episode in training")
     eval_episodes: int = option(200, "fresh episodes of the evaluation, against each opponent")
 
     team: Team = option("pursuer", "team that learns: pursuer or evader")  # noqa: RUF009
