@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
-from matrices import additive, circular, logistic, staircase
 
+from matrices import additive, circular, logistic, staircase
 from matrixworld import analysis
 from matrixworld.analysis.summary import MARGIN
 

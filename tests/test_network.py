@@ -52,15 +52,18 @@ def test_every_place_in_every_view(shape: tuple[int, int], fov: int) -> None:
     assert_agrees(world, mw.Network.for_config(world.config, (9,)), fov)
 
 
-def test_after_deaths_and_with_shared_cells() -> None:
-    world = mw.World("D", rows=8, cols=8, n_pursuers=10, n_evaders=20, fov=7, obstacles=0.1)
+@pytest.mark.parametrize(("name", "side", "n"), [("D", 8, 15), ("R", 8, 20), ("R", 18, 100)])
+def test_after_deaths_and_with_shared_cells(name: str, side: int, n: int) -> None:
+    config = {"rows": side, "cols": side, "n_pursuers": n, "n_evaders": n}
+    world = mw.World(name, fov=7, obstacles=0.1, **config)
     network = mw.Network.for_config(world.config, (12, 12))
     rng = np.random.default_rng(1)
     for step in range(4):
         world.step(rng.integers(0, 5, world.config.n_agents))
         assert_agrees(world, network, step)
-    assert not world.alive.all()
-    assert world.alive.any()
+    assert world.alive.all() == (name == "R")
+    living = world.positions[world.alive]
+    assert name == "D" or len(np.unique(living, axis=0)) < len(living)
 
 
 def test_a_genome_is_read_layer_by_layer() -> None:

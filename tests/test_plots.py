@@ -12,9 +12,9 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
-from matrices import circular, logistic
 from PIL import Image
 
+from matrices import circular, logistic
 from matrixworld import analysis, colors, plots
 
 PNG = b"\x89PNG\r\n\x1a\n"
@@ -137,6 +137,15 @@ def test_training_curve_colours_each_piece_by_the_team_that_learns() -> None:
     assert list(top.get_xticks()) == [1, 4]
     assert [tick.get_text() for tick in top.get_xticklabels()] == ["1", "2"]
     saved(figure)
+
+
+def test_a_training_curve_shows_only_the_teams_that_learn() -> None:
+    together = plots.training_curve([0.1, 0.4, 0.3], None)
+    assert not together.legends
+    pieces = together.axes[0].collections[0]
+    assert to_hex(pieces.get_colors()[0]) == colors.INK.lower()
+    alone = plots.training_curve([0.1, 0.4, 0.3], [1, 1, 1])
+    assert [text.get_text() for text in alone.legends[0].get_texts()] == ["evaders learn"]
 
 
 def test_a_smoothed_training_curve_keeps_the_raw_one_behind() -> None:

@@ -68,6 +68,10 @@ def test_without_a_seed_the_next_episode_follows() -> None:
     world.reset()
     other.reset(5, episode=10)
     np.testing.assert_array_equal(world.positions, other.positions)
+    world.reset(5, episode=2**64 - 1)
+    world.reset()
+    other.reset(5)
+    np.testing.assert_array_equal(world.positions, other.positions)
 
 
 def test_a_refused_reset_does_not_use_up_an_episode() -> None:

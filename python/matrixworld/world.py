@@ -101,7 +101,7 @@ class World:
         if seed is None:
             if episode != 0:
                 raise ValueError(f"episode: expected a seed with it, got episode {episode} alone")
-            key = self._seed, self._episode + 1
+            key = self._seed, (self._episode + 1) % (SEED_MAX + 1)
         else:
             key = (
                 check_integer("seed", seed, 0, SEED_MAX),

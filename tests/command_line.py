@@ -1,0 +1,29 @@
+"""The command line, called in this process, with the options of tiny runs."""
+
+from __future__ import annotations
+
+from click.testing import CliRunner, Result
+
+from matrixworld.cli import main
+from matrixworld.cli.options import option_name
+from tiny_race import TINY
+
+WORLD: dict[str, object] = {**TINY, "hidden": "4"}
+RACE = {**WORLD, "generations": 2, "pursuer_epochs": 2, "evader_epochs": 3, "joint_epochs": 2}
+MAIN_JOB = ("specialist-specialist", "generalist-generalist")
+FIGURES = {"payoff.png", "generalization.png", "lag_profile.png", "training.png", "collisions.png"}
+PNG, GIF = b"\x89PNG", b"GIF89a"
+
+
+def words(options: dict[str, object]) -> list[str]:
+    """Options as they are typed."""
+    return [word for name, value in options.items() for word in (option_name(name), str(value))]
+
+
+def matrixworld_command(*args: object, code: int = 0, answer: str | None = None) -> Result:
+    """Run a command and check its exit code."""
+    result = CliRunner().invoke(main, [str(arg) for arg in args], input=answer)
+    unexpected = None if isinstance(result.exception, SystemExit) else result.exception
+    assert unexpected is None, result.output
+    assert result.exit_code == code, result.output
+    return result

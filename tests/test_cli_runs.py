@@ -1,0 +1,187 @@
+"""The commands that work on runs: variants, tournament, replay, plot."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import matrixworld
+from command_line import GIF, MAIN_JOB, PNG, matrixworld_command
+from matrixworld import VARIANTS, Episode
+from matrixworld.cli.figures import collisions_per_1000
+from matrixworld.coevolution import evaluation_seed, open_run, start
+from matrixworld.rollout import Matches, rollout
+from tiny_race import StopAt, tiny_race
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let files that are given no place go to a temporary one."""
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.fixture(scope="module")
+def job(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A directory of two finished races."""
+    output = tmp_path_factory.mktemp("job")
+    for name in MAIN_JOB:
+        start(tiny_race(schedule=name), output / name, threads=1).run()
+    return output
+
+
+@pytest.fixture
+def copy(job: Path, tmp_path: Path) -> Path:
+    """A copy of the races, to be changed."""
+    return Path(shutil.copytree(job, tmp_path / "copy"))
+
+
+def test_variants_prints_a_row_for_each():
+    lines = matrixworld_command("variants").output.splitlines()
+    rows = {line.split()[0]: line for line in lines[1 : 1 + len(VARIANTS)]}
+    assert rows.keys() == VARIANTS.keys()
+    shown = rows["SDB"].split()
+    assert shown == [
+        "SDB", "all", "at", "once", "bounces", "bounces", "bounces", "/", "reaches",
+        "surrounding", "disappear",
+    ]  # fmt: skip
+    assert "one at a time" in rows["TO"]
+    assert rows["D"].count("disappears") == 4
+    assert rows["R"].endswith("occupation   stay")
+
+
+def test_a_tournament_with_the_run_s_settings_is_its_payoff(copy):
+    run = copy / MAIN_JOB[0]
+    result = matrixworld_command("tournament", run, "--threads", 1)
+    made = run / "tournament-3x12-seed5.npz"
+    with np.load(made) as again, np.load(run / "payoff.npz") as payoff:
+        assert again.files == payoff.files
+        assert all(np.array_equal(again[name], payoff[name]) for name in payoff.files)
+        matrix = payoff["capture_rate"]
+    assert made.with_suffix(".png").read_bytes().startswith(PNG)
+    assert f"mean capture rate                           {matrix.mean():.3f}" in result.stdout
+    assert f"all evaders, capture  {matrix[-1].mean():.3f}" in result.stdout
+    assert f"all pursuers, escape   {1 - matrix[:, -1].mean():.3f}" in result.stdout
+    assert "This run is undecided" in result.stdout
+
+
+def test_a_tournament_asks_before_it_replaces_a_file(copy):
+    command = ["tournament", copy / MAIN_JOB[0], "--output", "mine.npz", "--episodes", 1]
+    Path("mine.npz").write_bytes(b"precious")
+    assert "Replace it?" in matrixworld_command(*command, code=1, answer="n\n").output
+    assert Path("mine.npz").read_bytes() == b"precious"
+    matrixworld_command(*command, answer="y\n")
+    assert np.load("mine.npz")["capture_rates"].shape == (3, 3, 1)
+    matrixworld_command(*command, "--yes")
+
+
+def test_cross_play_of_two_runs(job):
+    ours, theirs = (job / name for name in MAIN_JOB)
+    matrixworld_command(
+        "tournament", ours, theirs, "--episodes", 2, "--steps", 9, "--seed", 3,
+        "--output", "cross.npz",
+    )  # fmt: skip
+    played = np.load("cross.npz")["capture_rates"]
+    run = open_run(ours)
+    scores = rollout(
+        run.settings.world(9),
+        run.teams["pursuer"],
+        open_run(theirs).teams["evader"],
+        Matches.of(2, 1, np.uint64(evaluation_seed(3, 2, 1))),
+        worlds=2,
+    )
+    assert np.array_equal(played[2, 1], scores.capture_rate[0])
+
+
+def test_cross_play_needs_one_world(job):
+    start(tiny_race(rows=7), "other").run()
+    result = matrixworld_command("tournament", job / MAIN_JOB[0], "other", code=2)
+    assert "expected two runs in the same world, got rows 6 and 7" in result.stderr
+
+
+def test_a_tournament_of_a_run_that_goes_on():
+    race = start(tiny_race(), "begun", threads=1, play=StopAt(3))
+    with pytest.raises(KeyboardInterrupt):
+        race.run()
+    matrixworld_command("tournament", "begun", "--output", "begun.npz")
+    assert np.load("begun.npz")["capture_rates"].shape == (2, 1, 3)
+
+
+def test_replay_plays_the_episode_that_was_counted(job):
+    run = job / MAIN_JOB[1]
+    result = matrixworld_command(
+        "replay", run, "--pursuers", 2, "--evaders", -3, "--episode", 1,
+        "--gif", "match.gif", "--save", "match.npz",
+    )  # fmt: skip
+    payoff, episode = open_run(run).payoff(), Episode.load("match.npz")
+    assert episode.length == payoff.lengths[2, 0, 1]
+    assert episode.capture_rate == pytest.approx(payoff.capture_rates[2, 0, 1])
+    assert Path("match.gif").read_bytes().startswith(GIF)
+    caught = int(episode.counted[-1].sum())
+    told = f"{caught} of 3 evaders captured, {episode.length} steps"
+    assert result.stdout == f"{told}  match.gif, match.npz\n"
+    again = matrixworld_command("replay", "match.npz").stdout
+    assert again.startswith(f"step {episode.length} of {episode.length}")
+    assert again.endswith(f"\n{told}\n")
+
+
+def test_replay_plays_the_last_generations_unless_told_otherwise(job):
+    run = job / MAIN_JOB[1]
+    chosen = ["--pursuers", 2, "--evaders", 2, "--episode", 0]
+    told = matrixworld_command("replay", run, *chosen).stdout
+    assert matrixworld_command("replay", run).stdout == told
+
+
+@pytest.mark.parametrize(
+    ("options", "code", "message"),
+    [
+        (["nothing"], 2, "expected a directory that holds a run, got 'nothing'"),
+        (["{job}"], 2, "expected one run, got a directory of several"),
+        (["{job}/specialist-specialist", "--pursuers", "3"], 2, "a generation from 0 to 2, got 3"),
+        (["{job}/specialist-specialist/log.csv"], 1, "cut, altered or not an npz file"),
+        (["{job}/specialist-specialist/log.csv", "--episode", "1"], 2, "expected no --pursuers"),
+    ],
+)
+def test_replay_refuses(job, options, code, message):
+    args = [option.format(job=job) for option in options]
+    assert message in matrixworld_command("replay", *args, code=code).stderr
+
+
+def test_plot_draws_all_figures_and_compares(copy):
+    result = matrixworld_command("plot", copy)
+    figures = [path for name in MAIN_JOB for path in (copy / name).glob("*.png")]
+    assert sorted(result.stdout.split()) == sorted(map(str, [*figures, copy / "comparison.png"]))
+    assert len(figures) == 10
+    assert all(path.read_bytes().startswith(PNG) for path in figures)
+
+
+def test_plot_compares_where_it_is_told_to(copy, monkeypatch):
+    monkeypatch.setattr("matrixworld.cli.plot.draw_run", lambda path: [])
+    result = matrixworld_command("plot", *map(copy.joinpath, MAIN_JOB), "--comparison", "both.png")
+    assert result.stdout == "both.png\n"
+    assert Path("both.png").read_bytes().startswith(PNG)
+
+
+def test_plot_needs_a_finished_run():
+    start(tiny_race(), "begun")
+    assert "begun: expected a finished run" in matrixworld_command("plot", "begun", code=2).stderr
+
+
+def test_collisions_are_counted_per_1000_steps_of_an_agent(job):
+    payoff = open_run(job / MAIN_JOB[0]).payoff()
+    rates = collisions_per_1000(payoff, 2, 3)
+    assert rates.shape == (3, 2, 3)
+    row = sum(payoff.collisions[1, h, 0, 0] for h in range(3))
+    assert rates[1, 0, 0] == pytest.approx(1000 * row / (2 * payoff.length[1].sum()))
+    column = sum(payoff.collisions[g, 2, 1, 1] for g in range(3))
+    assert rates[2, 1, 1] == pytest.approx(1000 * column / (3 * payoff.length[:, 2].sum()))
+
+
+def test_the_package_is_a_command_too():
+    command = [sys.executable, "-m", "matrixworld", "--version"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout == f"matrixworld, version {matrixworld.__version__}\n"
