@@ -13,7 +13,7 @@ namespace matrixworld {
 // Still    stays
 // Chaser   the move after which the nearest adversary in view is nearest
 // Fleer    the move after which the nearest adversary in view is farthest
-// Chaser and fleer do not step into obstacles that they see, break ties at random, and walk at
+// Chaser and fleer do not step into obstacles, break ties at random, and walk at
 // random while they see nobody. Near is counted in moves.
 enum class Script : std::uint8_t { Random, Still, Chaser, Fleer };
 

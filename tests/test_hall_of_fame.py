@@ -87,5 +87,5 @@ def test_default_budget_is_that_of_the_other_schedules(tmp_path):
     alternating = coevolution.start(settings, tmp_path / "alternating").training_matches()
     settings = replace(settings, schedule="hall-of-fame")
     joint = coevolution.start(settings, tmp_path / "joint").training_matches()
-    assert alternating == 345_600
+    assert alternating == 259_200
     assert joint == pytest.approx(alternating, rel=0.05)

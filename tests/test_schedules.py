@@ -80,7 +80,7 @@ def test_crowding_is_penalised_where_teammates_may_share_a_cell():
         ({"learning_rate": float("nan")}, ValueError, "learning_rate"),
         ({"learning_rate": "fast"}, TypeError, "learning_rate: expected a number, got 'fast'"),
         ({"learner": "cma"}, ValueError, "learner: expected one of es, ga, got 'cma'"),
-        ({"learner": "ga", "elites": 64}, ValueError, "elites: expected fewer than 64"),
+        ({"learner": "ga", "elites": 48}, ValueError, "elites: expected fewer than 48"),
         ({"learner": "es", "schedule": "hall-of-fame"}, ValueError, "learner: expected ga"),
         ({"contemporaries": 0, "hall_sample": 0}, ValueError, "contemporaries and hall_sample"),
         ({"fitness": "style"}, ValueError, "fitness: expected one of captured-fraction"),
