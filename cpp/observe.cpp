@@ -12,24 +12,24 @@ namespace {
 
 constexpr int kChunk = Board::kMaxWidth;  // cells of a row that are read at once
 
-// Eight bits spread to eight bytes.
-const std::array<std::uint64_t, 256>& spread_table() {
-    static const std::array<std::uint64_t, 256> table = [] {
-        std::array<std::uint64_t, 256> bytes{};
+// Eight bits spread to eight numbers, 0 or 1.
+template <typename Number>
+const std::array<std::array<Number, 8>, 256>& spread_table() {
+    static const auto table = [] {
+        std::array<std::array<Number, 8>, 256> numbers{};
         for (int value = 0; value < 256; ++value) {
-            for (int bit = 0; bit < 8; ++bit) {
-                if (value >> bit & 1) bytes[value] |= std::uint64_t{1} << (8 * bit);
-            }
+            for (int bit = 0; bit < 8; ++bit) numbers[value][bit] = value >> bit & 1;
         }
-        return bytes;
+        return numbers;
     }();
     return table;
 }
 
-void spread(std::uint64_t bits, int width, std::uint8_t* out) {
-    const auto& table = spread_table();
+template <typename Number>
+void spread(std::uint64_t bits, int width, Number* out) {
+    const auto& table = spread_table<Number>();
     for (; width > 0; width -= 8, out += 8, bits >>= 8) {
-        std::memcpy(out, &table[bits & 0xFF], static_cast<std::size_t>(std::min(width, 8)));
+        std::memcpy(out, &table[bits & 0xFF], sizeof(Number) * std::min(width, 8));
     }
 }
 
@@ -75,15 +75,16 @@ void for_each_chunk(const Board& board, const Window& window, Visit visit) {
 
 }  // namespace
 
-void write_view(const World& world, const Occupancy& occupancy, int agent, std::uint8_t* out) {
+template <typename Number>
+void write_view(const World& world, const Occupancy& occupancy, int agent, Number* out) {
     const Config& config = world.config();
     const int area = config.fov * config.fov;
     if (!world.alive(agent)) {
-        std::memset(out, 0, static_cast<std::size_t>(kChannels) * area);
+        std::fill_n(out, kChannels * area, Number{0});
         return;
     }
     const Window window(world, agent);
-    const auto write = [&](std::uint8_t* channel) {
+    const auto write = [&](Number* channel) {
         return
             [=](int index, int width, std::uint64_t bits) { spread(bits, width, channel + index); };
     };
@@ -98,6 +99,9 @@ void write_view(const World& world, const Occupancy& occupancy, int agent, std::
     });
     if (alone(world, occupancy, agent)) out[own_centre(world, agent)] = 0;
 }
+
+template void write_view(const World&, const Occupancy&, int, std::uint8_t*);
+template void write_view(const World&, const Occupancy&, int, float*);
 
 namespace {
 

@@ -13,8 +13,9 @@ namespace matrixworld {
 
 enum Channel : int { kEvaders = 0, kPursuers = 1, kObstacles = 2, kChannels = 3 };
 
-// Writes (3, fov, fov) bytes, 0 or 1; a gone agent sees zeros.
-void write_view(const World& world, const Occupancy& occupancy, int agent, std::uint8_t* out);
+// Writes (3, fov, fov) bytes or floats, 0 or 1; a gone agent sees zeros.
+template <typename Number>
+void write_view(const World& world, const Occupancy& occupancy, int agent, Number* out);
 
 // Writes the inputs that are set in the view of a living agent, each as an index into the
 // flattened (3, fov, fov) view, each once, without those outside the grid; returns how many.

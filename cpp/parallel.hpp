@@ -18,17 +18,15 @@ class Workers {
     explicit Workers(int n_threads) {
         const int n =
             n_threads > 0 ? n_threads : static_cast<int>(std::thread::hardware_concurrency());
-        for (int i = 1; i < n; ++i) threads_.emplace_back([this, i] { wait_for_work(i); });
+        try {
+            for (int i = 1; i < n; ++i) threads_.emplace_back([this, i] { wait_for_work(i); });
+        } catch (...) {  // no more threads to be had: send those that started home
+            stop();
+            throw;
+        }
     }
 
-    ~Workers() {
-        {
-            const std::lock_guard<std::mutex> lock(mutex_);
-            stop_ = true;
-        }
-        start_.notify_all();
-        for (std::thread& thread : threads_) thread.join();
-    }
+    ~Workers() { stop(); }
 
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
@@ -54,6 +52,15 @@ class Workers {
     }
 
   private:
+    void stop() {
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            stop_ = true;
+        }
+        start_.notify_all();
+        for (std::thread& thread : threads_) thread.join();
+    }
+
     void wait_for_work(int thread) {
         long seen = 0;
         std::unique_lock<std::mutex> lock(mutex_);

@@ -38,55 +38,6 @@ class Seat {
     int loaded_ = -1;
 };
 
-// Adds up an episode as it is played.
-class Tally {
-  public:
-    explicit Tally(const World& world) : world_(world) {}
-
-    void add(const Occupancy& occupancy) {
-        const Config& config = world_.config();
-        captured_ += world_.n_captured();
-        for (int t = 0; t < kTeams; ++t) {
-            const Team team = static_cast<Team>(t);
-            crowded_[t] += world_.n_living(team) - occupancy.distinct_cells(team);
-        }
-        for (int a = 0; a < config.n_agents(); ++a) {
-            const int t = static_cast<int>(world_.team(a));
-            score_.returns[t] += world_.rewards()[a];
-            const Flags report = world_.report(a);
-            if (report == 0) continue;
-            for (int kind = 0; kind < kKinds; ++kind) {
-                score_.collisions[t * kKinds + kind] += report >> kind & 1;
-                score_.faults[t * kKinds + kind] += report >> (kKinds + kind) & 1;
-            }
-        }
-    }
-
-    Score total() {
-        const Config& config = world_.config();
-        const int sizes[kTeams] = {config.n_pursuers, config.n_evaders};
-        const auto share = [](double count, int of) { return static_cast<float>(count / of); };
-        const int idle = config.max_steps - world_.steps();
-        captured_ += static_cast<std::int64_t>(idle) * world_.n_captured();
-        score_.length = world_.steps();
-        score_.capture_rate = share(world_.n_captured(), config.n_evaders);
-        score_.captured_fraction =
-            share(static_cast<double>(captured_) / config.max_steps, config.n_evaders);
-        for (int t = 0; t < kTeams; ++t) {
-            score_.survivors[t] = world_.n_living(static_cast<Team>(t));
-            score_.crowding[t] =
-                share(static_cast<double>(crowded_[t]) / config.max_steps, sizes[t]);
-        }
-        return score_;
-    }
-
-  private:
-    const World& world_;
-    Score score_;
-    std::int64_t captured_ = 0;
-    std::int64_t crowded_[kTeams] = {0, 0};
-};
-
 // A thread's place to play: a world, its scratch and a seat for each team.
 class Table {
   public:
@@ -102,15 +53,15 @@ class Table {
         world_.reset({match.seed, episode}, scratch_);
         Player& pursuers = pursuers_.take(match.pursuer);
         Player& evaders = evaders_.take(match.evader);
-        Tally tally(world_);
+        Tally tally(world_.config());
         if (watcher) (*watcher)(world_, nullptr);
         while (!world_.over()) {
             play_round(pursuers, evaders);
-            tally.add(scratch_.occupancy);
+            tally.add(world_, scratch_.occupancy);
             if (watcher) (*watcher)(world_, &actions_);
         }
         world_.leave(scratch_);
-        return tally.total();
+        return tally.total(world_);
     }
 
   private:

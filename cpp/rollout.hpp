@@ -3,7 +3,6 @@
 // result depends on the number of threads or on the other matches.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -12,6 +11,7 @@
 
 #include "mlp.hpp"
 #include "player.hpp"
+#include "tally.hpp"
 #include "world.hpp"
 
 namespace matrixworld {
@@ -28,19 +28,6 @@ struct Match {
     int pursuer;  // which candidate
     int evader;
     std::uint64_t seed;
-};
-
-// What one episode came to. Means over steps are over max_steps; after an early end the share of
-// captured evaders stands as it was, and crowding counts 0.
-struct Score {
-    float capture_rate = 0;                // share of the evaders that count as captured at the end
-    float captured_fraction = 0;           // the same share, mean over steps
-    std::int32_t length = 0;               // steps
-    std::array<double, kTeams> returns{};  // rewards summed over team and steps
-    std::array<std::int32_t, kTeams> survivors{};
-    std::array<float, kTeams> crowding{};  // (alive - distinct cells) / team size, mean
-    std::array<std::int32_t, kTeams * kKinds> collisions{};  // agent-steps involved, by team, kind
-    std::array<std::int32_t, kTeams * kKinds> faults{};      // agent-steps at fault
 };
 
 // Called with the world after the reset (without actions) and after every step.

@@ -17,6 +17,7 @@ namespace matrixworld {
 enum class Outcome : std::uint8_t { Disappear, Reach, Bounce };
 enum class Interaction : std::uint8_t { Simultaneous, SwarmTurns, AgentTurns };
 enum class Capture : std::uint8_t { Occupation, Surround };
+enum class Blame : std::uint8_t { Fault, Involved };  // who pays for a collision
 
 enum class Team : std::uint8_t { Pursuer, Evader };
 enum class Kind : std::uint8_t { Obstacle, Teammate, Adversary };
@@ -56,8 +57,9 @@ struct Rules {
 struct Rewards {
     float capture[kTeams] = {10.0f, -10.0f};
     float neighbor[kTeams] = {0.1f, -0.1f};
-    float collide[kTeams] = {-12.0f, -12.0f};
+    float collide[kTeams][kKinds] = {{-12.0f, -12.0f, -12.0f}, {-12.0f, -12.0f, -12.0f}};
     float step[kTeams] = {-0.05f, -0.05f};
+    Blame blame = Blame::Fault;
     bool capture_repeats = false;
 };
 

@@ -35,6 +35,23 @@ struct Ground {
     bool has_obstacles = false;
 };
 
+// Where a world is, between two turns: all that the turns to come depend on, and what is reported of
+// the last one.
+struct Snapshot {
+    EpisodeKey key;
+    ByteArray map;  // (rows * cols)
+    IntArray cell;  // by agent, an index into the rows * cols cells; kGone when gone
+    ByteArray captured, ever_captured, capture_paid;  // by evader
+    IntArray captors;                                 // by evader
+    FloatArray rewards;                               // by agent
+    IntArray report;                                  // by agent
+    std::vector<int> cast;                            // the agents of the last turn
+    int steps = 0;
+    bool fresh_round = false;
+    bool terminated = false;
+    bool truncated = false;
+};
+
 // A configuration with what all worlds of it share.
 struct Setup {
     explicit Setup(Config config);
@@ -67,6 +84,12 @@ class World {
     // taken out before. Throws std::invalid_argument for a placement that does not fit, before
     // anything is changed.
     void reset(EpisodeKey key, Scratch& scratch, const Placement& placement = {});
+
+    // Writes down where the world is, and goes back there: a restored world goes on as the one that
+    // was written down, and leaves its agents in the scratch as a reset does. Throws
+    // std::invalid_argument, before anything is changed, for a snapshot of another configuration.
+    Snapshot snapshot(const Scratch& scratch) const;
+    void restore(const Snapshot& snapshot, Scratch& scratch);
 
     // Puts the agents into the scratch, or takes them out. A world is played between the two.
     void enter(Scratch& scratch) const;
@@ -101,6 +124,7 @@ class World {
     const IntArray& captors() const { return captors_; }
     // Evaders that count as captured: ever under occupation, at this moment under surround.
     int n_captured() const { return n_captured_; }
+    int n_ever_captured() const { return static_cast<int>(ever_captured_.cast<int>().sum()); }
 
     const FloatArray& rewards() const { return rewards_; }    // by agent, of the last round
     Flags report(int agent) const { return report_[agent]; }  // involved and at_fault bits
@@ -110,10 +134,14 @@ class World {
     bool over() const { return terminated_ || truncated_; }
     EpisodeKey key() const { return key_; }
 
-  private:
+    // Throws std::invalid_argument where a reset with this placement would.
     void check(const Placement& placement) const;
+
+  private:
+    void check(const Snapshot& snapshot) const;
     void begin_episode(EpisodeKey key);
-    void lay_ground(const Placement& placement);
+    void lay_ground(const ByteArray& map);
+    void count_captures();
     void place(int agent, int cell, Scratch& scratch);
 
     void choose_cast(int first, int last, const std::uint8_t* actions, Scratch& scratch) const;
@@ -136,6 +164,7 @@ class World {
     void pay_actors(const Turn& turn, const Scratch& scratch);
     bool has_neighbor(int agent, const Scratch& scratch) const;
     void report_and_fine(const Scratch& scratch);
+    float fine(int agent, Flags news) const;
     void judge_end();
 
     int evader_number(int agent) const { return agent - config().n_pursuers; }

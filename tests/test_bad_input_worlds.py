@@ -87,9 +87,7 @@ WORLD_CALLS = [
 
 
 def everything(world: mw.World) -> dict[str, Any]:
-    values = {name: getattr(world, name) for name in mw.array_specs(world.config)}
-    seen = {name: value() if callable(value) else value for name, value in values.items()}
-    return seen | {"conflicts": world.conflicts}
+    return world.read(*mw.array_specs(world.config)) | {"conflicts": world.conflicts}
 
 
 @table(WORLD_CALLS)
@@ -149,7 +147,7 @@ BATCHES = [
     value("negative threads", lambda: mw.Batch(2, threads=-1), "1 to 1024 | got -1"),
     value("many threads", lambda: mw.Batch(2, threads=10**6), "1 to 1024 | got 1000000"),
     kind("float threads", lambda: mw.Batch(2, threads=1.0), "an int | got 1.0"),
-    kind("autoreset", lambda: mw.Batch(2, autoreset="no"), "a bool | got 'no'"),
+    kind("autoreset", lambda: mw.Batch(2, autoreset="no"), "a matrixworld.Autoreset | got 'no'"),
     kind("buffers", lambda: mw.Batch(2, buffers=[]), "a dict of arrays | got []"),
     value(
         "another name",
@@ -221,7 +219,19 @@ BATCH_CALLS = [
     value("a huge seed", lambda b: b.reset([2**64, 1]), "0 to 1844 | got 18446744073709551616"),
     kind("a float seed", lambda b: b.reset(1.5), "an int | got 1.5"),
     kind("float seeds", lambda b: b.reset([1.0, 2.0]), "an int | got 1.0"),
-    kind("no seed", lambda b: b.reset(None), "an int | got None"),
+    value("an episode of no seed", lambda b: b.reset(episode=3), "a seed with it | got episode 3"),
+    kind("a mask of ints", lambda b: b.reset(mask=[1, 0]), "dtype bool | got int64"),
+    value("a long mask", lambda b: b.reset(mask=[True] * 3), "shape (2,) | got (3,)"),
+    value(
+        "too few pursuers",
+        lambda b: b.reset(pursuers=np.zeros((2, 0, 2), int)),
+        "shape | got (2, 0, 2)",
+    ),
+    value(
+        "two on a cell in one world",
+        lambda b: b.reset(pursuers=[[[0, 0], [0, 1]], [[0, 0], [0, 0]]]),
+        "distinct cells | got two agents on (0, 0)",
+    ),
     value("a negative episode", lambda b: b.reset(0, episode=-1), "0 to 1844 | got -1"),
 ]
 

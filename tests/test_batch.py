@@ -14,45 +14,89 @@ import matrixworld as mw
 from rows import CUSTOM, config_of, random_actions
 
 NAMES = [*mw.VARIANTS, *CUSTOM]
-MOMENT = ("positions", "alive", "steps", "views", "state")  # of the new episode under autoreset
+MOMENT = ("positions", "alive", "steps", "seed", "episode", "views", "state")
+MODES = list(mw.Autoreset)
 
 
 def all_buffers(config: mw.WorldConfig, n_worlds: int) -> dict[str, np.ndarray]:
-    specs = mw.array_specs(config).items()
-    return {name: np.zeros((n_worlds, *shape), dtype) for name, (shape, dtype) in specs}
-
-
-def snapshot(world: mw.World) -> dict[str, Any]:
-    names = mw.array_specs(world.config)
-    values = {name: getattr(world, name) for name in names}
-    return {name: value() if callable(value) else value for name, value in values.items()}
+    specs = mw.array_specs(config) | mw.episode_specs(config)
+    return {name: np.zeros((n_worlds, *shape), dtype) for name, (shape, dtype) in specs.items()}
 
 
 class SingleWorld:
     """What a batch promises of one of its worlds, in Python."""
 
-    def __init__(self, config: mw.WorldConfig, seed: int, episode: int, autoreset: bool) -> None:
+    def __init__(
+        self, config: mw.WorldConfig, seed: int, episode: int, autoreset: mw.Autoreset
+    ) -> None:
         self.world = mw.World(config)
         self.world.reset(seed, episode=episode)
         self.autoreset = autoreset
-        self.seen = snapshot(self.world)
+        self.seen: dict[str, Any] = {
+            name: np.zeros(shape) for name, (shape, _) in mw.episode_specs(config).items()
+        }
+        self.look()
+        self.begin()
+
+    def look(self) -> None:
+        self.seen |= self.world.read(*mw.array_specs(self.world.config))
+
+    def begin(self) -> None:
+        self.steps: list[dict[str, Any]] = []
+
+    @property
+    def over(self) -> bool:
+        return self.world.terminated or self.world.truncated
 
     def step(self, actions: np.ndarray) -> None:
-        if self.world.terminated or self.world.truncated:
-            for name in ("rewards", "involved", "fault", "captors"):
-                self.seen[name] = np.zeros_like(self.seen[name])
-            return
-        self.world.step(actions)
-        self.seen = snapshot(self.world)
-        if self.autoreset and (self.world.terminated or self.world.truncated):
+        was_over = self.over
+        self.seen["acted"] = self.world.alive & (not was_over)
+        if was_over and self.autoreset is mw.Autoreset.NEXT_STEP:
             self.world.reset()
-            self.seen |= {name: snapshot(self.world)[name] for name in MOMENT}
+            self.look()
+            self.begin()
+        elif was_over:
+            for name in ("rewards", "involved", "fault", "captors", "cost"):
+                self.seen[name] = np.zeros_like(self.seen[name])
+        else:
+            self.world.step(actions)
+            self.look()
+            self.steps.append(dict(self.seen))
+            if self.over:
+                self.finish()
+        if self.over and self.autoreset is mw.Autoreset.SAME_STEP:
+            self.world.reset()
+            self.seen |= self.world.read(*MOMENT)
+            self.begin()
+
+    def finish(self) -> None:
+        """What the episode came to, from what each of its steps told."""
+        pursuers = self.world.config.n_pursuers
+        teams = slice(0, pursuers), slice(pursuers, None)
+
+        def total(name: str) -> np.ndarray:
+            by_agent = np.sum([step[name] for step in self.steps], axis=0, dtype=np.float64)
+            return np.array([by_agent[team].sum(axis=0) for team in teams])
+
+        self.seen |= {
+            "final_views": self.seen["views"],
+            "episode_return": total("rewards").round(4),
+            "episode_length": len(self.steps),
+            "episode_capture_rate": self.seen["capture_rate"],
+            "episode_ever_capture_rate": np.float32(self.world.ever_captured.mean()),
+            "episode_survivors": [self.world.alive[team].sum() for team in teams],
+            "episode_collisions": total("involved"),
+            "episode_faults": total("fault"),
+            "episode_agent_steps": total("acted"),
+        }
 
 
-@pytest.mark.parametrize("autoreset", [False, True])
+@pytest.mark.parametrize("autoreset", MODES)
 @pytest.mark.parametrize("obstacles", [None, 0.15])
 @pytest.mark.parametrize("name", NAMES)
-def test_each_world_is_a_single_world(name: str, obstacles: float | None, autoreset: bool) -> None:
+def test_each_world_is_a_single_world(
+    name: str, obstacles: float | None, autoreset: mw.Autoreset
+) -> None:
     config = config_of(name, obstacles=obstacles, max_steps=9)
     n_worlds = 5
     batch = mw.Batch(
@@ -61,17 +105,72 @@ def test_each_world_is_a_single_world(name: str, obstacles: float | None, autore
     seeds = [3, 3, 2**63 + 1, 0, 17]
     batch.reset(seeds, episode=2)
     worlds = [SingleWorld(config, seed, 2, autoreset) for seed in seeds]
-    actions = random_actions(1, config.n_actions, 14, n_worlds, config.n_agents)
-    for step in range(15):
+    actions = random_actions(1, config.n_actions, 24, n_worlds, config.n_agents)
+    for step in range(25):
         for w, world in enumerate(worlds):
             for what, expected in world.seen.items():
-                np.testing.assert_array_equal(
-                    batch.buffers[what][w], expected, f"{what} of world {w} after step {step}"
-                )
-        if step < 14:
+                got = batch.buffers[what][w]
+                got = got.round(4) if what == "episode_return" else got
+                np.testing.assert_array_equal(got, expected, f"{what} of {w}, step {step}")
+        if step < 24:
             batch.step(actions[step])
             for w, world in enumerate(worlds):
                 world.step(actions[step, w])
+    assert batch.buffers["episode_length"].all()
+
+
+def test_float_views_are_the_views() -> None:
+    config = config_of("SB", obstacles=0.2, max_steps=4)
+    buffers = all_buffers(config, 6)
+    floats = {name: buffers[name].astype(np.float32) for name in ("views", "final_views")}
+    mode = mw.Autoreset.SAME_STEP
+    bytewise = mw.Batch(6, config, autoreset=mode, buffers=buffers)
+    floating = mw.Batch(6, config, autoreset=mode, buffers=floats)
+    for actions in random_actions(5, config.n_actions, 6, 6, config.n_agents):
+        bytewise.step(actions)
+        floating.step(actions)
+        for name, array in floats.items():
+            np.testing.assert_array_equal(array, buffers[name])
+    assert floats["final_views"].any()
+
+
+# ---- Resetting some ----------------------------------------------------------------------------
+
+
+def test_a_mask_says_which_worlds_are_reset() -> None:
+    config = config_of("O")
+    batch = mw.Batch(4, config)
+    batch.reset(7)
+    for actions in random_actions(1, 5, 3, 4, config.n_agents):
+        batch.step(actions)
+    before = {name: array.copy() for name, array in batch.buffers.items()}
+    batch.reset(mask=np.array([False, True, False, True]))
+    world = mw.World(config)
+    for w in range(4):
+        for name, array in batch.buffers.items():
+            if w % 2:
+                world.reset(7 + w, episode=1)
+                np.testing.assert_array_equal(array[w], world.read(name)[name])
+            else:
+                np.testing.assert_array_equal(array[w], before[name][w])
+
+
+def test_worlds_begin_where_they_are_told_to() -> None:
+    config = config_of("R", rows=6, cols=6, n_pursuers=2, n_evaders=2)
+    batch = mw.Batch(3, config, buffers=all_buffers(config, 3))
+    ground = np.zeros((6, 6), bool)
+    ground[5] = True
+    pursuers = [[[0, 0], [0, 1]], [[1, 0], [1, 1]], [[2, 0], [2, 1]]]
+    batch.reset(5, pursuers=pursuers, evaders=[[4, 4], [4, 5]], obstacles=ground)
+    np.testing.assert_array_equal(batch.buffers["positions"][:, :2], pursuers)
+    np.testing.assert_array_equal(batch.buffers["positions"][:, 2:], [[[4, 4], [4, 5]]] * 3)
+    np.testing.assert_array_equal(batch.buffers["state"][:, 2], [ground] * 3)
+    before = batch.buffers["positions"].copy()
+    pursuers[2][0] = [5, 5]
+    with pytest.raises(ValueError, match="free cell, got an obstacle"):
+        batch.reset(6, pursuers=pursuers, obstacles=ground)
+    np.testing.assert_array_equal(batch.buffers["positions"], before)
+    np.testing.assert_array_equal(batch.buffers["seed"], [5, 6, 7])
 
 
 @pytest.mark.parametrize("name", ["O", "SD", "TO"])
@@ -85,7 +184,7 @@ def test_threads_change_nothing(name: str) -> None:
             n_worlds,
             config,
             threads=threads,
-            autoreset=True,
+            autoreset=mw.Autoreset.SAME_STEP,
             buffers=all_buffers(config, n_worlds),
         )
         batch.reset(5)
@@ -140,7 +239,7 @@ def test_a_new_batch_has_been_reset_with_seed_0() -> None:
 
 def test_episodes_follow_each_other() -> None:
     config = config_of("O", max_steps=1)
-    batch = mw.Batch(3, config, autoreset=True)
+    batch = mw.Batch(3, config, autoreset=mw.Autoreset.SAME_STEP)
     batch.reset(5, episode=8)
     batch.step(np.zeros((3, config.n_agents), int))
     world = mw.World(config)
@@ -227,7 +326,7 @@ def test_ended_worlds_stand_still() -> None:
     assert batch.buffers["terminated"].any()
     before = {name: array.copy() for name, array in batch.buffers.items()}
     batch.step(np.full((30, config.n_agents), 99))  # what ended worlds are told is not looked at
-    silent = ("rewards", "involved", "fault", "captors")
+    silent = ("rewards", "involved", "fault", "captors", "cost", "acted")
     for name in silent:
         assert not batch.buffers[name].any()
     for name in before.keys() - set(silent):
@@ -262,7 +361,7 @@ def test_other_threads_run_during_a_step() -> None:
         n_worlds,
         config,
         threads=1,
-        autoreset=True,
+        autoreset=mw.Autoreset.SAME_STEP,
         buffers={"views": np.zeros((n_worlds, 38, 3, 61, 61), np.uint8)},
     )
     actions = np.zeros((n_worlds, 38), np.uint8)
@@ -297,7 +396,7 @@ def test_batches_in_several_python_threads() -> None:
     results: dict[int, np.ndarray] = {}
 
     def play(number: int) -> None:
-        batch = mw.Batch(20, config, threads=2, autoreset=True)
+        batch = mw.Batch(20, config, threads=2, autoreset=mw.Autoreset.SAME_STEP)
         for step in range(30):
             batch.step(actions[step])
         results[number] = batch.buffers["positions"].copy()

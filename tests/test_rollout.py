@@ -31,6 +31,7 @@ def score_of(episode: mw.Episode, config: mw.WorldConfig) -> dict[str, Any]:
     share += [share[-1]] * (config.max_steps - episode.length)
     score: dict[str, Any] = {
         "capture_rate": counted[-1].mean(),
+        "ever_capture_rate": episode.ever_captured[-1].mean(),
         "captured_fraction": np.mean(share),
         "length": episode.length,
     }
@@ -48,6 +49,7 @@ def score_of(episode: mw.Episode, config: mw.WorldConfig) -> dict[str, Any]:
         score[f"{name}_crowding"] = sum(crowded) / size / config.max_steps
     for name, flags in (("collisions", episode.involved), ("faults", episode.fault)):
         score[name] = [flags[:, team].sum(axis=(0, 1)) for team in teams.values()]
+    score["agent_steps"] = [episode.alive[:-1, team].sum() for team in teams.values()]
     return score
 
 
@@ -87,6 +89,7 @@ def test_shapes_and_types() -> None:
     scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, [1, 2, 3]), worlds=4)
     types = {
         "capture_rate": "f4",
+        "ever_capture_rate": "f4",
         "captured_fraction": "f4",
         "length": "i4",
         "pursuer_return": "f8",
@@ -97,12 +100,14 @@ def test_shapes_and_types() -> None:
         "evader_crowding": "f4",
         "collisions": "i4",
         "faults": "i4",
+        "agent_steps": "i8",
     }
     assert list(types) == FIELDS
     for name, dtype in types.items():
         array = getattr(scores, name)
         assert array.dtype == dtype
-        assert array.shape == ((3, 4, 2, 3) if name in ("collisions", "faults") else (3, 4))
+        rest = {"collisions": (2, 3), "faults": (2, 3), "agent_steps": (2,)}
+        assert array.shape == (3, 4, *rest.get(name, ()))
 
 
 def test_no_matches() -> None:

@@ -412,7 +412,8 @@ def test_json(config: mw.WorldConfig) -> None:
         name: value if isinstance(value, bool) else enums.get(name, mw.Outcome)[value]
         for name, value in plain.pop("rules").items()
     }
-    rewards = mw.Rewards(**plain.pop("rewards"))
+    paid = plain.pop("rewards")
+    rewards = mw.Rewards(**paid | {"blame": mw.Blame[paid["blame"]]})
     again = mw.WorldConfig(mw.Rules(**rules), rewards=rewards, **plain)
     assert again.to_json() == config.to_json()
 

@@ -79,6 +79,38 @@ void play_world(const Rules& rules, Random& random) {
     check_occupancy(world, scratch.occupancy, false);
 }
 
+// A world written down between two turns goes on as the world itself does.
+void play_snapshots(const Rules& rules, Random& random) {
+    const auto setup = std::make_shared<const Setup>(random_config(rules, random));
+    Scratch scratch(*setup);
+    World world(setup);
+    world.reset({random.bits(), random.bits()}, scratch);
+    for (int round = 0; round < 4 && !world.over(); ++round) {
+        const auto actions = random_actions(setup->config, setup->config.n_agents(), random);
+        const int cut = random.below(world.n_turns());
+        world.begin_round();
+        for (int turn = 0; turn < cut; ++turn) world.play_turn(turn, actions.data(), scratch);
+        Scratch other(*setup);
+        World copy(setup);
+        copy.restore(world.snapshot(scratch), other);
+        require((world.ground().kind == copy.ground().kind).all(), "the same ground");
+        for (int turn = cut; turn < world.n_turns(); ++turn) {
+            world.play_turn(turn, actions.data(), scratch);
+            copy.play_turn(turn, actions.data(), other);
+            check_equal(world, copy);
+        }
+        world.end_round();
+        copy.end_round();
+        check_equal(world, copy);
+        check_occupancy(copy, other.occupancy, true);
+    }
+    Snapshot wrong = world.snapshot(scratch);
+    wrong.cell[0] = setup->config.rows * setup->config.cols;
+    World kept(setup);
+    Scratch empty(*setup);
+    require(refused([&] { kept.restore(wrong, empty); }), "a snapshot from elsewhere");
+}
+
 // ---- Batches ---------------------------------------------------------------------------------
 
 // Memory of exactly the sizes that are promised to be written, once for everything.
@@ -102,6 +134,26 @@ struct Memory {
         take(buffers.truncated, 1);
         take(buffers.views, a * view);
         take(buffers.state, kChannels * area);
+        take(buffers.seed, 1);
+        take(buffers.episode, 1);
+        take(buffers.float_views, a * view);
+        take(buffers.cost, a);
+        take(buffers.terminations, a);
+        take(buffers.truncations, a);
+        take(buffers.capture_rate, 1);
+        take(buffers.ever_capture_rate, 1);
+        take(buffers.survival_rate, kTeams);
+        take(buffers.acted, a);
+        take(buffers.final_views, a * view);
+        take(buffers.final_float_views, a * view);
+        take(buffers.episode_return, kTeams);
+        take(buffers.episode_length, 1);
+        take(buffers.episode_capture_rate, 1);
+        take(buffers.episode_ever_capture_rate, 1);
+        take(buffers.episode_survivors, kTeams);
+        take(buffers.episode_collisions, kTeams * kKinds);
+        take(buffers.episode_faults, kTeams * kKinds);
+        take(buffers.episode_agent_steps, kTeams);
     }
 
     template <typename T>
@@ -111,7 +163,7 @@ struct Memory {
         pointer = reinterpret_cast<T*>(block.data());
     }
 
-    static constexpr int kArrays = 13;
+    static constexpr int kArrays = 33;
     std::vector<std::vector<std::uint8_t>> bytes;
     Buffers buffers;
     int n_worlds;
@@ -121,62 +173,74 @@ struct Memory {
 // The same worlds, one after the other.
 class SingleWorlds {
   public:
-    SingleWorlds(const SharedSetup& setup, int n_worlds, bool autoreset)
+    SingleWorlds(const SharedSetup& setup, int n_worlds, Autoreset autoreset)
         : autoreset_(autoreset),
           worlds_(static_cast<std::size_t>(n_worlds), World(setup)),
+          tallies_(worlds_.size(), Tally(setup->config)),
           scratch_(*setup) {}
 
     void reset(const std::vector<std::uint64_t>& seeds, std::uint64_t episode, Memory& memory) {
         for (std::size_t w = 0; w < worlds_.size(); ++w) {
-            worlds_[w].reset({seeds[w], episode}, scratch_);
-            write(worlds_[w], scratch_.occupancy, w, memory.buffers);
-            worlds_[w].leave(scratch_);
+            begin(w, {seeds[w], episode});
+            write_step(worlds_[w], w, memory.buffers);
+            look(w, memory.buffers);
+            const auto n_agents = static_cast<std::size_t>(worlds_[w].config().n_agents());
+            std::fill_n(memory.buffers.acted + w * n_agents, n_agents, std::uint8_t{0});
         }
     }
 
     void step(const std::vector<std::uint8_t>& actions, Memory& memory) {
         for (std::size_t w = 0; w < worlds_.size(); ++w) {
             World& world = worlds_[w];
-            const auto n_agents = static_cast<std::size_t>(world.config().n_agents());
-            if (world.over()) {
-                world.begin_round();
+            write_acted(world, w, memory.buffers);
+            if (!world.over()) {
+                play(w, actions, memory.buffers);
+                if (world.over() && autoreset_ == Autoreset::SameStep) begin(w, next(w));
+            } else if (autoreset_ == Autoreset::NextStep) {
+                begin(w, next(w));
+                write_step(world, w, memory.buffers);
             } else {
-                world.enter(scratch_);
-                world.step(actions.data() + w * n_agents, scratch_);
-                world.leave(scratch_);
+                world.begin_round();
+                write_step(world, w, memory.buffers);
             }
-            const World ended = world;
-            if (autoreset_ && world.over()) {
-                world.reset({world.key().seed, world.key().episode + 1}, scratch_);
-                world.leave(scratch_);
-            }
-            write_both(ended, world, w, memory.buffers);
+            look(w, memory.buffers);
         }
     }
 
   private:
-    // What happened is told of the ended episode, what is now of the new one.
-    void write_both(const World& ended, const World& now, std::size_t w, const Buffers& all) {
-        Buffers happened = all;
-        happened.positions = nullptr;
-        happened.alive = nullptr;
-        happened.steps = nullptr;
-        happened.views = nullptr;
-        happened.state = nullptr;
-        write(ended, scratch_.occupancy, w, happened);
-        Buffers present;
-        present.positions = all.positions;
-        present.alive = all.alive;
-        present.steps = all.steps;
-        present.views = all.views;
-        present.state = all.state;
-        now.enter(scratch_);
-        write(now, scratch_.occupancy, w, present);
-        now.leave(scratch_);
+    EpisodeKey next(std::size_t w) const {
+        return {worlds_[w].key().seed, worlds_[w].key().episode + 1};
     }
 
-    bool autoreset_;
+    void begin(std::size_t w, EpisodeKey key) {
+        worlds_[w].reset(key, scratch_);
+        worlds_[w].leave(scratch_);
+        tallies_[w] = Tally(worlds_[w].config());
+    }
+
+    void play(std::size_t w, const std::vector<std::uint8_t>& actions, const Buffers& buffers) {
+        World& world = worlds_[w];
+        world.enter(scratch_);
+        world.step(actions.data() + w * static_cast<std::size_t>(world.config().n_agents()),
+                   scratch_);
+        tallies_[w].add(world, scratch_.occupancy);
+        write_step(world, w, buffers);
+        if (world.over()) {
+            write_score(tallies_[w].total(world), w, buffers);
+            write_final_views(world, scratch_.occupancy, w, buffers);
+        }
+        world.leave(scratch_);
+    }
+
+    void look(std::size_t w, const Buffers& buffers) {
+        worlds_[w].enter(scratch_);
+        write_moment(worlds_[w], scratch_.occupancy, w, buffers);
+        worlds_[w].leave(scratch_);
+    }
+
+    Autoreset autoreset_;
     std::vector<World> worlds_;
+    std::vector<Tally> tallies_;
     Scratch scratch_;
 };
 
@@ -184,7 +248,7 @@ void play_batch(const Rules& rules, Random& random) {
     const auto setup = std::make_shared<const Setup>(random_config(rules, random));
     const Config& config = setup->config;
     const int n_worlds = random.between(1, 40);
-    const bool autoreset = random.chance(50);
+    const auto autoreset = static_cast<Autoreset>(random.below(3));
     Memory memory(config, n_worlds);
     Memory expected(config, n_worlds);
     Batch batch(setup, n_worlds, random.between(1, 4), autoreset);
@@ -192,7 +256,7 @@ void play_batch(const Rules& rules, Random& random) {
     std::vector<std::uint64_t> seeds(static_cast<std::size_t>(n_worlds));
     for (auto& seed : seeds) seed = random.bits();
 
-    batch.reset(seeds.data(), 3, memory.buffers);
+    batch.reset(seeds.data(), 3, nullptr, {}, memory.buffers);
     singles.reset(seeds, 3, expected);
     require(memory.bytes == expected.bytes, "a batch begins like single worlds");
     for (int step = 0; step < 6; ++step) {
@@ -211,6 +275,7 @@ void check_same(const Score& a, const Score& b) {
     require(a.length == b.length && a.survivors == b.survivors, "the same length and survivors");
     require(a.returns == b.returns && a.crowding == b.crowding, "the same returns and crowding");
     require(a.collisions == b.collisions && a.faults == b.faults, "the same collisions");
+    require(a.agent_steps == b.agent_steps, "the same agent-steps");
 }
 
 void play_rollout(const Rules& rules, Random& random) {
@@ -324,6 +389,7 @@ int run_all() {
         const std::string row = "rules " + std::to_string(number++) + ", ";
         for (int i = 0; i < kWorldsPerRow; ++i) {
             n_failed += run((row + "a world").c_str(), [&] { play_world(rules, random); });
+            n_failed += run((row + "snapshots").c_str(), [&] { play_snapshots(rules, random); });
         }
         n_failed += run((row + "a batch").c_str(), [&] { play_batch(rules, random); });
         n_failed += run((row + "a rollout").c_str(), [&] { play_rollout(rules, random); });

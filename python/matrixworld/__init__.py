@@ -6,7 +6,9 @@ Episodes: `Episode`, and the modules `replay` and `render`.
 Evolution and its analysis: the packages `coevolution` and `analysis`, the module `plots`.
 """
 
-from matrixworld._core import Capture, Interaction, Outcome
+from matrixworld._core import Autoreset, Blame, Capture, Interaction, Outcome
+from matrixworld.arrays import array_specs, episode_specs
+from matrixworld.batch import Batch
 from matrixworld.config import WorldConfig
 from matrixworld.conflicts import Conflict
 from matrixworld.episode import Episode
@@ -14,7 +16,7 @@ from matrixworld.maps import read_map
 from matrixworld.policy import SCRIPTS, Network, Population
 from matrixworld.rollout import Matches, Scores, match_seed, record, rollout
 from matrixworld.rules import KINDS, VARIANTS, Action, Rewards, Rules
-from matrixworld.world import Batch, World, array_specs
+from matrixworld.world import World
 
 __version__ = "0.1.0"
 
@@ -23,7 +25,9 @@ __all__ = [
     "SCRIPTS",
     "VARIANTS",
     "Action",
+    "Autoreset",
     "Batch",
+    "Blame",
     "Capture",
     "Conflict",
     "Episode",
@@ -38,6 +42,7 @@ __all__ = [
     "World",
     "WorldConfig",
     "array_specs",
+    "episode_specs",
     "match_seed",
     "read_map",
     "record",

@@ -12,6 +12,7 @@ _Integers: TypeAlias = NDArray[np.uint8 | np.int8 | np.int32 | np.int64]
 _Map: TypeAlias = NDArray[np.uint8] | None  # (rows, cols), 1 where an obstacle is
 _Positions: TypeAlias = NDArray[np.int32] | None  # (n, 2) rows and columns
 _ByTeam: TypeAlias = tuple[float, float]  # the pursuers' and the evaders'
+_ByKind: TypeAlias = tuple[float, float, float]  # with an obstacle, a teammate, an adversary
 _Candidates: TypeAlias = tuple[Network, NDArray[np.float32]] | str  # or the name of a script
 # turn, kind, form, first agent, second agent or -1, cell; at fault, held and doomed as bits, of
 # which bit 0 is the first agent's and bit 1 the second's
@@ -43,6 +44,21 @@ class Capture(Enum):
     OCCUPATION = 0
     SURROUND = 1
 
+class Blame(Enum):
+    """Who pays for a collision."""
+
+    __pybind11_native_enum__: object
+    FAULT = 0
+    INVOLVED = 1
+
+class Autoreset(Enum):
+    """What becomes of an ended world."""
+
+    __pybind11_native_enum__: object
+    DISABLED = 0
+    NEXT_STEP = 1
+    SAME_STEP = 2
+
 class Rules(metaclass=_Pybind11Type):
     """A row of rules."""
 
@@ -66,8 +82,9 @@ class Rewards(metaclass=_Pybind11Type):
         *,
         capture: _ByTeam,
         neighbor: _ByTeam,
-        collide: _ByTeam,
+        collide: tuple[_ByKind, _ByKind],
         step: _ByTeam,
+        blame: Blame,
         capture_repeats: bool,
     ) -> None: ...
 
@@ -107,11 +124,29 @@ class World(metaclass=_Pybind11Type):
     def step(self, actions: _Integers, explain: bool) -> None:
         """Play one round with actions (A,)."""
 
+    def play_turn(self, actions: _Integers, explain: bool) -> None:
+        """Play the next turn with actions (A,), of which those of the actors count."""
+
+    def turn(self) -> int:
+        """The number of the next turn of the round."""
+
+    def n_turns(self) -> int:
+        """Turns of a round."""
+
+    def actors(self) -> tuple[int, int]:
+        """First and one past the last agent to act in the next turn."""
+
     def write(self, arrays: dict[str, NDArray[Any]]) -> None:
         """Fill the given arrays, named and shaped as `matrixworld.array_specs` says."""
 
     def conflicts(self) -> list[_Conflict]:
         """Those of the last step, if it was played with `explain`."""
+
+    def snapshot(self) -> dict[str, Any]:
+        """Where the world is, as plain values and arrays."""
+
+    def restore(self, snapshot: dict[str, Any]) -> None:
+        """Go where a world of the same setup was."""
 
     def logits(self, network: Network, genome: NDArray[np.float32]) -> NDArray[np.float32]:
         """The network's outputs, (living agents, n_actions)."""
@@ -124,11 +159,21 @@ class Batch(metaclass=_Pybind11Type):
         setup: Setup,
         n_worlds: int,
         n_threads: int,
-        autoreset: bool,
+        autoreset: Autoreset,
         buffers: dict[str, NDArray[Any]],
     ) -> None: ...
-    def reset(self, seeds: NDArray[np.uint64], episode: int) -> None:
-        """Start an episode of seeds (W,)."""
+    def reset(
+        self,
+        seeds: NDArray[np.uint64] | None,
+        episode: int,
+        mask: NDArray[np.bool_] | None,
+        pursuers: _Positions,
+        evaders: _Positions,
+        map: _Map,
+    ) -> None:
+        """Start an episode of seeds (W,), or the next ones, where mask (W,) says so.
+
+        Positions are (W, n, 2)."""
 
     def step(self, actions: _Integers) -> None:
         """Play one round with actions (W, A)."""

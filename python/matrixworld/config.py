@@ -152,22 +152,33 @@ class WorldConfig:
             for value in [getattr(self.rules, item.name)]
         }
         plain["rewards"] = {
-            item.name: getattr(self.rewards, item.name) for item in fields(self.rewards)
+            item.name: getattr(value, "name", list(value) if isinstance(value, tuple) else value)
+            for item in fields(self.rewards)
+            for value in [getattr(self.rewards, item.name)]
         }
         if self.map is not None:
             plain["obstacles"] = ["".join(".#"[int(cell)] for cell in row) for row in self.map]
         return plain
 
+    def __getstate__(self) -> dict[str, Any]:
+        """The fields: the engine's form of them can be made again."""
+        return {item.name: getattr(self, item.name) for item in fields(self)}
+
     @cached_property
     def setup(self) -> _core.Setup:
         """The engine's form of these settings."""
         rules = {item.name: getattr(self.rules, item.name) for item in fields(self.rules)}
-        paid = {
-            name: self.rewards.by_team(name) for name in ("capture", "neighbor", "collide", "step")
-        }
+        paid = self.rewards
         return _core.Setup(
             rules=_core.Rules(**rules),
-            rewards=_core.Rewards(**paid, capture_repeats=self.rewards.capture_repeats),
+            rewards=_core.Rewards(
+                capture=paid.by_team("capture"),
+                neighbor=paid.by_team("neighbor"),
+                collide=paid.by_team("collide"),
+                step=paid.by_team("step"),
+                blame=paid.blame,
+                capture_repeats=paid.capture_repeats,
+            ),
             rows=self.rows,
             cols=self.cols,
             n_pursuers=self.n_pursuers,

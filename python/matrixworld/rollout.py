@@ -51,8 +51,9 @@ class Scores:
 
     capture_rate: float32, share of the evaders that count as captured at the end (at some time
         under occupation, at that moment under surround)
-    captured_fraction: float32, the same share as a mean over ``max_steps``; after an early end it
-        stands as it was, so that fast captures score higher
+    ever_capture_rate: float32, share of the evaders that were captured at some time
+    captured_fraction: float32, the share that counts as captured as a mean over ``max_steps``;
+        after an early end it stands as it was, so that fast captures score higher
     length: int32, steps
     pursuer_return, evader_return: float64, rewards summed over team and steps
     pursuer_survivors, evader_survivors: int32, agents alive at the end
@@ -60,9 +61,11 @@ class Scores:
         on) / team size, mean over ``max_steps``
     collisions, faults: ``(M, W, 2, 3)`` int32, agent-steps involved and at fault, by team
         (pursuers, evaders) and kind (obstacle, teammate, adversary)
+    agent_steps: ``(M, W, 2)`` int64, steps by agents alive as they began, by team
     """
 
     capture_rate: NDArray[np.float32]
+    ever_capture_rate: NDArray[np.float32]
     captured_fraction: NDArray[np.float32]
     length: NDArray[np.int32]
     pursuer_return: NDArray[np.float64]
@@ -73,6 +76,7 @@ class Scores:
     evader_crowding: NDArray[np.float32]
     collisions: NDArray[np.int32]
     faults: NDArray[np.int32]
+    agent_steps: NDArray[np.int64]
 
 
 def rollout(

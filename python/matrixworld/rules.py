@@ -7,10 +7,11 @@ from dataclasses import dataclass, fields
 from enum import Enum, IntEnum
 from numbers import Real
 from types import MappingProxyType
+from typing import Any, TypeAlias
 
 import numpy as np
 
-from matrixworld._core import Capture, Interaction, Outcome
+from matrixworld._core import Blame, Capture, Interaction, Outcome
 
 KINDS = ("obstacle", "teammate", "adversary")
 """The kinds of collision, in the order of the last axis of ``involved`` and ``fault``."""
@@ -29,6 +30,9 @@ class Action(IntEnum):
     SOUTHWEST = 7
     NORTHWEST = 8
 
+
+Fine: TypeAlias = float | tuple[float, float, float]
+"""For collisions of every kind, or for those with an obstacle, a teammate, an adversary."""
 
 _LARGEST = float(np.finfo(np.float32).max)
 
@@ -108,41 +112,71 @@ class Rewards:
     capture: to each captor for each evader captured, and to the captured evader; once per evader
         and episode, or with ``capture_repeats`` in every step that the capture lasts
     neighbor: flat, while at least one living adversary is north, east, south or west of it
-    collide: once for each kind of collision in which it is at fault in a step
+    collide: once for each kind of collision in which it is to blame in a step; one number, or one
+        for each of obstacle, teammate, adversary
     step: for every step, on the agent's own turn where turns are taken
+    blame: who pays ``collide``: those at fault, or everybody involved. Under occupation a contact
+        of adversaries involves both and is nobody's fault: it is the game. Who pays for being
+        involved may want ``collide=(-12, -12, 0)``.
 
     With an evader's ``step`` below 0 it scores better by being caught at once (-10) than by
     surviving 500 steps (-25). The published code pays it +0.05 instead, and pays a lasting
-    capture in every step: ``Rewards(evader_step=0.05, capture_repeats=True)``.
+    capture in every step: `Rewards.published`.
 
-    Raises ValueError for a number that is not finite as a float32, TypeError for other values.
+    Raises ValueError for a number that is not finite as a float32 and for other than 1 or 3
+    numbers to ``collide``, TypeError for other values.
     """
 
     pursuer_capture: float = 10.0
     evader_capture: float = -10.0
     pursuer_neighbor: float = 0.1
     evader_neighbor: float = -0.1
-    pursuer_collide: float = -12.0
-    evader_collide: float = -12.0
+    pursuer_collide: Fine = -12.0
+    evader_collide: Fine = -12.0
     pursuer_step: float = -0.05
     evader_step: float = -0.05
+    blame: Blame = Blame.FAULT
     capture_repeats: bool = False
 
     def __post_init__(self) -> None:
         if not isinstance(self.capture_repeats, bool):
             raise TypeError(f"capture_repeats: expected a bool, got {self.capture_repeats!r}")
-        for name in (item.name for item in fields(self) if item.name != "capture_repeats"):
+        _require("blame", self.blame, Blame)
+        for name in (item.name for item in fields(self)):
             value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, Real):
-                raise TypeError(f"{name}: expected a number, got {value!r}")
-            number = float(value)
-            if not abs(number) <= _LARGEST:
-                raise ValueError(f"{name}: expected a finite number, got {value!r}")
-            object.__setattr__(self, name, number)
+            if name.endswith("_collide") and isinstance(value, tuple | list):
+                if len(value) != len(KINDS):
+                    raise ValueError(f"{name}: expected 1 or {len(KINDS)} numbers, got {value!r}")
+                object.__setattr__(self, name, tuple(_paid(name, part) for part in value))
+            elif name not in ("blame", "capture_repeats"):
+                object.__setattr__(self, name, _paid(name, value))
 
-    def by_team(self, name: str) -> tuple[float, float]:
-        """(pursuer's, evader's) reward called ``name``."""
-        return getattr(self, f"pursuer_{name}"), getattr(self, f"evader_{name}")
+    @classmethod
+    def paper(cls) -> Rewards:
+        """Those of Sun et al., Table "Reward function": the defaults."""
+        return cls()
+
+    @classmethod
+    def published(cls) -> Rewards:
+        """Those of the code that its authors published."""
+        return cls(evader_step=0.05, capture_repeats=True)
+
+    def by_team(self, name: str) -> tuple[Any, Any]:
+        """(pursuer's, evader's) reward called ``name``; ``collide`` as three numbers each."""
+        paid = getattr(self, f"pursuer_{name}"), getattr(self, f"evader_{name}")
+        if name != "collide":
+            return paid
+        pursuer, evader = (part if isinstance(part, tuple) else (part,) * 3 for part in paid)
+        return pursuer, evader
+
+
+def _paid(name: str, value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise TypeError(f"{name}: expected a number, got {value!r}")
+    number = float(value)
+    if not abs(number) <= _LARGEST:
+        raise ValueError(f"{name}: expected a finite number, got {value!r}")
+    return number
 
 
 def rules_of(variant: Rules | str) -> Rules:

@@ -1,14 +1,15 @@
-"""One world, and batches of them."""
+"""One world."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
-from matrixworld.checks import SEED_MAX, check_bool, check_integer, check_naturals, check_threads
+from matrixworld.arrays import array_specs, integers
+from matrixworld.checks import SEED_MAX, check_integer
 from matrixworld.config import WorldConfig
 from matrixworld.conflicts import Conflict, conflict_of
 from matrixworld.maps import MapLike, read_map
@@ -18,41 +19,10 @@ if TYPE_CHECKING:
     from matrixworld.render import Scene
 
 
-def array_specs(config: WorldConfig) -> dict[str, tuple[tuple[int, ...], DTypeLike]]:
-    """Shape (of one world) and dtype of everything that a world tells of itself."""
-    a, e = config.n_agents, config.n_evaders
-    return {
-        "positions": ((a, 2), np.int32),
-        "alive": ((a,), np.bool_),
-        "captured": ((e,), np.bool_),
-        "ever_captured": ((e,), np.bool_),
-        "captors": ((e,), np.int32),
-        "involved": ((a, 3), np.bool_),
-        "fault": ((a, 3), np.bool_),
-        "rewards": ((a,), np.float32),
-        "steps": ((), np.int32),
-        "terminated": ((), np.bool_),
-        "truncated": ((), np.bool_),
-        "views": ((a, 3, config.fov, config.fov), np.uint8),
-        "state": ((3, config.rows, config.cols), np.uint8),
-    }
-
-
-def _integers(name: str, given: ArrayLike) -> NDArray[Any]:
-    array = np.asarray(given)
-    if array.dtype.kind not in "iu":
-        raise TypeError(f"{name}: expected integers, got dtype {array.dtype}")
-    if array.dtype in (np.uint8, np.int64):
-        return array
-    if array.dtype.kind == "u" and array.itemsize == 8:
-        array = array.clip(max=np.iinfo(np.int64).max)
-    return array.astype(np.int64)
-
-
 def _positions(name: str, given: ArrayLike | None, n: int) -> NDArray[np.int32] | None:
     if given is None:
         return None
-    array = _integers(name, given)
+    array = integers(name, given)
     if array.shape != (n, 2):
         raise ValueError(f"{name}: expected shape {(n, 2)}, got {array.shape}")
     return np.ascontiguousarray(array.clip(-(2**31), 2**31 - 1), dtype=np.int32)
@@ -67,7 +37,8 @@ class World:
     config: a `WorldConfig`, `Rules`, or the name of a variant; keywords change its fields:
         ``World("O", rows=10, cols=10, n_pursuers=2, n_evaders=3)``.
 
-    A new world is in its first episode of seed 0.
+    A new world is in its first episode of seed 0. A copy (`copy.deepcopy`, `pickle`) is in the same
+    episode and moment and goes on independently.
     """
 
     def __init__(self, config: WorldConfig | Rules | str = "O", **changes: Any) -> None:
@@ -75,8 +46,7 @@ class World:
         self._specs = array_specs(self.config)
         self._core = _core.World(self.config.setup)
         self._explained = False
-        self._seed, self._episode = 0, -1
-        self.reset()
+        self.reset(0)
 
     def reset(
         self,
@@ -101,7 +71,7 @@ class World:
         if seed is None:
             if episode != 0:
                 raise ValueError(f"episode: expected a seed with it, got episode {episode} alone")
-            key = self._seed, (self._episode + 1) % (SEED_MAX + 1)
+            key = self.seed, (self.episode + 1) % (SEED_MAX + 1)
         else:
             key = (
                 check_integer("seed", seed, 0, SEED_MAX),
@@ -115,7 +85,6 @@ class World:
             evaders=_positions("evaders", evaders, self.config.n_evaders),
             map=None if own_map is None else own_map.astype(np.uint8),
         )
-        self._seed, self._episode = key
         self._explained = False
 
     def step(self, actions: ArrayLike, *, explain: bool = False) -> NDArray[np.float32]:
@@ -125,14 +94,54 @@ class World:
             rules take turns, all are committed before the first turn.
         explain: keep the list of `conflicts`
 
-        Raises RuntimeError in an ended episode, ValueError for an illegal action of a living agent
-        or another shape, TypeError for actions that are not integers.
+        Raises RuntimeError in an ended episode and between the turns of a round, ValueError for an
+        illegal action of a living agent or another shape, TypeError for actions that are not
+        integers.
         """
-        if self.terminated or self.truncated:
-            raise RuntimeError("the episode has ended: call reset() before the next step")
-        self._core.step(_integers("actions", actions), explain)
+        self._require_open()
+        if self.turn:
+            raise RuntimeError(
+                f"turn {self.turn} of {self.n_turns} is next: play the round to its end by turns"
+            )
+        self._core.step(integers("actions", actions), explain)
         self._explained = explain
         return self.rewards
+
+    def play_turn(self, actions: ArrayLike, *, explain: bool = False) -> NDArray[np.float32]:
+        """Play the next turn of a round and return the rewards of the round so far, ``(A,)``.
+
+        actions: ``(A,)`` ints, of which only those of the living `actors` are looked at
+        explain: keep the list of `conflicts` of the round; say so in all of its turns
+
+        After its last turn the round is over and `steps` grows. Captors, involvement, fault and
+        rewards add up over a round. When the world terminates in the middle of a round its other
+        turns are still to be played; nothing happens in them. Raises as `step` does.
+        """
+        if not self.turn:
+            self._require_open()
+        keeps_list = explain and (self._explained or not self.turn)
+        self._core.play_turn(integers("actions", actions), keeps_list)
+        self._explained = keeps_list
+        return self.rewards
+
+    def _require_open(self) -> None:
+        if self.terminated or self.truncated:
+            raise RuntimeError("the episode has ended: call reset() before the next step")
+
+    @property
+    def n_turns(self) -> int:
+        """Turns in a round: 1, or 2 (of swarms), or A (of agents)."""
+        return self._core.n_turns()
+
+    @property
+    def turn(self) -> int:
+        """The number of the turn that comes next in the round, from 0."""
+        return self._core.turn()
+
+    @property
+    def actors(self) -> range:
+        """Who acts in the next turn, the gone included."""
+        return range(*self._core.actors())
 
     @property
     def conflicts(self) -> list[Conflict]:
@@ -144,11 +153,38 @@ class World:
             raise RuntimeError("no list of conflicts was kept: play the step with explain=True")
         return [conflict_of(record, self.config) for record in self._core.conflicts()]
 
+    def read(self, *names: str) -> dict[str, NDArray[Any]]:
+        """Fresh arrays by name, as `array_specs` says; ValueError for a name that is not there."""
+        unknown = set(names) - set(self._specs)
+        if unknown:
+            raise ValueError(f"read: expected some of {list(self._specs)}, got {sorted(unknown)}")
+        arrays = {name: np.empty(*self._specs[name]) for name in names}
+        self._core.write(arrays)
+        return arrays
+
     def _read(self, name: str) -> NDArray[Any]:
-        shape, dtype = self._specs[name]
-        array = np.empty(shape, dtype)
-        self._core.write({name: array})
-        return array
+        return self.read(name)[name]
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Everything that its future depends on; the list of conflicts is left out."""
+        return {"config": self.config, "moment": self._core.snapshot()}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.config = state["config"]
+        self._specs = array_specs(self.config)
+        self._core = _core.World(self.config.setup)
+        self._core.restore(state["moment"])
+        self._explained = False
+
+    @property
+    def seed(self) -> int:
+        """The seed of this episode."""
+        return int(self._read("seed"))
+
+    @property
+    def episode(self) -> int:
+        """Which episode of its seed this is."""
+        return int(self._read("episode"))
 
     @property
     def positions(self) -> NDArray[np.int32]:
@@ -186,6 +222,21 @@ class World:
         return self._read("fault")
 
     @property
+    def cost(self) -> NDArray[np.float32]:
+        """``(A,)`` float32: the number of kinds in which it is at fault."""
+        return self._read("cost")
+
+    @property
+    def terminations(self) -> NDArray[np.bool_]:
+        """``(A,)`` bool: gone, or the world has terminated."""
+        return self._read("terminations")
+
+    @property
+    def truncations(self) -> NDArray[np.bool_]:
+        """``(A,)`` bool: the world is truncated, and neither it nor the agent has terminated."""
+        return self._read("truncations")
+
+    @property
     def rewards(self) -> NDArray[np.float32]:
         """``(A,)`` float32 rewards of the last step."""
         return self._read("rewards")
@@ -204,6 +255,24 @@ class World:
     def truncated(self) -> bool:
         """Whether the episode ended at ``max_steps``."""
         return bool(self._read("truncated"))
+
+    @property
+    def capture_rate(self) -> float:
+        """Share of the evaders that count as captured.
+
+        Those captured at some time under occupation, at this moment under surround.
+        """
+        return float(self._read("capture_rate"))
+
+    @property
+    def ever_capture_rate(self) -> float:
+        """Share of the evaders that were captured at some time."""
+        return float(self._read("ever_capture_rate"))
+
+    @property
+    def survival_rate(self) -> NDArray[np.float32]:
+        """``(2,)`` float32: shares of the pursuers and of the evaders that are alive."""
+        return self._read("survival_rate")
 
     @property
     def map(self) -> NDArray[np.bool_]:
@@ -256,76 +325,3 @@ class World:
         picture[several] = counts.max(axis=0).clip(0, 9)[several].astype(str)
         picture[(counts > 0).all(axis=0)] = "X"
         return "\n".join("".join(row) for row in picture)
-
-
-class Batch:
-    """W worlds of one configuration, stepped together into arrays of the caller.
-
-    n_worlds: W
-    threads: how many work on a step; by default one a core. No result depends on it.
-    autoreset: start the seed's next episode in the very step in which one ends. Rewards,
-        terminated, truncated, involved, fault and captures are then still of the ended episode;
-        positions, alive, steps, views and state are of the new one. Without it an ended world
-        stays as it is, with rewards of 0.
-    buffers: arrays to write into, any of `array_specs` with W in front; by default all but
-        ``views`` and ``state`` are made. The same arrays are written at every step.
-
-    Raises ValueError and TypeError for a buffer of another name, shape, dtype or layout, and for
-    other bad arguments.
-    """
-
-    def __init__(
-        self,
-        n_worlds: int,
-        config: WorldConfig | Rules | str = "O",
-        *,
-        threads: int | None = None,
-        autoreset: bool = False,
-        buffers: dict[str, NDArray[Any]] | None = None,
-        **changes: Any,
-    ) -> None:
-        self.config = WorldConfig.of(config, **changes)
-        self.n_worlds = check_integer("n_worlds", n_worlds, 1)
-        self.buffers = self._default_buffers() if buffers is None else buffers
-        if not isinstance(self.buffers, dict):
-            raise TypeError(f"buffers: expected a dict of arrays, got {self.buffers!r}")
-        self._core = _core.Batch(
-            self.config.setup,
-            self.n_worlds,
-            check_threads(threads),
-            check_bool("autoreset", autoreset),
-            dict(self.buffers),
-        )
-        self.reset(0)
-
-    def _default_buffers(self) -> dict[str, NDArray[Any]]:
-        return {
-            name: np.zeros((self.n_worlds, *shape), dtype)
-            for name, (shape, dtype) in array_specs(self.config).items()
-            if name not in ("views", "state")
-        }
-
-    def reset(self, seed: int | ArrayLike, *, episode: int = 0) -> dict[str, NDArray[Any]]:
-        """Start an episode in every world and return the buffers.
-
-        seed: an int s, which gives world w the seed s + w, or ``(W,)`` ints, one for each.
-            World w then plays as `World` does after ``reset(seed of w, episode=episode)``.
-        """
-        if isinstance(seed, int | np.integer):
-            first = check_integer("seed", seed, 0, SEED_MAX)
-            seeds = np.array([(first + w) % 2**64 for w in range(self.n_worlds)], np.uint64)
-        else:
-            seeds = np.ascontiguousarray(check_naturals("seeds", seed, np.uint64))
-        self._core.reset(seeds, check_integer("episode", episode, 0, SEED_MAX))
-        return self.buffers
-
-    def step(self, actions: ArrayLike) -> dict[str, NDArray[Any]]:
-        """Play one round in every world and return the buffers.
-
-        actions: ``(W, A)`` integers; those of gone agents and ended worlds are not looked at
-
-        Raises ValueError for an illegal action, naming world and agent, before anything is
-        changed, or another shape; TypeError for actions that are not integers.
-        """
-        self._core.step(_integers("actions", actions))
-        return self.buffers

@@ -1,0 +1,123 @@
+"""Rounds played turn by turn, and copies of a world in the midst of them."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from rows import CUSTOM, config_of, random_actions
+
+NAMES = [*mw.VARIANTS, *CUSTOM]
+OF_TURNS = {"SIMULTANEOUS": 1, "SWARM_TURNS": 2}
+
+
+def assert_same(one: mw.World, other: mw.World) -> None:
+    for name, array in one.read(*mw.array_specs(one.config)).items():
+        np.testing.assert_array_equal(array, other.read(name)[name], name)
+    assert one.turn == other.turn
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_round_by_turns_is_a_step(name: str) -> None:
+    config = config_of(name, obstacles=0.1)
+    whole, by_turns = mw.World(config), mw.World(config)
+    assert whole.n_turns == OF_TURNS.get(config.rules.interaction.name, config.n_agents)
+    for actions in random_actions(3, config.n_actions, 20, config.n_agents):
+        if whole.terminated or whole.truncated:
+            break
+        whole.step(actions, explain=True)
+        acted: list[int] = []
+        for turn in range(by_turns.n_turns):
+            assert by_turns.turn == turn
+            acted += by_turns.actors
+            by_turns.play_turn(actions, explain=True)
+        assert acted == list(range(config.n_agents))
+        assert_same(whole, by_turns)
+        assert whole.conflicts == by_turns.conflicts
+
+
+def test_only_the_actors_actions_are_looked_at() -> None:
+    world = mw.World(config_of("TO"))
+    actions = np.full(world.config.n_agents, 99)
+    actions[0] = 0
+    world.play_turn(actions)
+    assert world.turn == 1
+    with pytest.raises(ValueError, match="expected 0 to 4, got 99 .*agent 1"):
+        world.play_turn(actions)
+    assert world.turn == 1
+
+
+def test_a_round_is_finished_as_it_was_begun() -> None:
+    world = mw.World(config_of("TO"))
+    stay = np.zeros(world.config.n_agents, int)
+    world.play_turn(stay)
+    with pytest.raises(RuntimeError, match="turn 1 of 7 is next"):
+        world.step(stay)
+    assert world.steps == 0
+    world.reset(1)
+    assert world.turn == 0
+    world.step(stay)
+    assert world.steps == 1
+
+
+def test_a_list_of_conflicts_is_kept_from_the_first_turn_on() -> None:
+    world = mw.World(config_of("TO"))
+    stay = np.zeros(world.config.n_agents, int)
+    world.play_turn(stay)
+    world.play_turn(stay, explain=True)
+    with pytest.raises(RuntimeError, match="explain=True"):
+        world.conflicts  # noqa: B018
+
+
+@pytest.mark.parametrize("interaction", list(mw.Interaction))
+def test_an_ended_world_takes_no_turn(interaction: mw.Interaction) -> None:
+    world = mw.World(mw.Rules(interaction), rows=1, cols=2, n_pursuers=1, n_evaders=1)
+    world.reset(0, pursuers=[[0, 0]], evaders=[[0, 1]])
+    actions = [mw.Action.EAST, mw.Action.STAY]
+    while not world.steps:  # terminated in the first turn: the round is still played to its end
+        world.play_turn(actions)
+    assert world.terminated
+    with pytest.raises(RuntimeError, match="has ended"):
+        world.play_turn(actions)
+
+
+@pytest.mark.parametrize("copied", [copy.deepcopy, lambda w: pickle.loads(pickle.dumps(w))])  # noqa: S301
+@pytest.mark.parametrize("name", NAMES)
+def test_a_copy_goes_on_alike_and_apart(name: str, copied: object) -> None:
+    config = config_of(name, obstacles=0.15, max_steps=40)
+    world = mw.World(config)
+    world.reset(11, episode=4)
+    turns = random_actions(6, config.n_actions, 60, config.n_agents)
+    for actions in turns[:5]:
+        if world.turn or not (world.terminated or world.truncated):
+            world.play_turn(actions)
+    twin = copied(world)
+    assert_same(world, twin)
+    left_behind = copy.deepcopy(world)
+    for actions in turns[5:]:
+        if not world.turn and (world.terminated or world.truncated):
+            world.reset()
+            twin.reset()
+        world.play_turn(actions)
+        twin.play_turn(actions)
+        assert_same(world, twin)
+    assert left_behind.turn == 5 % world.n_turns or left_behind.terminated
+
+
+def test_a_copy_keeps_the_map_of_its_episode() -> None:
+    world = mw.World(rows=3, cols=3, n_pursuers=1, n_evaders=1)
+    ground = np.eye(3, dtype=bool)
+    world.reset(2, obstacles=ground)
+    twin = copy.deepcopy(world)
+    np.testing.assert_array_equal(twin.map, ground)
+    twin.reset()
+    assert not twin.map.any()
+
+
+def test_reading_what_is_not_there() -> None:
+    with pytest.raises(ValueError, match="expected some of .*'positions'.*got \\['place'\\]"):
+        mw.World().read("positions", "place")
