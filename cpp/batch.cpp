@@ -48,9 +48,11 @@ void Batch::reset(const std::uint64_t* seeds, std::uint64_t episode, const std::
         begin(world, w, seeds ? EpisodeKey{seeds[w], episode} : next, scratch, placement(w));
         write_step(world, w, buffers);
         write_moment(world, scratch.occupancy, w, buffers);
-        if (buffers.acted)
-            std::fill_n(buffers.acted + w * setup_->config.n_agents(), setup_->config.n_agents(),
-                        std::uint8_t{0});
+        if (buffers.acted) {
+            const int n_agents = setup_->config.n_agents();
+            std::fill_n(buffers.acted + w * n_agents, n_agents, std::uint8_t{0});
+        }
+        if (buffers.ended) buffers.ended[w] = 0;
         world.leave(scratch);
     });
 }
@@ -82,7 +84,9 @@ void Batch::play(World& world, std::size_t number, Scratch& scratch, const Buffe
         }
     }
     write_step(world, number, buffers);
-    if (world.over() && !was_over) finish(world, number, scratch, buffers);
+    const bool ended = world.over() && !was_over;
+    if (buffers.ended) buffers.ended[number] = ended;
+    if (ended) finish(world, number, scratch, buffers);
     if (world.over() && autoreset_ == Autoreset::SameStep) {
         world.leave(scratch);
         begin(world, number, next, scratch, {});

@@ -66,6 +66,9 @@ class Batch {
     int n_worlds() const { return static_cast<int>(worlds_.size()); }
     const Setup& setup() const { return *setup_; }
 
+    // Where world w is.
+    Snapshot snapshot(int w) const { return worlds_[w].snapshot(*scratches_[0]); }
+
   private:
     template <typename Integer>
     void commit(const Integer* actions);

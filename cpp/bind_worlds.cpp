@@ -35,6 +35,43 @@ Eigen::Array<T, Eigen::Dynamic, 1> to_values(const py::object& given) {
     return Eigen::Map<const Eigen::Array<T, Eigen::Dynamic, 1>>(array.data(), array.size());
 }
 
+py::dict to_dict(const Snapshot& s, int turn) {
+    py::dict out;
+    out["key"] = std::make_pair(s.key.seed, s.key.episode);
+    out["turn"] = turn;
+    out["steps"] = s.steps;
+    out["flags"] = std::make_tuple(s.fresh_round, s.terminated, s.truncated);
+    out["map"] = to_array(s.map);
+    out["cell"] = to_array(s.cell);
+    out["captured"] = to_array(s.captured);
+    out["ever_captured"] = to_array(s.ever_captured);
+    out["capture_paid"] = to_array(s.capture_paid);
+    out["captors"] = to_array(s.captors);
+    out["rewards"] = to_array(s.rewards);
+    out["report"] = to_array(s.report);
+    out["cast"] = s.cast;
+    return out;
+}
+
+Snapshot to_snapshot(const py::dict& from) {
+    Snapshot s;
+    std::tie(s.key.seed, s.key.episode) =
+        from["key"].cast<std::pair<std::uint64_t, std::uint64_t>>();
+    std::tie(s.fresh_round, s.terminated, s.truncated) =
+        from["flags"].cast<std::tuple<bool, bool, bool>>();
+    s.steps = from["steps"].cast<int>();
+    s.map = to_values<std::uint8_t>(from["map"]);
+    s.cell = to_values<int>(from["cell"]);
+    s.captured = to_values<std::uint8_t>(from["captured"]);
+    s.ever_captured = to_values<std::uint8_t>(from["ever_captured"]);
+    s.capture_paid = to_values<std::uint8_t>(from["capture_paid"]);
+    s.captors = to_values<int>(from["captors"]);
+    s.rewards = to_values<float>(from["rewards"]);
+    s.report = to_values<int>(from["report"]);
+    s.cast = from["cast"].cast<std::vector<int>>();
+    return s;
+}
+
 class SingleWorld {
   public:
     explicit SingleWorld(std::shared_ptr<const Setup> setup)
@@ -77,41 +114,10 @@ class SingleWorld {
         return {first, last};
     }
 
-    py::dict snapshot() const {
-        const Snapshot s = world_.snapshot(scratch_);
-        py::dict out;
-        out["key"] = std::make_pair(s.key.seed, s.key.episode);
-        out["turn"] = turn_;
-        out["steps"] = s.steps;
-        out["flags"] = std::make_tuple(s.fresh_round, s.terminated, s.truncated);
-        out["map"] = to_array(s.map);
-        out["cell"] = to_array(s.cell);
-        out["captured"] = to_array(s.captured);
-        out["ever_captured"] = to_array(s.ever_captured);
-        out["capture_paid"] = to_array(s.capture_paid);
-        out["captors"] = to_array(s.captors);
-        out["rewards"] = to_array(s.rewards);
-        out["report"] = to_array(s.report);
-        out["cast"] = s.cast;
-        return out;
-    }
+    py::dict snapshot() const { return to_dict(world_.snapshot(scratch_), turn_); }
 
     void restore(const py::dict& from) {
-        Snapshot s;
-        std::tie(s.key.seed, s.key.episode) =
-            from["key"].cast<std::pair<std::uint64_t, std::uint64_t>>();
-        std::tie(s.fresh_round, s.terminated, s.truncated) =
-            from["flags"].cast<std::tuple<bool, bool, bool>>();
-        s.steps = from["steps"].cast<int>();
-        s.map = to_values<std::uint8_t>(from["map"]);
-        s.cell = to_values<int>(from["cell"]);
-        s.captured = to_values<std::uint8_t>(from["captured"]);
-        s.ever_captured = to_values<std::uint8_t>(from["ever_captured"]);
-        s.capture_paid = to_values<std::uint8_t>(from["capture_paid"]);
-        s.captors = to_values<int>(from["captors"]);
-        s.rewards = to_values<float>(from["rewards"]);
-        s.report = to_values<int>(from["report"]);
-        s.cast = from["cast"].cast<std::vector<int>>();
+        const Snapshot s = to_snapshot(from);
         const int turn = from["turn"].cast<int>();
         if (turn < 0 || turn >= world_.n_turns()) {
             throw py::value_error("snapshot, turn: expected 0 to " +
@@ -241,6 +247,8 @@ class BufferedBatch {
         });
     }
 
+    py::dict snapshot(int w) const { return to_dict(batch_.snapshot(w), 0); }
+
   private:
     HeldBuffers buffers_;
     Batch batch_;
@@ -270,7 +278,8 @@ void bind_worlds(py::module_& m) {
              py::arg("buffers"))
         .def("reset", &BufferedBatch::reset, py::arg("seeds"), py::arg("episode"), py::arg("mask"),
              py::arg("pursuers"), py::arg("evaders"), py::arg("map"))
-        .def("step", &BufferedBatch::step, py::arg("actions"));
+        .def("step", &BufferedBatch::step, py::arg("actions"))
+        .def("snapshot", &BufferedBatch::snapshot, py::arg("world"));
 }
 
 }  // namespace matrixworld

@@ -40,6 +40,7 @@ struct Buffers {
 
     // Of a batch: who was alive as the step began, and how the last episode to end came out.
     std::uint8_t* acted = nullptr;                // (W, A)
+    std::uint8_t* ended = nullptr;                // (W,) in this very step
     std::uint8_t* final_views = nullptr;          // (W, A, 3, fov, fov)
     float* final_float_views = nullptr;           // the same as numbers
     double* episode_return = nullptr;             // (W, 2)

@@ -94,6 +94,7 @@ void take_world(Holder& holder, const Config& config, Buffers& b) {
 
 void take_episodes(Holder& holder, const Config& config, Buffers& b) {
     holder.take<bool>("acted", b.acted, {config.n_agents()});
+    holder.take<bool>("ended", b.ended, {});
     holder.take_views("final_views", b.final_views, b.final_float_views, view_shape(config));
     holder.take<double>("episode_return", b.episode_return, {kTeams});
     holder.take<std::int32_t>("episode_length", b.episode_length, {});

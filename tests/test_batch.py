@@ -51,6 +51,7 @@ class SingleWorld:
     def step(self, actions: np.ndarray) -> None:
         was_over = self.over
         self.seen["acted"] = self.world.alive & (not was_over)
+        self.seen["ended"] = False
         if was_over and self.autoreset is mw.Autoreset.NEXT_STEP:
             self.world.reset()
             self.look()
@@ -79,6 +80,7 @@ class SingleWorld:
             return np.array([by_agent[team].sum(axis=0) for team in teams])
 
         self.seen |= {
+            "ended": True,
             "final_views": self.seen["views"],
             "episode_return": total("rewards").round(4),
             "episode_length": len(self.steps),
@@ -132,6 +134,24 @@ def test_float_views_are_the_views() -> None:
         for name, array in floats.items():
             np.testing.assert_array_equal(array, buffers[name])
     assert floats["final_views"].any()
+
+
+def test_a_copy_of_a_world_goes_on_like_it() -> None:
+    config = config_of("TO", obstacles=0.1)
+    batch = mw.Batch(4, config, autoreset=mw.Autoreset.NEXT_STEP)
+    actions = random_actions(8, 5, 30, 4, config.n_agents)
+    for step in range(5):
+        batch.step(actions[step])
+    world = batch.world(2)
+    for step in range(5, 30):
+        batch.step(actions[step])
+        if world.terminated or world.truncated:
+            world.reset()
+        else:
+            world.step(actions[step, 2])
+        for name, array in batch.buffers.items():
+            np.testing.assert_array_equal(array[2], world.read(name)[name])
+    assert world.episode
 
 
 # ---- Resetting some ----------------------------------------------------------------------------
@@ -326,7 +346,7 @@ def test_ended_worlds_stand_still() -> None:
     assert batch.buffers["terminated"].any()
     before = {name: array.copy() for name, array in batch.buffers.items()}
     batch.step(np.full((30, config.n_agents), 99))  # what ended worlds are told is not looked at
-    silent = ("rewards", "involved", "fault", "captors", "cost", "acted")
+    silent = ("rewards", "involved", "fault", "captors", "cost", "acted", "ended")
     for name in silent:
         assert not batch.buffers[name].any()
     for name in before.keys() - set(silent):

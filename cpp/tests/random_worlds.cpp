@@ -144,6 +144,7 @@ struct Memory {
         take(buffers.ever_capture_rate, 1);
         take(buffers.survival_rate, kTeams);
         take(buffers.acted, a);
+        take(buffers.ended, 1);
         take(buffers.final_views, a * view);
         take(buffers.final_float_views, a * view);
         take(buffers.episode_return, kTeams);
@@ -163,7 +164,7 @@ struct Memory {
         pointer = reinterpret_cast<T*>(block.data());
     }
 
-    static constexpr int kArrays = 33;
+    static constexpr int kArrays = 34;
     std::vector<std::vector<std::uint8_t>> bytes;
     Buffers buffers;
     int n_worlds;
@@ -186,6 +187,7 @@ class SingleWorlds {
             look(w, memory.buffers);
             const auto n_agents = static_cast<std::size_t>(worlds_[w].config().n_agents());
             std::fill_n(memory.buffers.acted + w * n_agents, n_agents, std::uint8_t{0});
+            memory.buffers.ended[w] = 0;
         }
     }
 
@@ -193,6 +195,7 @@ class SingleWorlds {
         for (std::size_t w = 0; w < worlds_.size(); ++w) {
             World& world = worlds_[w];
             write_acted(world, w, memory.buffers);
+            memory.buffers.ended[w] = 0;
             if (!world.over()) {
                 play(w, actions, memory.buffers);
                 if (world.over() && autoreset_ == Autoreset::SameStep) begin(w, next(w));
@@ -226,6 +229,7 @@ class SingleWorlds {
         tallies_[w].add(world, scratch_.occupancy);
         write_step(world, w, buffers);
         if (world.over()) {
+            buffers.ended[w] = 1;
             write_score(tallies_[w].total(world), w, buffers);
             write_final_views(world, scratch_.occupancy, w, buffers);
         }

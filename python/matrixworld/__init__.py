@@ -16,6 +16,7 @@ from matrixworld.maps import read_map
 from matrixworld.policy import SCRIPTS, Network, Population
 from matrixworld.rollout import Matches, Scores, match_seed, record, rollout
 from matrixworld.rules import KINDS, VARIANTS, Action, Rewards, Rules
+from matrixworld.vector import VectorEnv
 from matrixworld.world import World
 
 __version__ = "0.1.0"
@@ -39,6 +40,7 @@ __all__ = [
     "Rewards",
     "Rules",
     "Scores",
+    "VectorEnv",
     "World",
     "WorldConfig",
     "array_specs",

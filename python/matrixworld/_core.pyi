@@ -178,6 +178,9 @@ class Batch(metaclass=_Pybind11Type):
     def step(self, actions: _Integers) -> None:
         """Play one round with actions (W, A)."""
 
+    def snapshot(self, world: int) -> dict[str, Any]:
+        """Where one of the worlds is, for `World.restore`."""
+
 def rollout(
     setup: Setup,
     pursuers: _Candidates,

@@ -47,12 +47,14 @@ def array_specs(config: WorldConfig) -> Specs:
 def episode_specs(config: WorldConfig) -> Specs:
     """Shape (of one world) and dtype of what a batch, besides, tells of its episodes.
 
-    ``acted``: who was alive as the step began, in an episode that had not ended. The others are
-    written when an episode ends and stand until the next one of that world does: ``final_views``,
-    the views at its end, and what it came to, as in `Scores`.
+    ``acted``: who was alive as the step began, in an episode that had not ended. ``ended``: whether
+    the episode ended in this very step. The others are written when an episode ends and stand until
+    the next one of that world does: ``final_views``, the views at its end, and what it came to, as
+    in `Scores`.
     """
     return {
         "acted": ((config.n_agents,), np.bool_),
+        "ended": ((), np.bool_),
         "final_views": ((config.n_agents, 3, config.fov, config.fov), np.uint8),
         "episode_return": ((2,), np.float64),
         "episode_length": ((), np.int32),

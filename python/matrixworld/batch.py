@@ -14,6 +14,7 @@ from matrixworld.checks import SEED_MAX, check_integer, check_naturals, check_th
 from matrixworld.config import WorldConfig
 from matrixworld.maps import MapLike, read_map
 from matrixworld.rules import Rules
+from matrixworld.world import World
 
 
 class Batch:
@@ -131,3 +132,8 @@ class Batch:
         """
         self._core.step(integers("actions", actions))
         return self.buffers
+
+    def world(self, number: int) -> World:
+        """A copy of one of the worlds, which goes on by itself: to draw it, or to plan in it."""
+        number = check_integer("world", number, 0, self.n_worlds - 1)
+        return World.at(self.config, self._core.snapshot(number))

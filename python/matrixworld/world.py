@@ -169,6 +169,13 @@ class World:
         """Everything that its future depends on; the list of conflicts is left out."""
         return {"config": self.config, "moment": self._core.snapshot()}
 
+    @classmethod
+    def at(cls, config: WorldConfig, moment: dict[str, Any]) -> World:
+        """A world of this config at a moment of the engine's."""
+        world = cls.__new__(cls)
+        world.__setstate__({"config": config, "moment": moment})
+        return world
+
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.config = state["config"]
         self._specs = array_specs(self.config)
