@@ -11,9 +11,11 @@ from matrixworld.arrays import array_specs, episode_specs
 from matrixworld.batch import Batch
 from matrixworld.config import WorldConfig
 from matrixworld.conflicts import Conflict
+from matrixworld.env import aec_env, parallel_env
 from matrixworld.episode import Episode
 from matrixworld.maps import read_map
 from matrixworld.policy import SCRIPTS, Network, Population
+from matrixworld.recorder import Recorder, record_actions
 from matrixworld.rollout import Matches, Scores, match_seed, record, rollout
 from matrixworld.rules import KINDS, VARIANTS, Action, Rewards, Rules
 from matrixworld.vector import VectorEnv
@@ -37,16 +39,20 @@ __all__ = [
     "Network",
     "Outcome",
     "Population",
+    "Recorder",
     "Rewards",
     "Rules",
     "Scores",
     "VectorEnv",
     "World",
     "WorldConfig",
+    "aec_env",
     "array_specs",
     "episode_specs",
     "match_seed",
+    "parallel_env",
     "read_map",
     "record",
+    "record_actions",
     "rollout",
 ]

@@ -22,11 +22,13 @@ MOVES = ((0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1
 AXIAL = MOVES[1:5]
 
 
-def scene(episode: Episode, step: int = -1, *, trail: int = 6) -> Scene:
+def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None = None) -> Scene:
     """What there is to draw after so many steps, from 0; negative numbers count from the end.
 
-    trail: how many steps back the trails of the agents go. Raises IndexError for a step outside
-    the episode.
+    trail: how many steps back the trails of the agents go
+    title: by default the step and the share of the evaders that are captured
+
+    Raises IndexError for a step outside the episode.
     """
     now = range(episode.length + 1)[step]
     captures, deaths = _marks(episode, now)
@@ -41,7 +43,9 @@ def scene(episode: Episode, step: int = -1, *, trail: int = 6) -> Scene:
         trail=episode.positions[max(0, now - trail) : now],
         captures=captures,
         deaths=deaths,
-        title=_title(episode, now),
+        title=capture_title(episode, now, f"step {now} of {episode.length}")
+        if title is None
+        else title,
     )
 
 
@@ -125,10 +129,11 @@ def _times(episode: Episode, every: int) -> list[int]:
     return times if times[-1] == episode.length else [*times, episode.length]
 
 
-def _title(episode: Episode, now: int) -> str:
+def capture_title(episode: Episode, now: int, start: str) -> str:
+    """A line of text: ``start``, and how many of the evaders are captured."""
     caught, of = int(episode.counted[now].sum()), episode.n_evaders
     share = f" ({caught / of:.0%})" if of else ""
-    return f"step {now} of {episode.length}    captured {caught} of {of}{share}"
+    return f"{start}    captured {caught} of {of}{share}"
 
 
 def _marks(episode: Episode, now: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:

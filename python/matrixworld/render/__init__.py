@@ -5,8 +5,8 @@
 
 from __future__ import annotations
 
-from matrixworld.render.raster import MARK_STEPS, rgb
+from matrixworld.render.raster import MARK_STEPS, png, rgb
 from matrixworld.render.scene import Cell, Scene
 from matrixworld.render.terminal import ansi
 
-__all__ = ["MARK_STEPS", "Cell", "Scene", "ansi", "rgb"]
+__all__ = ["MARK_STEPS", "Cell", "Scene", "ansi", "png", "rgb"]

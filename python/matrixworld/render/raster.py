@@ -54,10 +54,12 @@ def rgb(
     return np.array(picture.canvas)
 
 
-def png(scene: Scene) -> bytes:
+def png(
+    scene: Scene, *, cell: int | None = None, fov: int = 11, viewers: Sequence[int] = ()
+) -> bytes:
     """The same picture as a PNG file."""
     buffer = io.BytesIO()
-    Image.fromarray(rgb(scene)).save(buffer, "PNG")
+    Image.fromarray(rgb(scene, cell=cell, fov=fov, viewers=viewers)).save(buffer, "PNG")
     return buffer.getvalue()
 
 

@@ -24,14 +24,11 @@ def play(frames: Iterable[str], stream: TextIO, *, fps: float) -> None:
     What is higher than the terminal is cut. Whatever happens, the cursor is back afterwards, on
     the line below the drawing.
     """
-    height = terminal_size(stream).lines - 1
     due = time.monotonic()
     try:
         stream.write(HIDE_CURSOR + WRAP_OFF + CLEAR)
         for frame in frames:
-            lines = (line + CLEAR_LINE for line in frame.split("\n")[:height])
-            stream.write(HOME + "\n".join(lines) + CLEAR_BELOW)
-            stream.flush()
+            draw(frame, stream)
             due += 1 / fps
             time.sleep(max(0.0, due - time.monotonic()))
     except KeyboardInterrupt:
@@ -39,6 +36,14 @@ def play(frames: Iterable[str], stream: TextIO, *, fps: float) -> None:
     finally:
         stream.write(WRAP_ON + SHOW_CURSOR + "\n")
         stream.flush()
+
+
+def draw(frame: str, stream: TextIO) -> None:
+    """Show a drawing in the place of the one before; what is higher than the terminal is cut."""
+    height = terminal_size(stream).lines - 1
+    lines = (line + CLEAR_LINE for line in frame.split("\n")[:height])
+    stream.write(HOME + "\n".join(lines) + CLEAR_BELOW)
+    stream.flush()
 
 
 def color_mode(stream: TextIO, environ: Mapping[str, str] = os.environ) -> str:
