@@ -142,6 +142,7 @@ class Recorder {
         const std::size_t n_agents = config_.n_agents();
         const std::size_t n_evaders = config_.n_evaders;
         grow(positions_, 2 * n_agents);
+        grow(places_, 2 * n_agents);
         grow(alive_, n_agents);
         grow(captured_, n_evaders);
         grow(ever_captured_, n_evaders);
@@ -149,8 +150,11 @@ class Recorder {
             const int agent = static_cast<int>(a);
             const bool alive = world.alive(agent);
             const std::size_t at = moments_ * n_agents + a;
-            positions_[2 * at] = alive ? world.grid().row(world.cell(agent)) : kGone;
-            positions_[2 * at + 1] = alive ? world.grid().col(world.cell(agent)) : kGone;
+            const int cell = world.last_cell(agent);
+            places_[2 * at] = world.grid().row(cell);
+            places_[2 * at + 1] = world.grid().col(cell);
+            positions_[2 * at] = alive ? places_[2 * at] : kGone;
+            positions_[2 * at + 1] = alive ? places_[2 * at + 1] : kGone;
             alive_[at] = alive;
         }
         std::copy_n(world.captured().data(), n_evaders, &captured_[moments_ * n_evaders]);
@@ -165,6 +169,7 @@ class Recorder {
         const py::ssize_t n_evaders = config_.n_evaders;
         py::dict out;
         out["positions"] = to_array(positions_, {t, n_agents, 2});
+        out["places"] = to_array(places_, {t, n_agents, 2});
         out["alive"] = to_array(alive_, {t, n_agents});
         out["captured"] = to_array(captured_, {t, n_evaders});
         out["ever_captured"] = to_array(ever_captured_, {t, n_evaders});
@@ -203,7 +208,7 @@ class Recorder {
 
     const Config& config_;
     std::size_t moments_ = 0;
-    std::vector<std::int32_t> positions_;
+    std::vector<std::int32_t> positions_, places_;
     std::vector<std::uint8_t> alive_, captured_, ever_captured_, involved_, fault_;
     std::vector<std::int8_t> actions_;
     std::vector<float> rewards_;

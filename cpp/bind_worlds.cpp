@@ -43,6 +43,7 @@ py::dict to_dict(const Snapshot& s, int turn) {
     out["flags"] = std::make_tuple(s.fresh_round, s.terminated, s.truncated);
     out["map"] = to_array(s.map);
     out["cell"] = to_array(s.cell);
+    out["went_at"] = to_array(s.went_at);
     out["captured"] = to_array(s.captured);
     out["ever_captured"] = to_array(s.ever_captured);
     out["capture_paid"] = to_array(s.capture_paid);
@@ -62,6 +63,7 @@ Snapshot to_snapshot(const py::dict& from) {
     s.steps = from["steps"].cast<int>();
     s.map = to_values<std::uint8_t>(from["map"]);
     s.cell = to_values<int>(from["cell"]);
+    s.went_at = to_values<int>(from["went_at"]);
     s.captured = to_values<std::uint8_t>(from["captured"]);
     s.ever_captured = to_values<std::uint8_t>(from["ever_captured"]);
     s.capture_paid = to_values<std::uint8_t>(from["capture_paid"]);

@@ -36,10 +36,14 @@ void write_moment(const World& world, const Occupancy& occupancy, std::size_t nu
         const int agent = static_cast<int>(a);
         const std::size_t at = number * n_agents + a;
         const bool alive = world.alive(agent);
-        const int cell = world.cell(agent);
+        const int cell = world.last_cell(agent);
         if (buffers.positions) {
             buffers.positions[2 * at] = alive ? world.grid().row(cell) : kGone;
             buffers.positions[2 * at + 1] = alive ? world.grid().col(cell) : kGone;
+        }
+        if (buffers.places) {
+            buffers.places[2 * at] = world.grid().row(cell);
+            buffers.places[2 * at + 1] = world.grid().col(cell);
         }
         if (buffers.alive) buffers.alive[at] = alive;
     }

@@ -14,6 +14,7 @@ namespace matrixworld {
 struct Buffers {
     // Of the moment.
     std::int32_t* positions = nullptr;  // (W, A, 2) row, col; -1, -1 when gone
+    std::int32_t* places = nullptr;     // (W, A, 2) the same, and of the gone where they went
     std::uint8_t* alive = nullptr;      // (W, A)
     std::int32_t* steps = nullptr;      // (W,)
     std::uint64_t* seed = nullptr;      // (W,)

@@ -124,7 +124,7 @@ void World::remove_captured(Scratch& scratch) {
     const Rules& rules = config().rules;
     if (rules.capture != Capture::Surround || !rules.captured_disappear) return;
     for (int e : judged_) {
-        if (captured_[e]) remove(evader_agent(e), scratch);
+        if (captured_[e]) remove(evader_agent(e), cell_[evader_agent(e)], scratch);
     }
 }
 

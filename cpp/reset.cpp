@@ -101,6 +101,7 @@ World::World(std::shared_ptr<const Setup> setup)
     : setup_(std::move(setup)),
       ground_(setup_->ground),
       cell_(IntArray::Constant(config().n_agents(), kGone)),
+      went_at_(IntArray::Constant(config().n_agents(), kGone)),
       captured_(ByteArray::Zero(config().n_evaders)),
       ever_captured_(ByteArray::Zero(config().n_evaders)),
       capture_paid_(ByteArray::Zero(config().n_evaders)),

@@ -34,9 +34,11 @@ Snapshot World::snapshot(const Scratch& scratch) const {
     for (int i = 0; i < s.map.size(); ++i) {
         s.map[i] = ground_->kind[grid().cell(i / config().cols, i % config().cols)] == kObstacle;
     }
-    s.cell = cell_.unaryExpr([&](int cell) {
+    const auto index = [&](int cell) {
         return cell == kGone ? kGone : grid().row(cell) * config().cols + grid().col(cell);
-    });
+    };
+    s.cell = cell_.unaryExpr(index);
+    s.went_at = went_at_.unaryExpr(index);
     s.captured = captured_;
     s.ever_captured = ever_captured_;
     s.capture_paid = capture_paid_;
@@ -56,6 +58,7 @@ void World::check(const Snapshot& s) const {
     const int n_agents = config().n_agents();
     require_size("map", s.map.size(), area);
     require_size("cell", s.cell.size(), n_agents);
+    require_size("went_at", s.went_at.size(), n_agents);
     require_size("rewards", s.rewards.size(), n_agents);
     require_size("report", s.report.size(), n_agents);
     require_size("captured", s.captured.size(), config().n_evaders);
@@ -63,6 +66,7 @@ void World::check(const Snapshot& s) const {
     require_size("capture_paid", s.capture_paid.size(), config().n_evaders);
     require_size("captors", s.captors.size(), config().n_evaders);
     require_below("cell", s.cell, kGone, area);
+    require_below("went_at", s.went_at, kGone, area);
     require_below("cast", s.cast, 0, n_agents);
 }
 
@@ -70,6 +74,10 @@ void World::restore(const Snapshot& s, Scratch& scratch) {
     check(s);
     begin_episode(s.key);
     lay_ground(s.map);
+    const auto cell = [&](int index) {
+        return index == kGone ? kGone : grid().cell(index / config().cols, index % config().cols);
+    };
+    went_at_ = s.went_at.unaryExpr(cell);
     living_.clear();
     n_living_[0] = n_living_[1] = 0;
     for (int a = 0; a < config().n_agents(); ++a) {
@@ -77,7 +85,7 @@ void World::restore(const Snapshot& s, Scratch& scratch) {
         if (s.cell[a] == kGone) continue;
         living_.push_back(a);
         ++n_living_[static_cast<int>(team(a))];
-        place(a, grid().cell(s.cell[a] / config().cols, s.cell[a] % config().cols), scratch);
+        place(a, cell(s.cell[a]), scratch);
     }
     captured_ = s.captured;
     ever_captured_ = s.ever_captured;

@@ -113,7 +113,8 @@ void World::settle(Scratch& scratch) {
         const Flags flags = scratch.resolver.flags(a);
         if (flags & (kCrashed | kDoomed)) {
             if (team(a) == Team::Evader) release(evader_number(a));  // until judged
-            remove(a, scratch);
+            const bool moves = !(flags & (kCrashed | kHeld));
+            remove(a, moves ? scratch.resolver.target(a) : cell_[a], scratch);
         } else if (!(flags & kHeld) && scratch.resolver.target(a) != cell_[a]) {
             scratch.occupancy.remove(a, cell_[a]);
             place(a, scratch.resolver.target(a), scratch);
@@ -121,9 +122,10 @@ void World::settle(Scratch& scratch) {
     }
 }
 
-void World::remove(int agent, Scratch& scratch) {
+void World::remove(int agent, int at, Scratch& scratch) {
     scratch.occupancy.remove(agent, cell_[agent]);
     cell_[agent] = kGone;
+    went_at_[agent] = at;
     --n_living_[static_cast<int>(team(agent))];
     if (team(agent) == Team::Evader && !counts_as_captured(evader_number(agent))) --n_at_large_;
 }

@@ -39,8 +39,9 @@ struct Ground {
 // the last one.
 struct Snapshot {
     EpisodeKey key;
-    ByteArray map;  // (rows * cols)
-    IntArray cell;  // by agent, an index into the rows * cols cells; kGone when gone
+    ByteArray map;     // (rows * cols)
+    IntArray cell;     // by agent, an index into the rows * cols cells; kGone when gone
+    IntArray went_at;  // by agent that is gone, the same
     ByteArray captured, ever_captured, capture_paid;  // by evader
     IntArray captors;                                 // by evader
     FloatArray rewards;                               // by agent
@@ -114,6 +115,7 @@ class World {
     }
     bool alive(int agent) const { return cell_[agent] != kGone; }
     int cell(int agent) const { return cell_[agent]; }
+    int last_cell(int agent) const { return alive(agent) ? cell_[agent] : went_at_[agent]; }
     const std::vector<int>& living() const { return living_; }  // in the order of their numbers
     int n_living(Team team) const { return n_living_[static_cast<int>(team)]; }
     const Ground& ground() const { return *ground_; }
@@ -146,7 +148,7 @@ class World {
 
     void choose_cast(int first, int last, const std::uint8_t* actions, Scratch& scratch) const;
     void settle(Scratch& scratch);
-    void remove(int agent, Scratch& scratch);
+    void remove(int agent, int at, Scratch& scratch);
     void drop_gone();
     void judge_captures(const Turn& turn, Scratch& scratch);
     void judge_contacts(const Turn& turn, const Scratch& scratch);
@@ -178,6 +180,7 @@ class World {
     EpisodeKey key_;
 
     IntArray cell_;            // by agent; kGone when gone
+    IntArray went_at_;         // by agent that is gone: the cell where it went
     std::vector<int> living_;  // agents, ascending
     int n_living_[kTeams] = {0, 0};
     int n_captured_ = 0;  // evaders that count as captured

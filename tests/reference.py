@@ -60,6 +60,7 @@ class ReferenceWorld:
         self.setting = Setting(self.rules, self.map, len(pursuers))
         cells = [(int(row), int(col)) for row, col in [*pursuers, *evaders]]
         self.where: dict[int, Cell] = dict(enumerate(cells))
+        self.been = dict(self.where)  # and of the gone, where they went
         self.agents, self.evaders = range(len(cells)), range(len(pursuers), len(cells))
         self.ever: set[int] = set()
         self.taken: set[int] = set()  # evaders that were captured when they went
@@ -111,6 +112,7 @@ class ReferenceWorld:
     # -- stage 5 ---------------------------------------------------------------------------
 
     def settle(self, turn: Turn) -> None:
+        self.been |= {a: turn.q.get(a, cell) for a, cell in self.where.items()}
         self.where = {a: cell for a, cell in turn.q.items() if a not in turn.doomed}
         self.conflicts += turn.clashes
         self.now = self.captures(turn)
@@ -196,6 +198,10 @@ class ReferenceWorld:
     @property
     def positions(self) -> np.ndarray:
         return np.array([self.where.get(a, GONE) for a in self.agents])
+
+    @property
+    def places(self) -> np.ndarray:
+        return np.array([self.been[a] for a in self.agents])
 
     @property
     def alive(self) -> np.ndarray:

@@ -97,14 +97,14 @@ def test_foreign_files_are_refused(tmp_path: Path) -> None:
         Episode.load(path)
     with path.open("wb") as file:
         np.savez(file, payoff=np.zeros(3))
-    with pytest.raises(ValueError, match="foreign: expected a file marked 'matrixworld episode 1'"):
+    with pytest.raises(ValueError, match="foreign: expected a file marked 'matrixworld episode 2'"):
         Episode.load(path)
     with path.open("wb") as file:
         np.save(file, np.zeros(3))
     with pytest.raises(ValueError, match="foreign: cut, altered or not an npz file"):
         Episode.load(path)
     with path.open("wb") as file:
-        np.savez(file, format=np.array("matrixworld episode 1"), map=np.zeros((2, 2), bool))
+        np.savez(file, format=np.array("matrixworld episode 2"), map=np.zeros((2, 2), bool))
     with pytest.raises(
         ValueError, match=r"foreign: expected entries \['actions', .* got \['map'\]"
     ):
@@ -116,7 +116,7 @@ def test_foreign_files_are_refused(tmp_path: Path) -> None:
 def test_objects_are_not_unpickled(tmp_path: Path) -> None:
     path = tmp_path / "pickled"
     with path.open("wb") as file:
-        np.savez(file, format=np.array("matrixworld episode 1"), map=np.array([{}], object))
+        np.savez(file, format=np.array("matrixworld episode 2"), map=np.array([{}], object))
     with pytest.raises(
         ValueError, match=r"pickled: cut, altered or not an npz file .*allow_pickle"
     ):

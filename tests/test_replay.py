@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import base64
 import dataclasses
 import io
 import os
 import re
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+import imageio_ffmpeg
 import numpy as np
 import pytest
 from PIL import Image
@@ -18,7 +22,7 @@ from made_up_episode import made_up_episode
 from matrixworld import colors, render
 from matrixworld.episode import Episode
 from matrixworld.render import screen
-from matrixworld.replay import animate_terminal, contact_sheet, save_gif, scene
+from matrixworld.replay import animate_terminal, animation, contact_sheet, save, scene
 
 EPISODE = made_up_episode()
 
@@ -50,17 +54,19 @@ def test_the_capture_rate_is_of_the_moment_under_surround_only() -> None:
 
 
 def tiny(
-    before: list[list[int]], actions: list[int], after: list[list[int]], captured: bool
+    before: list[list[int]], after: list[list[int]], alive: list[bool], captured: bool
 ) -> Episode:
-    """One step of a pursuer and an evader on a 3 x 3 grid; (-1, -1) means gone."""
-    positions = np.array([before, after], np.int32)
+    """One step of a pursuer and an evader on a 3 x 3 grid; the gone are where they went."""
+    places = np.array([before, after], np.int32)
+    living = np.array([[True, True], alive])
     ever = np.array([[False], [captured]])
     return Episode(
-        positions=positions,
-        alive=positions[..., 0] >= 0,
+        positions=np.where(living[..., None], places, -1).astype(np.int32),
+        places=places,
+        alive=living,
         captured=ever,
         ever_captured=ever,
-        actions=np.array([actions], np.int8),
+        actions=np.zeros((1, 2), np.int8),
         rewards=np.zeros((1, 2), np.float32),
         involved=np.zeros((1, 2, 3), bool),
         fault=np.zeros((1, 2, 3), bool),
@@ -69,42 +75,17 @@ def tiny(
     )
 
 
-GONE = [-1, -1]
-
-
-@pytest.mark.parametrize(
-    ("before", "actions", "after", "place"),
-    [
-        ([[0, 0], [0, 2]], [2, 4], [[0, 1], GONE], [0, 1]),  # both headed for one cell
-        ([[0, 0], [0, 1]], [2, 4], [[0, 1], GONE], [0, 1]),  # they swapped
-        ([[0, 0], [0, 1]], [2, 0], [[0, 1], GONE], [0, 1]),  # the evader stayed
-        ([[1, 1], [2, 1]], [0, 1], [[1, 1], GONE], [1, 1]),  # the pursuer stayed
-        ([[0, 0], [0, 1]], [2, 1], [[0, 1], GONE], [0, 1]),  # held at the border
-        ([[0, 0], [2, 2]], [0, 4], [[0, 0], [2, 1]], [2, 1]),  # captured and still there
-    ],
-)
-def test_captures_are_marked_where_they_happened(
-    before: list[list[int]], actions: list[int], after: list[list[int]], place: list[int]
-) -> None:
-    drawn = scene(tiny(before, actions, after, captured=True))
+@pytest.mark.parametrize("alive", [False, True])
+def test_captures_are_marked_where_they_happened(alive: bool) -> None:
+    drawn = scene(tiny([[0, 0], [2, 2]], [[0, 0], [2, 1]], [True, alive], captured=True))
     assert drawn.captures is not None
-    assert drawn.captures.tolist() == [[*place, 0]]
+    assert drawn.captures.tolist() == [[2, 1, 0]]
     assert drawn.deaths is not None
     assert len(drawn.deaths) == 0
 
 
-def test_an_evader_removed_when_surrounded_is_marked_where_it_was() -> None:
-    moves, gone = [[0, 1], [0, 0]], [[0, 1], GONE]
-    episode = tiny(moves, [0, 2], gone, captured=True)
-    walled = episode.map.copy()
-    walled[1, 0] = True
-    episode = dataclasses.replace(episode, map=walled)
-    assert scene(episode).captures.tolist() == [[0, 0, 0]]  # type: ignore[union-attr]
-
-
 def test_deaths_without_capture_are_marked_as_such_and_age() -> None:
-    episode = tiny([[1, 1], [2, 2]], [1, 2], [GONE, GONE], captured=False)
-    drawn = scene(episode)
+    drawn = scene(tiny([[1, 1], [2, 2]], [[0, 1], [2, 2]], [False, False], captured=False))
     assert drawn.captures.tolist() == []  # type: ignore[union-attr]
     assert drawn.deaths.tolist() == [[0, 1, 0], [2, 2, 0]]  # type: ignore[union-attr]
 
@@ -153,7 +134,7 @@ def frames(path: Path) -> Iterator[tuple[np.ndarray, int]]:
 
 def test_a_gif_shows_every_step(tmp_path: Path) -> None:
     path = tmp_path / "episode.gif"
-    save_gif(EPISODE, path, fps=8, hold=1.5, cell=14)
+    save(EPISODE, path, fps=8, hold=1.5, cell=14)
     shown = list(frames(path))
     assert len(shown) == EPISODE.length + 1
     assert [duration for _, duration in shown] == [120] * 30 + [1620]
@@ -177,8 +158,8 @@ def render_color(name: str) -> np.ndarray:
 
 
 def test_a_gif_of_fewer_frames_still_shows_the_last_step(tmp_path: Path) -> None:
-    save_gif(EPISODE, tmp_path / "all.gif", every=1)
-    save_gif(EPISODE, tmp_path / "some.gif", every=7)
+    save(EPISODE, tmp_path / "all.gif", every=1)
+    save(EPISODE, tmp_path / "some.gif", every=7)
     every, some = list(frames(tmp_path / "all.gif")), list(frames(tmp_path / "some.gif"))
     assert len(some) == 6  # steps 0, 7, 14, 21, 28, 30
     assert (np.abs(every[-1][0].astype(int) - some[-1][0]) > 60).mean() < 0.001
@@ -187,12 +168,12 @@ def test_a_gif_of_fewer_frames_still_shows_the_last_step(tmp_path: Path) -> None
 
 def test_a_gif_of_a_long_episode_stays_small(tmp_path: Path) -> None:
     episode = made_up_episode(rows=40, cols=40, pursuers=8, evaders=30, steps=100)
-    save_gif(episode, tmp_path / "long.gif", cell=12)
+    save(episode, tmp_path / "long.gif", cell=12)
     assert (tmp_path / "long.gif").stat().st_size < 101 * 8_000  # 4 MB for 500 steps
 
 
 def test_an_episode_that_stands_still_is_a_gif_too(tmp_path: Path) -> None:
-    save_gif(made_up_episode(steps=0), tmp_path / "still.gif")
+    save(made_up_episode(steps=0), tmp_path / "still.gif")
     assert len(list(frames(tmp_path / "still.gif"))) == 1
 
 
@@ -211,14 +192,93 @@ def test_a_refused_gif_leaves_no_file(
     tmp_path: Path, options: dict[str, float], message: str
 ) -> None:
     with pytest.raises(ValueError, match=message):
-        save_gif(EPISODE, tmp_path / "no.gif", **options)  # type: ignore[arg-type]
+        save(EPISODE, tmp_path / "no.gif", **options)  # type: ignore[arg-type]
     assert os.listdir(tmp_path) == []
+
+
+# -- films, pictures, notebooks ------------------------------------------------------------------
+
+
+def test_a_film_shows_every_step(tmp_path: Path) -> None:
+    path = tmp_path / "episode.mp4"
+    save(EPISODE, path, fps=8, hold=1.5, cell=14)
+    height, width, _ = render.rgb(scene(EPISODE, 0), cell=14).shape
+    decode = [
+        imageio_ffmpeg.get_ffmpeg_exe(),
+        "-i",
+        path,
+        "-f",
+        "rawvideo",
+        "-pix_fmt",
+        "rgb24",
+        "-",
+    ]
+    decoded = subprocess.run(decode, capture_output=True, check=True)
+    told = decoded.stderr.decode()
+    for fact in ("Video: h264", "yuv420p", f" {width}x{height}", " 8 fps"):
+        assert fact in told
+    shown = np.frombuffer(decoded.stdout, np.uint8).reshape(-1, height, width, 3)
+    assert len(shown) == EPISODE.length + 1 + 12
+    for step, picture in enumerate(shown[: EPISODE.length + 1]):
+        wanted = render.rgb(scene(EPISODE, step), cell=14)
+        assert np.abs(picture.astype(int) - wanted).mean() < 4, step
+    assert os.listdir(tmp_path) == ["episode.mp4"]
+
+
+def test_a_film_needs_the_extra(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
+    (tmp_path / "old.mp4").write_bytes(b"kept")
+    with pytest.raises(ImportError, match=r"pip install 'matrixworld\[video\]'"):
+        save(EPISODE, tmp_path / "old.mp4")
+    assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [("old.mp4", b"kept")]
+
+
+def test_a_picture_of_one_moment(tmp_path: Path) -> None:
+    save(EPISODE, tmp_path / "7.PNG", step=7, cell=9, fov=5, viewers=["evader_0", 1])
+    wanted = render.rgb(scene(EPISODE, 7), cell=9, fov=5, viewers=[5, 1])
+    with Image.open(tmp_path / "7.PNG") as image:
+        assert (np.array(image) == wanted).all()
+
+
+def test_a_field_of_view_is_as_large_as_the_world_says(tmp_path: Path) -> None:
+    episode = mw.record(mw.WorldConfig(rows=12, cols=12, fov=5), "still", "still", seed=0)
+    save(episode, tmp_path / "own.png", viewers=[0])
+    save(episode, tmp_path / "five.png", viewers=[0], fov=5)
+    save(episode, tmp_path / "seven.png", viewers=[0], fov=7)
+    own, five, seven = ((tmp_path / f"{n}.png").read_bytes() for n in ("own", "five", "seven"))
+    assert own == five != seven
+
+
+def test_what_save_refuses(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"ends in .gif, .mp4 or .png, got episode.avi"):
+        save(EPISODE, "episode.avi")
+    with pytest.raises(ValueError, match="expected numbers or names of agents, got 'evader_7'"):
+        save(EPISODE, tmp_path / "no.png", viewers=["evader_7"])
+    with pytest.raises(IndexError):
+        save(EPISODE, tmp_path / "no.png", step=31)
+    assert os.listdir(tmp_path) == []
+
+
+def test_a_notebook_shows_an_animation() -> None:
+    long = made_up_episode(rows=40, cols=40, pursuers=8, evaders=30, steps=500)
+    shown = animation(long)
+    with Image.open(io.BytesIO(shown.data)) as image:
+        assert image.n_frames == 101
+        assert image.size == (504, 530)
+    assert len(shown.data) < 1_500_000
+    encoded = re.fullmatch(r'<img src="data:image/gif;base64,(.*)" alt=".+">', shown._repr_html_())
+    assert encoded is not None
+    assert base64.b64decode(encoded[1]) == shown.data
+    with Image.open(io.BytesIO(animation(EPISODE, every=7).data)) as image:
+        assert image.n_frames == 6
 
 
 def test_a_contact_sheet_runs_from_first_to_last() -> None:
     sheet = contact_sheet(EPISODE, rows=2, cols=3, cell=14)
     single = render.rgb(scene(EPISODE, 0), cell=14)
     height, width, _ = single.shape
+    assert isinstance(sheet, Image.Image)  # which a notebook shows
+    sheet = np.array(sheet)
     assert sheet.shape == (2 * height, 3 * width, 3)
     assert (sheet[:height, :width] == single).all()
     assert (sheet[height:, 2 * width :] == render.rgb(scene(EPISODE), cell=14)).all()

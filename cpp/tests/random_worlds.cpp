@@ -122,6 +122,7 @@ struct Memory {
         const std::size_t view = static_cast<std::size_t>(kChannels) * config.fov * config.fov;
         const std::size_t area = static_cast<std::size_t>(config.rows) * config.cols;
         take(buffers.positions, 2 * a);
+        take(buffers.places, 2 * a);
         take(buffers.alive, a);
         take(buffers.captured, e);
         take(buffers.ever_captured, e);
@@ -164,7 +165,7 @@ struct Memory {
         pointer = reinterpret_cast<T*>(block.data());
     }
 
-    static constexpr int kArrays = 34;
+    static constexpr int kArrays = 35;
     std::vector<std::vector<std::uint8_t>> bytes;
     Buffers buffers;
     int n_worlds;

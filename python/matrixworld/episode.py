@@ -16,7 +16,7 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-FORMAT = "matrixworld episode 1"  # marks a saved file; a new layout, a new number
+FORMAT = "matrixworld episode 2"  # marks a saved file; a new layout, a new number
 
 N_ACTIONS = 9  # stay and eight directions
 
@@ -36,6 +36,7 @@ _UNREADABLE = (
 # Shape, in the letters of `Episode` (S is T + 1), and dtype of each array.
 _ARRAYS: dict[str, tuple[str, str]] = {
     "positions": ("S A 2", "int32"),
+    "places": ("S A 2", "int32"),
     "alive": ("S A", "bool"),
     "captured": ("S E", "bool"),
     "ever_captured": ("S E", "bool"),
@@ -52,6 +53,7 @@ class Episode:
     """An episode of T steps, of P pursuers and E evaders, A = P + E agents, pursuers first.
 
     positions: ``(T + 1, A, 2)`` int32, row and column, (-1, -1) when gone
+    places: the same; of agents that are gone, where they went
     alive: ``(T + 1, A)`` bool
     captured, ever_captured: ``(T + 1, E)`` bool, at the moment and so far
     actions: ``(T, A)`` int8
@@ -68,6 +70,7 @@ class Episode:
     """
 
     positions: NDArray[np.int32]
+    places: NDArray[np.int32]
     alive: NDArray[np.bool_]
     captured: NDArray[np.bool_]
     ever_captured: NDArray[np.bool_]

@@ -2,24 +2,41 @@
 
 from __future__ import annotations
 
+import base64
+import io
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
 from typing import TextIO
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
 from matrixworld.episode import Episode, replacing
-from matrixworld.render import MARK_STEPS, Cell, Scene, ansi, rgb
+from matrixworld.render import MARK_STEPS, Scene, ansi, rgb
 from matrixworld.render.gif import write_gif
+from matrixworld.render.mp4 import write_mp4
 from matrixworld.render.screen import color_mode, fits, play
 
-__all__ = ["Episode", "animate_terminal", "contact_sheet", "save_gif", "scene"]
+__all__ = [
+    "Animation",
+    "Episode",
+    "animate_terminal",
+    "animation",
+    "contact_sheet",
+    "save",
+    "scene",
+]
 
-# Row and column by action: stay, north, east, south, west, north-east and on clockwise.
-MOVES = ((0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1))
-AXIAL = MOVES[1:5]
+FRAMES = 120
+"""Frames of an animation in a notebook, at most."""
+PIXELS = 480
+"""The longer side of its field that is aimed at."""
+FOV = 11
+"""Side of a field of view where an episode does not tell its own."""
 
 
 def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None = None) -> Scene:
@@ -79,47 +96,121 @@ def animate_terminal(
     play((ansi(scene(episode, t), color=mode, compact=compact) for t in times), out, fps=fps)
 
 
-def save_gif(
+def save(
     episode: Episode,
     path: str | os.PathLike[str],
     *,
     fps: float = 10.0,
     every: int = 1,
+    hold: float = 2.0,
+    step: int = -1,
     cell: int | None = None,
     trail: int = 6,
-    hold: float = 2.0,
-    fov: int = 11,
-    viewers: Sequence[int] = (),
+    fov: int | None = None,
+    viewers: Sequence[int | str] = (),
 ) -> None:
-    """Write an episode as an endlessly repeated animation.
+    """Write an episode as the end of the name says: ``.gif``, ``.mp4``, or ``.png`` for one moment.
 
-    fps: frames a second, at most 50; every: steps from one frame to the next, the last step
-        always being shown, and held for `hold` seconds more
+    fps: frames a second, 0.1 to 50; every: steps from one frame to the next, the last step always
+        being shown, and held for `hold` seconds more
+    step: which moment a PNG shows, as for `scene`
     cell: pixels per cell; None chooses by the size of the grid
     trail: how many steps back the trails go
-    fov, viewers: as for `render.rgb`
+    viewers: agents whose fields of view are outlined, by number or name; fov: their side in cells,
+        by default that of the episode's world
 
-    Raises ValueError for a value out of range.
+    The file appears complete or not at all. Raises ValueError for another suffix and for a value
+    out of range, ImportError for MP4 without the extra ``video``.
     """
+    suffix = Path(path).suffix.lower()
+    if suffix not in (".gif", ".mp4", ".png"):
+        raise ValueError(f"path: expected a name that ends in .gif, .mp4 or .png, got {path}")
+    draw = _artist(episode, cell=cell, trail=trail, fov=fov, viewers=viewers)
     times = _times(episode, every)
-
-    def draw(time: int) -> NDArray[np.uint8]:
-        return rgb(scene(episode, time, trail=trail), cell=cell, fov=fov, viewers=viewers)
-
     with replacing(path) as file:
-        write_gif(file, draw, times, fps=fps, hold=hold)
+        if suffix == ".png":
+            Image.fromarray(draw(step)).save(file, "PNG")
+        else:
+            write = write_gif if suffix == ".gif" else write_mp4
+            write(file, draw, times, fps=fps, hold=hold)
+
+
+@dataclass(frozen=True)
+class Animation:
+    """A GIF that a notebook shows. data: the file's bytes."""
+
+    data: bytes
+
+    def _repr_html_(self) -> str:
+        encoded = base64.b64encode(self.data).decode("ascii")
+        return (
+            f'<img src="data:image/gif;base64,{encoded}" alt="an episode of pursuit and evasion">'
+        )
+
+
+def animation(
+    episode: Episode,
+    *,
+    fps: float = 10.0,
+    every: int | None = None,
+    cell: int | None = None,
+    trail: int = 6,
+    fov: int | None = None,
+    viewers: Sequence[int | str] = (),
+) -> Animation:
+    """What a notebook shows as a moving picture, kept in the notebook itself.
+
+    every: None shows at most `FRAMES` of an episode's steps; cell: None aims at `PIXELS` a side.
+    The rest is as for `save`. A long episode on 40 x 40 cells takes 1 MB or so.
+    """
+    if every is None:
+        every = -(-episode.length // FRAMES) or 1
+    if cell is None:
+        cell = max(1, PIXELS // max(episode.map.shape))
+    draw = _artist(episode, cell=cell, trail=trail, fov=fov, viewers=viewers)
+    buffer = io.BytesIO()
+    write_gif(buffer, draw, _times(episode, every), fps=fps, hold=2.0)
+    return Animation(buffer.getvalue())
 
 
 def contact_sheet(
     episode: Episode, *, rows: int = 2, cols: int = 3, cell: int | None = None
-) -> NDArray[np.uint8]:
-    """Moments of an episode from first to last, evenly spread, side by side: one RGB picture."""
+) -> Image.Image:
+    """Moments of an episode from first to last, evenly spread, side by side: one picture."""
     if rows < 1 or cols < 1:
         raise ValueError(f"rows, cols: expected at least 1, got {rows}, {cols}")
     times = np.linspace(0, episode.length, rows * cols).round().astype(int)
     pictures = [rgb(scene(episode, t), cell=cell) for t in times.tolist()]
     lines = [np.concatenate(pictures[i : i + cols], axis=1) for i in range(0, len(times), cols)]
-    return np.concatenate(lines)
+    return Image.fromarray(np.concatenate(lines))
+
+
+def _artist(
+    episode: Episode,
+    *,
+    cell: int | None,
+    trail: int,
+    fov: int | None,
+    viewers: Sequence[int | str],
+) -> Callable[[int], NDArray[np.uint8]]:
+    """How a moment of the episode is drawn."""
+    side = int(episode.config.get("fov", FOV)) if fov is None else fov
+    numbers = [_agent(episode, viewer) for viewer in viewers]
+
+    def draw(time: int) -> NDArray[np.uint8]:
+        return rgb(scene(episode, time, trail=trail), cell=cell, fov=side, viewers=numbers)
+
+    return draw
+
+
+def _agent(episode: Episode, viewer: int | str) -> int:
+    if isinstance(viewer, int):
+        return viewer
+    names = [f"pursuer_{i}" for i in range(episode.n_pursuers)]
+    names += [f"evader_{i}" for i in range(episode.n_evaders)]
+    if viewer not in names:
+        raise ValueError(f"viewers: expected numbers or names of agents, got {viewer!r}")
+    return names.index(viewer)
 
 
 def _times(episode: Episode, every: int) -> list[int]:
@@ -144,8 +235,8 @@ def _marks(episode: Episode, now: int) -> tuple[NDArray[np.int64], NDArray[np.in
         caught = _newly_captured(episode, step)
         gone = episode.alive[step - 1] & ~episode.alive[step]
         for marks, agents in ((captures, caught), (deaths, gone & ~caught)):
-            for agent in np.flatnonzero(agents).tolist():
-                marks.append((*_place(episode, step, agent), now - step))
+            places = episode.places[step, agents].tolist()
+            marks.extend((row, col, now - step) for row, col in places)
     return np.array(captures, int).reshape(-1, 3), np.array(deaths, int).reshape(-1, 3)
 
 
@@ -153,32 +244,3 @@ def _newly_captured(episode: Episode, step: int) -> NDArray[np.bool_]:
     """``(A,)``: whose first capture was in the step that led to this moment."""
     evaders = episode.ever_captured[step] & ~episode.ever_captured[step - 1]
     return np.concatenate([np.zeros(episode.n_pursuers, bool), evaders])
-
-
-def _place(episode: Episode, step: int, agent: int) -> Cell:
-    """Where an agent is after a step, or where it vanished in it.
-
-    The latter is not recorded. It is taken for the cell that the agent meant to enter, unless
-    that is a wall, or pursuers now stand all around the cell that it came from (it was
-    surrounded) or on that cell and not on the other (they swapped, or it stayed).
-    """
-    if episode.alive[step, agent]:
-        row, col = episode.positions[step, agent].tolist()
-        return row, col
-    row, col = episode.positions[step - 1, agent].tolist()
-    down, right = MOVES[episode.actions[step - 1, agent]]
-    ahead = (row + down, col + right)
-    around = [(row + dr, col + dc) for dr, dc in AXIAL]
-    surrounded = all(_wall(episode, each) or _pursued(episode, step, each) for each in around)
-    stayed = _pursued(episode, step, (row, col)) and not _pursued(episode, step, ahead)
-    return (row, col) if _wall(episode, ahead) or surrounded or stayed else ahead
-
-
-def _wall(episode: Episode, cell: Cell) -> bool:
-    rows, cols = episode.map.shape
-    return not (0 <= cell[0] < rows and 0 <= cell[1] < cols) or bool(episode.map[cell])
-
-
-def _pursued(episode: Episode, step: int, cell: Cell) -> bool:
-    pursuers = episode.positions[step, : episode.n_pursuers]
-    return bool((pursuers == cell).all(axis=1).any())

@@ -199,6 +199,11 @@ class World:
         return self._read("positions")
 
     @property
+    def places(self) -> NDArray[np.int32]:
+        """``(A, 2)`` int32 row and column of each agent; of one that is gone, where it went."""
+        return self._read("places")
+
+    @property
     def alive(self) -> NDArray[np.bool_]:
         """``(A,)`` bool."""
         return self._read("alive")

@@ -34,12 +34,7 @@ def write_gif(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, h
 
     Raises ValueError for no times, and for fps and hold (seconds) out of range.
     """
-    if len(times) == 0:
-        raise ValueError("times: expected at least one, got none")
-    if not SLOWEST <= fps <= FASTEST:
-        raise ValueError(f"fps: expected {SLOWEST:g} to {FASTEST:g} a second, got {fps}")
-    if not 0 <= hold <= LONGEST_HOLD:
-        raise ValueError(f"hold: expected 0 to {LONGEST_HOLD:g} seconds, got {hold}")
+    check_timing(times, fps=fps, hold=hold)
     palette = _palette([draw(times[i]) for i in _spread(len(times))])
     durations = [round(100 / fps)] * len(times)
     durations[-1] += round(100 * hold)
@@ -51,6 +46,16 @@ def write_gif(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, h
         file.write(encoded if shown is None else encoded[_header_length(encoded) :])
         shown = wanted
     file.write(TRAILER)
+
+
+def check_timing(times: Sequence[int], *, fps: float, hold: float) -> None:
+    """Raise ValueError for no times, and for fps and hold that no viewer would show."""
+    if len(times) == 0:
+        raise ValueError("times: expected at least one, got none")
+    if not SLOWEST <= fps <= FASTEST:
+        raise ValueError(f"fps: expected {SLOWEST:g} to {FASTEST:g} a second, got {fps}")
+    if not 0 <= hold <= LONGEST_HOLD:
+        raise ValueError(f"hold: expected 0 to {LONGEST_HOLD:g} seconds, got {hold}")
 
 
 def _indices(picture: NDArray[np.uint8], palette: Image.Image) -> NDArray[np.uint8]:
