@@ -12,7 +12,7 @@ import pytest
 
 import matrixworld
 from command_line import GIF, MAIN_JOB, PNG, matrixworld_command
-from matrixworld import VARIANTS, Episode
+from matrixworld import VARIANTS, Episode, WorldConfig, record
 from matrixworld.cli.figures import collisions_per_1000
 from matrixworld.coevolution import evaluation_seed, open_run, start
 from matrixworld.rollout import Matches, rollout
@@ -115,7 +115,7 @@ def test_replay_plays_the_episode_that_was_counted(job):
     run = job / MAIN_JOB[1]
     result = matrixworld_command(
         "replay", run, "--pursuers", 2, "--evaders", -3, "--episode", 1,
-        "--gif", "match.gif", "--save", "match.npz",
+        "--out", "match.gif", "--out", "match.npz",
     )  # fmt: skip
     payoff, episode = open_run(run).payoff(), Episode.load("match.npz")
     assert episode.length == payoff.lengths[2, 0, 1]
@@ -127,6 +127,17 @@ def test_replay_plays_the_episode_that_was_counted(job):
     again = matrixworld_command("replay", "match.npz").stdout
     assert again.startswith(f"step {episode.length} of {episode.length}")
     assert again.endswith(f"\n{told}\n")
+
+
+def test_replay_of_a_variant_is_a_game_of_scripts():
+    game = ["replay", "sb", "--seed", 7, "--episode", 2, "--rows", 12, "--cols", 9]
+    result = matrixworld_command(*game, "--evaders", "random", "--out", "a.npz", "--out", "a.PNG")
+    episode = Episode.load("a.npz")
+    config = WorldConfig("SB", rows=12, cols=9)
+    expected = record(config, "chaser", "random", seed=7, episode=2)
+    assert np.array_equal(episode.positions, expected.positions)
+    assert Path("a.PNG").read_bytes().startswith(PNG)
+    assert result.stdout.endswith(f"{episode.length} steps  a.npz, a.PNG\n")
 
 
 def test_replay_plays_the_last_generations_unless_told_otherwise(job):
@@ -144,6 +155,11 @@ def test_replay_plays_the_last_generations_unless_told_otherwise(job):
         (["{job}/specialist-specialist", "--pursuers", "3"], 2, "a generation from 0 to 2, got 3"),
         (["{job}/specialist-specialist/log.csv"], 1, "cut, altered or not an npz file"),
         (["{job}/specialist-specialist/log.csv", "--episode", "1"], 2, "expected no --pursuers"),
+        (["{job}/specialist-specialist", "--evaders", "fleer"], 2, "a generation of the run, got"),
+        (["{job}/specialist-specialist", "--seed", "1"], 2, "with a variant only"),
+        (["O", "--pursuers", "3"], 2, "--pursuers: expected random, still, chaser, fleer, got '3'"),
+        (["O", "--rows", "1", "--cols", "3"], 2, "n_pursuers: expected 1 to 3, got 8"),
+        (["O", "--out", "x.avi"], 2, "ends in .gif, .mp4, .png, .npz: x.avi"),
     ],
 )
 def test_replay_refuses(job, options, code, message):

@@ -1,4 +1,4 @@
-"""``matrixworld replay``: watch a match."""
+"""``matrixworld replay``: watch an episode."""
 
 from __future__ import annotations
 
@@ -9,31 +9,46 @@ import click
 from matrixworld import replay
 from matrixworld.cli.arguments import failures, run_of
 from matrixworld.coevolution import open_run
+from matrixworld.config import WorldConfig
 from matrixworld.episode import Episode
+from matrixworld.policy import SCRIPTS, Team
+from matrixworld.rollout import record
+from matrixworld.rules import VARIANTS
 
 LAST = -1
 SLOWEST, FASTEST = 0.1, 50.0  # drawings a second that a GIF can show
+SUFFIXES = (".gif", ".mp4", ".png", ".npz")
+CHASER, FLEER = "chaser", "fleer"
 
 
-def _run_or_file(ctx: click.Context, param: click.Parameter, value: str) -> tuple[str, Path | None]:
-    """What was given, and the run that it names if it is no file."""
-    return value, None if Path(value).is_file() else run_of(ctx, param, value)
+def _out(ctx: click.Context, param: click.Parameter, value: tuple[Path, ...]) -> tuple[Path, ...]:
+    for path in value:
+        if path.suffix.lower() not in SUFFIXES:
+            raise click.BadParameter(f"expected a name that ends in {', '.join(SUFFIXES)}: {path}")
+    return value
 
 
 @click.command("replay")
-@click.argument("source", metavar="RUN|FILE", callback=_run_or_file)
-@click.option("--pursuers", type=int, metavar="GENERATION", help="[default: the last]")
-@click.option("--evaders", type=int, metavar="GENERATION", help="[default: the last]")
-@click.option("--episode", type=click.IntRange(min=0), metavar="NUMBER", help="[default: 0]")
+@click.argument("source", metavar="RUN|FILE|VARIANT")
+@click.option("--pursuers", metavar="WHO", help="a generation of the run, or a script")
+@click.option("--evaders", metavar="WHO", help="a generation of the run, or a script")
 @click.option(
-    "--gif",
-    type=click.Path(path_type=Path, dir_okay=False),
-    help="write an animation here instead of showing the match",
+    "--episode",
+    type=click.IntRange(min=0),
+    metavar="NUMBER",
+    help="which one of the match, or of the seed  [default: 0]",
 )
+@click.option("--seed", type=click.IntRange(min=0), metavar="INTEGER", help="of a variant's game")
+@click.option("--rows", type=click.IntRange(min=1), metavar="INTEGER", help="of a variant's grid")
+@click.option("--cols", type=click.IntRange(min=1), metavar="INTEGER", help="of a variant's grid")
 @click.option(
-    "--save",
+    "--out",
     type=click.Path(path_type=Path, dir_okay=False),
-    help="write the episode here (.npz) instead of showing the match",
+    multiple=True,
+    callback=_out,
+    metavar="FILE",
+    help="write it here instead of showing it: .gif, .mp4, .png (its last moment) or .npz (the "
+    "episode itself); may be given several times",
 )
 @click.option(
     "--fps",
@@ -52,55 +67,108 @@ def _run_or_file(ctx: click.Context, param: click.Parameter, value: str) -> tupl
     help="steps from one drawing to the next",
 )
 def replay_command(
-    source: tuple[str, Path | None],
-    pursuers: int | None,
-    evaders: int | None,
+    source: str,
+    pursuers: str | None,
+    evaders: str | None,
     episode: int | None,
-    gif: Path | None,
-    save: Path | None,
+    seed: int | None,
+    rows: int | None,
+    cols: int | None,
+    out: tuple[Path, ...],
     fps: float,
     every: int,
 ) -> None:
-    """Watch a match of a run.
+    """Watch an episode in the terminal, or write it to files.
 
-    It is shown in the terminal, or written as a GIF. What is played is the very episode that the
-    run's payoff matrix counts. Generations below 0 count from the last. FILE is an episode that
-    --save or Episode.save has written.
+    Of a RUN it is the very episode that the payoff matrix counts: WHO is a generation, below 0
+    from the last, by default the last. FILE is an episode that --out or Episode.save has written.
+    VARIANT (O, SB, ...) is a new game between scripts: WHO is random, still, chaser or fleer, by
+    default chaser against fleer.
     """
-    name, run = source
+    world = {"seed": seed, "rows": rows, "cols": cols}
     with failures():
-        played = (
-            _loaded(name, pursuers, evaders, episode)
-            if run is None
-            else _played(run, pursuers, evaders, episode)
-        )
-        if gif is not None:
-            replay.save_gif(played, gif, fps=fps, every=every)
-        if save is not None:
-            played.save(save)
-        if gif is None and save is None:
-            replay.animate_terminal(played, fps=fps, every=every)
+        if Path(source).is_file():
+            _require_none(source, pursuers, evaders, episode, *world.values())
+            played = _loaded(source)
+        elif source.upper() in VARIANTS and not Path(source).exists():
+            played = _scripted(source, pursuers, evaders, episode, **world)
+        else:
+            run = run_of(click.get_current_context(), replay_command.params[0], source)
+            assert run is not None
+            if any(value is not None for value in world.values()):
+                raise click.UsageError("expected --seed, --rows and --cols with a variant only")
+            played = _of_run(run, pursuers, evaders, episode)
+        _show(played, out, fps=fps, every=every)
     caught, of = int(played.counted[-1].sum()), played.n_evaders
-    written = ", ".join(str(path) for path in (gif, save) if path is not None)
+    written = ", ".join(map(str, out))
     click.echo(f"{caught} of {of} evaders captured, {played.length} steps  {written}".rstrip())
 
 
-def _played(run: Path, pursuers: int | None, evaders: int | None, episode: int | None) -> Episode:
+def _show(played: Episode, out: tuple[Path, ...], *, fps: float, every: int) -> None:
+    if not out:
+        replay.animate_terminal(played, fps=fps, every=every)
+    for path in out:
+        if path.suffix.lower() == ".npz":
+            played.save(path)
+            continue
+        try:
+            replay.save(played, path, fps=fps, every=every)
+        except ImportError as error:
+            raise click.ClickException(str(error)) from error
+
+
+def _of_run(run: Path, pursuers: str | None, evaders: str | None, episode: int | None) -> Episode:
     try:
         return open_run(run).record(
-            LAST if pursuers is None else pursuers,
-            LAST if evaders is None else evaders,
-            episode or 0,
+            _generation("--pursuers", pursuers), _generation("--evaders", evaders), episode or 0
         )
     except IndexError as error:
         raise click.UsageError(str(error)) from error
 
 
-def _loaded(file: str, *choice: int | None) -> Episode:
+def _generation(option: str, who: str | None) -> int:
+    if who is None:
+        return LAST
+    try:
+        return int(who)
+    except ValueError:
+        raise click.UsageError(f"{option}: expected a generation of the run, got {who!r}") from None
+
+
+def _scripted(
+    variant: str,
+    pursuers: str | None,
+    evaders: str | None,
+    episode: int | None,
+    *,
+    seed: int | None,
+    rows: int | None,
+    cols: int | None,
+) -> Episode:
+    teams = _script("--pursuers", pursuers or CHASER), _script("--evaders", evaders or FLEER)
+    try:
+        config = WorldConfig(variant, rows=rows, cols=cols)
+        return record(config, *teams, seed=seed or 0, episode=episode or 0)
+    except ValueError as error:
+        raise click.UsageError(str(error)) from error
+
+
+def _script(option: str, who: str) -> Team:
+    for script in SCRIPTS:
+        if who == script:
+            return script
+    raise click.UsageError(f"{option}: expected {', '.join(SCRIPTS)}, got {who!r}")
+
+
+def _require_none(file: str, *choice: object) -> None:
     if any(part is not None for part in choice):
         raise click.UsageError(
-            f"{file} is a single episode: expected no --pursuers, --evaders or --episode with it"
+            f"{file} is a single episode: expected no --pursuers, --evaders, --episode, --seed, "
+            "--rows or --cols with it"
         )
+
+
+def _loaded(file: str) -> Episode:
     try:
         return Episode.load(file)
     except ValueError as error:

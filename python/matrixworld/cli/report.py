@@ -123,13 +123,13 @@ def _print_next(runs: Mapping[Path, SavedRun]) -> None:
     *_, (path, run) = runs.items()
     click.echo("\nWhat to try next:")
     if isinstance(run.settings, SingleSettings):
-        _print_command("replay", path, "--gif match.gif")
+        _print_command("replay", path, "--out match.gif")
         _print_command("evolve --against", path, f"--team {other(run.settings.team)}")
         return
     last = run.settings.generations
     match = f"--pursuers {last} --evaders {last // 2}"
     _print_command("replay", path, match)
-    _print_command("replay", path, match, "--gif match.gif")
+    _print_command("replay", path, match, "--out match.gif")
     _print_command("tournament", *runs, *(["--episodes 50"] if len(runs) == 1 else []))
     _print_command("plot", *runs)
 

@@ -24,8 +24,8 @@ def write_mp4(
     """Write a film (H.264, yuv420p) into a file on disk, whose frames are ``draw(t)``.
 
     Every ``draw(t)`` gives ``(height, width, 3)`` uint8 of one size, both sides even. The last
-    frame is shown `hold` seconds longer. Raises ImportError without imageio-ffmpeg, ValueError for no
-    times, and for fps and hold out of range.
+    frame is shown `hold` seconds longer. Raises ImportError without imageio-ffmpeg, ValueError for
+    no times, and for fps and hold out of range.
     """
     check_timing(times, fps=fps, hold=hold)
     try:

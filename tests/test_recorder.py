@@ -1,0 +1,97 @@
+"""Episodes kept while they are played, and played again from their actions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld import render, replay
+from rows import CUSTOM, config_of, random_actions
+
+NAMES = [*mw.VARIANTS, *CUSTOM]
+ARRAYS = (
+    *("positions", "places", "alive", "captured", "ever_captured", "actions", "rewards"),
+    *("involved", "fault", "map"),
+)
+
+
+def assert_same(one: mw.Episode, other: mw.Episode) -> None:
+    acted = one.alive[:-1]
+    for name in ARRAYS:
+        left, right = getattr(one, name), getattr(other, name)
+        if name == "actions":  # those of the gone are whatever they were
+            left, right = left[acted], right[acted]
+        np.testing.assert_array_equal(left, right, name)
+        assert left.dtype == right.dtype
+    assert one.config == other.config
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_episode_from_its_actions(name: str) -> None:
+    config = config_of(name, obstacles=0.1)
+    episode = mw.record(config, "random", "fleer", seed=12, episode=3)
+    assert_same(episode, mw.record_actions(config, episode.actions, seed=12, episode=3))
+
+
+def test_an_episode_from_given_positions() -> None:
+    config = mw.WorldConfig("R", rows=3, cols=3, n_pursuers=1, n_evaders=1)
+    ground = np.eye(3, dtype=bool)
+    where = {"pursuers": [[0, 1]], "evaders": [[2, 0]], "obstacles": ground}
+    episode = mw.record_actions(config, [[1, 1], [3, 0]], seed=1, **where)
+    np.testing.assert_array_equal(episode.positions[0], [[0, 1], [2, 0]])
+    np.testing.assert_array_equal(episode.positions[-1], [[0, 1], [1, 0]])
+    np.testing.assert_array_equal(episode.map, ground)
+    assert episode.length == 2
+
+
+@pytest.mark.parametrize("name", ["D", "SD", "TO"])
+def test_an_environment_keeps_its_episode(name: str, tmp_path: Path) -> None:
+    config = config_of(name, obstacles=0.1)
+    env = mw.parallel_env(config, record=True)
+    env.reset(seed=12)
+    rows = random_actions(1, config.n_actions, config.max_steps, config.n_agents)
+    for row in rows:
+        if not env.agents:
+            break
+        env.step({agent: int(row[i]) for i, agent in enumerate(env.possible_agents)})
+    assert_same(env.recorded, mw.record_actions(config, rows, seed=12))
+    env.recorded.save(tmp_path / "kept.npz")
+    assert_same(mw.Episode.load(tmp_path / "kept.npz"), env.recorded)
+    env.reset()
+    assert env.recorded.length == 0
+
+
+def test_the_aec_environment_keeps_whole_rounds() -> None:
+    config = config_of("TO")
+    env = mw.aec_env(config, record=True)
+    env.reset(seed=4)
+    rng = np.random.default_rng(0)
+    for agent in env.agent_iter():
+        _, _, terminated, truncated, _ = env.last()
+        done = terminated or truncated
+        env.step(None if done else int(rng.integers(env.action_space(agent).n)))
+    kept = env.unwrapped.recorded
+    assert kept.length == env.unwrapped.status.steps
+    assert_same(kept, mw.record_actions(config, kept.actions, seed=4))
+
+
+@pytest.mark.parametrize("name", ["D", "SD", "O"])
+def test_the_present_moment_is_drawn_as_that_of_the_episode(name: str) -> None:
+    config = config_of(name, obstacles=0.1)
+    world = mw.World(config)
+    recorder = mw.Recorder(world)
+    for row in random_actions(2, 5, config.max_steps, config.n_agents):
+        if world.terminated or world.truncated:
+            break
+        world.step(row)
+        recorder.note(row)
+        shown = recorder.scene()
+        caught = int(recorder.episode().counted[-1].sum())
+        share = f"captured {caught} of 4 ({caught / 4:.0%})"
+        assert config.n_evaders != 4 or shown.title == f"step {world.steps}    {share}"
+        expected = replay.scene(recorder.episode(), title=shown.title)
+        np.testing.assert_array_equal(render.rgb(shown, cell=12), render.rgb(expected, cell=12))
+    assert world.steps > 2
