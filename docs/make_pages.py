@@ -1,4 +1,4 @@
-"""Writes the pages of the nine variants, and their pictures, from the modules of `matrixworld.envs`.
+"""Writes the pages of the variants, and their pictures, from the modules of `matrixworld.envs`.
 
 python docs/make_pages.py
 """

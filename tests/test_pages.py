@@ -1,4 +1,4 @@
-"""The pages of the variants: what their tables say is so, and what is on disk is what is written."""
+"""The pages of the variants: what their tables say is so, and those on disk are up to date."""
 
 from __future__ import annotations
 

@@ -153,6 +153,17 @@ def test_agents_at_fault_wear_a_ring_and_others_a_fainter_one() -> None:
     assert (rgb(scene(fault=none, involved=contact)) == rgb(scene())).all()
 
 
+def test_a_collision_is_marked_where_agents_went_in_it() -> None:
+    bump = np.zeros((5, 3), bool)
+    bump[4, 1] = True  # the agent that is gone
+    for where, rings in (([3, 4], {(3, 4)}), ([-1, -1], set())):
+        positions = scene().positions.copy()
+        positions[4] = where
+        drawn = scene(positions=positions, fault=bump, involved=bump)
+        assert drawn.collided() == (rings, set())
+        assert (count(rgb(drawn), colors.COLLISION) > 50) == bool(rings)
+
+
 def test_a_trail_leads_to_each_living_agent_and_fades() -> None:
     before = np.array([[0, 2], [2, 3], [1, 4], [3, 0], [0, 5]])
     between = np.array([[0, 1], [2, 3], [1, 4], [3, 0], [-1, -1]])

@@ -90,6 +90,23 @@ def test_deaths_without_capture_are_marked_as_such_and_age() -> None:
     assert drawn.deaths.tolist() == [[0, 1, 0], [2, 2, 0]]  # type: ignore[union-attr]
 
 
+def test_a_collision_that_removes_agents_is_marked_where_they_went() -> None:
+    world = mw.World("D", rows=3, cols=5, n_pursuers=4, n_evaders=1)
+    recorder = mw.Recorder(world)
+    world.reset(pursuers=[(1, 0), (1, 2), (0, 4), (2, 0)], evaders=[(2, 4)])
+    recorder.begin()
+    east, west, north = 2, 4, 1
+    for actions in ([east, west, north, 0, 0], [0] * 5):
+        world.step(actions)
+        recorder.note(actions)
+    met, crashed = (1, 1), (0, 4)
+    first, second = (scene(recorder.episode(), step) for step in (1, 2))
+    assert first.deaths.tolist() == [[*met, 0], [*met, 0], [*crashed, 0]]  # type: ignore[union-attr]
+    assert first.collided() == ({met, crashed}, set())
+    assert second.deaths.tolist() == [[*met, 1], [*met, 1], [*crashed, 1]]  # type: ignore[union-attr]
+    assert second.collided() == (set(), set())
+
+
 def test_marks_stay_for_a_few_steps() -> None:
     step = int(EPISODE.ever_captured.any(axis=1).argmax())
     ages = [scene(EPISODE, t).captures for t in range(step, step + render.MARK_STEPS + 1)]

@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 import copy
+import dataclasses
 import io
 import pickle
 import sys
+from collections.abc import Iterator
+from types import SimpleNamespace
 from typing import Any
 
 import matplotlib as mpl
 import numpy as np
 import pytest
 from matplotlib import pyplot as plt
+from matplotlib.backend_bases import KeyEvent, key_press_handler
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 
 import matrixworld as mw
 from matrixworld import screen
 from matrixworld.render import ansi, png, rgb
-from matrixworld.render.screen import CLEAR, HOME
+from matrixworld.render.screen import CLEAR, HOME, WRAP_OFF, WRAP_ON
 from rows import config_of
 
 
@@ -44,7 +49,9 @@ SCENE = mw.World(config_of("O")).scene("a title")
 # ---- Terminals ---------------------------------------------------------------------------------
 
 
-def test_without_display_or_terminal_it_is_plain_text(capsys: pytest.CaptureFixture[str]) -> None:
+def test_without_display_or_terminal_it_is_plain_text(
+    naps: list[float], capsys: pytest.CaptureFixture[str]
+) -> None:
     env = mw.parallel_env(config_of("O"), render_mode="human")
     env.reset(seed=0)
     env.step(dict.fromkeys(env.agents, 0))
@@ -52,6 +59,7 @@ def test_without_display_or_terminal_it_is_plain_text(capsys: pytest.CaptureFixt
     env.close()
     told = capsys.readouterr().out
     assert told.isascii()
+    assert naps == []  # nobody watches
     assert [line for line in told.splitlines() if line.startswith("step")] == [
         "step 0    captured 0 of 4 (0%)   P 3  E 4",
         "step 1    captured 0 of 4 (0%)   P 3  E 4",
@@ -70,9 +78,11 @@ def test_a_terminal_is_drawn_in_place(naps: list[float], monkeypatch: pytest.Mon
     shown.close()
     monkeypatch.undo()
     pieces = stream.getvalue().split(HOME)
-    assert pieces[0] == CLEAR
+    assert pieces[0] == WRAP_OFF + CLEAR
     assert len(pieces) == 4
     assert pieces[1].splitlines()[0].startswith(ansi(SCENE, color="256").splitlines()[0])
+    assert pieces[1] == pieces[2] == pieces[3] + WRAP_OFF
+    assert pieces[3].endswith(WRAP_ON + "\n")
     assert len(naps) == 3
     assert max(naps) <= 1 / screen.FPS
 
@@ -91,32 +101,73 @@ class DisplayCanvas(FigureCanvasAgg):
 
 
 @pytest.fixture
-def window(monkeypatch: pytest.MonkeyPatch) -> Any:
-    figure = plt.figure("matrixworld", FigureClass=mpl.figure.Figure)
-    DisplayCanvas(figure)
+def display(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Figures of Matplotlib's are windows."""
+    make = plt.figure
+
+    def window() -> Figure:
+        figure = make()
+        manager = figure.canvas.manager
+        DisplayCanvas(figure).manager = manager
+        monkeypatch.setattr(figure, "show", lambda: None)
+        return figure
+
+    monkeypatch.setattr(plt, "figure", window)
     DisplayCanvas.flushed = 0
-    monkeypatch.setattr(figure, "show", lambda: None)
-    yield screen._window()
+    yield
     plt.close("all")
 
 
-def test_a_window_shows_each_picture(window: Any) -> None:
-    for cell in (None, None):
-        window.show(SCENE, cell=cell, fov=5, viewers=[0])
-    figure = plt.figure("matrixworld")
-    (axes,) = figure.axes
-    np.testing.assert_array_equal(axes.images[0].get_array(), rgb(SCENE, fov=5, viewers=[0]))
-    assert DisplayCanvas.flushed == 2
-    window.close()
-    assert not plt.fignum_exists("matrixworld")
+@pytest.mark.usefixtures("display")
+def test_a_window_shows_each_picture(naps: list[float]) -> None:
+    shown = screen.Screen()
+    for title in ("before", "now"):
+        shown.show(dataclasses.replace(SCENE, title=title), fov=5, viewers=[0])
+    (number,) = plt.get_fignums()
+    figure = plt.gcf()
+    assert figure.number == number
+    assert figure.axes[0].images[0].get_array().shape == rgb(SCENE).shape
+    expected = rgb(dataclasses.replace(SCENE, title="now"), fov=5, viewers=[0])
+    np.testing.assert_array_equal(figure.axes[0].images[0].get_array(), expected)
+    height, width, _ = expected.shape
+    assert (figure.get_size_inches() * figure.dpi).round().tolist() == [width, height]
+    assert DisplayCanvas.flushed == len(naps) == 2
+    assert 0 < naps[-1] <= 1 / screen.FPS
+    shown.close()
+    assert plt.get_fignums() == []
 
 
-def test_a_window_closed_by_its_user_stays_closed(window: Any) -> None:
-    window.show(SCENE)
-    plt.close("matrixworld")
-    window.show(SCENE)
-    assert DisplayCanvas.flushed == 1
-    window.close()
+@pytest.mark.usefixtures("display")
+def test_each_environment_has_a_window_of_its_own() -> None:
+    envs = [mw.parallel_env(config_of("O"), render_mode="human") for _ in range(2)]
+    for env in envs:
+        env.reset(seed=0)
+    assert len(plt.get_fignums()) == 2
+    envs[0].close()
+    assert len(plt.get_fignums()) == 1
+    envs[1].step(dict.fromkeys(envs[1].agents, 0))
+    assert DisplayCanvas.flushed == 3
+    envs[1].close()
+
+
+@pytest.mark.usefixtures("display")
+def test_a_window_closed_by_its_user_stays_closed_and_nothing_waits(naps: list[float]) -> None:
+    shown = screen.Screen()
+    shown.show(SCENE)
+    canvas = plt.gcf().canvas
+    key_press_handler(KeyEvent("key_press_event", canvas, "q"), canvas)
+    assert plt.get_fignums() == []
+    shown.show(SCENE)
+    assert DisplayCanvas.flushed == len(naps) == 1
+    shown.close()
+
+
+def test_a_display_that_is_not_there_is_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    def headless() -> Figure:
+        raise ImportError("Cannot load backend 'TkAgg', as 'headless' is currently running")
+
+    monkeypatch.setattr(plt, "figure", headless)
+    assert screen._window() is None
 
 
 def test_no_window_is_left_where_there_is_no_display() -> None:
@@ -138,11 +189,15 @@ def test_a_notebook_s_output_is_drawn_anew() -> None:
         drawn.append(("display", data))
         return Handle()
 
-    place = screen.Notebook(display)
+    shell = SimpleNamespace(execution_count=4)
+    place = screen.Notebook(shell, display)
     for _ in range(3):
         place.show(SCENE, viewers=[1])
+    shell.execution_count = 5  # another cell is run
+    for _ in range(2):
+        place.show(SCENE)
     place.close()
-    assert [how for how, _ in drawn] == ["display", "update", "update"]
+    assert [how for how, _ in drawn] == ["display", "update", "update", "display", "update"]
     assert drawn[0][1] == {"image/png": png(SCENE, viewers=[1])}
 
 

@@ -7,7 +7,7 @@ import io
 import os
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TextIO
 
@@ -50,7 +50,7 @@ def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None
     now = range(episode.length + 1)[step]
     captures, deaths = _marks(episode, now)
     return Scene(
-        positions=episode.positions[now],
+        positions=episode.places[now],
         alive=episode.alive[now],
         captured=episode.captured[now],
         map=episode.map,
@@ -139,7 +139,7 @@ def save(
 class Animation:
     """A GIF that a notebook shows. data: the file's bytes."""
 
-    data: bytes
+    data: bytes = field(repr=False)
 
     def _repr_html_(self) -> str:
         encoded = base64.b64encode(self.data).decode("ascii")

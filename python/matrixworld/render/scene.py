@@ -24,7 +24,7 @@ class Crowd:
 class Scene:
     """One moment of a world with P pursuers and E evaders, A = P + E agents, pursuers first.
 
-    positions: ``(A, 2)`` int, row and column; not looked at for an agent that is gone
+    positions: ``(A, 2)`` int, row and column; of an agent that is gone where it went, or (-1, -1)
     alive: ``(A,)`` bool
     captured: ``(E,)`` bool, captured at this moment
     map: ``(rows, cols)`` bool, True for an obstacle
@@ -112,19 +112,22 @@ class Scene:
         return int(self.alive[: self.n_pursuers].sum()), int(self.alive[self.n_pursuers :].sum())
 
     def collided(self) -> tuple[set[Cell], set[Cell]]:
-        """Cells of living agents at fault in a collision, and of the others involved in one.
+        """Cells of agents at fault in a collision, and of the others involved in one.
 
-        A contact of adversaries without anybody at fault is the game, not a collision.
+        Those who went in it are there as well. A contact of adversaries without anybody at fault
+        is the game, not a collision.
         """
         at_fault: set[Cell] = set()
         involved: set[Cell] = set()
         if self.fault is None:
             return at_fault, involved
-        for agent, cell, _ in self.agents():
+        for agent, (row, col) in enumerate(self.positions.tolist()):
+            if row < 0:
+                continue
             if self.fault[agent].any():
-                at_fault.add(cell)
+                at_fault.add((row, col))
             elif self.involved is not None and self.involved[agent, :2].any():
-                involved.add(cell)
+                involved.add((row, col))
         return at_fault, involved - at_fault
 
 
