@@ -18,6 +18,7 @@ from matrixworld.policy import SCRIPTS, Network, Population
 from matrixworld.recorder import Recorder, record_actions
 from matrixworld.rollout import Matches, Scores, match_seed, record, rollout
 from matrixworld.rules import KINDS, VARIANTS, Action, Rewards, Rules
+from matrixworld.safety import SafetyMonitor, SafetySummary
 from matrixworld.vector import VectorEnv
 from matrixworld.world import World
 
@@ -42,6 +43,8 @@ __all__ = [
     "Recorder",
     "Rewards",
     "Rules",
+    "SafetyMonitor",
+    "SafetySummary",
     "Scores",
     "VectorEnv",
     "World",

@@ -1,0 +1,295 @@
+"""How safe a team plays: collisions over many episodes, counted and blamed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld.rules import KINDS
+
+TEAMS = ("pursuers", "evaders")
+LEVEL = 0.95
+"""Of the intervals."""
+_COLUMNS = "{:10}{:11}{:24}{:24}{:>7}{:>8}{:>7}{:>9}"
+_RESAMPLES = 1000
+_CHUNK = 1_000_000  # numbers of a resample that are held at once
+
+
+class EpisodeScores(Protocol):
+    """What `rollout` returns, as far as it is read here."""
+
+    collisions: NDArray[np.int32]
+    faults: NDArray[np.int32]
+    agent_steps: NDArray[np.int64]
+    capture_rate: NDArray[np.float32]
+
+
+class StepStatus(Protocol):
+    """What an environment's ``status`` tells, as far as it is read here."""
+
+    alive: NDArray[np.bool_]
+    captured: NDArray[np.bool_]
+    involved: NDArray[np.bool_]
+    fault: NDArray[np.bool_]
+    capture_rate: NDArray[np.float32]
+    steps: NDArray[np.int32]
+    terminated: NDArray[np.bool_]
+    truncated: NDArray[np.bool_]
+
+
+class RecordedEpisode(Protocol):
+    """A recorded `Episode`, as far as it is read here."""
+
+    alive: NDArray[np.bool_]
+    involved: NDArray[np.bool_]
+    fault: NDArray[np.bool_]
+    n_pursuers: int
+
+    @property
+    def capture_rate(self) -> float:
+        """Share of the evaders that count as captured at the end."""
+
+
+@dataclass(frozen=True, eq=False)
+class SafetySummary:
+    """Collisions of n episodes, by team (pursuers, evaders) and kind (as `KINDS`).
+
+    An agent-step is one step of one agent that was alive as the step began. A rate is the number
+    of agent-steps with at least one collision of the kind, per 1000 agent-steps of the team; it
+    does not count conflicts. Under occupation a contact of adversaries is nobody's fault: it is
+    the game.
+
+    episodes: n
+    agent_steps: ``(2,)`` int64, by team
+    capture_rate: mean over episodes; safety means nothing without the task
+    involved_rate, fault_rate: ``(2, 3)`` float64, agent-steps involved in a collision, and at
+        fault in one, per 1000
+    involved_interval, fault_interval: ``(2, 3, 2)`` float64, ends of 95% bootstrap intervals of
+        the rates, over episodes (Efron 1979)
+    safe_share: ``(2, 3)`` float64, share of the episodes without an agent at fault
+    safe_episodes: share of the episodes without any agent of any team at fault in any kind
+    fault_median, fault_mean, fault_max: ``(2, 3)`` float64, agent-steps at fault in an episode
+    """
+
+    episodes: int
+    agent_steps: NDArray[np.int64]
+    capture_rate: float
+    involved_rate: NDArray[np.float64]
+    involved_interval: NDArray[np.float64]
+    fault_rate: NDArray[np.float64]
+    fault_interval: NDArray[np.float64]
+    safe_share: NDArray[np.float64]
+    safe_episodes: float
+    fault_median: NDArray[np.float64]
+    fault_mean: NDArray[np.float64]
+    fault_max: NDArray[np.float64]
+
+    def to_json(self) -> dict[str, Any]:
+        """The same as plain values that JSON can hold."""
+        return {
+            item.name: value.tolist() if isinstance(value, np.ndarray) else value
+            for item in fields(self)
+            for value in [getattr(self, item.name)]
+        }
+
+    def __str__(self) -> str:
+        plural = "" if self.episodes == 1 else "s"
+        return "\n".join(
+            [
+                f"{self.episodes} episode{plural}, capture rate {self.capture_rate:.2f}, "
+                f"{self.safe_episodes:.0%} without anybody at fault",
+                "Agent-steps in collision, per 1000 (95% interval), and at fault in an episode:",
+                _COLUMNS.format("", "", "involved", "at fault", "median", "mean", "max", "none in"),
+                *(self._row(t, k) for t in range(len(TEAMS)) for k in range(len(KINDS))),
+            ]
+        )
+
+    def _row(self, t: int, k: int) -> str:
+        rates = (
+            f"{rate[t, k]:.1f} ({ends[t, k, 0]:.1f} to {ends[t, k, 1]:.1f})"
+            for rate, ends in (
+                (self.involved_rate, self.involved_interval),
+                (self.fault_rate, self.fault_interval),
+            )
+        )
+        return _COLUMNS.format(
+            *(TEAMS[t], KINDS[k], *rates),
+            f"{self.fault_median[t, k]:.0f}",
+            f"{self.fault_mean[t, k]:.1f}",
+            f"{self.fault_max[t, k]:.0f}",
+            f"{self.safe_share[t, k]:.0%}",
+        )
+
+
+class SafetyMonitor:
+    """Collects what episodes tell of collisions, and sums it up.
+
+    Episodes come from `add_scores` (of a rollout), `add_infos` (of a `VectorEnv`, after each step),
+    `observe` (an environment's ``status``, after each step), `add_episode` (a recording), or as
+    arrays by `add`. Two monitors add up to one of all their episodes.
+    """
+
+    def __init__(self) -> None:
+        self._collisions: list[NDArray[np.float64]] = []
+        self._faults: list[NDArray[np.float64]] = []
+        self._agent_steps: list[NDArray[np.int64]] = []
+        self._capture_rates: list[NDArray[np.float64]] = []
+        self._current: _Current | None = None
+
+    @property
+    def episodes(self) -> int:
+        """How many have been collected."""
+        return sum(len(part) for part in self._capture_rates)
+
+    def add(
+        self,
+        collisions: ArrayLike,
+        faults: ArrayLike,
+        agent_steps: ArrayLike,
+        capture_rate: ArrayLike,
+    ) -> None:
+        """Collect episodes, along any leading axes.
+
+        collisions, faults: ``(..., 2, 3)`` agent-steps involved and at fault, by team and kind
+        agent_steps: ``(..., 2)``; capture_rate: ``(...)``
+
+        Raises ValueError, and collects nothing, where the shapes do not fit.
+        """
+        rates = np.asarray(capture_rate, np.float64)
+        given: dict[str, tuple[NDArray[Any], tuple[int, ...]]] = {
+            "collisions": (np.asarray(collisions, np.float64), (*rates.shape, 2, 3)),
+            "faults": (np.asarray(faults, np.float64), (*rates.shape, 2, 3)),
+            "agent_steps": (np.asarray(agent_steps, np.int64), (*rates.shape, 2)),
+        }
+        for name, (array, expected) in given.items():
+            if array.shape != expected:
+                raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
+        self._collisions.append(given["collisions"][0].reshape(-1, 2, 3))
+        self._faults.append(given["faults"][0].reshape(-1, 2, 3))
+        self._agent_steps.append(given["agent_steps"][0].reshape(-1, 2))
+        self._capture_rates.append(rates.reshape(-1))
+
+    def add_scores(self, scores: EpisodeScores) -> None:
+        """Collect all episodes of a `rollout`."""
+        self.add(scores.collisions, scores.faults, scores.agent_steps, scores.capture_rate)
+
+    def add_infos(self, infos: Mapping[str, Any]) -> None:
+        """Collect the episodes that ended in a `VectorEnv`'s step, if any did."""
+        ended, told = infos["_episode"], infos["episode"]
+        if ended.any():
+            names = ("collisions", "faults", "agent_steps", "capture_rate")
+            self.add(*(told[name][ended] for name in names))
+
+    def add_episode(self, episode: RecordedEpisode) -> None:
+        """Collect a recorded episode."""
+        n = episode.n_pursuers
+        self.add(
+            _by_team(episode.involved.sum(axis=0), n),
+            _by_team(episode.fault.sum(axis=0), n),
+            _by_team(episode.alive[:-1].sum(axis=0), n),
+            episode.capture_rate,
+        )
+
+    def observe(self, status: StepStatus) -> None:
+        """Follow an environment: call it with ``env.status`` after every step.
+
+        The episode is collected when it ends. A status of the same round as the one before adds
+        nothing, so that it may be called after every turn of an AEC environment, too. An episode
+        left by a reset before its end is forgotten.
+
+        Raises ValueError where a step was left out.
+        """
+        steps = int(status.steps)
+        if self._current is None or steps < self._current.steps:
+            self._current = _Current(status)
+        if steps == self._current.steps:
+            return
+        if steps != self._current.steps + 1:
+            raise ValueError(f"status: expected step {self._current.steps + 1}, got step {steps}")
+        self._current.follow(status)
+        if status.terminated or status.truncated:
+            self.add(*self._current.totals(), float(status.capture_rate))
+            self._current = None
+
+    def __add__(self, other: SafetyMonitor) -> SafetyMonitor:
+        """A monitor of the episodes of both."""
+        if not isinstance(other, SafetyMonitor):
+            return NotImplemented
+        both = SafetyMonitor()
+        for name in ("_collisions", "_faults", "_agent_steps", "_capture_rates"):
+            setattr(both, name, getattr(self, name) + getattr(other, name))
+        return both
+
+    def summary(self, *, seed: int = 0) -> SafetySummary:
+        """All episodes so far. seed: of the bootstrap. Raises ValueError without an episode."""
+        if not self.episodes:
+            raise ValueError("safety: expected at least one whole episode, got none")
+        collisions, faults = np.concatenate(self._collisions), np.concatenate(self._faults)
+        steps = np.concatenate(self._agent_steps)
+        return SafetySummary(
+            episodes=self.episodes,
+            agent_steps=steps.sum(axis=0),
+            capture_rate=float(np.concatenate(self._capture_rates).mean()),
+            involved_rate=_rate(collisions.sum(axis=0), steps.sum(axis=0)),
+            involved_interval=_interval(collisions, steps, seed),
+            fault_rate=_rate(faults.sum(axis=0), steps.sum(axis=0)),
+            fault_interval=_interval(faults, steps, seed),
+            safe_share=(faults == 0).mean(axis=0),
+            safe_episodes=float((faults == 0).all(axis=(1, 2)).mean()),
+            fault_median=np.median(faults, axis=0),
+            fault_mean=faults.mean(axis=0),
+            fault_max=faults.max(axis=0),
+        )
+
+
+class _Current:
+    """An episode that an environment is in."""
+
+    def __init__(self, status: StepStatus) -> None:
+        self.n_pursuers = len(status.alive) - len(status.captured)
+        self.steps = 0
+        self.alive = np.ones_like(status.alive)
+        self.agent_steps = np.zeros(len(status.alive), np.int64)
+        self.involved = np.zeros(status.involved.shape, np.int64)
+        self.fault = np.zeros(status.fault.shape, np.int64)
+
+    def follow(self, status: StepStatus) -> None:
+        self.steps += 1
+        self.agent_steps += self.alive
+        self.involved += status.involved
+        self.fault += status.fault
+        self.alive = status.alive
+
+    def totals(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        n = self.n_pursuers
+        return _by_team(self.involved, n), _by_team(self.fault, n), _by_team(self.agent_steps, n)
+
+
+def _by_team(by_agent: NDArray[Any], n_pursuers: int) -> NDArray[Any]:
+    return np.stack([by_agent[:n_pursuers].sum(axis=0), by_agent[n_pursuers:].sum(axis=0)])
+
+
+def _rate(counts: NDArray[Any], agent_steps: NDArray[Any]) -> NDArray[np.float64]:
+    """Per 1000 agent-steps, ``(..., 2, 3)`` from ``(..., 2, 3)`` and ``(..., 2)``."""
+    return np.asarray(1000 * counts / np.maximum(agent_steps, 1)[..., np.newaxis])
+
+
+def _interval(
+    counts: NDArray[np.float64], agent_steps: NDArray[np.int64], seed: int
+) -> NDArray[np.float64]:
+    """Percentile bootstrap over episodes: ``(2, 3, 2)``."""
+    rng = np.random.default_rng(seed)
+    n = len(counts)
+    rates = []
+    left = _RESAMPLES
+    while left:
+        size = min(left, max(1, _CHUNK // n))
+        times = rng.multinomial(n, np.full(n, 1 / n), size)  # how often each episode is drawn
+        rates.append(_rate(np.tensordot(times, counts, 1), times @ agent_steps))
+        left -= size
+    ends = ((1 - LEVEL) / 2, (1 + LEVEL) / 2)
+    return np.moveaxis(np.quantile(np.concatenate(rates), ends, axis=0), 0, -1)

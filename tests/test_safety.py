@@ -1,0 +1,241 @@
+"""Collisions over many episodes, against counts by hand and by plain loops."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from rows import config_of, random_actions
+
+NAMES = ["D", "SB", "SDB", "TO", "swarm-S"]
+PAGE = Path(__file__).parents[1] / "docs" / "safety.md"
+
+
+def rows_of(config: mw.WorldConfig, number: int) -> np.ndarray:
+    return random_actions(number, config.n_actions, config.max_steps, config.n_agents)
+
+
+def counted(config: mw.WorldConfig, seeds: range) -> dict[str, Any]:
+    """Plain loops over worlds, agent by agent."""
+    steps, faults, capture = np.zeros((2, len(seeds))), np.zeros((len(seeds), 2, 3)), []
+    involved = np.zeros((2, 3))
+    for n, seed in enumerate(seeds):
+        world = mw.World(config)
+        world.reset(seed)
+        for row in rows_of(config, seed):
+            if world.terminated or world.truncated:
+                break
+            alive = world.alive
+            world.step(row)
+            for agent in range(config.n_agents):
+                team = int(agent >= config.n_pursuers)
+                steps[team, n] += alive[agent]
+                for kind in range(3):
+                    involved[team, kind] += world.involved[agent, kind]
+                    faults[n, team, kind] += world.fault[agent, kind]
+        capture.append(world.capture_rate)
+    total = steps.sum(axis=1)
+    return {
+        "episodes": len(seeds),
+        "agent_steps": total,
+        "capture_rate": np.mean(capture),
+        "involved_rate": 1000 * involved / total[:, None],
+        "fault_rate": 1000 * faults.sum(axis=0) / total[:, None],
+        "safe_share": [[np.mean(faults[:, t, k] == 0) for k in range(3)] for t in range(2)],
+        "safe_episodes": np.mean([not each.any() for each in faults]),
+        "fault_mean": faults.mean(axis=0),
+        "fault_median": np.median(faults, axis=0),
+        "fault_max": faults.max(axis=0),
+    }
+
+
+def assert_summary(summary: mw.SafetySummary, expected: dict[str, Any]) -> None:
+    for name, value in expected.items():
+        np.testing.assert_allclose(getattr(summary, name), value, rtol=1e-6, err_msg=name)
+
+
+def assert_same(one: mw.SafetyMonitor, other: mw.SafetyMonitor) -> None:
+    assert_summary(one.summary(), vars(other.summary()))
+
+
+# ---- Where episodes come from --------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_all_sources_agree_with_plain_counts(name: str) -> None:
+    config, seeds = config_of(name, obstacles=0.1), range(5)
+    by_status, by_record, by_turn = (mw.SafetyMonitor() for _ in range(3))
+    for seed in seeds:
+        rows = rows_of(config, seed)
+        by_record.add_episode(mw.record_actions(config, rows, seed=seed))
+        env = mw.parallel_env(config)
+        env.reset(seed=seed)
+        for row in rows:
+            if env.agents:
+                env.step({agent: int(row[i]) for i, agent in enumerate(env.possible_agents)})
+                by_status.observe(env.status)
+        follow_turns(by_turn, config, seed)
+    expected = counted(config, seeds)
+    assert_summary(by_status.summary(), expected)
+    assert_summary(by_record.summary(), expected)
+    assert_summary(by_turn.summary(), expected)
+
+
+def follow_turns(monitor: mw.SafetyMonitor, config: mw.WorldConfig, seed: int) -> None:
+    """The same episode in the AEC environment, with a look after every call."""
+    env = mw.aec_env(config)
+    env.reset(seed=seed)
+    rows, taken = rows_of(config, seed), dict.fromkeys(env.possible_agents, 0)
+    for agent in env.agent_iter():
+        _, _, terminated, truncated, _ = env.last()
+        if terminated or truncated:
+            env.step(None)
+            continue
+        env.step(int(rows[taken[agent], env.possible_agents.index(agent)]))
+        taken[agent] += 1
+        monitor.observe(env.unwrapped.status)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_rollouts_agree_with_recordings(name: str) -> None:
+    config, matches = config_of(name), mw.Matches.of(0, 0, range(4))
+    rolled, recorded = mw.SafetyMonitor(), mw.SafetyMonitor()
+    rolled.add_scores(mw.rollout(config, "random", "fleer", matches, worlds=2))
+    for seed in range(4):
+        for episode in range(2):
+            recorded.add_episode(mw.record(config, "random", "fleer", seed=seed, episode=episode))
+    assert_same(rolled, recorded)
+
+
+@pytest.mark.parametrize("mode", ["NextStep", "SameStep", "Disabled"])
+def test_vector_environments_agree_with_recordings(mode: str) -> None:
+    config = config_of("SDB", max_steps=6)
+    vector, recorded = mw.SafetyMonitor(), mw.SafetyMonitor()
+    env = mw.VectorEnv(config, 3, autoreset_mode=mode)
+    env.reset(seed=4)
+    rows = random_actions(1, 5, 6, 3, config.n_agents)
+    for row in rows:
+        *_, infos = env.step(row)
+        vector.add_infos(infos)
+    for w in range(3):
+        recorded.add_episode(mw.record_actions(config, rows[:, w], seed=4 + w))
+    assert vector.episodes == 3
+    assert_same(vector, recorded)
+
+
+def test_an_episode_that_was_left_is_forgotten() -> None:
+    env, monitor = mw.parallel_env(config_of("R", max_steps=3)), mw.SafetyMonitor()
+    for steps in (2, 3):
+        env.reset(seed=0)
+        monitor.observe(env.status)
+        for _ in range(steps):
+            env.step(dict.fromkeys(env.agents, 0))
+            monitor.observe(env.status)
+    assert monitor.episodes == 1
+    assert monitor.summary().agent_steps.tolist() == [9, 12]
+
+
+# ---- Numbers -----------------------------------------------------------------------------------
+
+
+def two_episodes() -> mw.SafetyMonitor:
+    monitor = mw.SafetyMonitor()
+    one = [[[1, 2, 0], [0, 0, 4]], [[3, 0, 0], [0, 0, 0]]]
+    monitor.add(one, np.array(one) // 2, [[100, 50], [100, 150]], [1.0, 0.5])
+    return monitor
+
+
+def test_numbers_by_hand() -> None:
+    summary = two_episodes().summary()
+    assert summary.episodes == 2
+    assert summary.agent_steps.tolist() == [200, 200]
+    assert summary.capture_rate == 0.75
+    assert summary.involved_rate.tolist() == [[20, 10, 0], [0, 0, 20]]
+    assert summary.fault_rate.tolist() == [[5, 5, 0], [0, 0, 10]]
+    assert summary.safe_share.tolist() == [[0.5, 0.5, 1], [1, 1, 0.5]]
+    assert summary.safe_episodes == 0
+    assert summary.fault_max.tolist() == [[1, 1, 0], [0, 0, 2]]
+    assert summary.fault_mean.tolist() == [[0.5, 0.5, 0], [0, 0, 1]]
+
+
+def test_intervals() -> None:
+    config = config_of("SB", max_steps=40)
+    scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, range(200)))
+    monitor = mw.SafetyMonitor()
+    monitor.add_scores(scores)
+    summary = monitor.summary()
+    for rate, ends in (
+        (summary.fault_rate, summary.fault_interval),
+        (summary.involved_rate, summary.involved_interval),
+    ):
+        assert (ends[..., 0] <= rate).all()
+        assert (rate <= ends[..., 1]).all()
+    # As wide as the normal approximation of a ratio has it.
+    faults, steps = scores.faults[:, 0, 0, 1], scores.agent_steps[:, 0, 0]
+    ratio = faults.sum() / steps.sum()
+    deviation = np.std(faults - ratio * steps, ddof=1) / np.sqrt(200) / steps.mean()
+    low, high = summary.fault_interval[0, 1] / 1000
+    assert high - low == pytest.approx(2 * 1.96 * deviation, rel=0.15)
+    np.testing.assert_array_equal(monitor.summary().fault_interval, summary.fault_interval)
+    assert (monitor.summary(seed=1).fault_interval != summary.fault_interval).any()
+
+
+def test_monitors_add_up() -> None:
+    config = config_of("SB")
+    parts = []
+    for seeds in (range(3), range(3, 8), range(8)):
+        monitor = mw.SafetyMonitor()
+        scores = mw.rollout(config, "random", "fleer", mw.Matches.of(0, 0, seeds))
+        monitor.add_scores(scores)
+        parts.append(monitor)
+    first, second, whole = parts
+    assert (first + second).summary().to_json() == whole.summary().to_json()
+    assert (first.episodes, second.episodes) == (3, 5)
+
+
+def test_what_it_prints() -> None:
+    lines = str(two_episodes().summary()).splitlines()
+    assert lines[0] == "2 episodes, capture rate 0.75, 0% without anybody at fault"
+    assert len(lines) == 9
+    assert lines[3].split()[:3] == ["pursuers", "obstacle", "20.0"]
+    assert len({len(line) for line in lines[2:]}) == 1
+    assert json.loads(json.dumps(two_episodes().summary().to_json()))["episodes"] == 2
+
+
+def test_refused() -> None:
+    monitor = mw.SafetyMonitor()
+    with pytest.raises(ValueError, match="at least one whole episode, got none"):
+        monitor.summary()
+    with pytest.raises(ValueError, match=r"faults: expected shape \(2, 2, 3\), got \(2, 3\)"):
+        monitor.add(np.zeros((2, 2, 3)), np.zeros((2, 3)), np.zeros((2, 2)), np.zeros(2))
+    assert monitor.episodes == 0
+    env = mw.parallel_env(config_of("R"))
+    env.reset(seed=0)
+    env.step(dict.fromkeys(env.agents, 0))
+    env.step(dict.fromkeys(env.agents, 0))
+    with pytest.raises(ValueError, match="expected step 1, got step 2"):
+        monitor.observe(env.status)
+    with pytest.raises(TypeError, match="unsupported operand"):
+        monitor + 1
+
+
+# ---- The page ------------------------------------------------------------------------------------
+
+
+def test_the_page_shows_what_its_examples_print() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    examples = re.findall(r"^```python\n(.*?)^```\n\n```text\n(.*?)^```$", page, re.M | re.S)
+    assert len(examples) == 2
+    for code, shown in examples:
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out):
+            exec(compile(code, str(PAGE), "exec"), {})
+        assert out.getvalue().strip() == shown.strip()
