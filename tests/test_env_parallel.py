@@ -224,6 +224,12 @@ def test_calls_that_are_refused() -> None:
     with pytest.raises(RuntimeError, match="call reset"):
         env.step({})
     env.reset(seed=1)
+    ended = mw.parallel_env(config_of("O", max_steps=1))
+    ended.reset(seed=1)
+    ended.step(dict.fromkeys(ended.agents, 0))
+    assert ended.step({}) == ({}, {}, {}, {}, {})
+    with pytest.raises(RuntimeError, match="has ended"):
+        ended.step({"pursuer_0": 0})
     with pytest.raises(ValueError, match=r"none came for \['pursuer_1', "):
         env.step({"pursuer_0": 0})
     with pytest.raises(ValueError, match="render: expected a render_mode"):

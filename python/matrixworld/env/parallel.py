@@ -46,12 +46,15 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         actions: an int for each of `agents`; those of agents that are gone are not looked at
 
         An agent that goes in this step is told so, with an observation of zeros, and leaves
-        `agents`. Raises RuntimeError in an ended episode; ValueError for a missing action, an
-        unknown agent or an action out of range, and TypeError for what is no integer, before
-        anything is changed.
+        `agents`. No actions in an ended episode, which has no agents, give five empty dicts:
+        wrappers count on it. Raises RuntimeError for actions in an ended episode; ValueError for a
+        missing action, an unknown agent or an action out of range, and TypeError for what is no
+        integer, before anything is changed.
         """
         if not self.agents:
-            raise RuntimeError("the episode has ended, or never began: call reset()")
+            if actions or not self._seeded:
+                raise RuntimeError("the episode has ended, or never began: call reset()")
+            return {}, {}, {}, {}, {}
         acting = self.agents
         self.world.step(self._committed(actions))
         if self._drawing is not None:
