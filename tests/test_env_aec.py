@@ -146,11 +146,13 @@ def test_an_evader_caught_in_a_turn_does_not_act() -> None:
     assert all(env.terminations.values())
 
 
+@pytest.mark.parametrize("make", [raw_aec_env, mw.aec_env])
 @pytest.mark.parametrize("name", ["O", "TO", "swarm-D"])
-def test_a_copy_in_the_midst_of_a_round(name: str) -> None:
-    env = raw_aec_env(config_of(name))
+def test_a_copy_in_the_midst_of_a_round(name: str, make: Any) -> None:
+    env = make(config_of(name))
     env.reset(seed=3)
-    rows = random_actions(5, 5, env.config.max_steps, env.config.n_agents)
+    config = env.unwrapped.config
+    rows = random_actions(5, 5, config.max_steps, config.n_agents)
     for row in rows[:2, 0]:
         env.step(int(row))
     twin = copy.deepcopy(env)

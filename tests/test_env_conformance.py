@@ -68,8 +68,9 @@ def test_max_cycles(name: str) -> None:
         max_cycles_test(module)
 
 
-@pytest.mark.parametrize("name", ["O", "SB", "TO"])
-def test_rendering(name: str) -> None:
+@pytest.mark.parametrize("name", NAMES)
+def test_rendering(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("time.sleep", lambda seconds: None)  # which "human" does to be seen
     drawn = {"ansi": lambda text: "captured" in text, "human": lambda nothing: nothing is None}
     render_test(lambda **mode: mw.aec_env(config_of(name), **mode), custom_tests=drawn)
 

@@ -85,7 +85,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     | ``terminated``, ``truncated`` | (W,) bool | the worlds |
     | ``step`` | (W,) int32 | rounds played in the episode |
     | ``seed``, ``episode_number`` | (W,) uint64 | which episode it is: `World.reset` takes both |
-    | ``final_obs``, ``_final_obs`` | as observations; (W,) bool | at the end; where in this step |
+    | ``final_obs``, ``_final_obs`` | as observations; (W,) bool | of an episode that ended in this step; where one did |
     | ``episode``, ``_episode`` | dict of `EPISODE_KEYS`; (W,) bool | what the last episode to end came to, as in `Scores`; where it ended in this step |
 
     Raises as `WorldConfig` and `Batch` do.
@@ -111,7 +111,10 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         self.render_mode = render_mode
         mode = AutoresetMode(autoreset_mode)
         self.metadata = {"autoreset_mode": mode, "render_modes": ["rgb_array"], "render_fps": 10}
-        kept = _buffers(self.config, self.num_envs, _view_dtype(dtype), check_bool("state", state))
+        left_out = set() if check_bool("state", state) else {"state"}
+        if mode is not AutoresetMode.SAME_STEP:
+            left_out.add("final_views")  # the observations themselves are the last of an episode
+        kept = _buffers(self.config, self.num_envs, _view_dtype(dtype), left_out)
         self._batch = Batch(
             self.num_envs,
             self.config,
@@ -135,7 +138,8 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         self.infos: dict[str, Any] = {name: kept[name] for name in _INFO_KEYS}
         self.infos |= {f"cost_{kind}": kept["fault"][..., k] for k, kind in enumerate(KINDS)}
         self.infos |= {"step": kept["steps"], "episode_number": kept["episode"]}
-        self.infos |= {"final_obs": kept["final_views"].reshape(seen), "_final_obs": kept["ended"]}
+        final = kept.get("final_views", kept["views"])
+        self.infos |= {"final_obs": final.reshape(seen), "_final_obs": kept["ended"]}
         self.infos["episode"] = {key: kept[name] for key, name in EPISODE_KEYS.items()}
         self.infos["_episode"] = kept["ended"]
         if "state" in kept:
@@ -248,10 +252,11 @@ def _view_dtype(dtype: DTypeLike) -> np.dtype[Any]:
 
 
 def _buffers(
-    config: WorldConfig, n_worlds: int, views: np.dtype[Any], state: bool
+    config: WorldConfig, n_worlds: int, views: np.dtype[Any], left_out: set[str]
 ) -> dict[str, NDArray[Any]]:
-    kept = {}
-    for name, (shape, dtype) in (array_specs(config) | episode_specs(config)).items():
-        if name != "state" or state:
-            kept[name] = np.zeros((n_worlds, *shape), views if name.endswith("views") else dtype)
-    return kept
+    specs = array_specs(config) | episode_specs(config)
+    return {
+        name: np.zeros((n_worlds, *shape), views if name.endswith("views") else dtype)
+        for name, (shape, dtype) in specs.items()
+        if name not in left_out
+    }
