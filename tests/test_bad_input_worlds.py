@@ -152,7 +152,7 @@ BATCHES = [
     value(
         "another name",
         lambda: with_buffer("reward", np.zeros((2, 3), np.float32)),
-        "some of positions, alive | got ['reward']",
+        "some of positions, places, alive | got ['reward']",
     ),
     kind(
         "another dtype",

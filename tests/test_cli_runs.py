@@ -12,7 +12,7 @@ import pytest
 
 import matrixworld
 from command_line import GIF, MAIN_JOB, PNG, matrixworld_command
-from matrixworld import VARIANTS, Episode, WorldConfig, record
+from matrixworld import VARIANTS, Episode, WorldConfig, record, replay
 from matrixworld.cli.figures import collisions_per_1000
 from matrixworld.coevolution import evaluation_seed, open_run, start
 from matrixworld.rollout import Matches, rollout
@@ -130,13 +130,20 @@ def test_replay_plays_the_episode_that_was_counted(job):
 
 
 def test_replay_of_a_variant_is_a_game_of_scripts():
-    game = ["replay", "sb", "--seed", 7, "--episode", 2, "--rows", 12, "--cols", 9]
+    world = ["--rows", 12, "--cols", 9, "--obstacles", 0.1, "--steps", 40]
+    game = ["replay", "pursuit-evasion-sb", "--seed", 7, "--episode", 2, *world]
     result = matrixworld_command(*game, "--evaders", "random", "--out", "a.npz", "--out", "a.PNG")
     episode = Episode.load("a.npz")
-    config = WorldConfig("SB", rows=12, cols=9)
+    config = WorldConfig("SB", rows=12, cols=9, obstacles=0.1, max_steps=40)
     expected = record(config, "chaser", "random", seed=7, episode=2)
     assert np.array_equal(episode.positions, expected.positions)
-    assert Path("a.PNG").read_bytes().startswith(PNG)
+    replay.save(expected, "b.png")
+    assert Path("a.PNG").read_bytes() == Path("b.png").read_bytes()
+    matrixworld_command(
+        "replay", "a.npz", "--out", "c.png", "--view", "evader_2", "--view", "pursuer_0"
+    )
+    replay.save(expected, "d.png", viewers=["evader_2", "pursuer_0"])
+    assert Path("c.png").read_bytes() == Path("d.png").read_bytes() != Path("b.png").read_bytes()
     assert result.stdout.endswith(f"{episode.length} steps  a.npz, a.PNG\n")
 
 
@@ -150,15 +157,18 @@ def test_replay_plays_the_last_generations_unless_told_otherwise(job):
 @pytest.mark.parametrize(
     ("options", "code", "message"),
     [
-        (["nothing"], 2, "expected a directory that holds a run, got 'nothing'"),
+        (["nothing"], 2, "or a variant (D, R, B, O, S, SB, SD, SDB, TO), got 'nothing'"),
         (["{job}"], 2, "expected one run, got a directory of several"),
         (["{job}/specialist-specialist", "--pursuers", "3"], 2, "a generation from 0 to 2, got 3"),
         (["{job}/specialist-specialist/log.csv"], 1, "cut, altered or not an npz file"),
-        (["{job}/specialist-specialist/log.csv", "--episode", "1"], 2, "expected no --pursuers"),
+        (["{job}/specialist-specialist/log.csv", "--episode", "1"], 2, "expected no --episode"),
         (["{job}/specialist-specialist", "--evaders", "fleer"], 2, "a generation of the run, got"),
-        (["{job}/specialist-specialist", "--seed", "1"], 2, "with a variant only"),
+        (["{job}/specialist-specialist", "--seed", "1"], 2, "is a run: expected no --seed with it"),
         (["O", "--pursuers", "3"], 2, "--pursuers: expected random, still, chaser, fleer, got '3'"),
         (["O", "--rows", "1", "--cols", "3"], 2, "n_pursuers: expected 1 to 3, got 8"),
+        (["O", "--obstacles", "many"], 2, "expected a density in [0, 1) or a .map file"),
+        (["O", "--steps", "1", "--view", "pursuer_8", "--out", "x.png"], 1, "got 'pursuer_8'"),
+        (["O", "--view", "pursuer_0"], 2, "--view: expected a picture to --out together with it"),
         (["O", "--out", "x.avi"], 2, "ends in .gif, .mp4, .png, .npz: x.avi"),
     ],
 )

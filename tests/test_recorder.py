@@ -78,6 +78,42 @@ def test_the_aec_environment_keeps_whole_rounds() -> None:
     assert_same(kept, mw.record_actions(config, kept.actions, seed=4))
 
 
+def test_a_recorder_that_missed_something_says_so() -> None:
+    world = mw.World("O", rows=6, cols=6, n_pursuers=2, n_evaders=2)
+    recorder = mw.Recorder(world)
+    with pytest.raises(RuntimeError, match="this is note 1, and the world has played 0"):
+        recorder.note([0] * 4)
+    world.step([0] * 4)
+    with pytest.raises(ValueError, match=r"actions: expected shape \(4,\), got \(3,\)"):
+        recorder.note([0] * 3)
+    with pytest.raises(TypeError, match="actions: expected integers, got dtype float64"):
+        recorder.note([0.5] * 4)
+    recorder.note([0] * 4)
+    with pytest.raises(RuntimeError, match="this is note 2, and the world has played 1"):
+        recorder.note([0] * 4)
+    world.reset(3)
+    world.step([0] * 4)
+    with pytest.raises(RuntimeError, match=r"expected begin\(\) after a reset"):
+        recorder.note([0] * 4)
+    assert recorder.episode().length == 1
+
+
+def test_a_recorder_may_begin_in_the_midst_of_an_episode() -> None:
+    world = mw.World("S", rows=6, cols=6, n_pursuers=2, n_evaders=2)
+    whole = mw.Recorder(world)
+    rows = random_actions(5, 5, 6, 4)
+    for row in rows[:2]:
+        world.step(row)
+        whole.note(row)
+    later = mw.Recorder(world)
+    for row in rows[2:]:
+        world.step(row)
+        whole.note(row)
+        later.note(row)
+    np.testing.assert_array_equal(later.episode().positions, whole.episode().positions[2:])
+    assert later.scene().title == whole.scene().title == "step 6    captured 0 of 2 (0%)"
+
+
 @pytest.mark.parametrize("name", ["D", "SD", "O"])
 def test_the_present_moment_is_drawn_as_that_of_the_episode(name: str) -> None:
     config = config_of(name, obstacles=0.1)

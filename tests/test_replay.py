@@ -232,14 +232,36 @@ def test_a_film_shows_every_step(tmp_path: Path) -> None:
     ]
     decoded = subprocess.run(decode, capture_output=True, check=True)
     told = decoded.stderr.decode()
-    for fact in ("Video: h264", "yuv420p", f" {width}x{height}", " 8 fps"):
+    for fact in ("Video: h264", "yuv420p(tv, bt709", f" {width}x{height}", " 8 fps"):
         assert fact in told
     shown = np.frombuffer(decoded.stdout, np.uint8).reshape(-1, height, width, 3)
     assert len(shown) == EPISODE.length + 1 + 12
     for step, picture in enumerate(shown[: EPISODE.length + 1]):
         wanted = render.rgb(scene(EPISODE, step), cell=14)
         assert np.abs(picture.astype(int) - wanted).mean() < 4, step
+        for name in ("PURSUER", "EVADER", "OBSTACLE", "PAPER"):
+            colour = render_color(name)
+            seen = np.median(picture[(wanted == colour).all(axis=2)], axis=0)
+            assert np.abs(seen - colour).max() <= 4, (step, name)
     assert os.listdir(tmp_path) == ["episode.mp4"]
+
+
+@pytest.mark.parametrize("suffix", ["gif", "mp4"])
+def test_what_breaks_off_leaves_the_old_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, suffix: str
+) -> None:
+    path = tmp_path / f"old.{suffix}"
+    path.write_bytes(b"kept")
+
+    def draw(drawn: render.Scene, **look: object) -> np.ndarray:
+        if drawn.title.startswith("step 9 "):
+            raise MemoryError("step 9")
+        return render.rgb(drawn, cell=9)
+
+    monkeypatch.setattr("matrixworld.replay.rgb", draw)
+    with pytest.raises(MemoryError, match="step 9"):
+        save(EPISODE, path)
+    assert [(each.name, each.read_bytes()) for each in tmp_path.iterdir()] == [(path.name, b"kept")]
 
 
 def test_a_film_needs_the_extra(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -269,7 +291,7 @@ def test_a_field_of_view_is_as_large_as_the_world_says(tmp_path: Path) -> None:
 def test_what_save_refuses(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"ends in .gif, .mp4 or .png, got episode.avi"):
         save(EPISODE, "episode.avi")
-    with pytest.raises(ValueError, match="expected numbers or names of agents, got 'evader_7'"):
+    with pytest.raises(ValueError, match="a name such as pursuer_0, got 'evader_7'"):
         save(EPISODE, tmp_path / "no.png", viewers=["evader_7"])
     with pytest.raises(IndexError):
         save(EPISODE, tmp_path / "no.png", step=31)
@@ -283,11 +305,14 @@ def test_a_notebook_shows_an_animation() -> None:
         assert image.n_frames == 101
         assert image.size == (504, 530)
     assert len(shown.data) < 1_500_000
+    assert repr(shown) == f"<Animation: a GIF of {len(shown.data) / 1000:.0f} kB>"
     encoded = re.fullmatch(r'<img src="data:image/gif;base64,(.*)" alt=".+">', shown._repr_html_())
     assert encoded is not None
     assert base64.b64decode(encoded[1]) == shown.data
     with Image.open(io.BytesIO(animation(EPISODE, every=7).data)) as image:
         assert image.n_frames == 6
+    with Image.open(io.BytesIO(animation(made_up_episode(3, 3, 1, 1, steps=2)).data)) as image:
+        assert image.size == (464, 3 * 48 + 50)  # not larger than any other picture
 
 
 def test_a_contact_sheet_runs_from_first_to_last() -> None:
@@ -299,6 +324,9 @@ def test_a_contact_sheet_runs_from_first_to_last() -> None:
     assert sheet.shape == (2 * height, 3 * width, 3)
     assert (sheet[:height, :width] == single).all()
     assert (sheet[height:, 2 * width :] == render.rgb(scene(EPISODE), cell=14)).all()
+    views = np.array(contact_sheet(EPISODE, cell=14, trail=0, fov=3, viewers=["evader_1"]))
+    seen = render.rgb(scene(EPISODE, 0, trail=0), cell=14, fov=3, viewers=[6])
+    assert (views[:height, :width] == seen).all()
     with pytest.raises(ValueError, match="rows, cols: expected at least 1, got 0, 3"):
         contact_sheet(EPISODE, rows=0)
 

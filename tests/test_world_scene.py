@@ -24,8 +24,9 @@ def test_the_scene_is_the_moment_of_the_world() -> None:
     scene = world.scene("a jam")
     assert scene.title == "a jam"
     assert scene.n_pursuers == 3
-    for name in ("positions", "alive", "captured", "map", "involved", "fault"):
+    for name in ("alive", "captured", "map", "involved", "fault"):
         assert np.array_equal(getattr(scene, name), getattr(world, name)), name
+    assert np.array_equal(scene.positions, world.places)
     assert scene.collided()[0] == {(0, 0), (0, 2)}
     drawn = ansi(scene, color="none").splitlines()[1:]
     assert [line[::2] for line in drawn] == str(world).splitlines()

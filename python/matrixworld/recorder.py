@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld.arrays import integers
 from matrixworld.config import WorldConfig
 from matrixworld.episode import Episode
 from matrixworld.maps import MapLike
@@ -24,19 +25,36 @@ class Recorder:
 
     def __init__(self, world: World) -> None:
         self.world = world
+        self._config = world.config.to_json()
         self.begin()
 
     def begin(self) -> None:
         """Forget what was kept; the world's present moment is the first."""
         self._map = self.world.map
+        self._start = self.world.steps
         self._kept: dict[str, list[NDArray[Any]]] = {
             name: [] for name in (*_MOMENT, "actions", *_STEP)
         }
         self._keep(*_MOMENT)
 
     def note(self, actions: ArrayLike) -> None:
-        """After a round with these actions, ``(A,)`` ints."""
-        self._kept["actions"].append(np.asarray(actions).astype(np.int8))
+        """After a round with these actions, ``(A,)`` ints.
+
+        Raises ValueError for another shape, and RuntimeError when it was not called after every
+        round, or `begin` not after a reset.
+        """
+        row = integers("actions", actions)
+        if row.shape != (self.world.config.n_agents,):
+            raise ValueError(
+                f"actions: expected shape {(self.world.config.n_agents,)}, got {row.shape}"
+            )
+        noted, played = len(self._kept["actions"]) + 1, self.world.steps - self._start
+        if noted != played:
+            raise RuntimeError(
+                f"expected begin() after a reset and note() after each round: this is note "
+                f"{noted}, and the world has played {played}"
+            )
+        self._kept["actions"].append(row.astype(np.int8))
         self._keep(*_MOMENT, *_STEP)
 
     def _keep(self, *names: str) -> None:
@@ -56,8 +74,7 @@ class Recorder:
 
     def _last(self, steps: int) -> Episode:
         """The last so many steps as an episode."""
-        config = self.world.config
-        n_agents = config.n_agents
+        n_agents = self.world.config.n_agents
         empty: dict[str, NDArray[Any]] = {
             "actions": np.empty((0, n_agents), np.int8),
             "rewards": np.empty((0, n_agents), np.float32),
@@ -71,7 +88,10 @@ class Recorder:
             for name, kept in self._kept.items()
         }
         return Episode(
-            **arrays, map=self._map, n_pursuers=config.n_pursuers, config=config.to_json()
+            **arrays,
+            map=self._map,
+            n_pursuers=self.world.config.n_pursuers,
+            config=self._config,
         )
 
 

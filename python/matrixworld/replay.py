@@ -7,7 +7,7 @@ import io
 import os
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TextIO
 
@@ -18,6 +18,7 @@ from PIL import Image
 from matrixworld.episode import Episode, replacing
 from matrixworld.render import MARK_STEPS, Scene, ansi, rgb
 from matrixworld.render.gif import write_gif
+from matrixworld.render.layout import LARGEST_CELL
 from matrixworld.render.mp4 import write_mp4
 from matrixworld.render.screen import color_mode, fits, play
 
@@ -135,11 +136,14 @@ def save(
             write(file, draw, times, fps=fps, hold=hold)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Animation:
     """A GIF that a notebook shows. data: the file's bytes."""
 
-    data: bytes = field(repr=False)
+    data: bytes
+
+    def __repr__(self) -> str:
+        return f"<Animation: a GIF of {len(self.data) / 1000:.0f} kB>"
 
     def _repr_html_(self) -> str:
         encoded = base64.b64encode(self.data).decode("ascii")
@@ -166,7 +170,7 @@ def animation(
     if every is None:
         every = -(-episode.length // FRAMES) or 1
     if cell is None:
-        cell = max(1, PIXELS // max(episode.map.shape))
+        cell = min(max(PIXELS // max(episode.map.shape), 1), LARGEST_CELL)
     draw = _artist(episode, cell=cell, trail=trail, fov=fov, viewers=viewers)
     buffer = io.BytesIO()
     write_gif(buffer, draw, _times(episode, every), fps=fps, hold=2.0)
@@ -174,13 +178,24 @@ def animation(
 
 
 def contact_sheet(
-    episode: Episode, *, rows: int = 2, cols: int = 3, cell: int | None = None
+    episode: Episode,
+    *,
+    rows: int = 2,
+    cols: int = 3,
+    cell: int | None = None,
+    trail: int = 6,
+    fov: int | None = None,
+    viewers: Sequence[int | str] = (),
 ) -> Image.Image:
-    """Moments of an episode from first to last, evenly spread, side by side: one picture."""
+    """Moments of an episode from first to last, evenly spread, side by side: one picture.
+
+    A notebook shows it. cell, trail, fov, viewers: as for `save`.
+    """
     if rows < 1 or cols < 1:
         raise ValueError(f"rows, cols: expected at least 1, got {rows}, {cols}")
     times = np.linspace(0, episode.length, rows * cols).round().astype(int)
-    pictures = [rgb(scene(episode, t), cell=cell) for t in times.tolist()]
+    draw = _artist(episode, cell=cell, trail=trail, fov=fov, viewers=viewers)
+    pictures = [draw(t) for t in times.tolist()]
     lines = [np.concatenate(pictures[i : i + cols], axis=1) for i in range(0, len(times), cols)]
     return Image.fromarray(np.concatenate(lines))
 
@@ -195,22 +210,11 @@ def _artist(
 ) -> Callable[[int], NDArray[np.uint8]]:
     """How a moment of the episode is drawn."""
     side = int(episode.config.get("fov", FOV)) if fov is None else fov
-    numbers = [_agent(episode, viewer) for viewer in viewers]
 
     def draw(time: int) -> NDArray[np.uint8]:
-        return rgb(scene(episode, time, trail=trail), cell=cell, fov=side, viewers=numbers)
+        return rgb(scene(episode, time, trail=trail), cell=cell, fov=side, viewers=viewers)
 
     return draw
-
-
-def _agent(episode: Episode, viewer: int | str) -> int:
-    if isinstance(viewer, int):
-        return viewer
-    names = [f"pursuer_{i}" for i in range(episode.n_pursuers)]
-    names += [f"evader_{i}" for i in range(episode.n_evaders)]
-    if viewer not in names:
-        raise ValueError(f"viewers: expected numbers or names of agents, got {viewer!r}")
-    return names.index(viewer)
 
 
 def _times(episode: Episode, every: int) -> list[int]:

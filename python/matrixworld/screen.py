@@ -175,8 +175,9 @@ def _window() -> Place | None:
             figure = plt.figure()
     except ImportError:  # a backend was asked for whose display or library is not there
         return None
-    if figure.canvas.required_interactive_framework is None:
+    manager = figure.canvas.manager
+    if manager is None or figure.canvas.required_interactive_framework is None:
         plt.close(figure)  # drawn nowhere
         return None
-    figure.canvas.manager.set_window_title("matrixworld")
+    manager.set_window_title("matrixworld")
     return Window(plt, figure)

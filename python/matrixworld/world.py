@@ -311,7 +311,7 @@ class World:
         from matrixworld.render import Scene
 
         return Scene(
-            positions=self.positions,
+            positions=self.places,
             alive=self.alive,
             captured=self.captured,
             map=self.map,

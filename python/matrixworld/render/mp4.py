@@ -10,7 +10,14 @@ from numpy.typing import NDArray
 
 from matrixworld.render.gif import check_timing
 
-QUALITY = 8  # of 10
+FORMAT = ("-f", "mp4", "-movflags", "+faststart")  # a browser can begin before it has all
+QUALITY = ("-crf", "16", "-tune", "animation")
+# Browsers guess the colours of a film that does not tell them, by its height.
+COLOURS = (
+    "-vf",
+    "scale=out_color_matrix=bt709:out_range=tv,"
+    "setparams=colorspace=bt709:color_primaries=bt709:color_trc=bt709",
+)
 
 
 def write_mp4(
@@ -40,10 +47,10 @@ def write_mp4(
         file.name,
         (width, height),
         fps=fps,
-        quality=QUALITY,
-        macro_block_size=2,
+        quality=None,
+        macro_block_size=2,  # what yuv420p needs, so that nothing is rescaled
         ffmpeg_log_level="error",
-        output_params=["-f", "mp4", "-movflags", "+faststart"],
+        output_params=[*FORMAT, *QUALITY, *COLOURS],
     )
     writer.send(None)
     try:

@@ -28,34 +28,33 @@ VIEW_LEVEL = 28  # of 255: tint of a field of view
 
 
 def rgb(
-    scene: Scene, *, cell: int | None = None, fov: int = 11, viewers: Sequence[int] = ()
+    scene: Scene, *, cell: int | None = None, fov: int = 11, viewers: Sequence[int | str] = ()
 ) -> NDArray[np.uint8]:
     """Draw a scene: an array ``(height, width, 3)`` uint8.
 
     cell: pixels per cell; None chooses by the size of the grid
-    fov, viewers: outline the ``fov x fov`` field of view of each of these agents, when alive
+    fov, viewers: outline the ``fov x fov`` field of view of each of these agents, when alive; by
+        number or by name (``pursuer_0`` ..., ``evader_0`` ...)
 
     Scenes of one grid and cell size give pictures of one size, so they can follow each other in
     an animation. Raises ValueError for a cell below 1, an even fov, or a viewer that is no agent.
     """
     if fov < 1 or fov % 2 == 0:
         raise ValueError(f"fov: expected an odd number from 1 up, got {fov}")
-    for viewer in viewers:
-        if not 0 <= viewer < len(scene.alive):
-            raise ValueError(f"viewers: expected 0 to {len(scene.alive) - 1}, got {viewer}")
+    agents = [scene.agent(viewer) for viewer in viewers]
     picture = _Picture(scene, Layout.of(scene.shape, cell))
-    for viewer in viewers:
-        picture.draw_view(viewer, fov // 2)
+    for agent in agents:
+        picture.draw_view(agent, fov // 2)
     picture.draw_trails()
     picture.draw_marks()
-    picture.draw_agents()
     picture.draw_collisions()
+    picture.draw_agents()
     picture.draw_header()
     return np.array(picture.canvas)
 
 
 def png(
-    scene: Scene, *, cell: int | None = None, fov: int = 11, viewers: Sequence[int] = ()
+    scene: Scene, *, cell: int | None = None, fov: int = 11, viewers: Sequence[int | str] = ()
 ) -> bytes:
     """The same picture as a PNG file."""
     buffer = io.BytesIO()

@@ -20,7 +20,7 @@ class Crowd:
     captured: int = 0  # of the evaders, those captured at this moment
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Scene:
     """One moment of a world with P pursuers and E evaders, A = P + E agents, pursuers first.
 
@@ -83,6 +83,11 @@ class Scene:
         rows, cols = self.map.shape
         return rows, cols
 
+    def __repr__(self) -> str:
+        rows, cols = self.shape
+        pursuers, evaders = self.team_sizes()
+        return f"<Scene: {rows} x {cols} cells, {pursuers} pursuers, {evaders} evaders>"
+
     def _repr_png_(self) -> bytes:
         """The picture that a notebook shows."""
         from matrixworld.render.raster import png
@@ -94,6 +99,18 @@ class Scene:
         for agent in np.flatnonzero(self.alive).tolist():
             row, col = self.positions[agent].tolist()
             yield agent, (row, col), agent < self.n_pursuers
+
+    def agent(self, who: int | str) -> int:
+        """The number of an agent given by number or name; ValueError where there is none."""
+        n_agents = len(self.alive)
+        names = [f"pursuer_{i}" for i in range(self.n_pursuers)]
+        names += [f"evader_{i}" for i in range(n_agents - self.n_pursuers)]
+        if isinstance(who, str) and who in names:
+            return names.index(who)
+        if isinstance(who, str) or not 0 <= who < n_agents:
+            expected = f"0 to {n_agents - 1} or a name such as {names[0]}" if names else "nobody"
+            raise ValueError(f"viewers: expected {expected}, got {who!r}")
+        return who
 
     def crowds(self) -> dict[Cell, Crowd]:
         """Who stands where: only cells with somebody on them."""
