@@ -73,9 +73,10 @@ def _lags(summary: Summary) -> str:
         f"{lag:+d}: {mean:.2f}" if lag else f"0: {mean:.2f}"
         for lag, mean in zip(summary.lags, summary.lag_means, strict=True)
     )
+    plural = "" if summary.rise_lag == 1 else "s"
     return (
         f"Capture rate by lag (pursuer minus evader generation): {means}. Pursuers "
-        f"{summary.rise_lag} generations after their opponents rather than as many before them "
+        f"{summary.rise_lag} generation{plural} after their opponents rather than as many before them "
         f"change it by {summary.lag_rise:+.2f}."
     )
 
