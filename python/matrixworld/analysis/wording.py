@@ -76,8 +76,8 @@ def _lags(summary: Summary) -> str:
     plural = "" if summary.rise_lag == 1 else "s"
     return (
         f"Capture rate by lag (pursuer minus evader generation): {means}. Pursuers "
-        f"{summary.rise_lag} generation{plural} after their opponents rather than as many before them "
-        f"change it by {summary.lag_rise:+.2f}."
+        f"{summary.rise_lag} generation{plural} after their opponents rather than as many before "
+        f"them change it by {summary.lag_rise:+.2f}."
     )
 
 
