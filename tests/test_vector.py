@@ -284,7 +284,11 @@ def test_environments_are_independent() -> None:
         ),
         (lambda: make(flatten=1), TypeError, "flatten: expected a bool, got 1"),
         (lambda: make(state="yes"), TypeError, "state: expected a bool, got 'yes'"),
-        (lambda: make(autoreset_mode="Never"), ValueError, "'Never' is not a valid AutoresetMode"),
+        (
+            lambda: make(autoreset_mode="Never"),
+            ValueError,
+            "NextStep, SameStep, Disabled, got 'Never'",
+        ),
         (lambda: make(render_mode="human"), ValueError, "None or 'rgb_array', got 'human'"),
         (lambda: make().step(np.zeros((4, 7), int)), RuntimeError, "reset\\(\\) before the first"),
         (

@@ -109,7 +109,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode: expected None or 'rgb_array', got {render_mode!r}")
         self.render_mode = render_mode
-        mode = AutoresetMode(autoreset_mode)
+        mode = _mode(autoreset_mode)
         self.metadata = {"autoreset_mode": mode, "render_modes": ["rgb_array"], "render_fps": 10}
         left_out = set() if check_bool("state", state) else {"state"}
         if mode is not AutoresetMode.SAME_STEP:
@@ -242,6 +242,14 @@ class TeamView:
     def size(self) -> int:
         """n, the number of agents."""
         return int(self.actions.shape[1])
+
+
+def _mode(given: AutoresetMode | str) -> AutoresetMode:
+    for mode in AutoresetMode:
+        if given in (mode, mode.value):
+            return mode
+    expected = ", ".join(mode.value for mode in AutoresetMode)
+    raise ValueError(f"autoreset_mode: expected one of {expected}, got {given!r}")
 
 
 def _view_dtype(dtype: DTypeLike) -> np.dtype[Any]:
