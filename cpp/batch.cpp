@@ -18,16 +18,16 @@ Batch::Batch(std::shared_ptr<const Setup> setup, int n_worlds, int n_threads, Au
       actions_(worlds_.size() * setup_->config.n_agents(), 0),
       workers_(n_threads) {
     for (int i = 0; i < workers_.n_threads(); ++i) {
-        scratches_.push_back(std::make_unique<Scratch>(*setup_));
+        desks_.push_back(std::make_unique<Desk>(*setup_));
     }
 }
 
-void Batch::for_each_world(const std::function<void(World&, std::size_t, Scratch&)>& play) {
+void Batch::for_each_world(const std::function<void(World&, std::size_t, Desk&)>& play) {
     const int n_pieces = (n_worlds() + kWorldsPerPiece - 1) / kWorldsPerPiece;
     workers_.run(n_pieces, [&](int piece, int thread) {
         const int end = std::min((piece + 1) * kWorldsPerPiece, n_worlds());
         for (int w = piece * kWorldsPerPiece; w < end; ++w) {
-            play(worlds_[w], static_cast<std::size_t>(w), *scratches_[thread]);
+            play(worlds_[w], static_cast<std::size_t>(w), *desks_[thread]);
         }
     });
 }
@@ -42,18 +42,18 @@ void Batch::reset(const std::uint64_t* seeds, std::uint64_t episode, const std::
     for (std::size_t w = 0; w < worlds_.size(); ++w) {
         if (!mask || mask[w]) worlds_[w].check(placement(w));
     }
-    for_each_world([&](World& world, std::size_t w, Scratch& scratch) {
+    for_each_world([&](World& world, std::size_t w, Desk& desk) {
         if (mask && !mask[w]) return;
         const EpisodeKey next{world.key().seed, world.key().episode + 1};
-        begin(world, w, seeds ? EpisodeKey{seeds[w], episode} : next, scratch, placement(w));
+        begin(world, w, seeds ? EpisodeKey{seeds[w], episode} : next, desk.scratch, placement(w));
         write_step(world, w, buffers);
-        write_moment(world, scratch.occupancy, w, buffers);
+        write_moment(world, desk.scratch.occupancy, desk.lens, w, buffers);
         if (buffers.acted) {
             const int n_agents = setup_->config.n_agents();
             std::fill_n(buffers.acted + w * n_agents, n_agents, std::uint8_t{0});
         }
         if (buffers.ended) buffers.ended[w] = 0;
-        world.leave(scratch);
+        world.leave(desk.scratch);
     });
 }
 
@@ -64,11 +64,11 @@ void Batch::begin(World& world, std::size_t number, EpisodeKey key, Scratch& scr
 }
 
 void Batch::play(const Buffers& buffers) {
-    for_each_world(
-        [&](World& world, std::size_t w, Scratch& scratch) { play(world, w, scratch, buffers); });
+    for_each_world([&](World& world, std::size_t w, Desk& desk) { play(world, w, desk, buffers); });
 }
 
-void Batch::play(World& world, std::size_t number, Scratch& scratch, const Buffers& buffers) {
+void Batch::play(World& world, std::size_t number, Desk& desk, const Buffers& buffers) {
+    Scratch& scratch = desk.scratch;
     write_acted(world, number, buffers);
     const EpisodeKey next{world.key().seed, world.key().episode + 1};
     const bool was_over = world.over();
@@ -86,18 +86,18 @@ void Batch::play(World& world, std::size_t number, Scratch& scratch, const Buffe
     write_step(world, number, buffers);
     const bool ended = world.over() && !was_over;
     if (buffers.ended) buffers.ended[number] = ended;
-    if (ended) finish(world, number, scratch, buffers);
+    if (ended) finish(world, number, desk, buffers);
     if (world.over() && autoreset_ == Autoreset::SameStep) {
         world.leave(scratch);
         begin(world, number, next, scratch, {});
     }
-    write_moment(world, scratch.occupancy, number, buffers);
+    write_moment(world, scratch.occupancy, desk.lens, number, buffers);
     world.leave(scratch);
 }
 
-void Batch::finish(World& world, std::size_t number, Scratch& scratch, const Buffers& buffers) {
+void Batch::finish(World& world, std::size_t number, Desk& desk, const Buffers& buffers) {
     if (buffers.tells_episodes()) write_score(tallies_[number].total(world), number, buffers);
-    write_final_views(world, scratch.occupancy, number, buffers);
+    write_final_views(world, desk.scratch.occupancy, desk.lens, number, buffers);
 }
 
 }  // namespace matrixworld

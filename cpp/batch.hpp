@@ -67,17 +67,26 @@ class Batch {
     const Setup& setup() const { return *setup_; }
 
     // Where world w is.
-    Snapshot snapshot(int w) const { return worlds_[w].snapshot(*scratches_[0]); }
+    Snapshot snapshot(int w) const { return worlds_[w].snapshot(desks_[0]->scratch); }
 
   private:
+    // Where a thread plays worlds and looks at them.
+    struct Desk {
+        explicit Desk(const Setup& setup)
+            : scratch(setup, false), lens(setup.grid, setup.config.fov) {}
+
+        Scratch scratch;
+        Lens lens;
+    };
+
     template <typename Integer>
     void commit(const Integer* actions);
     void play(const Buffers& buffers);
-    void for_each_world(const std::function<void(World&, std::size_t, Scratch&)>& play);
-    void play(World& world, std::size_t number, Scratch& scratch, const Buffers& buffers);
+    void for_each_world(const std::function<void(World&, std::size_t, Desk&)>& play);
+    void play(World& world, std::size_t number, Desk& desk, const Buffers& buffers);
     void begin(World& world, std::size_t number, EpisodeKey key, Scratch& scratch,
                const Placement& placement);
-    void finish(World& world, std::size_t number, Scratch& scratch, const Buffers& buffers);
+    void finish(World& world, std::size_t number, Desk& desk, const Buffers& buffers);
 
     std::shared_ptr<const Setup> setup_;
     Autoreset autoreset_;
@@ -85,7 +94,7 @@ class Batch {
     std::vector<Tally> tallies_;
     std::vector<std::uint8_t> actions_;  // (W, A)
     Workers workers_;
-    std::vector<std::unique_ptr<Scratch>> scratches_;  // one a thread
+    std::vector<std::unique_ptr<Desk>> desks_;  // one a thread
 };
 
 template <typename Integer>

@@ -77,7 +77,10 @@ Snapshot to_snapshot(const py::dict& from) {
 class SingleWorld {
   public:
     explicit SingleWorld(std::shared_ptr<const Setup> setup)
-        : setup_(std::move(setup)), world_(setup_), scratch_(*setup_) {}
+        : setup_(std::move(setup)),
+          world_(setup_),
+          scratch_(*setup_),
+          lens_(setup_->grid, setup_->config.fov) {}
 
     void reset(std::uint64_t seed, std::uint64_t episode, const py::object& pursuers,
                const py::object& evaders, const py::object& map) {
@@ -133,7 +136,7 @@ class SingleWorld {
     void write(const py::dict& arrays) const {
         const HeldBuffers held = hold_world(setup_->config, arrays);
         write_step(world_, 0, held.pointers);
-        write_moment(world_, scratch_.occupancy, 0, held.pointers);
+        write_moment(world_, scratch_.occupancy, lens_, 0, held.pointers);
     }
 
     // (turn, kind, form, first, second, (row, col), at_fault, held, doomed)
@@ -196,6 +199,7 @@ class SingleWorld {
     std::shared_ptr<const Setup> setup_;
     World world_;
     Scratch scratch_;
+    mutable Lens lens_;
     int turn_ = 0;  // the next one of the round
     std::vector<Conflict> conflicts_;
 };

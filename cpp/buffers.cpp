@@ -14,25 +14,21 @@ std::size_t view_size(const Config& config) {
 }
 
 // The views of all agents of one world, as bytes and as floats.
-void write_views(const World& world, const Occupancy& occupancy, std::size_t number,
+void write_views(const World& world, const Occupancy& occupancy, Lens& lens, std::size_t number,
                  std::uint8_t* bytes, float* floats) {
-    if (!bytes && !floats) return;
-    const std::size_t size = view_size(world.config());
-    const std::size_t n_agents = world.config().n_agents();
-    for (std::size_t a = 0; a < n_agents; ++a) {
-        const std::size_t at = (number * n_agents + a) * size;
-        if (bytes) write_view(world, occupancy, static_cast<int>(a), bytes + at);
-        if (floats) write_view(world, occupancy, static_cast<int>(a), floats + at);
-    }
+    const std::size_t at = number * world.config().n_agents() * view_size(world.config());
+    if (bytes) lens.write(world, occupancy, bytes + at);
+    if (floats) lens.write(world, occupancy, floats + at);
 }
 
 }  // namespace
 
-void write_moment(const World& world, const Occupancy& occupancy, std::size_t number,
+void write_moment(const World& world, const Occupancy& occupancy, Lens& lens, std::size_t number,
                   const Buffers& buffers) {
     const Config& config = world.config();
+    const bool tells_places = buffers.positions || buffers.places || buffers.alive;
     const std::size_t n_agents = config.n_agents();
-    for (std::size_t a = 0; a < n_agents; ++a) {
+    for (std::size_t a = 0; tells_places && a < n_agents; ++a) {
         const int agent = static_cast<int>(a);
         const std::size_t at = number * n_agents + a;
         const bool alive = world.alive(agent);
@@ -50,7 +46,7 @@ void write_moment(const World& world, const Occupancy& occupancy, std::size_t nu
     if (buffers.steps) buffers.steps[number] = world.steps();
     if (buffers.seed) buffers.seed[number] = world.key().seed;
     if (buffers.episode) buffers.episode[number] = world.key().episode;
-    write_views(world, occupancy, number, buffers.views, buffers.float_views);
+    write_views(world, occupancy, lens, number, buffers.views, buffers.float_views);
     if (buffers.state) {
         const std::size_t size = static_cast<std::size_t>(kChannels) * config.rows * config.cols;
         write_state(world, buffers.state + number * size);
@@ -83,7 +79,7 @@ void write_agents(const World& world, std::size_t number, const Buffers& buffers
 }  // namespace
 
 void write_step(const World& world, std::size_t number, const Buffers& buffers) {
-    write_agents(world, number, buffers);
+    if (buffers.tells_agents_steps()) write_agents(world, number, buffers);
     const Config& config = world.config();
     const std::size_t n_evaders = config.n_evaders;
     const auto copy = [&](const auto& from, auto* to) {
@@ -115,9 +111,9 @@ void write_acted(const World& world, std::size_t number, const Buffers& buffers)
     }
 }
 
-void write_final_views(const World& world, const Occupancy& occupancy, std::size_t number,
-                       const Buffers& buffers) {
-    write_views(world, occupancy, number, buffers.final_views, buffers.final_float_views);
+void write_final_views(const World& world, const Occupancy& occupancy, Lens& lens,
+                       std::size_t number, const Buffers& buffers) {
+    write_views(world, occupancy, lens, number, buffers.final_views, buffers.final_float_views);
 }
 
 void write_score(const Score& score, std::size_t number, const Buffers& buffers) {

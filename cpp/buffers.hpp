@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "observe.hpp"
 #include "tally.hpp"
 #include "world.hpp"
 
@@ -53,6 +54,9 @@ struct Buffers {
     std::int32_t* episode_faults = nullptr;       // (W, 2, 3)
     std::int64_t* episode_agent_steps = nullptr;  // (W, 2)
 
+    bool tells_agents_steps() const {
+        return involved || fault || cost || rewards || terminations || truncations;
+    }
     bool tells_episodes() const {
         return episode_return || episode_length || episode_capture_rate ||
                episode_ever_capture_rate || episode_survivors || episode_collisions ||
@@ -61,12 +65,12 @@ struct Buffers {
 };
 
 // Each writes the share of world `number`. The agents must be in the occupancy.
-void write_moment(const World& world, const Occupancy& occupancy, std::size_t number,
+void write_moment(const World& world, const Occupancy& occupancy, Lens& lens, std::size_t number,
                   const Buffers& buffers);
 void write_step(const World& world, std::size_t number, const Buffers& buffers);
 void write_acted(const World& world, std::size_t number, const Buffers& buffers);
-void write_final_views(const World& world, const Occupancy& occupancy, std::size_t number,
-                       const Buffers& buffers);
+void write_final_views(const World& world, const Occupancy& occupancy, Lens& lens,
+                       std::size_t number, const Buffers& buffers);
 void write_score(const Score& score, std::size_t number, const Buffers& buffers);
 
 }  // namespace matrixworld

@@ -12,27 +12,6 @@ namespace {
 
 constexpr int kChunk = Board::kMaxWidth;  // cells of a row that are read at once
 
-// Eight bits spread to eight numbers, 0 or 1.
-template <typename Number>
-const std::array<std::array<Number, 8>, 256>& spread_table() {
-    static const auto table = [] {
-        std::array<std::array<Number, 8>, 256> numbers{};
-        for (int value = 0; value < 256; ++value) {
-            for (int bit = 0; bit < 8; ++bit) numbers[value][bit] = value >> bit & 1;
-        }
-        return numbers;
-    }();
-    return table;
-}
-
-template <typename Number>
-void spread(std::uint64_t bits, int width, Number* out) {
-    const auto& table = spread_table<Number>();
-    for (; width > 0; width -= 8, out += 8, bits >>= 8) {
-        std::memcpy(out, &table[bits & 0xFF], sizeof(Number) * std::min(width, 8));
-    }
-}
-
 struct Window {
     Window(const World& world, int agent)
         : fov(world.config().fov),
@@ -43,12 +22,6 @@ struct Window {
     int top;
     int left;
 };
-
-// The bits of `columns` cells from column `left` that lie outside a grid of `cols` columns.
-std::uint64_t outside(int left, int columns, int cols) {
-    const auto low_bits = [](int n) { return (std::uint64_t{1} << std::clamp(n, 0, kChunk)) - 1; };
-    return low_bits(columns) & (low_bits(-left) | ~low_bits(cols - left));
-}
 
 // Is the agent alone of its team on its cell? Then the centre of its own channel stays empty.
 bool alone(const World& world, const Occupancy& occupancy, int agent) {
@@ -68,40 +41,92 @@ void for_each_chunk(const Board& board, const Window& window, Visit visit) {
         for (int c = 0; c < window.fov; c += kChunk) {
             const int width = std::min(kChunk, window.fov - c);
             const Board::Reader reader = board.window(window.top + r, window.left + c);
-            visit(r * window.fov + c, width, reader.row(0, width));
+            visit(r * window.fov + c, reader.row(0, width));
         }
     }
 }
 
 }  // namespace
 
-template <typename Number>
-void write_view(const World& world, const Occupancy& occupancy, int agent, Number* out) {
-    const Config& config = world.config();
-    const int area = config.fov * config.fov;
-    if (!world.alive(agent)) {
-        std::fill_n(out, kChannels * area, Number{0});
-        return;
-    }
-    const Window window(world, agent);
-    const auto write = [&](Number* channel) {
-        return
-            [=](int index, int width, std::uint64_t bits) { spread(bits, width, channel + index); };
-    };
-    for_each_chunk(occupancy.board(Team::Evader), window, write(out + kEvaders * area));
-    for_each_chunk(occupancy.board(Team::Pursuer), window, write(out + kPursuers * area));
-    for_each_chunk(world.ground().walls, window, [&](int index, int width, std::uint64_t bits) {
-        const int row = window.top + index / window.fov;
-        const int left = window.left + index % window.fov;
-        const bool beyond = row < 0 || row >= config.rows;
-        bits |= beyond ? ~std::uint64_t{0} : outside(left, width, config.cols);
-        spread(bits, width, out + kObstacles * area + index);
-    });
-    if (alone(world, occupancy, agent)) out[own_centre(world, agent)] = 0;
+// ---- Bytes and floats ---------------------------------------------------------------------------
+
+Lens::Lens(const Grid& grid, int fov)
+    : planes_{Plane(grid, fov / 2, 0), Plane(grid, fov / 2, 0)}, fov_(fov) {}
+
+namespace {
+
+void copy_piece(const std::uint8_t* from, std::uint8_t* to) {
+    std::memcpy(to, from, Plane::kPiece);
 }
 
-template void write_view(const World&, const Occupancy&, int, std::uint8_t*);
-template void write_view(const World&, const Occupancy&, int, float*);
+void copy_piece(const std::uint8_t* from, float* to) {
+    std::array<std::uint8_t, Plane::kPiece>
+        piece;  // so that the compiler sees that `to` is elsewhere
+    std::memcpy(piece.data(), from, piece.size());
+    for (std::size_t i = 0; i < piece.size(); ++i) to[i] = piece[i];
+}
+
+// Appends a window row by row, in whole pieces as long as there is room before `end`: what a piece
+// has too much, the next row writes over.
+template <int kFov, typename Number>
+Number* copy_window(const Plane& plane, const Window& window, Number* out, const Number* end) {
+    constexpr int kPiece = Plane::kPiece;
+    const int fov = kFov ? kFov : window.fov;  // kFov where the compiler is to know it
+    const std::uint8_t* row = plane.window(window.top, window.left);
+    for (int r = 0; r < fov; ++r, row += plane.stride(), out += fov) {
+        for (int c = 0; c < fov; c += kPiece) {
+            if (end - (out + c) >= kPiece) {
+                copy_piece(row + c, out + c);
+            } else {
+                for (int i = c; i < std::min(c + kPiece, fov); ++i) out[i] = row[i];
+            }
+        }
+    }
+    return out;
+}
+
+// The channels evaders, pursuers, obstacles.
+template <int kFov, typename Number>
+void copy_channels(const Plane (&teams)[kTeams], const Plane& walls, const Window& window,
+                   Number* out) {
+    const Number* end = out + kChannels * window.fov * window.fov;
+    out = copy_window<kFov>(teams[static_cast<int>(Team::Evader)], window, out, end);
+    out = copy_window<kFov>(teams[static_cast<int>(Team::Pursuer)], window, out, end);
+    copy_window<kFov>(walls, window, out, end);
+}
+
+}  // namespace
+
+template <typename Number>
+void Lens::write(const World& world, const Occupancy& occupancy, Number* out) {
+    constexpr int kUsual = 11;
+    mark(world, 1);
+    const int size = kChannels * fov_ * fov_;
+    for (int a = 0; a < world.config().n_agents(); ++a, out += size) {
+        if (!world.alive(a)) {
+            std::fill_n(out, size, Number{0});
+            continue;
+        }
+        const Window window(world, a);
+        const auto copy = fov_ == kUsual ? copy_channels<kUsual, Number> : copy_channels<0, Number>;
+        copy(planes_, world.ground().closed, window, out);
+        if (alone(world, occupancy, a)) out[own_centre(world, a)] = 0;
+    }
+    mark(world, 0);
+}
+
+template void Lens::write(const World&, const Occupancy&, std::uint8_t*);
+template void Lens::write(const World&, const Occupancy&, float*);
+
+void Lens::mark(const World& world, std::uint8_t value) {
+    for (int a : world.living()) {
+        const int cell = world.cell(a);
+        const int team = static_cast<int>(world.team(a));
+        planes_[team].at(world.grid().row(cell), world.grid().col(cell)) = value;
+    }
+}
+
+// ---- Lists ------------------------------------------------------------------------------------
 
 namespace {
 
@@ -127,7 +152,7 @@ int* list_narrow(const Board& board, const Window& window, int first, bool hide_
 
 int* list_wide(const Board& board, const Window& window, int first, bool hide_centre, int* out) {
     const int centre = window.fov * window.fov / 2;
-    for_each_chunk(board, window, [&](int index, int, std::uint64_t bits) {
+    for_each_chunk(board, window, [&](int index, std::uint64_t bits) {
         for (; bits; bits &= bits - 1) {
             const int place = index + __builtin_ctzll(bits);
             if (!(hide_centre && place == centre)) *out++ = first + place;

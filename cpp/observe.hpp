@@ -7,15 +7,29 @@
 #include <cstdint>
 
 #include "occupancy.hpp"
+#include "plane.hpp"
 #include "world.hpp"
 
 namespace matrixworld {
 
 enum Channel : int { kEvaders = 0, kPursuers = 1, kObstacles = 2, kChannels = 3 };
 
-// Writes (3, fov, fov) bytes or floats, 0 or 1; a gone agent sees zeros.
-template <typename Number>
-void write_view(const World& world, const Occupancy& occupancy, int agent, Number* out);
+// Writes views as numbers; scratch memory of one thread, for worlds of one configuration.
+class Lens {
+  public:
+    Lens(const Grid& grid, int fov);
+
+    // The views of all agents, (A, 3, fov, fov) bytes or floats, 0 or 1; a gone agent sees zeros.
+    template <typename Number>
+    void write(const World& world, const Occupancy& occupancy, Number* out);
+
+  private:
+    // Puts the agents on the planes, or takes them off.
+    void mark(const World& world, std::uint8_t value);
+
+    Plane planes_[kTeams];  // empty between two calls
+    int fov_;
+};
 
 // Writes the inputs that are set in the view of a living agent, each as an index into the
 // flattened (3, fov, fov) view, each once, without those outside the grid; returns how many.

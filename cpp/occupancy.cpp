@@ -14,9 +14,10 @@ std::size_t room(int n_agents) {
 
 }  // namespace
 
-Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin)
+Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin, bool for_networks)
     : grid_(grid),
       n_pursuers_(n_pursuers),
+      for_networks_(for_networks),
       count_(decltype(count_)::Zero(kTeams, grid.n_cells())),
       first_(IntArray::Constant(grid.n_cells(), -1)),
       next_(IntArray::Constant(n_agents, -1)),
@@ -32,15 +33,15 @@ void Occupancy::add(int agent, int cell) {
     if (head >= 0) previous_[head] = agent;
     first_[cell] = agent;
 
+    const int team = static_cast<int>(this->team(agent));
+    const bool first = count_(team, cell)++ == 0;
+    distinct_[team] += first;
+    if (!for_networks_) return;
     const int row = grid_.row(cell);
     const int col = grid_.col(cell);
     rows_[agent] = static_cast<std::int16_t>(row);
     cols_[agent] = static_cast<std::int16_t>(col);
-    const int team = static_cast<int>(this->team(agent));
-    if (count_(team, cell)++ == 0) {
-        ++distinct_[team];
-        boards_[team].set(row, col);
-    }
+    if (first) boards_[team].set(row, col);
 }
 
 void Occupancy::remove(int agent, int cell) {
@@ -53,15 +54,13 @@ void Occupancy::remove(int agent, int cell) {
     }
     if (after >= 0) previous_[after] = before;
 
-    const int row = rows_[agent];
-    const int col = cols_[agent];
+    const int team = static_cast<int>(this->team(agent));
+    const bool last = --count_(team, cell) == 0;
+    distinct_[team] -= last;
+    if (!for_networks_) return;
+    if (last) boards_[team].clear(rows_[agent], cols_[agent]);
     rows_[agent] = kFarOff;
     cols_[agent] = kFarOff;
-    const int team = static_cast<int>(this->team(agent));
-    if (--count_(team, cell) == 0) {
-        --distinct_[team];
-        boards_[team].clear(row, col);
-    }
 }
 
 }  // namespace matrixworld

@@ -15,7 +15,8 @@ namespace matrixworld {
 
 class Occupancy {
   public:
-    Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin);
+    // Without `for_networks`, rows, cols and boards, which networks look at, are left empty.
+    Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin, bool for_networks);
 
     void add(int agent, int cell);
     void remove(int agent, int cell);
@@ -40,6 +41,7 @@ class Occupancy {
   private:
     const Grid grid_;
     int n_pursuers_;
+    bool for_networks_;
     Eigen::Array<int, kTeams, Eigen::Dynamic> count_;
     IntArray first_;
     IntArray next_;

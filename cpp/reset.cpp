@@ -48,19 +48,23 @@ void require_count(const char* team, std::size_t flat, int n) {
 // ---- What worlds share ------------------------------------------------------------------------
 
 Ground::Ground(const Grid& grid, int margin)
-    : kind(ByteArray::Constant(grid.n_cells(), kBorder)), walls(grid, margin) {
+    : kind(ByteArray::Constant(grid.n_cells(), kBorder)),
+      walls(grid, margin),
+      closed(grid, margin, 1) {
     clear_obstacles(grid);
 }
 
 void Ground::set_obstacle(const Grid& grid, int cell) {
     kind[cell] = kObstacle;
     walls.set(grid.row(cell), grid.col(cell));
+    closed.at(grid.row(cell), grid.col(cell)) = 1;
     has_obstacles = true;
 }
 
 void Ground::clear_obstacles(const Grid& grid) {
     for (int row = 0; row < grid.rows(); ++row) {
         kind.segment(grid.cell(row, 0), grid.cols()).setConstant(kFree);
+        std::fill_n(&closed.at(row, 0), grid.cols(), std::uint8_t{0});
     }
     walls.clear_all();
     has_obstacles = false;
@@ -83,8 +87,9 @@ Setup::Setup(Config given) : config(std::move(given)), grid(config.rows, config.
     ground = std::move(base);
 }
 
-Scratch::Scratch(const Setup& setup)
-    : occupancy(setup.grid, setup.config.n_pursuers, setup.config.n_agents(), setup.config.fov / 2),
+Scratch::Scratch(const Setup& setup, bool for_networks)
+    : occupancy(setup.grid, setup.config.n_pursuers, setup.config.n_agents(), setup.config.fov / 2,
+                for_networks),
       resolver(setup.grid, setup.config.rules, setup.config.n_pursuers, setup.config.n_agents()),
       order(setup.config.rows * setup.config.cols),
       move(ByteArray::Zero(setup.config.n_agents())) {

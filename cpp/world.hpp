@@ -10,6 +10,7 @@
 #include "board.hpp"
 #include "grid.hpp"
 #include "occupancy.hpp"
+#include "plane.hpp"
 #include "random.hpp"
 #include "resolve.hpp"
 #include "rules.hpp"
@@ -31,7 +32,8 @@ struct Ground {
     void clear_obstacles(const Grid& grid);
 
     ByteArray kind;  // by cell
-    Board walls;
+    Board walls;     // obstacles
+    Plane closed;    // obstacles and whatever is outside
     bool has_obstacles = false;
 };
 
@@ -64,7 +66,7 @@ struct Setup {
 
 // The scratch memory of one thread, for any number of worlds of one configuration.
 struct Scratch {
-    explicit Scratch(const Setup& setup);
+    explicit Scratch(const Setup& setup, bool for_networks = true);
 
     Occupancy occupancy;
     Resolver resolver;

@@ -86,7 +86,10 @@ inline void check_view(const World& world, const Occupancy& occupancy, int agent
     std::vector<std::uint8_t> view(static_cast<std::size_t>(kChannels) * fov * fov);
     std::vector<int> listed(view.size());
     write_state(world, state.data());
-    write_view(world, occupancy, agent, view.data());
+    const auto size = static_cast<std::ptrdiff_t>(view.size());
+    std::vector<std::uint8_t> views(view.size() * static_cast<std::size_t>(config.n_agents()));
+    Lens(world.grid(), fov).write(world, occupancy, views.data());
+    std::copy_n(views.begin() + agent * size, size, view.begin());
     listed.resize(static_cast<std::size_t>(list_view(world, occupancy, agent, listed.data())));
 
     int company = 0;

@@ -179,7 +179,8 @@ class SingleWorlds {
         : autoreset_(autoreset),
           worlds_(static_cast<std::size_t>(n_worlds), World(setup)),
           tallies_(worlds_.size(), Tally(setup->config)),
-          scratch_(*setup) {}
+          scratch_(*setup),
+          lens_(setup->grid, setup->config.fov) {}
 
     void reset(const std::vector<std::uint64_t>& seeds, std::uint64_t episode, Memory& memory) {
         for (std::size_t w = 0; w < worlds_.size(); ++w) {
@@ -232,14 +233,14 @@ class SingleWorlds {
         if (world.over()) {
             buffers.ended[w] = 1;
             write_score(tallies_[w].total(world), w, buffers);
-            write_final_views(world, scratch_.occupancy, w, buffers);
+            write_final_views(world, scratch_.occupancy, lens_, w, buffers);
         }
         world.leave(scratch_);
     }
 
     void look(std::size_t w, const Buffers& buffers) {
         worlds_[w].enter(scratch_);
-        write_moment(worlds_[w], scratch_.occupancy, w, buffers);
+        write_moment(worlds_[w], scratch_.occupancy, lens_, w, buffers);
         worlds_[w].leave(scratch_);
     }
 
@@ -247,6 +248,7 @@ class SingleWorlds {
     std::vector<World> worlds_;
     std::vector<Tally> tallies_;
     Scratch scratch_;
+    Lens lens_;
 };
 
 void play_batch(const Rules& rules, Random& random) {
