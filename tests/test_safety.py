@@ -69,9 +69,10 @@ def assert_same(one: mw.SafetyMonitor, other: mw.SafetyMonitor) -> None:
 # ---- Where episodes come from --------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("max_steps", [1, 2, 20])
 @pytest.mark.parametrize("name", NAMES)
-def test_all_sources_agree_with_plain_counts(name: str) -> None:
-    config, seeds = config_of(name, obstacles=0.1), range(5)
+def test_all_sources_agree_with_plain_counts(name: str, max_steps: int) -> None:
+    config, seeds = config_of(name, obstacles=0.1, max_steps=max_steps), range(5)
     by_status, by_record, by_turn = (mw.SafetyMonitor() for _ in range(3))
     for seed in seeds:
         rows = rows_of(config, seed)
@@ -98,10 +99,10 @@ def follow_turns(monitor: mw.SafetyMonitor, config: mw.WorldConfig, seed: int) -
         _, _, terminated, truncated, _ = env.last()
         if terminated or truncated:
             env.step(None)
-            continue
-        env.step(int(rows[taken[agent], env.possible_agents.index(agent)]))
-        taken[agent] += 1
-        monitor.observe(env.unwrapped.status)
+        else:
+            env.step(int(rows[taken[agent], env.possible_agents.index(agent)]))
+            taken[agent] += 1
+        monitor.observe(env.status)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -131,16 +132,28 @@ def test_vector_environments_agree_with_recordings(mode: str) -> None:
     assert_same(vector, recorded)
 
 
-def test_an_episode_that_was_left_is_forgotten() -> None:
-    env, monitor = mw.parallel_env(config_of("R", max_steps=3)), mw.SafetyMonitor()
-    for steps in (2, 3):
-        env.reset(seed=0)
-        monitor.observe(env.status)
-        for _ in range(steps):
-            env.step(dict.fromkeys(env.agents, 0))
+@pytest.mark.parametrize(
+    ("left_after", "seeds", "at_once"),
+    # Without a look at once, the first step of an episode played again looks like the one before.
+    [(1, (0, 0), True), (2, (0, 0), False), (1, (0, 1), False), (1, (0, None), False)],
+)
+def test_an_episode_that_was_left_is_forgotten(
+    left_after: int, seeds: tuple[int, int | None], at_once: bool
+) -> None:
+    config, east = config_of("R", max_steps=3), 2
+    env, monitor, whole = mw.parallel_env(config), mw.SafetyMonitor(), mw.SafetyMonitor()
+    for steps, seed in zip((left_after, 3), seeds, strict=True):
+        env.reset(seed=seed)
+        if at_once:
             monitor.observe(env.status)
+        for _ in range(steps):
+            env.step(dict.fromkeys(env.agents, east))
+            monitor.observe(env.status)
+    rows = np.full((3, config.n_agents), east)
+    number = int(env.status.episode)
+    whole.add_episode(mw.record_actions(config, rows, seed=seeds[1] or 0, episode=number))
     assert monitor.episodes == 1
-    assert monitor.summary().agent_steps.tolist() == [9, 12]
+    assert_same(monitor, whole)
 
 
 # ---- Numbers -----------------------------------------------------------------------------------
@@ -210,12 +223,41 @@ def test_what_it_prints() -> None:
     assert json.loads(json.dumps(two_episodes().summary().to_json()))["episodes"] == 2
 
 
+def test_arrays_are_copied() -> None:
+    monitor, expected = mw.SafetyMonitor(), mw.SafetyMonitor()
+    env = mw.VectorEnv(config_of("SB", max_steps=2), 2)
+    env.reset(seed=0)
+    told = env.infos["episode"]
+    names = ("collisions", "faults", "agent_steps", "capture_rate")
+    for _ in range(2):
+        env.step()
+    monitor.add(*(told[name] for name in names))
+    expected.add(*(told[name].copy() for name in names))
+    for name in names:
+        told[name].fill(0)
+    assert expected.summary().agent_steps.tolist() == [24, 8]
+    assert_same(monitor, expected)
+
+
+def zeros(*shape: int) -> np.ndarray:
+    return np.zeros(shape, int)
+
+
 def test_refused() -> None:
     monitor = mw.SafetyMonitor()
     with pytest.raises(ValueError, match="at least one whole episode, got none"):
         monitor.summary()
     with pytest.raises(ValueError, match=r"faults: expected shape \(2, 2, 3\), got \(2, 3\)"):
-        monitor.add(np.zeros((2, 2, 3)), np.zeros((2, 3)), np.zeros((2, 2)), np.zeros(2))
+        monitor.add(zeros(2, 2, 3), zeros(2, 3), zeros(2, 2), np.zeros(2))
+    with pytest.raises(TypeError, match="agent_steps: expected an int, got 1.5"):
+        monitor.add(zeros(2, 3), zeros(2, 3), [1.5, 2], 0)
+    with pytest.raises(ValueError, match="collisions: expected 0 to .*, got -1 to 0"):
+        monitor.add(zeros(2, 3) - [0, 0, 1], zeros(2, 3), [1, 1], 0)
+    with pytest.raises(ValueError, match="expected shares, 0 to 1, got nan"):
+        monitor.add(zeros(2, 3), zeros(2, 3), [1, 1], np.nan)
+    for collisions, faults in ((1, 2), (3, 1)):
+        with pytest.raises(ValueError, match="expected faults <= collisions <= agent_steps"):
+            monitor.add(zeros(2, 3) + collisions, zeros(2, 3) + faults, [2, 2], 0)
     assert monitor.episodes == 0
     env = mw.parallel_env(config_of("R"))
     env.reset(seed=0)

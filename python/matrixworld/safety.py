@@ -9,6 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld.checks import check_naturals
 from matrixworld.rules import KINDS
 
 TEAMS = ("pursuers", "evaders")
@@ -16,7 +17,6 @@ LEVEL = 0.95
 """Of the intervals."""
 _COLUMNS = "{:10}{:11}{:24}{:24}{:>7}{:>8}{:>7}{:>9}"
 _RESAMPLES = 1000
-_CHUNK = 1_000_000  # numbers of a resample that are held at once
 
 
 class EpisodeScores(Protocol):
@@ -36,6 +36,8 @@ class StepStatus(Protocol):
     involved: NDArray[np.bool_]
     fault: NDArray[np.bool_]
     capture_rate: NDArray[np.float32]
+    seed: NDArray[np.uint64]
+    episode: NDArray[np.uint64]
     steps: NDArray[np.int32]
     terminated: NDArray[np.bool_]
     truncated: NDArray[np.bool_]
@@ -134,8 +136,8 @@ class SafetyMonitor:
     """
 
     def __init__(self) -> None:
-        self._collisions: list[NDArray[np.float64]] = []
-        self._faults: list[NDArray[np.float64]] = []
+        self._collisions: list[NDArray[np.int64]] = []
+        self._faults: list[NDArray[np.int64]] = []
         self._agent_steps: list[NDArray[np.int64]] = []
         self._capture_rates: list[NDArray[np.float64]] = []
         self._current: _Current | None = None
@@ -152,25 +154,27 @@ class SafetyMonitor:
         agent_steps: ArrayLike,
         capture_rate: ArrayLike,
     ) -> None:
-        """Collect episodes, along any leading axes.
+        """Collect episodes, along any leading axes. The arrays are copied.
 
-        collisions, faults: ``(..., 2, 3)`` agent-steps involved and at fault, by team and kind
-        agent_steps: ``(..., 2)``; capture_rate: ``(...)``
+        collisions, faults: ``(..., 2, 3)`` ints, agent-steps involved and at fault, by team and
+            kind
+        agent_steps: ``(..., 2)`` ints; capture_rate: ``(...)``
 
-        Raises ValueError, and collects nothing, where the shapes do not fit.
+        Raises TypeError for counts that are no integers; ValueError for negative ones, where the
+        shapes do not fit, and where a count is larger than what it is a part of. Then nothing was
+        collected.
         """
-        rates = np.asarray(capture_rate, np.float64)
-        given: dict[str, tuple[NDArray[Any], tuple[int, ...]]] = {
-            "collisions": (np.asarray(collisions, np.float64), (*rates.shape, 2, 3)),
-            "faults": (np.asarray(faults, np.float64), (*rates.shape, 2, 3)),
-            "agent_steps": (np.asarray(agent_steps, np.int64), (*rates.shape, 2)),
-        }
-        for name, (array, expected) in given.items():
-            if array.shape != expected:
-                raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
-        self._collisions.append(given["collisions"][0].reshape(-1, 2, 3))
-        self._faults.append(given["faults"][0].reshape(-1, 2, 3))
-        self._agent_steps.append(given["agent_steps"][0].reshape(-1, 2))
+        rates = np.array(capture_rate, np.float64)
+        if not ((rates >= 0) & (rates <= 1)).all():
+            raise ValueError(f"capture_rate: expected shares, 0 to 1, got {rates.tolist()}")
+        involved = _counts("collisions", collisions, (*rates.shape, 2, 3))
+        at_fault = _counts("faults", faults, (*rates.shape, 2, 3))
+        steps = _counts("agent_steps", agent_steps, (*rates.shape, 2))
+        if (at_fault > involved).any() or (involved > steps[..., np.newaxis]).any():
+            raise ValueError("safety: expected faults <= collisions <= agent_steps everywhere")
+        self._collisions.append(involved.reshape(-1, 2, 3))
+        self._faults.append(at_fault.reshape(-1, 2, 3))
+        self._agent_steps.append(steps.reshape(-1, 2))
         self._capture_rates.append(rates.reshape(-1))
 
     def add_scores(self, scores: EpisodeScores) -> None:
@@ -198,22 +202,23 @@ class SafetyMonitor:
         """Follow an environment: call it with ``env.status`` after every step.
 
         The episode is collected when it ends. A status of the same round as the one before adds
-        nothing, so that it may be called after every turn of an AEC environment, too. An episode
-        left by a reset before its end is forgotten.
+        nothing, so that it may be called after every step of an AEC environment, too, those of
+        agents that are gone included. An episode left by a reset before its end is forgotten.
+        Episodes are told apart by their seeds and numbers, and by the steps, which begin anew.
 
         Raises ValueError where a step was left out.
         """
-        steps = int(status.steps)
-        if self._current is None or steps < self._current.steps:
-            self._current = _Current(status)
-        if steps == self._current.steps:
+        current, steps = self._current, int(status.steps)
+        if current is None or _which(status) != current.which or steps < current.steps:
+            current = _Current(status)
+        if steps not in (current.steps, current.steps + 1):
+            raise ValueError(f"status: expected step {current.steps + 1}, got step {steps}")
+        self._current = current
+        if steps == current.steps:
             return
-        if steps != self._current.steps + 1:
-            raise ValueError(f"status: expected step {self._current.steps + 1}, got step {steps}")
-        self._current.follow(status)
+        current.follow(status)
         if status.terminated or status.truncated:
-            self.add(*self._current.totals(), float(status.capture_rate))
-            self._current = None
+            self.add(*current.totals(), float(status.capture_rate))
 
     def __add__(self, other: SafetyMonitor) -> SafetyMonitor:
         """A monitor of the episodes of both."""
@@ -230,14 +235,15 @@ class SafetyMonitor:
             raise ValueError("safety: expected at least one whole episode, got none")
         collisions, faults = np.concatenate(self._collisions), np.concatenate(self._faults)
         steps = np.concatenate(self._agent_steps)
+        intervals = _intervals(np.stack([collisions, faults], axis=1), steps, seed)
         return SafetySummary(
             episodes=self.episodes,
             agent_steps=steps.sum(axis=0),
             capture_rate=float(np.concatenate(self._capture_rates).mean()),
             involved_rate=_rate(collisions.sum(axis=0), steps.sum(axis=0)),
-            involved_interval=_interval(collisions, steps, seed),
+            involved_interval=intervals[0],
             fault_rate=_rate(faults.sum(axis=0), steps.sum(axis=0)),
-            fault_interval=_interval(faults, steps, seed),
+            fault_interval=intervals[1],
             safe_share=(faults == 0).mean(axis=0),
             safe_episodes=float((faults == 0).all(axis=(1, 2)).mean()),
             fault_median=np.median(faults, axis=0),
@@ -247,9 +253,10 @@ class SafetyMonitor:
 
 
 class _Current:
-    """An episode that an environment is in."""
+    """An episode that an environment is in, or has just ended."""
 
     def __init__(self, status: StepStatus) -> None:
+        self.which = _which(status)
         self.n_pursuers = len(status.alive) - len(status.captured)
         self.steps = 0
         self.alive = np.ones_like(status.alive)
@@ -269,6 +276,17 @@ class _Current:
         return _by_team(self.involved, n), _by_team(self.fault, n), _by_team(self.agent_steps, n)
 
 
+def _which(status: StepStatus) -> tuple[int, int]:
+    return int(status.seed), int(status.episode)
+
+
+def _counts(name: str, given: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.int64]:
+    array = check_naturals(name, given, np.int64)
+    if array.shape != shape:
+        raise ValueError(f"{name}: expected shape {shape}, got {array.shape}")
+    return array
+
+
 def _by_team(by_agent: NDArray[Any], n_pursuers: int) -> NDArray[Any]:
     return np.stack([by_agent[:n_pursuers].sum(axis=0), by_agent[n_pursuers:].sum(axis=0)])
 
@@ -278,18 +296,16 @@ def _rate(counts: NDArray[Any], agent_steps: NDArray[Any]) -> NDArray[np.float64
     return np.asarray(1000 * counts / np.maximum(agent_steps, 1)[..., np.newaxis])
 
 
-def _interval(
-    counts: NDArray[np.float64], agent_steps: NDArray[np.int64], seed: int
+def _intervals(
+    counts: NDArray[np.int64], agent_steps: NDArray[np.int64], seed: int
 ) -> NDArray[np.float64]:
-    """Percentile bootstrap over episodes: ``(2, 3, 2)``."""
-    rng = np.random.default_rng(seed)
+    """Percentile bootstrap over episodes: ``(..., 2, 3, 2)`` from ``(n, ..., 2, 3)``."""
     n = len(counts)
-    rates = []
-    left = _RESAMPLES
-    while left:
-        size = min(left, max(1, _CHUNK // n))
-        times = rng.multinomial(n, np.full(n, 1 / n), size)  # how often each episode is drawn
-        rates.append(_rate(np.tensordot(times, counts, 1), times @ agent_steps))
-        left -= size
+    rng = np.random.default_rng(seed)
+    told = np.concatenate([counts.reshape(n, -1), agent_steps], axis=1).astype(float)
+    draws = (np.bincount(rng.integers(n, size=n), minlength=n) for _ in range(_RESAMPLES))
+    sums = np.stack([times @ told for times in draws])  # times: how often each episode is drawn
+    drawn, steps = np.split(sums, [-len(TEAMS)], axis=1)
+    rates = _rate(drawn.reshape(_RESAMPLES, *counts.shape[1:]), steps[:, np.newaxis])
     ends = ((1 - LEVEL) / 2, (1 + LEVEL) / 2)
-    return np.moveaxis(np.quantile(np.concatenate(rates), ends, axis=0), 0, -1)
+    return np.moveaxis(np.quantile(rates, ends, axis=0), 0, -1)

@@ -50,6 +50,7 @@ class Status:
     rewards: ``(A,)`` float32; terminations, truncations: ``(A,)`` bool
     capture_rate, ever_capture_rate: () float32, shares of the evaders
     survival_rate: ``(2,)`` float32, of pursuers and of evaders
+    seed, episode: () uint64, which episode it is: `World.reset` takes both
     steps: () int32; terminated, truncated: () bool, of the world
     """
 
@@ -67,6 +68,8 @@ class Status:
     capture_rate: NDArray[np.float32]
     ever_capture_rate: NDArray[np.float32]
     survival_rate: NDArray[np.float32]
+    seed: NDArray[np.uint64]
+    episode: NDArray[np.uint64]
     steps: NDArray[np.int32]
     terminated: NDArray[np.bool_]
     truncated: NDArray[np.bool_]
