@@ -127,11 +127,10 @@ def measure(
 def pettingzoo_pursuit(seconds: float, repeats: int) -> float | None:
     """Agent-steps a second of PettingZoo's pursuit, 8 pursuers against 30 evaders on 16 x 16."""
     try:
-        import pettingzoo
-
-        env = pettingzoo.make("parallel", "sisl/pursuit-v5")
-    except ImportError:
+        from pettingzoo.sisl import pursuit_v5
+    except ImportError:  # the extra pettingzoo[sisl]
         return None
+    env = pursuit_v5.parallel_env()
     rng = np.random.default_rng(0)
 
     def step(_: int) -> None:
