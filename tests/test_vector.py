@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 from typing import Any
 
 import gymnasium
@@ -256,6 +258,15 @@ def test_pictures() -> None:
     for w, picture in enumerate(pictures):
         np.testing.assert_array_equal(picture, rgb(env.world(w).scene()))
     assert make().render() is None
+
+
+@pytest.mark.parametrize("copied", [copy.deepcopy, pickle.dumps])
+def test_worlds_are_copied_one_by_one(copied: Any) -> None:
+    env = make()
+    env.reset(seed=4)
+    with pytest.raises(TypeError, match=r"copy single worlds, which world\(number\) gives"):
+        copied(env)
+    np.testing.assert_array_equal(copy.deepcopy(env.world(2)).views(), env.observations[2])
 
 
 def test_environments_are_independent() -> None:

@@ -133,6 +133,13 @@ class Batch:
         self._core.step(integers("actions", actions))
         return self.buffers
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Refuse: the buffers are the caller's, and a copy's would not be."""
+        raise TypeError(
+            "a batch of worlds is not copied or pickled with its buffers: copy single worlds, "
+            "which world(number) gives"
+        )
+
     def world(self, number: int) -> World:
         """A copy of one of the worlds, which goes on by itself: to draw it, or to plan in it."""
         number = check_integer("world", number, 0, self.n_worlds - 1)
