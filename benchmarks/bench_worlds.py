@@ -19,7 +19,9 @@ from typing import Any
 
 import click
 import numpy as np
+import pettingzoo
 from numpy.typing import NDArray
+from pettingzoo.env_registry.exceptions import FailedToImport
 
 import matrixworld as mw
 
@@ -127,10 +129,9 @@ def measure(
 def pettingzoo_pursuit(seconds: float, repeats: int) -> float | None:
     """Agent-steps a second of PettingZoo's pursuit, 8 pursuers against 30 evaders on 16 x 16."""
     try:
-        from pettingzoo.sisl import pursuit_v5
-    except ImportError:  # the extra pettingzoo[sisl]
+        env = pettingzoo.make("parallel", "sisl/pursuit-v5")
+    except FailedToImport:  # the extra pettingzoo[sisl]
         return None
-    env = pursuit_v5.parallel_env()
     rng = np.random.default_rng(0)
 
     def step(_: int) -> None:

@@ -10,18 +10,21 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pettingzoo.test import (
-    api_test,
-    max_cycles_test,
-    parallel_api_test,
-    parallel_seed_test,
-    render_test,
-    seed_test,
-)
 
 import matrixworld as mw
 from matrixworld.env import makers, parallel_env, raw_aec_env
 from rows import CUSTOM, config_of
+
+with warnings.catch_warnings():  # where pygame is installed it imports old environments of its own
+    warnings.simplefilter("ignore", DeprecationWarning)
+    from pettingzoo.test import (
+        api_test,
+        max_cycles_test,
+        parallel_api_test,
+        parallel_seed_test,
+        render_test,
+        seed_test,
+    )
 
 NAMES = [*mw.VARIANTS, *CUSTOM]
 
