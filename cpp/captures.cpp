@@ -38,11 +38,11 @@ void World::choose_judged(const Turn& turn, const Scratch& scratch) {
     const bool captured_live_on =
         config().rules.capture == Capture::Surround || config().rules.evader == Outcome::Reach;
     if (!captured_live_on) return;  // no living evader is captured
-    if (fresh_round_ || turn.last_actor - turn.first_actor > 1) {
+    if (fresh_round_ || !one_by_one()) {
         for (int a : living_) choose_evader(a);
         return;
     }
-    for (int a : scratch.cast) choose_evader(a);
+    for (int a : turn.cast) choose_evader(a);
     for (int a : scratch.last_cast) choose_evader(a);
     if (config().rules.capture == Capture::Surround) {
         choose_near(scratch.here, scratch);
@@ -52,11 +52,10 @@ void World::choose_judged(const Turn& turn, const Scratch& scratch) {
 
 void World::choose_near(int cell, const Scratch& scratch) {
     if (ground_->kind[cell] == kBorder) return;
+    const CellLists& lists = scratch.occupancy.lists();
     for (int move = 1; move < config().n_actions(); ++move) {
         const int beside = cell + grid().delta(move);
-        for (int a = scratch.occupancy.first(beside); a >= 0; a = scratch.occupancy.next(a)) {
-            choose_evader(a);
-        }
+        for (int a = lists.first(beside); a >= 0; a = lists.next(a)) choose_evader(a);
     }
 }
 
@@ -82,7 +81,7 @@ void World::judge_captures(const Turn& turn, Scratch& scratch) {
     }
 }
 
-void World::judge_contacts(const Turn& turn, const Scratch& scratch) {
+void World::judge_contacts(const Turn& turn, Scratch& scratch) {
     for (const auto& [agent, pursuer] : scratch.resolver.captures()) {
         add_captor(evader_number(agent), pursuer);
     }
@@ -92,17 +91,19 @@ void World::judge_contacts(const Turn& turn, const Scratch& scratch) {
 }
 
 // Pursuers that share the evader's cell without having been in conflict with it in this turn.
-void World::add_companions(int evader, const Turn& turn, const Scratch& scratch) {
+void World::add_companions(int evader, const Turn& turn, Scratch& scratch) {
     const int agent = evader_agent(evader);
     if (turn.acts(agent)) return;
-    const Occupancy& occupancy = scratch.occupancy;
-    for (int p = occupancy.first(cell_[agent]); p >= 0; p = occupancy.next(p)) {
+    if (scratch.occupancy.count(cell_[agent], Team::Pursuer) == 0) return;
+    scratch.occupancy.list(living_, cell_);
+    const CellLists& lists = scratch.occupancy.lists();
+    for (int p = lists.first(cell_[agent]); p >= 0; p = lists.next(p)) {
         if (team(p) == Team::Pursuer && !turn.acts(p)) add_captor(evader, p);
     }
 }
 
-void World::judge_surround(int evader, const Scratch& scratch) {
-    const Occupancy& occupancy = scratch.occupancy;
+void World::judge_surround(int evader, Scratch& scratch) {
+    Occupancy& occupancy = scratch.occupancy;
     const int cell = cell_[evader_agent(evader)];
     bool pursued = false;
     for (int move = 1; move < config().n_actions(); ++move) {
@@ -112,9 +113,11 @@ void World::judge_surround(int evader, const Scratch& scratch) {
         pursued |= held;
     }
     if (!pursued) return;
+    occupancy.list(living_, cell_);
+    const CellLists& lists = occupancy.lists();
     for (int move = 1; move < config().n_actions(); ++move) {
         const int beside = cell + grid().delta(move);
-        for (int a = occupancy.first(beside); a >= 0; a = occupancy.next(a)) {
+        for (int a = lists.first(beside); a >= 0; a = lists.next(a)) {
             if (team(a) == Team::Pursuer) add_captor(evader, a);
         }
     }
@@ -124,7 +127,10 @@ void World::remove_captured(Scratch& scratch) {
     const Rules& rules = config().rules;
     if (rules.capture != Capture::Surround || !rules.captured_disappear) return;
     for (int e : judged_) {
-        if (captured_[e]) remove(evader_agent(e), cell_[evader_agent(e)], scratch);
+        if (!captured_[e]) continue;
+        const int cell = cell_[evader_agent(e)];
+        scratch.occupancy.remove(evader_agent(e), cell);
+        remove(evader_agent(e), cell);
     }
 }
 

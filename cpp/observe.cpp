@@ -168,14 +168,11 @@ int* list_board(const Board& board, const Window& window, int first, bool hide_c
     return list_wide(board, window, first, hide_centre, out);
 }
 
-// Up to this many agents, looking at the place of each costs less than reading the boards.
-constexpr int kFewAgents = 128;
-
 int* list_places(const World& world, const Occupancy& occupancy, int agent, int* out) {
     const int fov = world.config().fov;
     const int row = occupancy.rows()[agent];
     const int col = occupancy.cols()[agent];
-    int seen[kFewAgents];
+    int seen[Occupancy::kFewAgents];
     const int n = kernels().find_near(occupancy.rows(), occupancy.cols(), occupancy.n_agents(), row,
                                       col, fov / 2, seen);
     int* const begin = out;
@@ -206,7 +203,7 @@ int* list_boards(const World& world, const Occupancy& occupancy, int agent, int*
 }  // namespace
 
 int list_view(const World& world, const Occupancy& occupancy, int agent, int* out) {
-    const bool few = occupancy.n_agents() <= kFewAgents;
+    const bool few = occupancy.n_agents() <= Occupancy::kFewAgents;
     int* end =
         few ? list_places(world, occupancy, agent, out) : list_boards(world, occupancy, agent, out);
     if (world.ground().has_obstacles) {

@@ -14,51 +14,85 @@ std::size_t room(int n_agents) {
 
 }  // namespace
 
-Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin, bool for_networks)
+Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin, bool for_networks,
+                     bool keeps_lists)
     : grid_(grid),
       n_pursuers_(n_pursuers),
+      n_agents_(n_agents),
       for_networks_(for_networks),
-      count_(decltype(count_)::Zero(kTeams, grid.n_cells())),
-      first_(IntArray::Constant(grid.n_cells(), -1)),
-      next_(IntArray::Constant(n_agents, -1)),
-      previous_(IntArray::Constant(n_agents, -1)),
+      keeps_lists_(keeps_lists),
+      words_(decltype(words_)::Zero(grid.n_cells())),
+      lists_(grid, n_agents),
       rows_(room(n_agents), kFarOff),
       cols_(room(n_agents), kFarOff),
       boards_{Board(grid, margin), Board(grid, margin)} {}
 
 void Occupancy::add(int agent, int cell) {
-    const int head = first_[cell];
-    next_[agent] = head;
-    previous_[agent] = -1;
-    if (head >= 0) previous_[head] = agent;
-    first_[cell] = agent;
-
-    const int team = static_cast<int>(this->team(agent));
-    const bool first = count_(team, cell)++ == 0;
-    distinct_[team] += first;
-    if (!for_networks_) return;
-    const int row = grid_.row(cell);
-    const int col = grid_.col(cell);
-    rows_[agent] = static_cast<std::int16_t>(row);
-    cols_[agent] = static_cast<std::int16_t>(col);
-    if (first) boards_[team].set(row, col);
+    post(team(agent), cell, Heading::by(0, false));
+    if (keeps_lists_) lists_.add(agent, cell);
+    if (for_networks_) show(agent, cell);
 }
 
 void Occupancy::remove(int agent, int cell) {
-    const int before = previous_[agent];
-    const int after = next_[agent];
-    if (before >= 0) {
-        next_[before] = after;
-    } else {
-        first_[cell] = after;
+    withdraw(team(agent), cell, 0);
+    if (keeps_lists_) lists_.remove(agent, cell);
+    if (for_networks_) hide(agent);
+    if (for_networks_ && keeps_boards() && count(cell, team(agent)) > 0) {
+        boards_[static_cast<int>(team(agent))].set(grid_.row(cell), grid_.col(cell));
     }
-    if (after >= 0) previous_[after] = before;
+}
 
-    const int team = static_cast<int>(this->team(agent));
-    const bool last = --count_(team, cell) == 0;
-    distinct_[team] -= last;
-    if (!for_networks_) return;
-    if (last) boards_[team].clear(rows_[agent], cols_[agent]);
+void Occupancy::lift(const std::vector<int>& cast, const IntArray& cell) {
+    for (int a : cast) words_[cell[a]] = 0;
+    if (keeps_lists_) {
+        for (int a : cast) lists_.remove(a, cell[a]);
+    }
+    if (for_networks_) {
+        for (int a : cast) hide(a);
+    }
+}
+
+void Occupancy::withdraw(Team team, int cell, int way) {
+    const Word left = words_[cell] - cell_word::one(team);
+    const bool empty = (left & cell_word::kCounts) == 0;
+    words_[cell] = empty ? 0 : left & ~cell_word::of_team(team, Heading(1u << way));
+}
+
+void Occupancy::land(const std::vector<int>& cast, const IntArray& cell) {
+    if (keeps_lists_) {
+        for (int a : cast) {
+            if (cell[a] != kGone) lists_.add(a, cell[a]);
+        }
+    }
+    if (for_networks_) {
+        for (int a : cast) {
+            if (cell[a] != kGone) show(a, cell[a]);
+        }
+    }
+}
+
+void Occupancy::list(const std::vector<int>& living, const IntArray& cell) {
+    if (keeps_lists_ || !listed_.empty()) return;
+    for (int a : living) {
+        if (cell[a] == kGone) continue;
+        lists_.add(a, cell[a]);
+        listed_.push_back(cell[a]);
+    }
+}
+
+void Occupancy::unlist() {
+    for (int cell : listed_) lists_.clear(cell);
+    listed_.clear();
+}
+
+void Occupancy::show(int agent, int cell) {
+    rows_[agent] = static_cast<std::int16_t>(grid_.row(cell));
+    cols_[agent] = static_cast<std::int16_t>(grid_.col(cell));
+    if (keeps_boards()) boards_[static_cast<int>(team(agent))].set(rows_[agent], cols_[agent]);
+}
+
+void Occupancy::hide(int agent) {
+    if (keeps_boards()) boards_[static_cast<int>(team(agent))].clear(rows_[agent], cols_[agent]);
     rows_[agent] = kFarOff;
     cols_[agent] = kFarOff;
 }

@@ -89,10 +89,9 @@ Setup::Setup(Config given) : config(std::move(given)), grid(config.rows, config.
 
 Scratch::Scratch(const Setup& setup, bool for_networks)
     : occupancy(setup.grid, setup.config.n_pursuers, setup.config.n_agents(), setup.config.fov / 2,
-                for_networks),
+                for_networks, setup.config.rules.interaction == Interaction::AgentTurns),
       resolver(setup.grid, setup.config.rules, setup.config.n_pursuers, setup.config.n_agents()),
-      order(setup.config.rows * setup.config.cols),
-      move(ByteArray::Zero(setup.config.n_agents())) {
+      order(setup.config.rows * setup.config.cols) {
     for (int i = 0; i < order.size(); ++i) {
         order[i] = setup.grid.cell(i / setup.config.cols, i % setup.config.cols);
     }

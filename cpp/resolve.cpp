@@ -4,19 +4,6 @@ namespace matrixworld {
 
 namespace {
 
-// The layout of a word of `headed_`, for each team in its own 11 bits.
-using Word = std::uint32_t;
-constexpr int kTeamBits = 11;
-constexpr Word kStanding = 1;  // way 0
-constexpr Word kMoving = (1u << kDiagonalMoves) - 1 - kStanding;
-constexpr Word kSeveral = 1u << kDiagonalMoves;  // more than one agent
-constexpr Word kStandingActor = 1u << (kDiagonalMoves + 1);
-constexpr Word kTeamMask = (1u << kTeamBits) - 1;
-
-Word of_team(Word word, Team team) {
-    return (word >> (kTeamBits * static_cast<int>(team))) & kTeamMask;
-}
-
 Team opponent(Team team) { return team == Team::Pursuer ? Team::Evader : Team::Pursuer; }
 
 // How two agents in conflict stand to each other, seen from one of them.
@@ -52,108 +39,86 @@ Resolver::Resolver(const Grid& grid, const Rules& rules, int n_pursuers, int n_a
     : grid_(grid),
       rules_(rules),
       n_pursuers_(n_pursuers),
+      present_(n_agents),
+      company_(n_agents),
+      held_now_(n_agents),
+      eventful_(n_agents),
       flags_(decltype(flags_)::Zero(n_agents)),
-      way_(ByteArray::Zero(n_agents)),
+      way_(decltype(way_)::Zero(n_agents)),
       target_(IntArray::Zero(n_agents)),
-      headed_(decltype(headed_)::Zero(grid.n_cells())),
-      first_(IntArray::Constant(grid.n_cells(), -1)),
-      next_(IntArray::Constant(n_agents, -1)) {
-    present_.reserve(n_agents);
-    company_.reserve(n_agents);
-    held_now_.reserve(n_agents);
-    posted_.reserve(n_agents);
-    listed_.reserve(n_agents);
-}
+      by_target_(grid, n_agents) {}
 
-void Resolver::resolve(const Turn& turn, std::vector<Conflict>* log) {
+void Resolver::resolve(const Turn& turn, Occupancy& occupancy, std::vector<Conflict>* log) {
     turn_ = &turn;
+    occupancy_ = &occupancy;
     log_ = log;
     captures_.clear();
     held_now_.clear();
-    set_out();
+    eventful_.clear();
     obstacles();
-    teammates();
-    adversaries();
-    chains();
-}
-
-void Resolver::set_out() {
-    for (int a : turn_->cast) {
-        flags_[a] = 0;
-        way_[a] = turn_->move[a];
-        target_[a] = turn_->cell[a] + grid_.delta(way_[a]);
+    find_company();
+    if (!company_.empty()) {
+        teammates();
+        adversaries();
+        chains();
     }
+    end_up();
 }
 
 // ---- Stage 1 ------------------------------------------------------------------------------
 
+// Everybody sets out, and whoever is still there is posted where it heads for.
 void Resolver::obstacles() {
     present_.clear();
     for (int a : turn_->cast) {
-        const std::uint8_t ground = way_[a] ? turn_->ground[target_[a]] : std::uint8_t{kFree};
-        if (ground != kFree) {
-            const bool no_cell_beyond = ground == kBorder && rules_.obstacle == Outcome::Reach;
-            const Outcome outcome = no_cell_beyond ? Outcome::Bounce : rules_.obstacle;
-            flags_[a] |= involved(Kind::Obstacle) | at_fault(Kind::Obstacle);
-            if (log_) log_obstacle(a, outcome);
-            if (outcome == Outcome::Disappear) {
-                flags_[a] |= kCrashed;
-                continue;
-            }
-            if (outcome == Outcome::Bounce) {
-                flags_[a] |= kHeld;
-                way_[a] = 0;
-                target_[a] = turn_->cell[a];
-            }
-        }
-        present_.push_back(a);
+        const bool acts = turn_->acts(a);
+        flags_[a] = 0;
+        way_[a] = acts ? turn_->actions[a] : 0;
+        target_[a] = turn_->cell[a] + grid_.delta(way_[a]);
+        if (turn_->ground[target_[a]] != kFree && way_[a] != 0 && !enters_obstacle(a)) continue;
+        occupancy_->post(team(a), target_[a], Heading::by(way_[a], acts));
+        present_.add(a);
     }
 }
 
-// ---- Who heads where ------------------------------------------------------------------------
-
-void Resolver::post() {
-    for (int a : present_) {
-        Word& word = headed_[target_[a]];
-        if (word == 0) posted_.push_back(target_[a]);
-        const int shift = kTeamBits * static_cast<int>(team(a));
-        Word news = 1u << way_[a];
-        if (word & ((kMoving | kStanding) << shift)) news |= kSeveral;
-        if (way_[a] == 0 && turn_->acts(a)) news |= kStandingActor;
-        word |= news << shift;
+// Is an agent that runs into an obstacle still there?
+bool Resolver::enters_obstacle(int a) {
+    const bool border = turn_->ground[target_[a]] == kBorder;  // there is no cell beyond
+    const Outcome outcome =
+        border && rules_.obstacle == Outcome::Reach ? Outcome::Bounce : rules_.obstacle;
+    raise(a, involved(Kind::Obstacle) | at_fault(Kind::Obstacle));
+    if (log_) log_obstacle(a, outcome);
+    if (outcome == Outcome::Disappear) flags_[a] |= kCrashed;
+    if (outcome == Outcome::Bounce) {
+        flags_[a] |= kHeld;
+        way_[a] = 0;
+        target_[a] = turn_->cell[a];
     }
+    return outcome != Outcome::Disappear;
 }
 
-// Those who are not alone: somebody else heads for the same cell, or for the cell that they leave.
-// Nobody else can be in conflict.
+// ---- Who meets whom -------------------------------------------------------------------------
+
+// Those who are not alone: somebody else heads for the same cell, or comes from there to the cell
+// that they leave. Nobody else is in conflict with anybody.
 void Resolver::find_company() {
     company_.clear();
     for (int a : present_) {
-        const Word alone = 1u << (kTeamBits * static_cast<int>(team(a)) + way_[a]);
-        const Word there = headed_[target_[a]] & ~(kStandingActor | kStandingActor << kTeamBits);
-        if (there != alone || (way_[a] && headed_[turn_->cell[a]])) company_.push_back(a);
+        company_.add_if(occupancy_->meets(team(a), target_[a], turn_->cell[a], way_[a]), a);
     }
-}
-
-void Resolver::unpost() {
-    for (int cell : posted_) headed_[cell] = 0;
-    posted_.clear();
 }
 
 // From stage 3 on the targets stay as they are: the lists are made once, by whoever needs them.
 void Resolver::list_targets() {
-    if (!listed_.empty()) return;
-    for (int a : present_) {
-        const int cell = target_[a];
-        if (first_[cell] < 0) listed_.push_back(cell);
-        next_[a] = first_[cell];
-        first_[cell] = a;
-    }
+    if (listed_) return;
+    for (int a : present_) by_target_.add(a, target_[a]);
+    listed_ = true;
 }
 
 void Resolver::unlist_targets() {
-    for (int cell : listed_) first_[cell] = -1;
-    listed_.clear();
+    if (!listed_) return;
+    for (int a : present_) by_target_.clear(target_[a]);
+    listed_ = false;
 }
 
 bool Resolver::swap(int a, int b) const {
@@ -163,8 +128,6 @@ bool Resolver::swap(int a, int b) const {
 // ---- Stage 2 ------------------------------------------------------------------------------
 
 void Resolver::teammates() {
-    post();
-    find_company();
     if (log_) {
         list_targets();
         log_pairs(Kind::Teammate);
@@ -172,46 +135,52 @@ void Resolver::teammates() {
     }
     for (int a : company_) {
         if (!meets_teammate(a)) continue;
-        flags_[a] |= involved(Kind::Teammate) | at_fault(Kind::Teammate);
+        raise(a, involved(Kind::Teammate) | at_fault(Kind::Teammate));
         if (rules_.teammate == Outcome::Disappear) flags_[a] |= kDoomed;
         if (rules_.teammate == Outcome::Bounce && way_[a]) {
             flags_[a] |= kHeld | kBarred;
-            held_now_.push_back(a);
+            held_now_.add(a);
         }
     }
     if (held_now_.empty()) return;
     spread_bounce();
-    unpost();  // stage 3 judges what stage 2 left
-    post();
-    find_company();
+    find_company();  // stage 3 judges what stage 2 left
 }
 
 bool Resolver::meets_teammate(int a) const {
-    const Word there = of_team(headed_[target_[a]], team(a));
-    if (there & (turn_->acts(a) ? kSeveral : kMoving | kStandingActor)) return true;
+    const Heading there = occupancy_->heading(target_[a], team(a));
+    if (turn_->acts(a) ? there.several() : there.moves() || there.stands_as_actor()) return true;
     if (way_[a] == 0) return false;
-    return of_team(headed_[turn_->cell[a]], team(a)) >> kOpposite[way_[a]] & 1;
+    return occupancy_->heading(turn_->cell[a], team(a)).takes(kOpposite[way_[a]]);
 }
 
 // Holds, until nothing changes, every teammate that means to enter the cell of one held in this
-// stage. (Where teammates bounce no two of them share a cell, so nobody stands there besides.)
+// stage. (Where teammates bounce no two of them share a cell, so nobody stands there besides, and
+// nobody else came the same way.)
 void Resolver::spread_bounce() {
     list_targets();
-    while (!held_now_.empty()) {
-        const int b = held_now_.back();
-        held_now_.pop_back();
-        way_[b] = 0;
-        target_[b] = turn_->cell[b];
-        for (int a = first_[turn_->cell[b]]; a >= 0; a = next_[a]) {
+    AgentList& held = held_now_;
+    for (std::size_t i = 0; i < held.size(); ++i) {
+        const int b = held[i];
+        for (int a = by_target_.first(turn_->cell[b]); a >= 0; a = by_target_.next(a)) {
             if (way_[a] == 0 || (flags_[a] & kBarred) || team(a) != team(b)) continue;
-            for (int side : {a, b})
-                flags_[side] |= involved(Kind::Teammate) | at_fault(Kind::Teammate);
+            for (int side : {a, b}) raise(side, involved(Kind::Teammate) | at_fault(Kind::Teammate));
             flags_[a] |= kHeld | kBarred;
             if (log_) log_pair(Form::Chain, a, b, turn_->cell[b]);
-            held_now_.push_back(a);
+            held.add(a);
         }
     }
     unlist_targets();
+    for (int a : held) hold(a);
+    held.clear();
+}
+
+// From now on an agent means to stay.
+void Resolver::hold(int a) {
+    occupancy_->withdraw(team(a), target_[a], way_[a]);
+    way_[a] = 0;
+    target_[a] = turn_->cell[a];
+    occupancy_->post(team(a), target_[a], Heading::by(0, true));
 }
 
 // ---- Stage 3 ------------------------------------------------------------------------------
@@ -222,17 +191,16 @@ void Resolver::adversaries() {
         log_pairs(Kind::Adversary);
     }
     for (int a : company_) judge_adversaries(a);
-    unpost();
 }
 
 void Resolver::judge_adversaries(int a) {
     const Team other_team = opponent(team(a));
     const bool moves = way_[a] != 0;
-    const Word there = of_team(headed_[target_[a]], other_team);
-    const Word back = moves ? of_team(headed_[turn_->cell[a]], other_team) : 0;
-    const bool standing = there & (turn_->acts(a) ? kStanding : kStandingActor);
-    const bool moving = there & kMoving;
-    const bool swapping = moves && (back >> kOpposite[way_[a]] & 1);
+    const Heading there = occupancy_->heading(target_[a], other_team);
+    const bool standing = turn_->acts(a) ? there.stands() : there.stands_as_actor();
+    const bool moving = there.moves();
+    const bool swapping =
+        moves && occupancy_->heading(turn_->cell[a], other_team).takes(kOpposite[way_[a]]);
     if (!(standing || moving || swapping)) return;
 
     const Outcome own = rules_.adversary(team(a));
@@ -247,25 +215,25 @@ void Resolver::judge_adversaries(int a) {
     if (moving) meet({moves, true, false, !moves});
     if (swapping) meet({true, true, true, true});
 
-    flags_[a] |= involved(Kind::Adversary);
+    raise(a, involved(Kind::Adversary));
     if (fault) flags_[a] |= at_fault(Kind::Adversary);
     if (own == Outcome::Disappear) flags_[a] |= kDoomed;
     if (held) {
         flags_[a] |= kHeld | kBarred;
-        held_now_.push_back(a);
+        held_now_.add(a);
     }
     if (team(a) == Team::Evader && rules_.contact_captures()) note_captors(a);
 }
 
 void Resolver::note_captors(int evader) {
     list_targets();
-    for (int p = first_[target_[evader]]; p >= 0; p = next_[p]) {
+    for (int p = by_target_.first(target_[evader]); p >= 0; p = by_target_.next(p)) {
         if (team(p) == Team::Pursuer && (turn_->acts(p) || turn_->acts(evader))) {
             captures_.emplace_back(evader, p);
         }
     }
     if (way_[evader] == 0) return;
-    for (int p = first_[turn_->cell[evader]]; p >= 0; p = next_[p]) {
+    for (int p = by_target_.first(turn_->cell[evader]); p >= 0; p = by_target_.next(p)) {
         if (team(p) == Team::Pursuer && swap(p, evader)) captures_.emplace_back(evader, p);
     }
 }
@@ -278,7 +246,7 @@ void Resolver::chains() {
     if (!held_now_.empty()) list_targets();
     for (std::size_t i = 0; i < held_now_.size(); ++i) {
         const int link = held_now_[i];
-        for (int a = first_[turn_->cell[link]]; a >= 0; a = next_[a]) {
+        for (int a = by_target_.first(turn_->cell[link]); a >= 0; a = by_target_.next(a)) {
             const bool enters = way_[a] != 0 && !(flags_[a] & kBarred);
             if (enters && !swap(a, link)) enter_link(a, link);  // a swap was judged before
         }
@@ -293,21 +261,35 @@ void Resolver::enter_link(int a, int link) {
     const Outcome other = friends ? rules_.teammate : rules_.adversary(team(link));
     const Contact contact{true, false, true, false};
 
-    flags_[a] |= involved(kind);
-    flags_[link] |= involved(kind);
+    raise(a, involved(kind));
+    raise(link, involved(kind));
     if (friends) flags_[link] |= at_fault(kind);
     if (friends || blames(contact, own, other, rules_.capture)) flags_[a] |= at_fault(kind);
     if (own == Outcome::Disappear) flags_[a] |= kDoomed;
     if (other == Outcome::Disappear) flags_[link] |= kDoomed;
     if (holds(contact, own, other) && !(flags_[a] & kHeld)) {
         flags_[a] |= kHeld;
-        held_now_.push_back(a);
+        held_now_.add(a);
     }
     if (!friends && rules_.contact_captures()) {
         const bool evader_enters = team(a) == Team::Evader;
         captures_.emplace_back(evader_enters ? a : link, evader_enters ? link : a);
     }
     if (log_) log_pair(Form::Chain, a, link, turn_->cell[link]);
+}
+
+// ---- The end --------------------------------------------------------------------------------------
+
+void Resolver::end_up() {
+    for (int a : eventful_) {
+        const bool gone = flags_[a] & (kCrashed | kDoomed);
+        const bool returns = flags_[a] & kHeld && target_[a] != turn_->cell[a];
+        if (!(flags_[a] & kCrashed) && (gone || returns)) {
+            occupancy_->withdraw(team(a), target_[a], way_[a]);
+        }
+        if (flags_[a] & (kCrashed | kHeld)) target_[a] = turn_->cell[a];
+        if (returns && !gone) occupancy_->post(team(a), target_[a], Heading::by(0, true));
+    }
 }
 
 // ---- The list of conflicts ------------------------------------------------------------------
@@ -323,12 +305,12 @@ void Resolver::log_pairs(Kind kind) {
         return a < b && (team(a) == team(b)) == (kind == Kind::Teammate);
     };
     for (int a : present_) {
-        for (int b = first_[target_[a]]; b >= 0; b = next_[b]) {
+        for (int b = by_target_.first(target_[a]); b >= 0; b = by_target_.next(b)) {
             if (concerns(a, b) && (turn_->acts(a) || turn_->acts(b))) {
                 log_pair(Form::Vertex, a, b, target_[a]);
             }
         }
-        for (int b = first_[turn_->cell[a]]; b >= 0; b = next_[b]) {
+        for (int b = by_target_.first(turn_->cell[a]); b >= 0; b = by_target_.next(b)) {
             if (concerns(a, b) && swap(a, b)) log_pair(Form::Edge, a, b, target_[a]);
         }
     }

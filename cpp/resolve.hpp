@@ -2,18 +2,20 @@
 // four methods that `resolve` calls are the first four stages of a step; each judges all agents
 // at once from the state that it found, so the numbering of agents cannot matter.
 //
-// For each cell that somebody heads for, one word tells who: per team, one bit for each of the
-// nine ways to get there (bit 0: by standing there already), one for "several", one for "a
-// standing agent whose turn it is". Whether an agent is in conflict is then a look at two words,
-// that of the cell it heads for and that of the cell it leaves. The work is O(agents), plus the
-// pairs of a chain or a capture where several share a cell.
+// The occupancy tells for each cell who heads for it, and by which ways. Whether an agent is in
+// conflict is then a look at two cells, the one it heads for and the one it leaves. Nearly all
+// agents are in none, and nothing more is asked of them. The work is O(agents), plus the pairs of a
+// chain or a capture where several share a cell.
 #pragma once
 
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "agent_list.hpp"
+#include "cell_lists.hpp"
 #include "grid.hpp"
+#include "occupancy.hpp"
 #include "rules.hpp"
 
 namespace matrixworld {
@@ -42,11 +44,11 @@ struct Conflict {
 };
 
 // The agents that may meet in this turn and what they set out to do. Those with first_actor <=
-// agent < last_actor act; the move of anybody else is 0.
+// agent < last_actor act; the others stay where they are.
 struct Turn {
     const std::vector<int>& cast;  // living agents
     const IntArray& cell;          // by agent
-    const ByteArray& move;         // by agent
+    const std::uint8_t* actions;   // by agent
     const ByteArray& ground;       // by cell
     int first_actor;
     int last_actor;
@@ -59,11 +61,16 @@ class Resolver {
   public:
     Resolver(const Grid& grid, const Rules& rules, int n_pursuers, int n_agents);
 
-    // Appends each conflict to `log` where one is given; that costs the number of conflicts.
-    void resolve(const Turn& turn, std::vector<Conflict>* log);
+    // Finds the cast lifted from the occupancy and leaves it posted where everybody ends up, but
+    // for those who disappear. Appends each conflict to `log` where one is given; that costs the
+    // number of conflicts.
+    void resolve(const Turn& turn, Occupancy& occupancy, std::vector<Conflict>* log);
 
     Flags flags(int agent) const { return flags_[agent]; }
+    // The cell where an agent of the cast ends up, or where it disappears.
     int target(int agent) const { return target_[agent]; }
+    // Agents with any flag at all; each once.
+    const AgentList& eventful() const { return eventful_; }
     // (evader, pursuer) for every contact that captures; each pair once.
     const std::vector<std::pair<int, int>>& captures() const { return captures_; }
 
@@ -72,13 +79,13 @@ class Resolver {
     void teammates();
     void adversaries();
     void chains();
+    void end_up();
 
-    void set_out();
-    void post();
+    bool enters_obstacle(int agent);
     void find_company();
-    void unpost();
     void list_targets();
     void unlist_targets();
+    void hold(int agent);
     void spread_bounce();
     void note_captors(int evader);
     void enter_link(int entrant, int link);
@@ -91,27 +98,30 @@ class Resolver {
     void log_pair(Form form, int a, int b, int cell);
 
     Team team(int agent) const { return agent < n_pursuers_ ? Team::Pursuer : Team::Evader; }
+    void raise(int agent, Flags news) {
+        if (flags_[agent] == 0) eventful_.add(agent);
+        flags_[agent] |= news;
+    }
 
     const Grid grid_;
     const Rules rules_;
     int n_pursuers_;
 
     const Turn* turn_ = nullptr;
+    Occupancy* occupancy_ = nullptr;
     std::vector<Conflict>* log_ = nullptr;
-    std::vector<int> present_;   // the cast without the crashed
-    std::vector<int> company_;   // those of them who may be in conflict
-    std::vector<int> held_now_;  // held during this stage, not yet followed up
+    AgentList present_;   // the cast without the crashed
+    AgentList company_;   // those of them who may be in conflict
+    AgentList held_now_;  // held during this stage, not yet followed up
+    AgentList eventful_;
     std::vector<std::pair<int, int>> captures_;
 
     Eigen::Array<Flags, Eigen::Dynamic, 1> flags_;  // by agent
-    ByteArray way_;                                 // by agent: the move that it still intends
+    Eigen::Array<short, Eigen::Dynamic, 1> way_;    // by agent: the move that it still intends
     IntArray target_;                               // by agent: the cell that it heads for
 
-    Eigen::Array<std::uint32_t, Eigen::Dynamic, 1> headed_;  // by cell: who heads for it
-    std::vector<int> posted_;                                // cells with a word in headed_
-    IntArray first_;                                         // by cell: list by target
-    IntArray next_;                                          // by agent
-    std::vector<int> listed_;                                // cells with a list
+    CellLists by_target_;
+    bool listed_ = false;
 };
 
 }  // namespace matrixworld

@@ -1,6 +1,23 @@
 #include "tally.hpp"
 
+#include <cmath>
+
 namespace matrixworld {
+
+namespace {
+
+// Agents beyond the first on each cell. Of k agents on one, each counts (k - 1) / k.
+int crowd(const World& world, const Occupancy& occupancy, Team team) {
+    double sum = 0;
+    for (int a : world.living()) {
+        if (world.team(a) != team) continue;
+        const int n = occupancy.count(world.cell(a), team);
+        if (n > 1) sum += static_cast<double>(n - 1) / n;
+    }
+    return static_cast<int>(std::lround(sum));
+}
+
+}  // namespace
 
 Tally::Tally(const Config& config) : living_{config.n_pursuers, config.n_evaders} {}
 
@@ -8,7 +25,7 @@ void Tally::add(const World& world, const Occupancy& occupancy) {
     captured_ += world.n_captured();
     for (int t = 0; t < kTeams; ++t) {
         const Team team = static_cast<Team>(t);
-        crowded_[t] += world.n_living(team) - occupancy.distinct_cells(team);
+        crowded_[t] += crowd(world, occupancy, team);
         score_.agent_steps[t] += living_[t];
         living_[t] = world.n_living(team);
     }

@@ -9,7 +9,7 @@ void World::enter(Scratch& scratch) const {
 }
 
 void World::leave(Scratch& scratch) const {
-    for (int a : living_) scratch.occupancy.remove(a, cell_[a]);
+    scratch.occupancy.lift(living_, cell_);
 }
 
 // ---- A round ------------------------------------------------------------------------------------
@@ -65,15 +65,18 @@ void World::play_turn(int number, const std::uint8_t* actions, Scratch& scratch,
     const bool nobody = last - first == 1 ? !alive(first) : n_living(team(first)) == 0;
     if (terminated_ || nobody) return;
 
-    choose_cast(first, last, actions, scratch);
-    const Turn turn{scratch.cast, cell_, scratch.move, ground_->kind, first, last, number};
-    scratch.resolver.resolve(turn, log);
-    settle(scratch);
+    const std::vector<int>& cast =
+        one_by_one() ? choose_cast(first, actions[first], scratch) : living_;
+    const Turn turn{cast, cell_, actions, ground_->kind, first, last, number};
+    scratch.occupancy.lift(cast, cell_);
+    scratch.resolver.resolve(turn, scratch.occupancy, log);
+    settle(turn, scratch);
     judge_captures(turn, scratch);
     pay_captures();
     remove_captured(scratch);
     pay_actors(turn, scratch);
     report_and_fine(scratch);
+    scratch.occupancy.unlist();
     drop_gone();
     judge_end();
     fresh_round_ = false;
@@ -84,46 +87,34 @@ void World::end_round() {
     truncated_ = steps_ >= config().max_steps;
 }
 
-// Everybody; where a single agent acts, it and those on the cell it leaves or heads for: nobody
-// else can meet it.
-void World::choose_cast(int first, int last, const std::uint8_t* actions, Scratch& scratch) const {
+// Where a single agent acts: it and those on the cell it leaves or heads for. Nobody else can meet
+// it.
+const std::vector<int>& World::choose_cast(int actor, int action, Scratch& scratch) const {
     std::swap(scratch.cast, scratch.last_cast);
-    if (last - first > 1) {
-        scratch.cast = living_;
-    } else {
-        scratch.cast.clear();
-        scratch.here = cell_[first];
-        scratch.there = scratch.here + grid().delta(actions[first]);
-        const auto call = [&](int cell) {
-            const Occupancy& occupancy = scratch.occupancy;
-            for (int a = occupancy.first(cell); a >= 0; a = occupancy.next(a)) {
-                scratch.cast.push_back(a);
-            }
-        };
-        call(scratch.here);
-        if (scratch.there != scratch.here) call(scratch.there);
-    }
-    for (int a : scratch.cast) {
-        scratch.move[a] = a >= first && a < last ? actions[a] : std::uint8_t{0};
-    }
+    scratch.cast.clear();
+    scratch.here = cell_[actor];
+    scratch.there = scratch.here + grid().delta(action);
+    const CellLists& lists = scratch.occupancy.lists();
+    const auto call = [&](int cell) {
+        for (int a = lists.first(cell); a >= 0; a = lists.next(a)) scratch.cast.push_back(a);
+    };
+    call(scratch.here);
+    if (scratch.there != scratch.here) call(scratch.there);
+    return scratch.cast;
 }
 
-void World::settle(Scratch& scratch) {
-    for (int a : scratch.cast) {
-        const Flags flags = scratch.resolver.flags(a);
-        if (flags & (kCrashed | kDoomed)) {
-            if (team(a) == Team::Evader) release(evader_number(a));  // until judged
-            const bool moves = !(flags & (kCrashed | kHeld));
-            remove(a, moves ? scratch.resolver.target(a) : cell_[a], scratch);
-        } else if (!(flags & kHeld) && scratch.resolver.target(a) != cell_[a]) {
-            scratch.occupancy.remove(a, cell_[a]);
-            place(a, scratch.resolver.target(a), scratch);
-        }
+void World::settle(const Turn& turn, Scratch& scratch) {
+    const Resolver& resolver = scratch.resolver;
+    for (int a : turn.cast) cell_[a] = resolver.target(a);
+    for (int a : resolver.eventful()) {
+        if (!(resolver.flags(a) & (kCrashed | kDoomed))) continue;
+        if (team(a) == Team::Evader) release(evader_number(a));  // until judged
+        remove(a, cell_[a]);
     }
+    scratch.occupancy.land(turn.cast, cell_);
 }
 
-void World::remove(int agent, int at, Scratch& scratch) {
-    scratch.occupancy.remove(agent, cell_[agent]);
+void World::remove(int agent, int at) {
     cell_[agent] = kGone;
     went_at_[agent] = at;
     --n_living_[static_cast<int>(team(agent))];
@@ -150,7 +141,7 @@ void World::pay_captures() {
 
 void World::pay_actors(const Turn& turn, const Scratch& scratch) {
     const Rewards& rewards = config().rewards;
-    for (int a : scratch.cast) {
+    for (int a : turn.cast) {
         if (!turn.acts(a)) continue;
         rewards_[a] += pay(rewards.step, a);
         if (alive(a) && has_neighbor(a, scratch)) rewards_[a] += pay(rewards.neighbor, a);
@@ -166,7 +157,7 @@ bool World::has_neighbor(int agent, const Scratch& scratch) const {
 }
 
 void World::report_and_fine(const Scratch& scratch) {
-    for (int a : scratch.cast) {
+    for (int a : scratch.resolver.eventful()) {
         const Flags news = scratch.resolver.flags(a) & kReportMask & ~report_[a];
         if (news == 0) continue;
         report_[a] |= news;

@@ -72,11 +72,12 @@ struct Scratch {
     Resolver resolver;
     IntArray order;              // every cell of the world once; a reset shuffles and restores it
     std::vector<int> swaps;      // how to restore it
-    std::vector<int> cast;       // the agents that take part in a turn
-    std::vector<int> last_cast;  // and in the turn before, within the round
-    int here = 0;                // where a single actor stands and where it heads for
+    // Of turns of one agent: those that take part, in this turn and in the one before within the
+    // round; where the actor stands and where it heads for.
+    std::vector<int> cast;
+    std::vector<int> last_cast;
+    int here = 0;
     int there = 0;
-    ByteArray move;  // by agent
 };
 
 class World {
@@ -148,14 +149,15 @@ class World {
     void count_captures();
     void place(int agent, int cell, Scratch& scratch);
 
-    void choose_cast(int first, int last, const std::uint8_t* actions, Scratch& scratch) const;
-    void settle(Scratch& scratch);
-    void remove(int agent, int at, Scratch& scratch);
+    bool one_by_one() const { return config().rules.interaction == Interaction::AgentTurns; }
+    const std::vector<int>& choose_cast(int actor, int action, Scratch& scratch) const;
+    void settle(const Turn& turn, Scratch& scratch);
+    void remove(int agent, int at);
     void drop_gone();
     void judge_captures(const Turn& turn, Scratch& scratch);
-    void judge_contacts(const Turn& turn, const Scratch& scratch);
-    void add_companions(int evader, const Turn& turn, const Scratch& scratch);
-    void judge_surround(int evader, const Scratch& scratch);
+    void judge_contacts(const Turn& turn, Scratch& scratch);
+    void add_companions(int evader, const Turn& turn, Scratch& scratch);
+    void judge_surround(int evader, Scratch& scratch);
     void choose_judged(const Turn& turn, const Scratch& scratch);
     void choose_near(int cell, const Scratch& scratch);
     void choose_evader(int agent);

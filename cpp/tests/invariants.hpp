@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "scenes.hpp"
 
@@ -63,18 +64,24 @@ inline void check_occupancy(const World& world, const Occupancy& occupancy, bool
     for (int t = 0; t < kTeams; ++t) {
         const Team team = static_cast<Team>(t);
         std::map<int, int> counted;
-        std::map<int, int> listed;
         for (int cell = 0; cell < world.grid().n_cells(); ++cell) {
             if (occupancy.count(cell, team) != 0) counted[cell] = occupancy.count(cell, team);
-            for (int a = occupancy.first(cell); a >= 0; a = occupancy.next(a)) {
-                if (world.team(a) == team && world.cell(a) == cell) ++listed[cell];
-            }
         }
         require(counted == expected[t], "the number of agents on each cell");
-        require(listed == expected[t], "the list of agents on each cell");
-        require(occupancy.distinct_cells(team) == static_cast<int>(expected[t].size()),
-                "the number of cells that a team stands on");
     }
+    if (world.config().rules.interaction != Interaction::AgentTurns) return;
+    std::multiset<int> listed;
+    for (int cell = 0; cell < world.grid().n_cells(); ++cell) {
+        const CellLists& lists = occupancy.lists();
+        for (int a = lists.first(cell); a >= 0; a = lists.next(a)) {
+            require(entered && world.cell(a) == cell, "the list of agents on each cell");
+            listed.insert(a);
+        }
+    }
+    const std::vector<int>& living = world.living();
+    require(listed == (entered ? std::multiset<int>(living.begin(), living.end())
+                               : std::multiset<int>()),
+            "everybody is listed once");
 }
 
 // One agent's view, cell by cell from the state.
