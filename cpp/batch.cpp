@@ -22,7 +22,8 @@ Batch::Batch(std::shared_ptr<const Setup> setup, int n_worlds, int n_threads, Au
     }
 }
 
-void Batch::for_each_world(const std::function<void(World&, std::size_t, Desk&)>& play) {
+template <typename Play>
+void Batch::for_each_world(Play play) {
     const int n_pieces = (n_worlds() + kWorldsPerPiece - 1) / kWorldsPerPiece;
     workers_.run(n_pieces, [&](int piece, int thread) {
         const int end = std::min((piece + 1) * kWorldsPerPiece, n_worlds());
@@ -75,7 +76,7 @@ void Batch::play(World& world, std::size_t number, Desk& desk, const Buffers& bu
     if (was_over && autoreset_ == Autoreset::NextStep) {
         begin(world, number, next, scratch, {});
     } else {
-        world.enter(scratch);
+        if (was_over || world.one_by_one()) world.enter(scratch);
         if (was_over) {
             world.begin_round();  // nothing happens any more
         } else {

@@ -1,10 +1,12 @@
 // W worlds of one configuration, stepped together by a few threads into buffers of the caller.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "buffers.hpp"
@@ -38,6 +40,15 @@ void commit_actions(const World& world, std::size_t number, int first, int last,
         }
         committed[a] = static_cast<std::uint8_t>(action);
     }
+}
+
+// Are all of n values at least 0 and below a limit?
+template <typename Integer>
+bool all_below(int limit, const Integer* values, std::size_t n) {
+    using Unsigned = std::make_unsigned_t<Integer>;  // in which negative numbers are large
+    Unsigned most = 0;
+    for (std::size_t i = 0; i < n; ++i) most = std::max(most, static_cast<Unsigned>(values[i]));
+    return most < static_cast<Unsigned>(limit);
 }
 
 class Batch {
@@ -82,7 +93,8 @@ class Batch {
     template <typename Integer>
     void commit(const Integer* actions);
     void play(const Buffers& buffers);
-    void for_each_world(const std::function<void(World&, std::size_t, Desk&)>& play);
+    template <typename Play>
+    void for_each_world(Play play);
     void play(World& world, std::size_t number, Desk& desk, const Buffers& buffers);
     void begin(World& world, std::size_t number, EpisodeKey key, Scratch& scratch,
                const Placement& placement);
@@ -100,6 +112,10 @@ class Batch {
 template <typename Integer>
 void Batch::commit(const Integer* actions) {
     const std::size_t n_agents = static_cast<std::size_t>(setup_->config.n_agents());
+    if (all_below(setup_->config.n_actions(), actions, actions_.size())) {
+        std::copy_n(actions, actions_.size(), actions_.begin());
+        return;
+    }
     for (std::size_t w = 0; w < worlds_.size(); ++w) {
         if (worlds_[w].over()) continue;
         commit_actions(worlds_[w], w, 0, static_cast<int>(n_agents), actions + w * n_agents,

@@ -38,13 +38,16 @@ void World::choose_judged(const Turn& turn, const Scratch& scratch) {
     const bool captured_live_on =
         config().rules.capture == Capture::Surround || config().rules.evader == Outcome::Reach;
     if (!captured_live_on) return;  // no living evader is captured
+    const bool surround = config().rules.capture == Capture::Surround;
+    const bool all_at_large = n_at_large_ == n_living(Team::Evader);
+    if (surround && all_at_large && !teams_touch_) return;  // and none is going to be
     if (fresh_round_ || !one_by_one()) {
         for (int a : living_) choose_evader(a);
         return;
     }
     for (int a : turn.cast) choose_evader(a);
     for (int a : scratch.last_cast) choose_evader(a);
-    if (config().rules.capture == Capture::Surround) {
+    if (surround) {
         choose_near(scratch.here, scratch);
         choose_near(scratch.there, scratch);
     }
@@ -55,7 +58,7 @@ void World::choose_near(int cell, const Scratch& scratch) {
     const CellLists& lists = scratch.occupancy.lists();
     for (int move = 1; move < config().n_actions(); ++move) {
         const int beside = cell + grid().delta(move);
-        for (int a = lists.first(beside); a >= 0; a = lists.next(a)) choose_evader(a);
+        for (int a : lists.at(beside)) choose_evader(a);
     }
 }
 
@@ -97,7 +100,7 @@ void World::add_companions(int evader, const Turn& turn, Scratch& scratch) {
     if (scratch.occupancy.count(cell_[agent], Team::Pursuer) == 0) return;
     scratch.occupancy.list(living_, cell_);
     const CellLists& lists = scratch.occupancy.lists();
-    for (int p = lists.first(cell_[agent]); p >= 0; p = lists.next(p)) {
+    for (int p : lists.at(cell_[agent])) {
         if (team(p) == Team::Pursuer && !turn.acts(p)) add_captor(evader, p);
     }
 }
@@ -117,7 +120,7 @@ void World::judge_surround(int evader, Scratch& scratch) {
     const CellLists& lists = occupancy.lists();
     for (int move = 1; move < config().n_actions(); ++move) {
         const int beside = cell + grid().delta(move);
-        for (int a = lists.first(beside); a >= 0; a = lists.next(a)) {
+        for (int a : lists.at(beside)) {
             if (team(a) == Team::Pursuer) add_captor(evader, a);
         }
     }

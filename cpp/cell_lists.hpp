@@ -7,7 +7,7 @@
 
 namespace matrixworld {
 
-// In no particular order: for (int a = lists.first(cell); a >= 0; a = lists.next(a)).
+// In no particular order: for (int agent : lists.at(cell)).
 class CellLists {
   public:
     CellLists(const Grid& grid, int n_agents)
@@ -15,8 +15,33 @@ class CellLists {
           next_(IntArray::Constant(n_agents, -1)),
           previous_(IntArray::Constant(n_agents, -1)) {}
 
-    int first(int cell) const { return first_[cell]; }
-    int next(int agent) const { return next_[agent]; }
+    class Range {
+      public:
+        class Iterator {
+          public:
+            Iterator(const int* next, int agent) : next_(next), agent_(agent) {}
+            int operator*() const { return agent_; }
+            Iterator& operator++() {
+                agent_ = next_[agent_];
+                return *this;
+            }
+            bool operator!=(const Iterator& other) const { return agent_ != other.agent_; }
+
+          private:
+            const int* next_;
+            int agent_;
+        };
+
+        Range(const int* next, int first) : next_(next), first_(first) {}
+        Iterator begin() const { return {next_, first_}; }
+        Iterator end() const { return {next_, -1}; }
+
+      private:
+        const int* next_;
+        int first_;
+    };
+
+    Range at(int cell) const { return {next_.data(), first_[cell]}; }
 
     void add(int agent, int cell) {
         const int head = first_[cell];

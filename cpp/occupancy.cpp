@@ -12,7 +12,14 @@ std::size_t room(int n_agents) {
     return static_cast<std::size_t>((n_agents + kPlacePad - 1) / kPlacePad) * kPlacePad;
 }
 
+constexpr std::uint64_t both(std::uint64_t bits) { return bits | bits << Heading::kBits; }
+constexpr std::uint64_t opposite(int way) { return both(std::uint64_t{1} << kOpposite[way]); }
+
 }  // namespace
+
+const std::array<Headings::Word, kDiagonalMoves> Headings::kOppositeWays = {
+    0,           opposite(1), opposite(2), opposite(3), opposite(4),
+    opposite(5), opposite(6), opposite(7), opposite(8)};
 
 Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin, bool for_networks,
                      bool keeps_lists)
@@ -21,20 +28,22 @@ Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin,
       n_agents_(n_agents),
       for_networks_(for_networks),
       keeps_lists_(keeps_lists),
-      words_(decltype(words_)::Zero(grid.n_cells())),
+      words_(static_cast<std::size_t>(grid.n_cells()), 0),
+      headings_(words_.data()),
       lists_(grid, n_agents),
       rows_(room(n_agents), kFarOff),
       cols_(room(n_agents), kFarOff),
       boards_{Board(grid, margin), Board(grid, margin)} {}
 
 void Occupancy::add(int agent, int cell) {
-    post(team(agent), cell, Heading::by(0, false));
+    anybody_ = true;
+    headings_.post(cell, team(agent), Heading::by(0, false));
     if (keeps_lists_) lists_.add(agent, cell);
     if (for_networks_) show(agent, cell);
 }
 
 void Occupancy::remove(int agent, int cell) {
-    withdraw(team(agent), cell, 0);
+    headings_.withdraw(cell, team(agent), 0);
     if (keeps_lists_) lists_.remove(agent, cell);
     if (for_networks_) hide(agent);
     if (for_networks_ && keeps_boards() && count(cell, team(agent)) > 0) {
@@ -42,8 +51,16 @@ void Occupancy::remove(int agent, int cell) {
     }
 }
 
+void Occupancy::clear(const std::vector<int>& living, const IntArray& cell) {
+    lift(living, cell);
+    anybody_ = false;
+}
+
 void Occupancy::lift(const std::vector<int>& cast, const IntArray& cell) {
-    for (int a : cast) words_[cell[a]] = 0;
+    if (!anybody_) return;
+    const Headings headings = headings_;
+    const int* const cells = cell.data();
+    for (int a : cast) headings.clear(cells[a]);
     if (keeps_lists_) {
         for (int a : cast) lists_.remove(a, cell[a]);
     }
@@ -52,13 +69,8 @@ void Occupancy::lift(const std::vector<int>& cast, const IntArray& cell) {
     }
 }
 
-void Occupancy::withdraw(Team team, int cell, int way) {
-    const Word left = words_[cell] - cell_word::one(team);
-    const bool empty = (left & cell_word::kCounts) == 0;
-    words_[cell] = empty ? 0 : left & ~cell_word::of_team(team, Heading(1u << way));
-}
-
 void Occupancy::land(const std::vector<int>& cast, const IntArray& cell) {
+    anybody_ = true;
     if (keeps_lists_) {
         for (int a : cast) {
             if (cell[a] != kGone) lists_.add(a, cell[a]);

@@ -21,12 +21,12 @@ namespace matrixworld {
 class Heading {
   public:
     static constexpr int kBits = 32;
+    static constexpr int kCountShift = kDiagonalMoves + 1;
+    static constexpr std::uint32_t kOne = 1u << kCountShift;
 
     explicit constexpr Heading(std::uint32_t bits) : bits_(bits) {}
     // The way of an agent that moves or stands, in its own turn or in another's; not the agent.
-    static constexpr Heading by(int way, bool acts) {
-        return Heading(1u << way | (way == 0 && acts ? kStandingActor : 0));
-    }
+    static Heading by(int way, bool acts) { return Heading(acts ? kActing[way] : kStands); }
 
     int count() const { return static_cast<int>(bits_ >> kCountShift); }
     bool several() const { return bits_ >= 2 * kOne; }
@@ -36,40 +36,75 @@ class Heading {
     bool stands_as_actor() const { return bits_ & kStandingActor; }
     constexpr std::uint32_t bits() const { return bits_; }
 
-    static constexpr int kCountShift = kDiagonalMoves + 1;
-    static constexpr std::uint32_t kOne = 1u << kCountShift;
-
   private:
     static constexpr std::uint32_t kStands = 1;
     static constexpr std::uint32_t kMoves = (1u << kDiagonalMoves) - 1 - kStands;
     static constexpr std::uint32_t kStandingActor = 1u << kDiagonalMoves;
+    static constexpr std::uint32_t kActing[kDiagonalMoves] = {kStands | kStandingActor,
+                                                              1u << 1,
+                                                              1u << 2,
+                                                              1u << 3,
+                                                              1u << 4,
+                                                              1u << 5,
+                                                              1u << 6,
+                                                              1u << 7,
+                                                              1u << 8};
 
     std::uint32_t bits_;
 };
 
-// Both teams' headings for a cell, the pursuers' in the lower half.
-namespace cell_word {
+// Both teams' headings for every cell, one word a cell. To copy this is to point to the same words.
+class Headings {
+  public:
+    using Word = std::uint64_t;  // the pursuers' heading in the lower half
 
-using Word = std::uint64_t;
+    explicit Headings(Word* words) : words_(words) {}
 
-constexpr int shift(Team team) { return Heading::kBits * static_cast<int>(team); }
-constexpr Word of_team(Team team, Heading heading) { return Word{heading.bits()} << shift(team); }
-constexpr Word of_both(Heading heading) {
-    return of_team(Team::Pursuer, heading) | of_team(Team::Evader, heading);
-}
+    Heading at(int cell, Team team) const {
+        return Heading(static_cast<std::uint32_t>(words_[cell] >> shift(team)));
+    }
+    bool empty(int cell) const { return words_[cell] == 0; }
+    // Is one agent, of this team, all that heads for a cell?
+    bool alone(int cell, Team team) const { return (words_[cell] & kCounts) == one(team); }
+    // Does anybody head for a cell by the opposite of this way? For one that stays, nobody does.
+    bool comes_opposite(int cell, int way) const { return words_[cell] & kOppositeWays[way]; }
+    // Is anybody of a team on one of the cells beside this one?
+    bool beside(int cell, Team team, const Grid& grid, bool diagonal) const {
+        Word around = 0;
+        const auto look = [&](int move) { around |= words_[cell + grid.delta(move)]; };
+        for (int move = 1; move < kCompassMoves; ++move) look(move);
+        for (int move = kCompassMoves; diagonal && move < kDiagonalMoves; ++move) look(move);
+        return around & kCounts & of_team(team, Heading(~0u));
+    }
 
-constexpr Word one(Team team) { return of_team(team, Heading(Heading::kOne)); }
-constexpr Word kCounts = ~of_both(Heading(Heading::kOne - 1));
+    // Posts one agent, and tells whether anybody is posted there already.
+    bool post(int cell, Team team, Heading by) const {
+        const Word before = words_[cell];
+        words_[cell] = (before + one(team)) | of_team(team, by);
+        return before;
+    }
+    void withdraw(int cell, Team team, int way) const {
+        const Word left = words_[cell] - one(team);
+        words_[cell] = left & kCounts ? left & ~of_team(team, Heading(1u << way)) : 0;
+    }
+    void clear(int cell) const { words_[cell] = 0; }
 
-// By way: whoever comes the opposite way; nobody for one that stays.
-constexpr std::array<Word, kDiagonalMoves> opposite_ways() {
-    std::array<Word, kDiagonalMoves> words{};
-    for (int way = 1; way < kDiagonalMoves; ++way) words[way] = of_both(Heading(1u << kOpposite[way]));
-    return words;
-}
-constexpr std::array<Word, kDiagonalMoves> kOppositeWays = opposite_ways();
+  private:
+    static constexpr int shift(Team team) { return Heading::kBits * static_cast<int>(team); }
+    static constexpr Word of_team(Team team, Heading heading) {
+        return Word{heading.bits()} << shift(team);
+    }
+    static constexpr Word of_both(Heading heading) {
+        return of_team(Team::Pursuer, heading) | of_team(Team::Evader, heading);
+    }
+    static constexpr Word one(Team team) { return of_team(team, Heading(Heading::kOne)); }
 
-}  // namespace cell_word
+    static constexpr Word kCounts =
+        ~(Word{Heading::kOne - 1} << Heading::kBits | (Heading::kOne - 1));
+    static const std::array<Word, kDiagonalMoves> kOppositeWays;  // by way; for way 0 nobody
+
+    Word* words_;
+};
 
 class Occupancy {
   public:
@@ -83,26 +118,17 @@ class Occupancy {
     // Takes an agent from the cell that it stands on.
     void remove(int agent, int cell);
 
-    // A turn: lifts the agents of a cast, who are all that stand on their cells, posts them or
-    // withdraws them from where they were posted, and lets those still there (not kGone) land.
+    // A turn lifts the agents of its cast, who are all that stand on their cells, posts them in
+    // `headings`, and lets those who are still there (not kGone) land. Nobody is lifted where
+    // nobody is.
     void lift(const std::vector<int>& cast, const IntArray& cell);
-    void post(Team team, int cell, Heading news) {
-        Word& word = words_[cell];
-        word = (word + cell_word::one(team)) | cell_word::of_team(team, news);
-    }
-    void withdraw(Team team, int cell, int way);
     void land(const std::vector<int>& cast, const IntArray& cell);
+    // Lifts everybody.
+    void clear(const std::vector<int>& living, const IntArray& cell);
 
-    Heading heading(int cell, Team team) const {
-        return Heading(static_cast<std::uint32_t>(words_[cell] >> cell_word::shift(team)));
-    }
-    // Does anybody else head for the cell that an agent heads for, or come from there to the cell
-    // that it leaves?
-    bool meets(Team team, int target, int cell, int way) const;
-
-    int count(int cell, Team team) const { return heading(cell, team).count(); }
-    bool empty(int cell) const { return words_[cell] == 0; }
-    const Board& board(Team team) const { return boards_[static_cast<int>(team)]; }
+    Headings headings() const { return headings_; }
+    int count(int cell, Team team) const { return headings_.at(cell, team).count(); }
+    bool empty(int cell) const { return headings_.empty(cell); }
 
     // Makes the lists of who stands where, of everybody; or forgets them. Nothing where they are
     // kept.
@@ -110,19 +136,19 @@ class Occupancy {
     void unlist();
     const CellLists& lists() const { return lists_; }
 
+    // Up to so many agents, looking at the place of each costs less than reading the boards.
+    static constexpr int kFewAgents = 128;
+
     // Row and column by agent, with room for a multiple of kPlacePad; far off when not here.
     const std::int16_t* rows() const { return rows_.data(); }
     const std::int16_t* cols() const { return cols_.data(); }
+    // Of more than kFewAgents agents.
+    const Board& board(Team team) const { return boards_[static_cast<int>(team)]; }
     int n_agents() const { return n_agents_; }
-
-    // Up to so many agents, looking at the place of each costs less than reading the boards.
-    static constexpr int kFewAgents = 128;
 
     Team team(int agent) const { return agent < n_pursuers_ ? Team::Pursuer : Team::Evader; }
 
   private:
-    using Word = cell_word::Word;
-
     void show(int agent, int cell);
     void hide(int agent);
     bool keeps_boards() const { return n_agents_ > kFewAgents; }
@@ -132,17 +158,14 @@ class Occupancy {
     int n_agents_;
     bool for_networks_;
     bool keeps_lists_;
-    Eigen::Array<Word, Eigen::Dynamic, 1> words_;  // by cell
+    bool anybody_ = false;
+    std::vector<Headings::Word> words_;  // by cell
+    Headings headings_;
     CellLists lists_;
     std::vector<int> listed_;  // cells with a list that was made for this turn
     std::vector<std::int16_t> rows_;
     std::vector<std::int16_t> cols_;
     Board boards_[kTeams];
 };
-
-inline bool Occupancy::meets(Team team, int target, int cell, int way) const {
-    const bool alone = (words_[target] & cell_word::kCounts) == cell_word::one(team);
-    return !alone | ((words_[cell] & cell_word::kOppositeWays[way]) != 0);
-}
 
 }  // namespace matrixworld

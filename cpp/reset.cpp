@@ -85,6 +85,14 @@ Setup::Setup(Config given) : config(std::move(given)), grid(config.rows, config.
     auto base = std::make_shared<Ground>(grid, config.fov / 2);
     set_map(*base, grid, config.map);
     ground = std::move(base);
+    for (int team = 0; team < kTeams; ++team) {
+        for (int kinds = 0; kinds < 1 << kKinds; ++kinds) {
+            fines[team][kinds] = 0;
+            for (int kind = 0; kind < kKinds; ++kind) {
+                if (kinds >> kind & 1) fines[team][kinds] += config.rewards.collide[team][kind];
+            }
+        }
+    }
 }
 
 Scratch::Scratch(const Setup& setup, bool for_networks)

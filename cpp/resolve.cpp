@@ -4,8 +4,6 @@ namespace matrixworld {
 
 namespace {
 
-Team opponent(Team team) { return team == Team::Pursuer ? Team::Evader : Team::Pursuer; }
-
 // How two agents in conflict stand to each other, seen from one of them.
 struct Contact {
     bool moves;
@@ -48,16 +46,16 @@ Resolver::Resolver(const Grid& grid, const Rules& rules, int n_pursuers, int n_a
       target_(IntArray::Zero(n_agents)),
       by_target_(grid, n_agents) {}
 
-void Resolver::resolve(const Turn& turn, Occupancy& occupancy, std::vector<Conflict>* log) {
+void Resolver::resolve(const Turn& turn, Headings headings, std::vector<Conflict>* log) {
     turn_ = &turn;
-    occupancy_ = &occupancy;
+    headings_ = headings;
     log_ = log;
-    captures_.clear();
-    held_now_.clear();
+    for (int a : eventful_) flags_[a] = 0;  // of the last turn
     eventful_.clear();
+    captures_.clear();
     obstacles();
-    find_company();
-    if (!company_.empty()) {
+    if (somebody_meets_) {
+        list_present();
         teammates();
         adversaries();
         chains();
@@ -69,16 +67,34 @@ void Resolver::resolve(const Turn& turn, Occupancy& occupancy, std::vector<Confl
 
 // Everybody sets out, and whoever is still there is posted where it heads for.
 void Resolver::obstacles() {
-    present_.clear();
-    for (int a : turn_->cast) {
-        const bool acts = turn_->acts(a);
-        flags_[a] = 0;
-        way_[a] = acts ? turn_->actions[a] : 0;
-        target_[a] = turn_->cell[a] + grid_.delta(way_[a]);
-        if (turn_->ground[target_[a]] != kFree && way_[a] != 0 && !enters_obstacle(a)) continue;
-        occupancy_->post(team(a), target_[a], Heading::by(way_[a], acts));
-        present_.add(a);
+    somebody_meets_ = false;
+    turn_->all_act(Team::Pursuer) ? set_out<Team::Pursuer, true>()
+                                  : set_out<Team::Pursuer, false>();
+    turn_->all_act(Team::Evader) ? set_out<Team::Evader, true>() : set_out<Team::Evader, false>();
+}
+
+template <Team kTeam, bool kAllAct>
+void Resolver::set_out() {
+    const Turn turn = *turn_;  // copies, which the compiler knows that nothing stored here changes
+    const Headings headings = headings_;
+    short* const ways = way_.data();
+    int* const targets = target_.data();
+    bool meets = false;
+    for (int a : turn.of(kTeam)) {
+        const bool acts = kAllAct || turn.acts(a);
+        int way = acts ? turn.actions[a] : 0;
+        int target = turn.cell[a] + grid_.delta(way);
+        ways[a] = static_cast<short>(way);
+        targets[a] = target;
+        if (turn.ground[target] != kFree && way != 0) {
+            if (!enters_obstacle(a)) continue;
+            way = ways[a];
+            target = targets[a];
+        }
+        meets |= headings.comes_opposite(turn.cell[a], way);
+        meets |= headings.post(target, kTeam, Heading::by(way, acts));
     }
+    somebody_meets_ |= meets;
 }
 
 // Is an agent that runs into an obstacle still there?
@@ -99,20 +115,30 @@ bool Resolver::enters_obstacle(int a) {
 
 // ---- Who meets whom -------------------------------------------------------------------------
 
+void Resolver::list_present() {
+    present_.clear();
+    for (int a : turn_->cast) present_.add_if(!(flags_[a] & kCrashed), a);
+}
+
 // Those who are not alone: somebody else heads for the same cell, or comes from there to the cell
 // that they leave. Nobody else is in conflict with anybody.
 void Resolver::find_company() {
+    const Headings headings = headings_;
     company_.clear();
     for (int a : present_) {
-        company_.add_if(occupancy_->meets(team(a), target_[a], turn_->cell[a], way_[a]), a);
+        const bool alone = headings.alone(target_[a], team(a));
+        company_.add_if(!alone | headings.comes_opposite(turn_->cell[a], way_[a]), a);
     }
 }
 
-// From stage 3 on the targets stay as they are: the lists are made once, by whoever needs them.
-void Resolver::list_targets() {
-    if (listed_) return;
-    for (int a : present_) by_target_.add(a, target_[a]);
-    listed_ = true;
+// Who heads for a cell, one by one. The lists are made once in a stage in which somebody does, and
+// targets stay as they are while there are lists.
+CellLists::Range Resolver::heading_for(int cell) {
+    if (!headings_.empty(cell) && !listed_) {
+        for (int a : present_) by_target_.add(a, target_[a]);
+        listed_ = true;
+    }
+    return by_target_.at(cell);
 }
 
 void Resolver::unlist_targets() {
@@ -128,8 +154,8 @@ bool Resolver::swap(int a, int b) const {
 // ---- Stage 2 ------------------------------------------------------------------------------
 
 void Resolver::teammates() {
+    find_company();
     if (log_) {
-        list_targets();
         log_pairs(Kind::Teammate);
         unlist_targets();
     }
@@ -148,23 +174,24 @@ void Resolver::teammates() {
 }
 
 bool Resolver::meets_teammate(int a) const {
-    const Heading there = occupancy_->heading(target_[a], team(a));
+    const Heading there = headings_.at(target_[a], team(a));
     if (turn_->acts(a) ? there.several() : there.moves() || there.stands_as_actor()) return true;
     if (way_[a] == 0) return false;
-    return occupancy_->heading(turn_->cell[a], team(a)).takes(kOpposite[way_[a]]);
+    return headings_.at(turn_->cell[a], team(a)).takes(kOpposite[way_[a]]);
 }
 
 // Holds, until nothing changes, every teammate that means to enter the cell of one held in this
 // stage. (Where teammates bounce no two of them share a cell, so nobody stands there besides, and
 // nobody else came the same way.)
 void Resolver::spread_bounce() {
-    list_targets();
     AgentList& held = held_now_;
     for (std::size_t i = 0; i < held.size(); ++i) {
         const int b = held[i];
-        for (int a = by_target_.first(turn_->cell[b]); a >= 0; a = by_target_.next(a)) {
+        for (int a : heading_for(turn_->cell[b])) {
             if (way_[a] == 0 || (flags_[a] & kBarred) || team(a) != team(b)) continue;
-            for (int side : {a, b}) raise(side, involved(Kind::Teammate) | at_fault(Kind::Teammate));
+            for (int side : {a, b}) {
+                raise(side, involved(Kind::Teammate) | at_fault(Kind::Teammate));
+            }
             flags_[a] |= kHeld | kBarred;
             if (log_) log_pair(Form::Chain, a, b, turn_->cell[b]);
             held.add(a);
@@ -177,30 +204,27 @@ void Resolver::spread_bounce() {
 
 // From now on an agent means to stay.
 void Resolver::hold(int a) {
-    occupancy_->withdraw(team(a), target_[a], way_[a]);
+    headings_.withdraw(target_[a], team(a), way_[a]);
     way_[a] = 0;
     target_[a] = turn_->cell[a];
-    occupancy_->post(team(a), target_[a], Heading::by(0, true));
+    headings_.post(target_[a], team(a), Heading::by(0, true));
 }
 
 // ---- Stage 3 ------------------------------------------------------------------------------
 
 void Resolver::adversaries() {
-    if (log_) {
-        list_targets();
-        log_pairs(Kind::Adversary);
-    }
+    if (log_) log_pairs(Kind::Adversary);
     for (int a : company_) judge_adversaries(a);
 }
 
 void Resolver::judge_adversaries(int a) {
     const Team other_team = opponent(team(a));
     const bool moves = way_[a] != 0;
-    const Heading there = occupancy_->heading(target_[a], other_team);
+    const Heading there = headings_.at(target_[a], other_team);
     const bool standing = turn_->acts(a) ? there.stands() : there.stands_as_actor();
     const bool moving = there.moves();
     const bool swapping =
-        moves && occupancy_->heading(turn_->cell[a], other_team).takes(kOpposite[way_[a]]);
+        moves && headings_.at(turn_->cell[a], other_team).takes(kOpposite[way_[a]]);
     if (!(standing || moving || swapping)) return;
 
     const Outcome own = rules_.adversary(team(a));
@@ -226,14 +250,13 @@ void Resolver::judge_adversaries(int a) {
 }
 
 void Resolver::note_captors(int evader) {
-    list_targets();
-    for (int p = by_target_.first(target_[evader]); p >= 0; p = by_target_.next(p)) {
+    for (int p : heading_for(target_[evader])) {
         if (team(p) == Team::Pursuer && (turn_->acts(p) || turn_->acts(evader))) {
             captures_.emplace_back(evader, p);
         }
     }
     if (way_[evader] == 0) return;
-    for (int p = by_target_.first(turn_->cell[evader]); p >= 0; p = by_target_.next(p)) {
+    for (int p : heading_for(turn_->cell[evader])) {
         if (team(p) == Team::Pursuer && swap(p, evader)) captures_.emplace_back(evader, p);
     }
 }
@@ -243,14 +266,14 @@ void Resolver::note_captors(int evader) {
 // `held_now_` are the links. Those held in stage 3 are barred: they head nowhere any more; a link
 // made here still counts as heading for its cell.
 void Resolver::chains() {
-    if (!held_now_.empty()) list_targets();
     for (std::size_t i = 0; i < held_now_.size(); ++i) {
         const int link = held_now_[i];
-        for (int a = by_target_.first(turn_->cell[link]); a >= 0; a = by_target_.next(a)) {
+        for (int a : heading_for(turn_->cell[link])) {
             const bool enters = way_[a] != 0 && !(flags_[a] & kBarred);
             if (enters && !swap(a, link)) enter_link(a, link);  // a swap was judged before
         }
     }
+    held_now_.clear();
     unlist_targets();
 }
 
@@ -285,10 +308,10 @@ void Resolver::end_up() {
         const bool gone = flags_[a] & (kCrashed | kDoomed);
         const bool returns = flags_[a] & kHeld && target_[a] != turn_->cell[a];
         if (!(flags_[a] & kCrashed) && (gone || returns)) {
-            occupancy_->withdraw(team(a), target_[a], way_[a]);
+            headings_.withdraw(target_[a], team(a), way_[a]);
         }
         if (flags_[a] & (kCrashed | kHeld)) target_[a] = turn_->cell[a];
-        if (returns && !gone) occupancy_->post(team(a), target_[a], Heading::by(0, true));
+        if (returns && !gone) headings_.post(target_[a], team(a), Heading::by(0, true));
     }
 }
 
@@ -305,12 +328,12 @@ void Resolver::log_pairs(Kind kind) {
         return a < b && (team(a) == team(b)) == (kind == Kind::Teammate);
     };
     for (int a : present_) {
-        for (int b = by_target_.first(target_[a]); b >= 0; b = by_target_.next(b)) {
+        for (int b : heading_for(target_[a])) {
             if (concerns(a, b) && (turn_->acts(a) || turn_->acts(b))) {
                 log_pair(Form::Vertex, a, b, target_[a]);
             }
         }
-        for (int b = by_target_.first(turn_->cell[a]); b >= 0; b = by_target_.next(b)) {
+        for (int b : heading_for(turn_->cell[a])) {
             if (concerns(a, b) && swap(a, b)) log_pair(Form::Edge, a, b, target_[a]);
         }
     }

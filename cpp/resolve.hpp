@@ -2,7 +2,7 @@
 // four methods that `resolve` calls are the first four stages of a step; each judges all agents
 // at once from the state that it found, so the numbering of agents cannot matter.
 //
-// The occupancy tells for each cell who heads for it, and by which ways. Whether an agent is in
+// Headings tell for each cell who heads for it, and by which ways. Whether an agent is in
 // conflict is then a look at two cells, the one it heads for and the one it leaves. Nearly all
 // agents are in none, and nothing more is asked of them. The work is O(agents), plus the pairs of a
 // chain or a capture where several share a cell.
@@ -43,28 +43,47 @@ struct Conflict {
     std::uint8_t doomed;
 };
 
+// Some agents, one after the other.
+struct Agents {
+    const int* first;
+    const int* last;
+
+    const int* begin() const { return first; }
+    const int* end() const { return last; }
+};
+
 // The agents that may meet in this turn and what they set out to do. Those with first_actor <=
 // agent < last_actor act; the others stay where they are.
 struct Turn {
-    const std::vector<int>& cast;  // living agents
-    const IntArray& cell;          // by agent
-    const std::uint8_t* actions;   // by agent
-    const ByteArray& ground;       // by cell
+    Agents cast;                  // living agents, pursuers first
+    const int* first_evader;      // of the cast
+    Agents actors;                // of the cast
+    const int* cell;              // by agent
+    const std::uint8_t* actions;  // by agent
+    const std::uint8_t* ground;   // by cell
     int first_actor;
     int last_actor;
     int number;
 
     bool acts(int agent) const { return agent >= first_actor && agent < last_actor; }
+    bool all_act(Team team) const {
+        const Agents agents = of(team);
+        return agents.first == agents.last || (acts(agents.first[0]) && acts(agents.last[-1]));
+    }
+    Agents of(Team team) const {
+        return team == Team::Pursuer ? Agents{cast.first, first_evader}
+                                     : Agents{first_evader, cast.last};
+    }
 };
 
 class Resolver {
   public:
     Resolver(const Grid& grid, const Rules& rules, int n_pursuers, int n_agents);
 
-    // Finds the cast lifted from the occupancy and leaves it posted where everybody ends up, but
-    // for those who disappear. Appends each conflict to `log` where one is given; that costs the
+    // Finds nobody of the cast posted, and leaves everybody posted where it ends up, but for those
+    // who disappear. Appends each conflict to `log` where one is given; that costs the
     // number of conflicts.
-    void resolve(const Turn& turn, Occupancy& occupancy, std::vector<Conflict>* log);
+    void resolve(const Turn& turn, Headings headings, std::vector<Conflict>* log);
 
     Flags flags(int agent) const { return flags_[agent]; }
     // The cell where an agent of the cast ends up, or where it disappears.
@@ -81,9 +100,12 @@ class Resolver {
     void chains();
     void end_up();
 
+    template <Team kTeam, bool kAllAct>
+    void set_out();
     bool enters_obstacle(int agent);
+    void list_present();
     void find_company();
-    void list_targets();
+    CellLists::Range heading_for(int cell);
     void unlist_targets();
     void hold(int agent);
     void spread_bounce();
@@ -108,11 +130,12 @@ class Resolver {
     int n_pursuers_;
 
     const Turn* turn_ = nullptr;
-    Occupancy* occupancy_ = nullptr;
+    Headings headings_{nullptr};
     std::vector<Conflict>* log_ = nullptr;
-    AgentList present_;   // the cast without the crashed
-    AgentList company_;   // those of them who may be in conflict
-    AgentList held_now_;  // held during this stage, not yet followed up
+    bool somebody_meets_ = false;  // else there is no conflict but with obstacles
+    AgentList present_;            // the cast without the crashed
+    AgentList company_;            // those of them who may be in conflict
+    AgentList held_now_;           // held during this stage, not yet followed up
     AgentList eventful_;
     std::vector<std::pair<int, int>> captures_;
 

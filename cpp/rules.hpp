@@ -20,6 +20,8 @@ enum class Capture : std::uint8_t { Occupation, Surround };
 enum class Blame : std::uint8_t { Fault, Involved };  // who pays for a collision
 
 enum class Team : std::uint8_t { Pursuer, Evader };
+inline Team opponent(Team team) { return team == Team::Pursuer ? Team::Evader : Team::Pursuer; }
+
 enum class Kind : std::uint8_t { Obstacle, Teammate, Adversary };
 enum class Form : std::uint8_t { Vertex, Edge, Chain };
 

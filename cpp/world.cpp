@@ -8,9 +8,7 @@ void World::enter(Scratch& scratch) const {
     for (int a : living_) scratch.occupancy.add(a, cell_[a]);
 }
 
-void World::leave(Scratch& scratch) const {
-    scratch.occupancy.lift(living_, cell_);
-}
+void World::leave(Scratch& scratch) const { scratch.occupancy.clear(living_, cell_); }
 
 // ---- A round ------------------------------------------------------------------------------------
 
@@ -67,10 +65,12 @@ void World::play_turn(int number, const std::uint8_t* actions, Scratch& scratch,
 
     const std::vector<int>& cast =
         one_by_one() ? choose_cast(first, actions[first], scratch) : living_;
-    const Turn turn{cast, cell_, actions, ground_->kind, first, last, number};
+    const Turn turn = make_turn(cast, actions, first, last, number);
     scratch.occupancy.lift(cast, cell_);
-    scratch.resolver.resolve(turn, scratch.occupancy, log);
+    scratch.resolver.resolve(turn, scratch.occupancy.headings(), log);
     settle(turn, scratch);
+    scratch.occupancy.land(cast, cell_);
+    teams_touch_ = one_by_one() || find_touch(turn, scratch);
     judge_captures(turn, scratch);
     pay_captures();
     remove_captured(scratch);
@@ -95,12 +95,35 @@ const std::vector<int>& World::choose_cast(int actor, int action, Scratch& scrat
     scratch.here = cell_[actor];
     scratch.there = scratch.here + grid().delta(action);
     const CellLists& lists = scratch.occupancy.lists();
-    const auto call = [&](int cell) {
-        for (int a = lists.first(cell); a >= 0; a = lists.next(a)) scratch.cast.push_back(a);
-    };
-    call(scratch.here);
-    if (scratch.there != scratch.here) call(scratch.there);
+    for (Team wanted : {Team::Pursuer, Team::Evader}) {
+        const auto call = [&](int cell) {
+            for (int a : lists.at(cell)) {
+                if (team(a) == wanted) scratch.cast.push_back(a);
+            }
+        };
+        call(scratch.here);
+        if (scratch.there != scratch.here) call(scratch.there);
+    }
     return scratch.cast;
+}
+
+Turn World::make_turn(const std::vector<int>& cast, const std::uint8_t* actions, int first,
+                      int last, int number) const {
+    const Agents all{cast.data(), cast.data() + cast.size()};
+    const int* first_evader = all.first + n_living(Team::Pursuer);
+    Agents actors = all;
+    if (one_by_one()) {
+        first_evader =
+            std::find_if(all.first, all.last, [&](int a) { return team(a) == Team::Evader; });
+        actors.first = std::find(all.first, all.last, first);
+        actors.last = actors.first + 1;
+    } else if (first != 0) {
+        actors.first = first_evader;
+    } else if (last != config().n_agents()) {
+        actors.last = first_evader;
+    }
+    return {all,   first_evader, actors, cell_.data(), actions, ground_->kind.data(),
+            first, last,         number};
 }
 
 void World::settle(const Turn& turn, Scratch& scratch) {
@@ -111,7 +134,6 @@ void World::settle(const Turn& turn, Scratch& scratch) {
         if (team(a) == Team::Evader) release(evader_number(a));  // until judged
         remove(a, cell_[a]);
     }
-    scratch.occupancy.land(turn.cast, cell_);
 }
 
 void World::remove(int agent, int at) {
@@ -141,38 +163,36 @@ void World::pay_captures() {
 
 void World::pay_actors(const Turn& turn, const Scratch& scratch) {
     const Rewards& rewards = config().rewards;
-    for (int a : turn.cast) {
-        if (!turn.acts(a)) continue;
-        rewards_[a] += pay(rewards.step, a);
-        if (alive(a) && has_neighbor(a, scratch)) rewards_[a] += pay(rewards.neighbor, a);
+    const Headings headings = scratch.occupancy.headings();
+    for (int a : turn.actors) rewards_[a] += pay(rewards.step, a);
+    if (!teams_touch_) return;
+    for (int a : turn.actors) {
+        if (alive(a) && headings.beside(cell_[a], opponent(team(a)), grid(), false)) {
+            rewards_[a] += pay(rewards.neighbor, a);
+        }
     }
 }
 
-bool World::has_neighbor(int agent, const Scratch& scratch) const {
-    const Team adversary = team(agent) == Team::Pursuer ? Team::Evader : Team::Pursuer;
-    for (int move = 1; move < kCompassMoves; ++move) {
-        if (scratch.occupancy.count(cell_[agent] + grid().delta(move), adversary) > 0) return true;
+// Of each pair that is side by side one is of the smaller team.
+bool World::find_touch(const Turn& turn, const Scratch& scratch) const {
+    const Headings headings = scratch.occupancy.headings();
+    const bool fewer = n_living(Team::Pursuer) <= n_living(Team::Evader);
+    const Team team = fewer ? Team::Pursuer : Team::Evader;
+    const bool diagonal = config().diagonal;
+    bool touch = false;
+    for (int a : turn.of(team)) {
+        if (alive(a)) touch |= headings.beside(cell_[a], opponent(team), grid(), diagonal);
     }
-    return false;
+    return touch;
 }
 
 void World::report_and_fine(const Scratch& scratch) {
     for (int a : scratch.resolver.eventful()) {
         const Flags news = scratch.resolver.flags(a) & kReportMask & ~report_[a];
-        if (news == 0) continue;
         report_[a] |= news;
-        rewards_[a] += fine(a, news);
+        const int blamed = config().rewards.blame == Blame::Fault ? news >> kKinds : news;
+        rewards_[a] += setup_->fines[static_cast<int>(team(a))][blamed & ((1 << kKinds) - 1)];
     }
-}
-
-float World::fine(int agent, Flags news) const {
-    const Rewards& rewards = config().rewards;
-    const int blamed = rewards.blame == Blame::Fault ? news >> kKinds : news;
-    float sum = 0;
-    for (int kind = 0; kind < kKinds; ++kind) {
-        if (blamed >> kind & 1) sum += rewards.collide[static_cast<int>(team(agent))][kind];
-    }
-    return sum;
 }
 
 void World::judge_end() {

@@ -62,6 +62,7 @@ struct Setup {
     Config config;
     Grid grid;
     std::shared_ptr<const Ground> ground;  // with the obstacles of the configured map
+    float fines[kTeams][1 << kKinds];      // by the set of kinds that an agent pays for
 };
 
 // The scratch memory of one thread, for any number of worlds of one configuration.
@@ -70,8 +71,8 @@ struct Scratch {
 
     Occupancy occupancy;
     Resolver resolver;
-    IntArray order;              // every cell of the world once; a reset shuffles and restores it
-    std::vector<int> swaps;      // how to restore it
+    IntArray order;          // every cell of the world once; a reset shuffles and restores it
+    std::vector<int> swaps;  // how to restore it
     // Of turns of one agent: those that take part, in this turn and in the one before within the
     // round; where the actor stands and where it heads for.
     std::vector<int> cast;
@@ -98,6 +99,10 @@ class World {
     // Puts the agents into the scratch, or takes them out. A world is played between the two.
     void enter(Scratch& scratch) const;
     void leave(Scratch& scratch) const;
+
+    // Do agents act one at a time? Else every turn lifts and posts all agents, so that a world may
+    // be played without being put into the scratch before; it is in it afterwards.
+    bool one_by_one() const { return config().rules.interaction == Interaction::AgentTurns; }
 
     // One round with the actions committed by all agents. `log` collects the conflicts.
     void step(const std::uint8_t* actions, Scratch& scratch, std::vector<Conflict>* log = nullptr);
@@ -149,8 +154,9 @@ class World {
     void count_captures();
     void place(int agent, int cell, Scratch& scratch);
 
-    bool one_by_one() const { return config().rules.interaction == Interaction::AgentTurns; }
     const std::vector<int>& choose_cast(int actor, int action, Scratch& scratch) const;
+    Turn make_turn(const std::vector<int>& cast, const std::uint8_t* actions, int first, int last,
+                   int number) const;
     void settle(const Turn& turn, Scratch& scratch);
     void remove(int agent, int at);
     void drop_gone();
@@ -168,9 +174,8 @@ class World {
     void pay_captures();
     void remove_captured(Scratch& scratch);
     void pay_actors(const Turn& turn, const Scratch& scratch);
-    bool has_neighbor(int agent, const Scratch& scratch) const;
+    bool find_touch(const Turn& turn, const Scratch& scratch) const;
     void report_and_fine(const Scratch& scratch);
-    float fine(int agent, Flags news) const;
     void judge_end();
 
     int evader_number(int agent) const { return agent - config().n_pursuers; }
@@ -198,6 +203,7 @@ class World {
     std::vector<int> judged_;                  // living evaders to judge in this turn
     ByteArray is_judged_;                      // by evader
     bool fresh_round_ = false;                 // no turn of this round has been played yet
+    bool teams_touch_ = false;                 // in this turn; else nobody is beside an adversary
 
     FloatArray rewards_;
     Eigen::Array<Flags, Eigen::Dynamic, 1> report_;

@@ -73,14 +73,14 @@ inline void check_occupancy(const World& world, const Occupancy& occupancy, bool
     std::multiset<int> listed;
     for (int cell = 0; cell < world.grid().n_cells(); ++cell) {
         const CellLists& lists = occupancy.lists();
-        for (int a = lists.first(cell); a >= 0; a = lists.next(a)) {
+        for (int a : lists.at(cell)) {
             require(entered && world.cell(a) == cell, "the list of agents on each cell");
             listed.insert(a);
         }
     }
     const std::vector<int>& living = world.living();
-    require(listed == (entered ? std::multiset<int>(living.begin(), living.end())
-                               : std::multiset<int>()),
+    require(listed ==
+                (entered ? std::multiset<int>(living.begin(), living.end()) : std::multiset<int>()),
             "everybody is listed once");
 }
 
