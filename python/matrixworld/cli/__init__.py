@@ -6,6 +6,7 @@ tournament.py   ``tournament``: payoff matrices, also of two runs
 replay.py       ``replay``: watch a match
 plot.py         ``plot``: figures of finished runs
 variants.py     ``variants``: the table of rules
+bench.py        ``bench``: how fast this machine plays; `bench_report` prints it
 options.py      options from the fields of the settings
 arguments.py    run directories as arguments
 jobs.py         several runs as one job
@@ -20,6 +21,7 @@ from __future__ import annotations
 import click
 
 import matrixworld
+from matrixworld.cli.bench import bench_command
 from matrixworld.cli.evolve import evolve_command
 from matrixworld.cli.plot import plot_command
 from matrixworld.cli.replay import replay_command
@@ -45,5 +47,6 @@ for command in (
     tournament_command,
     plot_command,
     variants_command,
+    bench_command,
 ):
     main.add_command(command)

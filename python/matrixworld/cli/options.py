@@ -22,13 +22,14 @@ from matrixworld.rules import VARIANTS
 
 AnyFunction = TypeVar("AnyFunction", bound=Callable[..., Any])
 
+WORLD = "World"
 SECTIONS: dict[str, tuple[str, ...]] = {
     "Races": (
         "schedule", "generations", "pursuer_epochs", "evader_epochs",
         "joint_epochs", "contemporaries", "hall_sample",
     ),
     "One team alone": ("against", "team", "start", "epochs", "archive_every"),
-    "World": (
+    WORLD: (
         "variant", "rows", "cols", "pursuers", "evaders", "obstacles", "fov", "diagonal",
     ),
     "Policy": ("hidden", "activation", "initial_weight", "initial_head"),
@@ -94,10 +95,21 @@ class SectionedCommand(click.Command):
 def setting_options(function: AnyFunction) -> AnyFunction:
     """Give a command an option for every setting; those that are not given are None."""
     for title, names in reversed(SECTIONS.items()):
-        for name in reversed(names):
-            function = click.option(
-                *_declaration(name), cls=SettingOption, section=title, **_attributes(name)
-            )(function)
+        function = _section_options(function, title, names)
+    return function
+
+
+def world_options(function: AnyFunction) -> AnyFunction:
+    """Give a command the options of a world, but not its variant."""
+    names = [name for name in SECTIONS[WORLD] if name != "variant"]
+    return _section_options(function, WORLD, names)
+
+
+def _section_options(function: AnyFunction, title: str, names: Sequence[str]) -> AnyFunction:
+    for name in reversed(names):
+        function = click.option(
+            *_declaration(name), cls=SettingOption, section=title, **_attributes(name)
+        )(function)
     return function
 
 

@@ -15,13 +15,19 @@ from matrixworld.coevolution import ProgressBar, Report
 
 SHARE = 0.1
 """Share of a job from one line to the next where there is no terminal."""
+SLOW = 10.0
 
 
 class ProgressLines:
     """Plain lines with rate and time left, for output that is no terminal."""
 
-    def __init__(self, stream: TextIO, clock: Callable[[], float] = time.monotonic) -> None:
-        self._stream, self._clock = stream, clock
+    def __init__(
+        self,
+        stream: TextIO,
+        clock: Callable[[], float] = time.monotonic,
+        unit: str = "matches",
+    ) -> None:
+        self._stream, self._clock, self._unit = stream, clock, unit
         self._began: tuple[float, int] | None = None
         self._next = 0.0
 
@@ -32,28 +38,30 @@ class ProgressLines:
             self._next = done / total + SHARE
         if done / total >= self._next - 1e-9:
             self._next = done / total + SHARE
-            seconds, matches = self._clock() - self._began[0], done - self._began[1]
-            rate = matches / seconds if seconds else 0.0
+            seconds, since = self._clock() - self._began[0], done - self._began[1]
+            rate = since / seconds if seconds else 0.0
             left = tqdm.format_interval((total - done) / rate) if rate else "?"
+            shown = f"{rate:,.0f}" if rate >= SLOW else f"{rate:.1f}"
             self._stream.write(
-                f"{done / total:4.0%}  {done:,} of {total:,} matches, {rate:,.0f} a second, "
+                f"{done / total:4.0%}  {done:,} of {total:,} {self._unit}, {shown} a second, "
                 f"{left} left ({what})\n"
             )
             self._stream.flush()
 
 
 @contextmanager
-def progress(stream: TextIO | None = None) -> Iterator[Report]:
+def progress(stream: TextIO | None = None, unit: str = "matches") -> Iterator[Report]:
     """What is called as report(what is going on, matches done, matches in all).
 
     stream: None for standard error
+    unit: what is counted, if not matches
     """
     out = sys.stderr if stream is None else stream
     if out.isatty():
-        with ProgressBar() as bar:
+        with ProgressBar(unit) as bar:
             yield bar
     else:
-        yield ProgressLines(out)
+        yield ProgressLines(out, unit=unit)
 
 
 def note(text: str) -> None:

@@ -25,14 +25,19 @@ class ProgressBar:
         race.run(bar)
     """
 
-    def __init__(self) -> None:
+    def __init__(self, unit: str = "matches") -> None:
+        self._unit = unit
         self._bar: tqdm[None] | None = None
 
     def __call__(self, what: str, done: int, total: int) -> None:
         """Show that `done` of `total` episodes have been played."""
         if self._bar is None:
             self._bar = tqdm(
-                total=total, initial=done, unit=" matches", unit_scale=True, mininterval=SECONDS
+                total=total,
+                initial=done,
+                unit=f" {self._unit}",
+                unit_scale=True,
+                mininterval=SECONDS,
             )
         self._bar.set_description_str(what, refresh=False)
         self._bar.update(done - self._bar.n)
