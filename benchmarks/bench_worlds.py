@@ -1,4 +1,4 @@
-"""How many agent-steps a second worlds play, alone and beside PettingZoo's pursuit.
+"""How many agent-steps a second worlds play.
 
     python benchmarks/bench_worlds.py [--seconds 1] [--repeats 5]
 
@@ -10,20 +10,16 @@ on two. Before anything is timed, what is timed is compared with worlds played o
 
 from __future__ import annotations
 
-import os
-import statistics
-import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import click
 import numpy as np
-import pettingzoo
 from numpy.typing import NDArray
-from pettingzoo.env_registry.exceptions import FailedToImport
 
 import matrixworld as mw
+from timing import Clock, bind, n_cores, print_table
 
 VARIANTS = ("O", "SDB")
 MANY = 1024
@@ -91,62 +87,24 @@ def check(config: mw.WorldConfig) -> None:
 # ---- Timing ------------------------------------------------------------------------------------
 
 
-def rate(step: Callable[[int], object], agent_steps: int, seconds: float, repeats: int) -> float:
-    """Median of agent-steps a second, ``agent_steps`` of them in each call."""
-    step(0)
-    rates = []
-    for _ in range(repeats):
-        calls, start = 0, time.perf_counter()
-        while (passed := time.perf_counter() - start) < seconds:
-            step(calls % ROWS_OF_ACTIONS)
-            calls += 1
-        rates.append(calls * agent_steps / passed)
-    return statistics.median(rates)
-
-
 def measure(
     what: str,
     make: Callable[[mw.WorldConfig, int, int], Any],
     worlds: int,
     threads: int,
-    seconds: float,
-    repeats: int,
+    clock: Clock,
 ) -> Measured:
     rates = {}
     for variant in VARIANTS:
         config = mw.WorldConfig(variant)
         timed, actions = make(config, worlds, threads), actions_for(config, worlds)
-        agent_steps = worlds * config.n_agents
-        rates[variant] = rate(
-            lambda i, timed=timed, actions=actions: timed.step(actions[i]),
-            agent_steps,
-            seconds,
-            repeats,
-        )
+
+        def play(i: int, timed: Any = timed, actions: NDArray[np.uint8] = actions) -> int:
+            timed.step(actions[i % ROWS_OF_ACTIONS])
+            return actions[0].size
+
+        rates[variant] = clock.rate(play)
     return Measured(what, worlds, threads, rates)
-
-
-def pettingzoo_pursuit(seconds: float, repeats: int) -> float | None:
-    """Agent-steps a second of PettingZoo's pursuit, 8 pursuers against 30 evaders on 16 x 16."""
-    try:
-        env = pettingzoo.make("parallel", "sisl/pursuit-v5")
-    except FailedToImport:  # the extra pettingzoo[sisl]
-        return None
-    rng = np.random.default_rng(0)
-
-    def step(_: int) -> None:
-        if not env.agents:
-            env.reset(seed=0)
-        env.step({agent: int(rng.integers(5)) for agent in env.agents})
-
-    env.reset(seed=0)
-    return rate(step, len(env.possible_agents), seconds, repeats)
-
-
-def bind(cores: int) -> None:
-    """Keep this process on so many cores."""
-    if hasattr(os, "sched_setaffinity"):
-        os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[-cores:])
 
 
 @click.command()
@@ -154,12 +112,12 @@ def bind(cores: int) -> None:
 @click.option("--repeats", default=5, show_default=True, help="repeats of which the median counts")
 def main(seconds: float, repeats: int) -> None:
     """Print a table in Markdown."""
-    cores = os.sched_getaffinity(0) if hasattr(os, "sched_setaffinity") else {0}
+    clock = Clock(seconds, repeats)
     for variant in VARIANTS:
         check(mw.WorldConfig(variant))
     bind(1)
     lines = [
-        measure(what, make, worlds, 1, seconds, repeats)
+        measure(what, make, worlds, 1, clock)
         for what, make in (
             ("step only", step_only),
             ("step and views", step_and_views),
@@ -167,19 +125,14 @@ def main(seconds: float, repeats: int) -> None:
         )
         for worlds in (MANY, 1)
     ]
-    pursuit = pettingzoo_pursuit(seconds, repeats)
-    if len(cores) > 1 and hasattr(os, "sched_setaffinity"):
-        os.sched_setaffinity(0, cores)
-        lines.append(measure("step and views", step_and_views, MANY, 2, seconds, repeats))
-    print(
-        "| million agent-steps/s | worlds | threads | " + " | ".join(f"-{v}" for v in VARIANTS), "|"
-    )
-    print("|---|---|---|" + "---|" * len(VARIANTS))
-    for line in lines:
-        figures = " | ".join(f"{line.rates[v] / 1e6:.1f}" for v in VARIANTS)
-        print(f"| {line.what} | {line.worlds} | {line.threads} | {figures} |")
-    if pursuit is not None:
-        print(f"| PettingZoo pursuit (other rules) | 1 | 1 | {pursuit / 1e6:.4f} | |")
+    if n_cores() > 1:
+        bind(2)
+        lines.append(measure("step and views", step_and_views, MANY, 2, clock))
+    rows = [
+        (line.what, line.worlds, line.threads, *(f"{line.rates[v] / 1e6:.1f}" for v in VARIANTS))
+        for line in lines
+    ]
+    print_table(("million agent-steps/s", "worlds", "threads", *(f"-{v}" for v in VARIANTS)), rows)
 
 
 if __name__ == "__main__":

@@ -5,25 +5,45 @@ from __future__ import annotations
 import importlib.util
 import sys
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 from click.testing import CliRunner
 
-BENCHMARKS = sorted((Path(__file__).parents[1] / "benchmarks").glob("bench_*.py"))
+FOLDER = Path(__file__).parents[1] / "benchmarks"
+FEW = {
+    "bench_worlds": [],
+    "bench_rollouts": ["--rounds", "20"],
+    "bench_peers": ["--rounds", "20", "--size", "2"],
+    "bench_scaling": ["--largest", "100", "--out", "scaling.png"],
+}
+"""By script, what makes its work small."""
 
 
-@pytest.mark.parametrize("path", BENCHMARKS, ids=[path.stem for path in BENCHMARKS])
-def test_benchmark_runs(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    spec = importlib.util.spec_from_file_location(path.stem, path)
+def load(name: str, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(name, FOLDER / f"{name}.py")
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
-    monkeypatch.setitem(sys.modules, path.stem, module)  # dataclasses look their module up
+    monkeypatch.setitem(sys.modules, name, module)  # dataclasses look their module up
     spec.loader.exec_module(module)
+    return module
+
+
+def test_all_benchmarks_are_tested() -> None:
+    assert sorted(FEW) == sorted(path.stem for path in FOLDER.glob("bench_*.py"))
+
+
+@pytest.mark.parametrize("name", FEW)
+def test_benchmark_runs(name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.syspath_prepend(FOLDER)
+    monkeypatch.chdir(tmp_path)
+    module = load(name, monkeypatch)
     monkeypatch.setattr(module, "bind", lambda cores: None)
-    monkeypatch.setattr(module.os, "sched_setaffinity", lambda *given: None, raising=False)
-    result = CliRunner().invoke(module.main, ["--seconds", "0.001", "--repeats", "1"])
+    short = ["--seconds", "0.001", "--repeats", "1"]
+    result = CliRunner().invoke(module.main, [*short, *FEW[name]])
     assert result.exception is None
     lines = result.output.splitlines()
     assert lines[1].startswith("|---")
     assert len(lines) > 7
+    assert (tmp_path / "scaling.png").exists() == (name == "bench_scaling")

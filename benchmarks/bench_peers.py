@@ -1,0 +1,233 @@
+"""matrixworld beside other systems: stepped by random actions, and in co-evolution.
+
+    python benchmarks/bench_peers.py [--seconds 1] [--repeats 5] [--pogema PYTHON]
+
+Environments: 40 x 40 cells, 38 agents, views of 11 x 11, random actions that are drawn before the
+clock starts; ended episodes begin anew within the time that is measured. Co-evolution: one DEAP
+loop, whose matches are played by plain NumPy or by `matrixworld.rollout`. All on one core, to which
+the process binds itself where the system can. Before anything is timed, the plain world is compared
+with the engine's.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+import pettingzoo
+from pettingzoo.env_registry.exceptions import FailedToImport
+
+import matrixworld as mw
+from plain_coevolution import (
+    EVADER,
+    PURSUER,
+    MakeScore,
+    PlainWorld,
+    act,
+    coevolution,
+    plain_score,
+    rollout_score,
+)
+from timing import Clock, bind, print_table
+
+MANY = 1024
+ROWS_OF_ACTIONS = 16
+HIDDEN = (32,)
+INSTALL = {
+    "PettingZoo pursuit": "pip install 'pettingzoo[sisl]'",
+    "POGEMA": "pip install pogema into an environment of its own, and name its Python --pogema",
+}
+
+try:
+    from threadpoolctl import threadpool_limits
+except ImportError:
+    threadpool_limits = None
+
+
+# ---- The answer, first -------------------------------------------------------------------------
+
+
+def assert_same(plain: PlainWorld, world: mw.World) -> None:
+    p, alive = world.config.n_pursuers, world.alive
+    assert (plain.alive == alive).all()
+    assert (plain.positions == world.positions)[alive].all()
+    assert (~plain.alive[p:] == world.captured).all()
+    views = world.views()
+    pursuers, evaders = np.arange(p), p + np.flatnonzero(alive[p:])
+    assert (plain.views(pursuers, PURSUER) == views[pursuers]).all()
+    assert (plain.views(evaders, EVADER) == views[evaders]).all()
+
+
+def check_world(config: mw.WorldConfig) -> int:
+    """Random episodes in both worlds; returns how many evaders were captured."""
+    world, plain, rng = mw.World(config), PlainWorld(config), np.random.default_rng(0)
+    n_captured = 0
+    for seed in range(3):
+        world.reset(seed)
+        plain.place(world.positions, world.map)
+        while not (world.terminated or world.truncated):
+            assert_same(plain, world)
+            actions = rng.integers(5, size=config.n_agents)
+            world.step(actions)
+            plain.step(actions)
+        assert_same(plain, world)
+        n_captured += world.captured.sum()
+    return int(n_captured)
+
+
+def check_network() -> None:
+    """The actions of the plain network follow the softmax of `Network.logits`."""
+    world, rng = mw.World(), np.random.default_rng(0)
+    network = mw.Network.for_config(world.config, HIDDEN)
+    genome = network.initial(rng, weight=0.5, head=0.5)
+    views = world.views()[:1]
+    powers = np.exp(network.logits(genome, views)[0].astype(float))
+    actions = act(network, genome, np.repeat(views, 20_000, axis=0).astype(np.bool_), rng)
+    shares = np.bincount(actions, minlength=5) / len(actions)
+    assert np.abs(shares - powers / powers.sum()).max() < 0.02  # five standard deviations
+
+
+def check() -> None:
+    crowded: dict[str, Any] = {"rows": 9, "cols": 7, "n_pursuers": 4, "n_evaders": 9, "fov": 5}
+    assert check_world(mw.WorldConfig("O", max_steps=100)) > 0
+    assert check_world(mw.WorldConfig("O", obstacles=0.15, max_steps=200, **crowded)) > 0
+    check_network()
+
+
+# ---- Environments ----------------------------------------------------------------------------
+
+
+def parallel_env(env: Any, clock: Clock) -> float:
+    """World-steps a second of a PettingZoo environment."""
+    rng = np.random.default_rng(0)
+    rows = rng.integers(5, size=(ROWS_OF_ACTIONS, len(env.possible_agents))).tolist()
+    actions = [dict(zip(env.possible_agents, row, strict=True)) for row in rows]
+    env.reset(seed=0)
+
+    def play(i: int) -> int:
+        row = actions[i % ROWS_OF_ACTIONS]
+        env.step({agent: row[agent] for agent in env.agents})
+        if not env.agents:
+            env.reset()
+        return 1
+
+    return clock.rate(play)
+
+
+def vector_env(n_worlds: int, clock: Clock) -> float:
+    """World-steps a second of `VectorEnv`."""
+    env = mw.VectorEnv("O", n_worlds, threads=1, autoreset_mode="SameStep")
+    rng = np.random.default_rng(0)
+    shape = (ROWS_OF_ACTIONS, n_worlds, env.config.n_agents)
+    actions = rng.integers(5, size=shape, dtype=np.uint8)
+    env.reset(seed=0)
+
+    def play(i: int) -> int:
+        env.step(actions[i % ROWS_OF_ACTIONS])
+        return n_worlds
+
+    return clock.rate(play)
+
+
+def pursuit(clock: Clock) -> float | None:
+    """World-steps a second of PettingZoo's pursuit, None where it is not installed."""
+    try:
+        env = pettingzoo.make("parallel", "sisl/pursuit-v5", x_size=40, y_size=40, obs_range=11)
+    except FailedToImport:
+        return None
+    return parallel_env(env, clock)
+
+
+def pogema(python: str, clock: Clock) -> float | None:
+    """World-steps a second of POGEMA, None where that interpreter has none."""
+    if subprocess.run([python, "-c", "import pogema"], capture_output=True).returncode != 0:
+        return None
+    script = str(Path(__file__).with_name("pogema_rate.py"))
+    command = [python, script, str(clock.seconds), str(clock.repeats)]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    return float(done.stdout.split()[0])
+
+
+def print_environments(python: str, clock: Clock) -> None:
+    rates = {
+        "PettingZoo pursuit": pursuit(clock),
+        "POGEMA": pogema(python, clock),
+        "`parallel_env`": parallel_env(mw.parallel_env("O"), clock),
+        "`VectorEnv`, 1 world": vector_env(1, clock),
+        f"`VectorEnv`, {MANY} worlds": vector_env(MANY, clock),
+    }
+    n_agents = mw.WorldConfig("O").n_agents
+    rows = [
+        (what, f"{rate:,.0f}", f"{rate * n_agents / 1e6:.3f}")
+        for what, rate in rates.items()
+        if rate is not None
+    ]
+    print_table(("random actions, 38 agents", "world-steps/s", "million agent-steps/s"), rows)
+    for what, advice in INSTALL.items():
+        if rates[what] is None:
+            print(f"{what} is left out: {advice}\n")
+
+
+# ---- Co-evolution ----------------------------------------------------------------------------
+
+
+def one_thread() -> AbstractContextManager[object]:
+    """Keep NumPy's matrix products on the thread that calls them, where threadpoolctl is there."""
+    return nullcontext() if threadpool_limits is None else threadpool_limits(1)
+
+
+def matches_and_decisions(
+    make: MakeScore, config: mw.WorldConfig, size: int, clock: Clock
+) -> tuple[float, float]:
+    """Matches and decisions a second of co-evolution, its selection and variation included."""
+    network = mw.Network.for_config(config, HIDDEN)
+    race = coevolution(make(config, network, np.random.default_rng(0)), network, size, seed=0)
+
+    def play(_: int) -> int:
+        race.generation()
+        return 2 * size
+
+    rate = clock.rate(play)
+    return rate, rate * race.decisions / race.matches
+
+
+def print_coevolution(size: int, rounds: int, clock: Clock) -> None:
+    config = mw.WorldConfig("O", max_steps=rounds)
+    plain, ours = (
+        matches_and_decisions(make, config, size, clock) for make in (plain_score, rollout_score)
+    )
+    rows = [
+        (what, f"{matches:,.1f}", f"{decisions / 1e6:.3f}", f"{matches / plain[0]:.1f}")
+        for what, (matches, decisions) in (
+            ("DEAP and plain NumPy", plain),
+            ("DEAP and `rollout`", ours),
+        )
+    ]
+    print_table(("co-evolution", "matches/s", "million decisions/s", "times"), rows)
+
+
+@click.command()
+@click.option("--seconds", default=1.0, show_default=True, help="time of one repeat")
+@click.option("--repeats", default=5, show_default=True, help="repeats of which the median counts")
+@click.option("--pogema", "python", default=sys.executable, help="a Python that has POGEMA")
+@click.option("--size", default=8, show_default=True, help="genomes in a population")
+@click.option("--rounds", default=500, show_default=True, help="of an episode in co-evolution")
+def main(seconds: float, repeats: int, python: str, size: int, rounds: int) -> None:
+    """Print two tables in Markdown: environments, and co-evolution."""
+    clock = Clock(seconds, repeats)
+    check()
+    bind(1)
+    print_environments(python, clock)
+    with one_thread():
+        print_coevolution(size, rounds, clock)
+    if threadpool_limits is None:
+        print("NumPy may have used several threads: pip install threadpoolctl")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,202 @@
+"""How many decisions a second networks take in whole matches, and how near to GEMM that is.
+
+    python benchmarks/bench_rollouts.py [--seconds 1] [--repeats 5]
+
+A decision is the step of one living agent: its view, its network and its share of the world's step.
+Both teams are networks with genomes drawn from N(0, 0.1). Each figure is the median of some repeats
+on one core, to which the process binds itself where the system can; a line for two threads is
+measured on two. Before anything is timed, a match is played again in plain NumPy.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from itertools import pairwise
+from pathlib import Path
+
+import click
+import numpy as np
+from numpy.typing import NDArray
+
+import matrixworld as mw
+from timing import Clock, bind, n_cores, print_table
+
+HIDDEN: tuple[tuple[int, ...], ...] = ((32,), (64, 64), (400, 300))
+SHORT = 20  # rounds
+WORLDS = 16  # of a match of long episodes
+GENOMES = 64  # of a population in short episodes; the largest fill 68 MB
+GEMM_SIDE = 2048
+CORE_TYPES = (None, "SkylakeX")  # of OpenBLAS; None is its own choice
+
+
+def population(config: mw.WorldConfig, hidden: tuple[int, ...], n: int) -> mw.Population:
+    network = mw.Network.for_config(config, hidden)
+    genomes = np.random.default_rng(0).standard_normal((n, network.genome_size), dtype=np.float32)
+    return mw.Population(np.float32(0.1) * genomes, network)
+
+
+# ---- The answer, first -------------------------------------------------------------------------
+
+
+def forward(
+    hidden: tuple[int, ...], genome: NDArray[np.float32], views: NDArray[np.uint8]
+) -> NDArray[np.float32]:
+    """Logits ``(n, 5)`` for views ``(n, 3, 11, 11)``, from the layout of a genome."""
+    x, start = views.reshape(len(views), -1).astype(np.float32), 0
+    sizes = (x.shape[1], *hidden, 5)
+    for layer, (n_in, n_out) in enumerate(pairwise(sizes)):
+        middle, end = start + n_in * n_out, start + (n_in + 1) * n_out
+        x = x @ genome[start:middle].reshape(n_in, n_out) + genome[middle:end]
+        x, start = np.maximum(x, 0) if layer < len(hidden) else x, end
+    return x
+
+
+def check(hidden: tuple[int, ...]) -> None:
+    """In a match everybody takes the largest logit, and a rollout plays that match."""
+    config = mw.WorldConfig(rows=12, cols=12, n_pursuers=3, n_evaders=6, obstacles=0.1, max_steps=9)
+    network = mw.Network.for_config(config, hidden, sampled=False)
+    team = mw.Population(population(config, hidden, 2).genomes, network)
+    episode = mw.record(config, team, team, seed=1, pursuer=0, evader=1)
+    world, of_evader = mw.World(config), np.arange(config.n_agents) >= config.n_pursuers
+    world.reset(1)
+    n_clear = 0
+    for actions in episode.actions:
+        each = [forward(hidden, genome, world.views()) for genome in team.genomes]
+        logits = np.where(of_evader[:, None], each[1], each[0])
+        second, largest = np.sort(logits, axis=1)[:, -2:].T
+        clear = world.alive & (largest - second > 1e-4)  # sums in another order differ
+        assert (actions == logits.argmax(axis=1))[clear].all()
+        n_clear += clear.sum()
+        world.step(actions)
+    agent_steps = mw.rollout(config, team, team, mw.Matches.of(0, 1, 1)).agent_steps.sum()
+    assert agent_steps == episode.alive[:-1].sum()
+    assert n_clear > 0.9 * agent_steps
+
+
+# ---- What is timed ---------------------------------------------------------------------------
+
+
+def decisions(
+    config: mw.WorldConfig, team: mw.Population, matches: mw.Matches, worlds: int, threads: int
+) -> int:
+    """Decisions of all the matches, which are played."""
+    scores = mw.rollout(config, team, team, matches, worlds=worlds, threads=threads)
+    return int(scores.agent_steps.sum())
+
+
+def long_episodes(hidden: tuple[int, ...], rounds: int, threads: int, clock: Clock) -> float:
+    """Decisions a second of one match a thread, 16 worlds each."""
+    config = mw.WorldConfig("O", max_steps=rounds)
+    team = population(config, hidden, 2)
+
+    def play(number: int) -> int:
+        matches = mw.Matches.of(0, 1, number * threads + np.arange(threads))
+        return decisions(config, team, matches, WORLDS, threads)
+
+    return clock.rate(play)
+
+
+def short_episodes(hidden: tuple[int, ...], obstacles: float, fresh: bool, clock: Clock) -> float:
+    """Decisions a second of matches of one world.
+
+    fresh: whether each match is between genomes that have not played before it
+    """
+    config = mw.WorldConfig("O", max_steps=SHORT, obstacles=obstacles)
+    team, each = population(config, hidden, GENOMES), np.arange(GENOMES)
+
+    def play(number: int) -> int:
+        seeds = number * GENOMES + each
+        matches = mw.Matches.of(each, each[::-1], seeds) if fresh else mw.Matches.of(0, 1, seeds)
+        return decisions(config, team, matches, worlds=1, threads=1)
+
+    return clock.rate(play)
+
+
+def gemm(core_type: str | None, clock: Clock) -> tuple[float, str]:
+    """Flop/s of NumPy's product of float32 matrices on one thread, and the instruction set."""
+    environment = os.environ | {"OPENBLAS_NUM_THREADS": "1"}
+    if core_type is not None:
+        environment["OPENBLAS_CORETYPE"] = core_type
+    script = str(Path(__file__).with_name("gemm.py"))
+    command = [sys.executable, script, *map(str, (GEMM_SIDE, clock.seconds, clock.repeats))]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    flops, architecture = done.stdout.split(maxsplit=1)
+    return float(flops), architecture.strip()
+
+
+# ---- Tables ----------------------------------------------------------------------------------
+
+
+def dense_flop(hidden: tuple[int, ...]) -> int:
+    """Flop of a decision after the first layer, whose inputs are sparse and are not multiplied."""
+    return sum(2 * n_in * n_out for n_in, n_out in pairwise((*hidden, 5)))
+
+
+def print_long(rounds: int, clock: Clock) -> dict[tuple[int, ...], float]:
+    """Print the table of long episodes; returns the decisions a second on one thread."""
+    bind(1)
+    alone = {hidden: long_episodes(hidden, rounds, 1, clock) for hidden in HIDDEN}
+    both = {}
+    if n_cores() > 1:
+        bind(2)
+        both = {hidden: long_episodes(hidden, rounds, 2, clock) for hidden in HIDDEN}
+        bind(1)
+    rows = [
+        (list(hidden), millions(alone[hidden]), millions(both[hidden]) if both else "")
+        for hidden in HIDDEN
+    ]
+    print_table(("million decisions/s", "1 thread", "2 threads"), rows)
+    return alone
+
+
+def print_short(clock: Clock) -> None:
+    rows = [
+        (
+            list(hidden),
+            obstacles,
+            *(millions(short_episodes(hidden, obstacles, fresh, clock)) for fresh in (True, False)),
+        )
+        for hidden in HIDDEN
+        for obstacles in (0.0, 0.1)
+    ]
+    header = ("million decisions/s", "obstacles", "new genomes each match", "the same genomes")
+    print_table(header, rows)
+
+
+def print_gemm(alone: dict[tuple[int, ...], float], clock: Clock) -> None:
+    measured = [gemm(core_type, clock) for core_type in CORE_TYPES]
+    best = max(flops for flops, _ in measured)
+    rows = [
+        (f"GEMM, OpenBLAS {how} ({architecture})", f"{flops / 1e9:.1f}", f"{flops / best:.2f}")
+        for (flops, architecture), how in zip(measured, ("as it chooses", "told"), strict=True)
+    ]
+    for hidden, rate in alone.items():
+        flops = rate * dense_flop(hidden)
+        rows.append(
+            (f"dense layers of {list(hidden)}", f"{flops / 1e9:.1f}", f"{flops / best:.2f}")
+        )
+    print_table(("float32, 1 thread", "Gflop/s", "share of the faster GEMM"), rows)
+
+
+def millions(rate: float) -> str:
+    return f"{rate / 1e6:.2f}"
+
+
+@click.command()
+@click.option("--seconds", default=1.0, show_default=True, help="time of one repeat")
+@click.option("--repeats", default=5, show_default=True, help="repeats of which the median counts")
+@click.option("--rounds", default=500, show_default=True, help="rounds of a long episode")
+def main(seconds: float, repeats: int, rounds: int) -> None:
+    """Print tables in Markdown: long episodes, short ones, and how near to GEMM the first are."""
+    clock = Clock(seconds, repeats)
+    for hidden in HIDDEN:
+        check(hidden)
+    alone = print_long(rounds, clock)
+    print_short(clock)
+    print_gemm(alone, clock)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,268 @@
+"""How the cost of a step and of a rollout grows with agents, worlds and genomes.
+
+    python benchmarks/bench_scaling.py [--seconds 0.3] [--repeats 5] [--out scaling.png]
+
+Agents: one world of -SB, in which nobody is ever gone, on grids that grow with them and on one that
+fills up. Worlds: batches of -SB, stepped with views. Genomes: rollouts of -O over 20 rounds, each
+genome in one world. Each figure is the median of some repeats on one core, to which the process
+binds itself where the system can. A fitted exponent is the slope of log seconds over log size in
+the upper half of the sizes. Before anything is timed, what is timed is compared with worlds and
+matches played one by one.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+
+import matrixworld as mw
+from scaling_figure import Curve, draw
+from timing import Clock, bind, print_table
+
+LARGEST = {"agents": 100_000, "worlds": 100_000, "genomes": 10_000}
+SIDE = 1024
+PURSUERS = 8 / 38  # of the agents, as by default
+NEVER = 10**9  # rounds: no episode ends within the time that is measured
+ROUNDS = 20  # of a rollout's episode
+ACTIONS = 2**20  # drawn; a few rows that came again and again would drive all to the borders
+SMALL: dict[str, Any] = {"rows": 10, "cols": 10, "n_pursuers": 2, "n_evaders": 6, "fov": 5}
+WORLDS: dict[str, dict[str, Any]] = {
+    "40 x 40, 8 v 30": {"n_pursuers": 8, "n_evaders": 30},
+    "10 x 10, 2 v 6": SMALL,
+}
+HIDDEN = ((32,), (64, 64))
+
+
+def sizes(first: int, largest: int) -> list[int]:
+    """From ``first`` to ``largest``, two in each power of ten."""
+    steps = round(2 * math.log10(largest / first))
+    return [round(first * 10 ** (step / 2)) for step in range(steps + 1)]
+
+
+# ---- Worlds and populations ------------------------------------------------------------------
+
+
+def crowd(n_agents: int, side: int | None) -> mw.WorldConfig:
+    """So many agents on a square; by default one that grows with them, to 1024 x 1024 cells."""
+    if side is None:
+        side = math.ceil(SIDE * math.sqrt(n_agents / LARGEST["agents"]))
+    n_pursuers = max(1, round(PURSUERS * n_agents))
+    return mw.WorldConfig(
+        "SB",
+        rows=side,
+        cols=side,
+        n_pursuers=n_pursuers,
+        n_evaders=n_agents - n_pursuers,
+        max_steps=NEVER,
+    )
+
+
+def batch(config: mw.WorldConfig, n_worlds: int, *names: str) -> mw.Batch:
+    specs = mw.array_specs(config)
+    buffers = {name: np.zeros((n_worlds, *specs[name][0]), specs[name][1]) for name in names}
+    return mw.Batch(n_worlds, config, threads=1, buffers=buffers)
+
+
+def population(hidden: tuple[int, ...], n: int) -> mw.Population:
+    network = mw.Network(hidden)
+    rng = np.random.default_rng(0)
+    genomes = rng.standard_normal((n, network.genome_size), dtype=np.float32)
+    genomes *= np.float32(0.1)
+    return mw.Population(genomes, network)
+
+
+# ---- The answer, first -------------------------------------------------------------------------
+
+
+def check_batch(config: mw.WorldConfig) -> None:
+    """Worlds of a batch are worlds played one by one."""
+    worlds = [mw.World(config) for _ in range(3)]
+    together = batch(config, len(worlds), "positions", "rewards", "views")
+    rng = np.random.default_rng(0)
+    for seed, world in enumerate(worlds):
+        world.reset(seed)
+    for _ in range(10):
+        actions = rng.integers(config.n_actions, size=(len(worlds), config.n_agents))
+        arrays = together.step(actions)
+        for number, world in enumerate(worlds):
+            world.step(actions[number])
+            assert (arrays["positions"][number] == world.positions).all()
+            assert (arrays["rewards"][number] == world.rewards).all()
+            assert (arrays["views"][number] == world.views()).all()
+
+
+def check_rollout(team: mw.Population) -> None:
+    """Matches of many genomes are matches played one by one."""
+    config, n = mw.WorldConfig("O", max_steps=ROUNDS), len(team.genomes)
+    fractions = rollout(config, team, n).captured_fraction[:, 0]
+    for genome in range(n):
+        episode = mw.record(config, team, team, seed=genome, pursuer=genome, evader=0)
+        share = [moment.mean() for moment in episode.ever_captured[1:]]
+        share += [share[-1]] * (ROUNDS - episode.length)
+        assert math.isclose(fractions[genome], np.mean(share), abs_tol=1e-6)
+
+
+# ---- What is timed ---------------------------------------------------------------------------
+
+
+def rollout(config: mw.WorldConfig, team: mw.Population, n: int) -> mw.Scores:
+    """The first n genomes as pursuers, each against genome 0 in one world."""
+    each = np.arange(n)
+    return mw.rollout(config, team, team, mw.Matches.of(each, 0, each), threads=1)
+
+
+def step_seconds(
+    config: mw.WorldConfig, names: Sequence[str], clock: Clock, n_worlds: int
+) -> float:
+    """Seconds of a step of all worlds, which write the arrays of these names."""
+    rng = np.random.default_rng(0)
+    n_rows = max(4, ACTIONS // (n_worlds * config.n_agents))
+    shape = (n_rows, n_worlds, config.n_agents)
+    actions = rng.integers(config.n_actions, size=shape, dtype=np.uint8)
+    timed = batch(config, n_worlds, *names)
+
+    def play(i: int) -> int:
+        timed.step(actions[i % n_rows])
+        return 1
+
+    return 1 / clock.rate(play)
+
+
+def crowd_seconds(side: int | None, names: Sequence[str], clock: Clock, n_agents: int) -> float:
+    """Seconds of a step of one world."""
+    return step_seconds(crowd(n_agents, side), names, clock, 1)
+
+
+def rollout_seconds(team: mw.Population, clock: Clock, n: int) -> float:
+    """Seconds of a rollout of n genomes."""
+    config = mw.WorldConfig("O", max_steps=ROUNDS)
+
+    def play(_: int) -> int:
+        rollout(config, team, n)
+        return 1
+
+    return 1 / clock.rate(play)
+
+
+def curve(
+    label: str, numbers: Sequence[int], clock: Clock, seconds: Callable[[Clock, int], float]
+) -> Curve:
+    """Medians over rounds through all sizes: what disturbs a machine for a while spoils no size."""
+    once = replace(clock, repeats=1)
+    rounds = [[seconds(once, number) for number in numbers] for _ in range(clock.repeats)]
+    return Curve(label, numbers, np.median(rounds, axis=0).tolist())
+
+
+def agent_curves(largest: int, clock: Clock) -> list[Curve]:
+    numbers = sizes(10, largest)
+    return [
+        curve(label, numbers, clock, partial(crowd_seconds, side, names))
+        for label, side, names in (
+            ("constant density, with views", None, ["views"]),
+            (f"{SIDE} x {SIDE} cells", SIDE, []),
+            ("constant density", None, []),
+        )
+    ]
+
+
+def world_curves(largest: int, clock: Clock) -> list[Curve]:
+    curves = []
+    for label, changes in WORLDS.items():
+        config = mw.WorldConfig("SB", max_steps=NEVER, **changes)
+        seconds = partial(step_seconds, config, ["views"])
+        curves.append(curve(f"{label}, with views", sizes(1, largest), clock, seconds))
+    return curves
+
+
+def genome_curves(largest: int, clock: Clock) -> list[Curve]:
+    curves = []
+    for hidden in reversed(HIDDEN):
+        seconds = partial(rollout_seconds, population(hidden, largest))
+        curves.append(curve(f"hidden {list(hidden)}", sizes(1, largest), clock, seconds))
+    return curves
+
+
+# ---- Tables ----------------------------------------------------------------------------------
+
+
+def print_curves(what: str, curves: Sequence[Curve]) -> None:
+    rows = [
+        (
+            c.label,
+            f"{c.sizes[0]:,} to {c.sizes[-1]:,}",
+            f"{c.seconds[0] * 1e6:.2f}",
+            f"{c.seconds[-1] * 1e6:,.0f}",
+            f"{c.seconds[-1] / c.sizes[-1] * 1e6:.3g}",
+            f"{c.exponent:.2f}",
+            f"{c.sizes[c.upper][0]:,} to {c.sizes[-1]:,}",
+        )
+        for c in curves
+    ]
+    header = (what, "range", "μs at the least", "μs at the most", "μs each", "exponent", "over")
+    print_table(header, rows)
+
+
+def memory(*arguments: str) -> float:
+    """What ``memory.py`` says, in bytes; not a number where the system does not tell."""
+    command = [sys.executable, str(Path(__file__).with_name("memory.py")), *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    return float(done.stdout)
+
+
+def print_memory(n_worlds: int, n_threads: int) -> None:
+    rows = []
+    for label, changes in WORLDS.items():
+        for names in ([], ["views"]):
+            taken = memory("world", json.dumps(changes), str(n_worlds), *names)
+            rows.append((f"a world of {label}{' with views' if names else ''}", kilobytes(taken)))
+    for hidden in HIDDEN:
+        size = 4.0 * mw.Network(hidden).genome_size
+        rows.append((f"a genome of {list(hidden)} in its population", kilobytes(size)))
+        taken = memory("thread", json.dumps(hidden), str(n_threads))
+        rows.append((f"the genome of {list(hidden)} that a thread plays", kilobytes(taken)))
+    print_table(("memory", "kB"), rows)
+
+
+def kilobytes(n_bytes: float) -> str:
+    return f"{n_bytes / 1000:,.1f}"
+
+
+@click.command()
+@click.option("--seconds", default=0.3, show_default=True, help="time of one repeat")
+@click.option("--repeats", default=5, show_default=True, help="repeats of which the median counts")
+@click.option("--out", default="scaling.png", show_default=True, help="file to draw to")
+@click.option("--largest", type=int, help="agents, worlds and genomes at most")
+def main(seconds: float, repeats: int, out: str, largest: int | None) -> None:
+    """Print tables in Markdown, and draw the figure."""
+    most = {what: min(n, largest or n) for what, n in LARGEST.items()}
+    clock = Clock(seconds, repeats)
+    check_batch(crowd(1000, None))
+    check_batch(mw.WorldConfig("SB", **SMALL))
+    check_rollout(population((32,), 8))
+    bind(1)
+    panels = {
+        ("Agents", "agents in one world", "seconds a step"): agent_curves(most["agents"], clock),
+        ("Worlds", "worlds in a batch", "seconds a step"): world_curves(most["worlds"], clock),
+        ("Genomes", "genomes in a rollout of 20 rounds", "seconds a rollout"): genome_curves(
+            most["genomes"], clock
+        ),
+    }
+    for (title, _, _), curves in panels.items():
+        print_curves(title.lower(), curves)
+    print_memory(min(20_000, most["worlds"]), 32)
+    draw(panels, out)
+    print(f"Drawn: {out}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,47 @@
+"""World-steps a second of POGEMA: a line ``<rate> <version>``.
+
+    python benchmarks/pogema_rate.py 1 5
+
+Arguments are seconds of a repeat and repeats. 40 x 40 cells without obstacles, 38 agents, each with
+a view of 3 x 11 x 11 and a new target where it reaches one, 500 steps. POGEMA wants an older
+Gymnasium than matrixworld does, so it is timed by an interpreter of its own.
+"""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+import pogema
+
+from timing import Clock
+
+AGENTS = 38
+
+
+def main() -> None:
+    config = pogema.GridConfig(
+        size=40,
+        num_agents=AGENTS,
+        obs_radius=5,
+        density=0.0,
+        on_target="restart",
+        max_episode_steps=500,
+        seed=0,
+    )
+    env = pogema.pogema_v0(config)
+    env.reset()
+    rows = np.random.default_rng(0).integers(5, size=(16, AGENTS)).tolist()
+
+    def play(i: int) -> int:
+        _, _, terminated, truncated, _ = env.step(rows[i % len(rows)])
+        if all(terminated) or all(truncated):
+            env.reset()
+        return 1
+
+    clock = Clock(float(sys.argv[1]), int(sys.argv[2]))
+    print(clock.rate(play), pogema.__version__)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,78 @@
+"""A figure of how cost grows: a panel for each kind of size, logarithmic on both axes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from matrixworld import colors
+
+PALETTE = (colors.BLUE, colors.VERMILLION, colors.GREEN)
+MARKERS = ("o", "s", "^")
+
+
+@dataclass(frozen=True)
+class Curve:
+    """Seconds by size, both of the same length."""
+
+    label: str
+    sizes: Sequence[int]
+    seconds: Sequence[float]
+
+    @property
+    def upper(self) -> slice:
+        """The upper half of the sizes, the middle one included."""
+        return slice((len(self.sizes) - 1) // 2, None)
+
+    @property
+    def exponent(self) -> float:
+        """Slope of log seconds over log size in the upper half, by least squares."""
+        sizes, seconds = self.sizes[self.upper], self.seconds[self.upper]
+        if len(sizes) < 2:
+            return float("nan")
+        return float(np.polyfit(np.log(sizes), np.log(seconds), 1)[0])
+
+
+def draw(panels: Mapping[tuple[str, str, str], Sequence[Curve]], path: str) -> None:
+    """Draw the panels, (title, x label, y label) -> curves, side by side to a file."""
+    figure = Figure(figsize=(12, 4.3), dpi=150, layout="constrained")
+    for axes, (labels, curves) in zip(figure.subplots(1, len(panels)), panels.items(), strict=True):
+        _draw_panel(axes, curves)
+        axes.set_title(labels[0], loc="left", fontweight="bold")
+        axes.set(xlabel=labels[1], ylabel=labels[2])
+    figure.savefig(path)
+
+
+def _draw_panel(axes: Axes, curves: Sequence[Curve]) -> None:
+    axes.set(xscale="log", yscale="log")
+    for curve, color, marker in zip(curves, PALETTE, MARKERS, strict=False):
+        label = f"{curve.label}: {curve.exponent:.2f}"
+        axes.plot(curve.sizes, curve.seconds, color=color, marker=marker, markersize=5, label=label)
+    _draw_reference(axes, curves)
+    axes.grid(color=colors.GRID, linewidth=0.6)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(
+        title="fitted exponent", loc="upper left", frameon=False, fontsize="small",
+        title_fontsize="small", alignment="left",
+    )  # fmt: skip
+
+
+def _draw_reference(axes: Axes, curves: Sequence[Curve]) -> None:
+    """A dashed line of slope 1 below all curves."""
+    first, last = curves[0].sizes[0], max(curve.sizes[-1] for curve in curves)
+    ratio = min(
+        second / size
+        for curve in curves
+        for size, second in zip(curve.sizes, curve.seconds, strict=True)
+    )
+    ends = np.array([first, last], float)
+    axes.plot(ends, ends * ratio / 3, color=colors.MUTED, linestyle="--", linewidth=1)
+    middle = np.sqrt(ends.prod())
+    axes.annotate(
+        "slope 1", (middle, middle * ratio / 3), xytext=(6, -3), textcoords="offset points",
+        color=colors.MUTED, fontsize="small", ha="left", va="top",
+    )  # fmt: skip
