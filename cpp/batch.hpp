@@ -83,8 +83,7 @@ class Batch {
   private:
     // Where a thread plays worlds and looks at them.
     struct Desk {
-        explicit Desk(const Setup& setup)
-            : scratch(setup, false), lens(setup.grid, setup.config.fov) {}
+        explicit Desk(const Setup& setup) : scratch(setup, false), lens(setup) {}
 
         Scratch scratch;
         Lens lens;

@@ -77,10 +77,7 @@ Snapshot to_snapshot(const py::dict& from) {
 class SingleWorld {
   public:
     explicit SingleWorld(std::shared_ptr<const Setup> setup)
-        : setup_(std::move(setup)),
-          world_(setup_),
-          scratch_(*setup_),
-          lens_(setup_->grid, setup_->config.fov) {}
+        : setup_(std::move(setup)), world_(setup_), scratch_(*setup_), lens_(*setup_) {}
 
     void reset(std::uint64_t seed, std::uint64_t episode, const py::object& pursuers,
                const py::object& evaders, const py::object& map) {

@@ -11,17 +11,43 @@ enum class Activation : std::uint8_t { None, Relu, Tanh };
 
 constexpr int kPad = 16;  // widths of layers in memory are multiples of this many floats
 
-constexpr int kPlacePad = 64;
+constexpr int kRowPad = 8;  // and rows of layers are added up so many at a time
+
+constexpr int kPlacePad = 64;               // agents that are looked at together
+constexpr int kMostPlaces = 2 * kPlacePad;  // agents of whom the place of each is looked at
+constexpr std::int16_t kFarOff = -16384;    // a row or column out of every view of the largest grid
 
 inline int padded(int n) { return (n + kPad - 1) / kPad * kPad; }
+
+// Where the agents of one world are, for those who look around.
+struct Scene {
+    int n_agents;
+    int fov;
+    // By agent, far off when gone, with room for a multiple of kPlacePad.
+    const std::int16_t* rows;
+    const std::int16_t* cols;
+    // By agent: channel * fov * fov + row * fov + col. From this less (top * fov + left) one has the
+    // cell that it sets in a view (3, fov, fov) that begins at row `top` and column `left`.
+    const std::int32_t* cells;
+    // A bit by agent, in words of kPlacePad: may a teammate stand on its cell?
+    const std::uint64_t* shared;
+};
 
 struct Kernels {
     const char* level;
 
-    // Writes to `found` which of n places lie within `reach` rows and columns of (row, col),
-    // ascending, and returns how many. `rows` and `cols` have room for a multiple of kPlacePad.
-    int (*find_near)(const std::int16_t* rows, const std::int16_t* cols, int n, int row, int col,
-                     int reach, int* found);
+    // Writes the views of all agents, 0 or 1: evaders, pursuers, obstacles. What an agent sees of
+    // obstacles is at obstacles[agent], fov rows of fov bytes, `stride` bytes apart.
+    void (*draw_bytes)(const Scene& scene, const std::uint8_t* const* obstacles, int stride,
+                       std::uint8_t* views);
+    void (*draw_floats)(const Scene& scene, const std::uint8_t* const* obstacles, int stride,
+                        float* views);
+
+    // out[i, 0..width) = activation(bases[i] + the sum of the rows of `weights` for the cells that
+    // other agents set in the view of agents[i]), for i < n; each cell once, in the order of the
+    // numbers of the agents. Of at most kMostPlaces agents; width a multiple of kPad.
+    void (*sum_seen)(const Scene& scene, const int* agents, int n, const float* const* bases,
+                     const float* weights, int width, Activation activation, float* out);
 
     // out[0, width) = activation(base + the sum of the named rows of `weights`), width a multiple
     // of kPad.
@@ -29,8 +55,8 @@ struct Kernels {
                      int width, Activation activation, float* out);
 
     // out[i, 0..width) = activation(bias + in[i, :] weights) for i < n; `weights` is
-    // (n_in, width), `in` has `in_stride` and `out` `width` floats a row. Of `out` the first
-    // n_out of each row are valid.
+    // (n_in, width), `in` has `in_stride` and `out` `width` floats a row, and both have room for a
+    // multiple of kRowPad rows. Of `out` the first n_out of each row are valid.
     void (*dense)(const float* in, int in_stride, int n, int n_in, const float* weights,
                   const float* bias, int width, int n_out, Activation activation, float* out);
 

@@ -30,27 +30,12 @@ Eigen::Index Network::genome_size() const {
 
 namespace {
 
-// For each place along a side of the grid, a number that is the same for all places from which the
-// same part of the border is seen.
-std::vector<int> border_cases(int side, int fov) {
-    const int cases = std::min(side, fov);
-    const int middle = std::min(fov / 2, cases - 1);
-    std::vector<int> numbers(side);
-    for (int place = 0; place < side; ++place) {
-        numbers[place] = std::min(place, std::max(middle, place - (side - cases)));
-    }
-    return numbers;
-}
+constexpr Eigen::Index kMostKept = Eigen::Index{1} << 22;  // numbers, of sums of obstacles by cell
 
 }  // namespace
 
 Mlp::Mlp(const Network& network, const Grid& grid)
-    : network_(network),
-      grid_(grid),
-      inputs_(network.n_inputs()),
-      row_case_(border_cases(grid.rows(), network.fov)),
-      col_case_(border_cases(grid.cols(), network.fov)),
-      col_cases_(col_case_.back() + 1) {
+    : network_(network), grid_(grid), inputs_(network.n_inputs()), cases_(grid, network.fov) {
     for (std::size_t i = 0; i + 1 < network.sizes.size(); ++i) {
         Layer layer;
         layer.n_in = network.sizes[i];
@@ -66,9 +51,8 @@ Mlp::Mlp(const Network& network, const Grid& grid)
     }
     activations_.resize(layers_.size());
     corner_sums_ = Matrix::Zero((network.fov + 1) * (network.fov + 1), layers_[0].width);
-    const int n_cases = (row_case_.back() + 1) * col_cases_;
-    base_ = Matrix::Zero(n_cases, layers_[0].width);
-    base_known_.resize(n_cases);
+    border_bases_ = Matrix::Zero(cases_.n_cases(), layers_[0].width);
+    border_known_.resize(cases_.n_cases());
 }
 
 void Mlp::load(const float* genome) {
@@ -107,22 +91,21 @@ void Mlp::sum_border() {
                 obstacles.row(r * fov + c) + corner(r, c + 1) + (corner(r + 1, c) - corner(r, c));
         }
     }
-    std::fill(base_known_.begin(), base_known_.end(), 0);
+    std::fill(border_known_.begin(), border_known_.end(), 0);
+    std::fill(obstacle_known_.begin(), obstacle_known_.end(), 0);
 }
 
 // Bias plus the weights of all cells of the window that lie outside the grid.
-const float* Mlp::base(int cell) {
-    const int row = grid_.row(cell);
-    const int col = grid_.col(cell);
-    const int number = row_case_[row] * col_cases_ + col_case_[col];
-    if (!base_known_[number]) {
-        make_base(number, row, col);
-        base_known_[number] = 1;
+const float* Mlp::border_base(int row, int col) {
+    const int number = cases_.number(row, col);
+    if (!border_known_[number]) {
+        make_border_base(number, row, col);
+        border_known_[number] = 1;
     }
-    return &base_(number, 0);
+    return &border_bases_(number, 0);
 }
 
-void Mlp::make_base(int number, int row, int col) {
+void Mlp::make_border_base(int number, int row, int col) {
     const int fov = network_.fov;
     const int reach = fov / 2;
     const int top = std::max(0, reach - row);
@@ -131,26 +114,45 @@ void Mlp::make_base(int number, int row, int col) {
     const int right = std::min(fov, reach + grid_.cols() - col);
     const auto corner = [&](int r, int c) { return corner_sums_.row(r * (fov + 1) + c); };
     const Eigen::Map<const Matrix> bias(layers_.front().bias, 1, layers_.front().width);
-    base_.row(number) =
+    border_bases_.row(number) =
         bias.row(0) + (corner(fov, fov) - (corner(bottom, right) - corner(top, right) -
                                            corner(bottom, left) + corner(top, left)));
+}
+
+// Keeps what the obstacles of the world's ground add, until the ground is another.
+void Mlp::meet_ground(const World& world) {
+    if (world.shared_ground() == ground_) return;
+    ground_ = world.shared_ground();
+    obstacle_known_.assign(static_cast<std::size_t>(grid_.n_cells()), 0);
+    obstacle_bases_.resize(grid_.n_cells(), layers_.front().width);
+}
+
+const float* Mlp::obstacle_base(const World& world, int cell) {
+    float* const base = &obstacle_bases_(cell, 0);
+    if (!obstacle_known_[cell]) {
+        sum_obstacles(world, cell, base);
+        obstacle_known_[cell] = 1;
+    }
+    return base;
+}
+
+void Mlp::sum_obstacles(const World& world, int cell, float* out) {
+    const Layer& first = layers_.front();
+    const int n = list_obstacles(world, cell, inputs_.data());
+    kernels().sum_rows(border_base(grid_.row(cell), grid_.col(cell)), first.weights, first.width,
+                       inputs_.data(), n, first.width, Activation::None, out);
 }
 
 void Mlp::act(const World& world, const Occupancy& occupancy, const std::vector<int>& agents,
               const std::vector<float>& units, std::vector<std::uint8_t>& actions) {
     const Kernels& kernel = kernels();
     const int n = static_cast<int>(agents.size());
+    const std::size_t rows = (agents.size() + kRowPad - 1) / kRowPad * kRowPad;
     for (std::size_t i = 0; i < layers_.size(); ++i) {
-        const std::size_t room = agents.size() * static_cast<std::size_t>(layers_[i].width);
+        const std::size_t room = rows * static_cast<std::size_t>(layers_[i].width);
         if (activations_[i].size() < room) activations_[i].resize(room);
     }
-    const Layer& first = layers_.front();
-    for (int i = 0; i < n; ++i) {
-        const int n_set = list_view(world, occupancy, agents[i], inputs_.data());
-        kernel.sum_rows(base(world.cell(agents[i])), first.weights, first.width, inputs_.data(),
-                        n_set, first.width, first.activation,
-                        activations_[0].data() + static_cast<std::size_t>(i) * first.width);
-    }
+    first_layer(world, occupancy, agents);
     for (std::size_t i = 1; i < layers_.size(); ++i) {
         const Layer& layer = layers_[i];
         kernel.dense(activations_[i - 1].data(), layers_[i - 1].width, n, layer.n_in, layer.weights,
@@ -163,6 +165,46 @@ void Mlp::act(const World& world, const Occupancy& occupancy, const std::vector<
                       actions.data());
     } else {
         choose_largest(agents.size(), actions);
+    }
+}
+
+void Mlp::first_layer(const World& world, const Occupancy& occupancy,
+                      const std::vector<int>& agents) {
+    bases_.resize(agents.size());
+    const Places& places = occupancy.places();
+    const Eigen::Index width = layers_.front().width;
+    const bool obstacles = world.ground().has_obstacles;
+    const bool kept = grid_.n_cells() * width <= kMostKept;
+    if (obstacles && kept) meet_ground(world);
+    if (obstacles && !kept) obstacle_bases_.resize(static_cast<Eigen::Index>(agents.size()), width);
+    for (std::size_t i = 0; i < agents.size(); ++i) {
+        const int cell = world.cell(agents[i]);
+        if (!obstacles) {
+            bases_[i] = border_base(places.row(agents[i]), places.col(agents[i]));
+        } else if (kept) {
+            bases_[i] = obstacle_base(world, cell);
+        } else {
+            float* const base = &obstacle_bases_(static_cast<Eigen::Index>(i), 0);
+            sum_obstacles(world, cell, base);
+            bases_[i] = base;
+        }
+    }
+    sum_seen(world, occupancy, agents);
+}
+
+void Mlp::sum_seen(const World& world, const Occupancy& occupancy, const std::vector<int>& agents) {
+    const Layer& first = layers_.front();
+    float* out = activations_.front().data();
+    if (world.config().n_agents() <= kMostPlaces) {
+        kernels().sum_seen(occupancy.places().scene(), agents.data(),
+                           static_cast<int>(agents.size()), bases_.data(), first.weights,
+                           first.width, first.activation, out);
+        return;
+    }
+    for (std::size_t i = 0; i < agents.size(); ++i, out += first.width) {
+        const int n = list_agents(world, occupancy, agents[i], inputs_.data());
+        kernels().sum_rows(bases_[i], first.weights, first.width, inputs_.data(), n, first.width,
+                           first.activation, out);
     }
 }
 

@@ -1,12 +1,14 @@
 // A policy network: a genome (flat float32) read as layers. The first layer looks at binary views
-// in which few cells are set, so it is a sum of weight rows; what the border adds depends only on
-// the agent's place and is kept per place, made when it is first needed.
+// in which few cells are set, so it is a sum of weight rows. What the border and the obstacles add
+// depends only on the agent's place: it is added up when it is first needed there, and kept.
 #pragma once
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "border.hpp"
 #include "grid.hpp"
 #include "kernels.hpp"
 #include "observe.hpp"
@@ -58,9 +60,16 @@ class Mlp {
     };
 
     void read(Layer& layer, const float* genome);
+    void first_layer(const World& world, const Occupancy& occupancy,
+                     const std::vector<int>& agents);
+    void sum_seen(const World& world, const Occupancy& occupancy, const std::vector<int>& agents);
+
     void sum_border();
-    const float* base(int cell);
-    void make_base(int number, int row, int col);
+    const float* border_base(int row, int col);
+    void make_border_base(int number, int row, int col);
+    void meet_ground(const World& world);
+    const float* obstacle_base(const World& world, int cell);
+    void sum_obstacles(const World& world, int cell, float* out);
     void choose_largest(std::size_t n, std::vector<std::uint8_t>& actions) const;
 
     Network network_;
@@ -68,13 +77,17 @@ class Mlp {
     std::vector<Layer> layers_;
     std::vector<std::vector<float>> activations_;  // by layer
     std::vector<int> inputs_;
+    std::vector<const float*>
+        bases_;  // by agent that acts: what the sum of the first layer begins with
 
-    Matrix corner_sums_;         // ((fov + 1)^2, width): summed-area table of the obstacle weights
-    std::vector<int> row_case_;  // by row: which part of the border is seen
-    std::vector<int> col_case_;  // by column
-    int col_cases_;
-    Matrix base_;                           // (row cases * col cases, width): bias + border
-    std::vector<std::uint8_t> base_known_;  // by case
+    Matrix corner_sums_;  // ((fov + 1)^2, width): summed-area table of the obstacle weights
+    BorderCases cases_;
+    Matrix border_bases_;                     // (n cases, width): bias + border
+    std::vector<std::uint8_t> border_known_;  // by case
+
+    std::shared_ptr<const Ground> ground_;  // of which the obstacles are kept; may be none
+    Matrix obstacle_bases_;  // (n cells, width): bias + border + obstacles; of many cells, by agent
+    std::vector<std::uint8_t> obstacle_known_;  // by cell
 };
 
 }  // namespace matrixworld

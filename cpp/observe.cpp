@@ -13,10 +13,10 @@ namespace {
 constexpr int kChunk = Board::kMaxWidth;  // cells of a row that are read at once
 
 struct Window {
-    Window(const World& world, int agent)
+    Window(const World& world, int cell)
         : fov(world.config().fov),
-          top(world.grid().row(world.cell(agent)) - fov / 2),
-          left(world.grid().col(world.cell(agent)) - fov / 2) {}
+          top(world.grid().row(cell) - fov / 2),
+          left(world.grid().col(cell) - fov / 2) {}
 
     int fov;
     int top;
@@ -30,8 +30,7 @@ bool alone(const World& world, const Occupancy& occupancy, int agent) {
 
 int own_centre(const World& world, int agent) {
     const int fov = world.config().fov;
-    const int channel = world.team(agent) == Team::Pursuer ? kPursuers : kEvaders;
-    return (channel * fov + fov / 2) * fov + fov / 2;
+    return (channel(world.team(agent)) * fov + fov / 2) * fov + fov / 2;
 }
 
 // Calls visit(index of the first cell, bits) for the windows of a board, row by row.
@@ -50,8 +49,84 @@ void for_each_chunk(const Board& board, const Window& window, Visit visit) {
 
 // ---- Bytes and floats ---------------------------------------------------------------------------
 
-Lens::Lens(const Grid& grid, int fov)
-    : planes_{Plane(grid, fov / 2, 0), Plane(grid, fov / 2, 0)}, fov_(fov) {}
+namespace {
+
+constexpr int kLargestBorder = 15;  // of a view, for which all that is seen of the border is kept
+
+}  // namespace
+
+Lens::Lens(const Setup& setup)
+    : fov_(setup.config.fov),
+      places_(setup.config.n_pursuers, setup.config.n_agents(), fov_),
+      obstacles_(static_cast<std::size_t>(setup.config.n_agents())),
+      cases_(setup.grid, fov_),
+      planes_{Plane(setup.grid, fov_ / 2, 0), Plane(setup.grid, fov_ / 2, 0)} {
+    if (fov_ <= kLargestBorder) make_border(setup.grid);
+}
+
+void Lens::make_border(const Grid& grid) {
+    const int area = fov_ * fov_;
+    border_.resize(static_cast<std::size_t>(cases_.n_cases()) * area);
+    const Ground empty(grid, fov_ / 2);
+    std::vector<bool> known(cases_.n_cases());
+    for (int row = 0; row < grid.rows(); ++row) {
+        for (int col = 0; col < grid.cols(); ++col) {
+            const int number = cases_.number(row, col);
+            if (known[number]) continue;
+            known[number] = true;
+            std::uint8_t* seen = &border_[static_cast<std::size_t>(number) * area];
+            const std::uint8_t* window = empty.closed.window(row - fov_ / 2, col - fov_ / 2);
+            for (int r = 0; r < fov_; ++r, window += empty.closed.stride()) {
+                std::copy_n(window, fov_, seen + r * fov_);
+            }
+        }
+    }
+}
+
+const std::uint8_t* Lens::border(int row, int col) const {
+    return &border_[static_cast<std::size_t>(cases_.number(row, col)) * fov_ * fov_];
+}
+
+template <typename Number>
+void Lens::write(const World& world, const Occupancy& occupancy, Number* out) {
+    if (world.config().n_agents() <= kMostPlaces) {
+        draw(world, out);
+    } else {
+        copy(world, occupancy, out);
+    }
+}
+
+template void Lens::write(const World&, const Occupancy&, std::uint8_t*);
+template void Lens::write(const World&, const Occupancy&, float*);
+
+namespace {
+
+using Obstacles = const std::uint8_t* const*;
+
+void draw_scene(const Scene& scene, Obstacles obstacles, int stride, std::uint8_t* out) {
+    kernels().draw_bytes(scene, obstacles, stride, out);
+}
+void draw_scene(const Scene& scene, Obstacles obstacles, int stride, float* out) {
+    kernels().draw_floats(scene, obstacles, stride, out);
+}
+
+}  // namespace
+
+template <typename Number>
+void Lens::draw(const World& world, Number* out) {
+    const Grid grid = world.grid();
+    const Plane& closed = world.ground().closed;
+    const bool only_border = !world.ground().has_obstacles && !border_.empty();
+    for (int a : world.living()) {
+        const int row = grid.row(world.cell(a));
+        const int col = grid.col(world.cell(a));
+        places_.put(a, row, col, false);
+        obstacles_[a] =
+            only_border ? border(row, col) : closed.window(row - fov_ / 2, col - fov_ / 2);
+    }
+    draw_scene(places_.scene(), obstacles_.data(), only_border ? fov_ : closed.stride(), out);
+    for (int a : world.living()) places_.take(a);
+}
 
 namespace {
 
@@ -98,7 +173,7 @@ void copy_channels(const Plane (&teams)[kTeams], const Plane& walls, const Windo
 }  // namespace
 
 template <typename Number>
-void Lens::write(const World& world, const Occupancy& occupancy, Number* out) {
+void Lens::copy(const World& world, const Occupancy& occupancy, Number* out) {
     constexpr int kUsual = 11;
     mark(world, 1);
     const int size = kChannels * fov_ * fov_;
@@ -107,16 +182,14 @@ void Lens::write(const World& world, const Occupancy& occupancy, Number* out) {
             std::fill_n(out, size, Number{0});
             continue;
         }
-        const Window window(world, a);
-        const auto copy = fov_ == kUsual ? copy_channels<kUsual, Number> : copy_channels<0, Number>;
-        copy(planes_, world.ground().closed, window, out);
+        const Window window(world, world.cell(a));
+        const auto channels =
+            fov_ == kUsual ? copy_channels<kUsual, Number> : copy_channels<0, Number>;
+        channels(planes_, world.ground().closed, window, out);
         if (alone(world, occupancy, a)) out[own_centre(world, a)] = 0;
     }
     mark(world, 0);
 }
-
-template void Lens::write(const World&, const Occupancy&, std::uint8_t*);
-template void Lens::write(const World&, const Occupancy&, float*);
 
 void Lens::mark(const World& world, std::uint8_t value) {
     for (int a : world.living()) {
@@ -168,30 +241,25 @@ int* list_board(const Board& board, const Window& window, int first, bool hide_c
     return list_wide(board, window, first, hide_centre, out);
 }
 
+// Agent by agent.
 int* list_places(const World& world, const Occupancy& occupancy, int agent, int* out) {
-    const int fov = world.config().fov;
-    const int row = occupancy.rows()[agent];
-    const int col = occupancy.cols()[agent];
-    int seen[Occupancy::kFewAgents];
-    const int n = kernels().find_near(occupancy.rows(), occupancy.cols(), occupancy.n_agents(), row,
-                                      col, fov / 2, seen);
+    const Window window(world, world.cell(agent));
+    const auto within = [&](int offset) { return offset >= 0 && offset < window.fov; };
     int* const begin = out;
-    for (int i = 0; i < n; ++i) {
-        const int other = seen[i];
-        const int channel = world.team(other) == Team::Pursuer ? kPursuers : kEvaders;
-        const int down = occupancy.rows()[other] - row + fov / 2;
-        const int right = occupancy.cols()[other] - col + fov / 2;
-        const int input = (channel * fov + down) * fov + right;
+    for (int other : world.living()) {
+        const int down = world.grid().row(world.cell(other)) - window.top;
+        const int right = world.grid().col(world.cell(other)) - window.left;
+        if (other == agent || !within(down) || !within(right)) continue;
+        const int input = (channel(world.team(other)) * window.fov + down) * window.fov + right;
         const bool several = occupancy.count(world.cell(other), world.team(other)) > 1;
         if (several && std::find(begin, out, input) != out) continue;  // one bit for all of them
-        *out = input;
-        out += other != agent;
+        *out++ = input;
     }
     return out;
 }
 
 int* list_boards(const World& world, const Occupancy& occupancy, int agent, int* out) {
-    const Window window(world, agent);
+    const Window window(world, world.cell(agent));
     const int area = window.fov * window.fov;
     const bool hide = alone(world, occupancy, agent);
     const bool pursuer = world.team(agent) == Team::Pursuer;
@@ -202,16 +270,18 @@ int* list_boards(const World& world, const Occupancy& occupancy, int agent, int*
 
 }  // namespace
 
-int list_view(const World& world, const Occupancy& occupancy, int agent, int* out) {
-    const bool few = occupancy.n_agents() <= Occupancy::kFewAgents;
-    int* end =
+int list_agents(const World& world, const Occupancy& occupancy, int agent, int* out) {
+    const bool few = world.config().n_agents() <= kMostPlaces;
+    int* const end =
         few ? list_places(world, occupancy, agent, out) : list_boards(world, occupancy, agent, out);
-    if (world.ground().has_obstacles) {
-        const Window window(world, agent);
-        const int area = window.fov * window.fov;
-        end = list_board(world.ground().walls, window, kObstacles * area, false, end);
-    }
     return static_cast<int>(end - out);
+}
+
+int list_obstacles(const World& world, int cell, int* out) {
+    if (!world.ground().has_obstacles) return 0;
+    const Window window(world, cell);
+    const int first = kObstacles * window.fov * window.fov;
+    return static_cast<int>(list_board(world.ground().walls, window, first, false, out) - out);
 }
 
 void write_state(const World& world, std::uint8_t* out) {
@@ -220,9 +290,8 @@ void write_state(const World& world, std::uint8_t* out) {
     const int area = config.rows * config.cols;
     std::memset(out, 0, static_cast<std::size_t>(kChannels) * area);
     for (int a : world.living()) {
-        const int channel = world.team(a) == Team::Pursuer ? kPursuers : kEvaders;
         const int cell = world.cell(a);
-        out[channel * area + grid.row(cell) * config.cols + grid.col(cell)] = 1;
+        out[channel(world.team(a)) * area + grid.row(cell) * config.cols + grid.col(cell)] = 1;
     }
     for (int i = 0; i < area; ++i) {
         out[kObstacles * area + i] =

@@ -1,16 +1,8 @@
 #include "occupancy.hpp"
 
-#include "kernels.hpp"
-
 namespace matrixworld {
 
 namespace {
-
-constexpr std::int16_t kFarOff = -16384;  // out of every view of the largest grid
-
-std::size_t room(int n_agents) {
-    return static_cast<std::size_t>((n_agents + kPlacePad - 1) / kPlacePad) * kPlacePad;
-}
 
 constexpr std::uint64_t both(std::uint64_t bits) { return bits | bits << Heading::kBits; }
 constexpr std::uint64_t opposite(int way) { return both(std::uint64_t{1} << kOpposite[way]); }
@@ -21,7 +13,7 @@ const std::array<Headings::Word, kDiagonalMoves> Headings::kOppositeWays = {
     0,           opposite(1), opposite(2), opposite(3), opposite(4),
     opposite(5), opposite(6), opposite(7), opposite(8)};
 
-Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin, bool for_networks,
+Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int fov, bool for_networks,
                      bool keeps_lists)
     : grid_(grid),
       n_pursuers_(n_pursuers),
@@ -31,15 +23,12 @@ Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin,
       words_(static_cast<std::size_t>(grid.n_cells()), 0),
       headings_(words_.data()),
       lists_(grid, n_agents),
-      rows_(room(n_agents), kFarOff),
-      cols_(room(n_agents), kFarOff),
-      boards_{Board(grid, margin), Board(grid, margin)} {}
+      places_(n_pursuers, n_agents, fov),
+      boards_{Board(grid, fov / 2), Board(grid, fov / 2)} {}
 
 void Occupancy::add(int agent, int cell) {
     anybody_ = true;
     headings_.post(cell, team(agent), Heading::by(0, false));
-    if (keeps_lists_) lists_.add(agent, cell);
-    if (for_networks_) show(agent, cell);
 }
 
 void Occupancy::remove(int agent, int cell) {
@@ -98,15 +87,17 @@ void Occupancy::unlist() {
 }
 
 void Occupancy::show(int agent, int cell) {
-    rows_[agent] = static_cast<std::int16_t>(grid_.row(cell));
-    cols_[agent] = static_cast<std::int16_t>(grid_.col(cell));
-    if (keeps_boards()) boards_[static_cast<int>(team(agent))].set(rows_[agent], cols_[agent]);
+    const int row = grid_.row(cell);
+    const int col = grid_.col(cell);
+    places_.put(agent, row, col, headings_.at(cell, team(agent)).several());
+    if (keeps_boards()) boards_[static_cast<int>(team(agent))].set(row, col);
 }
 
 void Occupancy::hide(int agent) {
-    if (keeps_boards()) boards_[static_cast<int>(team(agent))].clear(rows_[agent], cols_[agent]);
-    rows_[agent] = kFarOff;
-    cols_[agent] = kFarOff;
+    if (keeps_boards()) {
+        boards_[static_cast<int>(team(agent))].clear(places_.row(agent), places_.col(agent));
+    }
+    places_.take(agent);
 }
 
 }  // namespace matrixworld

@@ -12,6 +12,7 @@
 #include "board.hpp"
 #include "cell_lists.hpp"
 #include "grid.hpp"
+#include "places.hpp"
 
 namespace matrixworld {
 
@@ -108,12 +109,12 @@ class Headings {
 
 class Occupancy {
   public:
-    // Without `for_networks`, rows, cols and boards, which networks look at, are left empty. With
+    // Without `for_networks`, places and boards, which networks look at, are left empty. With
     // `keeps_lists` who stands on a cell is always known; else `list` must be called for it.
-    Occupancy(const Grid& grid, int n_pursuers, int n_agents, int margin, bool for_networks,
+    Occupancy(const Grid& grid, int n_pursuers, int n_agents, int fov, bool for_networks,
               bool keeps_lists);
 
-    // Lets an agent that is on no cell stand on one.
+    // Posts an agent that is on no cell; once all are, they land.
     void add(int agent, int cell);
     // Takes an agent from the cell that it stands on.
     void remove(int agent, int cell);
@@ -136,22 +137,17 @@ class Occupancy {
     void unlist();
     const CellLists& lists() const { return lists_; }
 
-    // Up to so many agents, looking at the place of each costs less than reading the boards.
-    static constexpr int kFewAgents = 128;
-
-    // Row and column by agent, with room for a multiple of kPlacePad; far off when not here.
-    const std::int16_t* rows() const { return rows_.data(); }
-    const std::int16_t* cols() const { return cols_.data(); }
-    // Of more than kFewAgents agents.
+    // For networks: who is where, and the boards of the teams where there are more agents than
+    // kMostPlaces.
+    const Places& places() const { return places_; }
     const Board& board(Team team) const { return boards_[static_cast<int>(team)]; }
-    int n_agents() const { return n_agents_; }
 
     Team team(int agent) const { return agent < n_pursuers_ ? Team::Pursuer : Team::Evader; }
 
   private:
     void show(int agent, int cell);
     void hide(int agent);
-    bool keeps_boards() const { return n_agents_ > kFewAgents; }
+    bool keeps_boards() const { return n_agents_ > kMostPlaces; }
 
     const Grid grid_;
     int n_pursuers_;
@@ -163,8 +159,7 @@ class Occupancy {
     Headings headings_;
     CellLists lists_;
     std::vector<int> listed_;  // cells with a list that was made for this turn
-    std::vector<std::int16_t> rows_;
-    std::vector<std::int16_t> cols_;
+    Places places_;
     Board boards_[kTeams];
 };
 

@@ -66,7 +66,7 @@ void ScriptedPlayer::choose(const World& world, const Occupancy& occupancy) {
 std::uint8_t ScriptedPlayer::chase_or_flee(const World& world, const Occupancy& occupancy,
                                            int agent, std::uint32_t draw) {
     const Team adversary = world.team(agent) == Team::Pursuer ? Team::Evader : Team::Pursuer;
-    const int n_set = list_view(world, occupancy, agent, view_.data());
+    const int n_set = list_agents(world, occupancy, agent, view_.data());
     int best = 0;
     int n_best = 0;
     std::uint8_t moves[kDiagonalMoves];

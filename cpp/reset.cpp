@@ -96,7 +96,7 @@ Setup::Setup(Config given) : config(std::move(given)), grid(config.rows, config.
 }
 
 Scratch::Scratch(const Setup& setup, bool for_networks)
-    : occupancy(setup.grid, setup.config.n_pursuers, setup.config.n_agents(), setup.config.fov / 2,
+    : occupancy(setup.grid, setup.config.n_pursuers, setup.config.n_agents(), setup.config.fov,
                 for_networks, setup.config.rules.interaction == Interaction::AgentTurns),
       resolver(setup.grid, setup.config.rules, setup.config.n_pursuers, setup.config.n_agents()),
       order(setup.config.rows * setup.config.cols) {
@@ -204,6 +204,7 @@ void World::reset(EpisodeKey key, Scratch& scratch, const Placement& placement) 
     if (placement.pursuers.empty()) {
         for (int p = 0; p < config().n_pursuers; ++p) place(p, free_cell(), scratch);
     }
+    scratch.occupancy.land(living_, cell_);
 }
 
 void World::begin_episode(EpisodeKey key) {

@@ -87,6 +87,7 @@ void World::restore(const Snapshot& s, Scratch& scratch) {
         ++n_living_[static_cast<int>(team(a))];
         place(a, cell(s.cell[a]), scratch);
     }
+    scratch.occupancy.land(living_, cell_);
     captured_ = s.captured;
     ever_captured_ = s.ever_captured;
     capture_paid_ = s.capture_paid;

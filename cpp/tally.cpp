@@ -6,15 +6,29 @@ namespace matrixworld {
 
 namespace {
 
-// Agents beyond the first on each cell. Of k agents on one, each counts (k - 1) / k.
-int crowd(const World& world, const Occupancy& occupancy, Team team) {
-    double sum = 0;
+// Agents beyond the first on each cell, by team. Of k agents on one, each counts (k - 1) / k.
+std::array<int, kTeams> crowds(const World& world, const Occupancy& occupancy) {
+    std::array<double, kTeams> sums{};
+    const Headings headings = occupancy.headings();
     for (int a : world.living()) {
-        if (world.team(a) != team) continue;
-        const int n = occupancy.count(world.cell(a), team);
-        if (n > 1) sum += static_cast<double>(n - 1) / n;
+        const Heading heading = headings.at(world.cell(a), world.team(a));
+        if (!heading.several()) continue;
+        const int n = heading.count();
+        sums[static_cast<int>(world.team(a))] += static_cast<double>(n - 1) / n;
     }
-    return static_cast<int>(std::lround(sum));
+    return {static_cast<int>(std::lround(sums[0])), static_cast<int>(std::lround(sums[1]))};
+}
+
+// In four sums side by side, which need not wait for each other.
+double sum(const float* values, int n) {
+    constexpr int kSums = 4;
+    double sums[kSums] = {};
+    int i = 0;
+    for (; i + kSums <= n; i += kSums) {
+        for (int k = 0; k < kSums; ++k) sums[k] += values[i + k];
+    }
+    for (; i < n; ++i) sums[0] += values[i];
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
 }  // namespace
@@ -22,18 +36,21 @@ int crowd(const World& world, const Occupancy& occupancy, Team team) {
 Tally::Tally(const Config& config) : living_{config.n_pursuers, config.n_evaders} {}
 
 void Tally::add(const World& world, const Occupancy& occupancy) {
+    const int sizes[kTeams] = {world.config().n_pursuers, world.config().n_evaders};
+    const std::array<int, kTeams> crowded = crowds(world, occupancy);
     captured_ += world.n_captured();
+    const float* rewards = world.rewards().data();
     for (int t = 0; t < kTeams; ++t) {
-        const Team team = static_cast<Team>(t);
-        crowded_[t] += crowd(world, occupancy, team);
+        crowded_[t] += crowded[t];
         score_.agent_steps[t] += living_[t];
-        living_[t] = world.n_living(team);
+        living_[t] = world.n_living(static_cast<Team>(t));
+        score_.returns[t] += sum(rewards, sizes[t]);
+        rewards += sizes[t];
     }
     for (int a = 0; a < world.config().n_agents(); ++a) {
-        const int t = static_cast<int>(world.team(a));
-        score_.returns[t] += world.rewards()[a];
         const Flags report = world.report(a);
         if (report == 0) continue;
+        const int t = static_cast<int>(world.team(a));
         for (int kind = 0; kind < kKinds; ++kind) {
             score_.collisions[t * kKinds + kind] += report >> kind & 1;
             score_.faults[t * kKinds + kind] += report >> (kKinds + kind) & 1;

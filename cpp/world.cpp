@@ -6,6 +6,7 @@ namespace matrixworld {
 
 void World::enter(Scratch& scratch) const {
     for (int a : living_) scratch.occupancy.add(a, cell_[a]);
+    scratch.occupancy.land(living_, cell_);
 }
 
 void World::leave(Scratch& scratch) const { scratch.occupancy.clear(living_, cell_); }

@@ -127,6 +127,7 @@ class World {
     const std::vector<int>& living() const { return living_; }  // in the order of their numbers
     int n_living(Team team) const { return n_living_[static_cast<int>(team)]; }
     const Ground& ground() const { return *ground_; }
+    const std::shared_ptr<const Ground>& shared_ground() const { return ground_; }
 
     // By evader; `captors` is 0 once the step of the capture is over and the evader gone.
     const ByteArray& captured() const { return captured_; }

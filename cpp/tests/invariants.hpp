@@ -95,9 +95,11 @@ inline void check_view(const World& world, const Occupancy& occupancy, int agent
     write_state(world, state.data());
     const auto size = static_cast<std::ptrdiff_t>(view.size());
     std::vector<std::uint8_t> views(view.size() * static_cast<std::size_t>(config.n_agents()));
-    Lens(world.grid(), fov).write(world, occupancy, views.data());
+    Lens(Setup(world.config())).write(world, occupancy, views.data());
     std::copy_n(views.begin() + agent * size, size, view.begin());
-    listed.resize(static_cast<std::size_t>(list_view(world, occupancy, agent, listed.data())));
+    int n_listed = list_agents(world, occupancy, agent, listed.data());
+    n_listed += list_obstacles(world, world.cell(agent), listed.data() + n_listed);
+    listed.resize(static_cast<std::size_t>(n_listed));
 
     int company = 0;
     for (int a : world.living()) {

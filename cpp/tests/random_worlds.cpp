@@ -180,7 +180,7 @@ class SingleWorlds {
           worlds_(static_cast<std::size_t>(n_worlds), World(setup)),
           tallies_(worlds_.size(), Tally(setup->config)),
           scratch_(*setup),
-          lens_(setup->grid, setup->config.fov) {}
+          lens_(*setup) {}
 
     void reset(const std::vector<std::uint64_t>& seeds, std::uint64_t episode, Memory& memory) {
         for (std::size_t w = 0; w < worlds_.size(); ++w) {
