@@ -150,7 +150,7 @@ class Recorder {
             const int agent = static_cast<int>(a);
             const bool alive = world.alive(agent);
             const std::size_t at = moments_ * n_agents + a;
-            const int cell = world.last_cell(agent);
+            const int cell = world.alive(agent) ? world.cell(agent) : world.went_at()[agent];
             places_[2 * at] = world.grid().row(cell);
             places_[2 * at + 1] = world.grid().col(cell);
             positions_[2 * at] = alive ? places_[2 * at] : kGone;

@@ -23,26 +23,42 @@ void write_views(const World& world, const Occupancy& occupancy, Lens& lens, std
 
 }  // namespace
 
+namespace {
+
+// Rows and columns of cells, (n, 2); kGone, kGone where there is none.
+void write_pairs(const Grid& grid, const int* cells, std::size_t n, std::int32_t* out) {
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool gone = cells[i] == kGone;
+        out[2 * i] = gone ? kGone : grid.row(cells[i]);
+        out[2 * i + 1] = gone ? kGone : grid.col(cells[i]);
+    }
+}
+
+void write_places(const World& world, std::size_t n_agents, std::int32_t* out) {
+    const int* went_at = world.went_at().data();
+    write_pairs(world.grid(), world.cells().data(), n_agents, out);
+    for (std::size_t a = 0; a < n_agents; ++a) {
+        if (out[2 * a] == kGone) write_pairs(world.grid(), went_at + a, 1, out + 2 * a);
+    }
+}
+
+void write_alive(const World& world, std::size_t n_agents, std::uint8_t* out) {
+    const int* cells = world.cells().data();
+    for (std::size_t a = 0; a < n_agents; ++a) out[a] = cells[a] != kGone;
+}
+
+}  // namespace
+
 void write_moment(const World& world, const Occupancy& occupancy, Lens& lens, std::size_t number,
                   const Buffers& buffers) {
     const Config& config = world.config();
-    const bool tells_places = buffers.positions || buffers.places || buffers.alive;
     const std::size_t n_agents = config.n_agents();
-    for (std::size_t a = 0; tells_places && a < n_agents; ++a) {
-        const int agent = static_cast<int>(a);
-        const std::size_t at = number * n_agents + a;
-        const bool alive = world.alive(agent);
-        const int cell = world.last_cell(agent);
-        if (buffers.positions) {
-            buffers.positions[2 * at] = alive ? world.grid().row(cell) : kGone;
-            buffers.positions[2 * at + 1] = alive ? world.grid().col(cell) : kGone;
-        }
-        if (buffers.places) {
-            buffers.places[2 * at] = world.grid().row(cell);
-            buffers.places[2 * at + 1] = world.grid().col(cell);
-        }
-        if (buffers.alive) buffers.alive[at] = alive;
+    const std::size_t at = number * n_agents;
+    if (buffers.positions) {
+        write_pairs(world.grid(), world.cells().data(), n_agents, buffers.positions + 2 * at);
     }
+    if (buffers.places) write_places(world, n_agents, buffers.places + 2 * at);
+    if (buffers.alive) write_alive(world, n_agents, buffers.alive + at);
     if (buffers.steps) buffers.steps[number] = world.steps();
     if (buffers.seed) buffers.seed[number] = world.key().seed;
     if (buffers.episode) buffers.episode[number] = world.key().episode;
@@ -55,31 +71,53 @@ void write_moment(const World& world, const Occupancy& occupancy, Lens& lens, st
 
 namespace {
 
-void write_agents(const World& world, std::size_t number, const Buffers& buffers) {
-    const std::size_t n_agents = world.config().n_agents();
+// Who was in a collision, and who paid for it; few are, so the rest is cleared at once.
+void write_reports(const World& world, std::size_t at, std::size_t n_agents,
+                   const Buffers& buffers) {
+    const auto clear = [&](auto* out, std::size_t each) {
+        if (out) std::fill_n(out + at * each, n_agents * each, 0);
+    };
+    clear(buffers.involved, kKinds);
+    clear(buffers.fault, kKinds);
+    clear(buffers.cost, 1);
     for (std::size_t a = 0; a < n_agents; ++a) {
-        const int agent = static_cast<int>(a);
-        const std::size_t at = number * n_agents + a;
-        const Flags report = world.report(agent);
-        int faults = 0;
+        const Flags report = world.report(static_cast<int>(a));
+        if (report == 0) continue;
         for (int kind = 0; kind < kKinds; ++kind) {
             const bool fault = report >> (kKinds + kind) & 1;
-            faults += fault;
-            if (buffers.involved) buffers.involved[at * kKinds + kind] = report >> kind & 1;
-            if (buffers.fault) buffers.fault[at * kKinds + kind] = fault;
+            const std::size_t entry = (at + a) * kKinds + static_cast<std::size_t>(kind);
+            if (buffers.involved) buffers.involved[entry] = report >> kind & 1;
+            if (buffers.fault) buffers.fault[entry] = fault;
+            if (buffers.cost) buffers.cost[at + a] += fault;
         }
-        const bool terminated = world.terminated() || !world.alive(agent);
-        if (buffers.cost) buffers.cost[at] = static_cast<float>(faults);
-        if (buffers.rewards) buffers.rewards[at] = world.rewards()[agent];
-        if (buffers.terminations) buffers.terminations[at] = terminated;
-        if (buffers.truncations) buffers.truncations[at] = world.truncated() && !terminated;
     }
+}
+
+void write_ends(const World& world, std::size_t at, std::size_t n_agents, const Buffers& buffers) {
+    const int* cells = world.cells().data();
+    const bool all_end = world.terminated();
+    const bool cut = world.truncated();
+    for (std::size_t a = 0; a < n_agents; ++a) {
+        const bool terminated = all_end || cells[a] == kGone;
+        if (buffers.terminations) buffers.terminations[at + a] = terminated;
+        if (buffers.truncations) buffers.truncations[at + a] = cut && !terminated;
+    }
+}
+
+void write_agents(const World& world, std::size_t number, const Buffers& buffers) {
+    const std::size_t n_agents = world.config().n_agents();
+    const std::size_t at = number * n_agents;
+    if (buffers.involved || buffers.fault || buffers.cost) {
+        write_reports(world, at, n_agents, buffers);
+    }
+    if (buffers.terminations || buffers.truncations) write_ends(world, at, n_agents, buffers);
+    if (buffers.rewards) std::copy_n(world.rewards().data(), n_agents, buffers.rewards + at);
 }
 
 }  // namespace
 
 void write_step(const World& world, std::size_t number, const Buffers& buffers) {
-    if (buffers.tells_agents_steps()) write_agents(world, number, buffers);
+    write_agents(world, number, buffers);
     const Config& config = world.config();
     const std::size_t n_evaders = config.n_evaders;
     const auto copy = [&](const auto& from, auto* to) {
@@ -106,8 +144,11 @@ void write_step(const World& world, std::size_t number, const Buffers& buffers) 
 void write_acted(const World& world, std::size_t number, const Buffers& buffers) {
     if (!buffers.acted) return;
     const std::size_t n_agents = world.config().n_agents();
-    for (std::size_t a = 0; a < n_agents; ++a) {
-        buffers.acted[number * n_agents + a] = !world.over() && world.alive(static_cast<int>(a));
+    std::uint8_t* acted = buffers.acted + number * n_agents;
+    if (world.over()) {
+        std::fill_n(acted, n_agents, std::uint8_t{0});
+    } else {
+        write_alive(world, n_agents, acted);
     }
 }
 

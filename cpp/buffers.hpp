@@ -54,9 +54,6 @@ struct Buffers {
     std::int32_t* episode_faults = nullptr;       // (W, 2, 3)
     std::int64_t* episode_agent_steps = nullptr;  // (W, 2)
 
-    bool tells_agents_steps() const {
-        return involved || fault || cost || rewards || terminations || truncations;
-    }
     bool tells_episodes() const {
         return episode_return || episode_length || episode_capture_rate ||
                episode_ever_capture_rate || episode_survivors || episode_collisions ||
