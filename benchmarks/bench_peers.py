@@ -23,6 +23,7 @@ import pettingzoo
 from pettingzoo.env_registry.exceptions import FailedToImport
 
 import matrixworld as mw
+from matrixworld.bench import RandomActions
 from plain_coevolution import (
     EVADER,
     PURSUER,
@@ -36,7 +37,7 @@ from plain_coevolution import (
 from timing import Clock, bind, print_table
 
 MANY = 1024
-ROWS_OF_ACTIONS = 16
+ROWS_OF_ACTIONS = 4093
 HIDDEN = (32,)
 INSTALL = {
     "PettingZoo pursuit": "pip install 'pettingzoo[sisl]'",
@@ -122,13 +123,11 @@ def parallel_env(env: Any, clock: Clock) -> float:
 def vector_env(n_worlds: int, clock: Clock) -> float:
     """World-steps a second of `VectorEnv`."""
     env = mw.VectorEnv("O", n_worlds, threads=1, autoreset_mode="SameStep")
-    rng = np.random.default_rng(0)
-    shape = (ROWS_OF_ACTIONS, n_worlds, env.config.n_agents)
-    actions = rng.integers(5, size=shape, dtype=np.uint8)
+    actions = RandomActions(env.config, n_worlds)
     env.reset(seed=0)
 
     def play(i: int) -> int:
-        env.step(actions[i % ROWS_OF_ACTIONS])
+        env.step(actions[i])
         return n_worlds
 
     return clock.rate(play)

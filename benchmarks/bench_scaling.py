@@ -26,6 +26,7 @@ import click
 import numpy as np
 
 import matrixworld as mw
+from matrixworld.bench import RandomActions
 from scaling_figure import Curve, draw
 from timing import Clock, bind, print_table
 
@@ -34,7 +35,6 @@ SIDE = 1024
 PURSUERS = 8 / 38  # of the agents, as by default
 NEVER = 10**9  # rounds: no episode ends within the time that is measured
 ROUNDS = 20  # of a rollout's episode
-ACTIONS = 2**20  # drawn; a few rows that came again and again would drive all to the borders
 SMALL: dict[str, Any] = {"rows": 10, "cols": 10, "n_pursuers": 2, "n_evaders": 6, "fov": 5}
 WORLDS: dict[str, dict[str, Any]] = {
     "40 x 40, 8 v 30": {"n_pursuers": 8, "n_evaders": 30},
@@ -125,14 +125,10 @@ def step_seconds(
     config: mw.WorldConfig, names: Sequence[str], clock: Clock, n_worlds: int
 ) -> float:
     """Seconds of a step of all worlds, which write the arrays of these names."""
-    rng = np.random.default_rng(0)
-    n_rows = max(4, ACTIONS // (n_worlds * config.n_agents))
-    shape = (n_rows, n_worlds, config.n_agents)
-    actions = rng.integers(config.n_actions, size=shape, dtype=np.uint8)
-    timed = batch(config, n_worlds, *names)
+    timed, actions = batch(config, n_worlds, *names), RandomActions(config, n_worlds)
 
     def play(i: int) -> int:
-        timed.step(actions[i % n_rows])
+        timed.step(actions[i])
         return 1
 
     return 1 / clock.rate(play)

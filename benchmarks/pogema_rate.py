@@ -31,7 +31,7 @@ def main() -> None:
     )
     env = pogema.pogema_v0(config)
     env.reset()
-    rows = np.random.default_rng(0).integers(5, size=(16, AGENTS)).tolist()
+    rows = np.random.default_rng(0).integers(5, size=(4093, AGENTS)).tolist()
 
     def play(i: int) -> int:
         _, _, terminated, truncated, _ = env.step(rows[i % len(rows)])

@@ -38,10 +38,9 @@ MANY = 1024
 MOST_VIEWS = 2**28
 """Bytes of views from which on fewer worlds than `MANY` are played."""
 
-ROWS_OF_ACTIONS = 16
 COUNTED = 2**20
 """Steps of agents in which those alive are counted."""
-CHECKED_WORLDS = 5
+CHECKED_WORLDS, CHECKED_STEPS = 5, 16
 CHECKED_MATCHES = 4
 
 
@@ -107,7 +106,9 @@ def check_worlds(config: WorldConfig, threads: int) -> None:
     env.reset(seed=0)
     for seed, world in enumerate(worlds):
         world.reset(seed)
-    for step, actions in enumerate(_actions(config, CHECKED_WORLDS)):
+    drawn = RandomActions(config, CHECKED_WORLDS)
+    for step in range(CHECKED_STEPS):
+        actions = drawn[step]
         env.step(actions)
         for number, world in enumerate(worlds):
             if not (world.terminated or world.truncated):
@@ -143,6 +144,27 @@ def check_matches(config: WorldConfig, network: Network, threads: int) -> None:
 
 
 # ---- What is measured --------------------------------------------------------------------------
+
+
+class RandomActions:
+    """Actions of all agents of some worlds, ``(worlds, A)`` uint8, by the number of the step.
+
+    They are windows of numbers that were drawn before, at places drawn before. (A few rows that
+    come again and again would drive all agents to the borders, where they collide more.)
+    """
+
+    SPARE, PLACES = 2**20, 4093
+
+    def __init__(self, config: WorldConfig, worlds: int) -> None:
+        rng = np.random.default_rng(0)
+        self._shape = (worlds, config.n_agents)
+        self._size = worlds * config.n_agents
+        self._drawn = rng.integers(config.n_actions, size=self._size + self.SPARE, dtype=np.uint8)
+        self._places = rng.integers(self.SPARE, size=self.PLACES).tolist()
+
+    def __getitem__(self, step: int) -> NDArray[np.uint8]:
+        place = self._places[step % self.PLACES]
+        return self._drawn[place : place + self._size].reshape(self._shape)
 
 
 @dataclass
@@ -229,18 +251,9 @@ def alive_share(config: WorldConfig, worlds: int) -> float:
     an_episode = config.n_agents * config.max_steps
     some = max(1, min(worlds, COUNTED // an_episode))
     steps = max(config.max_steps, COUNTED // (config.n_agents * some))
-    batch, actions = _batch(config, some, 1, "acted"), _actions(config, some)
-    counts = [
-        np.count_nonzero(batch.step(actions[step % ROWS_OF_ACTIONS])["acted"])
-        for step in range(steps)
-    ]
+    batch, actions = _batch(config, some, 1, "acted"), RandomActions(config, some)
+    counts = [np.count_nonzero(batch.step(actions[step])["acted"]) for step in range(steps)]
     return sum(counts) / (steps * some * config.n_agents)
-
-
-def _actions(config: WorldConfig, worlds: int) -> NDArray[np.uint8]:
-    rng = np.random.default_rng(0)
-    shape = (ROWS_OF_ACTIONS, worlds, config.n_agents)
-    return rng.integers(config.n_actions, size=shape, dtype=np.uint8)
 
 
 def _batch(config: WorldConfig, worlds: int, threads: int, *names: str) -> Batch:
@@ -257,7 +270,7 @@ def _vector_env(config: WorldConfig, worlds: int, threads: int) -> VectorEnv:
 
 
 def _steps(config: WorldConfig, what: str, worlds: int, threads: int, alive: float) -> Measurement:
-    actions = _actions(config, worlds)
+    actions = RandomActions(config, worlds)
     played: Any
     if what == VECTOR_ENV:
         played = _vector_env(config, worlds, threads)
@@ -267,7 +280,7 @@ def _steps(config: WorldConfig, what: str, worlds: int, threads: int, alive: flo
         what,
         worlds,
         threads,
-        lambda call: played.step(actions[call % ROWS_OF_ACTIONS]),
+        lambda call: played.step(actions[call]),
         agent_steps=worlds * config.n_agents * alive,
         world_steps=worlds,
     )
