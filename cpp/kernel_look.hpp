@@ -7,9 +7,9 @@ namespace matrixworld {
 
 namespace {
 
-// Which of 64 places lie in a window of `side` + 1 rows and columns from (top, left), as bits. One
-// comparison finds both ends: above the window, the difference wraps to a large number.
-inline std::uint64_t near_bits(const std::int16_t* rows, const std::int16_t* cols, short top,
+// Which of n places, at most 64, lie in a window of `side` + 1 rows and columns from (top, left), as
+// bits. One comparison finds both ends: above the window, the difference wraps to a large number.
+inline std::uint64_t near_bits(const std::int16_t* rows, const std::int16_t* cols, int n, short top,
                                short left, short side) {
     std::uint64_t bits = 0;
 #if defined(__AVX512BW__)
@@ -18,7 +18,7 @@ inline std::uint64_t near_bits(const std::int16_t* rows, const std::int16_t* col
             _mm512_sub_epi16(_mm512_loadu_si512(places), _mm512_set1_epi16(from));
         return std::uint64_t{_mm512_cmple_epu16_mask(offset, _mm512_set1_epi16(side))};
     };
-    for (int i = 0; i < 64; i += 32) {
+    for (int i = 0; i < n; i += 32) {
         bits |= (within(rows + i, top) & within(cols + i, left)) << i;
     }
 #elif defined(__AVX2__)
@@ -30,7 +30,7 @@ inline std::uint64_t near_bits(const std::int16_t* rows, const std::int16_t* col
     const auto both = [&](int i) {
         return _mm256_and_si256(within(rows + i, top), within(cols + i, left));
     };
-    for (int i = 0; i < 64; i += 32) {
+    for (int i = 0; i < n; i += 32) {
         const __m256i bytes =
             _mm256_permute4x64_epi64(_mm256_packs_epi16(both(i), both(i + 16)), 0b11011000);
         bits |= std::uint64_t{static_cast<std::uint32_t>(_mm256_movemask_epi8(bytes))} << i;
@@ -47,7 +47,7 @@ inline std::uint64_t near_bits(const std::int16_t* rows, const std::int16_t* col
         return _mm_cmpeq_epi16(_mm_or_si128(beyond(rows + i, top), beyond(cols + i, left)),
                                _mm_setzero_si128());
     };
-    for (int i = 0; i < 64; i += 16) {
+    for (int i = 0; i < n; i += 16) {
         const int mask = _mm_movemask_epi8(_mm_packs_epi16(both(i), both(i + 8)));
         bits |= std::uint64_t{static_cast<std::uint32_t>(mask)} << i;
     }
@@ -55,7 +55,7 @@ inline std::uint64_t near_bits(const std::int16_t* rows, const std::int16_t* col
     const auto within = [&](std::int16_t place, short from) {
         return static_cast<std::uint16_t>(place - from) <= static_cast<std::uint16_t>(side);
     };
-    for (int i = 0; i < 64; ++i) {
+    for (int i = 0; i < n; ++i) {
         bits |= std::uint64_t{within(rows[i], top) && within(cols[i], left)} << i;
     }
 #endif
@@ -87,6 +87,8 @@ inline void drop_doubles(const Scene& scene, Seen& seen) {
     }
 }
 
+inline int most(int n) { return n < kPlacePad ? n : kPlacePad; }
+
 inline Seen look(const Scene& scene, int agent, int fov) {
     const int reach = fov / 2;
     const short top = static_cast<short>(scene.rows[agent] - reach);
@@ -97,9 +99,10 @@ inline Seen look(const Scene& scene, int agent, int fov) {
     for (int i = 0; i < seen.n_words; ++i) {
         const int first = i * kPlacePad;
         const std::uint64_t self = std::uint64_t{agent / kPlacePad == i} << (agent % kPlacePad);
-        seen.words[i] = near_bits(scene.rows + first, scene.cols + first, top, left,
-                                  static_cast<short>(2 * reach)) &
-                        ~self;
+        seen.words[i] =
+            near_bits(scene.rows + first, scene.cols + first, most(scene.n_agents - first), top,
+                      left, static_cast<short>(2 * reach)) &
+            ~self;
     }
     return seen;
 }

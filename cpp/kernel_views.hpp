@@ -48,7 +48,7 @@ inline void clear(std::uint8_t* to, long n) {
 // branch, those that are not there in a cell of the obstacles, which are drawn afterwards.
 template <typename Number>
 inline void mark_others(const Scene& scene, int agent, int fov, Number* view) {
-    constexpr int kMost = 4;
+    constexpr int kMost = 2;
     const int unused = 2 * fov * fov;
     const Seen seen = look(scene, agent, fov);
     for (int i = 0; i < seen.n_words; ++i) {

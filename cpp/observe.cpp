@@ -117,6 +117,7 @@ void Lens::draw(const World& world, Number* out) {
     const Grid grid = world.grid();
     const Plane& closed = world.ground().closed;
     const bool only_border = !world.ground().has_obstacles && !border_.empty();
+    places_.take_all();
     for (int a : world.living()) {
         const int row = grid.row(world.cell(a));
         const int col = grid.col(world.cell(a));
@@ -125,7 +126,6 @@ void Lens::draw(const World& world, Number* out) {
             only_border ? border(row, col) : closed.window(row - fov_ / 2, col - fov_ / 2);
     }
     draw_scene(places_.scene(), obstacles_.data(), only_border ? fov_ : closed.stride(), out);
-    for (int a : world.living()) places_.take(a);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // Where the agents of one world are, as those who look around read it (`Scene` in kernels.hpp).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,7 @@ class Places {
         if (shared != ((word & bit) != 0)) word ^= bit;
     }
     void take(int agent) { rows_[agent] = kFarOff; }
+    void take_all() { std::fill_n(rows_.begin(), n_agents_, kFarOff); }
 
     int row(int agent) const { return rows_[agent]; }
     int col(int agent) const { return cols_[agent]; }

@@ -123,8 +123,8 @@ class World {
     }
     bool alive(int agent) const { return cell_[agent] != kGone; }
     int cell(int agent) const { return cell_[agent]; }
-    const IntArray& cells() const { return cell_; }       // by agent
-    const IntArray& went_at() const { return went_at_; }  // by agent that is gone
+    const IntArray& cells() const { return cell_; }             // by agent
+    const IntArray& went_at() const { return went_at_; }        // by agent that is gone
     const std::vector<int>& living() const { return living_; }  // in the order of their numbers
     int n_living(Team team) const { return n_living_[static_cast<int>(team)]; }
     const Ground& ground() const { return *ground_; }
