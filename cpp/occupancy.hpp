@@ -25,6 +25,8 @@ class Heading {
     static constexpr int kCountShift = kDiagonalMoves + 1;
     static constexpr std::uint32_t kOne = 1u << kCountShift;
 
+    static_assert(kMaxTeam << kCountShift <= UINT32_MAX, "a team's number has room");
+
     explicit constexpr Heading(std::uint32_t bits) : bits_(bits) {}
     // The way of an agent that moves or stands, in its own turn or in another's; not the agent.
     static Heading by(int way, bool acts) { return Heading(acts ? kActing[way] : kStands); }

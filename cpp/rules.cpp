@@ -1,5 +1,6 @@
 #include "rules.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -26,8 +27,8 @@ void Config::validate() const {
     require_range("rows", rows, 1, kMaxSide);
     require_range("cols", cols, 1, kMaxSide);
     const long area = static_cast<long>(rows) * cols;
-    require_range("n_pursuers", n_pursuers, 1, area);
-    require_range("n_evaders", n_evaders, 1, area);
+    require_range("n_pursuers", n_pursuers, 1, std::min(area, kMaxTeam));
+    require_range("n_evaders", n_evaders, 1, std::min(area, kMaxTeam));
     require_range("fov", fov, 1, kMaxFieldOfView);
     if (fov % 2 == 0) {
         throw std::invalid_argument("fov: expected an odd number, got " + std::to_string(fov));

@@ -27,10 +27,11 @@ enum class Form : std::uint8_t { Vertex, Edge, Chain };
 
 constexpr int kTeams = 2;
 constexpr int kKinds = 3;
-constexpr int kMaxSide = 4096;        // cells along one side of the grid
-constexpr int kMaxFieldOfView = 255;  // cells along one side of a view
-constexpr int kCompassMoves = 5;      // stay, north, east, south, west
-constexpr int kDiagonalMoves = 9;     // the same, then NE, SE, SW, NW
+constexpr int kMaxSide = 4096;             // cells along one side of the grid
+constexpr int kMaxFieldOfView = 255;       // cells along one side of a view
+constexpr long kMaxTeam = (1L << 22) - 1;  // agents, all of whom may stand on one cell
+constexpr int kCompassMoves = 5;           // stay, north, east, south, west
+constexpr int kDiagonalMoves = 9;          // the same, then NE, SE, SW, NW
 
 using ByteArray = Eigen::Array<std::uint8_t, Eigen::Dynamic, 1>;
 using IntArray = Eigen::ArrayXi;

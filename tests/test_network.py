@@ -52,7 +52,9 @@ def test_every_place_in_every_view(shape: tuple[int, int], fov: int) -> None:
     assert_agrees(world, mw.Network.for_config(world.config, (9,)), fov)
 
 
-@pytest.mark.parametrize(("name", "side", "n"), [("D", 8, 15), ("R", 8, 20), ("R", 18, 100)])
+@pytest.mark.parametrize(
+    ("name", "side", "n"), [("D", 8, 15), ("R", 8, 20), ("R", 12, 50), ("R", 18, 100)]
+)
 def test_after_deaths_and_with_shared_cells(name: str, side: int, n: int) -> None:
     config = {"rows": side, "cols": side, "n_pursuers": n, "n_evaders": n}
     world = mw.World(name, fov=7, obstacles=0.1, **config)
@@ -64,6 +66,29 @@ def test_after_deaths_and_with_shared_cells(name: str, side: int, n: int) -> Non
     assert world.alive.all() == (name == "R")
     living = world.positions[world.alive]
     assert name == "D" or len(np.unique(living, axis=0)) < len(living)
+
+
+def test_obstacles_of_a_grid_too_large_to_keep_their_sums() -> None:
+    """Of this many cells what a network makes of the obstacles is not kept."""
+    world = mw.World(rows=1030, cols=256, n_pursuers=40, n_evaders=40, fov=5, obstacles=0.3)
+    assert_agrees(world, mw.Network.for_config(world.config, (9,)), 0)
+
+
+def test_episodes_with_obstacles_of_their_own() -> None:
+    """What a network keeps of an episode's obstacles does not reach the next one."""
+    config = mw.WorldConfig(
+        rows=9, cols=9, n_pursuers=3, n_evaders=5, fov=5, max_steps=15, obstacles=0.25
+    )
+    network = mw.Network.for_config(config, (8,))
+    team = mw.Population(np.stack([random_genome(network, seed) for seed in range(2)]), network)
+    scores = mw.rollout(config, team, team, mw.Matches.of([0, 1], [1, 1], [7, 7]), worlds=4)
+    for match in range(2):
+        for world in range(4):
+            episode = mw.record(config, team, team, seed=7, pursuer=match, evader=1, episode=world)
+            assert scores.length[match, world] == episode.length
+            assert scores.ever_capture_rate[match, world] == np.float32(
+                episode.ever_captured[-1].mean()
+            )
 
 
 def test_a_genome_is_read_layer_by_layer() -> None:

@@ -38,7 +38,7 @@ class WorldConfig:
 
     rules: a row of rules, or the name of a variant
     rows, cols: cells, 1 to 4096 a side; by default those of the obstacle map, or 40
-    n_pursuers, n_evaders: at least 1; by default the paper's 8 and 30, under surround 20 and 5
+    n_pursuers, n_evaders: 1 to 4,194,303; by default the paper's 8 and 30, under surround 20 and 5
     fov: side of an agent's square view in cells, odd, at most 255
     diagonal: whether agents move in 8 directions instead of 4
     max_steps: rounds until an episode is truncated
