@@ -11,11 +11,13 @@ import pytest
 from click.testing import CliRunner
 
 FOLDER = Path(__file__).parents[1] / "benchmarks"
+SHORT = ["--seconds", "0.001", "--repeats", "1"]
 FEW = {
-    "bench_worlds": [],
-    "bench_rollouts": ["--rounds", "20"],
-    "bench_peers": ["--rounds", "20", "--size", "2"],
-    "bench_scaling": ["--largest", "100", "--out", "scaling.png"],
+    "bench_worlds": SHORT,
+    "bench_rollouts": [*SHORT, "--rounds", "20"],
+    "bench_peers": [*SHORT, "--rounds", "20", "--size", "2"],
+    "bench_scaling": [*SHORT, "--largest", "100", "--out", "scaling.png"],
+    "bench_evolve": ["--generations", "1", "--epochs", "2"],
 }
 """By script, what makes its work small."""
 
@@ -40,8 +42,7 @@ def test_benchmark_runs(name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Pa
     monkeypatch.chdir(tmp_path)
     module = load(name, monkeypatch)
     monkeypatch.setattr(module, "bind", lambda cores: None)
-    short = ["--seconds", "0.001", "--repeats", "1"]
-    result = CliRunner().invoke(module.main, [*short, *FEW[name]])
+    result = CliRunner().invoke(module.main, FEW[name])
     assert result.exception is None
     lines = result.output.splitlines()
     assert lines[1].startswith("|---")

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from deap import algorithms
@@ -22,6 +23,15 @@ from matrixworld.coevolution.learners import Learner
 from matrixworld.coevolution.toolbox import Candidates, generate_update_toolbox
 from matrixworld.coevolution.tournament import Opponents
 from matrixworld.coevolution.training import Training
+
+
+class Meeting(NamedTuple):
+    """Whom the candidates of an epoch meet: one opponent of some generation, on seeds (n,)."""
+
+    epoch: int
+    generation: int
+    opponent: Opponents
+    seeds: Seeds
 
 
 @dataclass(frozen=True)
@@ -46,19 +56,21 @@ class HalfStep:
 
     def run(self, epochs: range) -> None:
         """Let DEAP's generate-update loop drive the learner through `epochs`."""
-        numbers = iter(epochs)
+        # All of them now: between matches, which leave nothing of it in the caches, this takes
+        # several times as long.
+        meetings = iter([self._meeting(epoch) for epoch in epochs])
+        generators = [self._generator(epoch) for epoch in epochs]
         toolbox = generate_update_toolbox(
             self.learner,
-            lambda candidates: self.score(candidates, next(numbers)),
-            self._generators(epochs),
+            lambda candidates: self.score(candidates, next(meetings)),
+            iter(generators),
         )
         algorithms.eaGenerateUpdate(toolbox, ngen=len(epochs), verbose=False)
 
-    def score(self, candidates: Candidates, epoch: int) -> NDArray[np.float64]:
+    def score(self, candidates: Candidates, meeting: Meeting) -> NDArray[np.float64]:
         """Return the fitness (n,) of an epoch's candidates against the opponent of that epoch."""
-        met, opponent = self.meet(epoch)
         scores = self.training.play_candidates(
-            self.team, candidates.genomes, opponent, self._seeds(met, epoch)
+            self.team, candidates.genomes, meeting.opponent, meeting.seeds
         )
         values = self.training.fitness(scores, self.team)
         self.training.record(
@@ -66,20 +78,21 @@ class HalfStep:
             values,
             team=self.team,
             generation=self.generation,
-            epoch=epoch,
-            opponent=met,
+            epoch=meeting.epoch,
+            opponent=meeting.generation,
         )
         self.on_epoch()
         return values
 
-    def _seeds(self, met: int, epoch: int) -> Seeds:
+    def _meeting(self, epoch: int) -> Meeting:
+        met, opponent = self.meet(epoch)
         match = self.learner.match_of_candidate
         own, seed = self.generation, self.training.settings.seed
         generations = (own, met) if self.team == "pursuer" else (met, own)
         count = int(match.max()) + 1
-        return training_seeds(seed, *generations, learning_phase(self.team), epoch, count)[match]
+        seeds = training_seeds(seed, *generations, learning_phase(self.team), epoch, count)
+        return Meeting(epoch, met, opponent, seeds[match])
 
-    def _generators(self, epochs: range) -> Iterator[np.random.Generator]:
-        key = (TEAMS.index(self.team), self.generation)
-        for epoch in epochs:
-            yield keyed_generator(self.training.settings.seed, Purpose.LEARN, *key, epoch)
+    def _generator(self, epoch: int) -> np.random.Generator:
+        key = (TEAMS.index(self.team), self.generation, epoch)
+        return keyed_generator(self.training.settings.seed, Purpose.LEARN, *key)

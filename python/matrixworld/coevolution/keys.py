@@ -13,6 +13,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld.coevolution.seed_sequence import seeds_of_keys
 from matrixworld.rollout import match_seed
 
 Team = Literal["pursuer", "evader"]
@@ -81,7 +82,9 @@ def training_seeds(
     epoch: int,
     count: int,
 ) -> Seeds:
-    """Return the seeds, (count,) uint64, of the matches of one epoch of training."""
-    key = (pursuer_generation, evader_generation, int(phase), epoch)
-    seeds = [match_seed(run_seed, *key, index) for index in range(count)]
-    return np.array(seeds, dtype=np.uint64)
+    """Return the seeds, (count,) uint64, of the matches of one epoch of training.
+
+    That of match i is ``match_seed`` of the other arguments and i.
+    """
+    key = (run_seed, pursuer_generation, evader_generation, int(phase), epoch)
+    return seeds_of_keys(key, count)

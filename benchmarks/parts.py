@@ -1,0 +1,72 @@
+"""Wall time by part of a program, by wrapping its functions from outside."""
+
+from __future__ import annotations
+
+import time
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager
+from functools import wraps
+from typing import Any
+from unittest.mock import patch
+
+Functions = Sequence[tuple[object, str]]
+"""Functions by owner (a module or a class) and name."""
+
+
+class Parts:
+    """Seconds by part.
+
+    The time of a wrapped function that is called inside another one counts for the inner one only,
+    so that the parts add up to the whole.
+    """
+
+    def __init__(self) -> None:
+        self.seconds: defaultdict[str, float] = defaultdict(float)
+        self._inside: list[str] = []
+        self._since = 0.0
+
+    @contextmanager
+    def timed(self, part: str) -> Iterator[None]:
+        """Count the time inside as that of `part`."""
+        self._enter(part)
+        try:
+            yield
+        finally:
+            self._leave()
+
+    @contextmanager
+    def wrapping(self, functions: Mapping[str, Functions]) -> Iterator[None]:
+        """Time these functions by part; afterwards they are as before."""
+        with ExitStack() as stack:
+            for part, members in functions.items():
+                for owner, name in members:
+                    stack.enter_context(patch.object(owner, name, self._wrapped(part, owner, name)))
+            yield
+
+    def _wrapped(self, part: str, owner: object, name: str) -> Any:
+        function: Callable[..., Any] = getattr(owner, name)
+
+        @wraps(function)
+        def timed(*args: Any, **options: Any) -> Any:
+            self._enter(part)
+            try:
+                return function(*args, **options)
+            finally:
+                self._leave()
+
+        return staticmethod(timed) if hasattr(function, "__self__") else timed
+
+    def _enter(self, part: str) -> None:
+        self._count()
+        self._inside.append(part)
+
+    def _leave(self) -> None:
+        self._count()
+        self._inside.pop()
+
+    def _count(self) -> None:
+        now = time.perf_counter()
+        if self._inside:
+            self.seconds[self._inside[-1]] += now - self._since
+        self._since = now
