@@ -54,7 +54,7 @@ def score(
 def toolbox_of(team: Team, budget: Budget, rng: np.random.Generator) -> base.Toolbox:
     """A DEAP toolbox that generates, evaluates and updates; ``champion`` is what it has learned."""
     network = mw.Network.for_config(budget.world)
-    noise = NoiseTable(network.genome_size, rng)
+    noise = NoiseTable(network.genome_size, rng, sigma=DEFAULTS.sigma)
     learner = EvolutionStrategy(network.initial(rng), noise, samples=budget.samples)
 
     def evaluate(candidates: Candidates, rival: np.ndarray, seeds: np.ndarray) -> np.ndarray:

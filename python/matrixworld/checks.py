@@ -54,6 +54,8 @@ def check_naturals(name: str, given: ArrayLike, dtype: type[np.integer[Any]]) ->
     Raises TypeError for what is not an integer, ValueError for numbers out of range.
     """
     array = np.asarray(given)
+    if array.dtype == dtype and array.dtype.kind == "u":
+        return array.astype(dtype)
     high = int(np.iinfo(dtype).max)
     if array.dtype.kind not in "iu":  # NumPy makes floats of ints below and above 2**63
         numbers = np.asarray(given, object)

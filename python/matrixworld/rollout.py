@@ -39,7 +39,9 @@ class Matches(NamedTuple):
             check_naturals("evader", evader, np.int32),
             check_naturals("seed", seed, np.uint64),
         )
-        broadcast = np.broadcast_arrays(*np.atleast_1d(*parts))
+        broadcast = np.atleast_1d(*parts)
+        if any(part.shape != broadcast[0].shape for part in broadcast):
+            broadcast = np.broadcast_arrays(*broadcast)
         if broadcast[0].ndim != 1:
             raise ValueError(f"matches: expected one axis, got shape {broadcast[0].shape}")
         return cls(*(np.ascontiguousarray(part) for part in broadcast))

@@ -35,6 +35,7 @@ from matrixworld.coevolution.fitness import FITNESS, fitness
 from matrixworld.coevolution.genetic_algorithm import (
     GeneticAlgorithm,
     mate_uniform,
+    mutate_from_table,
     mutate_gaussian,
     select_tournament,
     select_truncation,
@@ -104,6 +105,7 @@ __all__ = [
     "last_generation",
     "learner_toolbox",
     "mate_uniform",
+    "mutate_from_table",
     "mutate_gaussian",
     "open_run",
     "resume",

@@ -62,14 +62,13 @@ class EvolutionStrategy:
                m = m + Adam( sum_i (u_i+ - u_i-) e_i / (n s) )
 
     Both of a pair are scored on the same match seed, so that luck of the draw cancels out.
-    One `sigma` serves all genes; there is no weight decay.
+    The table's s serves all genes; there is no weight decay.
 
     Parameters
     ----------
     genome : (genes,) float32, where the mean starts.
-    noise : table of the same number of genes.
+    noise : table of the same number of genes; its `sigma` is the deviation of the samples (s).
     samples : candidates per epoch (n), even.
-    sigma : standard deviation of the samples (s).
     learning_rate : Adam's rate.
     anneal_over : number of updates over which the rate falls linearly to a tenth; None: constant.
     """
@@ -80,7 +79,6 @@ class EvolutionStrategy:
         noise: NoiseTable,
         *,
         samples: int = 64,
-        sigma: float = 0.1,
         learning_rate: float = 0.02,
         anneal_over: int | None = None,
     ) -> None:
@@ -89,7 +87,7 @@ class EvolutionStrategy:
         self.genome = np.array(genome, dtype=np.float32)
         if self.genome.shape != (noise.size,):
             raise ValueError(f"genome: expected shape ({noise.size},), got {self.genome.shape}")
-        self.samples, self.sigma = samples, sigma
+        self.samples = samples
         self.learning_rate, self.anneal_over = learning_rate, anneal_over
         self._adam = Adam(noise.size)
         self._table = noise
@@ -115,9 +113,8 @@ class EvolutionStrategy:
         candidates = np.empty((2, pairs, self._table.size), dtype=np.float32)
         plus, minus = candidates
         for i, noise in enumerate(self._noise):
-            np.multiply(noise, np.float32(self.sigma), out=plus[i])
-            np.subtract(self.genome, plus[i], out=minus[i])
-            plus[i] += self.genome
+            np.add(self.genome, noise, out=plus[i])
+            np.subtract(self.genome, noise, out=minus[i])
         return candidates.reshape(self.samples, -1)
 
     def tell(self, fitness: ArrayLike) -> None:
@@ -130,7 +127,8 @@ class EvolutionStrategy:
 
     def _gradient(self, utility: NDArray[np.float64]) -> Genome:
         plus, minus = utility.reshape(2, -1)
-        weights = ((plus - minus) / (self.samples * self.sigma)).astype(np.float32)
+        # The noise is s e_i already.
+        weights = ((plus - minus) / (self.samples * self._table.sigma**2)).astype(np.float32)
         gradient = np.zeros(self._table.size, dtype=np.float32)
         # Term by term, not as a matrix product: BLAS adds in an order that depends on the machine.
         for weight, noise in zip(weights, self._noise, strict=True):

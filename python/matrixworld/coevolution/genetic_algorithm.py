@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.coevolution.keys import Genome, Genomes
 from matrixworld.coevolution.learners import State, checked_fitness
+from matrixworld.coevolution.noise import NoiseTable
 
 
 def select_tournament(
@@ -68,6 +69,18 @@ def mutate_gaussian(
     return mutants
 
 
+def mutate_from_table(
+    genomes: Genomes, rng: np.random.Generator, *, noise: NoiseTable, probability: float
+) -> Genomes:
+    """As `mutate_gaussian`, the numbers and their `sigma` those of a table: many times as fast."""
+    mutants = np.empty_like(genomes)
+    for mutant, genome, change in zip(mutants, genomes, noise.draw(len(genomes), rng), strict=True):
+        if probability < 1.0:
+            change = change * (rng.random(noise.size, dtype=np.float32) < probability)
+        np.add(genome, change, out=mutant)
+    return mutants
+
+
 class GeneticAlgorithm:
     """A generational genetic algorithm with elitism, its operators in a DEAP toolbox.
 
@@ -83,25 +96,25 @@ class GeneticAlgorithm:
     Parameters
     ----------
     population : (n, genes) float32; row 0 is the champion until the first `tell`.
+    noise : table of the same number of genes; its `sigma` is the deviation of a mutation.
     selection : "tournament" or "truncation".
     tournament : individuals in a tournament.
     truncation : share of the population that truncation lets breed.
     elites : fittest individuals kept unchanged, fewer than n.
     crossover : probability that a child mixes two parents.
-    sigma : standard deviation of a mutation.
     mutation : probability that a gene mutates.
     """
 
     def __init__(
         self,
         population: ArrayLike,
+        noise: NoiseTable,
         *,
         selection: str = "tournament",
         tournament: int = 5,
         truncation: float = 0.25,
         elites: int = 2,
         crossover: float = 0.0,
-        sigma: float = 0.05,
         mutation: float = 1.0,
     ) -> None:
         self._population = np.array(population, dtype=np.float32)
@@ -110,6 +123,9 @@ class GeneticAlgorithm:
                 f"population: expected (n, genes) with n above {elites} elites, "
                 f"got shape {self._population.shape}"
             )
+        genes = self._population.shape[1]
+        if noise.size != genes:
+            raise ValueError(f"noise: expected a table for {genes} genes, got one for {noise.size}")
         self._fitness: NDArray[np.float64] | None = None
         self._candidates: Genomes | None = None
         self.elites = elites
@@ -121,7 +137,7 @@ class GeneticAlgorithm:
         else:
             raise ValueError(f"selection: expected tournament or truncation, got {selection!r}")
         self.toolbox.register("mate", mate_uniform, probability=crossover)
-        self.toolbox.register("mutate", mutate_gaussian, sigma=sigma, probability=mutation)
+        self.toolbox.register("mutate", mutate_from_table, noise=noise, probability=mutation)
 
     @property
     def genome(self) -> Genome:

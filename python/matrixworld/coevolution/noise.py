@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from matrixworld.coevolution.checks import check_number
 from matrixworld.coevolution.keys import Genome
 
 VECTORS_PER_TABLE = 256
@@ -11,24 +12,28 @@ MOST_EXTRA_NUMBERS = 2**24
 
 
 class NoiseTable:
-    """Noise vectors as windows of one long row of standard normal numbers.
+    """Noise vectors as windows of one long row of normal numbers.
 
-    Drawing a fresh normal number for each gene of each sample costs more than the rest of an
-    evolution strategy's update. A window that starts at a random place of a long shared table is
-    as good and costs nothing to make (Salimans et al. 2017, section 2.1).
+    Drawing a fresh normal number for each gene of each candidate costs more than the rest of what
+    a learner does. A window that starts at a random place of a long shared table is as good and
+    costs nothing to make (Salimans et al. 2017, section 2.1; for a genetic algorithm Such et al.
+    2017, "Deep neuroevolution", arXiv:1712.06567).
 
     Parameters
     ----------
     size : length of a noise vector (genes).
     rng : generator that fills the table.
+    sigma : standard deviation of the numbers, in units of the genes.
     """
 
-    def __init__(self, size: int, rng: np.random.Generator) -> None:
+    def __init__(self, size: int, rng: np.random.Generator, *, sigma: float) -> None:
         if size < 1:
             raise ValueError(f"size: expected at least 1 gene, got {size}")
+        check_number("sigma", sigma, least=0.0, positive=True)
         extra = min(VECTORS_PER_TABLE * size, MOST_EXTRA_NUMBERS)
-        self.size = size
+        self.size, self.sigma = size, sigma
         self._numbers = rng.standard_normal(size + extra, dtype=np.float32)
+        self._numbers *= np.float32(sigma)
         self._numbers.flags.writeable = False
 
     def draw(self, count: int, rng: np.random.Generator) -> list[Genome]:

@@ -23,22 +23,24 @@ def new_learner(
     settings: RaceSettings | SingleSettings, team: Team, population: Genomes
 ) -> Learner:
     """Return the learner of the settings, starting from `population` (or from its first row)."""
-    if settings.learner_name == "ga":
+    genetic = settings.learner_name == "ga"
+    rng = keyed_generator(settings.seed, Purpose.NOISE, TEAMS.index(team))
+    sigma = settings.mutation if genetic else settings.sigma
+    noise = NoiseTable(population.shape[1], rng, sigma=sigma)
+    if genetic:
         return GeneticAlgorithm(
             population,
+            noise,
             selection=settings.selection,
             tournament=settings.tournament,
             truncation=settings.truncation,
             elites=settings.elites,
             crossover=settings.crossover,
-            sigma=settings.mutation,
         )
-    rng = keyed_generator(settings.seed, Purpose.NOISE, TEAMS.index(team))
     return EvolutionStrategy(
         population[0],
-        NoiseTable(population.shape[1], rng),
+        noise,
         samples=settings.population,
-        sigma=settings.sigma,
         learning_rate=settings.learning_rate,
         anneal_over=settings.total_epochs(team) if settings.anneal else None,
     )

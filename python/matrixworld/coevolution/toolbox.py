@@ -18,6 +18,12 @@ class Maximize(base.Fitness):  # type: ignore[misc]
 
     weights = (1.0,)
 
+    def __init__(self, values: tuple[float, ...] = ()) -> None:
+        # DEAP's own looks at the weights of each new fitness again, which takes longer than the
+        # rest of making an individual.
+        if values:
+            self.values = values
+
 
 class Individual:
     """A DEAP individual: a genome (genes,) float32 and its fitness."""
