@@ -20,7 +20,8 @@ single             one team against opponents that stand still
 tournament         payoff matrices
 learners           the interface of `evolution_strategy` and `genetic_algorithm`
 toolbox            learners as DEAP toolboxes
-fitness            from scores to fitness
+fitness            from scores to fitness; `sharing` of it where opponents are scarce
+opponents          whom to meet: selection among the past, and archives
 run_directory      the files of a run (`files`, `lock`, `run_log`)
 =================  ===============================================================================
 
@@ -29,6 +30,7 @@ Everything is scored through one pure function with the arguments of `matrixworl
 
 from __future__ import annotations
 
+from matrixworld.coevolution import opponents
 from matrixworld.coevolution.evolution_strategy import Adam, EvolutionStrategy, centred_ranks
 from matrixworld.coevolution.files import DamagedFileError
 from matrixworld.coevolution.fitness import FITNESS, fitness
@@ -58,6 +60,7 @@ from matrixworld.coevolution.settings import (
     SingleSettings,
     TrainingSettings,
 )
+from matrixworld.coevolution.sharing import competitive_sharing, reduced_virulence
 from matrixworld.coevolution.single import SingleTeam
 from matrixworld.coevolution.toolbox import (
     Candidates,
@@ -99,6 +102,7 @@ __all__ = [
     "Team",
     "TrainingSettings",
     "centred_ranks",
+    "competitive_sharing",
     "evaluation_seed",
     "fitness",
     "generate_update_toolbox",
@@ -108,6 +112,8 @@ __all__ = [
     "mutate_from_table",
     "mutate_gaussian",
     "open_run",
+    "opponents",
+    "reduced_virulence",
     "resume",
     "select_tournament",
     "select_truncation",

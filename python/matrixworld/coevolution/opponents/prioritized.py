@@ -1,0 +1,113 @@
+"""Opponents drawn by how hard they are (Vinyals et al. 2019)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld.coevolution.opponents.selection import (
+    Indices,
+    State,
+    check_available,
+    check_count,
+    checked_scores,
+)
+
+Values = NDArray[np.float64]
+Weighting = Callable[[Values], Values]
+"""Win rates (m,) of the learner -> weights (m,), none negative."""
+
+UNKNOWN = 0.5
+"""The win rate against an opponent that has not been met."""
+
+
+def hard(power: float = 2.0) -> Weighting:
+    """Return the weighting ``(1 - x)^power``: most weight on those who are seldom beaten."""
+    if not 0.0 < power < float("inf"):
+        raise ValueError(f"power: expected a number above 0, got {power}")
+    return lambda x: np.asarray((1.0 - x) ** power)
+
+
+def even(x: Values) -> Values:
+    """Weight ``x (1 - x)``: most weight on those who are beaten half of the time."""
+    return x * (1.0 - x)
+
+
+class Prioritized:
+    """Opponents drawn with probability ~ f(win rate), without replacement.
+
+    ::
+
+        choose:  x[j] = wins[j] / games[j], or 1/2 if j has not been met
+                 draw `count` opponents with P(j) = f(x[j]) / sum_i f(x[i])
+        tell:    games[j] = decay games[j] + 1;  wins[j] = decay wins[j] + mean score against j
+
+    Source: Vinyals et al. 2019, "Grandmaster level in StarCraft II using multi-agent reinforcement
+    learning", Nature 575, "prioritized fictitious self-play". Opponents of weight 0 are drawn,
+    evenly, only when those of positive weight do not suffice.
+
+    Parameters
+    ----------
+    weighting : f, such as ``hard(p)`` or `even`.
+    count : opponents an epoch.
+    decay : how much of the past counts at the next meeting, in (0, 1].
+    """
+
+    def __init__(
+        self, weighting: Weighting | None = None, *, count: int = 1, decay: float = 0.99
+    ) -> None:
+        check_count("count", count)
+        if not 0.0 < decay <= 1.0:
+            raise ValueError(f"decay: expected a number above 0 and at most 1, got {decay}")
+        self.weighting = hard() if weighting is None else weighting
+        self.count, self.decay = count, decay
+        self._wins, self._games = np.zeros(0), np.zeros(0)
+
+    def win_rates(self, available: int) -> Values:
+        """Return the learner's recent win rate against each opponent, (available,)."""
+        wins, games = _grown(self._wins, available), _grown(self._games, available)
+        rates = np.full(available, UNKNOWN)
+        np.divide(wins[:available], games[:available], out=rates, where=games[:available] > 0.0)
+        return rates
+
+    def probabilities(self, available: int) -> Values:
+        """Return the probability (available,) of each opponent; even where all weights are 0."""
+        check_available(available)
+        weights = np.asarray(self.weighting(self.win_rates(available)), dtype=np.float64)
+        if weights.shape != (available,) or not (weights >= 0.0).all():
+            raise ValueError(f"weighting: expected {available} weights >= 0, got {weights}")
+        total = weights.sum()
+        return weights / total if total > 0.0 else np.full(available, 1.0 / available)
+
+    def choose(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
+        """Return opponents drawn by their weights, in the order of the draw."""
+        chances = self.probabilities(available)
+        positive = np.flatnonzero(chances)
+        count = min(self.count, available)
+        size = min(count, len(positive))
+        chosen = rng.choice(positive, size=size, replace=False, p=chances[positive])
+        rest = np.flatnonzero(chances == 0.0)
+        return np.append(chosen, rng.choice(rest, size=count - size, replace=False))
+
+    def tell(self, met: Indices, scores: ArrayLike) -> None:
+        """Take the mean score (n, c) against each opponent for one game."""
+        index, values = checked_scores(met, scores)
+        size = int(index.max()) + 1
+        self._wins, self._games = _grown(self._wins, size), _grown(self._games, size)
+        self._wins[index] = self.decay * self._wins[index] + values.mean(axis=0)
+        self._games[index] = self.decay * self._games[index] + 1.0
+
+    def state(self) -> State:
+        """Return the decayed wins and games against each opponent."""
+        return {"wins": self._wins.copy(), "games": self._games.copy()}
+
+    def restore(self, state: State) -> None:
+        """Take up a state that `state` returned."""
+        self._wins = state["wins"].astype(np.float64)
+        self._games = state["games"].astype(np.float64)
+
+
+def _grown(values: Values, size: int) -> Values:
+    return np.pad(values, (0, max(0, size - len(values))))
