@@ -326,6 +326,33 @@ def test_checkerboards_refuse_bad_settings(arguments: dict[str, float], message:
         analysis.checkerboards(PENNIES, **arguments)
 
 
+@given(payoffs)
+def test_the_parts_of_a_matrix_add_up_and_are_orthogonal(matrix: np.ndarray) -> None:
+    mean, pursuers, evaders, cyclic = analysis.two_way_parts(matrix)
+    np.testing.assert_allclose(mean + pursuers[:, None] + evaders + cyclic, matrix, atol=1e-12)
+    for sums in ([pursuers.sum(), evaders.sum()], cyclic.sum(axis=0), cyclic.sum(axis=1)):
+        np.testing.assert_allclose(sums, 0.0, atol=1e-12)
+    total = np.sum((matrix - mean) ** 2)
+    if total > 1e-9:
+        expected = 1 - np.sum(cyclic**2) / total
+        assert analysis.transitive_share(matrix) == pytest.approx(expected, abs=1e-9)
+    swapped = analysis.two_way_parts(1 - matrix.T)
+    np.testing.assert_allclose(swapped.pursuers, -evaders, atol=1e-12)
+
+
+def test_logits_of_shrunken_rates() -> None:
+    np.testing.assert_allclose(
+        analysis.logits([[0.0, 0.5, 1.0]]), [[-np.log(99), 0.0, np.log(99)]], atol=1e-12
+    )
+
+
+def test_runs_are_stacked() -> None:
+    assert analysis.check_runs(PENNIES).shape == (1, 2, 2)
+    assert analysis.check_runs([PENNIES, PENNIES]).shape == (2, 2, 2)
+    with pytest.raises(ValueError, match=r"payoff matrices \(runs, n, m\) .*got shape \(2,\)"):
+        analysis.check_runs([0.1, 0.2])
+
+
 @pytest.mark.parametrize("shrinkage", [0.0, 0.5, float("nan")])
 def test_logits_need_a_shrinkage(shrinkage: float) -> None:
     with pytest.raises(ValueError, match=f"shrinkage in \\(0, 0.5\\), got {shrinkage}"):

@@ -92,6 +92,44 @@ def test_disengagement_refuses_bad_input(
         analysis.disengagements(rates, **settings)  # type: ignore[arg-type]
 
 
+# ---- within a generation ------------------------------------------------------------------------
+
+
+def test_variance_of_fitness_within_each_generation() -> None:
+    np.testing.assert_allclose(
+        analysis.fitness_variance([[0.0, 1.0], [3.0, 3.0], [-1.0, 5.0]]), [0.25, 0.0, 9.0]
+    )
+
+
+def test_opponents_beaten_by_all_or_by_none_decide_nothing() -> None:
+    # Opponent 0 is beaten by both, 1 and 4 by nobody (a draw is not a win), 2 and 3 by one.
+    outcomes = [[0.9, 0.1, 0.8, 0.2, 0.5], [0.7, 0.0, 0.3, 1.0, 0.5]]
+    found = analysis.undecided_opponents(outcomes)
+    assert found.beaten_by_all.tolist() == [0.2]
+    assert found.beaten_by_none.tolist() == [0.4]
+    np.testing.assert_allclose(found.share, [0.6])
+    both = analysis.undecided_opponents([outcomes, np.ones((2, 5))])
+    np.testing.assert_allclose(both.share, [0.6, 1.0])
+    assert analysis.undecided_opponents(outcomes, level=0.4).beaten_by_all.tolist() == [0.4]
+
+
+@pytest.mark.parametrize(
+    ("function", "bad", "message"),
+    [
+        (analysis.fitness_variance, [1.0, 2.0], r"\(generations, individuals\), got \(2,\)"),
+        (analysis.fitness_variance, np.empty((0, 3)), r"got \(0, 3\)"),
+        (analysis.fitness_variance, [[1.0, np.inf]], "finite fitness, got"),
+        (analysis.undecided_opponents, [0.5], "3 dimension"),
+        (analysis.undecided_opponents, [[1.5]], r"\[0, 1\], got 1.5"),
+    ],
+)
+def test_bad_generations_are_refused(function: object, bad: object, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        function(bad)  # type: ignore[operator]
+    with pytest.raises(ValueError, match=r"level in \[0, 1\], got 2"):
+        analysis.undecided_opponents([[0.5]], level=2)
+
+
 # ---- summary and words --------------------------------------------------------------------------
 
 

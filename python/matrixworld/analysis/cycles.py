@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.analysis.payoff import Rates, check_payoff
-
-SHRINKAGE = 0.01
-"""Default pull towards 1/2 before a logit: 0 and 1 become .01 and .99, logits -4.6 and 4.6."""
+from matrixworld.analysis.payoff import SHRINKAGE, Rates, check_payoff, require
+from matrixworld.analysis.payoff import logits as logits_of
 
 _ROUNDING = 1e-12  # differences of capture rates below this are floating-point noise
 
@@ -29,6 +28,18 @@ class Checkerboards:
         return self.count / self.possible if self.possible else math.nan
 
 
+class TwoWayParts(NamedTuple):
+    """``M = mean + pursuers[:, None] + evaders + cyclic``; in units of the capture rate."""
+
+    mean: float
+    pursuers: Rates
+    """Shape ``(n,)``, sum 0: how much more than the mean each pursuer generation captures."""
+    evaders: Rates
+    """Shape ``(m,)``, sum 0: how much more each evader generation is captured (higher: weaker)."""
+    cyclic: Rates
+    """Shape ``(n, m)``, rows and columns sum to 0: what depends on who meets whom, and noise."""
+
+
 def transitive_share(
     payoff: ArrayLike, *, logits: bool = False, shrinkage: float = SHRINKAGE
 ) -> float:
@@ -40,20 +51,34 @@ def transitive_share(
     ``(n + m - 2) / (n m - 1)``, so low values need :func:`checkerboards` beside them.
 
     A perfectly transitive matrix of zeros and ones (a staircase) reaches 2/3 only, because sums
-    cannot saturate. ``logits=True`` decomposes ``log(x / (1 - x))`` of the shrunken rates
+    cannot saturate. ``logits=True`` decomposes the :func:`logits` of the shrunken rates
     ``x = shrinkage + (1 - 2 shrinkage) M`` instead, which straightens graded matrices that flatten
     out at 0 and 1. Shrinking, unlike clipping, keeps the order of all cells.
 
     Raises ValueError unless ``0 < shrinkage < 1/2``.
     """
     matrix = check_payoff(payoff)
-    values = _logits(matrix, shrinkage) if logits else matrix
-    centered = values - values.mean()
-    total = float(np.sum(centered**2))
-    if total <= centered.size * _ROUNDING**2:
+    values = logits_of(matrix, shrinkage=shrinkage) if logits else matrix
+    total = float(np.sum((values - values.mean()) ** 2))
+    if total <= values.size * _ROUNDING**2:
         return math.nan
-    residual = centered - centered.mean(axis=1, keepdims=True) - centered.mean(axis=0)
-    return min(1.0, max(0.0, 1.0 - float(np.sum(residual**2)) / total))
+    return min(1.0, max(0.0, 1.0 - float(np.sum(_parts(values).cyclic ** 2)) / total))
+
+
+def two_way_parts(payoff: ArrayLike) -> TwoWayParts:
+    """The four parts of ``M = mean + r_g + c_h + R``, each orthogonal to the others.
+
+    The two-way analysis of variance (Fisher, 1925). On the complete bipartite graph of two teams
+    ``r_g + c_h`` is the gradient flow of the Hodge decomposition of games (Candogan et al., 2011)
+    and R its cyclic part. :func:`transitive_share` says how much the first three explain.
+    """
+    return _parts(check_payoff(payoff))
+
+
+def _parts(values: Rates) -> TwoWayParts:
+    mean = float(values.mean())
+    pursuers, evaders = values.mean(axis=1) - mean, values.mean(axis=0) - mean
+    return TwoWayParts(mean, pursuers, evaders, values - mean - pursuers[:, None] - evaders)
 
 
 def checkerboards(
@@ -79,8 +104,8 @@ def checkerboards(
     Time and memory: O(n^2 m^2) and O(n m^2).
     """
     matrix = check_payoff(payoff)
-    _require(0.0 <= margin < 1.0, "a margin in [0, 1)", margin)
-    _require(level is None or 0.0 <= level <= 1.0, "a level in [0, 1] or None", level)
+    require(0.0 <= margin < 1.0, "a margin in [0, 1)", margin)
+    require(level is None or 0.0 <= level <= 1.0, "a level in [0, 1] or None", level)
     prefers = _prefers(matrix, margin, level)
     count = sum(_count_from(p, matrix, prefers, margin) for p in range(len(matrix) - 1))
     rows, columns = matrix.shape
@@ -104,15 +129,3 @@ def _count_from(p: int, matrix: Rates, prefers: np.ndarray, margin: float) -> in
     found = prefers[p] & prefers[after].transpose(0, 2, 1)
     found &= p_leads[:, :, None] & p_trails[:, None, :]
     return int(np.count_nonzero(found))
-
-
-def _logits(matrix: Rates, shrinkage: float) -> Rates:
-    _require(0.0 < shrinkage < 0.5, "a shrinkage in (0, 0.5)", shrinkage)
-    shrunken = shrinkage + (1.0 - 2.0 * shrinkage) * matrix
-    logits: Rates = np.log(shrunken) - np.log1p(-shrunken)
-    return logits
-
-
-def _require(condition: bool, expected: str, received: object) -> None:
-    if not condition:
-        raise ValueError(f"expected {expected}, got {received}")

@@ -1,4 +1,4 @@
-"""Does a later generation play better? Curves over generations, and what each half-step undid."""
+"""Does a later generation play better, and against whom: ancestors, contemporaries, strangers?"""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.analysis.payoff import Rates, check_payoff
+from matrixworld.analysis.payoff import Rates, check_payoff, require, swap_teams
 
 
 class Generalization(NamedTuple):
@@ -30,22 +30,26 @@ class Forgetting(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class LagProfile:
-    """Mean capture rate by lag; three arrays of length ``n + m - 1``, lags ascending."""
+class TeamProgress:
+    """One team's payoff against one kind of opponents, over its generations 0, 1, ..., k - 1."""
 
-    lags: NDArray[np.int64]
-    """Pursuer generation minus evader generation, from ``-(m - 1)`` to ``n - 1``."""
-    means: Rates
-    """Mean over k of ``M[k + d, k]``."""
-    cells: NDArray[np.int64]
-    """Number of cells behind each mean: few at both ends."""
+    scores: Rates
+    """Shape ``(..., k)``, in [0, 1]: mean payoff of each generation against its opponents."""
+    gains: Rates
+    """Shape ``(..., k - 1)``, in [-1, 1]: what generations 1, 2, ... score more than the generation
+    before them scores against the same opponents."""
 
-    def at(self, lag: int) -> float:
-        """The mean at one lag. Raises ValueError outside the profile."""
-        first, last = int(self.lags[0]), int(self.lags[-1])
-        if not first <= lag <= last:
-            raise ValueError(f"expected a lag from {first} to {last}, got {lag}")
-        return float(self.means[lag - first])
+    @property
+    def mean_gain(self) -> float:
+        """Mean of the gains; above 0: progress of this kind. NaN for a single generation."""
+        return float(self.gains.mean()) if self.gains.size else float("nan")
+
+
+class Progress(NamedTuple):
+    """Progress of both teams, each from its own point of view: higher is better."""
+
+    pursuers: TeamProgress
+    evaders: TeamProgress
 
 
 def generalization(payoff: ArrayLike) -> Generalization:
@@ -55,70 +59,6 @@ def generalization(payoff: ArrayLike) -> Generalization:
     """
     matrix = check_payoff(payoff)
     return Generalization(matrix.mean(axis=1), 1.0 - matrix.mean(axis=0))
-
-
-def lag_profile(payoff: ArrayLike) -> LagProfile:
-    """Mean over k of ``M[k + d, k]`` for every lag d: pursuers of d generations after the evaders.
-
-    Specialists beat the current opponent and no other (a notch at 0 in a flat line); generalists
-    keep gaining on everyone (a rising line).
-    """
-    matrix = check_payoff(payoff)
-    rows, columns = matrix.shape
-    lags = np.arange(1 - columns, rows)
-    diagonals = [np.diagonal(matrix, offset=-d) for d in lags]
-    means = np.array([diagonal.mean() for diagonal in diagonals])
-    return LagProfile(lags, means, np.array([len(diagonal) for diagonal in diagonals]))
-
-
-def lag_rise(payoff: ArrayLike, lag: int | None = None) -> float:
-    """How much better later pursuers do than earlier: lag profile at ``+lag`` less at ``-lag``.
-
-    In [-1, 1]; the same number after swapping the teams. ``lag`` defaults to a third of the
-    generations (10 of 31). Raises ValueError unless ``1 <= lag < min(n, m)``.
-    """
-    matrix = check_payoff(payoff)
-    shortest = min(matrix.shape)
-    lag = default_rise_lag(shortest) if lag is None else lag
-    if not 1 <= lag < shortest:
-        raise ValueError(f"expected a lag from 1 to {shortest - 1}, got {lag}")
-    profile = lag_profile(matrix)
-    return profile.at(lag) - profile.at(-lag)
-
-
-def default_rise_lag(generations: int) -> int:
-    """A third of the generations, rounded down, at least 1."""
-    return max(1, generations // 3)
-
-
-def half_steps(payoff: ArrayLike) -> Rates:
-    """Capture rate after each half-step of generations 1, 2, ...; shape ``(K, 2)``, K >= 0.
-
-    Row ``k - 1`` holds ``M[k, k - 1]``, after the pursuers of generation k have learned, and
-    ``M[k, k]``, after the evaders have answered; ``K = min(n, m) - 1``.
-    """
-    matrix = check_payoff(payoff)
-    k = np.arange(1, min(matrix.shape))
-    return np.stack([matrix[k, k - 1], matrix[k, k]], axis=1)
-
-
-def swing(payoff: ArrayLike, start: int | None = None) -> float:
-    """Mean of ``abs(M[k, k - 1] - M[k, k])`` over generations k >= start: what one answer undoes.
-
-    ``start`` defaults to a quarter of the generations, rounded up (8 of 31), to leave out the
-    naive ones. Raises ValueError unless ``1 <= start < min(n, m)``. Pursuers learn first in a
-    generation, so swapping the teams does not give the same number.
-    """
-    rates = half_steps(payoff)
-    start = default_swing_start(len(rates) + 1) if start is None else start
-    if not 1 <= start <= len(rates):
-        raise ValueError(f"expected a start from 1 to {len(rates)}, got {start}")
-    return float(np.abs(rates[start - 1 :, 0] - rates[start - 1 :, 1]).mean())
-
-
-def default_swing_start(generations: int) -> int:
-    """A quarter of the generations, rounded up, at least 1."""
-    return max(1, -(-generations // 4))
 
 
 def forgetting(payoff: ArrayLike) -> Forgetting:
@@ -132,3 +72,69 @@ def forgetting(payoff: ArrayLike) -> Forgetting:
     pursuers = np.maximum.accumulate(matrix, axis=0) - matrix
     evaders = matrix - np.minimum.accumulate(matrix, axis=1)
     return Forgetting(pursuers.mean(axis=1), evaders.mean(axis=0))
+
+
+def local_progress(payoff: ArrayLike) -> Progress:
+    """Progress against current opponents: those of the same generation; ``min(n, m)`` generations.
+
+    Gain of pursuers g: ``M[g, g] - M[g - 1, g]``. A race that only cycles has it, too: each
+    generation beats the newest opponents and forgets the others. Miconi (2009); Simione and Nolfi
+    (2021).
+    """
+    matrix = check_payoff(payoff)
+    k = min(matrix.shape)
+    return _both_teams(matrix[:k, :k], np.eye(k, dtype=bool))
+
+
+def historical_progress(payoff: ArrayLike) -> Progress:
+    """Progress against all opponents so far: those of the same and of all earlier generations.
+
+    Gain of pursuers g: mean over ``h <= g`` of ``M[g, h] - M[g - 1, h]``; evaders likewise on
+    ``1 - M.T``. The longer team meets the whole of the shorter one from its end on. Miconi (2009);
+    Simione and Nolfi (2021).
+    """
+    matrix = check_payoff(payoff)
+    return _both_teams(matrix, np.tri(max(matrix.shape)) > 0.0)
+
+
+def global_progress(cross: ArrayLike) -> Progress:
+    """Progress against strangers: all opponents of the other independent runs.
+
+    ``cross``, shape ``(runs, runs, n, m)``: capture rates of the pursuers of run r against the
+    evaders of run s. Entries with ``r == s`` are not used and may be NaN. Scores are shaped
+    ``(runs, n)`` and ``(runs, m)``. A race can make historical progress without it where it learns
+    the habits of its own opponents. Miconi (2009); Simione and Nolfi (2021).
+
+    Raises ValueError for another shape, fewer than two runs, rates outside [0, 1].
+    """
+    array = np.asarray(cross)
+    require(
+        array.ndim == 4 and array.shape[0] == array.shape[1],
+        "cross tests of shape (runs, runs, n, m)",
+        array.shape,
+    )
+    runs = len(array)
+    require(runs >= 2, "cross tests between at least 2 runs", runs)
+    others = ~np.eye(runs, dtype=bool)
+    flat = check_payoff(array[others].reshape(runs * (runs - 1), -1))
+    played = np.zeros(array.shape)
+    played[others] = flat.reshape(-1, *array.shape[2:])
+    pursuers = played.sum(axis=1).mean(axis=-1) / (runs - 1)
+    evaders = 1.0 - played.sum(axis=0).mean(axis=-2) / (runs - 1)
+    return Progress(
+        TeamProgress(pursuers, np.diff(pursuers, axis=-1)),
+        TeamProgress(evaders, np.diff(evaders, axis=-1)),
+    )
+
+
+def _both_teams(matrix: Rates, met: NDArray[np.bool_]) -> Progress:
+    """``met[g, h]``: generation g is measured against opponents h; large enough for both teams."""
+    return Progress(_progress(matrix, met), _progress(swap_teams(matrix), met))
+
+
+def _progress(matrix: Rates, met: NDArray[np.bool_]) -> TeamProgress:
+    rows, columns = matrix.shape
+    weights = met[:rows, :columns] / met[:rows, :columns].sum(axis=1, keepdims=True)
+    scores = (weights * matrix).sum(axis=1)
+    gains = (weights[1:] * np.diff(matrix, axis=0)).sum(axis=1)
+    return TeamProgress(scores, gains)

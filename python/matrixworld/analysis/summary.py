@@ -11,17 +11,16 @@ from numpy.typing import ArrayLike
 
 from matrixworld.analysis.cycles import checkerboards, transitive_share
 from matrixworld.analysis.engagement import Disengagement, disengagements
-from matrixworld.analysis.payoff import Rates, check_payoff, last_half
-from matrixworld.analysis.progress import (
+from matrixworld.analysis.lags import (
     default_rise_lag,
     default_swing_start,
-    forgetting,
-    generalization,
     half_steps,
     lag_profile,
     lag_rise,
     swing,
 )
+from matrixworld.analysis.payoff import Rates, check_payoff, last_half
+from matrixworld.analysis.progress import forgetting, generalization
 
 # The thresholds lie between what trial races of 30 generations showed in the last half of their
 # matrix (Pursuit-Evasion-O, 8 against 30; four seeds of each of the paper's schedules):

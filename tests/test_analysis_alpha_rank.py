@@ -1,0 +1,132 @@
+"""alpha-Rank against the Markov chain built state by state."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+from matrices import logistic, staircase
+from matrixworld import analysis
+
+ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
+payoffs = arrays.arrays(
+    np.float64,
+    arrays.array_shapes(min_dims=2, max_dims=2, min_side=1, max_side=5),
+    elements=st.integers(0, 8).map(lambda n: n / 8),
+)
+
+
+def by_brute_force(matrix: np.ndarray, alpha: float, m: int) -> np.ndarray:
+    """The formulas as printed, one pair of states at a time, and an eigenvector."""
+    rows, columns = matrix.shape
+    states = [(p, e) for p in range(rows) for e in range(columns)]
+    chain = np.zeros((len(states), len(states)))
+    eta = 1 / (rows + columns - 2)
+    for i, (p, e) in enumerate(states):
+        for j, (p2, e2) in enumerate(states):
+            if (p != p2) == (e != e2):
+                continue
+            before, after = matrix[p, e], matrix[p2, e2]
+            d = after - before if p != p2 else (1 - after) - (1 - before)
+            rho = (1 - math.exp(-alpha * d)) / (1 - math.exp(-m * alpha * d)) if d else 1 / m
+            chain[i, j] = eta * rho
+        chain[i, i] = 1 - chain[i].sum()
+    values, vectors = np.linalg.eig(chain.T)
+    stationary = np.real(vectors[:, np.argmin(np.abs(values - 1))])
+    return (stationary / stationary.sum()).reshape(matrix.shape)
+
+
+@pytest.mark.parametrize(("alpha", "population"), [(0.1, 2), (1.0, 5), (2.0, 10), (0.5, 50)])
+def test_it_is_the_stationary_distribution_of_the_chain(alpha: float, population: int) -> None:
+    rng = np.random.default_rng(0)
+    for matrix in (rng.random((3, 4)), rng.integers(0, 5, (4, 3)) / 4, ROCK_PAPER_SCISSORS):
+        found = analysis.alpha_rank(matrix, alpha=alpha, population=population)
+        expected = by_brute_force(matrix, alpha, population)
+        np.testing.assert_allclose(found.pairs, expected, atol=1e-10)
+        np.testing.assert_allclose(found.pursuers, expected.sum(axis=1), atol=1e-10)
+        np.testing.assert_allclose(found.evaders, expected.sum(axis=0), atol=1e-10)
+
+
+def test_blocks_of_states_do_not_matter() -> None:
+    matrix = np.random.default_rng(1).random((12, 11))  # 132 states: three blocks
+    found = analysis.alpha_rank(matrix, alpha=1.0, population=5)
+    np.testing.assert_allclose(found.pairs, by_brute_force(matrix, 1.0, 5), atol=1e-9)
+
+
+@pytest.mark.parametrize("alpha", [0.1, 100.0, 1e6, math.inf])
+def test_rock_paper_scissors_is_uniform(alpha: float) -> None:
+    found = analysis.alpha_rank(ROCK_PAPER_SCISSORS, alpha=alpha)
+    np.testing.assert_allclose(found.pursuers, 1 / 3)
+    np.testing.assert_allclose(found.evaders, 1 / 3)
+
+
+@pytest.mark.parametrize("alpha", [100.0, 1e6, math.inf])
+def test_strong_selection_keeps_the_best_pair(alpha: float) -> None:
+    found = analysis.alpha_rank(logistic(9), alpha=alpha)
+    assert found.pairs[8, 8] > 0.97
+    assert analysis.alpha_rank([[0.5]], alpha=alpha).pairs.tolist() == [[1.0]]
+    # Pursuers 8 catch everybody, so evaders drift; where they drift to 0, pursuers drift, too.
+    drifting = analysis.alpha_rank(staircase(9), alpha=alpha)
+    assert drifting.pursuers.argmax() == 8
+    assert drifting.pairs[8].sum() > 0.9
+    assert drifting.pairs[0, 1:].sum() < 2e-3
+
+
+def test_without_any_difference_every_pair_is_alike() -> None:
+    found = analysis.alpha_rank(np.full((4, 6), 0.3))
+    np.testing.assert_allclose(found.pairs, 1 / 24)
+
+
+def test_the_limit_is_the_one_of_large_alpha() -> None:
+    matrix = np.random.default_rng(2).integers(0, 6, (6, 5)) / 5
+    limit = analysis.alpha_rank(matrix, alpha=math.inf)
+    np.testing.assert_allclose(analysis.alpha_rank(matrix, alpha=1e4).pairs, limit.pairs, atol=1e-9)
+
+
+@pytest.mark.parametrize("m", [2, 50])
+def test_fixation_probability_by_its_formula(m: int) -> None:
+    for d in (-0.9, -0.1, 0.05, 1.0):
+        for alpha in (0.1, 1.0, 3.0):
+            expected = (1 - math.exp(-alpha * d)) / (1 - math.exp(-m * alpha * d))
+            found = analysis.fixation_probability(d, alpha=alpha, population=m)
+            assert float(found) == pytest.approx(expected, rel=1e-12)
+
+
+def test_fixation_probability_has_no_jump_at_zero_and_no_overflow() -> None:
+    gains = [0.0, 1e-320, 1e-300, -1e-300, 1e-15, -1e-15]
+    found = analysis.fixation_probability(gains, alpha=1.0, population=50)
+    np.testing.assert_allclose(found, 1 / 50, rtol=1e-12)
+    extreme = analysis.fixation_probability([-1.0, 1.0], alpha=1e300, population=50)
+    assert extreme.tolist() == [0.0, 1.0]
+    limit = analysis.fixation_probability([[-0.1, 0.0, 0.1]], alpha=math.inf, population=4)
+    assert limit.tolist() == [[0.0, 0.25, 1.0]]
+
+
+@given(payoffs, st.sampled_from([0.5, 5.0, 100.0]))
+def test_swapping_the_teams_swaps_it(matrix: np.ndarray, alpha: float) -> None:
+    found = analysis.alpha_rank(matrix, alpha=alpha)
+    swapped = analysis.alpha_rank(1 - matrix.T, alpha=alpha)
+    np.testing.assert_allclose(swapped.pairs, found.pairs.T, atol=1e-9)
+    np.testing.assert_allclose(swapped.pursuers, found.evaders, atol=1e-9)
+    assert found.pairs.sum() == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(
+    ("matrix", "settings", "message"),
+    [
+        (ROCK_PAPER_SCISSORS, {"alpha": 0.0}, "alpha above 0, got 0.0"),
+        (ROCK_PAPER_SCISSORS, {"alpha": math.nan}, "alpha above 0, got nan"),
+        (ROCK_PAPER_SCISSORS, {"population": 1}, "population of at least 2, got 1"),
+        (np.zeros((65, 65)), {}, "at most 4096 pairs .*, got 4225"),
+    ],
+)
+def test_bad_settings_are_refused(
+    matrix: np.ndarray, settings: dict[str, float], message: str
+) -> None:
+    with pytest.raises(ValueError, match=message):
+        analysis.alpha_rank(matrix, **settings)  # type: ignore[arg-type]

@@ -1,0 +1,126 @@
+"""The dominance tournament on hand-worked cases, and its test against SciPy's."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+from scipy import stats
+
+from matrixworld import analysis
+
+scores_of_races = arrays.arrays(
+    np.float64,
+    st.tuples(st.integers(1, 6), st.integers(1, 6), st.integers(2, 5)),
+    elements=st.integers(0, 4).map(lambda n: n / 4),
+)
+
+
+def certain(matrix: list[list[float]]) -> np.ndarray:
+    """Two episodes without any noise."""
+    return np.repeat(np.array(matrix)[:, :, None], 2, axis=2)
+
+
+def test_only_those_that_beat_all_rungs_join() -> None:
+    # Means of the pursuers: .5, .4, .6, .55, .6, .9; those of the evaders: escape .5, .5.
+    means = np.array([0.5, 0.4, 0.6, 0.55, 0.6, 0.9])
+    ladders = analysis.dominance_tournament(certain(np.stack([means, means], axis=1).tolist()))
+    assert ladders.pursuers.generations == (0, 2, 5)
+    assert ladders.pursuers.p_values == (0.0, 0.0)
+    assert ladders.evaders.generations == (0,)
+    assert len(ladders.pursuers) == 3
+
+
+def test_evaders_climb_on_escapes() -> None:
+    ladders = analysis.dominance_tournament(certain([[0.9, 0.5, 0.7, 0.1], [0.9, 0.5, 0.7, 0.1]]))
+    assert ladders.evaders.generations == (0, 1, 3)
+
+
+def test_with_one_opponent_it_is_welchs_t_test() -> None:
+    rng = np.random.default_rng(0)
+    scores = rng.random((2, 1, 12)) * np.array([0.6, 1.0])[:, None, None]
+    expected = stats.ttest_ind(scores[1, 0], scores[0, 0], equal_var=False, alternative="greater")
+    p = float(expected.pvalue)
+    assert 0.001 < p < 0.2
+    joins = analysis.dominance_tournament(scores, level=p + 1e-6).pursuers
+    assert joins.generations == (0, 1)
+    assert joins.p_values == pytest.approx((p,))
+    assert analysis.dominance_tournament(scores, level=p - 1e-6).pursuers.generations == (0,)
+
+
+def test_chance_alone_rarely_makes_a_rung() -> None:
+    rng = np.random.default_rng(1)
+    false = [
+        len(analysis.dominance_tournament(rng.random((2, 5, 8))).pursuers) - 1 for _ in range(2000)
+    ]
+    assert 0.035 < np.mean(false) < 0.065
+
+
+def test_a_real_difference_makes_one_where_the_mean_alone_would_not_tell() -> None:
+    rng = np.random.default_rng(2)
+    found = [
+        len(analysis.dominance_tournament(rng.random((2, 5, 30)) < [[[0.4]], [[0.6]]]).pursuers)
+        for _ in range(100)
+    ]
+    assert np.mean(np.array(found) == 2) > 0.9
+
+
+def test_counts_are_tested_without_the_episodes() -> None:
+    # By hand: q = 2/12 and 10/12, variance 20/144/10 each, z = .8 / sqrt(2 * .01389) = 4.8.
+    ladders = analysis.dominance_of_counts([[1], [9], [9]], 10)
+    assert ladders.pursuers.generations == (0, 1)
+    expected = float(stats.norm.sf(0.8 / np.sqrt(2 * (2 / 12) * (10 / 12) / 10)))
+    assert ladders.pursuers.p_values == pytest.approx((expected,))
+    # Two of two against none of two: p = .042 by the shrunken variance; one of one tells nothing.
+    assert len(analysis.dominance_of_counts([[0], [2]], 2).pursuers) == 2
+    assert len(analysis.dominance_of_counts([[0], [1]], [[1], [1]], level=0.02).pursuers) == 1
+
+
+@given(scores_of_races)
+def test_swapping_the_teams_swaps_the_ladders(scores: np.ndarray) -> None:
+    ladders = analysis.dominance_tournament(scores)
+    swapped = analysis.dominance_tournament(1 - scores.transpose(1, 0, 2))
+    assert swapped.pursuers.generations == ladders.evaders.generations
+    assert swapped.evaders.generations == ladders.pursuers.generations
+    np.testing.assert_allclose(swapped.evaders.p_values, ladders.pursuers.p_values, atol=1e-9)
+
+
+@given(scores_of_races)
+def test_ladders_rise(scores: np.ndarray) -> None:
+    ladder = analysis.dominance_tournament(scores).pursuers
+    means = scores.mean(axis=(1, 2))[list(ladder.generations)]
+    assert ladder.generations[0] == 0
+    assert (np.diff(means) > 0).all()
+    assert all(p < 0.05 for p in ladder.p_values)
+
+
+@pytest.mark.parametrize(
+    ("scores", "level", "message"),
+    [
+        (np.zeros((2, 2, 1)), 0.05, "at least 2 episodes a cell, got 1"),
+        (np.zeros((2, 2)), 0.05, "3 dimension"),
+        (np.full((2, 2, 2), 1.5), 0.05, r"\[0, 1\], got 1.5"),
+        (np.zeros((2, 2, 2)), 0.0, r"level in \(0, 0.5\], got 0.0"),
+        (np.zeros((2, 2, 2)), 0.6, "got 0.6"),
+    ],
+)
+def test_bad_scores_are_refused(scores: np.ndarray, level: float, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        analysis.dominance_tournament(scores, level=level)
+
+
+@pytest.mark.parametrize(
+    ("wins", "episodes", "message"),
+    [
+        ([[3]], 2, r"got 3 of 2 at index \(0, 0\)"),
+        ([[0, -1]], 2, "got -1 of 2"),
+        ([[0.5]], 2, "whole numbers"),
+        ([[0]], 0, "got 0 of 0"),
+        ([[np.nan]], 2, "got nan of 2"),
+    ],
+)
+def test_bad_counts_are_refused(wins: list[list[float]], episodes: int, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        analysis.dominance_of_counts(wins, episodes)

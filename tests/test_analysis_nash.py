@@ -1,0 +1,191 @@
+"""Equilibria worked out by hand, Balduzzi's desiderata, and what best responses gain."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+from scipy.optimize import minimize
+
+from matrices import circular, logistic, staircase
+from matrixworld import analysis
+
+PENNIES = np.eye(2)
+ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
+payoffs = arrays.arrays(
+    np.float64,
+    arrays.array_shapes(min_dims=2, max_dims=2, min_side=1, max_side=6),
+    elements=st.integers(0, 8).map(lambda n: n / 8),
+)
+
+
+def entropy(p: np.ndarray) -> float:
+    used = p[p > 0]
+    return float(-(used * np.log(used)).sum())
+
+
+@pytest.mark.parametrize(
+    ("matrix", "value", "pursuers", "evaders"),
+    [
+        (PENNIES, 1 / 2, [1 / 2, 1 / 2], [1 / 2, 1 / 2]),
+        # Equalise: .8 p + .3 (1 - p) = .1 p + .6 (1 - p) at p = .3; .8 q + .1 (1 - q) = .3 q + ...
+        ([[0.8, 0.1], [0.3, 0.6]], 0.45, [0.3, 0.7], [0.5, 0.5]),
+        ([[1.0, 0.2], [0.4, 0.6]], 0.52, [0.2, 0.8], [0.4, 0.6]),
+        # A saddle point: the second row and first column dominate.
+        ([[0.1, 0.9], [0.4, 0.5]], 0.4, [0.0, 1.0], [1.0, 0.0]),
+        (ROCK_PAPER_SCISSORS, 1 / 2, [1 / 3] * 3, [1 / 3] * 3),
+        ([[0.25]], 0.25, [1.0], [1.0]),
+        (np.full((3, 2), 0.7), 0.7, [1 / 3] * 3, [1 / 2] * 2),
+        # Pursuers may play anything up to a quarter of row 0: entropy takes the most it can get.
+        ([[0.5, 0.2], [0.5, 0.6]], 0.5, [0.25, 0.75], [1.0, 0.0]),
+    ],
+)
+def test_games_worked_out_by_hand(
+    matrix: object, value: float, pursuers: list[float], evaders: list[float]
+) -> None:
+    found = analysis.nash_averaging(matrix)  # type: ignore[arg-type]
+    assert found.value == pytest.approx(value)
+    np.testing.assert_allclose(found.pursuers, pursuers, atol=1e-7)
+    np.testing.assert_allclose(found.evaders, evaders, atol=1e-7)
+    assert analysis.game_value(matrix) == pytest.approx(value)  # type: ignore[arg-type]
+
+
+def test_the_best_generation_of_a_transitive_race_takes_all() -> None:
+    found = analysis.nash_averaging(logistic(31))
+    assert found.pursuers.argmax() == found.evaders.argmax() == 30
+    assert found.pursuers.max() == pytest.approx(1.0)
+    np.testing.assert_allclose(found.pursuer_averages, logistic(31)[:, 30])
+    assert analysis.game_value(staircase(9)) == 1.0
+
+
+@given(payoffs)
+def test_it_is_an_equilibrium(matrix: np.ndarray) -> None:
+    found = analysis.nash_averaging(matrix)
+    assert found.pursuers.min() >= 0.0
+    assert found.pursuers.sum() == pytest.approx(1.0)
+    gains = analysis.exploitability(matrix, found.pursuers, found.evaders)
+    assert gains.total < 1e-6
+    assert (found.pursuer_averages <= found.value + 1e-6).all()
+    assert (found.evader_averages <= 1 - found.value + 1e-6).all()
+    np.testing.assert_allclose(found.pursuer_averages, matrix @ found.evaders)
+
+
+@given(payoffs)
+def test_swapping_the_teams_swaps_it(matrix: np.ndarray) -> None:
+    found, swapped = analysis.nash_averaging(matrix), analysis.nash_averaging(1 - matrix.T)
+    assert swapped.value == pytest.approx(1 - found.value)
+    np.testing.assert_allclose(swapped.pursuers, found.evaders, atol=1e-6)
+    np.testing.assert_allclose(swapped.evaders, found.pursuers, atol=1e-6)
+    np.testing.assert_allclose(swapped.pursuer_averages, found.evader_averages, atol=1e-6)
+
+
+@given(payoffs, st.data())
+def test_copies_change_nothing_but_share_their_weight(
+    matrix: np.ndarray, data: st.DataObject
+) -> None:
+    row = data.draw(st.integers(0, len(matrix) - 1))
+    found = analysis.nash_averaging(matrix)
+    copied = analysis.nash_averaging(np.vstack([matrix, matrix[row]]))
+    assert copied.value == pytest.approx(found.value)
+    assert copied.pursuers[row] == pytest.approx(copied.pursuers[-1], abs=1e-6)
+    np.testing.assert_allclose(copied.pursuer_averages[:-1], found.pursuer_averages, atol=1e-5)
+    np.testing.assert_allclose(copied.evaders, found.evaders, atol=1e-5)
+
+
+def test_copies_of_rock() -> None:
+    found = analysis.nash_averaging(ROCK_PAPER_SCISSORS[[0, 0, 0, 1, 2]])
+    np.testing.assert_allclose(found.pursuers, [1 / 9, 1 / 9, 1 / 9, 1 / 3, 1 / 3], atol=1e-9)
+    # Row means would call paper's victim better now; averages against the equilibrium do not.
+    np.testing.assert_allclose(found.pursuer_averages, 0.5)
+    np.testing.assert_allclose(found.evader_averages, 0.5)
+
+
+@given(payoffs)
+def test_no_other_equilibrium_has_more_entropy(matrix: np.ndarray) -> None:
+    """Against a general optimiser over the optimal mixtures, from two starts."""
+    found = analysis.nash_averaging(matrix)
+    rows = len(matrix)
+    constraints = [
+        {"type": "eq", "fun": lambda p: p.sum() - 1},
+        {"type": "ineq", "fun": lambda p: p @ matrix - found.value + 1e-9},
+    ]
+    for start in (found.pursuers, np.full(rows, 1 / rows)):
+        other = minimize(
+            lambda p: float(np.sum(p * np.log(np.maximum(p, 1e-12)))),
+            start,
+            method="SLSQP",
+            bounds=[(0, 1)] * rows,
+            constraints=constraints,
+            options={"maxiter": 300},
+        )
+        p = np.maximum(other.x, 0)
+        if abs(p.sum() - 1) < 1e-6 and (p @ matrix).min() > found.value - 1e-6:
+            assert entropy(p) < entropy(found.pursuers) + 1e-3
+
+
+def test_value_against_all_square_subgames() -> None:
+    """Shapley and Snow (1950): some square subgame solved by equalising gives the value."""
+    rng = np.random.default_rng(0)
+    for _ in range(10):
+        matrix = rng.random((4, 4))
+        bounds = []
+        for size in range(1, 5):
+            for rows in combinations(range(4), size):
+                for columns in combinations(range(4), size):
+                    inverse = np.linalg.inv(matrix[np.ix_(rows, columns)])
+                    p = np.zeros(4)
+                    p[list(rows)] = inverse.sum(axis=0) / inverse.sum()
+                    if (p >= -1e-12).all():
+                        bounds.append((p @ matrix).min())
+        assert analysis.game_value(matrix) == pytest.approx(max(bounds))
+
+
+@pytest.mark.parametrize("levels", [1, 2, 8, 60])
+def test_large_games_full_of_ties(levels: int) -> None:
+    matrix = np.round(np.random.default_rng(levels).random((60, 50)) * levels) / levels
+    for tied in (matrix, np.round(circular(60) * levels) / levels):
+        found = analysis.nash_averaging(tied)
+        gains = analysis.exploitability(tied, found.pursuers, found.evaders)
+        assert gains.total < 1e-6
+
+
+# ---- exploitability -----------------------------------------------------------------------------
+
+
+def test_exploitability_by_hand() -> None:
+    gains = analysis.exploitability(ROCK_PAPER_SCISSORS, [1, 0, 0], [0.5, 0.25, 0.25])
+    # Rock gets .5 * .5 + .25 = .5; the answer to rock takes all of it; paper gets .5 + .125.
+    assert gains.pursuers == pytest.approx(0.5)
+    assert gains.evaders == pytest.approx(0.125)
+    assert gains.total == pytest.approx(0.625)
+
+
+@pytest.mark.parametrize(
+    ("pursuers", "message"),
+    [
+        ([0.5, 0.5], "3 weights of the pursuers, got 2"),
+        ([0.5, 0.5, 0.5], "weights of the pursuers with sum 1, got 1.5"),
+        ([1.5, -0.5, 0.0], r"\[0, 1\], got 1.5"),
+    ],
+)
+def test_mixtures_are_checked(pursuers: list[float], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        analysis.exploitability(ROCK_PAPER_SCISSORS, pursuers, [1 / 3] * 3)
+
+
+def test_the_gain_of_an_evolved_response() -> None:
+    rng = np.random.default_rng(0)
+    found = analysis.response_gain(rng.random(200) / 2, rng.random(200), budget=5000)
+    assert found.gain.value == pytest.approx(0.25, abs=0.06)
+    assert found.gain.low is not None
+    assert found.gain.high is not None
+    assert 0.15 < found.gain.low < found.gain.value < found.gain.high < 0.35
+    assert str(found).startswith("a best response evolved for 5,000 matches gains 0.2")
+    with pytest.raises(ValueError, match="budget of at least 1 match, got 0"):
+        analysis.response_gain([0.1, 0.2], [0.3, 0.4], budget=0)
+    with pytest.raises(ValueError, match="at least 2 episodes, got 1"):
+        analysis.response_gain([0.1], [0.3, 0.4], budget=1)

@@ -1,0 +1,154 @@
+"""Elo and multidimensional Elo recover what was planted."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+from scipy.optimize import minimize
+
+from matrices import staircase
+from matrixworld import analysis
+from matrixworld.analysis.ratings import RIDGE
+
+ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
+EXACT = {"ridge": 0.0, "shrinkage": 1e-9}
+payoffs = arrays.arrays(
+    np.float64,
+    arrays.array_shapes(min_dims=2, max_dims=2, min_side=1, max_side=6),
+    elements=st.integers(0, 16).map(lambda n: n / 16),
+)
+
+
+def sigmoid(x: np.ndarray) -> np.ndarray:
+    return 1 / (1 + np.exp(-x))
+
+
+def planted(rows: int, columns: int) -> tuple[np.ndarray, np.ndarray, float]:
+    rng = np.random.default_rng(rows)
+    a, b = rng.normal(0, 1, rows), rng.normal(0, 1, columns)
+    return a - a.mean(), b - b.mean(), 0.4
+
+
+def test_elo_recovers_planted_ratings() -> None:
+    a, b, c = planted(7, 5)
+    matrix = sigmoid(a[:, None] - b + c)
+    found = analysis.elo(matrix, **EXACT)
+    np.testing.assert_allclose(found.pursuers, a, atol=1e-6)
+    np.testing.assert_allclose(found.evaders, b, atol=1e-6)
+    assert found.offset == pytest.approx(c, abs=1e-6)
+    np.testing.assert_allclose(found.predict(), matrix, atol=1e-6)
+    assert analysis.log_loss(matrix, found.predict()) < 1e-10
+
+
+def test_elo_recovers_ratings_from_matches() -> None:
+    a, b, c = planted(30, 30)
+    rng = np.random.default_rng(0)
+    matrix = rng.binomial(50, sigmoid(a[:, None] - b + c)) / 50
+    found = analysis.elo(matrix)
+    assert np.corrcoef(found.pursuers, a)[0, 1] > 0.99
+    assert np.abs(found.evaders - b).max() < 0.35
+
+
+def test_elo_is_the_minimum_of_what_it_says() -> None:
+    """Against a general minimiser of the documented objective, written out."""
+    rng = np.random.default_rng(3)
+    matrix = rng.random((3, 4))
+    x = 0.01 + 0.98 * matrix
+
+    def objective(parameters: np.ndarray) -> float:
+        a, b, c = parameters[:3], parameters[3:7], parameters[7]
+        p = sigmoid(a[:, None] - b + c)
+        cross = -(x * np.log(p) + (1 - x) * np.log(1 - p)).sum()
+        return float(cross + RIDGE / 2 * (a @ a + b @ b))
+
+    best = minimize(objective, np.zeros(8), method="BFGS", options={"gtol": 1e-7}).x
+    found = analysis.elo(matrix)
+    np.testing.assert_allclose(found.pursuers, best[:3], atol=1e-4)
+    np.testing.assert_allclose(found.evaders, best[3:7], atol=1e-4)
+    assert found.offset == pytest.approx(best[7], abs=1e-4)
+
+
+def test_ratings_stay_finite_where_somebody_always_wins() -> None:
+    for matrix in (np.ones((3, 4)), staircase(31), np.eye(2)):
+        found = analysis.elo(matrix)
+        assert np.abs(found.logits).max() < 30
+    assert analysis.elo(np.ones((3, 4))).offset == pytest.approx(np.log(0.99 / 0.01))
+
+
+def test_elo_sees_no_difference_in_rock_paper_scissors() -> None:
+    found = analysis.elo(ROCK_PAPER_SCISSORS)
+    np.testing.assert_allclose([*found.pursuers, *found.evaders, found.offset], 0, atol=1e-9)
+    np.testing.assert_allclose(found.predict(), 0.5)
+    cyclic = analysis.multi_elo(ROCK_PAPER_SCISSORS)
+    np.testing.assert_allclose(cyclic.predict(), ROCK_PAPER_SCISSORS, atol=1e-9)
+
+
+def test_multi_elo_reproduces_a_planted_cycle() -> None:
+    a, b, c = planted(9, 6)
+    turn = 2 * np.pi * (np.arange(9)[:, None] / 9 - np.arange(6) / 6)
+    cycle = 0.8 * np.cos(turn)
+    matrix = sigmoid(a[:, None] - b + c + cycle)
+    found = analysis.multi_elo(matrix, **EXACT)
+    assert found.u.shape == (9, 2)
+    assert found.v.shape == (6, 2)
+    # The cycle has no row or column means, but a cross entropy weighs cells: nearly the same.
+    assert np.abs(found.u @ found.v.T - cycle).max() < 0.35
+    assert analysis.log_loss(matrix, found.predict()) < 0.05 * analysis.log_loss(
+        matrix, found.elo.predict()
+    )
+    pure = analysis.multi_elo(sigmoid(cycle), **EXACT)
+    np.testing.assert_allclose(pure.u @ pure.v.T, cycle, atol=1e-6)
+
+
+def test_more_dimensions_reproduce_more_and_enough_of_them_everything() -> None:
+    matrix = np.random.default_rng(5).random((6, 6))
+    losses = [
+        analysis.log_loss(matrix, analysis.multi_elo(matrix, k=k).predict()) for k in range(4)
+    ]
+    assert losses[0] == pytest.approx(
+        analysis.log_loss(matrix, analysis.elo(matrix).predict()), abs=1e-12
+    )
+    assert losses[0] > losses[1] > losses[2] > losses[3]
+    assert losses[3] < 1e-12
+
+
+@given(payoffs)
+def test_swapping_the_teams_swaps_the_ratings(matrix: np.ndarray) -> None:
+    found, swapped = analysis.elo(matrix), analysis.elo(1 - matrix.T)
+    np.testing.assert_allclose(swapped.pursuers, found.evaders, atol=1e-6)
+    np.testing.assert_allclose(swapped.evaders, found.pursuers, atol=1e-6)
+    assert swapped.offset == pytest.approx(-found.offset, abs=1e-6)
+    assert abs(found.pursuers.sum()) < 1e-9
+    assert abs(found.evaders.sum()) < 1e-9
+
+
+def test_log_loss_by_hand() -> None:
+    assert analysis.log_loss([[0.3, 1.0]], [[0.3, 1.0]]) == 0.0
+    assert analysis.log_loss([[1.0]], [[0.5]]) == pytest.approx(np.log(2))
+    assert analysis.log_loss([[0.25]], [[0.5]]) == pytest.approx(
+        0.25 * np.log(0.5) + 0.75 * np.log(1.5)
+    )
+    assert analysis.log_loss([[0.5]], [[0.0]]) == np.inf
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"ridge": -1.0}, "ridge of at least 0, got -1.0"),
+        ({"ridge": np.inf}, "finite ridge"),
+        ({"shrinkage": 0.0}, r"shrinkage in \(0, 0.5\), got 0.0"),
+        ({"k": 2}, r"k from 0 to 1 for a matrix of \(3, 3\), got 2"),
+        ({"k": -1}, "got -1"),
+    ],
+)
+def test_bad_settings_are_refused(settings: dict[str, float], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        analysis.multi_elo(ROCK_PAPER_SCISSORS, **settings)  # type: ignore[arg-type]
+
+
+def test_predictions_have_the_shape_of_the_matrix() -> None:
+    with pytest.raises(ValueError, match=r"predictions of shape \(1, 2\), got \(2, 1\)"):
+        analysis.log_loss([[0.5, 0.5]], [[0.5], [0.5]])
