@@ -9,7 +9,7 @@ import pytest
 
 from matrixworld import coevolution
 from matrixworld.coevolution import HallOfFameRace
-from matrixworld.coevolution.hall_of_fame import mean_of_individuals, pairings
+from matrixworld.coevolution.hall_of_fame import pairings, table_of_individuals
 from tiny_race import StopAt, results, tiny_race
 
 
@@ -32,11 +32,13 @@ def test_everybody_meets_the_same_number_of_opponents():
     assert np.array_equal(met.round, np.repeat(np.arange(6), 5))
 
 
-def test_fitness_is_the_mean_over_an_individual_s_matches():
-    index = np.array([0, 1, 1, 3, 0, 4])
-    values = np.array([1.0, 2.0, 4.0, 9.0, 5.0, 9.0])
-    assert mean_of_individuals(index[[0, 1, 2, 4]], values[[0, 1, 2, 4]], 2).tolist() == [3.0, 3.0]
-    assert mean_of_individuals(index, values, 2).tolist() == [3.0, 3.0]
+def test_matches_as_a_table_of_individuals():
+    own, opponents = np.array([0, 1, 1, 3, 0, 0]), np.array([1, 0, 2, 1, 1, 3])
+    values = np.array([1.0, 2.0, 4.0, 9.0, 5.0, 7.0])
+    table = table_of_individuals(own, opponents, 2, values)
+    assert np.array_equal(
+        table, [[np.nan, 3.0, np.nan, 7.0], [2.0, np.nan, 4.0, np.nan]], equal_nan=True
+    )
 
 
 def test_race(tmp_path):
@@ -75,7 +77,7 @@ def test_hall_alone_or_contemporaries_alone(tmp_path):
 
 
 def test_wrong_kind_of_run_is_refused(tmp_path):
-    with pytest.raises(ValueError, match="schedule: expected hall-of-fame"):
+    with pytest.raises(ValueError, match="schedule: expected one of hall-of-fame"):
         HallOfFameRace(tiny_race(), tmp_path / "run")
     coevolution.start(hall_of_fame(), tmp_path / "run")
     with pytest.raises(ValueError, match="expected a race run, got 'hall-of-fame'"):

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from matrixworld.coevolution import SCHEDULES, opponents
+from matrixworld.coevolution import opponents
 from matrixworld.coevolution.files import load_arrays, save_arrays
 
 SELECTIONS = {
@@ -48,17 +48,16 @@ def test_latest():
     assert chosen(opponents.Latest(3), 2) == [1, 0]
 
 
-def test_round_robin_is_the_schedules_turn():
-    schedule = SCHEDULES["generalist-generalist"]
-    for k in range(1, 6):
-        for i in range(12):
-            turn = opponents.RoundRobin()
-            # Pursuers learn their generation k while there are e[0..k-1], evaders among p[0..k].
-            assert chosen(turn, k, i) == [schedule.opponent("pursuer", k, i)]
-            assert chosen(turn, k + 1, i) == [schedule.opponent("evader", k, i)]
-            assert chosen(opponents.Latest(), k) == [
-                SCHEDULES["specialist-specialist"].opponent("pursuer", k, i)
-            ]
+def test_round_robin_takes_turns():
+    for available in range(1, 6):
+        for epoch in range(12):
+            assert chosen(opponents.RoundRobin(), available, epoch) == [epoch % available]
+    assert [chosen(opponents.RoundRobin(2), 3, epoch) for epoch in range(3)] == [
+        [0, 1],
+        [2, 0],
+        [1, 2],
+    ]
+    assert chosen(opponents.RoundRobin(5), 3, 1) == [2, 0, 1]
 
 
 def test_uniform_draws_everybody_alike():

@@ -77,7 +77,10 @@ def test_learners_score_on_the_matches_that_the_log_says(tmp_path):
         learning, still = (pursuers, evaders) if team == "pursuer" else (evaders, pursuers)
         other = "evader" if team == "pursuer" else "pursuer"
         assert (steps, worlds, learning.genomes.shape[0]) == (8, 2, 4)
-        assert np.array_equal(still.genomes, archive[other][opponent][None])
+        met = matches.evader if team == "pursuer" else matches.pursuer
+        assert set(met.tolist()) == {opponent}
+        assert np.array_equal(still.genomes, archive[other][: len(still.genomes)])
+        assert len(still.genomes) == coevolution.available(team, row[0])
         assert np.array_equal(matches.seed[:2], matches.seed[2:])  # mirrored pairs
     training = [seed for *_, matches, _ in played[:EPOCHS] for seed in set(matches.seed)]
     evaluation = [seed for *_, matches, _ in played[EPOCHS:] for seed in set(matches.seed)]
@@ -283,11 +286,13 @@ def test_schedules_and_learners(tmp_path, schedule, learner):
     payoff = coevolution.start(settings, tmp_path / "run").run()
     assert payoff.capture_rate.shape == (3, 3)
     learned = RunDirectory.open(tmp_path / "run").log()
-    expected = coevolution.SCHEDULES[schedule]
+    selections = {t: coevolution.SCHEDULES[schedule].selection(t) for t in coevolution.TEAMS}
+    rng = np.random.default_rng(0)
     for k, team, i, met in zip(
         *(learned[name] for name in ("generation", "team", "epoch", "opponent")), strict=True
     ):
-        assert met == expected.opponent(team, k, i)
+        there = coevolution.available(team, k)
+        assert selections[team].choose(there, i, rng).tolist() == [met]
 
 
 def test_given_map_is_kept_with_the_run(tmp_path):

@@ -8,11 +8,17 @@ from pathlib import Path
 
 import click
 
-from matrixworld.coevolution import HALL_OF_FAME, SCHEDULES, DamagedFileError, LockedError
+from matrixworld.coevolution import (
+    ALTERNATING,
+    HALL_OF_FAME,
+    SCHEDULES,
+    DamagedFileError,
+    LockedError,
+)
 from matrixworld.coevolution.run_directory import CONFIG
 from matrixworld.policy import SCRIPTS
 
-ORDER = [*SCHEDULES, HALL_OF_FAME]
+ORDER = [*SCHEDULES, ALTERNATING, HALL_OF_FAME]
 """The order in which the runs of one job are played and shown."""
 
 threads_option = click.option(

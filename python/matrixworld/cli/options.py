@@ -12,6 +12,7 @@ import click
 
 from matrixworld.cli.arguments import opponent_of, run_of
 from matrixworld.coevolution import (
+    ALTERNATING,
     HALL_OF_FAME,
     SCHEDULES,
     SINGLE_DEFAULTS,
@@ -26,7 +27,9 @@ WORLD = "World"
 SECTIONS: dict[str, tuple[str, ...]] = {
     "Races": (
         "schedule", "generations", "pursuer_epochs", "evader_epochs",
-        "joint_epochs", "contemporaries", "hall_sample",
+        "joint_epochs", "contemporaries", "hall_sample", "pursuers_meet", "evaders_meet",
+        "opponents", "archive_size", "archive_episodes", "sharing", "pursuer_virulence",
+        "evader_virulence",
     ),
     "One team alone": ("against", "team", "start", "epochs", "archive_every"),
     WORLD: (
@@ -189,7 +192,7 @@ def obstacles_of(ctx: click.Context, param: click.Parameter, value: str | None) 
 
 _SPECIAL: Mapping[str, dict[str, Any]] = {
     "schedule": {
-        "type": click.Choice([*SCHEDULES, HALL_OF_FAME, ALL]),
+        "type": click.Choice([*SCHEDULES, ALTERNATING, HALL_OF_FAME, ALL]),
         "multiple": True,
         "callback": lambda ctx, param, names: names or None,
         "metavar": "NAME",

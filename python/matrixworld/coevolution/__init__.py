@@ -14,8 +14,9 @@ A race in a few lines::
 =================  ===============================================================================
 settings           what defines a run, with help texts
 runs               start and resume; `saved_run` to look at one
-race               alternating races, by one of three `schedules`
+race               races in which the teams learn in turns, by `schedules`
 hall_of_fame       simultaneous races of two populations
+rivalry            whom the teams of a race meet, and what their archives compare
 single             one team against opponents that stand still
 tournament         payoff matrices
 learners           the interface of `evolution_strategy` and `genetic_algorithm`
@@ -53,7 +54,13 @@ from matrixworld.coevolution.run import Run
 from matrixworld.coevolution.run_directory import RunDirectory
 from matrixworld.coevolution.runs import resume, start
 from matrixworld.coevolution.saved_run import SavedRun, last_generation, open_run
-from matrixworld.coevolution.schedules import HALL_OF_FAME, SCHEDULES, Schedule
+from matrixworld.coevolution.schedules import (
+    ALTERNATING,
+    HALL_OF_FAME,
+    SCHEDULES,
+    Schedule,
+    available,
+)
 from matrixworld.coevolution.settings import (
     SINGLE_DEFAULTS,
     RaceSettings,
@@ -71,6 +78,7 @@ from matrixworld.coevolution.toolbox import (
 from matrixworld.coevolution.tournament import Payoff, Rollout, tournament
 
 __all__ = [
+    "ALTERNATING",
     "FITNESS",
     "HALL_OF_FAME",
     "SCHEDULES",
@@ -101,6 +109,7 @@ __all__ = [
     "SingleTeam",
     "Team",
     "TrainingSettings",
+    "available",
     "centred_ranks",
     "competitive_sharing",
     "evaluation_seed",

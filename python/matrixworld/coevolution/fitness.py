@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.coevolution.keys import Team
+from matrixworld.coevolution.sharing import competitive_sharing, reduced_virulence
 from matrixworld.rollout import Scores
 
 Values = NDArray[np.float64]
@@ -55,3 +56,43 @@ def fitness(scores: Scores, team: Team, *, measure: str, crowding: float) -> Val
         values = values - crowding * np.asarray(scores.evader_crowding, dtype=np.float64)
     means: Values = values.mean(axis=1)
     return means
+
+
+def win_rates(scores: Scores, team: Team) -> Values:
+    """Return the payoff (M,) to `team`, in [0, 1], averaged over the worlds of each match."""
+    return np.asarray(capture_rate(scores, team).mean(axis=1))
+
+
+SHARING = ("none", "competitive")
+"""How an individual's results against its opponents make its fitness."""
+
+
+def mean_over_met(values: Values) -> Values:
+    """Return the mean (n,) of each row of (n, m), leaving out NaN: who was not met."""
+    means = values.mean(axis=1)
+    return np.asarray(np.nanmean(values, axis=1) if np.isnan(means).any() else means)
+
+
+def shared_fitness(
+    fitness: Values, payoff: Values, *, sharing: str, virulence: float | None
+) -> Values:
+    """Return the fitness (n,) of individuals from what they came to against m opponents.
+
+    What `competitive_sharing` (scaled by n / m: then a population that beats everybody has a mean
+    of 1) or `reduced_virulence` makes of the payoffs, less the mean penalty ``payoff - fitness``.
+    With neither, the mean fitness over opponents.
+
+    Parameters
+    ----------
+    fitness, payoff : (n, m), with the penalties and without; NaN where two did not meet.
+    sharing : one of `SHARING`.
+    virulence : from 0.5 to 1, or None.
+    """
+    if sharing == "competitive":
+        n, m = len(payoff), np.count_nonzero(~np.isnan(payoff).all(axis=0))
+        earned = competitive_sharing(np.nan_to_num(payoff)) * (n / m)
+    elif virulence is not None:
+        earned = reduced_virulence(np.nansum(payoff, axis=1), virulence)
+    else:
+        return mean_over_met(fitness)
+    return np.asarray(earned - mean_over_met(payoff - fitness))

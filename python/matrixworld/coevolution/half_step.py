@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -10,6 +10,7 @@ import numpy as np
 from deap import algorithms
 from numpy.typing import NDArray
 
+from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.keys import (
     TEAMS,
     Purpose,
@@ -20,17 +21,18 @@ from matrixworld.coevolution.keys import (
     training_seeds,
 )
 from matrixworld.coevolution.learners import Learner
+from matrixworld.coevolution.opponents import Indices, Selection, Stateless
+from matrixworld.coevolution.run_log import SEVERAL
 from matrixworld.coevolution.toolbox import Candidates, generate_update_toolbox
 from matrixworld.coevolution.tournament import Opponents
 from matrixworld.coevolution.training import Training
 
 
 class Meeting(NamedTuple):
-    """Whom the candidates of an epoch meet: one opponent of some generation, on seeds (n,)."""
+    """Whom the candidates of an epoch meet: some opponents, each candidate on seeds (n, c)."""
 
     epoch: int
-    generation: int
-    opponent: Opponents
+    opponents: Indices
     seeds: Seeds
 
 
@@ -42,8 +44,10 @@ class HalfStep:
     ----------
     training : plays, counts and logs.
     learner : of `team`; improved in place.
+    team : that learns.
     generation : of `team`, the one that is being learned.
-    meet : epoch -> (the opponent's generation, the opponent: scripted or a population of one).
+    opponents : all that there are, a population or a script.
+    selection : which of them are met in an epoch.
     on_epoch : called after each epoch has been scored.
     """
 
@@ -51,15 +55,18 @@ class HalfStep:
     learner: Learner
     team: Team
     generation: int
-    meet: Callable[[int], tuple[int, Opponents]]
+    opponents: Opponents
+    selection: Selection
     on_epoch: Callable[[], None]
 
     def run(self, epochs: range) -> None:
         """Let DEAP's generate-update loop drive the learner through `epochs`."""
-        # All of them now: between matches, which leave nothing of it in the caches, this takes
-        # several times as long.
-        meetings = iter([self._meeting(epoch) for epoch in epochs])
-        generators = [self._generator(epoch) for epoch in epochs]
+        meetings: Iterator[Meeting] = (self._meeting(epoch) for epoch in epochs)
+        if isinstance(self.selection, Stateless):
+            # All of them now: between matches, which leave nothing of it in the caches, this takes
+            # several times as long.
+            meetings = iter(list(meetings))
+        generators = [self._generator(Purpose.LEARN, epoch) for epoch in epochs]
         toolbox = generate_update_toolbox(
             self.learner,
             lambda candidates: self.score(candidates, next(meetings)),
@@ -68,31 +75,43 @@ class HalfStep:
         algorithms.eaGenerateUpdate(toolbox, ngen=len(epochs), verbose=False)
 
     def score(self, candidates: Candidates, meeting: Meeting) -> NDArray[np.float64]:
-        """Return the fitness (n,) of an epoch's candidates against the opponent of that epoch."""
+        """Return the fitness (n,) of an epoch's candidates against the opponents of that epoch."""
+        met, team = meeting.opponents, self.team
         scores = self.training.play_candidates(
-            self.team, candidates.genomes, meeting.opponent, meeting.seeds
+            team, candidates.genomes, self.opponents, met, meeting.seeds
         )
-        values = self.training.fitness(scores, self.team)
+
+        def table(values: NDArray[np.float64]) -> NDArray[np.float64]:
+            return values.reshape(meeting.seeds.shape)
+
+        if not isinstance(self.selection, Stateless):
+            self.selection.tell(met, table(win_rates(scores, team)))
+        values = self.training.fitness(scores, team, table)
         self.training.record(
             scores,
             values,
-            team=self.team,
+            team=team,
             generation=self.generation,
             epoch=meeting.epoch,
-            opponent=meeting.generation,
+            opponent=int(met[0]) if len(met) == 1 else SEVERAL,
         )
         self.on_epoch()
         return values
 
     def _meeting(self, epoch: int) -> Meeting:
-        met, opponent = self.meet(epoch)
+        available = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
+        met = self.selection.choose(available, epoch, self._generator(Purpose.OPPONENTS, epoch))
         match = self.learner.match_of_candidate
-        own, seed = self.generation, self.training.settings.seed
-        generations = (own, met) if self.team == "pursuer" else (met, own)
-        count = int(match.max()) + 1
-        seeds = training_seeds(seed, *generations, learning_phase(self.team), epoch, count)
-        return Meeting(epoch, met, opponent, seeds[match])
+        seeds = np.stack([self._seeds(int(index), epoch)[match] for index in met], axis=1)
+        return Meeting(epoch, met, seeds)
 
-    def _generator(self, epoch: int) -> np.random.Generator:
+    def _seeds(self, opponent: int, epoch: int) -> Seeds:
+        """Return the seeds of an epoch's matches with one opponent."""
+        own, seed = self.generation, self.training.settings.seed
+        generations = (own, opponent) if self.team == "pursuer" else (opponent, own)
+        count = int(self.learner.match_of_candidate.max()) + 1
+        return training_seeds(seed, *generations, learning_phase(self.team), epoch, count)
+
+    def _generator(self, purpose: Purpose, epoch: int) -> np.random.Generator:
         key = (TEAMS.index(self.team), self.generation, epoch)
-        return keyed_generator(self.training.settings.seed, Purpose.LEARN, *key)
+        return keyed_generator(self.training.settings.seed, purpose, *key)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld.coevolution.checks import check_choice
+from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.keys import (
     TEAMS,
     Genomes,
@@ -14,18 +17,17 @@ from matrixworld.coevolution.keys import (
     Purpose,
     Team,
     keyed_generator,
+    other,
     training_seeds,
 )
 from matrixworld.coevolution.race import Race
 from matrixworld.coevolution.run import Run
+from matrixworld.coevolution.run_log import SEVERAL
 from matrixworld.coevolution.schedules import HALL_OF_FAME
 from matrixworld.coevolution.toolbox import Candidates, learner_toolbox
 from matrixworld.rollout import Matches, Scores
 
 Indices = NDArray[np.intp]
-
-SEVERAL = -1
-"""In the log, the opponent of candidates that met several."""
 
 
 class Pairings(NamedTuple):
@@ -61,13 +63,20 @@ def pairings(
     return Pairings(np.concatenate(pursuers), np.concatenate(evaders), numbers)
 
 
-def mean_of_individuals(index: Indices, values: NDArray[np.float64], n: int) -> NDArray[np.float64]:
-    """Return the mean (n,) of the values of each individual's matches.
+def table_of_individuals(
+    own: Indices, opponents: Indices, n: int, values: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return values (M,) of matches as (n, m), individuals against opponents; NaN: not met.
 
-    `index` (M,) names the individual of each match; those from n on belong to the hall.
+    Two that met several times get the mean. `own` and `opponents` (M,) name who played; of `own`
+    those from n on belong to the hall.
     """
-    totals = np.bincount(index, weights=values, minlength=n)[:n]
-    return totals / np.bincount(index, minlength=n)[:n]
+    living, m = own < n, int(opponents.max()) + 1
+    pair = own[living] * m + opponents[living]
+    count = np.bincount(pair, minlength=n * m)
+    table = np.full(n * m, np.nan)
+    np.divide(np.bincount(pair, values[living], n * m), count, out=table, where=count > 0)
+    return table.reshape(n, m)
 
 
 class HallOfFameRace(Race):
@@ -77,11 +86,12 @@ class HallOfFameRace(Race):
 
         in each epoch:
             both populations breed
-            each individual meets some living opponents and a sample of the opponents' hall of fame
-            its fitness is the mean over its matches
+            each individual meets some living opponents, and those of the opponents' hall of fame
+            that its team's selection names
+            its fitness is the mean over its matches, or what sharing makes of them
         at the end of a generation the champion of each team enters its hall of fame
 
-    Method: Rosin & Belew 1997, "New methods for competitive coevolution", with plain mean fitness.
+    Method: Rosin & Belew 1997, "New methods for competitive coevolution".
     The halls of fame are the archive, so that payoff and analysis are those of `Race`. A stage is
     a generation. Parameters and attributes as in `Run`.
     """
@@ -92,13 +102,15 @@ class HallOfFameRace(Race):
     def check_settings(self) -> None:
         """Raise ValueError unless the schedule is the hall of fame."""
         Run.check_settings(self)
-        if self.settings.schedule != HALL_OF_FAME:
-            raise ValueError(f"schedule: expected {HALL_OF_FAME}, got {self.settings.schedule!r}")
+        check_choice("schedule", self.settings.schedule, [HALL_OF_FAME])
 
     def learn(self, stage: int) -> None:
         """Let both teams evolve for the epochs of a generation, and archive their champions."""
         generation = 1 + stage
         epochs = range(self.settings.joint_epochs)
+        new = range(generation - 1, generation)
+        for team in TEAMS:
+            self.rivalry.admit(team, new, new)
         toolboxes = {
             team: learner_toolbox(
                 self.learners[team],
@@ -118,18 +130,30 @@ class HallOfFameRace(Race):
     def _evaluate(self, populations: dict[Team, Candidates], generation: int, epoch: int) -> None:
         """Play one epoch's matches and give every individual its fitness."""
         rng = self._generator(Purpose.OPPONENTS, generation, epoch)
-        halls = {team: self._hall_sample(team, rng) for team in TEAMS}
-        hall_sizes = (len(halls["pursuer"]), len(halls["evader"]))
+        met = self._met(epoch, rng)
+        halls = {team: self.genomes(team)[met[other(team)]] for team in TEAMS}
         n = self.settings.population
-        met = pairings(n, self.settings.contemporaries, hall_sizes, rng)
-        scores = self._play(populations, halls, met, generation, epoch)
-        for team, index in zip(TEAMS, (met.pursuer, met.evader), strict=True):
-            values = mean_of_individuals(index, self.training.fitness(scores, team), n)
+        hall_sizes = (len(halls["pursuer"]), len(halls["evader"]))
+        who = pairings(n, self.settings.contemporaries, hall_sizes, rng)
+        scores = self._play(populations, halls, who, generation, epoch)
+        sides = {"pursuer": who.pursuer, "evader": who.evader}
+        for team in TEAMS:
+            table = partial(table_of_individuals, sides[team], sides[other(team)], n)
+            values = self.training.fitness(scores, team, table)
+            if len(met[team]):
+                self.rivalry.selections[team].tell(met[team], table(win_rates(scores, team))[:, n:])
             for individual, value in zip(populations[team], values, strict=True):
                 individual.fitness.values = (float(value),)
             self.training.record(
                 scores, values, team=team, generation=generation, epoch=epoch, opponent=SEVERAL
             )
+
+    def _met(self, epoch: int, rng: np.random.Generator) -> dict[Team, Indices]:
+        """Return per team whom of the other's hall of fame it meets."""
+        if not self.settings.hall_sample:
+            return {team: np.zeros(0, dtype=np.intp) for team in TEAMS}
+        selections, size = self.rivalry.selections, len(self.archive["pursuer"])
+        return {team: selections[team].choose(size, epoch, rng) for team in TEAMS}
 
     def _play(
         self,
@@ -151,21 +175,22 @@ class HallOfFameRace(Race):
             pursuers, evaders, Matches.of(met.pursuer, met.evader, seeds[met.round])
         )
 
-    def _hall_sample(self, team: Team, rng: np.random.Generator) -> Genomes:
-        """Return genomes (m, genes) drawn from a team's hall of fame without replacement."""
-        hall = self.genomes(team)
-        size = min(self.settings.hall_sample, len(hall))
-        sample: Genomes = hall[rng.choice(len(hall), size=size, replace=False)]
-        return sample
-
     def _generator(
         self, purpose: Purpose, generation: int, epoch: int, team: Team = "pursuer"
     ) -> np.random.Generator:
         return keyed_generator(self.settings.seed, purpose, TEAMS.index(team), generation, epoch)
 
     def training_matches(self) -> int:
-        """Return the episodes of the training; the halls of fame grow with the generations."""
+        """Return the episodes of the training, or the most that there can be with archives.
+
+        The halls of fame grow with the generations.
+        """
         settings = self.settings
-        halls = sum(min(settings.hall_sample, k) for k in range(1, settings.generations + 1))
-        rounds = settings.generations * settings.contemporaries + 2 * halls
-        return rounds * settings.joint_epochs * settings.population * settings.worlds
+        each = settings.joint_epochs * settings.population * settings.worlds
+        rounds = settings.generations * settings.contemporaries
+        admitted = 0
+        for k in range(1, settings.generations + 1):
+            for team in TEAMS:
+                rounds += min(settings.met(team), k)
+                admitted += self.rivalry.most_admitted(team, k, k)
+        return rounds * each + admitted

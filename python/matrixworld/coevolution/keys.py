@@ -39,6 +39,7 @@ class Phase(IntEnum):
     PURSUERS_LEARN = 1
     EVADERS_LEARN = 2
     BOTH_LEARN = 3
+    ARCHIVE = 4
 
 
 def other(team: Team) -> Team:

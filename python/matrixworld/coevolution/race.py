@@ -10,12 +10,14 @@ from numpy.typing import NDArray
 
 from matrixworld.analysis import Disengagement, disengagements, summarize
 from matrixworld.analysis.engagement import PATIENCE
+from matrixworld.coevolution.checks import check_choice
 from matrixworld.coevolution.half_step import HalfStep
 from matrixworld.coevolution.keys import TEAMS, Team, other
-from matrixworld.coevolution.run import Run
-from matrixworld.coevolution.schedules import SCHEDULES
+from matrixworld.coevolution.rivalry import Rivalry
+from matrixworld.coevolution.run import Run, Stateful
+from matrixworld.coevolution.schedules import ALTERNATING, SCHEDULES, available
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.tournament import Opponents, Payoff, tournament
+from matrixworld.coevolution.tournament import Payoff, tournament
 
 
 class DisengagementWarning(UserWarning):
@@ -23,14 +25,14 @@ class DisengagementWarning(UserWarning):
 
 
 class Race(Run[RaceSettings]):
-    """Co-evolution by one of the paper's three schedules.
+    """Co-evolution in turns: by one of the paper's three schedules, or by selections of one's own.
 
     ::
 
         p[0], e[0] untrained
         for k in 1 .. generations:
-            p[k] = p[k-1], improved for some epochs against the evaders that the schedule names
-            e[k] = e[k-1], improved for some epochs against the pursuers that the schedule names
+            p[k] = p[k-1], improved for some epochs against evaders that its selection names
+            e[k] = e[k-1], improved for some epochs against pursuers that its selection names
         payoff[g, h] = capture rate of p[g] against e[h]
 
     Learners keep their state from generation to generation. A stage is a half-step: one team's
@@ -42,11 +44,18 @@ class Race(Run[RaceSettings]):
     stages_per_generation: ClassVar[int] = 2
 
     def check_settings(self) -> None:
-        """Raise ValueError unless the schedule is one of the paper's."""
+        """Raise ValueError unless the teams learn in turns."""
         super().check_settings()
-        if self.settings.schedule not in SCHEDULES:
-            known = ", ".join(SCHEDULES)
-            raise ValueError(f"schedule: expected one of {known}, got {self.settings.schedule!r}")
+        check_choice("schedule", self.settings.schedule, [*SCHEDULES, ALTERNATING])
+
+    def begin(self) -> None:
+        """Give each team the selection of those whom it meets."""
+        self.rivalry = Rivalry(self.settings, self.training, self.archive)
+
+    def stateful(self) -> dict[str, Stateful]:
+        """Return learners and selections."""
+        met = {f"{team}.met": selection for team, selection in self.rivalry.selections.items()}
+        return {**super().stateful(), **met}
 
     @property
     def n_stages(self) -> int:
@@ -60,25 +69,34 @@ class Race(Run[RaceSettings]):
     def learn(self, stage: int) -> None:
         """Let one team learn for the epochs of a generation, and archive what it has become."""
         generation, team = 1 + stage // 2, TEAMS[stage % 2]
+        rivals = available(team, generation)
+        before = available(team, generation - 1) if generation > 1 else 0
+        self.rivalry.admit(team, range(generation - 1, generation), range(before, rivals))
         half_step = HalfStep(
             self.training,
             self.learners[team],
             team,
             generation,
-            meet=lambda epoch: self._opponent(team, generation, epoch),
+            opponents=self.training.population(self.genomes(other(team))),
+            selection=self.rivalry.selections[team],
             on_epoch=lambda: self.report(f"generation {generation}: {team}s"),
         )
         half_step.run(range(self.settings.epochs(team)))
         self.archive[team].append(self.learners[team].genome)
 
-    def _opponent(self, team: Team, generation: int, epoch: int) -> tuple[int, Opponents]:
-        met = SCHEDULES[self.settings.schedule].opponent(team, generation, epoch)
-        return met, self.training.population(self.archive[other(team)][met][np.newaxis])
-
     def training_matches(self) -> int:
-        """Return the episodes of the training."""
-        epochs = sum(self.settings.total_epochs(team) for team in TEAMS)
-        return epochs * self.settings.population * self.settings.worlds
+        """Return the episodes of the training, or the most that there can be with archives."""
+        return sum(
+            self.settings.epochs(team) * self._candidates_matches(team, k)
+            + self.rivalry.most_admitted(team, k, available(team, k))
+            for k in range(1, self.settings.generations + 1)
+            for team in TEAMS
+        )
+
+    def _candidates_matches(self, team: Team, k: int) -> int:
+        """Return the episodes of an epoch."""
+        met = min(self.settings.met(team), available(team, k))
+        return met * self.settings.population * self.settings.worlds
 
     def total_matches(self) -> int:
         """Return the episodes of the training and of the payoff matrix."""

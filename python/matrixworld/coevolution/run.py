@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from pathlib import Path
-from typing import Any, ClassVar, Generic, TypeVar
+from typing import Any, ClassVar, Generic, Protocol, TypeVar
 
 import numpy as np
 
 from matrixworld.coevolution.keys import TEAMS, Genome, Genomes, Team
+from matrixworld.coevolution.learners import State
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.run_directory import RunDirectory
 from matrixworld.coevolution.settings import RaceSettings, SingleSettings
@@ -23,6 +24,17 @@ from matrixworld.coevolution.tournament import Payoff, Rollout
 from matrixworld.coevolution.training import Training
 from matrixworld.policy import Network
 from matrixworld.rollout import rollout
+
+
+class Stateful(Protocol):
+    """What a checkpoint saves and restores: a learner, or a selection of opponents."""
+
+    def state(self) -> State:
+        """Return all that changes, as plain arrays."""
+
+    def restore(self, state: State) -> None:
+        """Take up a state that `state` returned."""
+
 
 AnySettings = TypeVar("AnySettings", RaceSettings, SingleSettings)
 AnyRun = TypeVar("AnyRun", bound="Run[Any]")
@@ -69,6 +81,7 @@ class Run(ABC, Generic[AnySettings]):
             for team in self.learning_teams()
         }
         self.archive: dict[Team, list[Genome]] = self.first_archive()
+        self.begin()
         self._report: Report = silent
         if isinstance(directory, RunDirectory):
             self.files = directory
@@ -126,6 +139,13 @@ class Run(ABC, Generic[AnySettings]):
     def first_archive(self) -> dict[Team, list[Genome]]:
         """Return the archive of a run that has not begun."""
         return {team: [self.learners[team].genome] for team in TEAMS}
+
+    def begin(self) -> None:
+        """Set up what else the run needs, once there are learners and an archive."""
+
+    def stateful(self) -> dict[str, Stateful]:
+        """Return all that a checkpoint saves and restores, by name."""
+        return dict(self.learners.items())
 
     def more_config(self) -> dict[str, Any]:
         """Return what config.json holds beside the settings."""
@@ -208,8 +228,8 @@ class Run(ABC, Generic[AnySettings]):
             "steps": self.training.steps,
             "captures": np.array(self.captures, dtype=np.float64),
         }
-        for team, learner in self.learners.items():
-            state |= {f"{team}.{name}": value for name, value in learner.state().items()}
+        for owner, each in self.stateful().items():
+            state |= {f"{owner}.{name}": value for name, value in each.state().items()}
         self.files.save({t: self.genomes(t) for t in TEAMS}, self.training.rows, state)
         self.training.rows = []
 
@@ -219,11 +239,13 @@ class Run(ABC, Generic[AnySettings]):
         self.stage, self.captures = int(state["stage"]), state["captures"].tolist()
         self.training.matches, self.training.steps = int(state["matches"]), int(state["steps"])
         self.training.rows = []
-        self.archive = {team: list(saved.archive[team]) for team in TEAMS}
-        for team, learner in self.learners.items():
-            learner.restore(_of_team(team, state))
+        for team in TEAMS:  # in place: others hold the lists
+            self.archive[team][:] = saved.archive[team]
+        for owner, each in self.stateful().items():
+            each.restore(_of_owner(owner, state))
 
 
-def _of_team(team: Team, state: dict[str, Any]) -> dict[str, Any]:
-    prefix = f"{team}."
-    return {key.removeprefix(prefix): state[key] for key in state if key.startswith(prefix)}
+def _of_owner(owner: str, state: dict[str, Any]) -> dict[str, Any]:
+    """Return the state of one owner, without those whose names begin with its own."""
+    split = (key.rpartition(".") for key in state)
+    return {name: state[f"{owner}.{name}"] for prefix, _, name in split if prefix == owner}

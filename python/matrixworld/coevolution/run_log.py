@@ -40,6 +40,10 @@ episodes; `matches` and `steps` are the episodes and world steps played so far i
 """
 
 
+SEVERAL = -1
+"""In the log, the opponent of candidates that met several."""
+
+
 class RunLog:
     """The log of a run: a CSV file known by its length and the SHA-256 of its content."""
 

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import cast
 
+import numpy as np
+
 from matrixworld.coevolution.keys import TEAMS, Team, evaluation_seed
 from matrixworld.coevolution.run_directory import RunDirectory
 from matrixworld.coevolution.settings import RaceSettings, SingleSettings
@@ -64,6 +66,19 @@ class SavedRun:
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
         return Payoff.from_arrays(self.files.payoff())
+
+    def generation_at(self, team: Team, matches: int) -> int:
+        """Return the newest generation of `team` once so many training matches were played.
+
+        Runs are compared at equal budgets by it: ``teams[team].genomes[generation_at(team, n)]``.
+        Matches of both teams count, and those that archives compare. Generation 0 is untrained.
+        """
+        log = self.files.log()
+        own = log["team"] == team
+        generations, played = log["generation"][own], log["matches"][own]
+        newest = int(generations.max(initial=0))
+        ends = np.array([played[generations == g].max() for g in range(1, newest + 1)])
+        return int(np.count_nonzero(ends <= matches))
 
     def record(self, pursuer: int = -1, evader: int = -1, episode: int = 0) -> Episode:
         """Play one episode of the evaluation again and keep every moment of it.

@@ -15,9 +15,11 @@ from numpy.typing import NDArray
 
 from matrixworld import Outcome
 from matrixworld.coevolution.checks import check_choice, check_flag, check_integer, check_number
-from matrixworld.coevolution.fitness import FITNESS
+from matrixworld.coevolution.fitness import FITNESS, SHARING
 from matrixworld.coevolution.keys import TEAMS, Team
-from matrixworld.coevolution.schedules import HALL_OF_FAME, SCHEDULES
+from matrixworld.coevolution.opponents import OPPONENTS
+from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
+from matrixworld.coevolution.sharing import LEAST_VIRULENCE
 from matrixworld.config import WorldConfig
 from matrixworld.policy import Network
 from matrixworld.rules import VARIANTS, Rules
@@ -30,6 +32,8 @@ SHARED_CELL_CROWDING = 0.2
 
 SHARED_CELL_CROWDING_ALONE = 0.5
 """The same where evaders learn alone from untrained genomes."""
+
+ALL_SCHEDULES = (*SCHEDULES, ALTERNATING, HALL_OF_FAME)
 
 MOST_SEED = 2**63 - 1
 
@@ -129,6 +133,15 @@ class TrainingSettings:
             self._freeze("obstacles", map_as_text(config.map))
         Network.for_config(config, hidden=self.hidden, activation=self.activation)
 
+    @property
+    def sharing(self) -> str:
+        """How results against several opponents make a fitness: by their mean."""
+        return "none"
+
+    def virulence(self, team: Team) -> float | None:
+        """Return the virulence to which `team` is reduced: not at all."""
+        return None
+
     def world(self, max_steps: int) -> WorldConfig:
         """Return the world's configuration, its episodes ending after `max_steps`."""
         if isinstance(self.variant, str):
@@ -179,18 +192,36 @@ class TrainingSettings:
 class RaceSettings(TrainingSettings):
     """Settings of co-evolution, both teams learning."""
 
-    schedule: str = option(
-        "generalist-generalist", f"who meets whom: {', '.join([*SCHEDULES, HALL_OF_FAME])}"
-    )
+    schedule: str = option("generalist-generalist", f"who meets whom: {', '.join(ALL_SCHEDULES)}")
     generations: int = option(30, "generations after the untrained one")
     pursuer_epochs: int = option(60, "epochs of a generation in which the pursuers learn")
     evader_epochs: int = option(120, "epochs of a generation in which the evaders learn")
     joint_epochs: int = option(15, "hall-of-fame: epochs of a generation, both teams learning")
     contemporaries: int = option(4, "hall-of-fame: living opponents that an individual meets")
     hall_sample: int = option(4, "hall-of-fame: opponents of the hall that an individual meets")
+    pursuers_meet: str | None = option(
+        None,
+        f"alternating, hall-of-fame: how the pursuers' opponents are selected: "
+        f"{', '.join(OPPONENTS)}; default: uniform",
+    )
+    evaders_meet: str | None = option(None, "the same for the evaders")
+    opponents: int = option(1, "alternating: opponents that a candidate meets in an epoch")
+    archive_size: int = option(
+        10, "candidates of maxsolve, layers of lapca, opponents that generalist keeps"
+    )
+    archive_episodes: int = option(3, "matches of each pair that an archive compares")
+    sharing: str = option(
+        "none", f"fitness of candidates with several opponents: {', '.join(SHARING)}"
+    )
+    pursuer_virulence: float | None = option(
+        None, "reduced virulence of the pursuers, from 0.5 to 1; default: mean fitness"
+    )
+    evader_virulence: float | None = option(None, "the same of the evaders")
 
     def __post_init__(self) -> None:
-        check_choice("schedule", self.schedule, [*SCHEDULES, HALL_OF_FAME])
+        check_choice("schedule", self.schedule, ALL_SCHEDULES)
+        self._check_opponents()
+        self._check_sharing()
         for name in ("generations", "pursuer_epochs", "evader_epochs", "joint_epochs"):
             check_integer(name, getattr(self, name), least=1)
         check_integer("contemporaries", self.contemporaries, least=0)
@@ -200,6 +231,50 @@ class RaceSettings(TrainingSettings):
         if self.schedule == HALL_OF_FAME and self.learner == "es":
             raise ValueError("learner: expected ga for the hall-of-fame schedule, got 'es'")
         super().__post_init__()
+
+    def _check_opponents(self) -> None:
+        for name in ("pursuers_meet", "evaders_meet"):
+            value = getattr(self, name)
+            if value is None:
+                continue
+            check_choice(name, value, OPPONENTS)
+            if self.schedule in SCHEDULES:
+                raise ValueError(
+                    f"{name}: expected {ALTERNATING} or {HALL_OF_FAME} as the schedule, "
+                    f"got {self.schedule!r}, which names its own"
+                )
+        for name in ("opponents", "archive_size", "archive_episodes"):
+            check_integer(name, getattr(self, name), least=1)
+        if self.opponents > 1 and self.schedule != ALTERNATING:
+            raise ValueError(
+                f"opponents: expected 1 for the schedule {self.schedule}, got {self.opponents}"
+            )
+
+    def _check_sharing(self) -> None:
+        check_choice("sharing", self.sharing, SHARING)
+        given = [] if self.sharing == "none" else ["sharing"]
+        for name in ("pursuer_virulence", "evader_virulence"):
+            if getattr(self, name) is not None:
+                check_number(name, getattr(self, name), least=LEAST_VIRULENCE, most=1.0)
+                given.append(name)
+        if self.sharing != "none" and len(given) > 1:
+            raise ValueError(f"{given[1]}: expected sharing none beside it, got {self.sharing!r}")
+        if given and self.fitness == "rewards":
+            raise ValueError(f"{given[0]}: expected a fitness from 0 to 1, got 'rewards'")
+
+    def meets(self, team: Team) -> str:
+        """Return the name of the selection by which `team` meets its opponents."""
+        if self.schedule in SCHEDULES:
+            return SCHEDULES[self.schedule].meets(team)
+        return (self.pursuers_meet if team == "pursuer" else self.evaders_meet) or "uniform"
+
+    def met(self, team: Team) -> int:
+        """Return how many archived opponents a candidate of `team` meets in an epoch, at most."""
+        return self.hall_sample if self.schedule == HALL_OF_FAME else self.opponents
+
+    def virulence(self, team: Team) -> float | None:
+        """Return the virulence to which `team` is reduced, None for mean fitness."""
+        return self.pursuer_virulence if team == "pursuer" else self.evader_virulence
 
     @property
     def learner_name(self) -> str:

@@ -21,6 +21,7 @@ from matrixworld.coevolution.keys import (
     keyed_generator,
     other,
 )
+from matrixworld.coevolution.opponents import RoundRobin
 from matrixworld.coevolution.run import Run
 from matrixworld.coevolution.run_directory import RunDirectory
 from matrixworld.coevolution.saved_run import archive_network, last_generation, script_of
@@ -130,18 +131,13 @@ class SingleTeam(Run[SingleSettings]):
             self.learners[team],
             team,
             generation=1 + stage,
-            meet=self._opponent,
+            opponents=self.rivals,
+            selection=RoundRobin(),
             on_epoch=lambda: self.report(f"{team}s against {settings.against}"),
         )
         first = stage * settings.archive_every
         half_step.run(range(first, min(first + settings.archive_every, settings.epochs)))
         self.archive[team].append(self.learners[team].genome)
-
-    def _opponent(self, epoch: int) -> tuple[int, Opponents]:
-        if isinstance(self.rivals, str):
-            return 0, self.rivals
-        met = epoch % len(self.rivals.genomes)
-        return met, Population(self.rivals.genomes[met : met + 1], self.rivals.network)
 
     def total_matches(self) -> int:
         """Return the episodes of the training and of the evaluation."""

@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.coevolution.fitness import fitness
+from matrixworld.coevolution.fitness import fitness, mean_over_met, shared_fitness
 from matrixworld.coevolution.keys import Genomes, Seeds, Team
+from matrixworld.coevolution.opponents import Indices
 from matrixworld.coevolution.run_log import Row
 from matrixworld.coevolution.settings import TrainingSettings
 from matrixworld.coevolution.tournament import Opponents, Rollout
 from matrixworld.policy import Population
 from matrixworld.rollout import Matches, Scores
+
+Table = Callable[[NDArray[np.float64]], NDArray[np.float64]]
+"""Lays out one value of each match (M,) as a table (n, m)."""
 
 
 class Training:
@@ -53,21 +60,34 @@ class Training:
         return scores
 
     def play_candidates(
-        self, team: Team, candidates: Genomes, opponent: Opponents, seeds: Seeds
+        self, team: Team, candidates: Genomes, opponents: Opponents, met: Indices, seeds: Seeds
     ) -> Scores:
-        """Play each candidate (n, genes) of `team` on its own seed (n,) against one opponent.
+        """Play each candidate (n, genes) of `team` against each opponent met (c,).
 
-        `opponent` is a scripted team or a population of one.
+        `opponents` are a population that `met` points into, or a scripted team; `seeds` are (n, c).
+        Returns scores of n c matches, those of a candidate side by side.
         """
-        own, learning = np.arange(len(candidates)), self.population(candidates)
+        n, c = seeds.shape
+        own, learning = np.repeat(np.arange(n), c), self.population(candidates)
+        rivals = 0 if isinstance(opponents, str) else np.tile(met, n)
         if team == "pursuer":
-            return self.play(learning, opponent, Matches.of(own, 0, seeds))
-        return self.play(opponent, learning, Matches.of(0, own, seeds))
+            return self.play(learning, opponents, Matches.of(own, rivals, seeds.ravel()))
+        return self.play(opponents, learning, Matches.of(rivals, own, seeds.ravel()))
 
-    def fitness(self, scores: Scores, team: Team) -> NDArray[np.float64]:
-        """Return the fitness (M,) of `team` in M matches, by the run's measure."""
-        crowding = self.settings.crowding_penalty
-        return fitness(scores, team, measure=self.settings.fitness, crowding=crowding)
+    def fitness(self, scores: Scores, team: Team, table: Table) -> NDArray[np.float64]:
+        """Return the fitness (n,) of a team's individuals, by the run's measure.
+
+        `table` lays values (M,) of all matches out as (n, m), individuals against opponents, NaN
+        where two did not meet.
+        """
+        settings = self.settings
+        measured = partial(fitness, scores, team, measure=settings.fitness)
+        values = table(measured(crowding=settings.crowding_penalty))
+        sharing, virulence = settings.sharing, settings.virulence(team)
+        if sharing == "none" and virulence is None:
+            return mean_over_met(values)
+        payoff = table(measured(crowding=0.0))
+        return shared_fitness(values, payoff, sharing=sharing, virulence=virulence)
 
     def record(
         self,

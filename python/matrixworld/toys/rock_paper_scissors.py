@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.coevolution.keys import TEAMS, Team, other
 from matrixworld.coevolution.opponents import Selection
-from matrixworld.coevolution.schedules import SCHEDULES
+from matrixworld.coevolution.schedules import SCHEDULES, available
 
 Values = NDArray[np.float64]
 Hands = dict[Team, list[int]]
@@ -54,10 +54,12 @@ def alternate(schedule: str, generations: int, epochs: int, seed: int = 0) -> Ha
     schedule : one of `coevolution.SCHEDULES`.
     """
     rng, matrix = np.random.default_rng(seed), payoff_matrix()
+    selections = {team: SCHEDULES[schedule].selection(team) for team in TEAMS}
     hands: Hands = {"pursuer": [ROCK], "evader": [ROCK]}
     for k in range(1, generations + 1):
         for team in TEAMS:
-            met = [SCHEDULES[schedule].opponent(team, k, i) for i in range(epochs)]
+            there = available(team, k)
+            met = [int(selections[team].choose(there, i, rng)[0]) for i in range(epochs)]
             opponents = [hands[other(team)][index] for index in met]
             hands[team].append(best_response(team, opponents, matrix, rng))
     return hands

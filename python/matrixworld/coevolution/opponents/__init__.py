@@ -17,6 +17,7 @@ ipca              `IPCA`: the candidates that none dominates, and the tests that
 lapca             `LAPCA`: the same in layers, bounded (2007); both use `distinctions`
 generalist        `Generalist`: better against all or not at all (Simione & Nolfi 2021)
 from_archive      `FromArchive`: an archive as a selection
+choices           `OPPONENTS`: all of them by name
 ================  ================================================================================
 
 A selection or archive belongs to one team and does not know which: with `swapped` outcomes the
@@ -28,6 +29,7 @@ the generator handed in, so that a restored run goes on bit for bit. Nothing her
 from __future__ import annotations
 
 from matrixworld.coevolution.opponents.archive import Archive, Members, Outcome, protected, swapped
+from matrixworld.coevolution.opponents.choices import OPPONENTS
 from matrixworld.coevolution.opponents.from_archive import FromArchive
 from matrixworld.coevolution.opponents.generalist import Generalist, maximally_different
 from matrixworld.coevolution.opponents.ipca import IPCA
@@ -41,6 +43,7 @@ from matrixworld.coevolution.opponents.selection import (
     RoundRobin,
     Selection,
     State,
+    Stateless,
     Uniform,
 )
 from matrixworld.coevolution.opponents.shared_sampling import SharedSampling, shared_sample
@@ -48,6 +51,7 @@ from matrixworld.coevolution.opponents.shared_sampling import SharedSampling, sh
 __all__ = [
     "IPCA",
     "LAPCA",
+    "OPPONENTS",
     "Archive",
     "FromArchive",
     "Generalist",
@@ -62,6 +66,7 @@ __all__ = [
     "Selection",
     "SharedSampling",
     "State",
+    "Stateless",
     "Uniform",
     "Weighting",
     "even",

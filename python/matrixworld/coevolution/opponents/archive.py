@@ -67,7 +67,13 @@ class Archive(ABC):
     ----------
     candidates, tests : (n, ...) and (m, ...), copies that cannot be written to, oldest first.
     outcomes : (n, m) float64 payoffs of the candidates, read-only.
+    graded : whether how clearly a candidate wins makes a difference. To these it should not where
+        payoffs are noisy: then hardly any two are equal, and hardly any dominates another.
+    anew : whether all tests are to be submitted each time, not the new ones only.
     """
+
+    graded = False
+    anew = False
 
     def __init__(self) -> None:
         self.candidates: Members = protected([])

@@ -6,7 +6,7 @@ from typing import Protocol
 
 import numpy as np
 
-from matrixworld.coevolution.opponents.archive import Members
+from matrixworld.coevolution.opponents.archive import Members, Outcome
 from matrixworld.coevolution.opponents.selection import (
     HallOfFame,
     Indices,
@@ -23,8 +23,23 @@ class Keeper(Protocol):
     """An archive: `MaxSolve`, `IPCA`, `LAPCA` or `Generalist`."""
 
     @property
+    def candidates(self) -> Members:
+        """The members of the team that are kept."""
+
+    @property
     def tests(self) -> Members:
         """The opponents that are kept."""
+
+    @property
+    def graded(self) -> bool:
+        """Whether how clearly a candidate wins makes a difference."""
+
+    @property
+    def anew(self) -> bool:
+        """Whether it wants all tests each time, not the new ones only."""
+
+    def submit(self, candidates: Members, tests: Members, outcome: Outcome) -> object:
+        """Offer new candidates and tests."""
 
     def state(self) -> State:
         """Return all that changes, as plain arrays."""
@@ -37,9 +52,9 @@ class FromArchive(Stateless):
     """A selection among the tests of an archive whose members are numbers of generations.
 
     The genomes stay where every generation's are kept, and the archive holds their numbers, shape
-    (m,). After each generation its owner submits the new one::
+    (m,). Its owner admits what is new before it chooses::
 
-        archive.submit([generation], [generation], outcome)    # outcome looks up the genomes
+        selection.admit([generation], [generation], outcome)    # outcome looks up the genomes
 
     While the archive holds no test, the newest opponent is met.
 
@@ -52,6 +67,29 @@ class FromArchive(Stateless):
 
     def __init__(self, archive: Keeper, within: Latest | Uniform | RoundRobin | HallOfFame) -> None:
         self.archive, self.within = archive, within
+
+    @property
+    def graded(self) -> bool:
+        """Whether how clearly a candidate wins makes a difference to the archive."""
+        return self.archive.graded
+
+    def admit(self, new: Members, opponents: Members, outcome: Outcome) -> None:
+        """Offer the archive new generations (n,) of the team and of its opponents (m,).
+
+        An archive that wants them anew is offered all opponents up to the newest.
+        """
+        if self.archive.anew and len(opponents):
+            opponents = np.arange(opponents.max() + 1)
+        self.archive.submit(new, opponents, outcome)
+
+    def most_pairs(self, candidates: int, tests: int) -> int:
+        """Return the most pairs that admitting compares, of so many generations on each side.
+
+        One generation is new on each; all tests, where the archive wants them anew.
+        """
+        if self.archive.anew:
+            return (len(self.archive.candidates) + 1) * tests
+        return candidates + tests
 
     def choose(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return opponents that the archive has kept."""

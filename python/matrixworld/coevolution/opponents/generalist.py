@@ -66,7 +66,12 @@ class Generalist:
     ----------
     candidates : (n, ...) the team, read-only.
     tests : (m, ...) the opponents to learn against next, out of those last submitted; read-only.
+    graded : whether how clearly a candidate wins makes a difference; it does.
+    anew : whether all tests are to be submitted each time; they are.
     """
+
+    graded = True
+    anew = True
 
     def __init__(self, members: ArrayLike, *, sample: int) -> None:
         check_count("sample", sample)

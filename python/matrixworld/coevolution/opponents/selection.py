@@ -95,13 +95,20 @@ class Uniform(Stateless):
 class RoundRobin(Stateless):
     """All opponents in turn: ``epoch mod available``, the generalists' rule of the paper.
 
-    Sun et al. 2023, "MatrixWorld", arXiv:2307.14854, algorithms 2 and 3.
+    Sun et al. 2023, "MatrixWorld", arXiv:2307.14854, algorithms 2 and 3. With a `count` above 1
+    that many at a time, or all where there are fewer.
     """
 
+    count: int = 1
+
+    def __post_init__(self) -> None:
+        check_count("count", self.count)
+
     def choose(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
-        """Return the one opponent whose turn it is."""
+        """Return the opponents whose turn it is."""
         check_available(available)
-        return np.array([epoch % available])
+        turns = np.arange(min(self.count, available))
+        return np.asarray((epoch * self.count + turns) % available)
 
 
 @dataclass(frozen=True)
