@@ -6,6 +6,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
+
+from matrixworld.coevolution import open_run
+
 SCRIPTS = Path(__file__).parents[1] / "evolution"
 
 
@@ -26,3 +30,47 @@ def test_an_unknown_schedule_is_refused(tmp_path: Path) -> None:
     assert done.returncode == 2
     assert "invalid choice: 'tit-for-tat'" in done.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+def run_quickly(name: str, directory: Path, *options: str) -> str:
+    """What a script prints under --quick, warnings being errors."""
+    command = [sys.executable, "-W", "error", SCRIPTS / name, "--quick", *options]
+    done = subprocess.run(command, cwd=directory, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_hall_of_fame_compares_two_kinds_of_race(tmp_path: Path) -> None:
+    printed = run_quickly("hall_of_fame.py", tmp_path)
+    assert "| mean over seeds | latest only | hall of fame |" in printed
+    assert {path.name for path in tmp_path.iterdir()} == {"runs", "hall_of_fame.png"}
+    matches = {
+        kind: open_run(tmp_path / "runs/hall_of_fame" / kind / "0").files.log()["matches"][-1]
+        for kind in ("latest-only", "hall-of-fame")
+    }
+    # In the first generation there is one champion to meet, where later there are two.
+    assert matches["latest-only"] - matches["hall-of-fame"] == 2 * 3 * 8
+    assert run_quickly("hall_of_fame.py", tmp_path) == printed
+
+
+def test_archives_are_compared_at_one_budget(tmp_path: Path) -> None:
+    printed = run_quickly("archives.py", tmp_path, "--selections", "latest", "maxsolve")
+    budget = int(printed.split(" matches")[0].rsplit(" ", 1)[-1].replace(",", ""))
+    ends = [
+        open_run(tmp_path / "runs/archives" / name / "0").files.log()["matches"][-1]
+        for name in ("latest", "maxsolve")
+    ]
+    assert budget == min(ends) < max(ends)
+    assert printed.count("\n| latest |") == printed.count("\n| maxsolve |") == 1
+
+
+def test_claims_are_told_with_intervals_and_their_numbers_kept(tmp_path: Path) -> None:
+    printed = run_quickly("paper_claims.py", tmp_path)
+    table = (tmp_path / "paper_claims/claims.md").read_text()
+    assert table in printed
+    assert len(table.splitlines()) == 2 + 12
+    verdicts = [line.rsplit("**", 2)[1] for line in table.splitlines()[2:]]
+    assert set(verdicts) <= {"reproduced", "not reproduced", "undecided"}
+    with np.load(tmp_path / "paper_claims/numbers.npz") as numbers:
+        assert numbers["payoff generalist-generalist"].shape == (2, 7, 7)
+        assert numbers["cross-play of evaders"].shape == (4, 2, 2, 2, 3)

@@ -61,6 +61,20 @@ def test_matches_are_counted_and_foreseen(tmp_path, make, name):
         assert training == foreseen
 
 
+def test_finish_does_what_is_left_to_do(tmp_path):
+    settings, place = alternating("uniform"), tmp_path / "run"
+    with pytest.raises(KeyboardInterrupt):
+        coevolution.finish(settings, place, play=StopAt(5))
+    run = coevolution.finish(settings, place, threads=1)
+    coevolution.start(settings, tmp_path / "straight").run()
+    assert results(place) == results(tmp_path / "straight")
+    assert run.payoff().capture_rate.shape == (5, 5)
+    again = coevolution.finish(settings, place, play=StopAt(0))
+    assert np.array_equal(again.payoff().lengths, run.payoff().lengths)
+    with pytest.raises(ValueError, match="run: expected a run of RaceSettings.*seed=9"):
+        coevolution.finish(alternating("uniform", seed=9), place)
+
+
 def test_runs_are_compared_at_equal_budgets(tmp_path):
     race = coevolution.start(alternating("latest", opponents=1, worlds=2), tmp_path / "run")
     race.run()

@@ -8,7 +8,8 @@ A race in a few lines::
     with coevolution.ProgressBar() as bar:
         payoff = coevolution.start(settings, "my-race").run(bar)
 
-``coevolution.resume("my-race").run()`` goes on after an interruption, and
+``coevolution.resume("my-race").run()`` goes on after an interruption,
+``coevolution.finish(settings, "my-race")`` does whatever is left to do, and
 ``coevolution.open_run("my-race").record(pursuer=30, evader=10)`` plays a match again.
 
 =================  ===============================================================================
@@ -52,7 +53,7 @@ from matrixworld.coevolution.progress import ProgressBar, Report
 from matrixworld.coevolution.race import DisengagementWarning, Race
 from matrixworld.coevolution.run import Run
 from matrixworld.coevolution.run_directory import RunDirectory
-from matrixworld.coevolution.runs import resume, start
+from matrixworld.coevolution.runs import finish, resume, start
 from matrixworld.coevolution.saved_run import SavedRun, last_generation, open_run
 from matrixworld.coevolution.schedules import (
     ALTERNATING,
@@ -113,6 +114,7 @@ __all__ = [
     "centred_ranks",
     "competitive_sharing",
     "evaluation_seed",
+    "finish",
     "fitness",
     "generate_update_toolbox",
     "last_generation",

@@ -5,8 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from matrixworld.coevolution.hall_of_fame import HallOfFameRace
+from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.race import Race
-from matrixworld.coevolution.run_directory import RunDirectory
+from matrixworld.coevolution.run_directory import CONFIG, RunDirectory
+from matrixworld.coevolution.saved_run import SavedRun, open_run
 from matrixworld.coevolution.schedules import HALL_OF_FAME
 from matrixworld.coevolution.settings import RaceSettings, SingleSettings
 from matrixworld.coevolution.single import SingleTeam
@@ -32,6 +34,29 @@ def start(
         return SingleTeam(settings, directory, threads=threads, play=play)
     kind = HallOfFameRace if settings.schedule == HALL_OF_FAME else Race
     return kind(settings, directory, threads=threads, play=play)
+
+
+def finish(
+    settings: RaceSettings | SingleSettings,
+    directory: str | Path,
+    *,
+    threads: int | None = None,
+    play: Rollout = rollout,
+    report: Report = silent,
+) -> SavedRun:
+    """Return the finished run of these settings: new, gone on with, or as it lies there.
+
+    A program that calls it for each of its runs can be interrupted and called again. ValueError if
+    the directory holds a run of other settings; otherwise raises as `start` and `resume` do.
+    """
+    if (Path(directory) / CONFIG).exists():
+        run = resume(directory, threads=threads, play=play)
+        if run.settings != settings:
+            raise ValueError(f"{directory}: expected a run of {settings}, got {run.settings}")
+    else:
+        run = start(settings, directory, threads=threads, play=play)
+    run.run(report)
+    return open_run(directory)
 
 
 def resume(directory: str | Path, *, threads: int | None = None, play: Rollout = rollout) -> AnyRun:
