@@ -199,12 +199,15 @@ def test_plot_needs_a_finished_run():
 
 def test_collisions_are_counted_per_1000_steps_of_an_agent(job):
     payoff = open_run(job / MAIN_JOB[0]).payoff()
-    rates = collisions_per_1000(payoff, 2, 3)
+    rates = collisions_per_1000(payoff)
     assert rates.shape == (3, 2, 3)
     row = sum(payoff.collisions[1, h, 0, 0] for h in range(3))
-    assert rates[1, 0, 0] == pytest.approx(1000 * row / (2 * payoff.length[1].sum()))
+    assert rates[1, 0, 0] == pytest.approx(1000 * row / payoff.agent_steps[1, :, 0].sum())
     column = sum(payoff.collisions[g, 2, 1, 1] for g in range(3))
-    assert rates[2, 1, 1] == pytest.approx(1000 * column / (3 * payoff.length[:, 2].sum()))
+    assert rates[2, 1, 1] == pytest.approx(1000 * column / payoff.agent_steps[:, 2, 1].sum())
+    # 2 pursuers, who stay in -O, and at most 3 evaders.
+    assert payoff.agent_steps[..., 0] == pytest.approx(2 * payoff.length)
+    assert (payoff.agent_steps[..., 1] <= 3 * payoff.length).all()
 
 
 def test_the_package_is_a_command_too():

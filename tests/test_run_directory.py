@@ -123,8 +123,8 @@ def test_directory_without_a_run_is_refused(tmp_path):
 
 def test_other_format_is_refused(run):
     config = run.config()
-    files.save_json(run.path / "config.json", {**config, "format": 2, "matrixworld": "9.1"})
-    with pytest.raises(ValueError, match=r"expected format 1, got 2 \(written by matrixworld 9.1"):
+    files.save_json(run.path / "config.json", {**config, "format": 1, "matrixworld": "9.1"})
+    with pytest.raises(ValueError, match=r"expected format 2, got 1 \(written by matrixworld 9.1"):
         RunDirectory.open(run.path).config()
 
 

@@ -74,4 +74,5 @@ def constant_scores(capture_rate: float, shape: tuple[int, int]) -> SimpleNamesp
         evader_crowding=np.zeros(shape, dtype=np.float32),
         collisions=kinds,
         faults=kinds,
+        agent_steps=np.ones((*shape, 2), dtype=np.int64),
     )

@@ -63,8 +63,8 @@ def _when(part: PartSummary) -> str:
 
 def _swing(summary: Summary) -> str:
     return (
-        f"From generation {summary.swing_start} on, the evaders' answer moves the capture rate by "
-        f"{summary.swing:.2f} on average."
+        f"From generation {summary.swing_start} on, the evaders of one generation and of the one "
+        f"before differ by {summary.swing:.2f} on average in what the same pursuers capture."
     )
 
 

@@ -53,9 +53,7 @@ def _figures(run: SavedRun) -> Iterator[tuple[str, Figure]]:
     yield "payoff", plots.payoff_heatmap(payoff.capture_rate, title=title)
     yield "generalization", plots.generalization_curves(payoff.capture_rate)
     yield "lag_profile", plots.lag_profile_curve(payoff.capture_rate)
-    world = run.settings.world(run.settings.eval_steps)
-    rates = collisions_per_1000(payoff, world.n_pursuers, world.n_evaders)
-    yield "collisions", plots.collision_rates(rates)
+    yield "collisions", plots.collision_rates(collisions_per_1000(payoff))
 
 
 def _training(run: SavedRun) -> Figure:
@@ -78,12 +76,12 @@ def _training(run: SavedRun) -> Figure:
     )
 
 
-def collisions_per_1000(payoff: Payoff, n_pursuers: int, n_evaders: int) -> NDArray[np.float64]:
+def collisions_per_1000(payoff: Payoff) -> NDArray[np.float64]:
     """Collisions of each generation, ``(G, 2, 3)``, against all opponents of a (G, G) payoff.
 
-    Agent-steps in collision, by team and kind, per 1000 steps of the team's first size: agents
-    that are gone by then still count.
+    Agent-steps in collision, by team and kind, of 1000 steps of agents that are alive.
     """
-    pursuers = payoff.collisions[:, :, 0].sum(axis=1) / payoff.length.sum(axis=1)[:, np.newaxis]
-    evaders = payoff.collisions[:, :, 1].sum(axis=0) / payoff.length.sum(axis=0)[:, np.newaxis]
-    return 1000 * np.stack([pursuers / n_pursuers, evaders / n_evaders], axis=1)
+    collisions, steps = payoff.collisions, payoff.agent_steps[..., np.newaxis]
+    pursuers = collisions[:, :, 0].sum(axis=1) / steps[:, :, 0].sum(axis=1)
+    evaders = collisions[:, :, 1].sum(axis=0) / steps[:, :, 1].sum(axis=0)
+    return 1000 * np.stack([pursuers, evaders], axis=1)

@@ -39,7 +39,7 @@ from matrixworld.coevolution.keys import TEAMS, Genomes, Team
 from matrixworld.coevolution.lock import locked
 from matrixworld.coevolution.run_log import Row, RunLog, read_log
 
-FORMAT = 1
+FORMAT = 2
 """Version of the directory's layout; another one is refused."""
 
 CONFIG, SUMMARY, LOG, LOCK = "config.json", "summary.json", "log.csv", ".lock"

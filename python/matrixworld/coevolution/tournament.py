@@ -37,6 +37,7 @@ class Payoff:
     collisions, faults : (G, H, 2, 3) float64, mean agent-steps an episode in which an agent was
         involved, or at fault, in a collision; by team (pursuers, evaders) and kind (obstacle,
         teammate, adversary).
+    agent_steps : (G, H, 2) float64, mean steps an episode by agents that were alive, by team.
     pursuer_survivors, evader_survivors : (G, H) float64, mean number alive at the end.
     """
 
@@ -44,6 +45,7 @@ class Payoff:
     lengths: NDArray[np.int32]
     collisions: NDArray[np.float64]
     faults: NDArray[np.float64]
+    agent_steps: NDArray[np.float64]
     pursuer_survivors: NDArray[np.float64]
     evader_survivors: NDArray[np.float64]
 
@@ -125,6 +127,7 @@ def _payoff(rows: list[Scores]) -> Payoff:
         lengths=stacked("length").astype(np.int32),
         collisions=stacked("collisions").mean(axis=2),
         faults=stacked("faults").mean(axis=2),
+        agent_steps=stacked("agent_steps").mean(axis=2),
         pursuer_survivors=stacked("pursuer_survivors").mean(axis=2),
         evader_survivors=stacked("evader_survivors").mean(axis=2),
     )
