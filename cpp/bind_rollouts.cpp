@@ -1,7 +1,6 @@
 // Networks, rollouts and recordings for Python.
 #include <pybind11/stl.h>
 
-#include <map>
 #include <optional>
 #include <string>
 
@@ -13,12 +12,11 @@ namespace matrixworld {
 
 namespace {
 
-const std::map<std::string, Script>& scripts() {
-    static const std::map<std::string, Script> by_name = {{"random", Script::Random},
-                                                          {"still", Script::Still},
-                                                          {"chaser", Script::Chaser},
-                                                          {"fleer", Script::Fleer}};
-    return by_name;
+std::string script_names() {
+    std::string names;
+    for (const Script& script : scripts())
+        names += (names.empty() ? "" : ", ") + std::string(script.name);
+    return names;
 }
 
 Network make_network(int fov, const std::vector<int>& hidden, int n_actions,
@@ -40,11 +38,11 @@ HeldCandidates to_candidates(const char* team, const py::object& given, const Co
     HeldCandidates held;
     if (py::isinstance<py::str>(given)) {
         const auto name = given.cast<std::string>();
-        if (!scripts().count(name)) {
-            throw py::value_error(std::string(team) +
-                                  ": expected random, still, chaser or fleer, got '" + name + "'");
+        held.candidates.script = find_script(name);
+        if (!held.candidates.script) {
+            throw py::value_error(std::string(team) + ": expected one of " + script_names() +
+                                  ", got '" + name + "'");
         }
-        held.candidates.script = scripts().at(name);
         return held;
     }
     const auto pair = given.cast<std::pair<Network, Array<float>>>();

@@ -1,9 +1,5 @@
 #include "player.hpp"
 
-#include <algorithm>
-#include <climits>
-#include <cstdlib>
-
 namespace matrixworld {
 
 namespace {
@@ -46,57 +42,46 @@ void NetworkPlayer::choose(const World& world, const Occupancy& occupancy) {
 }
 
 void ScriptedPlayer::choose(const World& world, const Occupancy& occupancy) {
-    const int n_actions = world.config().n_actions();
     for (std::size_t i = 0; i < agents_.size(); ++i) {
-        switch (script_) {
-            case Script::Random:
-                chosen_[i] = static_cast<std::uint8_t>(below(draws_[i], n_actions));
-                break;
-            case Script::Still:
-                chosen_[i] = 0;
-                break;
-            case Script::Chaser:
-            case Script::Fleer:
-                chosen_[i] = chase_or_flee(world, occupancy, agents_[i], draws_[i]);
-                break;
-        }
+        // The lowest bits decide on a slip, the highest on a move.
+        const bool slips = static_cast<int>(draws_[i] % kSlipSteps) < script_.slips;
+        chosen_[i] =
+            static_cast<std::uint8_t>(slips ? below(draws_[i], world.config().n_actions())
+                                            : best_move(world, occupancy, agents_[i], draws_[i]));
     }
 }
 
-std::uint8_t ScriptedPlayer::chase_or_flee(const World& world, const Occupancy& occupancy,
-                                           int agent, std::uint32_t draw) {
-    const Team adversary = world.team(agent) == Team::Pursuer ? Team::Evader : Team::Pursuer;
-    const int n_set = list_agents(world, occupancy, agent, view_.data());
+int ScriptedPlayer::best_move(const World& world, const Occupancy& occupancy, int agent,
+                              std::uint32_t draw) {
+    if (!script_.goals) return 0;
+    sight_.look(world, occupancy, agent);
+    goals_.clear();
+    script_.goals(sight_, goals_);
+    if (goals_.empty() && script_.stride > 0) {
+        const int move = walk_on(world, agent);
+        if (sight_.is_free({kRowStep[move], kColStep[move]})) return move;
+    }
     int best = 0;
     int n_best = 0;
-    std::uint8_t moves[kDiagonalMoves];
+    int moves[kDiagonalMoves];
     for (int move = 0; move < world.config().n_actions(); ++move) {
-        const int there = world.cell(agent) + world.grid().delta(move);
-        if (move != 0 && world.ground().kind[there] != kFree) continue;
-        const int distance = distance_after(world, adversary, n_set, move);
-        const int value = script_ == Script::Chaser ? -distance : distance;
-        if (n_best == 0 || value > best) {
-            best = value;
+        const Offset there{kRowStep[move], kColStep[move]};
+        if (move != 0 && !sight_.is_free(there)) continue;
+        const int worth = script_.worth(sight_, goals_, there);
+        if (n_best == 0 || worth > best) {
+            best = worth;
             n_best = 0;
         }
-        if (value == best) moves[n_best++] = static_cast<std::uint8_t>(move);
+        if (worth == best) moves[n_best++] = move;
     }
     return moves[below(draw, n_best)];
 }
 
-// Moves from the cell that `move` leads to, to the nearest adversary in view; INT_MAX without one.
-int ScriptedPlayer::distance_after(const World& world, Team adversary, int n_set, int move) const {
-    const int fov = world.config().fov;
-    const int channel = adversary == Team::Pursuer ? kPursuers : kEvaders;
-    int nearest = INT_MAX;
-    for (int i = 0; i < n_set; ++i) {
-        if (view_[i] / (fov * fov) != channel) continue;
-        const int place = view_[i] % (fov * fov);
-        const int rows = std::abs(place / fov - fov / 2 - kRowStep[move]);
-        const int cols = std::abs(place % fov - fov / 2 - kColStep[move]);
-        nearest = std::min(nearest, world.config().diagonal ? std::max(rows, cols) : rows + cols);
-    }
-    return nearest;
+// The direction of these steps, drawn anew after every stride.
+int ScriptedPlayer::walk_on(const World& world, int agent) const {
+    const int stride = world.steps() / script_.stride;
+    const Block block = world.key().block(Purpose::Walk, agent, stride);
+    return 1 + below(block[0], world.config().n_actions() - 1);
 }
 
 }  // namespace matrixworld

@@ -5,17 +5,10 @@
 #include <vector>
 
 #include "mlp.hpp"
+#include "script.hpp"
 #include "world.hpp"
 
 namespace matrixworld {
-
-// Random   any action, all equally likely
-// Still    stays
-// Chaser   the move after which the nearest adversary in view is nearest
-// Fleer    the move after which the nearest adversary in view is farthest
-// Chaser and fleer do not step into obstacles, break ties at random, and walk at
-// random while they see nobody. Near is counted in moves.
-enum class Script : std::uint8_t { Random, Still, Chaser, Fleer };
 
 class Player {
   public:
@@ -49,17 +42,16 @@ class NetworkPlayer : public Player {
 
 class ScriptedPlayer : public Player {
   public:
-    ScriptedPlayer(Script script, int fov)
-        : script_(script), view_(static_cast<std::size_t>(kChannels) * fov * fov) {}
+    ScriptedPlayer(const Script& script, int fov) : script_(script), sight_(fov) {}
 
   private:
     void choose(const World& world, const Occupancy& occupancy) override;
-    std::uint8_t chase_or_flee(const World& world, const Occupancy& occupancy, int agent,
-                               std::uint32_t draw);
-    int distance_after(const World& world, Team adversary, int n_set, int move) const;
+    int best_move(const World& world, const Occupancy& occupancy, int agent, std::uint32_t draw);
+    int walk_on(const World& world, int agent) const;
 
-    Script script_;
-    std::vector<int> view_;
+    const Script& script_;
+    Sight sight_;
+    Offsets goals_;
 };
 
 }  // namespace matrixworld

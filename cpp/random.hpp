@@ -14,7 +14,7 @@ namespace matrixworld {
 constexpr int kDrawsPerBlock = 4;
 using Block = std::array<std::uint64_t, kDrawsPerBlock>;
 
-enum class Purpose : std::uint64_t { Reset = 1, Decide = 2 };
+enum class Purpose : std::uint64_t { Reset = 1, Decide = 2, Walk = 3 };
 
 inline Block philox(Block counter, std::uint64_t key0, std::uint64_t key1) {
     constexpr std::uint64_t kMultiplier0 = 0xD2E7470EE14C6C93ULL;

@@ -19,7 +19,7 @@ class Seat {
             network_ = player.get();
             player_ = std::move(player);
         } else {
-            player_ = std::make_unique<ScriptedPlayer>(candidates.script, setup.config.fov);
+            player_ = std::make_unique<ScriptedPlayer>(*candidates.script, setup.config.fov);
         }
     }
 

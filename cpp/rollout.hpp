@@ -21,7 +21,7 @@ struct Candidates {
     std::optional<Network> network;
     const float* genomes = nullptr;
     int n = 1;
-    Script script = Script::Random;
+    const Script* script = nullptr;
 };
 
 struct Match {

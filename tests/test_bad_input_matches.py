@@ -107,8 +107,8 @@ MATCHES = [
     kind("no config", lambda: rollout(TEAM, TEAM, None), "Rules or the name | got None"),
     value(
         "another script",
-        lambda: mw.rollout(CONFIG, "hunter", TEAM, MATCH),
-        "one of random, still, chaser, fleer | got 'hunter'",
+        lambda: mw.rollout(CONFIG, "stalker", TEAM, MATCH),
+        f"one of {', '.join(mw.policy.SCRIPTS)} | got 'stalker'",
     ),
     kind(
         "a genome as a team", lambda: rollout(TEAM, GENOME), "a Population or the name | evaders: "

@@ -129,7 +129,7 @@ BAD = [
     (["--schedule", "hall-of-fame", "--learner", "es"], "--learner: expected ga for"),
     (["--team", "evader"], "--team: expected together with --against only"),
     (["--against", "random", "--generations", "3"], "--generations: expected without --against"),
-    (["--against", "nobody"], "expected random, still, chaser, fleer or a run directory"),
+    (["--against", "nobody"], "clumsy-fleer, dodger or a run directory, got 'nobody'"),
     (["--threads", "0"], "0 is not in the range x>=1"),
     (["--resume", "nothing"], "expected a directory that holds a run, got 'nothing'"),
 ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -74,3 +75,15 @@ def test_claims_are_told_with_intervals_and_their_numbers_kept(tmp_path: Path) -
     with np.load(tmp_path / "paper_claims/numbers.npz") as numbers:
         assert numbers["payoff generalist-generalist"].shape == (2, 7, 7)
         assert numbers["cross-play of evaders"].shape == (4, 2, 2, 2, 3)
+
+
+def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: Path) -> None:
+    evolve = partial(run_quickly, "evolve_held_out.py", tmp_path)
+    assert "O done\nSB done\nWritten: held_out.npz" in evolve()
+    evolve("--processes", "2", "--output", "again.npz")
+    assert (tmp_path / "held_out.npz").read_bytes() == (tmp_path / "again.npz").read_bytes()
+    lines = evolve("--table", "held_out.npz").splitlines()
+    assert "| pursuers | O | SB |" in lines
+    rows = [line.split(" | ") for line in lines if line.startswith("| evolved-")]
+    assert len(rows) == 4
+    assert all(len(row) == 3 for row in rows)

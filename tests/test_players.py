@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from scipy import stats
@@ -10,7 +13,10 @@ import matrixworld as mw
 from rows import config_of
 
 MOVES = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)]
-SCORES = {"chaser": min, "fleer": max}
+CHASERS = ("chaser", "hunter", "surrounder")
+SEARCHERS = ("hunter", "surrounder")
+FLEERS = ("fleer", "dodger")
+STRIDE = 12  # steps that a searcher walks on in one direction
 
 
 def arena(rules: str, **changes: object) -> mw.WorldConfig:
@@ -24,23 +30,68 @@ def distance(config: mw.WorldConfig, one: tuple[int, int], other: tuple[int, int
     return max(rows, cols) if config.diagonal else rows + cols
 
 
+def goals_of(
+    script: str,
+    config: mw.WorldConfig,
+    ground: np.ndarray,
+    here: tuple[int, int],
+    adversaries: list[tuple[int, int]],
+    teammates: list[tuple[int, int]],
+) -> list[tuple[int, int]]:
+    """The cells that a script looks to, of those that hold somebody in view."""
+    if script == "hunter":
+        lead = {
+            cell: min((distance(config, mate, cell) for mate in teammates), default=math.inf)
+            for cell in adversaries
+        }
+        free = [cell for cell in adversaries if distance(config, here, cell) <= lead[cell]]
+        return free or adversaries
+    if script == "surrounder":
+        beside = {
+            (row + MOVES[move][0], col + MOVES[move][1])
+            for row, col in adversaries
+            for move in range(1, config.n_actions)
+        }
+        return [cell for cell in beside if is_free(config, ground, cell) and cell not in teammates]
+    return adversaries
+
+
+def is_free(config: mw.WorldConfig, ground: np.ndarray, cell: tuple[int, int]) -> bool:
+    row, col = cell
+    return 0 <= row < config.rows and 0 <= col < config.cols and not ground[row, col]
+
+
+def worth(script: str, distances: list[int]) -> float:
+    """What it is worth to a script to be at these distances from its goals."""
+    if script == "dodger":
+        return -sum(2**14 // (1 + moves) ** 2 for moves in distances)
+    nearest = min(distances, default=0)
+    return nearest if script == "fleer" else -nearest
+
+
 def good_moves(
     script: str,
     config: mw.WorldConfig,
     ground: np.ndarray,
     here: tuple[int, int],
     adversaries: list[tuple[int, int]],
-) -> set[int]:
-    """The moves that a chaser or fleer chooses from."""
+    teammates: list[tuple[int, int]],
+) -> set[int] | None:
+    """The moves that a script chooses from; None for a searcher without a goal."""
     reach = config.fov // 2
-    seen = [c for c in adversaries if max(abs(c[0] - here[0]), abs(c[1] - here[1])) <= reach]
+
+    def seen(others: list[tuple[int, int]]) -> list[tuple[int, int]]:
+        return [c for c in {*others} if max(abs(c[0] - here[0]), abs(c[1] - here[1])) <= reach]
+
+    goals = goals_of(script, config, ground, here, seen(adversaries), seen(teammates))
+    if script in SEARCHERS and not goals:
+        return None
     value = {}
     for move in range(config.n_actions):
-        row, col = here[0] + MOVES[move][0], here[1] + MOVES[move][1]
-        free = 0 <= row < config.rows and 0 <= col < config.cols and not ground[row, col]
-        if move == 0 or free:
-            value[move] = min((distance(config, (row, col), c) for c in seen), default=0)
-    best = SCORES[script](value.values())
+        there = here[0] + MOVES[move][0], here[1] + MOVES[move][1]
+        if move == 0 or is_free(config, ground, there):
+            value[move] = worth(script, [distance(config, there, goal) for goal in goals])
+    best = max(value.values())
     return {move for move, worth in value.items() if worth == best}
 
 
@@ -59,21 +110,24 @@ def check_choices(config: mw.WorldConfig, script: str, team: str, seed: int) -> 
         theirs = cells(positions, ~is_mine & alive)
         for agent in np.flatnonzero(is_mine & alive):
             [here] = cells(positions, [agent])
-            good = good_moves(script, config, episode.map, here, theirs)
-            assert episode.actions[step, agent] in good
-            choices.append(len(good))
+            mates = cells(positions, is_mine & alive & (np.arange(config.n_agents) != agent))
+            good = good_moves(script, config, episode.map, here, theirs, mates)
+            if good is not None:
+                assert episode.actions[step, agent] in good
+                choices.append(len(good))
     return choices
 
 
 @pytest.mark.parametrize("obstacles", [None, 0.2])
 @pytest.mark.parametrize("diagonal", [False, True])
 @pytest.mark.parametrize("team", ["pursuer", "evader"])
-@pytest.mark.parametrize("script", ["chaser", "fleer"])
+@pytest.mark.parametrize("script", [*CHASERS, *FLEERS])
 def test_choices(script: str, team: str, diagonal: bool, obstacles: float | None) -> None:
     config = arena("O", diagonal=diagonal, obstacles=obstacles)
     choices = [n for seed in range(5) for n in check_choices(config, script, team, seed)]
     assert 1 in choices
-    assert max(choices) == config.n_actions  # nobody in view, no wall beside
+    if script not in SEARCHERS:
+        assert max(choices) == config.n_actions  # nobody in view, no wall beside
     surround = arena("SB", diagonal=diagonal, obstacles=obstacles, fov=5)
     assert check_choices(surround, script, team, 9)
 
@@ -105,13 +159,79 @@ def test_still_players_stay() -> None:
     assert (episode.positions == episode.positions[0]).all()
 
 
-@pytest.mark.parametrize("script", ["chaser", "fleer"])
+@pytest.mark.parametrize("script", [*CHASERS, *FLEERS])
 def test_nobody_walks_into_walls(script: str) -> None:
     config = arena("SB", obstacles=0.2)
     matches = mw.Matches.of(0, 0, np.arange(20))
     scores = mw.rollout(config, script, script, matches)
     assert not scores.collisions[..., 0].any()
     assert mw.rollout(config, "random", "random", matches).collisions[..., 0].all()
+
+
+def lonely_strides(script: str, seed: int) -> np.ndarray:
+    """Actions, a row for each stride, of a pursuer that sees neither anybody nor the border."""
+    config = arena("O", rows=300, cols=300, n_pursuers=1, n_evaders=1, fov=1, max_steps=120)
+    episode = mw.record(config, script, "still", seed=seed)
+    starts = episode.positions[:-1:STRIDE, 0]
+    inside = ((starts >= STRIDE) & (starts < 300 - STRIDE)).all(axis=1)
+    return episode.actions[:, 0].reshape(-1, STRIDE)[inside]
+
+
+@pytest.mark.parametrize("script", SEARCHERS)
+def test_searchers_walk_on_in_one_direction(script: str) -> None:
+    strides = [lonely_strides(script, seed) for seed in range(40)]
+    directions = np.concatenate(strides)
+    assert (directions == directions[:, :1]).all()
+    counts = np.bincount(directions[:, 0], minlength=5)
+    assert counts[0] == 0
+    assert stats.chisquare(counts[1:]).pvalue > 1e-3
+    assert not np.array_equal(strides[0][:5, 0], strides[1][:5, 0])
+
+
+@pytest.mark.parametrize(
+    ("script", "sober"), [("clumsy-chaser", "chaser"), ("clumsy-fleer", "fleer")]
+)
+def test_the_clumsy_slip_in_half_of_their_steps(script: str, sober: str) -> None:
+    """Next to an adversary on an open grid, one or few moves are good and a slip is any of five."""
+    team = "pursuer" if sober == "chaser" else "evader"
+    config = arena("R", rows=9, cols=9, n_pursuers=4, n_evaders=4, fov=17, max_steps=60)
+    sides = ("still", script) if team == "evader" else (script, "still")
+    expected = variance = hits = 0.0
+    for seed in range(30):
+        episode = mw.record(config, *sides, seed=seed)
+        for step in range(episode.length):
+            positions = episode.positions[step]
+            for agent in range(4, 8) if team == "evader" else range(4):
+                [here] = cells(positions, [agent])
+                theirs = cells(positions, np.arange(4) if team == "evader" else np.arange(4, 8))
+                good = good_moves(sober, config, episode.map, here, theirs, [])
+                assert good is not None
+                chance = 0.5 + 0.5 * len(good) / config.n_actions
+                expected += chance
+                variance += chance * (1 - chance)
+                hits += episode.actions[step, agent] in good
+    assert variance > 500
+    assert abs(hits - expected) < 4 * math.sqrt(variance)
+
+
+def test_scripts_differ_in_skill() -> None:
+    """Each is better than the one before it, in the games that it is for."""
+    matches = mw.Matches.of(0, 0, np.arange(20))
+
+    def caught(variant: str, pursuers: str, evaders: str) -> float:
+        config = mw.WorldConfig(variant, max_steps=150)
+        return float(mw.rollout(config, pursuers, evaders, matches).captured_fraction.mean())
+
+    def rises(rates: list[float]) -> bool:
+        return all(later > earlier + 0.03 for earlier, later in pairwise(rates))
+
+    chasers = ["random", "clumsy-chaser", "chaser", "hunter"]
+    assert rises([caught("O", chaser, "random") for chaser in chasers])
+    evaders = ["fleer", "clumsy-fleer", "random"]
+    assert rises([caught("O", "hunter", evader) for evader in evaders])
+    for variant in ("S", "SD"):
+        best = max(caught(variant, chaser, "random") for chaser in chasers)
+        assert caught(variant, "surrounder", "random") > best + 0.3
 
 
 def test_who_is_good_at_what() -> None:
@@ -210,7 +330,8 @@ def test_fleers_flee_from_where_pursuers_went(name: str) -> None:
                 if not episode.alive[step + 1, agent]:
                     continue
                 [here] = cells(episode.positions[step], [agent])
-                good = good_moves("fleer", config, episode.map, here, pursuers)
+                good = good_moves("fleer", config, episode.map, here, pursuers, [])
+                assert good is not None
                 assert episode.actions[step, agent] in good
                 n_checked += len(good) < config.n_actions
     assert n_checked > 100

@@ -128,7 +128,7 @@ inline std::unique_ptr<Side> random_side(const Config& config, Random& random) {
     auto side = std::make_unique<Side>();
     if (random.chance(40)) {
         side->candidates.script =
-            random.one_of({Script::Random, Script::Still, Script::Chaser, Script::Fleer});
+            &scripts()[static_cast<std::size_t>(random.below(static_cast<int>(scripts().size())))];
         return side;
     }
     std::vector<int> hidden(static_cast<std::size_t>(random.below(4)));

@@ -15,7 +15,17 @@ from matrixworld import _core
 from matrixworld.checks import check_bool, check_integer
 from matrixworld.config import WorldConfig
 
-Script: TypeAlias = Literal["random", "still", "chaser", "fleer"]
+Script: TypeAlias = Literal[
+    "random",
+    "still",
+    "chaser",
+    "fleer",
+    "clumsy-chaser",
+    "hunter",
+    "surrounder",
+    "clumsy-fleer",
+    "dodger",
+]
 
 SCRIPTS: tuple[Script, ...] = get_args(Script)
 """Scripted opponents.
@@ -24,9 +34,15 @@ random: any action, all equally likely
 still: stays
 chaser: the move after which the nearest adversary in view is nearest
 fleer: the move after which the nearest adversary in view is farthest
+clumsy-chaser, clumsy-fleer: the same, but in half of the steps any action
+hunter: a chaser of the nearest adversary in view to which no teammate in view is nearer
+surrounder: a chaser of the nearest free cell beside an adversary in view that no teammate is on
+dodger: the move after which all adversaries in view together are farthest; each cell that holds
+    some weighs ``2**14 // (1 + moves)**2``
 
-Chaser and fleer do not step into obstacles, break ties at random and walk at random while they see
-nobody; near is counted in moves.
+All but random do not step into obstacles and break ties at random. While they see nobody (the
+hunter: no adversary, the surrounder: no such cell) hunter and surrounder walk on in one direction
+for 12 steps, the others but still walk at random. Near is counted in moves.
 """
 
 CHANNELS = 3

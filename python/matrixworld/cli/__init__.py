@@ -4,6 +4,8 @@
 evolve.py       ``evolve``: start runs or go on with them
 tournament.py   ``tournament``: payoff matrices, also of two runs
 replay.py       ``replay``: watch a match
+score.py        ``score``: a run against opponents that it has not met
+exploit.py      ``exploit``: what a fresh best response takes from a champion
 plot.py         ``plot``: figures of finished runs
 variants.py     ``variants``: the table of rules
 bench.py        ``bench``: how fast this machine plays; `bench_report` prints it
@@ -23,8 +25,10 @@ import click
 import matrixworld
 from matrixworld.cli.bench import bench_command
 from matrixworld.cli.evolve import evolve_command
+from matrixworld.cli.exploit import exploit_command
 from matrixworld.cli.plot import plot_command
 from matrixworld.cli.replay import replay_command
+from matrixworld.cli.score import score_command
 from matrixworld.cli.tournament import tournament_command
 from matrixworld.cli.variants import variants_command
 
@@ -45,6 +49,8 @@ for command in (
     evolve_command,
     replay_command,
     tournament_command,
+    score_command,
+    exploit_command,
     plot_command,
     variants_command,
     bench_command,

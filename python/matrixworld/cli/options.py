@@ -19,6 +19,7 @@ from matrixworld.coevolution import (
     RaceSettings,
     SingleSettings,
 )
+from matrixworld.policy import SCRIPTS
 from matrixworld.rules import VARIANTS
 
 AnyFunction = TypeVar("AnyFunction", bound=Callable[..., Any])
@@ -49,8 +50,8 @@ ALL = "all"
 HELP = {
     "variant": f"game variant: {', '.join(VARIANTS)}; see matrixworld variants",
     "obstacles": "density of obstacles in [0, 1), or a MovingAI .map file",
-    "against": "evolve one team alone against random, still, chaser, fleer, or the last "
-    "generation of a run",
+    "against": f"evolve one team alone against {', '.join(SCRIPTS)}, or the last generation of a "
+    "run",
 }
 """Help texts in place of those of the fields."""
 MORE_HELP = {

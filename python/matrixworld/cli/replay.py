@@ -119,8 +119,8 @@ def replay_command(
 
     Of a RUN it is the very episode that the payoff matrix counts: WHO is a generation, below 0
     from the last, by default the last. FILE is an episode that --out or Episode.save has written.
-    VARIANT (O, SB, ...) is a new game between scripts: WHO is random, still, chaser or fleer, by
-    default chaser against fleer.
+    VARIANT (O, SB, ...) is a new game between scripts: WHO is random, still, chaser, fleer,
+    clumsy-chaser, hunter, surrounder, clumsy-fleer or dodger, by default chaser against fleer.
     """
     who: dict[str, Any] = {"pursuers": pursuers, "evaders": evaders, "episode": episode}
     if view and not out:

@@ -20,6 +20,8 @@ hall_of_fame       simultaneous races of two populations
 rivalry            whom the teams of a race meet, and what their archives compare
 single             one team against opponents that stand still
 tournament         payoff matrices
+held_out           opponents that no run has met; `scoring` of a run against them
+best_response      what can be taken from a champion, by a response evolved against it
 learners           the interface of `evolution_strategy` and `genetic_algorithm`
 toolbox            learners as DEAP toolboxes
 fitness            from scores to fitness; `sharing` of it where opponents are scarce
@@ -33,6 +35,7 @@ Everything is scored through one pure function with the arguments of `matrixworl
 from __future__ import annotations
 
 from matrixworld.coevolution import opponents
+from matrixworld.coevolution.best_response import BestResponse, best_response
 from matrixworld.coevolution.evolution_strategy import Adam, EvolutionStrategy, centred_ranks
 from matrixworld.coevolution.files import DamagedFileError
 from matrixworld.coevolution.fitness import FITNESS, fitness
@@ -45,6 +48,7 @@ from matrixworld.coevolution.genetic_algorithm import (
     select_truncation,
 )
 from matrixworld.coevolution.hall_of_fame import HallOfFameRace
+from matrixworld.coevolution.held_out import held_out
 from matrixworld.coevolution.keys import TEAMS, Team, evaluation_seed, training_seeds
 from matrixworld.coevolution.learners import Learner
 from matrixworld.coevolution.lock import LockedError
@@ -62,6 +66,7 @@ from matrixworld.coevolution.schedules import (
     Schedule,
     available,
 )
+from matrixworld.coevolution.scoring import HeldOutScores, score, score_population
 from matrixworld.coevolution.settings import (
     SINGLE_DEFAULTS,
     RaceSettings,
@@ -86,12 +91,14 @@ __all__ = [
     "SINGLE_DEFAULTS",
     "TEAMS",
     "Adam",
+    "BestResponse",
     "Candidates",
     "DamagedFileError",
     "DisengagementWarning",
     "EvolutionStrategy",
     "GeneticAlgorithm",
     "HallOfFameRace",
+    "HeldOutScores",
     "Individual",
     "Learner",
     "LockedError",
@@ -111,12 +118,14 @@ __all__ = [
     "Team",
     "TrainingSettings",
     "available",
+    "best_response",
     "centred_ranks",
     "competitive_sharing",
     "evaluation_seed",
     "finish",
     "fitness",
     "generate_update_toolbox",
+    "held_out",
     "last_generation",
     "learner_toolbox",
     "mate_uniform",
@@ -126,6 +135,8 @@ __all__ = [
     "opponents",
     "reduced_virulence",
     "resume",
+    "score",
+    "score_population",
     "select_tournament",
     "select_truncation",
     "start",

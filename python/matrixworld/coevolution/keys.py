@@ -39,7 +39,8 @@ class Phase(IntEnum):
     PURSUERS_LEARN = 1
     EVADERS_LEARN = 2
     BOTH_LEARN = 3
-    ARCHIVE = 4
+    HELD_OUT = 4
+    ARCHIVE = 5
 
 
 def other(team: Team) -> Team:

@@ -21,7 +21,7 @@ from matrixworld.coevolution.opponents import OPPONENTS
 from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
 from matrixworld.coevolution.sharing import LEAST_VIRULENCE
 from matrixworld.config import WorldConfig
-from matrixworld.policy import Network
+from matrixworld.policy import SCRIPTS, Network
 from matrixworld.rules import VARIANTS, Rules
 
 LEARNERS = {"es": "evolution strategy", "ga": "genetic algorithm"}
@@ -328,7 +328,7 @@ class SingleSettings(TrainingSettings):
 
     team: Team = option("pursuer", "team that learns: pursuer or evader")  # noqa: RUF009
     against: str = option(
-        "random", "opponent: random, still, chaser, fleer, or a run directory (its last generation)"
+        "random", f"opponent: {', '.join(SCRIPTS)}, or a run directory (its last generation)"
     )
     start: str | None = option(
         None, "run directory whose last generation to start from; default: an untrained genome"
