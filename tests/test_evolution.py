@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import subprocess
 import sys
 from functools import partial
@@ -23,6 +24,44 @@ def test_arms_race_runs_and_draws(tmp_path: Path) -> None:
     assert "at generation 12" in done.stdout
     assert [path.name for path in tmp_path.iterdir()] == ["arms_race.png"]
     assert (tmp_path / "arms_race.png").read_bytes().startswith(b"\x89PNG")
+
+
+def counted(results: Path) -> list[dict[str, str]]:
+    with (results / "hit_rates.csv").open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def total(rows: list[dict[str, str]], **wanted: str) -> int:
+    return sum(int(row["count"]) for row in rows if wanted.items() <= row.items())
+
+
+def test_diagnosis_on_toys_tells_and_writes_how_often_it_is_right(tmp_path: Path) -> None:
+    script = SCRIPTS / "diagnosis_on_toys.py"
+    command = [sys.executable, "-W", "error", script, "--quick", "--seeds", "1"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr
+    results = tmp_path / "diagnosis"
+    assert {path.name for path in results.iterdir()} == {"hit_rates.md", "hit_rates.csv"}
+    assert done.stdout.startswith((results / "hit_rates.md").read_text(encoding="utf-8"))
+    rows = [line.split(" | ") for line in done.stdout.splitlines() if line.startswith("| virul")]
+    assert rows[0][:3] == ["| virulence 1", "disengagement (1)", "1"]
+    counts = counted(results)
+    right = total(counts, truth="True", verdict="present")
+    right += total(counts, truth="False", verdict="absent")
+    told = total(counts) - total(counts, verdict="cannot tell")
+    assert right > 0.8 * told > 20
+
+
+def test_the_committed_hit_rates_are_those_of_the_committed_counts() -> None:
+    results = SCRIPTS / "results" / "diagnosis"
+    text = (results / "hit_rates.md").read_text(encoding="utf-8")
+    counts = counted(results)
+    for condition in {row["condition"] for row in counts}:
+        of = {"condition": condition, "by": "one race, its episodes"}
+        races = total(counts, **of, truth="True")
+        hits = total(counts, **of, truth="True", verdict="present")
+        assert races >= 40
+        assert f"| {condition} | {of['by']} | {races} | {hits / races:.0%} |" in text
 
 
 def test_an_unknown_schedule_is_refused(tmp_path: Path) -> None:

@@ -27,7 +27,11 @@ wording.py          the same in sentences
 measures.py         the numbers that are compared between runs, by name
 single_run.py       everything above for one run
 analyze.py          everything for one run or several, with intervals
-sources.py          what `analyze` reads: arrays and files
+evidence.py         rises, forgetting without the luck of the best; numbers behind a diagnosis
+calibration.py      what such numbers meant in toy races whose truth is known
+diagnosis.py        arms race, cycling, disengagement, forgetting, stagnation: which is it?
+advice.py           a diagnosis in words
+sources.py          what `analyze` and `diagnose` read: arrays and files
 tables.py           CSV files
 ==================  ================================================================================
 """
@@ -44,6 +48,7 @@ from matrixworld.analysis.bootstrap import (
     bootstrap_episodes,
     bootstrap_runs,
 )
+from matrixworld.analysis.calibration import CONDITIONS
 from matrixworld.analysis.ciao import Ciao, Triangle, autocorrelation, ciao
 from matrixworld.analysis.cycles import (
     Checkerboards,
@@ -52,6 +57,7 @@ from matrixworld.analysis.cycles import (
     transitive_share,
     two_way_parts,
 )
+from matrixworld.analysis.diagnosis import Diagnosis, Finding, diagnose
 from matrixworld.analysis.dominance import (
     Dominance,
     Ladder,
@@ -65,6 +71,7 @@ from matrixworld.analysis.engagement import (
     fitness_variance,
     undecided_opponents,
 )
+from matrixworld.analysis.evidence import Rises, held_out_forgetting, rises
 from matrixworld.analysis.exploitability import (
     Exploitability,
     ResponseGain,
@@ -100,6 +107,7 @@ from matrixworld.analysis.summary import PartSummary, Summary, TeamSummary, summ
 from matrixworld.analysis.wording import describe
 
 __all__ = [
+    "CONDITIONS",
     "ELO_POINTS",
     "MEASURES",
     "AlphaRank",
@@ -107,11 +115,13 @@ __all__ = [
     "Band",
     "Checkerboards",
     "Ciao",
+    "Diagnosis",
     "Disengagement",
     "Dominance",
     "Elo",
     "Estimate",
     "Exploitability",
+    "Finding",
     "Forgetting",
     "Generalization",
     "Ladder",
@@ -123,6 +133,7 @@ __all__ = [
     "Payoffs",
     "Progress",
     "ResponseGain",
+    "Rises",
     "RunAnalysis",
     "Summary",
     "TeamProgress",
@@ -144,6 +155,7 @@ __all__ = [
     "checkerboards",
     "ciao",
     "describe",
+    "diagnose",
     "disengagements",
     "dominance_of_counts",
     "dominance_tournament",
@@ -156,6 +168,7 @@ __all__ = [
     "generalization",
     "global_progress",
     "half_steps",
+    "held_out_forgetting",
     "historical_progress",
     "lag_profile",
     "lag_rise",
@@ -167,6 +180,7 @@ __all__ = [
     "nash_averaging",
     "read_payoffs",
     "response_gain",
+    "rises",
     "summarize",
     "swap_teams",
     "swing",

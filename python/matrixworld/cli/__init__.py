@@ -7,6 +7,7 @@ replay.py       ``replay``: watch a match
 score.py        ``score``: a run against opponents that it has not met
 exploit.py      ``exploit``: what a fresh best response takes from a champion
 plot.py         ``plot``: figures of finished runs
+diagnose.py     ``diagnose``: what happened in a race, and what to try
 variants.py     ``variants``: the table of rules
 bench.py        ``bench``: how fast this machine plays; `bench_report` prints it
 options.py      options from the fields of the settings
@@ -24,6 +25,7 @@ import click
 
 import matrixworld
 from matrixworld.cli.bench import bench_command
+from matrixworld.cli.diagnose import diagnose_command
 from matrixworld.cli.evolve import evolve_command
 from matrixworld.cli.exploit import exploit_command
 from matrixworld.cli.plot import plot_command
@@ -52,6 +54,7 @@ for command in (
     score_command,
     exploit_command,
     plot_command,
+    diagnose_command,
     variants_command,
     bench_command,
 ):

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.coevolution.hall_of_fame import pairings
 from matrixworld.coevolution.opponents import Indices, Selection
@@ -63,13 +63,20 @@ class History:
 
     Attributes
     ----------
-    objective : (G + 1, 2, n) ones of each individual, which no one is selected for; the first
-        row is the start, the last what came out.
+    game : what they played.
+    ones : (G + 1, 2, n, dimensions) ones of each individual in each dimension; the first row is
+        the start, the last what came out.
     wins : (G, 2, n) contests that each individual won.
     """
 
-    objective: NDArray[np.int64]
+    game: Game
+    ones: Phenotypes
     wins: Values
+
+    @property
+    def objective(self) -> NDArray[np.int64]:
+        """(G + 1, 2, n) ones of each individual, which no one is selected for."""
+        return np.asarray(self.ones.sum(axis=3))
 
     @property
     def final_objective(self) -> Values:
@@ -80,6 +87,20 @@ class History:
     def engaged(self) -> Bits:
         """(G,) whether in both populations some individuals have won more than others."""
         return np.asarray((np.ptp(self.wins, axis=2) > 0.0).all(axis=1))
+
+    def scores(self, generations: ArrayLike, episodes: int, rng: Generator) -> Values:
+        """Return (k, k, episodes) what side 0 scores: 1 for a win, 1/2 for a draw, 0 for a loss.
+
+        Row i is side 0, column j side 1 in the generations (k,) that are named. In each episode
+        two individuals, drawn at random with replacement, meet.
+        """
+        picked = np.asarray(generations)
+        shape = (len(picked), len(picked), episodes)
+        one, other = (rng.integers(self.ones.shape[2], size=shape).ravel() for _ in (0, 1))
+        i, j, _ = (index.ravel() for index in np.indices(shape))
+        a, b = self.ones[picked[i], 0, one], self.ones[picked[j], 1, other]
+        won, lost = self.game.beats(a, b), self.game.beats(b, a)
+        return np.asarray((1.0 + won - lost) / 2.0).reshape(shape)
 
 
 def evolve(
@@ -112,7 +133,7 @@ def evolve(
     """
     bits = [np.zeros((population, *game.shape), dtype=np.bool_) for _ in sides]
     champions: tuple[list[Bits], list[Bits]] = ([], [])
-    objective, wins = [_ones(bits)], []
+    ones, wins = [_ones(bits)], []
     for generation in range(generations):
         met = [_met(halls, s, len(champions[1 - s]), generation, rng) for s in (0, 1)]
         guests = [[champions[s][i] for i in met[1 - s]] for s in (0, 1)]
@@ -123,9 +144,9 @@ def evolve(
                 halls[side].tell(met[side], contest.hall_scores(side))
             champions[side].append(bits[side][np.argmax(won[side])])
             bits[side] = sides[side].breed(bits[side], won[side], rng)
-        objective.append(_ones(bits))
+        ones.append(_ones(bits))
         wins.append(won)
-    return History(np.array(objective), np.array(wins))
+    return History(game, np.array(ones), np.array(wins))
 
 
 def _met(
@@ -175,8 +196,8 @@ def _contest(
     return _Contest(n, index, (game.beats(ones[0], ones[1]), game.beats(ones[1], ones[0])))
 
 
-def _ones(bits: list[Bits]) -> NDArray[np.int64]:
-    return np.array([team.sum(axis=(1, 2)) for team in bits])
+def _ones(bits: list[Bits]) -> Phenotypes:
+    return np.array([team.sum(axis=2) for team in bits])
 
 
 def select_proportionate(fitness: Values, k: int, rng: Generator) -> NDArray[np.intp]:

@@ -33,6 +33,25 @@ def payoff_matrix(draw: float = DRAW) -> Values:
     return np.array([[draw, 0.0, 1.0], [1.0, draw, 0.0], [0.0, 1.0, draw]])
 
 
+def shares(played: ArrayLike) -> Values:
+    """Return (k, 3) the shares of the hands played (k,) so far: the average play up to each."""
+    hands = np.eye(3)[np.asarray(played)]
+    return np.asarray(hands.cumsum(axis=0) / np.arange(1, len(hands) + 1)[:, np.newaxis])
+
+
+def chances(pursuers: Values, evaders: Values, *, luck: float = 0.0) -> Values:
+    """Return (n, m) the chance that each pursuer captures each evader; a draw is half of one.
+
+    Parameters
+    ----------
+    pursuers, evaders : (n, 3) and (m, 3) shares of hands; ``np.eye(3)[hands]`` are pure ones.
+    luck : chance, in [0, 1/2], that the worse hand wins.
+    """
+    if not 0.0 <= luck <= 0.5:
+        raise ValueError(f"luck: expected a number in [0, 0.5], got {luck}")
+    return np.asarray(luck + (1.0 - 2.0 * luck) * (pursuers @ payoff_matrix() @ evaders.T))
+
+
 def best_response(
     team: Team, opponents: ArrayLike, matrix: Values, rng: np.random.Generator
 ) -> int:
