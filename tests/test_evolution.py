@@ -1,128 +1,198 @@
-"""The scripts in evolution/ run."""
+"""The scripts in evolution/ run, and say what is so."""
 
 from __future__ import annotations
 
-import csv
-import subprocess
-import sys
-from functools import partial
+import importlib
+import re
+from dataclasses import replace
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
+import pytest
 
-from matrixworld.coevolution import open_run
+import matrixworld as mw
+from evolution_scripts import SCRIPTS, run_quickly, run_script
+from matrixworld import coevolution
 
-SCRIPTS = Path(__file__).parents[1] / "evolution"
+
+def quick(name: str, place: Path, *options: str) -> str:
+    """What a script that draws a figure of its own name prints."""
+    told = run_quickly(name, place, *options)
+    assert (place / f"{name}.png").read_bytes().startswith(b"\x89PNG")
+    return told
+
+
+def rows(table: str) -> list[list[str]]:
+    lines = [line for line in table.splitlines() if line.startswith("| ")]
+    return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[1:]]
+
+
+@pytest.fixture
+def script(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    monkeypatch.syspath_prepend(SCRIPTS)
+    return importlib.import_module(request.param)
 
 
 def test_arms_race_runs_and_draws(tmp_path: Path) -> None:
-    command = [sys.executable, "-W", "error", SCRIPTS / "arms_race.py", "--quick"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300)
-    assert done.returncode == 0, done.stderr
+    told = quick("arms_race", tmp_path)
     for schedule in ("specialist-specialist", "generalist-generalist"):
-        assert f"\n{schedule}\nThis run " in done.stdout
-    assert "at generation 12" in done.stdout
+        assert f"\n{schedule}\nThis run " in told
+    assert "at generation 12" in told
     assert [path.name for path in tmp_path.iterdir()] == ["arms_race.png"]
-    assert (tmp_path / "arms_race.png").read_bytes().startswith(b"\x89PNG")
-
-
-def counted(results: Path) -> list[dict[str, str]]:
-    with (results / "hit_rates.csv").open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def total(rows: list[dict[str, str]], **wanted: str) -> int:
-    return sum(int(row["count"]) for row in rows if wanted.items() <= row.items())
-
-
-def test_diagnosis_on_toys_tells_and_writes_how_often_it_is_right(tmp_path: Path) -> None:
-    script = SCRIPTS / "diagnosis_on_toys.py"
-    command = [sys.executable, "-W", "error", script, "--quick", "--seeds", "1"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300)
-    assert done.returncode == 0, done.stderr
-    results = tmp_path / "diagnosis"
-    assert {path.name for path in results.iterdir()} == {"hit_rates.md", "hit_rates.csv"}
-    assert done.stdout.startswith((results / "hit_rates.md").read_text(encoding="utf-8"))
-    rows = [line.split(" | ") for line in done.stdout.splitlines() if line.startswith("| virul")]
-    assert rows[0][:3] == ["| virulence 1", "disengagement (1)", "1"]
-    counts = counted(results)
-    right = total(counts, truth="True", verdict="present")
-    right += total(counts, truth="False", verdict="absent")
-    told = total(counts) - total(counts, verdict="cannot tell")
-    assert right > 0.8 * told > 20
-
-
-def test_the_committed_hit_rates_are_those_of_the_committed_counts() -> None:
-    results = SCRIPTS / "results" / "diagnosis"
-    text = (results / "hit_rates.md").read_text(encoding="utf-8")
-    counts = counted(results)
-    for condition in {row["condition"] for row in counts}:
-        of = {"condition": condition, "by": "one race, its episodes"}
-        races = total(counts, **of, truth="True")
-        hits = total(counts, **of, truth="True", verdict="present")
-        assert races >= 40
-        assert f"| {condition} | {of['by']} | {races} | {hits / races:.0%} |" in text
 
 
 def test_an_unknown_schedule_is_refused(tmp_path: Path) -> None:
-    command = [sys.executable, SCRIPTS / "arms_race.py", "--schedules", "tit-for-tat"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    done = run_script("arms_race", tmp_path, "--schedules", "tit-for-tat")
     assert done.returncode == 2
     assert "invalid choice: 'tit-for-tat'" in done.stderr
     assert list(tmp_path.iterdir()) == []
 
 
-def run_quickly(name: str, directory: Path, *options: str) -> str:
-    """What a script prints under --quick, warnings being errors."""
-    command = [sys.executable, "-W", "error", SCRIPTS / name, "--quick", *options]
-    done = subprocess.run(command, cwd=directory, capture_output=True, text=True, timeout=300)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
-
-
-def test_hall_of_fame_compares_two_kinds_of_race(tmp_path: Path) -> None:
-    printed = run_quickly("hall_of_fame.py", tmp_path)
-    assert "| mean over seeds | latest only | hall of fame |" in printed
-    assert {path.name for path in tmp_path.iterdir()} == {"runs", "hall_of_fame.png"}
-    matches = {
-        kind: open_run(tmp_path / "runs/hall_of_fame" / kind / "0").files.log()["matches"][-1]
-        for kind in ("latest-only", "hall-of-fame")
-    }
-    # In the first generation there is one champion to meet, where later there are two.
-    assert matches["latest-only"] - matches["hall-of-fame"] == 2 * 3 * 8
-    assert run_quickly("hall_of_fame.py", tmp_path) == printed
-
-
-def test_archives_are_compared_at_one_budget(tmp_path: Path) -> None:
-    printed = run_quickly("archives.py", tmp_path, "--selections", "latest", "maxsolve")
-    budget = int(printed.split(" matches")[0].rsplit(" ", 1)[-1].replace(",", ""))
-    ends = [
-        open_run(tmp_path / "runs/archives" / name / "0").files.log()["matches"][-1]
-        for name in ("latest", "maxsolve")
+def test_generalisation_compares_at_equal_matches_and_takes_up_its_runs(tmp_path: Path) -> None:
+    told = quick("generalisation", tmp_path)
+    assert {path.name for path in tmp_path.iterdir()} == {"generalisation.png", "runs"}
+    table = rows(told)
+    assert [row[:2] for row in table] == [
+        ["pursuers", "in the race"],
+        ["pursuers", "against random evaders"],
+        ["evaders", "in the race"],
+        ["evaders", "against random pursuers"],
+        ["evaders", "against trained pursuers"],
     ]
-    assert budget == min(ends) < max(ends)
-    assert printed.count("\n| latest |") == printed.count("\n| maxsolve |") == 1
+    for team in ("pursuers", "evaders"):
+        assert len({row[2] for row in table if row[0] == team}) == 1
+    for row in table:
+        home, mean, worst, strange, worst_strange = map(float, row[3:])
+        assert 0 <= home <= 1
+        assert 0 <= worst <= mean <= 1
+        assert 0 <= worst_strange <= strange <= 1
+
+    runs = tmp_path / "runs" / "generalisation" / "quick-0"
+    race = coevolution.open_run(runs / "generalist-generalist")
+    payoff = race.payoff().capture_rate
+    assert float(table[0][3]) == pytest.approx(payoff[-1].mean(), abs=0.005)
+    assert float(table[2][3]) == pytest.approx(1 - payoff[:, -1].mean(), abs=0.005)
+    for k in (0, 2):  # the same again, on other episodes
+        assert float(table[k][4]) == pytest.approx(float(table[k][3]), abs=0.12)
+    played = race.files.summary()["training_matches"]
+    assert played == sum(int(table[k][2].replace(",", "")) for k in (0, 2))
+    taught = coevolution.open_run(runs / "evaders-against-trained")
+    halfway = coevolution.open_run(runs / "evaders-against-random-half").teams["evader"]
+    teachers = coevolution.open_run(runs / "pursuers-against-random").teams["pursuer"]
+    escaped = 1 - taught.files.summary()["capture_rate"]
+    assert float(table[4][3]) == pytest.approx(escaped, abs=0.005)
+    assert (taught.teams["evader"].genomes[0] == halfway.genomes[-1]).all()
+    assert (taught.teams["pursuer"].genomes == teachers.genomes[-1:]).all()
+
+    written = {path: path.stat().st_mtime_ns for path in runs.rglob("payoff.npz")}
+    assert len(written) == 6
+    assert quick("generalisation", tmp_path) == told
+    assert {path: path.stat().st_mtime_ns for path in written} == written
 
 
-def test_claims_are_told_with_intervals_and_their_numbers_kept(tmp_path: Path) -> None:
-    printed = run_quickly("paper_claims.py", tmp_path)
-    table = (tmp_path / "paper_claims/claims.md").read_text()
-    assert table in printed
-    assert len(table.splitlines()) == 2 + 12
-    verdicts = [line.rsplit("**", 2)[1] for line in table.splitlines()[2:]]
-    assert set(verdicts) <= {"reproduced", "not reproduced", "undecided"}
-    with np.load(tmp_path / "paper_claims/numbers.npz") as numbers:
-        assert numbers["payoff generalist-generalist"].shape == (2, 7, 7)
-        assert numbers["cross-play of evaders"].shape == (4, 2, 2, 2, 3)
+@pytest.mark.parametrize("script", ["generalisation"], indirect=True)
+def test_generalisation_refuses_runs_of_other_settings(script: ModuleType, tmp_path: Path) -> None:
+    coevolution.start(script.QUICK, tmp_path / "race")
+    with pytest.raises(SystemExit, match="race: holds a run of other settings"):
+        script.played(script.FULL, tmp_path / "race")
 
 
-def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: Path) -> None:
-    evolve = partial(run_quickly, "evolve_held_out.py", tmp_path)
-    assert "O done\nSB done\nWritten: held_out.npz" in evolve()
-    evolve("--processes", "2", "--output", "again.npz")
-    assert (tmp_path / "held_out.npz").read_bytes() == (tmp_path / "again.npz").read_bytes()
-    lines = evolve("--table", "held_out.npz").splitlines()
-    assert "| pursuers | O | SB |" in lines
-    rows = [line.split(" | ") for line in lines if line.startswith("| evolved-")]
-    assert len(rows) == 4
-    assert all(len(row) == 3 for row in rows)
+def test_the_deap_example_is_determined_by_its_seed(tmp_path: Path) -> None:
+    told = quick("deap_example", tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["deap_example.png"]
+    assert re.search(r"^4 +\t108 ", told, re.M)  # 6 + 4 x 12 players, against 2 rivals
+    assert "a best response to these evaders catches 0." in told
+    assert quick("deap_example", tmp_path) == told
+    assert quick("deap_example", tmp_path, "--seed", "1") != told
+
+
+@pytest.mark.parametrize("script", ["deap_example"], indirect=True)
+def test_the_deap_example_scores_each_player_against_each_rival(script: ModuleType) -> None:
+    world, rng = script.SMALL, np.random.default_rng(0)
+    network = mw.Network.for_config(world)
+    own, rivals = (np.stack([network.initial(rng) for _ in range(n)]) for n in (3, 2))
+    seeds = rng.integers(2**63, size=(3, 2))
+    for team in coevolution.TEAMS:
+        expected = np.zeros(3)
+        for i, j in np.ndindex(3, 2):
+            sides = (own[i], rivals[j]) if team == "pursuer" else (rivals[j], own[i])
+            pursuer, evader = (mw.Population(genome, network) for genome in sides)
+            match = mw.Matches.of(0, 0, seeds[i, j])
+            scores = mw.rollout(world, pursuer, evader, match)
+            captured = float(scores.captured_fraction[0, 0])
+            escaped = 1 - captured - 0.2 * float(scores.evader_crowding[0, 0])
+            expected[i] += (captured if team == "pursuer" else escaped) / 2
+        np.testing.assert_allclose(
+            script.score(team, world, own, rivals, seeds), expected, rtol=1e-5
+        )
+
+
+@pytest.mark.parametrize("script", ["deap_example"], indirect=True)
+def test_the_deap_example_evolves_a_response_that_wins(script: ModuleType) -> None:
+    world = mw.WorldConfig("O", rows=8, cols=8, n_pursuers=2, n_evaders=4, max_steps=40, fov=7)
+    budget = script.Budget(world, 1, 1, 1, 24, 1, response=100)
+    network, rng = mw.Network.for_config(world), np.random.default_rng(0)
+    rival, naive = network.initial(rng), network.initial(rng)
+    escaper = script.best_response("evader", rival, budget, rng)
+    before, after = script.capture_rates(budget, rival, np.stack([naive, escaper]))[0]
+    assert after < before - 0.1
+
+
+def test_safe_coevolution_prices_collisions(tmp_path: Path) -> None:
+    table = rows(quick("safe_coevolution", tmp_path))
+    assert [path.name for path in tmp_path.iterdir()] == ["safe_coevolution.png"]
+    assert [row[:2] for row in table] == [
+        ["pursuers", "0"], ["pursuers", "1"], ["evaders", "0"], ["evaders", "1"],
+    ]  # fmt: skip
+    assert {row[-1] for row in table} == {"288"}
+    score, obstacle, teammate = (
+        [float(row[column].split()[0]) for row in table] for column in (2, 3, 4)
+    )
+    # All pursuers met all evaders: what the ones caught is what the others lost.
+    assert sum(score[:2]) == pytest.approx(2 - sum(score[2:]), abs=0.03)
+    for free, priced in ((0, 1), (2, 3)):
+        assert obstacle[priced] + teammate[priced] < obstacle[free] + teammate[free]
+
+
+@pytest.mark.parametrize("script", ["safe_coevolution"], indirect=True)
+def test_safe_coevolution_takes_from_each_what_it_is_at_fault_for(script: ModuleType) -> None:
+    world = script.SMALL
+    scores = mw.rollout(world, "random", "random", mw.Matches.of(0, 0, [1, 2]), worlds=3)
+    for t, team in enumerate(coevolution.TEAMS):
+        for match in range(2):
+            each = []
+            for episode in range(3):
+                captured = scores.captured_fraction[match, episode]
+                aim = captured if team == "pursuer" else 1 - captured
+                faults = sum(int(n) for n in scores.faults[match, episode, t])
+                each.append(aim - 0.5 * faults / scores.agent_steps[match, episode, t])
+            assert script.fitness(scores, team, 0.5)[match] == pytest.approx(np.mean(each))
+
+
+@pytest.mark.parametrize("script", ["safe_coevolution"], indirect=True)
+def test_safe_coevolution_tells_each_champion_from_the_others(script: ModuleType) -> None:
+    network = mw.Network.for_config(script.SMALL)
+    rng = np.random.default_rng(0)
+    champions = {
+        team: np.stack([network.initial(rng, head=head) for head in (0.01, 3.0)])
+        for team in coevolution.TEAMS
+    }
+    budget = replace(script.QUICK, prices=(0.0,))
+    told = script.outcomes(champions, budget)
+    pursuers, evaders = (mw.Population(champions[team], network) for team in coevolution.TEAMS)
+    for index in range(2):
+        pairs = {"pursuer": [(index, 0), (index, 1)], "evader": [(0, index), (1, index)]}
+        for t, team in enumerate(coevolution.TEAMS):
+            collisions, steps, captured = np.zeros(3), 0, []
+            for p, e in pairs[team]:
+                match = mw.Matches.of(p, e, 2 * p + e)
+                scores = mw.rollout(script.SMALL, pursuers, evaders, match, worlds=10)
+                collisions[:2] += scores.faults[0, :, t, :2].sum(axis=0)
+                collisions[2] += scores.collisions[0, :, t, 2].sum()
+                steps += scores.agent_steps[0, :, t].sum()
+                captured.append(scores.capture_rate.mean())
+            score, rates = (each[0, index] for each in told[team])
+            rate = np.mean(captured)
+            assert score == pytest.approx(rate if team == "pursuer" else 1 - rate)
+            np.testing.assert_allclose(rates, 1000 * collisions / steps, rtol=1e-9)

@@ -1,0 +1,229 @@
+"""A DEAP program in plain sight: two populations that evolve against each other by turns.
+
+    python evolution/deap_example.py             a minute or two
+    python evolution/deap_example.py --quick     a small world, some seconds
+
+Individuals, operators, statistics and the loop are DEAP's or written here as its users write them;
+what DEAP calls the evaluation is ``matrixworld.rollout``. To change the algorithm, register other
+operators or call another one of ``deap.algorithms``. Three places are particular to this game:
+
+- ``toolbox.map`` gets the whole population and plays all its matches in one call;
+- who learns meets several opponents, and everybody the same ones under the same seeds;
+- at the start of a turn fitness is deleted, since it was earned against other opponents.
+
+The other way round, a learner of matrixworld is driven by a loop of DEAP's in `best_response`, and
+so would be one of your own: whatever has the ``ask`` and ``tell`` of ``coevolution.Learner``. It
+finds out how far the last champions can be beaten by one who has nothing else to do.
+
+Printed are DEAP's logbook of the turns, the fitness of each team at the end of its own, and what
+the best responses gain; drawn is every champion against every other.
+"""
+
+from __future__ import annotations
+
+import argparse
+import itertools
+import random
+from dataclasses import dataclass
+
+import numpy as np
+from deap import algorithms, base, tools
+
+import matrixworld as mw
+from matrixworld import coevolution, plots
+from matrixworld.coevolution import Team
+
+RIVALS: dict[Team, Team] = {"pursuer": "evader", "evader": "pursuer"}
+CROWDING = 0.2  # what it costs evaders to stand on one another's cells
+SIGMA = 0.1  # of a mutation, and of the evolution strategy's samples
+
+
+@dataclass(frozen=True)
+class Budget:
+    """The world, and how much is played."""
+
+    world: mw.WorldConfig
+    turns: int
+    """Of each team."""
+    generations: int
+    """DEAP's, in a turn."""
+    mu: int
+    lambda_: int
+    met: int
+    """Opponents that each player meets, the newest champion among them."""
+    response: int
+    """Epochs of a best response."""
+
+
+WORLD = mw.WorldConfig("O", rows=16, cols=16, n_pursuers=4, n_evaders=6, max_steps=100)
+SMALL = mw.WorldConfig("O", rows=10, cols=10, n_pursuers=3, n_evaders=4, max_steps=40)
+FULL = Budget(WORLD, turns=30, generations=4, mu=12, lambda_=24, met=8, response=500)
+QUICK = Budget(SMALL, turns=4, generations=4, mu=6, lambda_=12, met=2, response=10)
+
+
+class Fitness(base.Fitness):
+    """One value, the more the better."""
+
+    weights = (1.0,)
+
+
+class Player:
+    """A DEAP individual is whatever has a fitness; this one is the weights of a network."""
+
+    def __init__(self, genome: np.ndarray) -> None:
+        self.genome = genome
+        self.fitness = Fitness()
+
+
+def mix(one: Player, two: Player, rng: np.random.Generator) -> tuple[Player, Player]:
+    """Uniform crossover, in place: each gene changes sides with probability 1/2."""
+    swapped = rng.random(len(one.genome)) < 0.5
+    one.genome[swapped], two.genome[swapped] = two.genome[swapped], one.genome[swapped]
+    return one, two
+
+
+def nudge(player: Player, rng: np.random.Generator) -> tuple[Player]:
+    """Gaussian mutation of all genes, in place."""
+    player.genome += SIGMA * rng.standard_normal(len(player.genome), dtype=np.float32)
+    return (player,)
+
+
+def score(
+    team: Team, world: mw.WorldConfig, own: np.ndarray, rivals: np.ndarray, seeds: np.ndarray
+) -> np.ndarray:
+    """Mean fitness (n,) of genomes (n, genes) over rivals (m, genes), under seeds (n, m)."""
+    network = mw.Network.for_config(world)
+    learning, met = mw.Population(own, network), mw.Population(rivals, network)
+    i, j = (axis.ravel() for axis in np.indices((len(own), len(rivals))))
+    if team == "pursuer":
+        scores = mw.rollout(world, learning, met, mw.Matches.of(i, j, seeds.ravel()))
+        values = scores.captured_fraction
+    else:
+        scores = mw.rollout(world, met, learning, mw.Matches.of(j, i, seeds.ravel()))
+        values = 1 - scores.captured_fraction - CROWDING * scores.evader_crowding
+    return values.reshape(seeds.shape).mean(axis=1)
+
+
+def toolbox_of(world: mw.WorldConfig, rng: np.random.Generator) -> base.Toolbox:
+    """All that does not change from turn to turn."""
+    network = mw.Network.for_config(world)
+    toolbox = base.Toolbox()
+    toolbox.register("individual", lambda: Player(network.initial(rng)))
+    toolbox.register("population", tools.initRepeat, list, toolbox.individual)
+    toolbox.register("mate", mix, rng=rng)
+    toolbox.register("mutate", nudge, rng=rng)
+    toolbox.register("select", tools.selBest)
+    toolbox.register("map", lambda evaluate, players: evaluate(list(players)))
+    return toolbox
+
+
+def take_turn(
+    team: Team,
+    toolbox: base.Toolbox,
+    population: list[Player],
+    rivals: np.ndarray,
+    budget: Budget,
+    rng: np.random.Generator,
+) -> tuple[list[Player], np.ndarray, dict[str, float]]:
+    """One team evolves while the other stands still: its population, champion and last record."""
+    seeds = rng.integers(2**63, size=len(rivals))
+
+    def evaluate(players: list[Player]) -> list[tuple[float]]:
+        genomes = np.stack([player.genome for player in players])
+        same = np.broadcast_to(seeds, (len(players), len(rivals)))
+        return [(float(value),) for value in score(team, budget.world, genomes, rivals, same)]
+
+    toolbox.register("evaluate", evaluate)
+    statistics = tools.Statistics(lambda player: player.fitness.values[0])
+    for name, number in {"mean": np.mean, "std": np.std, "max": np.max}.items():
+        statistics.register(name, number)
+    best = tools.HallOfFame(1, similar=lambda a, b: np.array_equal(a.genome, b.genome))
+    for player in population:
+        del player.fitness.values
+    population, logbook = algorithms.eaMuPlusLambda(
+        population, toolbox, budget.mu, budget.lambda_, cxpb=0.3, mutpb=0.7,
+        ngen=budget.generations, stats=statistics, halloffame=best, verbose=False,
+    )  # fmt: skip
+    numbers = {name: round(float(n), 3) for name, n in statistics.compile(population).items()}
+    played = sum(logbook.select("nevals")) * len(rivals)
+    return population, best[0].genome, {"matches": played, **numbers}
+
+
+def co_evolve(
+    budget: Budget, rng: np.random.Generator
+) -> tuple[dict[Team, np.ndarray], tools.Logbook]:
+    """The champions (turns + 1, genes) of both teams, the untrained first, and the logbook."""
+    toolboxes = {team: toolbox_of(budget.world, rng) for team in coevolution.TEAMS}
+    populations = {team: box.population(n=budget.mu) for team, box in toolboxes.items()}
+    champions = {team: [players[0].genome.copy()] for team, players in populations.items()}
+    logbook = tools.Logbook()
+    logbook.header = ["turn", *coevolution.TEAMS]
+    for team in coevolution.TEAMS:
+        logbook.chapters[team].header = ["matches", "mean", "std", "max"]
+    for turn in range(1, budget.turns + 1):
+        record = {}
+        for team in coevolution.TEAMS:
+            *past, newest = champions[RIVALS[team]]
+            drawn = rng.permutation(len(past))[: budget.met - 1]
+            rivals = np.stack([newest, *(past[index] for index in drawn)])
+            populations[team], champion, record[team] = take_turn(
+                team, toolboxes[team], populations[team], rivals, budget, rng
+            )
+            champions[team].append(champion)
+        logbook.record(turn=turn, **record)
+    return {team: np.stack(genomes) for team, genomes in champions.items()}, logbook
+
+
+def best_response(
+    team: Team, rival: np.ndarray, budget: Budget, rng: np.random.Generator
+) -> np.ndarray:
+    """What an evolution strategy of matrixworld's, driven by DEAP, evolves against one rival."""
+    network = mw.Network.for_config(budget.world)
+    noise = coevolution.NoiseTable(network.genome_size, rng, sigma=SIGMA)
+    learner = coevolution.EvolutionStrategy(network.initial(rng), noise, samples=budget.lambda_)
+
+    def evaluate(candidates: coevolution.Candidates) -> np.ndarray:
+        seeds = rng.integers(2**63, size=budget.lambda_ // 2)[learner.match_of_candidate]
+        return score(team, budget.world, candidates.genomes, rival[np.newaxis], seeds[:, None])
+
+    toolbox = coevolution.generate_update_toolbox(learner, evaluate, itertools.repeat(rng))
+    algorithms.eaGenerateUpdate(toolbox, ngen=budget.response, verbose=False)
+    return learner.genome
+
+
+def capture_rates(budget: Budget, pursuers: np.ndarray, evaders: np.ndarray) -> np.ndarray:
+    """Everybody against everybody: (pursuers, evaders)."""
+    network = mw.Network.for_config(budget.world)
+    teams = (mw.Population(genomes, network) for genomes in (pursuers, evaders))
+    return coevolution.tournament(budget.world, *teams, seed=0, episodes=20).capture_rate
+
+
+def main() -> None:
+    """Co-evolve, put the last champions to the test, print and draw what came of it."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--quick", action="store_true", help="a small world and few turns")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--figure", default="deap_example.png", help="file to draw to")
+    args = parser.parse_args()
+    budget = QUICK if args.quick else FULL
+    random.seed(args.seed)  # DEAP's own loops draw from it
+    rng = np.random.default_rng(args.seed)
+    champions, logbook = co_evolve(budget, rng)
+    print(logbook)
+    pursuers, evaders = champions["pursuer"], champions["evader"]
+    hunter = best_response("pursuer", evaders[-1], budget, rng)
+    escaper = best_response("evader", pursuers[-1], budget, rng)
+    rates = capture_rates(
+        budget, np.stack([pursuers[-1], hunter]), np.stack([evaders[-1], escaper])
+    )
+    print(f"\nBest responses, {budget.response * budget.lambda_:,} matches each:")
+    print(f"the last pursuers catch {rates[0, 0]:.2f} of the last evaders;")
+    print(f"a best response to these evaders catches {rates[1, 0]:.2f},")
+    print(f"of a best response to these pursuers {rates[0, 1]:.2f} are caught.")
+    payoff = capture_rates(budget, pursuers, evaders)
+    plots.payoff_heatmap(payoff, title="Champions of every turn").savefig(args.figure)
+    print(f"Drawn: {args.figure}")
+
+
+if __name__ == "__main__":
+    main()
