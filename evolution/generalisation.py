@@ -79,13 +79,8 @@ def plans(race: RaceSettings, root: Path) -> dict[str, RaceSettings | SingleSett
 
 def played(settings: RaceSettings | SingleSettings, place: Path) -> SavedRun:
     """The finished run at a place: begun if there is none, and taken up where it stopped."""
-    if not (place / "config.json").exists():
-        coevolution.start(settings, place)
-    elif coevolution.open_run(place).settings != settings:
-        raise SystemExit(f"{place}: holds a run of other settings; name another place by --runs")
     with coevolution.ProgressBar() as bar:
-        coevolution.resume(place).run(bar)
-    return coevolution.open_run(place)
+        return coevolution.finish(settings, place, report=bar)
 
 
 def matches(team: Team, runs: list[SavedRun]) -> int:

@@ -94,7 +94,7 @@ def test_generalisation_compares_at_equal_matches_and_takes_up_its_runs(tmp_path
 @pytest.mark.parametrize("script", ["generalisation"], indirect=True)
 def test_generalisation_refuses_runs_of_other_settings(script: ModuleType, tmp_path: Path) -> None:
     coevolution.start(script.QUICK, tmp_path / "race")
-    with pytest.raises(SystemExit, match="race: holds a run of other settings"):
+    with pytest.raises(ValueError, match="race: expected a run of"):
         script.played(script.FULL, tmp_path / "race")
 
 
