@@ -154,6 +154,18 @@ def test_interrupted_race_ends_as_if_never_stopped(straight, tmp_path, call):
     assert results(tmp_path / "run") == results(straight.files.path)
 
 
+@pytest.mark.parametrize(
+    "changes", [{"learner": "cma"}, {"learner": "ga"}, {"optimizer": "momentum", "anneal": True}]
+)
+def test_every_learner_goes_on_as_if_never_stopped(tmp_path, changes):
+    settings = tiny_race(**changes)
+    coevolution.start(settings, tmp_path / "straight").run()
+    with pytest.raises(KeyboardInterrupt):
+        coevolution.finish(settings, tmp_path / "run", play=StopAt(6))
+    coevolution.finish(settings, tmp_path / "run")
+    assert results(tmp_path / "run") == results(tmp_path / "straight")
+
+
 def test_race_stopped_again_and_again(straight, tmp_path):
     Race(tiny_race(), tmp_path / "run")
     for _ in range(4):
@@ -280,7 +292,7 @@ def test_bad_settings_leave_no_trace(tmp_path):
 
 
 @pytest.mark.parametrize("schedule", ["specialist-specialist", "generalist-specialist"])
-@pytest.mark.parametrize("learner", ["es", "ga"])
+@pytest.mark.parametrize("learner", ["es", "ga", "cma"])
 def test_schedules_and_learners(tmp_path, schedule, learner):
     settings = tiny_race(schedule=schedule, learner=learner, obstacles=0.1, variant="SDB")
     payoff = coevolution.start(settings, tmp_path / "run").run()

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import warnings
 
 import numpy as np
 import pytest
 
-from matrixworld.coevolution import DamagedFileError, LockedError, RunDirectory, files
+from matrixworld.coevolution import (
+    DamagedFileError,
+    LockedError,
+    OtherVersionError,
+    RunDirectory,
+    files,
+)
 from matrixworld.coevolution.run_log import COLUMNS, RunLog, read_log
 
 
@@ -26,9 +33,9 @@ def archive(generations):
 @pytest.fixture
 def run(tmp_path):
     """A directory with two checkpoints: two generations, then three, one row of the log each."""
-    made = RunDirectory.create(tmp_path / "run")
+    made = RunDirectory.create(tmp_path / "run", "race", {"seed": 1})
     made.save(archive(1), [], {"stage": 0})
-    made.write_config("race", {"seed": 1})
+    made.write_config()
     made.save(archive(2), [row(0)], {"stage": 1})
     made.save(archive(3), [row(1)], {"stage": 2})
     return made
@@ -112,7 +119,7 @@ def test_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
 def test_new_run_wants_an_empty_directory(tmp_path):
     (tmp_path / "notes.txt").write_text("mine")
     with pytest.raises(FileExistsError, match=r"expected a new or empty directory.*notes.txt"):
-        RunDirectory.create(tmp_path)
+        RunDirectory.create(tmp_path, "race", {})
     assert [item.name for item in tmp_path.iterdir()] == ["notes.txt"]
 
 
@@ -123,8 +130,9 @@ def test_directory_without_a_run_is_refused(tmp_path):
 
 def test_other_format_is_refused(run):
     config = run.config()
-    files.save_json(run.path / "config.json", {**config, "format": 1, "matrixworld": "9.1"})
-    with pytest.raises(ValueError, match=r"expected format 2, got 1 \(written by matrixworld 9.1"):
+    files.save_json(run.path / "config.json", {**config, "format": 3, "matrixworld": "9.1"})
+    expected = r"expected format 2, got 3 \(written by matrixworld 9.1"
+    with pytest.raises(OtherVersionError, match=expected):
         RunDirectory.open(run.path).config()
 
 
@@ -214,13 +222,14 @@ def test_log_is_cut_back_to_the_checkpoint(tmp_path):
     log.append([row(2)])
     again = RunLog(tmp_path / "log.csv")
     again.cut_back(length, checksum)
-    assert read_log(tmp_path / "log.csv")["epoch"].tolist() == [0, 1]
+    assert read_log(tmp_path / "log.csv", length, checksum)["epoch"].tolist() == [0, 1]
     again.append([row(2)])
     assert (again.length, again.checksum) == (log.length, log.checksum)
 
 
 def test_log_that_is_no_log_is_refused(tmp_path):
     path = tmp_path / "log.csv"
-    path.write_text("generation,team\n1,evader\n")
+    content = b"generation,team\n1,evader\n"
+    path.write_bytes(content)
     with pytest.raises(DamagedFileError, match=r"log\.csv: altered, cannot be read as a log"):
-        read_log(path)
+        read_log(path, len(content), hashlib.sha256(content).hexdigest())

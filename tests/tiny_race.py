@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -42,6 +46,15 @@ def tiny_single(**changes: Any) -> SingleSettings:
 def results(directory: Path) -> dict[str, bytes]:
     """The bytes of all files that a resumed run must share with one that was never stopped."""
     return {name: (directory / name).read_bytes() for name in RESULTS}
+
+
+@contextmanager
+def directory_in_memory() -> Iterator[Path]:
+    """A temporary directory, in memory where that can be: syncing costs nothing there."""
+    memory = Path("/dev/shm")
+    usable = memory.is_dir() and os.access(memory, os.W_OK)
+    with tempfile.TemporaryDirectory(dir=memory if usable else None) as directory:
+        yield Path(directory)
 
 
 class StopAt:

@@ -14,9 +14,13 @@ from matrixworld.coevolution import (
     SCHEDULES,
     DamagedFileError,
     LockedError,
+    OtherVersionError,
 )
 from matrixworld.coevolution.run_directory import CONFIG
 from matrixworld.policy import SCRIPTS
+
+UNMADE = ".unmade"
+"""A file in a directory of several runs until the last of them has been made."""
 
 ORDER = [*SCHEDULES, ALTERNATING, HALL_OF_FAME]
 """The order in which the runs of one job are played and shown."""
@@ -40,11 +44,21 @@ def _place(run: Path) -> tuple[int, str]:
     return ORDER.index(run.name) if run.name in ORDER else len(ORDER), run.name
 
 
+def check_made(path: Path) -> None:
+    """Raise click.UsageError if only some of the runs in a directory have been made."""
+    if (path / UNMADE).exists():
+        raise click.UsageError(
+            f"{path}: was stopped while its runs were being made, before any of them had begun; "
+            f"delete it and start again"
+        )
+
+
 def runs_of(ctx: click.Context, param: click.Parameter, value: str | None) -> list[Path]:
     """The runs of a directory that is a run or holds some."""
     if value is None:
         return []
     runs = find_runs(Path(value))
+    check_made(Path(value))
     if not runs:
         raise click.BadParameter(f"expected a directory that holds a run, got {value!r}")
     return runs
@@ -74,5 +88,5 @@ def failures() -> Iterator[None]:
     """End the command with a message, not a traceback, on what a user's files can cause."""
     try:
         yield
-    except (DamagedFileError, LockedError, OSError) as error:
+    except (DamagedFileError, OtherVersionError, LockedError, OSError) as error:
         raise click.ClickException(str(error)) from error

@@ -8,7 +8,13 @@ from typing import Any
 
 import click
 
-from matrixworld.cli.arguments import failures, find_runs, runs_of, threads_option
+from matrixworld.cli.arguments import (
+    check_made,
+    failures,
+    find_runs,
+    runs_of,
+    threads_option,
+)
 from matrixworld.cli.jobs import create_runs, fresh_directory, play_runs
 from matrixworld.cli.options import (
     SectionedCommand,
@@ -19,6 +25,7 @@ from matrixworld.cli.options import (
 )
 from matrixworld.cli.progress import note, warnings_as_notes
 from matrixworld.cli.report import report
+from matrixworld.coevolution import RunDirectory
 
 INTERRUPTED = 130
 """Exit code of a program that Ctrl-C has ended."""
@@ -59,11 +66,18 @@ def evolve_command(
             play_runs(paths, threads)
             report(paths, root)
         except KeyboardInterrupt:
-            note(
-                "\nStopped. What was finished is kept; to go on:\n"
-                f"  matrixworld evolve --resume {shlex.quote(str(root))}"
-            )
+            _say_how_to_go_on(root)
             raise click.exceptions.Exit(INTERRUPTED) from None
+        except OSError:
+            _say_how_to_go_on(root)
+            raise
+
+
+def _say_how_to_go_on(root: Path) -> None:
+    note(
+        "\nStopped. What was finished is kept; to go on:\n"
+        f"  matrixworld evolve --resume {shlex.quote(str(root))}"
+    )
 
 
 def _refuse_settings(output: Path | None, given: dict[str, Any]) -> None:
@@ -84,12 +98,20 @@ def _new_runs(
 ) -> tuple[list[Path], Path]:
     settings = settings_from(given)
     root = fresh_directory(settings[0]) if output is None else output
-    if root.exists() and any(root.iterdir()):
-        hint = f"; --resume {shlex.quote(str(root))} goes on" if find_runs(root) else ""
-        raise click.UsageError(
-            f"OUTPUT: expected a new or empty directory, got {str(root)!r}{hint}"
-        )
+    if root.exists():
+        _check_free(root)
     try:
         return create_runs(settings, root, threads), root
     except ValueError as error:
         raise click.UsageError(str(error)) from error
+
+
+def _check_free(root: Path) -> None:
+    check_made(root)
+    try:
+        RunDirectory(root).check_empty()
+    except FileExistsError as error:
+        hint = f"; --resume {shlex.quote(str(root))} goes on" if find_runs(root) else ""
+        raise click.UsageError(
+            f"OUTPUT: expected a new or empty directory, got {str(root)!r}{hint}"
+        ) from error

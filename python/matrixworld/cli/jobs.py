@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from itertools import chain, count
 from pathlib import Path
 
+from matrixworld.cli.arguments import UNMADE
 from matrixworld.cli.progress import note, progress
 from matrixworld.coevolution import RaceSettings, Report, SingleSettings, resume, start
 
@@ -32,8 +33,11 @@ def create_runs(settings: Sequence[Settings], output: Path, threads: int | None)
         start(settings[0], output, threads=threads)
         return [output]
     paths = [output / each.schedule for each in settings if isinstance(each, RaceSettings)]
+    output.mkdir(parents=True, exist_ok=True)
+    (output / UNMADE).touch()
     for each, path in zip(settings, paths, strict=True):
         start(each, path, threads=threads)
+    (output / UNMADE).unlink()
     return paths
 
 

@@ -38,8 +38,9 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     ),
     "Policy": ("hidden", "activation", "initial_weight", "initial_head"),
     "Learner": (
-        "learner", "population", "sigma", "learning_rate", "anneal", "mutation", "crossover",
-        "selection", "tournament", "truncation", "elites", "fitness", "crowding",
+        "learner", "population", "sigma", "optimizer", "learning_rate", "momentum", "anneal",
+        "mutation", "crossover", "selection", "tournament", "truncation", "elites", "fitness",
+        "crowding",
     ),
     "Episodes and seed": ("train_steps", "worlds", "eval_steps", "eval_episodes", "seed"),
 }  # fmt: skip

@@ -22,7 +22,8 @@ single             one team against opponents that stand still
 tournament         payoff matrices
 held_out           opponents that no run has met; `scoring` of a run against them
 best_response      what can be taken from a champion, by a response evolved against it
-learners           the interface of `evolution_strategy` and `genetic_algorithm`
+learners           the interface of `evolution_strategy` (with `optimizers`), `genetic_algorithm`
+                   and `cma_es`
 toolbox            learners as DEAP toolboxes
 fitness            from scores to fitness; `sharing` of it where opponents are scarce
 opponents          whom to meet: selection among the past, and archives
@@ -36,8 +37,9 @@ from __future__ import annotations
 
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.best_response import BestResponse, best_response
-from matrixworld.coevolution.evolution_strategy import Adam, EvolutionStrategy, centred_ranks
-from matrixworld.coevolution.files import DamagedFileError
+from matrixworld.coevolution.cma_es import CmaEs
+from matrixworld.coevolution.evolution_strategy import EvolutionStrategy, centred_ranks
+from matrixworld.coevolution.files import DamagedFileError, OtherVersionError
 from matrixworld.coevolution.fitness import FITNESS, fitness
 from matrixworld.coevolution.genetic_algorithm import (
     GeneticAlgorithm,
@@ -53,6 +55,7 @@ from matrixworld.coevolution.keys import TEAMS, Team, evaluation_seed, training_
 from matrixworld.coevolution.learners import Learner
 from matrixworld.coevolution.lock import LockedError
 from matrixworld.coevolution.noise import NoiseTable
+from matrixworld.coevolution.optimizers import Adam, Momentum
 from matrixworld.coevolution.progress import ProgressBar, Report
 from matrixworld.coevolution.race import DisengagementWarning, Race
 from matrixworld.coevolution.run import Run
@@ -93,6 +96,7 @@ __all__ = [
     "Adam",
     "BestResponse",
     "Candidates",
+    "CmaEs",
     "DamagedFileError",
     "DisengagementWarning",
     "EvolutionStrategy",
@@ -102,7 +106,9 @@ __all__ = [
     "Individual",
     "Learner",
     "LockedError",
+    "Momentum",
     "NoiseTable",
+    "OtherVersionError",
     "Payoff",
     "ProgressBar",
     "Race",

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld.coevolution.keys import Genome, Genomes
 from matrixworld.coevolution.learners import State, checked_fitness
 from matrixworld.coevolution.noise import NoiseTable
+from matrixworld.coevolution.optimizers import new_optimizer
 
 ANNEALED_RATE = 0.1
 """What a learning rate that is annealed has fallen to at the end, as a share of its start."""
@@ -30,47 +31,28 @@ def centred_ranks(fitness: NDArray[np.float64]) -> NDArray[np.float64]:
     return (below + not_above - 1) / (2 * (n - 1)) - 0.5
 
 
-class Adam:
-    """Adam's step upwards (Kingma & Ba 2015, algorithm 1), on float32 arrays of shape (size,)."""
-
-    def __init__(
-        self, size: int, *, beta1: float = 0.9, beta2: float = 0.999, epsilon: float = 1e-8
-    ) -> None:
-        self.beta1, self.beta2, self.epsilon = beta1, beta2, epsilon
-        self.mean = np.zeros(size, dtype=np.float32)
-        self.square = np.zeros(size, dtype=np.float32)
-        self.updates = 0
-
-    def step(self, gradient: Genome, rate: float) -> Genome:
-        """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""
-        self.updates += 1
-        self.mean += (1 - self.beta1) * (gradient - self.mean)
-        self.square += (1 - self.beta2) * (gradient * gradient - self.square)
-        mean = self.mean / (1 - self.beta1**self.updates)
-        square = self.square / (1 - self.beta2**self.updates)
-        change: Genome = rate * mean / (np.sqrt(square) + self.epsilon)
-        return change
-
-
 class EvolutionStrategy:
-    """An evolution strategy with mirrored samples, ranks and Adam (Salimans et al. 2017).
+    """An evolution strategy with mirrored samples and ranks (Salimans et al. 2017).
 
     ::
 
         ask:   for each pair i: e_i ~ N(0, 1);  candidates  m + s e_i  and  m - s e_i
         tell:  u = centred ranks of the fitness
-               m = m + Adam( sum_i (u_i+ - u_i-) e_i / (n s) )
+               m = m + step( sum_i (u_i+ - u_i-) e_i / (n s) )
 
     Both of a pair are scored on the same match seed, so that luck of the draw cancels out.
-    The table's s serves all genes; there is no weight decay.
+    The table's s serves all genes; there is no weight decay. The step is Adam's or momentum's (see
+    `optimizers`).
 
     Parameters
     ----------
     genome : (genes,) float32, where the mean starts.
     noise : table of the same number of genes; its `sigma` is the deviation of the samples (s).
     samples : candidates per epoch (n), even.
-    learning_rate : Adam's rate.
+    learning_rate : of the step.
     anneal_over : number of updates over which the rate falls linearly to a tenth; None: constant.
+    optimizer : "adam" or "momentum".
+    momentum : share of its last step that momentum keeps, in [0, 1); not used by Adam.
     """
 
     def __init__(
@@ -81,6 +63,8 @@ class EvolutionStrategy:
         samples: int = 64,
         learning_rate: float = 0.02,
         anneal_over: int | None = None,
+        optimizer: str = "adam",
+        momentum: float = 0.9,
     ) -> None:
         if samples < 2 or samples % 2:
             raise ValueError(f"samples: expected an even number of at least 2, got {samples}")
@@ -89,7 +73,7 @@ class EvolutionStrategy:
             raise ValueError(f"genome: expected shape ({noise.size},), got {self.genome.shape}")
         self.samples = samples
         self.learning_rate, self.anneal_over = learning_rate, anneal_over
-        self._adam = Adam(noise.size)
+        self._optimizer = new_optimizer(optimizer, noise.size, momentum=momentum)
         self._table = noise
         self._noise: list[Genome] = []
 
@@ -103,7 +87,7 @@ class EvolutionStrategy:
         """The learning rate of the next update."""
         if self.anneal_over is None:
             return self.learning_rate
-        done = min(1.0, self._adam.updates / self.anneal_over)
+        done = min(1.0, self._optimizer.updates / self.anneal_over)
         return self.learning_rate * (1.0 - (1.0 - ANNEALED_RATE) * done)
 
     def ask(self, rng: np.random.Generator) -> Genomes:
@@ -122,7 +106,7 @@ class EvolutionStrategy:
         if not self._noise:
             raise RuntimeError("tell: expected after ask, got no candidates to be told of")
         gradient = self._gradient(centred_ranks(checked_fitness(fitness, self.samples)))
-        self.genome = self.genome + self._adam.step(gradient, self.rate)
+        self.genome = self.genome + self._optimizer.step(gradient, self.rate)
         self._noise = []
 
     def _gradient(self, utility: NDArray[np.float64]) -> Genome:
@@ -136,18 +120,11 @@ class EvolutionStrategy:
         return gradient
 
     def state(self) -> State:
-        """Return the mean, and Adam's means and count."""
-        return {
-            "genome": self.genome,
-            "adam_mean": self._adam.mean.copy(),
-            "adam_square": self._adam.square.copy(),
-            "updates": np.array(self._adam.updates),
-        }
+        """Return the mean, and the state of the optimizer."""
+        return {"genome": self.genome, **self._optimizer.state()}
 
     def restore(self, state: State) -> None:
         """Take up a state that `state` returned."""
         self.genome = state["genome"].astype(np.float32)
-        self._adam.mean = state["adam_mean"].astype(np.float32)
-        self._adam.square = state["adam_square"].astype(np.float32)
-        self._adam.updates = int(state["updates"])
+        self._optimizer.restore(state)
         self._noise = []

@@ -9,7 +9,8 @@ learner is told their fitness (the more the better)::
 
 Random numbers come from the generator given to `ask` and from nothing else, and `tell` is
 deterministic: a learner restored from `state` goes on as if it had never stopped. In `toolbox`
-a learner becomes a DEAP toolbox. There are an `evolution_strategy` and a `genetic_algorithm`.
+a learner becomes a DEAP toolbox. There are an `evolution_strategy`, a `genetic_algorithm` and, for
+small networks, `cma_es`.
 """
 
 from __future__ import annotations

@@ -36,6 +36,9 @@ def locked(path: Path) -> Iterator[None]:
             _lock(handle)
         except (BlockingIOError, PermissionError) as error:
             raise LockedError(f"{path.parent}: another process is running there") from error
+        except OSError as error:
+            error.filename = str(path)  # a file system without locks does not say where
+            raise
         yield
     finally:
         os.close(handle)

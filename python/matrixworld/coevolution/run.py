@@ -18,7 +18,7 @@ from matrixworld.coevolution.learners import State
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.run_directory import RunDirectory
 from matrixworld.coevolution.settings import RaceSettings, SingleSettings
-from matrixworld.coevolution.settings_json import settings_of, settings_to_json
+from matrixworld.coevolution.settings_json import settings_to_json
 from matrixworld.coevolution.starting import new_learner, untrained
 from matrixworld.coevolution.tournament import Payoff, Rollout
 from matrixworld.coevolution.training import Training
@@ -88,7 +88,8 @@ class Run(ABC, Generic[AnySettings]):
             with self.files.lock():
                 self._restore()
         else:
-            self.files = RunDirectory.create(directory)
+            config = settings_to_json(self.settings)
+            self.files = RunDirectory.create(directory, self.kind, config, **self.more_config())
             self._write_new()
 
     @classmethod
@@ -101,13 +102,13 @@ class Run(ABC, Generic[AnySettings]):
     ) -> AnyRun:
         """Return the run that a directory holds, as of its last checkpoint; `run` goes on.
 
-        ValueError if it is of another kind or format, LockedError while another process runs it.
+        ValueError if it is of another kind or version, LockedError while another process runs it.
         """
         files = RunDirectory.open(directory)
         config = files.config()
         if config["kind"] != cls.kind:
             raise ValueError(f"{directory}: expected a {cls.kind} run, got {config['kind']!r}")
-        return cls(settings_of(config), files, threads=threads, play=play)
+        return cls(files.settings(), files, threads=threads, play=play)
 
     # What each kind of run says:
 
@@ -176,6 +177,7 @@ class Run(ABC, Generic[AnySettings]):
                 self._end_stage()
             if not self.files.finished:
                 self._finish()
+            self.files.summary()  # or an error, if it is damaged
         return self.payoff()
 
     def payoff(self) -> Payoff:
@@ -216,10 +218,9 @@ class Run(ABC, Generic[AnySettings]):
 
     def _write_new(self) -> None:
         with self.files.lock():
-            self.files.check_empty()
+            self.files.clear()
             self._save()
-            settings = settings_to_json(self.settings)
-            self.files.write_config(self.kind, settings, **self.more_config())
+            self.files.write_config()
 
     def _save(self) -> None:
         state: dict[str, Any] = {

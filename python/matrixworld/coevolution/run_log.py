@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.coevolution.files import DamagedFileError
+from matrixworld.coevolution.files import DamagedFileError, naming
 
 Row = dict[str, Any]
 
@@ -70,7 +70,7 @@ class RunLog:
             writer.writeheader()
         writer.writerows({name: _written(value) for name, value in row.items()} for row in rows)
         content = text.getvalue().encode()
-        with open(self.path, "ab") as file:
+        with naming(self.path), open(self.path, "ab") as file:
             file.write(content)
             file.flush()
             os.fsync(file.fileno())
@@ -79,25 +79,33 @@ class RunLog:
 
     def cut_back(self, length: int, checksum: str) -> None:
         """Drop all after `length` bytes; DamagedFileError unless those have `checksum`."""
-        content = self.path.read_bytes()[:length] if self.path.exists() else b""
-        if len(content) < length:
-            raise DamagedFileError(self.path, f"cut: expected {length} bytes, got {len(content)}")
-        digest = hashlib.sha256(content)
-        if digest.hexdigest() != checksum:
-            raise DamagedFileError(self.path, "altered, its checksum is not the checkpoint's")
+        content = _checked(self.path, length, checksum)
         if self.path.exists():
             os.truncate(self.path, length)
-        self._length, self._digest = length, digest
+        self._length, self._digest = length, hashlib.sha256(content)
+
+
+def _checked(path: Path, length: int, checksum: str) -> bytes:
+    """Return the first `length` bytes of a log; DamagedFileError unless they have `checksum`."""
+    content = path.read_bytes()[:length] if path.exists() else b""
+    if len(content) < length:
+        raise DamagedFileError(path, f"cut: expected {length} bytes, got {len(content)}")
+    if hashlib.sha256(content).hexdigest() != checksum:
+        raise DamagedFileError(path, "altered, its checksum is not the checkpoint's")
+    return content
 
 
 def _written(value: Any) -> str:
     return f"{value:.9g}" if isinstance(value, float) else str(value)
 
 
-def read_log(path: Path) -> dict[str, NDArray[Any]]:
-    """Return the columns of a log as arrays; DamagedFileError if a row does not fit."""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
+def read_log(path: Path, length: int, checksum: str) -> dict[str, NDArray[Any]]:
+    """Return the columns of the first `length` bytes of a log as arrays.
+
+    DamagedFileError unless those have `checksum` and are rows of a log.
+    """
+    text = _checked(path, length, checksum).decode(errors="replace")
+    rows = list(csv.DictReader(io.StringIO(text, newline="")))
     try:
         return {
             name: np.array([kind(row[name]) for row in rows], dtype=kind)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from matrixworld.coevolution.files import OtherVersionError
 from matrixworld.coevolution.hall_of_fame import HallOfFameRace
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.race import Race
@@ -63,9 +64,9 @@ def resume(directory: str | Path, *, threads: int | None = None, play: Rollout =
     """Return the run that a directory holds, as of its last checkpoint; its `run` goes on.
 
     FileNotFoundError if the directory holds no run, DamagedFileError if none of its checkpoints is
-    whole, ValueError if it is of another format, LockedError while another process runs it.
+    whole, OtherVersionError if it is of another version, LockedError while another process runs it.
     """
     kind = RunDirectory.open(directory).config()["kind"]
     if kind not in KINDS:
-        raise ValueError(f"{directory}: expected a run of {', '.join(KINDS)}, got {kind!r}")
+        raise OtherVersionError(f"{directory}: expected a run of {', '.join(KINDS)}, got {kind!r}")
     return KINDS[kind].resume(directory, threads=threads, play=play)

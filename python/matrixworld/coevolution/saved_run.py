@@ -12,7 +12,6 @@ import numpy as np
 from matrixworld.coevolution.keys import TEAMS, Team, evaluation_seed
 from matrixworld.coevolution.run_directory import RunDirectory
 from matrixworld.coevolution.settings import RaceSettings, SingleSettings
-from matrixworld.coevolution.settings_json import settings_of
 from matrixworld.coevolution.tournament import Opponents, Payoff
 from matrixworld.episode import Episode
 from matrixworld.policy import SCRIPTS, Network, Population, Script
@@ -40,11 +39,10 @@ def last_generation(directory: str | Path, team: Team) -> Population:
 
 def archive_network(files: RunDirectory, team: Team) -> Network:
     """Return the network of a team's genomes in a run directory."""
-    config = files.config()
-    settings = settings_of(config)
+    settings = files.settings()
     if not isinstance(settings, SingleSettings) or settings.team == team:
         return settings.network
-    world, guest = settings.world(settings.train_steps), config["opponent_network"]
+    world, guest = settings.world(settings.train_steps), files.config()["opponent_network"]
     return Network.for_config(world, hidden=tuple(guest["hidden"]), activation=guest["activation"])
 
 
@@ -113,11 +111,11 @@ class SavedRun:
 def open_run(directory: str | Path) -> SavedRun:
     """Return what a run directory holds, finished or not.
 
-    FileNotFoundError if it holds no run, DamagedFileError if a file is cut or altered, ValueError
-    if it is of another format.
+    FileNotFoundError if it holds no run, DamagedFileError if a file is cut or altered,
+    OtherVersionError if it is of another version.
     """
     files = RunDirectory.open(directory)
-    settings = settings_of(files.config())
+    settings = files.settings()
     return SavedRun(files, settings, {team: _team(files, settings, team) for team in TEAMS})
 
 

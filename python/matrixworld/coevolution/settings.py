@@ -15,16 +15,22 @@ from numpy.typing import NDArray
 
 from matrixworld import Outcome
 from matrixworld.coevolution.checks import check_choice, check_flag, check_integer, check_number
+from matrixworld.coevolution.cma_es import check_genes
 from matrixworld.coevolution.fitness import FITNESS, SHARING
 from matrixworld.coevolution.keys import TEAMS, Team
 from matrixworld.coevolution.opponents import OPPONENTS
+from matrixworld.coevolution.optimizers import OPTIMIZERS, check_momentum
 from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
 from matrixworld.coevolution.sharing import LEAST_VIRULENCE
 from matrixworld.config import WorldConfig
 from matrixworld.policy import SCRIPTS, Network
 from matrixworld.rules import VARIANTS, Rules
 
-LEARNERS = {"es": "evolution strategy", "ga": "genetic algorithm"}
+LEARNERS = {
+    "es": "evolution strategy",
+    "ga": "genetic algorithm",
+    "cma": "CMA-ES, for small networks",
+}
 SELECTIONS = ("tournament", "truncation")
 
 SHARED_CELL_CROWDING = 0.2
@@ -64,11 +70,15 @@ class TrainingSettings:
     initial_head: float = option(0.1, "standard deviation of untrained output weights")
 
     learner: str | None = option(
-        None, "es (evolution strategy) or ga (genetic algorithm); default: ga for hall-of-fame"
+        None,
+        "es (evolution strategy), ga (genetic algorithm) or cma (CMA-ES, for at most 1000 genes); "
+        "default: ga for hall-of-fame",
     )
     population: int = option(48, "candidates an epoch")
-    sigma: float = option(0.1, "es: standard deviation of the samples")
-    learning_rate: float = option(0.02, "es: learning rate of Adam")
+    sigma: float = option(0.1, "es: standard deviation of the samples; cma: of the first ones")
+    optimizer: str = option("adam", f"es: {' or '.join(OPTIMIZERS)}")
+    learning_rate: float = option(0.02, "es: learning rate of the optimizer")
+    momentum: float = option(0.9, "es: share of its last step that momentum keeps, in [0, 1)")
     anneal: bool = option(False, "es: let the learning rate fall linearly to a tenth over the run")
     mutation: float = option(0.05, "ga: standard deviation of a mutation")
     crossover: float = option(0.0, "ga: probability that a child has two parents")
@@ -117,6 +127,8 @@ class TrainingSettings:
         for name in ("sigma", "learning_rate", "mutation"):
             check_number(name, getattr(self, name), least=0.0, positive=True)
         check_flag("anneal", self.anneal)
+        check_choice("optimizer", self.optimizer, OPTIMIZERS)
+        check_momentum(self.momentum)
         check_number("crossover", self.crossover, least=0.0, most=1.0)
         check_choice("selection", self.selection, SELECTIONS)
         check_integer("tournament", self.tournament, least=1)
@@ -131,7 +143,9 @@ class TrainingSettings:
         config = self.world(self.train_steps)
         if config.map is not None:
             self._freeze("obstacles", map_as_text(config.map))
-        Network.for_config(config, hidden=self.hidden, activation=self.activation)
+        network = Network.for_config(config, hidden=self.hidden, activation=self.activation)
+        if self.learner_name == "cma":
+            check_genes(network.genome_size)
 
     @property
     def sharing(self) -> str:
@@ -228,8 +242,10 @@ class RaceSettings(TrainingSettings):
         check_integer("hall_sample", self.hall_sample, least=0)
         if self.contemporaries + self.hall_sample < 1:
             raise ValueError("contemporaries and hall_sample: expected one opponent or more, got 0")
-        if self.schedule == HALL_OF_FAME and self.learner == "es":
-            raise ValueError("learner: expected ga for the hall-of-fame schedule, got 'es'")
+        if self.schedule == HALL_OF_FAME and self.learner not in (None, "ga"):
+            raise ValueError(
+                f"learner: expected ga for the hall-of-fame schedule, got {self.learner!r}"
+            )
         super().__post_init__()
 
     def _check_opponents(self) -> None:
@@ -321,7 +337,7 @@ class SingleSettings(TrainingSettings):
     initial_weight: float = option(None, "standard deviation of untrained hidden weights")
     initial_head: float = option(None, "standard deviation of untrained output weights")
     population: int = option(128, "candidates an epoch")
-    sigma: float = option(None, "es: standard deviation of the samples")
+    sigma: float = option(None, "es: standard deviation of the samples; cma: of the first ones")
     anneal: bool = option(True, "es: let the learning rate fall linearly to a tenth over the run")
     train_steps: int = option(None, "most steps of an episode in training")
     eval_episodes: int = option(200, "fresh episodes of the evaluation, against each opponent")

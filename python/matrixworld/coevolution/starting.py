@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from matrixworld.coevolution.cma_es import CmaEs
 from matrixworld.coevolution.evolution_strategy import EvolutionStrategy
 from matrixworld.coevolution.genetic_algorithm import GeneticAlgorithm
 from matrixworld.coevolution.keys import TEAMS, Genomes, Purpose, Team, keyed_generator
@@ -23,6 +24,8 @@ def new_learner(
     settings: RaceSettings | SingleSettings, team: Team, population: Genomes
 ) -> Learner:
     """Return the learner of the settings, starting from `population` (or from its first row)."""
+    if settings.learner_name == "cma":
+        return CmaEs(population[0], sigma=settings.sigma, samples=settings.population)
     genetic = settings.learner_name == "ga"
     rng = keyed_generator(settings.seed, Purpose.NOISE, TEAMS.index(team))
     sigma = settings.mutation if genetic else settings.sigma
@@ -43,4 +46,6 @@ def new_learner(
         samples=settings.population,
         learning_rate=settings.learning_rate,
         anneal_over=settings.total_epochs(team) if settings.anneal else None,
+        optimizer=settings.optimizer,
+        momentum=settings.momentum,
     )

@@ -1,0 +1,160 @@
+"""Runs that are killed or cannot write, again and again, end as if nothing had happened."""
+
+from __future__ import annotations
+
+import errno
+import random
+import signal
+import sys
+import time
+from functools import cache
+from itertools import count
+
+import pytest
+
+import killed
+from killed import RUNS, SHORT_RUNS, Events, go_on, go_on_and_die, process, watched
+from matrixworld import coevolution
+from matrixworld.coevolution import LockedError, open_run
+from tiny_race import directory_in_memory, results
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs signals and forks")
+
+DEATHS = -signal.SIGKILL
+KILLS = 16
+
+
+@pytest.fixture
+def tmp_path():
+    """Thousands of files are synced here."""
+    with directory_in_memory() as directory:
+        yield directory
+
+
+@cache
+def straight(kind):
+    """What a run leaves that is never disturbed."""
+    with directory_in_memory() as directory:
+        go_on(kind, directory / "run")
+        return results(directory / "run")
+
+
+def seconds_of(kind, directory):
+    """How long a process takes that is left alone."""
+    began = time.monotonic()
+    child = process(go_on, kind, directory)
+    child.join()
+    assert child.exitcode == 0
+    return time.monotonic() - began
+
+
+@pytest.mark.parametrize("kind", RUNS)
+def test_killed_at_random(kind, tmp_path):
+    """The moments are spread over the whole life of a process: creation, training, the end.
+
+    The waits grow, lest on a machine that has become busy no process ever gets through a stage.
+    """
+    lasts = min(seconds_of(kind, tmp_path / f"alone{i}") for i in range(2))
+    waits = random.Random(kind)
+    kills, runs = 0, 0
+    while kills < KILLS:
+        directory = tmp_path / f"run{runs}"
+        died = True
+        while died:
+            child = process(go_on, kind, directory)
+            child.join(waits.uniform(0.0, lasts * (1 + kills / KILLS)))
+            child.kill()
+            child.join()
+            died = child.exitcode == DEATHS
+            assert died or child.exitcode == 0
+            kills += died
+        assert results(directory) == straight(kind)
+        runs += 1
+
+
+@pytest.mark.parametrize("kind", SHORT_RUNS)
+def test_killed_at_every_write_and_every_match(kind, tmp_path):
+    """Once at each: the moments that a random one would have to hit."""
+    for at in count():
+        directory = tmp_path / str(at)
+        child = process(go_on_and_die, kind, directory, at)
+        child.join()
+        if child.exitcode == 0:
+            break
+        assert child.exitcode == DEATHS
+        go_on(kind, directory)
+        assert results(directory) == straight(kind)
+        assert not list(directory.glob(".*.tmp"))
+    assert at > 25
+
+
+@pytest.mark.parametrize("kind", RUNS)
+def test_killed_again_and_again_at_the_next_write(kind, tmp_path):
+    """A process gets one event further than the one before, if that: many deaths of one run."""
+    directory = tmp_path / "run"
+    deaths = 0
+    for at in range(200):
+        child = process(go_on_and_die, kind, directory, at)
+        child.join()
+        if child.exitcode == 0:
+            break
+        deaths += 1
+    assert child.exitcode == 0
+    assert deaths >= 15
+    assert results(directory) == straight(kind)
+
+
+def error_of(kind, directory, events):
+    """The system's error that ends a run; None if it comes to its own end."""
+    try:
+        with watched(events):
+            go_on(kind, directory)
+    except OSError as error:
+        return error
+    return None
+
+
+@pytest.mark.parametrize("kind", SHORT_RUNS)
+def test_every_write_that_fails_names_its_file_and_loses_nothing(kind, tmp_path):
+    def refuse():
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    for at in count():
+        directory = tmp_path / str(at)
+        raised = error_of(kind, directory, Events(at, refuse))
+        if raised is None:
+            break
+        assert raised.errno == errno.ENOSPC
+        assert str(directory) in str(raised)
+        go_on(kind, directory)
+        assert results(directory) == straight(kind)
+    assert at > 25
+
+
+@pytest.mark.parametrize("kind", RUNS)
+@pytest.mark.parametrize("limit", [100, 1000, 2500])
+def test_a_disk_that_takes_no_more(kind, tmp_path, limit):
+    """The system's own refusal, of files beyond some bytes."""
+    directory = tmp_path / "run"
+    child = process(killed.go_on_with_small_files, kind, directory, limit, tmp_path / "message")
+    child.join()
+    assert child.exitcode == killed.REFUSED
+    message = (tmp_path / "message").read_text()
+    assert "File too large" in message
+    assert str(directory) in message
+    go_on(kind, directory)
+    assert results(directory) == straight(kind)
+
+
+def test_killed_process_lets_go_of_the_lock(tmp_path):
+    directory = tmp_path / "run"
+    coevolution.start(RUNS["race"], directory)
+    child = process(killed.hold, directory, tmp_path / "held")
+    while not (tmp_path / "held").exists():
+        time.sleep(0.01)
+    with pytest.raises(LockedError, match="run: another process is running there"):
+        coevolution.resume(directory)
+    open_run(directory)  # whoever only reads may
+    child.kill()
+    child.join()
+    assert coevolution.resume(directory).stage == 0
