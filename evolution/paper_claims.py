@@ -221,24 +221,38 @@ CLEARLY = 0.05
 """Capture rate by which co-evolved pursuers would be clearly better."""
 
 
-def claims(
-    payoffs: Mapping[str, np.ndarray],
-    crossed: Mapping[Team, np.ndarray],
-    surround: Mapping[str, tuple[np.ndarray, np.ndarray]],
-) -> list[Claim]:
-    """What the paper says, with the numbers of each seed."""
+def measured(
+    plan: Plan, runs: Sequence[Mapping[str, SavedRun]], threads: int | None
+) -> dict[str, np.ndarray]:
+    """All numbers that the claims are tested by, as they are kept: float32, by name."""
+    numbers = {
+        f"payoff {race}": np.stack([of_seed[race].payoff().capture_rate for of_seed in runs])
+        for race in RACES
+    }
+    for team in CANDIDATES:
+        numbers[f"cross-play of {team}s"] = cross_play(plan, team, runs, threads)
+    for name in SURROUNDING.values():
+        seen = surrounding(plan, [of_seed[name] for of_seed in runs], threads)
+        numbers[f"{name}: captured"], numbers[f"{name}: collisions"] = seen
+    return {name: each.astype(np.float32) for name, each in numbers.items()}
+
+
+def claims(numbers: Mapping[str, np.ndarray]) -> list[Claim]:
+    """What the paper says, with the numbers of each seed; takes what `measured` returns."""
+    numbers = {name: each.astype(np.float64) for name, each in numbers.items()}
 
     def of(measure: str, race: str) -> np.ndarray:
-        return np.array([analysis.MEASURES[measure].of(payoff) for payoff in payoffs[race]])
+        matrices = numbers[f"payoff {race}"]
+        return np.array([analysis.MEASURES[measure].of(matrix) for matrix in matrices])
 
     def forgotten(race: str) -> np.ndarray:
         return (of("pursuer_forgetting", race) + of("evader_forgetting", race)) / 2
 
-    score = {
-        team: dict(zip(CANDIDATES[team], against_strangers(payoff), strict=True))
-        for team, payoff in crossed.items()
-    }
-    pursuers, evaders = score["pursuer"], score["evader"]
+    def scores(team: Team) -> dict[str, np.ndarray]:
+        payoff = numbers[f"cross-play of {team}s"]
+        return dict(zip(CANDIDATES[team], against_strangers(payoff), strict=True))
+
+    pursuers, evaders = scores("pursuer"), scores("evader")
     boards = "checkerboards, share of the possible, last half"
     escape, capture = "difference of escape rates", "difference of capture rates"
     return [
@@ -267,7 +281,13 @@ def claims(
             "Co-evolved pursuers are not clearly better than those trained against random evaders",
             capture, pursuers[GENERALISTS] - pursuers[PURSUERS_ALONE], "below", CLEARLY,
         ),
-        *(claim for name, seen in surround.items() for claim in _of_surrounding(name, *seen)),
+        *(
+            claim
+            for name in SURROUNDING.values()
+            for claim in _of_surrounding(
+                name, numbers[f"{name}: captured"], numbers[f"{name}: collisions"]
+            )
+        ),
     ]  # fmt: skip
 
 
@@ -304,22 +324,11 @@ def main() -> None:
     plan = QUICK if args.quick else FULL
     seeds = range(args.seeds or (2 if args.quick else 10))
     runs = [play(plan, seed, args.runs, args.threads) for seed in seeds]
-    payoffs = {race: np.stack([r[race].payoff().capture_rate for r in runs]) for race in RACES}
-    crossed = {team: cross_play(plan, team, runs, args.threads) for team in CANDIDATES}
-    surround = {
-        name: surrounding(plan, [r[name] for r in runs], args.threads)
-        for name in SURROUNDING.values()
-    }
-    tested = claims(payoffs, crossed, surround)
-    print(table(tested))
+    numbers = measured(plan, runs, args.threads)
+    told = table(claims(numbers))
+    print(told)
     args.results.mkdir(parents=True, exist_ok=True)
-    (args.results / "claims.md").write_text(table(tested) + "\n")
-    numbers = {
-        **{f"payoff {race}": payoff.astype(np.float32) for race, payoff in payoffs.items()},
-        **{f"cross-play of {team}s": each.astype(np.float32) for team, each in crossed.items()},
-        **{f"{name}: captured": seen[0] for name, seen in surround.items()},
-        **{f"{name}: collisions": seen[1] for name, seen in surround.items()},
-    }
+    (args.results / "claims.md").write_text(told + "\n", encoding="utf-8")
     np.savez_compressed(args.results / "numbers.npz", **numbers)
     print(f"Written: {args.results}/claims.md, {args.results}/numbers.npz")
 

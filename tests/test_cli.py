@@ -258,7 +258,8 @@ def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(job, undrawn, monkeypatch,
 
 def test_a_real_ctrl_c(tmp_path):
     """In the midst of a half-step: the log of the first was written, and the race is a long one."""
-    many = words({**RACE, "generations": 30, "schedule": MAIN_JOB[1]})
+    longer = {"generations": 10, "pursuer_epochs": 60, "evader_epochs": 60, "worlds": 4}
+    many = words({**RACE, **longer, "schedule": MAIN_JOB[1]})
     process = subprocess.Popen(
         [sys.executable, "-m", "matrixworld", "evolve", "out", *many],
         stderr=subprocess.PIPE,

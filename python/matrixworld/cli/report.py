@@ -130,6 +130,8 @@ def _print_next(runs: Mapping[Path, SavedRun]) -> None:
     match = f"--pursuers {last} --evaders {last // 2}"
     _print_command("replay", path, match)
     _print_command("replay", path, match, "--out match.gif")
+    _print_command("diagnose", path)
+    _print_command("score", path)
     _print_command("tournament", *runs, *(["--episodes 50"] if len(runs) == 1 else []))
     _print_command("plot", *runs)
 
