@@ -180,7 +180,8 @@ def test_the_main_job_says_what_came_of_it(job):
 def test_what_it_says_to_try_next_works(job, copy):
     lines = [line for line in job[1].stdout.splitlines() if line.startswith("  matrixworld ")]
     commands = [shlex.split(line.replace(str(job[0]), str(copy)))[1:] for line in lines]
-    assert [command[0] for command in commands] == ["replay", "replay", "tournament", "plot"]
+    names = ["replay", "replay", "diagnose", "score", "tournament", "plot"]
+    assert [command[0] for command in commands] == names
     for command in commands:
         assert matrixworld_command(*command).stdout
 
