@@ -209,10 +209,13 @@ class Claim:
     def verdict(self) -> str:
         """Reproduced, not reproduced or undecided."""
         low, high = self.estimate.low, self.estimate.high
-        above = None if low <= self.than <= high else low > self.than
-        if above is None:
-            return "undecided"
-        return "reproduced" if above == (self.side == "above") else "not reproduced"
+        if self.side == "below":
+            low, high, than = -high, -low, -self.than
+        else:
+            than = self.than
+        if low > than:
+            return "reproduced"
+        return "not reproduced" if high <= than else "undecided"
 
 
 SOME_CHECKERBOARDS = 0.01
@@ -237,6 +240,12 @@ def measured(
     return {name: each.astype(np.float32) for name, each in numbers.items()}
 
 
+def standings(numbers: Mapping[str, np.ndarray], team: Team) -> dict[str, np.ndarray]:
+    """Mean payoff (seeds,) of each kind of `CANDIDATES` against races of other seeds."""
+    payoff = numbers[f"cross-play of {team}s"].astype(np.float64)
+    return dict(zip(CANDIDATES[team], against_strangers(payoff), strict=True))
+
+
 def claims(numbers: Mapping[str, np.ndarray]) -> list[Claim]:
     """What the paper says, with the numbers of each seed; takes what `measured` returns."""
     numbers = {name: each.astype(np.float64) for name, each in numbers.items()}
@@ -248,11 +257,7 @@ def claims(numbers: Mapping[str, np.ndarray]) -> list[Claim]:
     def forgotten(race: str) -> np.ndarray:
         return (of("pursuer_forgetting", race) + of("evader_forgetting", race)) / 2
 
-    def scores(team: Team) -> dict[str, np.ndarray]:
-        payoff = numbers[f"cross-play of {team}s"]
-        return dict(zip(CANDIDATES[team], against_strangers(payoff), strict=True))
-
-    pursuers, evaders = scores("pursuer"), scores("evader")
+    pursuers, evaders = standings(numbers, "pursuer"), standings(numbers, "evader")
     boards = "checkerboards, share of the possible, last half"
     escape, capture = "difference of escape rates", "difference of capture rates"
     return [
@@ -301,14 +306,21 @@ def _of_surrounding(name: str, captured: np.ndarray, collisions: np.ndarray) -> 
     ]
 
 
-def table(tested: Sequence[Claim]) -> str:
-    """The claims as a table in Markdown."""
+def told(estimate: analysis.Estimate) -> str:
+    """A mean and its interval."""
+    return f"{estimate.value:.3f} [{estimate.low:.3f}, {estimate.high:.3f}]"
+
+
+def tables(numbers: Mapping[str, np.ndarray]) -> str:
+    """The claims, and what the teams score against strangers, as tables in Markdown."""
     lines = ["| the paper's claim | measured | mean [95%] | wanted | |", "|---|---|---|---|---|"]
-    for claim in tested:
-        told = claim.estimate
-        interval = f"{told.value:.3f} [{told.low:.3f}, {told.high:.3f}]"
-        cells = (claim.says, claim.measured, interval, f"{claim.side} {claim.than:g}")
+    for claim in claims(numbers):
+        cells = (claim.says, claim.measured, told(claim.estimate), f"{claim.side} {claim.than:g}")
         lines.append(f"| {' | '.join(cells)} | **{claim.verdict}** |")
+    lines += ["", "| trained | team | score against races of other seeds |", "|---|---|---|"]
+    for team in CANDIDATES:
+        for kind, values in standings(numbers, team).items():
+            lines.append(f"| {kind} | {team}s | {told(analysis.bootstrap_runs(values))} |")
     return "\n".join(lines)
 
 
@@ -325,10 +337,10 @@ def main() -> None:
     seeds = range(args.seeds or (2 if args.quick else 10))
     runs = [play(plan, seed, args.runs, args.threads) for seed in seeds]
     numbers = measured(plan, runs, args.threads)
-    told = table(claims(numbers))
-    print(told)
+    text = tables(numbers)
+    print(text)
     args.results.mkdir(parents=True, exist_ok=True)
-    (args.results / "claims.md").write_text(told + "\n", encoding="utf-8")
+    (args.results / "claims.md").write_text(text + "\n", encoding="utf-8")
     np.savez_compressed(args.results / "numbers.npz", **numbers)
     print(f"Written: {args.results}/claims.md, {args.results}/numbers.npz")
 

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import csv
+import importlib
+import re
 from functools import partial
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from evolution_scripts import SCRIPTS, run_quickly
 from matrixworld.coevolution import open_run
@@ -75,12 +78,51 @@ def test_claims_are_told_with_intervals_and_their_numbers_kept(tmp_path: Path) -
     printed = run_quickly("paper_claims", tmp_path)
     table = (tmp_path / "paper_claims/claims.md").read_text()
     assert table in printed
-    assert len(table.splitlines()) == 2 + 12
-    verdicts = [line.rsplit("**", 2)[1] for line in table.splitlines()[2:]]
+    claims, scores = table.strip().split("\n\n")
+    assert len(claims.splitlines()) == 2 + 12
+    assert len(scores.splitlines()) == 2 + 7
+    verdicts = [line.rsplit("**", 2)[1] for line in claims.splitlines()[2:]]
     assert set(verdicts) <= {"reproduced", "not reproduced", "undecided"}
     with np.load(tmp_path / "paper_claims/numbers.npz") as numbers:
         assert numbers["payoff generalist-generalist"].shape == (2, 7, 7)
         assert numbers["cross-play of evaders"].shape == (4, 2, 2, 2, 3)
+
+
+NUMBER = r"-?\d+\.\d+"
+
+
+def test_the_committed_claims_follow_from_the_committed_numbers(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.syspath_prepend(SCRIPTS)
+    results = SCRIPTS / "results" / "paper_claims"
+    with np.load(results / "numbers.npz") as numbers:
+        told = importlib.import_module("paper_claims").tables(numbers)
+    committed = (results / "claims.md").read_text(encoding="utf-8").strip()
+    # Another SciPy may resample otherwise: words and verdicts are the same, numbers nearly.
+    assert re.sub(NUMBER, "#", told) == re.sub(NUMBER, "#", committed)
+    values, expected = ([*map(float, re.findall(NUMBER, text))] for text in (told, committed))
+    assert values == pytest.approx(expected, rel=0.05, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("values", "side", "verdict"),
+    [
+        ([0.2, 0.3, 0.4], "above", "reproduced"),
+        ([0.2, 0.3, 0.4], "below", "not reproduced"),
+        ([-0.2, 0.3, 0.1], "above", "undecided"),
+        ([-0.2, 0.3, 0.1], "below", "undecided"),
+        ([-0.2, -0.3, -0.1], "above", "not reproduced"),
+        ([-0.2, -0.3, -0.1], "below", "reproduced"),
+        ([0.0, 0.0, 0.0], "above", "not reproduced"),
+    ],
+)
+def test_verdict_on_a_claim(
+    monkeypatch: pytest.MonkeyPatch, values: list[float], side: str, verdict: str
+) -> None:
+    monkeypatch.syspath_prepend(SCRIPTS)
+    script = importlib.import_module("paper_claims")
+    assert script.Claim("it is so", "a number", np.array(values), side).verdict == verdict
 
 
 def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: Path) -> None:
