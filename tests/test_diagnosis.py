@@ -289,10 +289,17 @@ def test_runs_that_say_the_opposite_give_no_verdict() -> None:
 
 
 def test_what_may_go_round_is_not_called_stagnant() -> None:
-    cycling = diagnose(0.5 + 0.3 * (circular(31) - 0.5))["cycling"]
-    assert cycling.verdict == CANNOT_TELL
-    assert _unless_cycling((PRESENT, 0.9, "no trend"), cycling)[:2] == (CANNOT_TELL, 0.0)
-    assert _unless_cycling((ABSENT, 0.9, "a trend"), cycling) == (ABSENT, 0.9, "a trend")
+    assert _unless_cycling((PRESENT, 0.9, "no trend"), CANNOT_TELL, 0.0)[:2] == (CANNOT_TELL, 0.0)
+    assert _unless_cycling((PRESENT, 0.9, "no trend"), PRESENT, 0.8)[:2] == (ABSENT, 0.8)
+    assert _unless_cycling((PRESENT, 0.9, "no trend"), ABSENT, 0.8) == (PRESENT, 0.9, "no trend")
+    assert _unless_cycling((ABSENT, 0.9, "a trend"), CANNOT_TELL, 0.0) == (ABSENT, 0.9, "a trend")
+
+
+def test_stagnation_of_each_run_minds_the_cycling_of_that_run() -> None:
+    still, cycles = np.full((31, 31), 0.5), circular(31)
+    found = diagnose(np.array([still, cycles]))
+    assert found["cycling"].by_run == (ABSENT, PRESENT)
+    assert found["stagnation"].by_run == (PRESENT, ABSENT)
 
 
 def test_the_interval_of_a_few_runs_spans_them_all() -> None:

@@ -201,11 +201,14 @@ class _Runs:
         numbers = [self._numbers[run] for run in told]
         by_run = [CANNOT_TELL] * len(self._numbers)
         for run in told:
-            by_run[run] = self._judge(name, [self._numbers[run]])[0]
+            alone = self._judge(name, [self._numbers[run]])
+            if name == "stagnation" and cycling is not None:
+                alone = _unless_cycling(alone, cycling.by_run[run], cycling.confidence)
+            by_run[run] = alone[0]
         judgement = self._judge(name, numbers) if told else (CANNOT_TELL, 0.0, HIDDEN)
         judgement = _agreed(judgement, by_run)
         if name == "stagnation" and cycling is not None:
-            judgement = _unless_cycling(judgement, cycling)
+            judgement = _unless_cycling(judgement, cycling.verdict, cycling.confidence)
         verdict, confidence, reason = judgement
         evidence = self._evidence(name, told or range(len(self._numbers)))
         advice = ADVICE[name][verdict]
@@ -253,10 +256,11 @@ def _agreed(judgement: Judgement, by_run: Sequence[str]) -> Judgement:
     return judgement
 
 
-def _unless_cycling(judgement: Judgement, cycling: Finding) -> Judgement:
-    if cycling.verdict == PRESENT:
-        return ABSENT, cycling.confidence, "it goes round, which is a change"
-    if cycling.verdict == CANNOT_TELL and judgement[0] == PRESENT:
+def _unless_cycling(judgement: Judgement, cycling: str, confidence: float) -> Judgement:
+    """What is said of stagnation, given the verdict on cycling and how sure it is."""
+    if cycling == PRESENT:
+        return ABSENT, confidence, "it goes round, which is a change"
+    if cycling == CANNOT_TELL and judgement[0] == PRESENT:
         return CANNOT_TELL, 0.0, "there is no trend, but it may go round"
     return judgement
 
