@@ -265,6 +265,8 @@ def test_a_real_ctrl_c(tmp_path):
         [sys.executable, "-m", "matrixworld", "evolve", "out", *many],
         stderr=subprocess.PIPE,
         text=True,
+        # Whoever runs the tests in the background may have it ignored, and children inherit that.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     log = Path("out") / "log.csv"
     deadline = time.monotonic() + 30
