@@ -1,6 +1,6 @@
 """Which opponents make the best champions? Every opponent selection at one budget of matches.
 
-    python evolution/archives.py             three seeds of each, about twenty minutes
+    python evolution/archives.py             five seeds of each, about six minutes
     python evolution/archives.py --quick     a small world and one seed, some seconds
 
 Both teams learn in turns, against opponents that the selection draws from all earlier generations
@@ -80,7 +80,7 @@ def main() -> None:
     parser.add_argument("--selections", nargs="+", choices=OPPONENTS, default=list(OPPONENTS))
     parser.add_argument("--runs", type=Path, default=Path("runs/archives"))
     args = parser.parse_args()
-    base, few, episodes = (QUICK, 1, 2) if args.quick else (FULL, 3, 20)
+    base, few, episodes = (QUICK, 1, 2) if args.quick else (FULL, 5, 20)
     runs = play(base, args.selections, range(args.seeds or few), args.runs)
     every = [run for of_name in runs.values() for run in of_name]
     budget = min(int(run.files.log()["matches"][-1]) for run in every)

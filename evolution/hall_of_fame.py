@@ -1,6 +1,6 @@
 """Does a hall of fame stop forgetting? Two populations evolve at once, with a hall and without.
 
-    python evolution/hall_of_fame.py             three seeds of each, some minutes
+    python evolution/hall_of_fame.py             five seeds of each, about two minutes
     python evolution/hall_of_fame.py --quick     a small world and two seeds, some seconds
 
 Rosin & Belew 1997, "New methods for competitive coevolution". Without a hall individuals meet the
@@ -67,7 +67,7 @@ def main() -> None:
     parser.add_argument("--runs", type=Path, default=Path("runs/hall_of_fame"))
     parser.add_argument("--figure", default="hall_of_fame.png", help="file to draw to")
     args = parser.parse_args()
-    base, few = (QUICK, 2) if args.quick else (FULL, 3)
+    base, few = (QUICK, 2) if args.quick else (FULL, 5)
     found = payoffs(base, range(args.seeds or few), args.runs)
     estimates = {name: analysis.analyze(matrices).estimates for name, matrices in found.items()}
     print(f"| mean over seeds | {' | '.join(found)} |\n|---|{'---|' * len(found)}")
