@@ -26,6 +26,15 @@ from matrixworld.coevolution import (
 from tiny_race import RESULTS, StopAt, directory_in_memory, results, tiny_race
 
 PREVIOUS = ("archive.previous.npz", "checkpoint.previous.npz")
+AT_THE_END = ("payoff.npz", "summary.json")
+OF_EITHER = [
+    (run, name)
+    for run in ("straight", "stopped")
+    for name in (*RESULTS, *PREVIOUS)
+    if run == "straight" or name not in AT_THE_END
+]
+"""The files that a finished run has, and one that was stopped."""
+LOCKS = [("straight", ".lock"), ("stopped", ".lock")]
 
 
 @pytest.fixture(autouse=True)
@@ -108,10 +117,8 @@ def replacements(content):
 
 @pytest.mark.filterwarnings("ignore::UserWarning")  # of damage, among what is said
 @pytest.mark.parametrize("damage", [cuts, alterations, replacements])
-@pytest.mark.parametrize("name", [*RESULTS, *PREVIOUS])
+@pytest.mark.parametrize(("copy", "name"), OF_EITHER, indirect=["copy"])
 def test_damaged_file(copy, straight, name, damage):
-    if not (copy / name).exists():
-        pytest.skip("not written yet")
     kept = {path: path.read_bytes() for path in copy.iterdir()}
     for content in damage(kept[copy / name]):
         (copy / name).write_bytes(content)
@@ -124,10 +131,8 @@ def test_damaged_file(copy, straight, name, damage):
             path.write_bytes(whole)
 
 
-@pytest.mark.parametrize("name", [*RESULTS, *PREVIOUS, ".lock"])
+@pytest.mark.parametrize(("copy", "name"), [*OF_EITHER, *LOCKS], indirect=["copy"])
 def test_deleted_file(copy, straight, name):
-    if not (copy / name).exists():
-        pytest.skip("not written yet")
     (copy / name).unlink()
     if name == "config.json":
         matrixworld_command("evolve", "--resume", copy, code=2)
