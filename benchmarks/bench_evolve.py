@@ -29,10 +29,10 @@ from matrixworld.coevolution import (
     Race,
     RaceSettings,
     RunDirectory,
-    half_step,
 )
-from matrixworld.coevolution.toolbox import Candidates
-from matrixworld.coevolution.training import Training
+from matrixworld.coevolution.learners.toolbox import Candidates
+from matrixworld.coevolution.runs import team_phase
+from matrixworld.coevolution.runs.training import Training
 from parts import Functions, Parts
 from timing import bind, print_table
 
@@ -43,8 +43,8 @@ RESULTS = ("archive.npz", "payoff.npz", "log.csv")
 PARTS: dict[str, Functions] = {
     "rollouts": [(_core, "rollout")],
     "seeds and matches": [
-        (half_step, "training_seeds"),
-        (half_step, "keyed_generator"),
+        (team_phase, "training_seeds"),
+        (team_phase, "keyed_generator"),
         (Matches, "of"),
     ],
     "ask: variation": [(EvolutionStrategy, "ask"), (GeneticAlgorithm, "ask")],

@@ -115,7 +115,7 @@ def check_rollout(team: mw.Population) -> None:
 # ---- What is timed ---------------------------------------------------------------------------
 
 
-def rollout(config: mw.WorldConfig, team: mw.Population, n: int) -> mw.Scores:
+def rollout(config: mw.WorldConfig, team: mw.Population, n: int) -> mw.EpisodeStatistics:
     """The first n genomes as pursuers, each against genome 0 in one world."""
     each = np.arange(n)
     return mw.rollout(config, team, team, mw.Matches.of(each, 0, each), threads=1)

@@ -112,7 +112,7 @@ def play(
     evader: Genome,
     rng: np.random.Generator,
 ) -> tuple[float, int]:
-    """Play one match; returns the captured fraction, as in `Scores`, and the decisions taken."""
+    """Play one match; return captured fraction (see `EpisodeStatistics`) and decisions."""
     p, steps = world.config.n_pursuers, world.config.max_steps
     world.place_at_random(rng)
     pursuers, captured, decisions = np.arange(p), 0.0, 0

@@ -6,7 +6,7 @@
 Both teams learn in turns, against opponents that the selection draws from all earlier generations
 or from its archive. What an archive compares counts as matches, too, so that races end with
 different numbers of generations at the same budget: the smallest that any of them played. Then the
-champions of all selections meet those of all others. Runs lie in ``--runs`` and are taken up where
+champions of all samplers meet those of all others. Runs lie in ``--runs`` and are taken up where
 they were interrupted.
 """
 
@@ -23,7 +23,7 @@ from tqdm import tqdm
 import matrixworld as mw
 from matrixworld import analysis, coevolution
 from matrixworld.coevolution import RaceSettings, SavedRun, finish
-from matrixworld.coevolution.opponents import OPPONENTS
+from matrixworld.coevolution.opponents import SAMPLERS
 
 FULL = RaceSettings(
     schedule="alternating", rows=24, cols=24, pursuers=6, evaders=12, generations=15,
@@ -54,7 +54,7 @@ def champions(runs: Runs, team: coevolution.Team, budget: int) -> mw.Population:
 
 
 def cross_play(base: RaceSettings, runs: Runs, budget: int, episodes: int) -> np.ndarray:
-    """Capture rates (selections, seeds, selections, seeds): pursuers of one, evaders of other."""
+    """Capture rates (samplers, seeds, samplers, seeds): pursuers of one, evaders of other."""
     pursuers, evaders = (champions(runs, team, budget) for team in coevolution.TEAMS)
     world = base.world(base.eval_steps)
     played = coevolution.tournament(world, pursuers, evaders, seed=0, episodes=episodes)
@@ -63,9 +63,9 @@ def cross_play(base: RaceSettings, runs: Runs, budget: int, episodes: int) -> np
 
 
 def scores(captured: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Capture of pursuers, escape of evaders (selections, seeds) against all other selections."""
+    """Capture of pursuers, escape of evaders (samplers, seeds) against all other samplers."""
     others = ~np.eye(len(captured), dtype=bool)
-    of_pairs = captured.mean(axis=3)  # (selections, seeds, selections)
+    of_pairs = captured.mean(axis=3)  # (samplers, seeds, samplers)
     capture = np.stack([row[:, others[i]].mean(axis=1) for i, row in enumerate(of_pairs)])
     escapes = 1.0 - captured.mean(axis=1).transpose(1, 2, 0)
     escape = np.stack([row[:, others[i]].mean(axis=1) for i, row in enumerate(escapes)])
@@ -77,15 +77,15 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="a small world and one seed")
     parser.add_argument("--seeds", type=int, help="races of each selection")
-    parser.add_argument("--selections", nargs="+", choices=OPPONENTS, default=list(OPPONENTS))
+    parser.add_argument("--samplers", nargs="+", choices=SAMPLERS, default=list(SAMPLERS))
     parser.add_argument("--runs", type=Path, default=Path("runs/archives"))
     args = parser.parse_args()
     base, few, episodes = (QUICK, 1, 2) if args.quick else (FULL, 5, 20)
-    runs = play(base, args.selections, range(args.seeds or few), args.runs)
+    runs = play(base, args.samplers, range(args.seeds or few), args.runs)
     every = [run for of_name in runs.values() for run in of_name]
     budget = min(int(run.files.log()["matches"][-1]) for run in every)
     capture, escape = scores(cross_play(base, runs, budget, episodes))
-    print(f"Champions after {budget:,} matches, against those of the other selections:\n")
+    print(f"Champions after {budget:,} matches, against those of the other samplers:\n")
     print("| opponents met | generations | capture of pursuers | escape of evaders |")
     print("|---|---|---|---|")
     for name, caught, fled in zip(runs, capture, escape, strict=True):

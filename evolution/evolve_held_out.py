@@ -27,9 +27,9 @@ import numpy as np
 import matrixworld as mw
 from matrixworld import coevolution
 from matrixworld.coevolution import SingleSettings, SingleTeam, Team
-from matrixworld.coevolution.files import load_arrays, save_arrays
-from matrixworld.coevolution.held_out import NETWORK, held_out_scripts
-from matrixworld.coevolution.keys import other
+from matrixworld.coevolution.evaluation.held_out import NETWORK, held_out_scripts
+from matrixworld.coevolution.storage.files import load_arrays, save_arrays
+from matrixworld.coevolution.types import other
 
 LEARNER = {
     "population": 32,

@@ -62,7 +62,7 @@ QUICK = Budget((0.0, 1.0), 2, SMALL, 3, 8, 12, 10)
 
 def play(
     world: mw.WorldConfig, team: Team, own: mw.Population, rival: mw.Population, seeds: np.ndarray
-) -> mw.Scores:
+) -> mw.EpisodeStatistics:
     """One match of each candidate of a team against one rival."""
     each = np.arange(len(own.genomes))
     if team == "pursuer":
@@ -70,7 +70,7 @@ def play(
     return mw.rollout(world, rival, own, mw.Matches.of(0, each, seeds))
 
 
-def fitness(scores: mw.Scores, team: Team, price: float) -> np.ndarray:
+def fitness(scores: mw.EpisodeStatistics, team: Team, price: float) -> np.ndarray:
     """What a team is after, less what its collisions cost; the mean over the worlds, (M,)."""
     t = coevolution.TEAMS.index(team)
     at_fault = scores.faults[:, :, t].sum(axis=2) / scores.agent_steps[:, :, t]

@@ -18,7 +18,7 @@ settings.register_profile(
     deadline=None,
     suppress_health_check=SLOW,
 )
-# pytest --hypothesis-profile=long tests/test_reference.py
+# pytest --hypothesis-profile=long tests/contract/test_reference.py
 settings.register_profile(
     "long", max_examples=5000, database=None, deadline=None, suppress_health_check=SLOW
 )

@@ -117,7 +117,7 @@ def test_lag_profile_is_solid_where_it_rests_on_enough_cells(payoff: np.ndarray)
 
 def test_training_curve_colours_each_piece_by_the_team_that_learns() -> None:
     rates, learners = [0.5, 0.9, 0.2, 0.8], [0, 0, 1, 0]
-    figure = plots.training_curve(rates, learners, generations=[1, 1, 1, 2], unit="half-step")
+    figure = plots.training_curve(rates, learners, generations=[1, 1, 1, 2], unit="team phase")
     (axes,) = figure.axes
     curve, points = axes.collections
     assert isinstance(curve, LineCollection)
@@ -130,7 +130,7 @@ def test_training_curve_colours_each_piece_by_the_team_that_learns() -> None:
     assert [to_hex(c).upper() for c in points.get_facecolors()] == [
         colors.TEAMS[team] for team in learners
     ]
-    assert labels(axes) == ("half-step", "capture rate")
+    assert labels(axes) == ("team phase", "capture rate")
     assert legend_texts(figure) == ["pursuers learn", "evaders learn"]
     (top,) = axes.child_axes
     assert top.get_xlabel() == "generation"

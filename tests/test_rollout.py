@@ -1,4 +1,4 @@
-"""Scores against the recorded episodes, counted in plain NumPy; and that nothing else matters."""
+"""Episode statistics against the recorded episodes, counted in plain NumPy."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import matrixworld as mw
 from rows import CUSTOM, config_of, random_genome
 
 NAMES = [*mw.VARIANTS, *CUSTOM]
-FIELDS = [item.name for item in fields(mw.Scores)]
+FIELDS = [item.name for item in fields(mw.EpisodeStatistics)]
 
 
 def population(config: mw.WorldConfig, n: int, hidden: tuple[int, ...] = (8,)) -> mw.Population:
@@ -53,14 +53,16 @@ def score_of(episode: mw.Episode, config: mw.WorldConfig) -> dict[str, Any]:
     return score
 
 
-def assert_same_bits(one: mw.Scores, other: mw.Scores, rows: Any = slice(None)) -> None:
+def assert_same_bits(
+    one: mw.EpisodeStatistics, other: mw.EpisodeStatistics, rows: Any = slice(None)
+) -> None:
     for name in FIELDS:
         expected, found = getattr(one, name)[rows], getattr(other, name)
         assert expected.dtype == found.dtype
         np.testing.assert_array_equal(expected, found, name)
 
 
-# ---- Scores ----------------------------------------------------------------------------------
+# ---- Episode statistics -------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -3,8 +3,8 @@
 // does not.
 #include <cstdio>
 
-#include "batch.hpp"
 #include "invariants.hpp"
+#include "play/batch.hpp"
 
 namespace matrixworld::tests {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "mlp.hpp"
-#include "observe.hpp"
-#include "rollout.hpp"
-#include "world.hpp"
+#include "game/world.hpp"
+#include "observe/observe.hpp"
+#include "play/mlp.hpp"
+#include "play/rollout.hpp"
 
 namespace matrixworld::tests {
 

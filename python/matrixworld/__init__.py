@@ -1,7 +1,7 @@
 """matrixworld: pursuit and evasion on a grid, for safe coordination and co-evolution.
 
 Worlds: `World`, `Batch`, `WorldConfig`, `Rules`, `VARIANTS`, `Rewards`, `Action`.
-Policies and matches: `Network`, `Population`, `Matches`, `rollout`, `Scores`, `record`.
+Policies and matches: `Network`, `Population`, `Matches`, `rollout`, `EpisodeStatistics`, `record`.
 Episodes: `Episode`, and the modules `replay` and `render`.
 Evolution and its analysis: the packages `coevolution` and `analysis`, the module `plots`.
 """
@@ -11,12 +11,12 @@ from matrixworld.arrays import array_specs, episode_specs
 from matrixworld.batch import Batch
 from matrixworld.config import WorldConfig
 from matrixworld.conflicts import Conflict
-from matrixworld.env import aec_env, parallel_env
+from matrixworld.envs import aec_env, parallel_env
 from matrixworld.episode import Episode
 from matrixworld.maps import read_map
 from matrixworld.policy import SCRIPTS, Network, Population
 from matrixworld.recorder import Recorder, record_actions
-from matrixworld.rollout import Matches, Scores, match_seed, record, rollout
+from matrixworld.rollout import EpisodeStatistics, Matches, match_seed, record, rollout
 from matrixworld.rules import KINDS, VARIANTS, Action, Rewards, Rules
 from matrixworld.safety import SafetyMonitor, SafetySummary
 from matrixworld.vector import VectorEnv
@@ -35,6 +35,7 @@ __all__ = [
     "Capture",
     "Conflict",
     "Episode",
+    "EpisodeStatistics",
     "Interaction",
     "Matches",
     "Network",
@@ -45,7 +46,6 @@ __all__ = [
     "Rules",
     "SafetyMonitor",
     "SafetySummary",
-    "Scores",
     "VectorEnv",
     "World",
     "WorldConfig",

@@ -191,7 +191,7 @@ def rollout(
     n_worlds: int,
     n_threads: int,
 ) -> dict[str, NDArray[Any]]:
-    """Scores of matches (M,), as arrays (M, n_worlds, ...) by name; 0 threads: one a core."""
+    """Episode statistics of M matches: arrays (M, n_worlds, ...) by name; 0 threads: one a core."""
 
 def record(
     setup: Setup,

@@ -51,7 +51,7 @@ def episode_specs(config: WorldConfig) -> Specs:
     ``acted``: who was alive as the step began, in an episode that had not ended. ``ended``: whether
     the episode ended in this very step. The others are written when an episode ends and stand until
     the next one of that world does: ``final_views``, the views at its end, and what it came to, as
-    in `Scores`.
+    in `EpisodeStatistics`.
     """
     return {
         "acted": ((config.n_agents,), np.bool_),

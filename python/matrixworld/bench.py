@@ -1,8 +1,9 @@
 """How fast this machine plays: what the command ``matrixworld bench`` measures.
 
-An agent-step is one step of one agent that is alive as it begins, as in `Scores`. Worlds are played
-with random actions, drawn before the clock starts, and begin anew where an episode has ended;
-matches are between untrained networks, one call being an epoch of ``matrixworld evolve``.
+An agent-step is one step of one agent that is alive as it begins, as in
+`EpisodeStatistics`. Worlds are played with random actions, drawn before the clock starts, and begin
+anew where an episode has ended; matches are between untrained networks,
+one call being an epoch of ``matrixworld evolve``.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ from matrixworld.arrays import array_specs, episode_specs
 from matrixworld.batch import Batch
 from matrixworld.config import WorldConfig
 from matrixworld.policy import Network, Population
-from matrixworld.rollout import Matches, Scores, rollout
+from matrixworld.rollout import EpisodeStatistics, Matches, rollout
 from matrixworld.vector import VectorEnv
 from matrixworld.world import World
 
@@ -138,7 +139,7 @@ def check_matches(config: WorldConfig, network: Network, threads: int) -> None:
     one, more = (
         rollout(config, *teams, matches, worlds=2, threads=number) for number in (1, several)
     )
-    for name in (item.name for item in fields(Scores)):
+    for name in (item.name for item in fields(EpisodeStatistics)):
         if not np.array_equal(getattr(one, name), getattr(more, name)):
             raise WrongAnswerError(f"rollout scores another {name} with {several} threads than 1")
 
@@ -297,7 +298,7 @@ def _matches(
     teams = _team(network, population, 0), _team(network, 1, 1)
     matches = Matches.of(np.arange(population), 0, np.arange(population))
 
-    def play(number: int, call: int = 0) -> Scores:
+    def play(number: int, call: int = 0) -> EpisodeStatistics:
         return rollout(config, *teams, matches, threads=number)
 
     scores = play(max(threads))  # the same in every call

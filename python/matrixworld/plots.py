@@ -105,7 +105,7 @@ def training_curve(
 ) -> Figure:
     """Capture rate over training, coloured by the team that is learning.
 
-    ``rates``, shape ``(T,)``: capture rate at each ``unit`` (epoch or half-step). ``learners``,
+    ``rates``, shape ``(T,)``: capture rate at each ``unit`` (epoch or team phase). ``learners``,
     shape ``(T,)``: 0 where the pursuers learn, 1 where the evaders do; None where both always do.
     ``generations``, shape ``(T,)`` ints: the generation of each point, for a second axis on top.
     ``window``: points of a centred moving average (the paper's figure uses 30); the raw curve is

@@ -191,11 +191,11 @@ class Population:
         object.__setattr__(self, "genomes", np.ascontiguousarray(genomes))
 
 
-Team: TypeAlias = Population | Script
+TeamPolicy: TypeAlias = Population | Script
 """Who plays for a team."""
 
 
-def check_team(name: str, team: Team) -> Any:
+def check_team(name: str, team: TeamPolicy) -> Any:
     """The engine's form of a team.
 
     Raises TypeError for another type, ValueError for an unknown script.

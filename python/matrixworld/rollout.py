@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -12,7 +13,7 @@ from matrixworld import _core
 from matrixworld.checks import INT_MAX, SEED_MAX, check_integer, check_naturals, check_threads
 from matrixworld.config import WorldConfig
 from matrixworld.episode import Episode
-from matrixworld.policy import Team, check_team
+from matrixworld.policy import TeamPolicy, check_team
 from matrixworld.rules import Rules
 
 
@@ -48,7 +49,7 @@ class Matches(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Scores:
+class EpisodeStatistics:
     """What the episodes of M matches, W worlds each, came to; every array begins ``(M, W)``.
 
     capture_rate: float32, share of the evaders that count as captured at the end (at some time
@@ -81,15 +82,19 @@ class Scores:
     agent_steps: NDArray[np.int64]
 
 
+Rollout = Callable[..., EpisodeStatistics]
+"""Type of `rollout`, and of functions that stand in for it: same arguments, and pure."""
+
+
 def rollout(
     config: WorldConfig | Rules | str,
-    pursuers: Team,
-    evaders: Team,
+    pursuers: TeamPolicy,
+    evaders: TeamPolicy,
     matches: Matches,
     *,
     worlds: int = 1,
     threads: int | None = None,
-) -> Scores:
+) -> EpisodeStatistics:
     """Play every match in ``worlds`` worlds and score the episodes.
 
     A pure function: the same arguments give the same bits, for any number of threads and in any
@@ -110,13 +115,13 @@ def rollout(
         n_worlds=check_integer("worlds", worlds, 1),
         n_threads=check_threads(threads),
     )
-    return Scores(**columns)
+    return EpisodeStatistics(**columns)
 
 
 def record(
     config: WorldConfig | Rules | str,
-    pursuers: Team,
-    evaders: Team,
+    pursuers: TeamPolicy,
+    evaders: TeamPolicy,
     *,
     seed: int,
     pursuer: int = 0,

@@ -86,7 +86,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     | ``step`` | (W,) int32 | rounds played in the episode |
     | ``seed``, ``episode_number`` | (W,) uint64 | which episode it is: `World.reset` takes both |
     | ``final_obs``, ``_final_obs`` | as observations; (W,) bool | of an episode that ended in this step; where one did |
-    | ``episode``, ``_episode`` | dict of `EPISODE_KEYS`; (W,) bool | what the last episode to end came to, as in `Scores`; where it ended in this step |
+    | ``episode``, ``_episode`` | dict of `EPISODE_KEYS`; (W,) bool | what the last episode to end came to, as in `EpisodeStatistics`; where it ended in this step |
 
     Raises as `WorldConfig` and `Batch` do.
     """  # noqa: E501  (a table's row is one line)

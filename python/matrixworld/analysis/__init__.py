@@ -12,7 +12,7 @@ that need it, because it takes longer to load than everything else.
 ==================  ================================================================================
 payoff.py           check a matrix, take its last half, swap the teams, logits
 progress.py         generalisation, forgetting; local, historical and global progress
-lags.py             lag profile, half-steps and their swing
+lags.py             lag profile, team phases and their swing
 ciao.py             CIAO: the current individual against ancestral opponents, stripes and fading
 dominance.py        dominance tournament: the generations that were significant steps up
 cycles.py           transitive and cyclic parts, transitive share, checkerboards

@@ -39,7 +39,7 @@ ADVICE: Mapping[str, Mapping[str, str]] = {
         PRESENT: "Give the losing team more epochs, reduce the virulence of the winner, or choose "
         "opponents that are sometimes beaten (prioritised by win rate).",
         ABSENT: "Nothing to do.",
-        CANNOT_TELL: "Look at the capture rates after each half-step in log.csv, and give several "
+        CANNOT_TELL: "Look at the capture rates after each team phase in log.csv, and give several "
         "runs with different seeds.",
     },
     "forgetting": {
@@ -69,7 +69,7 @@ LABELS = {
     "pursuer_forgetting": "forgetting of the pursuers",
     "evader_forgetting": "forgetting of the evaders",
     "capture_rate": "mean capture rate",
-    "swing": "swing between half-steps",
+    "swing": "swing between team phases",
     "pursuer_fading": "fading of the pursuers",
     "evader_fading": "fading of the evaders",
     "pursuer_stripes": "stripes of the pursuers",

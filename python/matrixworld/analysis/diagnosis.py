@@ -142,8 +142,8 @@ def diagnose(
     source : payoffs as `analyze` takes them: an array ``(n, m)`` or ``(runs, n, m)``, a ``.csv`` or
         ``.npz`` file, or a list of such files, one a run.
     episodes : the last dimension of the array holds the episodes of each cell.
-    half_steps : capture rates ``(K, 2)`` after both half-steps of every generation, from a training
-        log, where the matrix has a part of the generations only; of a single run.
+    half_steps : capture rates ``(K, 2)`` after both team phases of every generation, from a
+        training log, where the matrix has a part of the generations only; of a single run.
     level : of the intervals.
     rng : seed of the bootstrap. The same seed gives the same diagnosis.
 
@@ -160,7 +160,7 @@ def diagnose(
     require(0.0 < level < 1.0, "a level in (0, 1)", level)
     payoffs = read_payoffs(source, episodes=episodes)
     runs, n, m = payoffs.matrices.shape
-    require(half_steps is None or runs == 1, "half-steps of a single run", f"{runs} runs")
+    require(half_steps is None or runs == 1, "team phases of a single run", f"{runs} runs")
     one_sided = None if half_steps is None else one_sided_share(half_steps)
     if min(n, m) < FEWEST_GENERATIONS:
         findings = _too_short(runs, min(n, m))

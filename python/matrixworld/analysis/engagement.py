@@ -1,6 +1,6 @@
 """Disengagement: one team wins everything, so neither gets a signal to learn from.
 
-Seen over generations (who wins both half-steps) and within one (do its individuals differ, do its
+Seen over generations (who wins both team phases) and within one (do its individuals differ, do its
 opponents tell them apart).
 """
 
@@ -26,7 +26,7 @@ PATIENCE = 3
 
 @dataclass(frozen=True)
 class Disengagement:
-    """Generations ``first`` to ``last``, both included, that ``winner`` won on both half-steps."""
+    """Generations ``first`` to ``last``, both included, that ``winner`` won on both team phases."""
 
     winner: str
     first: int
@@ -69,9 +69,9 @@ def disengagements(
     low: float = EVADERS_WIN,
     patience: int = PATIENCE,
 ) -> tuple[Disengagement, ...]:
-    """The longest stretches of generations in which one team wins both half-steps, in order.
+    """The longest stretches of generations in which one team wins both team phases, in order.
 
-    ``rates``, shape ``(K, 2)``: capture rate after the pursuers' and after the evaders' half-step
+    ``rates``, shape ``(K, 2)``: capture rate after the pursuers' and after the evaders' team phase
     of generations ``first``, ``first + 1``, ... (:func:`half_steps` takes them from a matrix; a
     training log has them as the race goes). A stretch has all rates above ``high`` (pursuers win)
     or all below ``low`` (evaders win) for at least ``patience`` generations. It is still going on
@@ -125,9 +125,9 @@ def undecided_opponents(outcomes: ArrayLike, *, level: float = 0.5) -> Undecided
 def _check_half_steps(rates: ArrayLike) -> Rates:
     if np.shape(rates) == (0, 2):
         return np.empty((0, 2))
-    array = check_rates(rates, ndim=2, what="half-step capture rates")
+    array = check_rates(rates, ndim=2, what="team phase capture rates")
     if array.shape[1] != 2:
-        raise ValueError(f"expected half-step capture rates of shape (K, 2), got {array.shape}")
+        raise ValueError(f"expected team phase capture rates of shape (K, 2), got {array.shape}")
     return array
 
 

@@ -65,7 +65,7 @@ def rises(payoff: ArrayLike) -> Rises:
     """How much either team gains on opponents that stand still.
 
     The mean, over pairs of generations k < g from 1 on, of what the team scores in generation g
-    against the opponents of generation k, less what it scored in generation k in both half-steps.
+    against the opponents of generation k, less what it scored in generation k in both team phases.
     In an arms race both teams have it, while the current matches may stay as even as ever; in a
     cycle the gains of one stretch are the losses of the next. A team that stands still has none,
     give or take half of what the others gain in a generation.
@@ -111,7 +111,7 @@ def _drops(chooses: Rates, measures: Rates) -> Rates:
 
 
 def one_sided_share(rates: ArrayLike) -> float:
-    """Share of the last half of the generations in which one team wins both half-steps.
+    """Share of the last half of the generations in which one team wins both team phases.
 
     ``rates``, shape ``(K, 2)``, as for :func:`disengagements`, whose stretches are counted: at
     least three generations in a row that the same team wins.

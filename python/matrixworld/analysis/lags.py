@@ -1,4 +1,4 @@
-"""The payoff by the age of the opponent, and what each half-step undid."""
+"""The payoff by the age of the opponent, and what each team phase undid."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def default_rise_lag(generations: int) -> int:
 
 
 def half_steps(payoff: ArrayLike) -> Rates:
-    """Capture rate after each half-step of generations 1, 2, ...; shape ``(K, 2)``, K >= 0.
+    """Capture rate after each team phase of generations 1, 2, ...; shape ``(K, 2)``, K >= 0.
 
     Row ``k - 1`` holds ``M[k, k - 1]``, after the pursuers of generation k have learned, and
     ``M[k, k]``, after the evaders have answered; ``K = min(n, m) - 1``.

@@ -56,7 +56,7 @@ MEASURES = _measures(
         lambda m: transitive_share(last_half(m), logits=True),
     ),
     ("checkerboards", "checkerboards, share of the possible, last half", 0, 1, _checkerboard_share),
-    ("swing", "swing between half-steps", 0, 1, swing),
+    ("swing", "swing between team phases", 0, 1, swing),
     ("lag_rise", "gain of later over earlier pursuers", -1, 1, lag_rise),
     (
         "pursuer_generalization", "last pursuers against all evaders, capture", 0, 1,

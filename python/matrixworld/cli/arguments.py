@@ -16,7 +16,7 @@ from matrixworld.coevolution import (
     LockedError,
     OtherVersionError,
 )
-from matrixworld.coevolution.run_directory import CONFIG
+from matrixworld.coevolution.storage.run_directory import CONFIG
 from matrixworld.policy import SCRIPTS
 
 UNMADE = ".unmade"

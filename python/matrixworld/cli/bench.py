@@ -29,7 +29,7 @@ from matrixworld.cli.options import (
 )
 from matrixworld.cli.progress import note, progress
 from matrixworld.coevolution import RaceSettings
-from matrixworld.coevolution.files import save_json
+from matrixworld.coevolution.storage.files import save_json
 from matrixworld.config import WorldConfig
 from matrixworld.rules import VARIANTS, rules_of
 

@@ -14,7 +14,7 @@ from matrixworld.cli.options import obstacles_of
 from matrixworld.coevolution import open_run
 from matrixworld.config import WorldConfig
 from matrixworld.episode import Episode
-from matrixworld.policy import SCRIPTS, Team
+from matrixworld.policy import SCRIPTS, TeamPolicy
 from matrixworld.rollout import record
 from matrixworld.rules import VARIANTS, Rules, rules_of
 
@@ -191,7 +191,7 @@ def _scripted(
         raise click.UsageError(str(error)) from error
 
 
-def _script(option: str, who: str) -> Team:
+def _script(option: str, who: str) -> TeamPolicy:
     for script in SCRIPTS:
         if who == script:
             return script

@@ -17,7 +17,7 @@ settings           what defines a run, with help texts
 runs               start and resume; `saved_run` to look at one
 race               races in which the teams learn in turns, by `schedules`
 hall_of_fame       simultaneous races of two populations
-rivalry            whom the teams of a race meet, and what their archives compare
+matchmaking            whom the teams of a race meet, and what their archives compare
 single             one team against opponents that stand still
 tournament         payoff matrices
 held_out           opponents that no run has met; `scoring` of a run against them
@@ -36,12 +36,17 @@ Everything is scored through one pure function with the arguments of `matrixworl
 from __future__ import annotations
 
 from matrixworld.coevolution import opponents
-from matrixworld.coevolution.best_response import BestResponse, best_response
-from matrixworld.coevolution.cma_es import CmaEs
-from matrixworld.coevolution.evolution_strategy import EvolutionStrategy, centred_ranks
-from matrixworld.coevolution.files import DamagedFileError, OtherVersionError
+from matrixworld.coevolution.evaluation.held_out import held_out
+from matrixworld.coevolution.evaluation.held_out_scores import (
+    HeldOutScores,
+    score,
+    score_population,
+)
+from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import FITNESS, fitness
-from matrixworld.coevolution.genetic_algorithm import (
+from matrixworld.coevolution.learners.cma_es import CmaEs
+from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy, centred_ranks
+from matrixworld.coevolution.learners.genetic_algorithm import (
     GeneticAlgorithm,
     mate_uniform,
     mutate_from_table,
@@ -49,27 +54,31 @@ from matrixworld.coevolution.genetic_algorithm import (
     select_tournament,
     select_truncation,
 )
-from matrixworld.coevolution.hall_of_fame import HallOfFameRace
-from matrixworld.coevolution.held_out import held_out
-from matrixworld.coevolution.keys import TEAMS, Team, evaluation_seed, training_seeds
-from matrixworld.coevolution.learners import Learner
-from matrixworld.coevolution.lock import LockedError
-from matrixworld.coevolution.noise import NoiseTable
-from matrixworld.coevolution.optimizers import Adam, Momentum
-from matrixworld.coevolution.progress import ProgressBar, Report
-from matrixworld.coevolution.race import DisengagementWarning, Race
-from matrixworld.coevolution.run import Run
-from matrixworld.coevolution.run_directory import RunDirectory
-from matrixworld.coevolution.runs import finish, resume, start
-from matrixworld.coevolution.saved_run import SavedRun, last_generation, open_run
-from matrixworld.coevolution.schedules import (
+from matrixworld.coevolution.learners.learner import Learner
+from matrixworld.coevolution.learners.noise import NoiseTable
+from matrixworld.coevolution.learners.optimizers import Adam, Momentum
+from matrixworld.coevolution.learners.toolbox import (
+    Candidates,
+    Individual,
+    generate_update_toolbox,
+    learner_toolbox,
+)
+from matrixworld.coevolution.opponents.schedules import (
     ALTERNATING,
     HALL_OF_FAME,
     SCHEDULES,
     Schedule,
     available,
 )
-from matrixworld.coevolution.scoring import HeldOutScores, score, score_population
+from matrixworld.coevolution.payoff import Payoff
+from matrixworld.coevolution.progress import ProgressBar, Report
+from matrixworld.coevolution.runs.alternating import DisengagementWarning, Race
+from matrixworld.coevolution.runs.best_response import BestResponse, best_response
+from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
+from matrixworld.coevolution.runs.run import Run
+from matrixworld.coevolution.runs.single import SingleTeam
+from matrixworld.coevolution.runs.start import finish, resume, start
+from matrixworld.coevolution.seeding import evaluation_seed, training_seeds
 from matrixworld.coevolution.settings import (
     SINGLE_DEFAULTS,
     RaceSettings,
@@ -77,14 +86,12 @@ from matrixworld.coevolution.settings import (
     TrainingSettings,
 )
 from matrixworld.coevolution.sharing import competitive_sharing, reduced_virulence
-from matrixworld.coevolution.single import SingleTeam
-from matrixworld.coevolution.toolbox import (
-    Candidates,
-    Individual,
-    generate_update_toolbox,
-    learner_toolbox,
-)
-from matrixworld.coevolution.tournament import Payoff, Rollout, tournament
+from matrixworld.coevolution.storage.files import DamagedFileError, OtherVersionError
+from matrixworld.coevolution.storage.lock import LockedError
+from matrixworld.coevolution.storage.run_directory import RunDirectory
+from matrixworld.coevolution.storage.saved_run import SavedRun, last_generation, open_run
+from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.rollout import Rollout
 
 __all__ = [
     "ALTERNATING",

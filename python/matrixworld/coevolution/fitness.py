@@ -5,41 +5,38 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-from matrixworld.coevolution.keys import Team
 from matrixworld.coevolution.sharing import competitive_sharing, reduced_virulence
-from matrixworld.rollout import Scores
+from matrixworld.coevolution.types import FloatArray, Team
+from matrixworld.rollout import EpisodeStatistics
 
-Values = NDArray[np.float64]
 
-
-def captured_fraction(scores: Scores, team: Team) -> Values:
+def captured_fraction(scores: EpisodeStatistics, team: Team) -> FloatArray:
     """Share of evaders captured, averaged over the steps: fast captures count more. In [0, 1]."""
     captured = np.asarray(scores.captured_fraction, dtype=np.float64)
     return captured if team == "pursuer" else 1.0 - captured
 
 
-def capture_rate(scores: Scores, team: Team) -> Values:
+def capture_rate(scores: EpisodeStatistics, team: Team) -> FloatArray:
     """Share of evaders captured at the end of the episode. In [0, 1]."""
     captured = np.asarray(scores.capture_rate, dtype=np.float64)
     return captured if team == "pursuer" else 1.0 - captured
 
 
-def rewards(scores: Scores, team: Team) -> Values:
+def rewards(scores: EpisodeStatistics, team: Team) -> FloatArray:
     """Rewards summed over the team and the steps (not zero-sum)."""
     returns = scores.pursuer_return if team == "pursuer" else scores.evader_return
     return np.asarray(returns, dtype=np.float64)
 
 
-FITNESS: dict[str, Callable[[Scores, Team], Values]] = {
+FITNESS: dict[str, Callable[[EpisodeStatistics, Team], FloatArray]] = {
     "captured-fraction": captured_fraction,
     "capture-rate": capture_rate,
     "rewards": rewards,
 }
 
 
-def fitness(scores: Scores, team: Team, *, measure: str, crowding: float) -> Values:
+def fitness(scores: EpisodeStatistics, team: Team, *, measure: str, crowding: float) -> FloatArray:
     """Return the fitness (M,) of `team` in M matches, averaged over the worlds of each.
 
     Parameters
@@ -54,11 +51,11 @@ def fitness(scores: Scores, team: Team, *, measure: str, crowding: float) -> Val
     values = FITNESS[measure](scores, team)
     if team == "evader":
         values = values - crowding * np.asarray(scores.evader_crowding, dtype=np.float64)
-    means: Values = values.mean(axis=1)
+    means: FloatArray = values.mean(axis=1)
     return means
 
 
-def win_rates(scores: Scores, team: Team) -> Values:
+def win_rates(scores: EpisodeStatistics, team: Team) -> FloatArray:
     """Return the payoff (M,) to `team`, in [0, 1], averaged over the worlds of each match."""
     return np.asarray(capture_rate(scores, team).mean(axis=1))
 
@@ -67,15 +64,15 @@ SHARING = ("none", "competitive")
 """How an individual's results against its opponents make its fitness."""
 
 
-def mean_over_met(values: Values) -> Values:
+def mean_over_met(values: FloatArray) -> FloatArray:
     """Return the mean (n,) of each row of (n, m), leaving out NaN: who was not met."""
     means = values.mean(axis=1)
     return np.asarray(np.nanmean(values, axis=1) if np.isnan(means).any() else means)
 
 
 def shared_fitness(
-    fitness: Values, payoff: Values, *, sharing: str, virulence: float | None
-) -> Values:
+    fitness: FloatArray, payoff: FloatArray, *, sharing: str, virulence: float | None
+) -> FloatArray:
     """Return the fitness (n,) of individuals from what they came to against m opponents.
 
     What `competitive_sharing` (scaled by n / m: then a population that beats everybody has a mean

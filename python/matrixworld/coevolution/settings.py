@@ -15,13 +15,13 @@ from numpy.typing import NDArray
 
 from matrixworld import Outcome
 from matrixworld.coevolution.checks import check_choice, check_flag, check_integer, check_number
-from matrixworld.coevolution.cma_es import check_genes
 from matrixworld.coevolution.fitness import FITNESS, SHARING
-from matrixworld.coevolution.keys import TEAMS, Team
-from matrixworld.coevolution.opponents import OPPONENTS
-from matrixworld.coevolution.optimizers import OPTIMIZERS, check_momentum
-from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
+from matrixworld.coevolution.learners.cma_es import check_genes
+from matrixworld.coevolution.learners.optimizers import OPTIMIZERS, check_momentum
+from matrixworld.coevolution.opponents import SAMPLERS
+from matrixworld.coevolution.opponents.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
 from matrixworld.coevolution.sharing import LEAST_VIRULENCE
+from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
 from matrixworld.policy import SCRIPTS, Network
 from matrixworld.rules import VARIANTS, Rules
@@ -216,7 +216,7 @@ class RaceSettings(TrainingSettings):
     pursuers_meet: str | None = option(
         None,
         f"alternating, hall-of-fame: how the pursuers' opponents are selected: "
-        f"{', '.join(OPPONENTS)}; default: uniform",
+        f"{', '.join(SAMPLERS)}; default: uniform",
     )
     evaders_meet: str | None = option(None, "the same for the evaders")
     opponents: int = option(1, "alternating: opponents that a candidate meets in an epoch")
@@ -253,7 +253,7 @@ class RaceSettings(TrainingSettings):
             value = getattr(self, name)
             if value is None:
                 continue
-            check_choice(name, value, OPPONENTS)
+            check_choice(name, value, SAMPLERS)
             if self.schedule in SCHEDULES:
                 raise ValueError(
                     f"{name}: expected {ALTERNATING} or {HALL_OF_FAME} as the schedule, "

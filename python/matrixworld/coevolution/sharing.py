@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Values = NDArray[np.float64]
+from matrixworld.coevolution.types import FloatArray
 
 LEAST_VIRULENCE = 0.5
 """At it the fittest are those with half of the most wins; below, the most wins score under 0."""
 
 
-def competitive_sharing(wins: ArrayLike) -> Values:
+def competitive_sharing(wins: ArrayLike) -> FloatArray:
     """Return ``f_i = sum_j w_ij / sum_k w_kj``, over the opponents j that somebody beats.
 
     Each opponent is worth 1 in all, shared by those who beat it: a rare win counts for more.
@@ -30,11 +30,11 @@ def competitive_sharing(wins: ArrayLike) -> Values:
     if matrix.ndim != 2 or not ((matrix >= 0.0) & (matrix < np.inf)).all():
         raise ValueError(f"wins: expected (n, m) numbers >= 0, got shape {matrix.shape}: {matrix}")
     beaten = matrix[:, matrix.sum(axis=0) > 0.0]
-    fitness: Values = (beaten / beaten.sum(axis=0)).sum(axis=1)
+    fitness: FloatArray = (beaten / beaten.sum(axis=0)).sum(axis=1)
     return fitness
 
 
-def reduced_virulence(wins: ArrayLike, virulence: float) -> Values:
+def reduced_virulence(wins: ArrayLike, virulence: float) -> FloatArray:
     """Return ``f = 2x/v - x^2/v^2`` with ``x = wins / best wins``: it is best to win v of the best.
 
     At 1 more wins are always better; below, a team that could win everything is held back, so
@@ -57,5 +57,5 @@ def reduced_virulence(wins: ArrayLike, virulence: float) -> Values:
         raise ValueError(f"virulence: expected {LEAST_VIRULENCE} to 1, got {virulence}")
     best = values.max(initial=0.0)
     share = (values / best if best > 0.0 else values) / virulence
-    fitness: Values = 2.0 * share - share * share
+    fitness: FloatArray = 2.0 * share - share * share
     return fitness

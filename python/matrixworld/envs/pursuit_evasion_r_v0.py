@@ -45,7 +45,7 @@ Versions: v0, the first.
 
 from __future__ import annotations
 
-from matrixworld.env import makers
+from matrixworld.envs import makers
 
 __all__ = ["env", "parallel_env", "raw_env"]
 

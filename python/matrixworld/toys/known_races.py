@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from matrixworld.coevolution.keys import TEAMS
 from matrixworld.coevolution.opponents import Uniform
+from matrixworld.coevolution.types import TEAMS
 from matrixworld.toys.numbers import GAMES, numbers_game
 from matrixworld.toys.populations import History
 from matrixworld.toys.rock_paper_scissors import Hands, alternate, chances, play_together, shares
@@ -71,7 +71,7 @@ def known_race(name: str, seed: int) -> KnownRace:
 def truth_of_hands(hands: Hands, first: int) -> Truth:
     """What is true of a race whose generations play pure hands.
 
-    No hand is better than another, so there is no arms race, and each half-step is open. The race
+    No hand is better than another, so there is no arms race, and each team phase is open. The race
     has gone round if both teams changed their hand three times or more from generation `first` on,
     and a hand that was changed loses to what it beat.
     """

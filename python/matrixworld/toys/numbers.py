@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from matrixworld.coevolution.opponents import Selection
+from matrixworld.coevolution.opponents import OpponentSampler
 from matrixworld.toys.populations import (
     Bits,
     Game,
@@ -69,7 +69,7 @@ def numbers_game(
     generations: int = 600,
     opponents: int = 15,
     flips: float = 0.005,
-    halls: tuple[Selection, Selection] | None = None,
+    halls: tuple[OpponentSampler, OpponentSampler] | None = None,
 ) -> History:
     """Play a numbers game with fitness-proportionate selection.
 

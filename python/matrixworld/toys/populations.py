@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.coevolution.hall_of_fame import pairings
-from matrixworld.coevolution.opponents import Indices, Selection
+from matrixworld.coevolution.opponents import Indices, OpponentSampler
+from matrixworld.coevolution.runs.hall_of_fame import pairings
 
 Bits = NDArray[np.bool_]
 Phenotypes = NDArray[np.int64]
@@ -111,7 +111,7 @@ def evolve(
     population: int,
     generations: int,
     opponents: int,
-    halls: tuple[Selection, Selection] | None = None,
+    halls: tuple[OpponentSampler, OpponentSampler] | None = None,
 ) -> History:
     """Let two populations evolve, from all zeros, and return what happened.
 
@@ -150,7 +150,7 @@ def evolve(
 
 
 def _met(
-    halls: tuple[Selection, Selection] | None,
+    halls: tuple[OpponentSampler, OpponentSampler] | None,
     side: int,
     available: int,
     generation: int,

@@ -10,9 +10,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.coevolution.keys import TEAMS, Team, other
-from matrixworld.coevolution.opponents import Selection
-from matrixworld.coevolution.schedules import SCHEDULES, available
+from matrixworld.coevolution.opponents import OpponentSampler
+from matrixworld.coevolution.opponents.schedules import SCHEDULES, available
+from matrixworld.coevolution.types import TEAMS, Team, other
 
 Values = NDArray[np.float64]
 Hands = dict[Team, list[int]]
@@ -73,19 +73,19 @@ def alternate(schedule: str, generations: int, epochs: int, seed: int = 0) -> Ha
     schedule : one of `coevolution.SCHEDULES`.
     """
     rng, matrix = np.random.default_rng(seed), payoff_matrix()
-    selections = {team: SCHEDULES[schedule].selection(team) for team in TEAMS}
+    samplers = {team: SCHEDULES[schedule].selection(team) for team in TEAMS}
     hands: Hands = {"pursuer": [ROCK], "evader": [ROCK]}
     for k in range(1, generations + 1):
         for team in TEAMS:
             there = available(team, k)
-            met = [int(selections[team].choose(there, i, rng)[0]) for i in range(epochs)]
+            met = [int(samplers[team].choose(there, i, rng)[0]) for i in range(epochs)]
             opponents = [hands[other(team)][index] for index in met]
             hands[team].append(best_response(team, opponents, matrix, rng))
     return hands
 
 
 def play_together(
-    selections: dict[Team, Selection], rounds: int, seed: int = 0, *, draw: float = DRAW
+    samplers: dict[Team, OpponentSampler], rounds: int, seed: int = 0, *, draw: float = DRAW
 ) -> Hands:
     """Return the hands, first ones included, of teams that answer each other at the same time.
 
@@ -95,9 +95,7 @@ def play_together(
     rng, matrix = np.random.default_rng(seed), payoff_matrix(draw)
     hands: Hands = {"pursuer": [ROCK], "evader": [ROCK]}
     for epoch in range(rounds):
-        answers = {
-            team: _answer(team, hands, selections[team], epoch, matrix, rng) for team in TEAMS
-        }
+        answers = {team: _answer(team, hands, samplers[team], epoch, matrix, rng) for team in TEAMS}
         for team in TEAMS:
             hands[team].append(answers[team])
     return hands
@@ -106,7 +104,7 @@ def play_together(
 def _answer(
     team: Team,
     hands: Hands,
-    selection: Selection,
+    selection: OpponentSampler,
     epoch: int,
     matrix: Values,
     rng: np.random.Generator,

@@ -13,7 +13,7 @@ from functools import partial
 
 import numpy as np
 
-from matrixworld.coevolution.genetic_algorithm import select_tournament
+from matrixworld.coevolution.learners.genetic_algorithm import select_tournament
 from matrixworld.coevolution.sharing import reduced_virulence
 from matrixworld.toys.numbers import GAMES
 from matrixworld.toys.populations import Bits, Generator, History, Side, evolve

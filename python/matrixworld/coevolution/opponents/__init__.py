@@ -16,8 +16,8 @@ maxsolve          `MaxSolve`: the candidates that solve most tests (de Jong 2005
 ipca              `IPCA`: the candidates that none dominates, and the tests that show it (2004)
 lapca             `LAPCA`: the same in layers, bounded (2007); both use `distinctions`
 generalist        `Generalist`: better against all or not at all (Simione & Nolfi 2021)
-from_archive      `FromArchive`: an archive as a selection
-choices           `OPPONENTS`: all of them by name
+from_archive      `ArchiveSampler`: an archive as a selection
+choices           `SAMPLERS`: all of them by name
 ================  ================================================================================
 
 A selection or archive belongs to one team and does not know which: with `swapped` outcomes the
@@ -28,42 +28,47 @@ the generator handed in, so that a restored run goes on bit for bit. Nothing her
 
 from __future__ import annotations
 
-from matrixworld.coevolution.opponents.archive import Archive, Members, Outcome, protected, swapped
-from matrixworld.coevolution.opponents.choices import OPPONENTS
-from matrixworld.coevolution.opponents.from_archive import FromArchive
+from matrixworld.coevolution.opponents.archive_sampler import ArchiveSampler
 from matrixworld.coevolution.opponents.generalist import Generalist, maximally_different
 from matrixworld.coevolution.opponents.ipca import IPCA
 from matrixworld.coevolution.opponents.lapca import LAPCA, layers_of
 from matrixworld.coevolution.opponents.maxsolve import MaxSolve
+from matrixworld.coevolution.opponents.pareto import (
+    Archive,
+    Members,
+    PayoffFunction,
+    protected,
+    swapped,
+)
 from matrixworld.coevolution.opponents.prioritized import Prioritized, Weighting, even, hard
-from matrixworld.coevolution.opponents.selection import (
+from matrixworld.coevolution.opponents.registry import SAMPLERS
+from matrixworld.coevolution.opponents.samplers import (
     HallOfFame,
-    Indices,
     Latest,
+    OpponentSampler,
     RoundRobin,
-    Selection,
-    State,
     Stateless,
     Uniform,
 )
 from matrixworld.coevolution.opponents.shared_sampling import SharedSampling, shared_sample
+from matrixworld.coevolution.types import Indices, State
 
 __all__ = [
     "IPCA",
     "LAPCA",
-    "OPPONENTS",
+    "SAMPLERS",
     "Archive",
-    "FromArchive",
+    "ArchiveSampler",
     "Generalist",
     "HallOfFame",
     "Indices",
     "Latest",
     "MaxSolve",
     "Members",
-    "Outcome",
+    "OpponentSampler",
+    "PayoffFunction",
     "Prioritized",
     "RoundRobin",
-    "Selection",
     "SharedSampling",
     "State",
     "Stateless",

@@ -5,18 +5,17 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.coevolution.opponents.archive import Values
-from matrixworld.coevolution.opponents.selection import Indices
+from matrixworld.coevolution.types import FloatArray, Indices
 
 Mask = NDArray[np.bool_]
 
 
-def distinctions(outcomes: Values) -> Mask:
+def distinctions(outcomes: FloatArray) -> Mask:
     """Return (n, n, m): whether test t shows that a does better than b, at [a, b, t]."""
     return outcomes[:, np.newaxis] > outcomes[np.newaxis]
 
 
-def superseded(outcomes: Values) -> Mask:
+def superseded(outcomes: FloatArray) -> Mask:
     """Return (n, n): whether b makes a superfluous, at [a, b].
 
     It does when it dominates a (nowhere worse, somewhere better), or when both have the same
@@ -28,7 +27,7 @@ def superseded(outcomes: Values) -> Mask:
     return np.asarray(~better & (better.T | (equal & earlier)))
 
 
-def front(outcomes: Values) -> Indices:
+def front(outcomes: FloatArray) -> Indices:
     """Return the rows that none supersedes: non-dominated, the first of each that are equal."""
     return np.flatnonzero(~superseded(outcomes).any(axis=1))
 

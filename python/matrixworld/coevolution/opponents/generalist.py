@@ -5,14 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.coevolution.opponents.archive import (
-    Members,
-    Outcome,
-    Values,
-    payoffs,
-    protected,
-)
-from matrixworld.coevolution.opponents.selection import Indices, State, check_count
+from matrixworld.coevolution.opponents.pareto import Members, PayoffFunction, payoffs, protected
+from matrixworld.coevolution.opponents.samplers import check_count
+from matrixworld.coevolution.types import FloatArray, Indices, State
 
 
 def maximally_different(outcomes: ArrayLike, count: int) -> Indices:
@@ -81,7 +76,7 @@ class Generalist:
         self.sample = sample
 
     def submit(
-        self, candidates: ArrayLike, tests: ArrayLike, outcome: Outcome
+        self, candidates: ArrayLike, tests: ArrayLike, outcome: PayoffFunction
     ) -> NDArray[np.bool_]:
         """Offer variants against all opponents; choose the opponents to be met next.
 
@@ -108,7 +103,7 @@ class Generalist:
         self.tests = protected(opponents[self._next(outcomes)])
         return taken
 
-    def _next(self, outcomes: Values) -> Indices:
+    def _next(self, outcomes: FloatArray) -> Indices:
         return maximally_different(1.0 - outcomes.T, self.sample)
 
     def state(self) -> State:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from matrixworld.coevolution.opponents.archive import Archive, Values
 from matrixworld.coevolution.opponents.distinctions import distinctions, fewest_tests, front
-from matrixworld.coevolution.opponents.selection import Indices
+from matrixworld.coevolution.opponents.pareto import Archive
+from matrixworld.coevolution.types import FloatArray, Indices
 
 
 class IPCA(Archive):
@@ -27,7 +27,7 @@ class IPCA(Archive):
     not.
     """
 
-    def select(self, outcomes: Values, archived: tuple[int, int]) -> tuple[Indices, Indices]:
+    def select(self, outcomes: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
         """Return the candidates and tests to keep."""
         rows = front(outcomes)
         others = np.union1d(rows, np.arange(archived[0]))

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from matrixworld.coevolution.opponents.archive import Archive, Values
 from matrixworld.coevolution.opponents.distinctions import distinctions, fewest_tests, front
-from matrixworld.coevolution.opponents.selection import Indices, check_count
+from matrixworld.coevolution.opponents.pareto import Archive
+from matrixworld.coevolution.opponents.samplers import check_count
+from matrixworld.coevolution.types import FloatArray, Indices
 
 
 class LAPCA(Archive):
@@ -36,7 +37,7 @@ class LAPCA(Archive):
         super().__init__()
         self.layers = layers
 
-    def select(self, outcomes: Values, archived: tuple[int, int]) -> tuple[Indices, Indices]:
+    def select(self, outcomes: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
         """Return the candidates and tests to keep."""
         layer = layers_of(outcomes)
         rows = np.flatnonzero((layer >= 0) & (layer < self.layers))
@@ -48,7 +49,7 @@ class LAPCA(Archive):
         return rows, np.sort(np.array(old + new, dtype=np.intp))
 
 
-def layers_of(outcomes: Values) -> Indices:
+def layers_of(outcomes: FloatArray) -> Indices:
     """Return the layer (n,) of each candidate from 0, the best; -1: its outcomes came before."""
     layer = np.full(len(outcomes), -1, dtype=np.intp)
     left = np.sort(np.unique(outcomes, axis=0, return_index=True)[1])

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from matrixworld.coevolution.opponents.archive import Archive, Values
-from matrixworld.coevolution.opponents.selection import Indices, check_count
+from matrixworld.coevolution.opponents.pareto import Archive
+from matrixworld.coevolution.opponents.samplers import check_count
+from matrixworld.coevolution.types import FloatArray, Indices
 
 SOLVED_ABOVE = 0.5
 """The payoff above which a candidate solves a test; at it neither team beats the other."""
@@ -37,7 +38,7 @@ class MaxSolve(Archive):
         super().__init__()
         self.limit = limit
 
-    def select(self, outcomes: Values, archived: tuple[int, int]) -> tuple[Indices, Indices]:
+    def select(self, outcomes: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
         """Return the candidates and tests to keep."""
         solved = outcomes > SOLVED_ABOVE
         distinct = _first_of_equals(solved)

@@ -1,22 +1,16 @@
-"""Opponents drawn by how hard they are (Vinyals et al. 2019)."""
+"""TeamPolicy drawn by how hard they are (Vinyals et al. 2019)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.opponents.selection import (
-    Indices,
-    State,
-    check_available,
-    check_count,
-    checked_scores,
-)
+from matrixworld.coevolution.opponents.samplers import check_available, check_count, checked_scores
+from matrixworld.coevolution.types import FloatArray, Indices, State
 
-Values = NDArray[np.float64]
-Weighting = Callable[[Values], Values]
+Weighting = Callable[[FloatArray], FloatArray]
 """Win rates (m,) of the learner -> weights (m,), none negative."""
 
 UNKNOWN = 0.5
@@ -30,13 +24,13 @@ def hard(power: float = 2.0) -> Weighting:
     return lambda x: np.asarray((1.0 - x) ** power)
 
 
-def even(x: Values) -> Values:
+def even(x: FloatArray) -> FloatArray:
     """Weight ``x (1 - x)``: most weight on those who are beaten half of the time."""
     return x * (1.0 - x)
 
 
 class Prioritized:
-    """Opponents drawn with probability ~ f(win rate), without replacement.
+    """TeamPolicy drawn with probability ~ f(win rate), without replacement.
 
     ::
 
@@ -45,7 +39,7 @@ class Prioritized:
         tell:    games[j] = decay games[j] + 1;  wins[j] = decay wins[j] + mean score against j
 
     Source: Vinyals et al. 2019, "Grandmaster level in StarCraft II using multi-agent reinforcement
-    learning", Nature 575, "prioritized fictitious self-play". Opponents of weight 0 are drawn,
+    learning", Nature 575, "prioritized fictitious self-play". TeamPolicy of weight 0 are drawn,
     evenly, only when those of positive weight do not suffice.
 
     Parameters
@@ -65,14 +59,14 @@ class Prioritized:
         self.count, self.decay = count, decay
         self._wins, self._games = np.zeros(0), np.zeros(0)
 
-    def win_rates(self, available: int) -> Values:
+    def win_rates(self, available: int) -> FloatArray:
         """Return the learner's recent win rate against each opponent, (available,)."""
         wins, games = _grown(self._wins, available), _grown(self._games, available)
         rates = np.full(available, UNKNOWN)
         np.divide(wins[:available], games[:available], out=rates, where=games[:available] > 0.0)
         return rates
 
-    def probabilities(self, available: int) -> Values:
+    def probabilities(self, available: int) -> FloatArray:
         """Return the probability (available,) of each opponent; even where all weights are 0."""
         check_available(available)
         weights = np.asarray(self.weighting(self.win_rates(available)), dtype=np.float64)
@@ -109,5 +103,5 @@ class Prioritized:
         self._games = state["games"].astype(np.float64)
 
 
-def _grown(values: Values, size: int) -> Values:
+def _grown(values: FloatArray, size: int) -> FloatArray:
     return np.pad(values, (0, max(0, size - len(values))))

@@ -5,13 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.coevolution.opponents.selection import (
-    Indices,
-    State,
-    check_available,
-    check_count,
-    checked_scores,
-)
+from matrixworld.coevolution.opponents.samplers import check_available, check_count, checked_scores
+from matrixworld.coevolution.types import Indices, State
 
 
 def shared_sample(beats: ArrayLike, count: int, rng: np.random.Generator) -> Indices:

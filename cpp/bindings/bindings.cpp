@@ -1,0 +1,112 @@
+// The extension module. This file, bind_*.cpp and numpy_*.hpp/.cpp are all that knows Python: they
+// check shapes and dtypes, then release the GIL.
+#include "bindings/bindings.hpp"
+
+#include <pybind11/native_enum.h>
+#include <pybind11/stl.h>
+
+#include <array>
+
+#include "bindings/numpy_arrays.hpp"
+#include "kernels/kernels.hpp"
+#include "play/batch.hpp"
+
+namespace py = pybind11;
+using namespace matrixworld;
+
+namespace {
+
+std::shared_ptr<const Setup> make_setup(const Rules& rules, const Rewards& rewards, int rows,
+                                        int cols, int n_pursuers, int n_evaders, int fov,
+                                        bool diagonal, int max_steps, double density,
+                                        const py::object& map) {
+    Config config;
+    config.rules = rules;
+    config.rewards = rewards;
+    config.rows = rows;
+    config.cols = cols;
+    config.n_pursuers = n_pursuers;
+    config.n_evaders = n_evaders;
+    config.fov = fov;
+    config.diagonal = diagonal;
+    config.max_steps = max_steps;
+    config.density = density;
+    config.map = to_map(map);
+    return std::make_shared<const Setup>(std::move(config));
+}
+
+// By team: (pursuer, evader).
+Rewards make_rewards(std::array<float, kTeams> capture, std::array<float, kTeams> neighbor,
+                     std::array<std::array<float, kKinds>, kTeams> collide,
+                     std::array<float, kTeams> step, Blame blame, bool capture_repeats) {
+    Rewards rewards;
+    for (int team = 0; team < kTeams; ++team) {
+        rewards.capture[team] = capture[team];
+        rewards.neighbor[team] = neighbor[team];
+        std::copy(collide[team].begin(), collide[team].end(), rewards.collide[team]);
+        rewards.step[team] = step[team];
+    }
+    rewards.blame = blame;
+    rewards.capture_repeats = capture_repeats;
+    return rewards;
+}
+
+std::array<std::uint64_t, 4> philox_block(std::array<std::uint64_t, 4> counter,
+                                          std::array<std::uint64_t, 2> key) {
+    return philox(counter, key[0], key[1]);
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, m) {
+    m.doc() = "The engine of matrixworld. Use it through the package.";
+
+    py::native_enum<Outcome>(m, "Outcome", "enum.Enum", "What a collision does to an agent.")
+        .value("DISAPPEAR", Outcome::Disappear)
+        .value("REACH", Outcome::Reach)
+        .value("BOUNCE", Outcome::Bounce)
+        .finalize();
+    py::native_enum<Interaction>(m, "Interaction", "enum.Enum", "Who moves together.")
+        .value("SIMULTANEOUS", Interaction::Simultaneous)
+        .value("SWARM_TURNS", Interaction::SwarmTurns)
+        .value("AGENT_TURNS", Interaction::AgentTurns)
+        .finalize();
+    py::native_enum<Capture>(m, "Capture", "enum.Enum", "How an evader is captured.")
+        .value("OCCUPATION", Capture::Occupation)
+        .value("SURROUND", Capture::Surround)
+        .finalize();
+    py::native_enum<Blame>(m, "Blame", "enum.Enum", "Who pays for a collision.")
+        .value("FAULT", Blame::Fault)
+        .value("INVOLVED", Blame::Involved)
+        .finalize();
+    py::native_enum<Autoreset>(m, "Autoreset", "enum.Enum", "What becomes of an ended world.")
+        .value("DISABLED", Autoreset::Disabled)
+        .value("NEXT_STEP", Autoreset::NextStep)
+        .value("SAME_STEP", Autoreset::SameStep)
+        .finalize();
+
+    py::class_<Rules>(m, "Rules")
+        .def(py::init<Interaction, Outcome, Outcome, Outcome, Outcome, Capture, bool>(),
+             py::kw_only(), py::arg("interaction"), py::arg("obstacle"), py::arg("teammate"),
+             py::arg("evader"), py::arg("pursuer"), py::arg("capture"),
+             py::arg("captured_disappear"));
+    py::class_<Rewards>(m, "Rewards")
+        .def(py::init(&make_rewards), py::kw_only(), py::arg("capture"), py::arg("neighbor"),
+             py::arg("collide"), py::arg("step"), py::arg("blame"), py::arg("capture_repeats"));
+    py::class_<Setup, std::shared_ptr<Setup>>(m, "Setup")
+        .def(py::init([](const Rules& rules, const Rewards& rewards, int rows, int cols,
+                         int n_pursuers, int n_evaders, int fov, bool diagonal, int max_steps,
+                         double density, const py::object& map) {
+                 return std::const_pointer_cast<Setup>(
+                     make_setup(rules, rewards, rows, cols, n_pursuers, n_evaders, fov, diagonal,
+                                max_steps, density, map));
+             }),
+             py::kw_only(), py::arg("rules"), py::arg("rewards"), py::arg("rows"), py::arg("cols"),
+             py::arg("n_pursuers"), py::arg("n_evaders"), py::arg("fov"), py::arg("diagonal"),
+             py::arg("max_steps"), py::arg("density"), py::arg("map"));
+
+    bind_worlds(m);
+    bind_rollouts(m);
+    m.def("philox", &philox_block, py::arg("counter"), py::arg("key"));
+    m.def("kernel_level", [] { return kernels().level; });
+}

@@ -1,0 +1,70 @@
+// NumPy arrays on their way into the engine: their shapes and dtypes, checked.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "grid/rules.hpp"
+
+namespace matrixworld {
+
+namespace py = pybind11;
+
+template <typename T>
+using Array = py::array_t<T, py::array::c_style>;
+using Shape = std::vector<py::ssize_t>;
+
+inline std::string text(const Shape& shape) {
+    std::string out = "(";
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+        out += (i ? ", " : "") + std::to_string(shape[i]);
+    }
+    return out + (shape.size() == 1 ? ",)" : ")");
+}
+
+inline Shape shape_of(const py::array& array) {
+    return Shape(array.shape(), array.shape() + array.ndim());
+}
+
+inline void require_shape(const std::string& name, const py::array& array, const Shape& expected) {
+    if (shape_of(array) == expected) return;
+    throw py::value_error(name + ": expected shape " + text(expected) + ", got " +
+                          text(shape_of(array)));
+}
+
+template <typename T>
+void require_dtype(const std::string& name, const py::array& array) {
+    if (array.dtype().is(py::dtype::of<T>())) return;
+    throw py::type_error(name + ": expected dtype " +
+                         py::str(py::dtype::of<T>()).cast<std::string>() + ", got " +
+                         py::str(array.dtype()).cast<std::string>());
+}
+
+// Calls use(pointer) with the integers of an array of this shape.
+template <typename Use>
+void with_integers(const std::string& name, const py::array& given, const Shape& shape, Use use) {
+    require_shape(name, given, shape);
+    const py::array array = py::array::ensure(given, py::array::c_style);
+    const auto is = [&](auto integer) {
+        return array.dtype().is(py::dtype::of<decltype(integer)>());
+    };
+    if (is(std::uint8_t{})) return use(static_cast<const std::uint8_t*>(array.data()));
+    if (is(std::int8_t{})) return use(static_cast<const std::int8_t*>(array.data()));
+    if (is(std::int32_t{})) return use(static_cast<const std::int32_t*>(array.data()));
+    if (is(std::int64_t{})) return use(static_cast<const std::int64_t*>(array.data()));
+    throw py::type_error(name + ": expected dtype uint8, int8, int32 or int64, got " +
+                         py::str(array.dtype()).cast<std::string>());
+}
+
+// A map of obstacles (rows, cols) uint8, or None.
+inline ByteArray to_map(const py::object& map) {
+    if (map.is_none()) return {};
+    const auto array = map.cast<Array<std::uint8_t>>();
+    return Eigen::Map<const ByteArray>(array.data(), array.size());
+}
+
+}  // namespace matrixworld

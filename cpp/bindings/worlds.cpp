@@ -1,0 +1,288 @@
+// One world, and batches of them, for Python.
+#include <pybind11/stl.h>
+
+#include <string>
+#include <tuple>
+
+#include "bindings/bindings.hpp"
+#include "bindings/numpy_arrays.hpp"
+#include "bindings/numpy_buffers.hpp"
+#include "play/batch.hpp"
+#include "play/mlp.hpp"
+
+namespace matrixworld {
+
+namespace {
+
+// ---- One world --------------------------------------------------------------------------------
+
+std::vector<int> to_positions(const py::object& positions) {
+    if (positions.is_none()) return {};
+    const auto array = positions.cast<Array<int>>();
+    return std::vector<int>(array.data(), array.data() + array.size());
+}
+
+template <typename Values>
+auto to_array(const Values& values) {
+    py::array_t<typename Values::Scalar> array(values.size());
+    std::copy_n(values.data(), values.size(), array.mutable_data());
+    return array;
+}
+
+template <typename T>
+Eigen::Array<T, Eigen::Dynamic, 1> to_values(const py::object& given) {
+    const auto array = given.cast<Array<T>>();
+    return Eigen::Map<const Eigen::Array<T, Eigen::Dynamic, 1>>(array.data(), array.size());
+}
+
+py::dict to_dict(const Snapshot& s, int turn) {
+    py::dict out;
+    out["key"] = std::make_pair(s.key.seed, s.key.episode);
+    out["turn"] = turn;
+    out["steps"] = s.steps;
+    out["flags"] = std::make_tuple(s.fresh_round, s.terminated, s.truncated);
+    out["map"] = to_array(s.map);
+    out["cell"] = to_array(s.cell);
+    out["went_at"] = to_array(s.went_at);
+    out["captured"] = to_array(s.captured);
+    out["ever_captured"] = to_array(s.ever_captured);
+    out["capture_paid"] = to_array(s.capture_paid);
+    out["captors"] = to_array(s.captors);
+    out["rewards"] = to_array(s.rewards);
+    out["report"] = to_array(s.report);
+    out["cast"] = s.cast;
+    return out;
+}
+
+Snapshot to_snapshot(const py::dict& from) {
+    Snapshot s;
+    std::tie(s.key.seed, s.key.episode) =
+        from["key"].cast<std::pair<std::uint64_t, std::uint64_t>>();
+    std::tie(s.fresh_round, s.terminated, s.truncated) =
+        from["flags"].cast<std::tuple<bool, bool, bool>>();
+    s.steps = from["steps"].cast<int>();
+    s.map = to_values<std::uint8_t>(from["map"]);
+    s.cell = to_values<int>(from["cell"]);
+    s.went_at = to_values<int>(from["went_at"]);
+    s.captured = to_values<std::uint8_t>(from["captured"]);
+    s.ever_captured = to_values<std::uint8_t>(from["ever_captured"]);
+    s.capture_paid = to_values<std::uint8_t>(from["capture_paid"]);
+    s.captors = to_values<int>(from["captors"]);
+    s.rewards = to_values<float>(from["rewards"]);
+    s.report = to_values<int>(from["report"]);
+    s.cast = from["cast"].cast<std::vector<int>>();
+    return s;
+}
+
+class SingleWorld {
+  public:
+    explicit SingleWorld(std::shared_ptr<const Setup> setup)
+        : setup_(std::move(setup)), world_(setup_), scratch_(*setup_), lens_(*setup_) {}
+
+    void reset(std::uint64_t seed, std::uint64_t episode, const py::object& pursuers,
+               const py::object& evaders, const py::object& map) {
+        const Placement placement{to_positions(pursuers), to_positions(evaders), to_map(map)};
+        become([&](World& fresh) { fresh.reset({seed, episode}, scratch_, placement); });
+        turn_ = 0;
+        conflicts_.clear();
+    }
+
+    void step(const py::array& actions, bool explain) {
+        const std::vector<std::uint8_t> committed = commit(actions, 0, setup_->config.n_agents());
+        conflicts_.clear();
+        world_.step(committed.data(), scratch_, explain ? &conflicts_ : nullptr);
+    }
+
+    // The next turn of the round.
+    void play_turn(const py::array& actions, bool explain) {
+        const auto [first, last] = actors();
+        const std::vector<std::uint8_t> committed = commit(actions, first, last);
+        if (turn_ == 0) {
+            conflicts_.clear();
+            world_.begin_round();
+        }
+        world_.play_turn(turn_, committed.data(), scratch_, explain ? &conflicts_ : nullptr);
+        if (++turn_ < world_.n_turns()) return;
+        world_.end_round();
+        turn_ = 0;
+    }
+
+    int turn() const { return turn_; }
+    int n_turns() const { return world_.n_turns(); }
+    std::pair<int, int> actors() const {
+        int first = 0;
+        int last = 0;
+        world_.actors(turn_, first, last);
+        return {first, last};
+    }
+
+    py::dict snapshot() const { return to_dict(world_.snapshot(scratch_), turn_); }
+
+    void restore(const py::dict& from) {
+        const Snapshot s = to_snapshot(from);
+        const int turn = from["turn"].cast<int>();
+        if (turn < 0 || turn >= world_.n_turns()) {
+            throw py::value_error("snapshot, turn: expected 0 to " +
+                                  std::to_string(world_.n_turns() - 1) + ", got " +
+                                  std::to_string(turn));
+        }
+        become([&](World& fresh) { fresh.restore(s, scratch_); });
+        turn_ = turn;
+    }
+
+    void write(const py::dict& arrays) const {
+        const HeldBuffers held = hold_world(setup_->config, arrays);
+        write_step(world_, 0, held.pointers);
+        write_moment(world_, scratch_.occupancy, lens_, 0, held.pointers);
+    }
+
+    // (turn, kind, form, first, second, (row, col), at_fault, held, doomed)
+    py::list conflicts() const {
+        py::list list;
+        for (const Conflict& c : conflicts_) {
+            const int row = world_.grid().row(c.cell);
+            const int col = world_.grid().col(c.cell);
+            list.append(py::make_tuple(c.turn, static_cast<int>(c.kind), static_cast<int>(c.form),
+                                       c.first, c.second, py::make_tuple(row, col), c.at_fault,
+                                       c.held, c.doomed));
+        }
+        return list;
+    }
+
+    py::array_t<float> logits(const Network& network, const Array<float>& genome) const {
+        if (network.fov != setup_->config.fov) {
+            throw py::value_error("network: expected fov " + std::to_string(setup_->config.fov) +
+                                  ", got " + std::to_string(network.fov));
+        }
+        require_shape("genome", genome, {network.genome_size()});
+        Mlp mlp(network, setup_->grid);
+        mlp.load(genome.data());
+        std::vector<std::uint8_t> actions;
+        const std::vector<float> units(world_.living().size(), 0.0f);
+        mlp.act(world_, scratch_.occupancy, world_.living(), units, actions);
+        const auto n = static_cast<py::ssize_t>(world_.living().size());
+        py::array_t<float> out({n, static_cast<py::ssize_t>(network.n_actions())});
+        const int width = padded(network.n_actions());
+        for (py::ssize_t i = 0; i < n; ++i) {
+            std::copy_n(mlp.logits() + i * width, network.n_actions(), out.mutable_data(i, 0));
+        }
+        return out;
+    }
+
+  private:
+    std::vector<std::uint8_t> commit(const py::array& actions, int first, int last) const {
+        const int n_agents = setup_->config.n_agents();
+        std::vector<std::uint8_t> committed(static_cast<std::size_t>(n_agents), 0);
+        with_integers("actions", actions, {n_agents}, [&](const auto* given) {
+            commit_actions(world_, 0, first, last, given, committed.data());
+        });
+        return committed;
+    }
+
+    // Puts a fresh world in the place of this one, unless `begin` throws.
+    template <typename Begin>
+    void become(Begin begin) {
+        World fresh(setup_);
+        world_.leave(scratch_);
+        try {
+            begin(fresh);
+        } catch (...) {
+            world_.enter(scratch_);
+            throw;
+        }
+        world_ = std::move(fresh);
+    }
+
+    std::shared_ptr<const Setup> setup_;
+    World world_;
+    Scratch scratch_;
+    mutable Lens lens_;
+    int turn_ = 0;  // the next one of the round
+    std::vector<Conflict> conflicts_;
+};
+
+// ---- Batch ------------------------------------------------------------------------------------
+
+// Positions (n, 2) of all worlds or (W, n, 2) of each, or None; a map for all, or None.
+std::vector<Placement> to_placements(const py::object& pursuers, const py::object& evaders,
+                                     const py::object& map, int n_worlds) {
+    if (pursuers.is_none() && evaders.is_none() && map.is_none()) return {};
+    std::vector<Placement> placements(static_cast<std::size_t>(n_worlds));
+    const auto deal = [&](const py::object& given, std::vector<int> Placement::* share) {
+        const std::vector<int> all = to_positions(given);
+        const std::size_t size = all.size() / placements.size();
+        for (std::size_t w = 0; w < placements.size(); ++w) {
+            (placements[w].*share).assign(all.begin() + w * size, all.begin() + (w + 1) * size);
+        }
+    };
+    deal(pursuers, &Placement::pursuers);
+    deal(evaders, &Placement::evaders);
+    const ByteArray ground = to_map(map);
+    for (Placement& placement : placements) placement.map = ground;
+    return placements;
+}
+
+class BufferedBatch {
+  public:
+    BufferedBatch(const std::shared_ptr<const Setup>& setup, int n_worlds, int n_threads,
+                  Autoreset autoreset, const py::dict& buffers)
+        : buffers_(hold_batch(setup->config, n_worlds, buffers)),
+          batch_(setup, n_worlds, n_threads, autoreset) {}
+
+    void reset(const std::optional<Array<std::uint64_t>>& seeds, std::uint64_t episode,
+               const std::optional<Array<bool>>& mask, const py::object& pursuers,
+               const py::object& evaders, const py::object& map) {
+        const int n = batch_.n_worlds();
+        if (seeds) require_shape("seeds", *seeds, {n});
+        if (mask) require_shape("mask", *mask, {n});
+        const std::vector<Placement> placements = to_placements(pursuers, evaders, map, n);
+        const std::uint64_t* first_seed = seeds ? seeds->data() : nullptr;
+        const auto* chosen = mask ? reinterpret_cast<const std::uint8_t*>(mask->data()) : nullptr;
+        const py::gil_scoped_release release;
+        batch_.reset(first_seed, episode, chosen, placements, buffers_.pointers);
+    }
+
+    void step(const py::array& actions) {
+        const Shape shape{batch_.n_worlds(), batch_.setup().config.n_agents()};
+        with_integers("actions", actions, shape, [&](const auto* given) {
+            const py::gil_scoped_release release;
+            batch_.step(given, buffers_.pointers);
+        });
+    }
+
+    py::dict snapshot(int w) const { return to_dict(batch_.snapshot(w), 0); }
+
+  private:
+    HeldBuffers buffers_;
+    Batch batch_;
+};
+
+}  // namespace
+
+void bind_worlds(py::module_& m) {
+    py::class_<SingleWorld>(m, "World")
+        .def(py::init<std::shared_ptr<const Setup>>(), py::arg("setup"))
+        .def("reset", &SingleWorld::reset, py::arg("seed"), py::arg("episode"), py::arg("pursuers"),
+             py::arg("evaders"), py::arg("map"))
+        .def("step", &SingleWorld::step, py::arg("actions"), py::arg("explain"))
+        .def("play_turn", &SingleWorld::play_turn, py::arg("actions"), py::arg("explain"))
+        .def("turn", &SingleWorld::turn)
+        .def("n_turns", &SingleWorld::n_turns)
+        .def("actors", &SingleWorld::actors)
+        .def("write", &SingleWorld::write, py::arg("arrays"))
+        .def("conflicts", &SingleWorld::conflicts)
+        .def("snapshot", &SingleWorld::snapshot)
+        .def("restore", &SingleWorld::restore, py::arg("snapshot"))
+        .def("logits", &SingleWorld::logits, py::arg("network"), py::arg("genome"));
+
+    py::class_<BufferedBatch>(m, "Batch")
+        .def(py::init<const std::shared_ptr<const Setup>&, int, int, Autoreset, const py::dict&>(),
+             py::arg("setup"), py::arg("n_worlds"), py::arg("n_threads"), py::arg("autoreset"),
+             py::arg("buffers"))
+        .def("reset", &BufferedBatch::reset, py::arg("seeds"), py::arg("episode"), py::arg("mask"),
+             py::arg("pursuers"), py::arg("evaders"), py::arg("map"))
+        .def("step", &BufferedBatch::step, py::arg("actions"))
+        .def("snapshot", &BufferedBatch::snapshot, py::arg("world"));
+}
+
+}  // namespace matrixworld

@@ -1,0 +1,242 @@
+// How worlds are set up, and how an episode begins.
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "game/world.hpp"
+
+namespace matrixworld {
+
+namespace {
+
+// Deals the cells of the world in random order, one by one, and restores the pack at the end.
+class Dealer {
+  public:
+    Dealer(Scratch& scratch, Stream& stream)
+        : order_(scratch.order), swaps_(scratch.swaps), stream_(stream) {}
+    ~Dealer() {
+        for (int i = static_cast<int>(swaps_.size()) - 1; i >= 0; --i) {
+            std::swap(order_[i], order_[swaps_[i]]);
+        }
+        swaps_.clear();
+    }
+    Dealer(const Dealer&) = delete;
+    Dealer& operator=(const Dealer&) = delete;
+
+    int next() {
+        const int dealt = static_cast<int>(swaps_.size());
+        const int pick = dealt + below(stream_.next(), static_cast<int>(order_.size()) - dealt);
+        swaps_.push_back(pick);
+        std::swap(order_[dealt], order_[pick]);
+        return order_[dealt];
+    }
+
+  private:
+    IntArray& order_;
+    std::vector<int>& swaps_;
+    Stream& stream_;
+};
+
+void require_count(const char* team, std::size_t flat, int n) {
+    if (flat == 0 || flat == 2 * static_cast<std::size_t>(n)) return;
+    throw std::invalid_argument(std::string(team) + " positions: expected " + std::to_string(n) +
+                                " (row, col) pairs, got " + std::to_string(flat / 2));
+}
+
+}  // namespace
+
+// ---- What worlds share ------------------------------------------------------------------------
+
+Ground::Ground(const Grid& grid, int margin)
+    : kind(ByteArray::Constant(grid.n_cells(), kBorder)),
+      walls(grid, margin),
+      closed(grid, margin, 1) {
+    clear_obstacles(grid);
+}
+
+void Ground::set_obstacle(const Grid& grid, int cell) {
+    kind[cell] = kObstacle;
+    walls.set(grid.row(cell), grid.col(cell));
+    closed.at(grid.row(cell), grid.col(cell)) = 1;
+    has_obstacles = true;
+}
+
+void Ground::clear_obstacles(const Grid& grid) {
+    for (int row = 0; row < grid.rows(); ++row) {
+        kind.segment(grid.cell(row, 0), grid.cols()).setConstant(kFree);
+        std::fill_n(&closed.at(row, 0), grid.cols(), std::uint8_t{0});
+    }
+    walls.clear_all();
+    has_obstacles = false;
+}
+
+namespace {
+
+void set_map(Ground& ground, const Grid& grid, const ByteArray& map) {
+    for (int i = 0; i < map.size(); ++i) {
+        if (map[i]) ground.set_obstacle(grid, grid.cell(i / grid.cols(), i % grid.cols()));
+    }
+}
+
+}  // namespace
+
+Setup::Setup(Config given) : config(std::move(given)), grid(config.rows, config.cols) {
+    config.validate();
+    auto base = std::make_shared<Ground>(grid, config.fov / 2);
+    set_map(*base, grid, config.map);
+    ground = std::move(base);
+    for (int team = 0; team < kTeams; ++team) {
+        for (int kinds = 0; kinds < 1 << kKinds; ++kinds) {
+            fines[team][kinds] = 0;
+            for (int kind = 0; kind < kKinds; ++kind) {
+                if (kinds >> kind & 1) fines[team][kinds] += config.rewards.collide[team][kind];
+            }
+        }
+    }
+}
+
+Scratch::Scratch(const Setup& setup, bool for_networks)
+    : occupancy(setup.grid, setup.config.n_pursuers, setup.config.n_agents(), setup.config.fov,
+                for_networks, setup.config.rules.interaction == Interaction::AgentTurns),
+      resolver(setup.grid, setup.config.rules, setup.config.n_pursuers, setup.config.n_agents()),
+      order(setup.config.rows * setup.config.cols) {
+    for (int i = 0; i < order.size(); ++i) {
+        order[i] = setup.grid.cell(i / setup.config.cols, i % setup.config.cols);
+    }
+    cast.reserve(setup.config.n_agents());
+    last_cast.reserve(setup.config.n_agents());
+}
+
+// ---- Reset --------------------------------------------------------------------------------------
+
+World::World(std::shared_ptr<const Setup> setup)
+    : setup_(std::move(setup)),
+      ground_(setup_->ground),
+      cell_(IntArray::Constant(config().n_agents(), kGone)),
+      went_at_(IntArray::Constant(config().n_agents(), kGone)),
+      captured_(ByteArray::Zero(config().n_evaders)),
+      ever_captured_(ByteArray::Zero(config().n_evaders)),
+      capture_paid_(ByteArray::Zero(config().n_evaders)),
+      captors_(IntArray::Zero(config().n_evaders)),
+      is_judged_(ByteArray::Zero(config().n_evaders)),
+      rewards_(FloatArray::Zero(config().n_agents())),
+      report_(decltype(report_)::Zero(config().n_agents())) {
+    living_.reserve(config().n_agents());
+    judged_.reserve(config().n_evaders);
+}
+
+void World::check(const Placement& placement) const {
+    require_count("pursuer", placement.pursuers.size(), config().n_pursuers);
+    require_count("evader", placement.evaders.size(), config().n_evaders);
+    const ByteArray& map = placement.map.size() ? placement.map : config().map;
+    const int area = config().rows * config().cols;
+    if (map.size() != 0 && map.size() != area) {
+        throw std::invalid_argument("obstacle map: expected " + std::to_string(area) +
+                                    " cells, got " + std::to_string(map.size()));
+    }
+    const int blocked =
+        map.size() ? static_cast<int>(map.cast<int>().sum()) : config().n_random_obstacles();
+    if (config().n_agents() > area - blocked) {
+        throw std::invalid_argument("obstacle map: expected at least " +
+                                    std::to_string(config().n_agents()) + " free cells, got " +
+                                    std::to_string(area - blocked));
+    }
+    std::vector<int> taken;
+    for (const auto* positions : {&placement.pursuers, &placement.evaders}) {
+        for (std::size_t i = 0; i < positions->size(); i += 2) {
+            const int row = (*positions)[i];
+            const int col = (*positions)[i + 1];
+            const std::string where = "(" + std::to_string(row) + ", " + std::to_string(col) + ")";
+            if (row < 0 || row >= config().rows || col < 0 || col >= config().cols) {
+                throw std::invalid_argument("position " + where + ": expected a cell of the " +
+                                            std::to_string(config().rows) + " x " +
+                                            std::to_string(config().cols) + " grid");
+            }
+            const int index = row * config().cols + col;
+            if (map.size() && map[index]) {
+                throw std::invalid_argument("position " + where +
+                                            ": expected a free cell, got an obstacle");
+            }
+            taken.push_back(index);
+        }
+    }
+    std::sort(taken.begin(), taken.end());
+    const auto twice = std::adjacent_find(taken.begin(), taken.end());
+    if (twice != taken.end()) {
+        throw std::invalid_argument("positions: expected distinct cells, got two agents on (" +
+                                    std::to_string(*twice / config().cols) + ", " +
+                                    std::to_string(*twice % config().cols) + ")");
+    }
+}
+
+void World::reset(EpisodeKey key, Scratch& scratch, const Placement& placement) {
+    check(placement);
+    begin_episode(key);
+    lay_ground(placement.map);
+
+    const auto place_given = [&](const std::vector<int>& positions, int first) {
+        for (std::size_t i = 0; i < positions.size(); i += 2) {
+            place(first + static_cast<int>(i / 2), grid().cell(positions[i], positions[i + 1]),
+                  scratch);
+        }
+    };
+    place_given(placement.pursuers, 0);
+    place_given(placement.evaders, config().n_pursuers);
+
+    Stream stream(key, Purpose::Reset);
+    Dealer dealer(scratch, stream);
+    const auto free_cell = [&] {
+        int cell = dealer.next();
+        while (ground_->kind[cell] != kFree || !scratch.occupancy.empty(cell)) cell = dealer.next();
+        return cell;
+    };
+    const bool own_map = placement.map.size() != 0 || config().map.size() != 0;
+    if (!own_map && config().n_random_obstacles() > 0) {
+        auto ground = std::make_shared<Ground>(*setup_->ground);
+        for (int i = 0; i < config().n_random_obstacles(); ++i) {
+            ground->set_obstacle(grid(), free_cell());
+        }
+        ground_ = std::move(ground);
+    }
+    if (placement.evaders.empty()) {
+        for (int e = 0; e < config().n_evaders; ++e) place(evader_agent(e), free_cell(), scratch);
+    }
+    if (placement.pursuers.empty()) {
+        for (int p = 0; p < config().n_pursuers; ++p) place(p, free_cell(), scratch);
+    }
+    scratch.occupancy.land(living_, cell_);
+}
+
+void World::begin_episode(EpisodeKey key) {
+    key_ = key;
+    living_.resize(config().n_agents());
+    for (int a = 0; a < config().n_agents(); ++a) living_[a] = a;
+    n_living_[static_cast<int>(Team::Pursuer)] = config().n_pursuers;
+    n_living_[static_cast<int>(Team::Evader)] = config().n_evaders;
+    n_captured_ = 0;
+    n_at_large_ = config().n_evaders;
+    captured_.setZero();
+    ever_captured_.setZero();
+    capture_paid_.setZero();
+    captors_.setZero();
+    rewards_.setZero();
+    report_.setZero();
+    steps_ = 0;
+    terminated_ = false;
+    truncated_ = false;
+}
+
+void World::lay_ground(const ByteArray& map) {
+    ground_ = setup_->ground;
+    if (map.size() == 0) return;
+    auto ground = std::make_shared<Ground>(grid(), config().fov / 2);
+    set_map(*ground, grid(), map);
+    ground_ = std::move(ground);
+}
+
+void World::place(int agent, int cell, Scratch& scratch) {
+    cell_[agent] = cell;
+    scratch.occupancy.add(agent, cell);
+}
+
+}  // namespace matrixworld

@@ -1,0 +1,203 @@
+#include "game/world.hpp"
+
+#include <algorithm>
+
+namespace matrixworld {
+
+void World::enter(Scratch& scratch) const {
+    for (int a : living_) scratch.occupancy.add(a, cell_[a]);
+    scratch.occupancy.land(living_, cell_);
+}
+
+void World::leave(Scratch& scratch) const { scratch.occupancy.clear(living_, cell_); }
+
+// ---- A round ------------------------------------------------------------------------------------
+
+void World::step(const std::uint8_t* actions, Scratch& scratch, std::vector<Conflict>* log) {
+    begin_round();
+    for (int turn = 0; turn < n_turns(); ++turn) play_turn(turn, actions, scratch, log);
+    end_round();
+}
+
+int World::n_turns() const {
+    switch (config().rules.interaction) {
+        case Interaction::Simultaneous:
+            return 1;
+        case Interaction::SwarmTurns:
+            return kTeams;
+        case Interaction::AgentTurns:
+            break;
+    }
+    return config().n_agents();
+}
+
+void World::actors(int turn, int& first, int& last) const {
+    switch (config().rules.interaction) {
+        case Interaction::Simultaneous:
+            first = 0;
+            last = config().n_agents();
+            return;
+        case Interaction::SwarmTurns:
+            first = turn == 0 ? 0 : config().n_pursuers;
+            last = turn == 0 ? config().n_pursuers : config().n_agents();
+            return;
+        case Interaction::AgentTurns:
+            first = turn;
+            last = turn + 1;
+            return;
+    }
+}
+
+void World::begin_round() {
+    rewards_.setZero();
+    report_.setZero();
+    captors_.setZero();
+    if (config().rewards.capture_repeats) capture_paid_.setZero();
+    fresh_round_ = true;
+}
+
+void World::play_turn(int number, const std::uint8_t* actions, Scratch& scratch,
+                      std::vector<Conflict>* log) {
+    int first = 0;
+    int last = 0;
+    actors(number, first, last);
+    const bool nobody = last - first == 1 ? !alive(first) : n_living(team(first)) == 0;
+    if (terminated_ || nobody) return;
+
+    const std::vector<int>& cast =
+        one_by_one() ? choose_cast(first, actions[first], scratch) : living_;
+    const Turn turn = make_turn(cast, actions, first, last, number);
+    scratch.occupancy.lift(cast, cell_);
+    scratch.resolver.resolve(turn, scratch.occupancy.headings(), log);
+    settle(turn, scratch);
+    scratch.occupancy.land(cast, cell_);
+    teams_touch_ = one_by_one() || find_touch(turn, scratch);
+    judge_captures(turn, scratch);
+    pay_captures();
+    remove_captured(scratch);
+    pay_actors(turn, scratch);
+    report_and_fine(scratch);
+    scratch.occupancy.unlist();
+    drop_gone();
+    judge_end();
+    fresh_round_ = false;
+}
+
+void World::end_round() {
+    ++steps_;
+    truncated_ = steps_ >= config().max_steps;
+}
+
+// Where a single agent acts: it and those on the cell it leaves or heads for. Nobody else can meet
+// it.
+const std::vector<int>& World::choose_cast(int actor, int action, Scratch& scratch) const {
+    std::swap(scratch.cast, scratch.last_cast);
+    scratch.cast.clear();
+    scratch.here = cell_[actor];
+    scratch.there = scratch.here + grid().delta(action);
+    const CellLists& lists = scratch.occupancy.lists();
+    for (Team wanted : {Team::Pursuer, Team::Evader}) {
+        const auto call = [&](int cell) {
+            for (int a : lists.at(cell)) {
+                if (team(a) == wanted) scratch.cast.push_back(a);
+            }
+        };
+        call(scratch.here);
+        if (scratch.there != scratch.here) call(scratch.there);
+    }
+    return scratch.cast;
+}
+
+Turn World::make_turn(const std::vector<int>& cast, const std::uint8_t* actions, int first,
+                      int last, int number) const {
+    const Agents all{cast.data(), cast.data() + cast.size()};
+    const int* first_evader = all.first + n_living(Team::Pursuer);
+    Agents actors = all;
+    if (one_by_one()) {
+        first_evader =
+            std::find_if(all.first, all.last, [&](int a) { return team(a) == Team::Evader; });
+        actors.first = std::find(all.first, all.last, first);
+        actors.last = actors.first + 1;
+    } else if (first != 0) {
+        actors.first = first_evader;
+    } else if (last != config().n_agents()) {
+        actors.last = first_evader;
+    }
+    return {all,   first_evader, actors, cell_.data(), actions, ground_->kind.data(),
+            first, last,         number};
+}
+
+void World::settle(const Turn& turn, Scratch& scratch) {
+    const Resolver& resolver = scratch.resolver;
+    for (int a : turn.cast) cell_[a] = resolver.target(a);
+    for (int a : resolver.eventful()) {
+        if (!(resolver.flags(a) & (kCrashed | kDoomed))) continue;
+        if (team(a) == Team::Evader) release(evader_number(a));  // until judged
+        remove(a, cell_[a]);
+    }
+}
+
+void World::remove(int agent, int at) {
+    cell_[agent] = kGone;
+    went_at_[agent] = at;
+    --n_living_[static_cast<int>(team(agent))];
+    if (team(agent) == Team::Evader && !counts_as_captured(evader_number(agent))) --n_at_large_;
+}
+
+void World::drop_gone() {
+    if (n_living_[0] + n_living_[1] == static_cast<int>(living_.size())) return;
+    living_.erase(std::remove_if(living_.begin(), living_.end(), [&](int a) { return !alive(a); }),
+                  living_.end());
+}
+
+// ---- Rewards and the end ------------------------------------------------------------------------
+
+void World::pay_captures() {
+    const auto& capture = config().rewards.capture;
+    for (const auto& [evader, pursuer] : unpaid_) {
+        rewards_[pursuer] += pay(capture, pursuer);
+        if (capture_paid_[evader]) continue;
+        capture_paid_[evader] = 1;
+        rewards_[evader_agent(evader)] += pay(capture, evader_agent(evader));
+    }
+}
+
+void World::pay_actors(const Turn& turn, const Scratch& scratch) {
+    const Rewards& rewards = config().rewards;
+    const Headings headings = scratch.occupancy.headings();
+    for (int a : turn.actors) rewards_[a] += pay(rewards.step, a);
+    if (!teams_touch_) return;
+    for (int a : turn.actors) {
+        if (alive(a) && headings.beside(cell_[a], opponent(team(a)), grid(), false)) {
+            rewards_[a] += pay(rewards.neighbor, a);
+        }
+    }
+}
+
+// Of each pair that is side by side one is of the smaller team.
+bool World::find_touch(const Turn& turn, const Scratch& scratch) const {
+    const Headings headings = scratch.occupancy.headings();
+    const bool fewer = n_living(Team::Pursuer) <= n_living(Team::Evader);
+    const Team team = fewer ? Team::Pursuer : Team::Evader;
+    const bool diagonal = config().diagonal;
+    bool touch = false;
+    for (int a : turn.of(team)) {
+        if (alive(a)) touch |= headings.beside(cell_[a], opponent(team), grid(), diagonal);
+    }
+    return touch;
+}
+
+void World::report_and_fine(const Scratch& scratch) {
+    for (int a : scratch.resolver.eventful()) {
+        const Flags news = scratch.resolver.flags(a) & kReportMask & ~report_[a];
+        report_[a] |= news;
+        const int blamed = config().rewards.blame == Blame::Fault ? news >> kKinds : news;
+        rewards_[a] += setup_->fines[static_cast<int>(team(a))][blamed & ((1 << kKinds) - 1)];
+    }
+}
+
+void World::judge_end() {
+    terminated_ = n_at_large_ == 0 || n_living_[0] == 0 || n_living_[1] == 0;
+}
+
+}  // namespace matrixworld

@@ -1,0 +1,56 @@
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "kernels/kernels.hpp"
+
+namespace matrixworld {
+
+const Kernels& kernels_base();
+#ifdef MATRIXWORLD_X86_LEVELS
+const Kernels& kernels_v3();
+const Kernels& kernels_v4();
+#endif
+
+namespace {
+
+struct Level {
+    const char* name;
+    bool runs;
+    const Kernels& (*kernels)();
+};
+
+std::vector<Level> levels() {
+    std::vector<Level> all;
+#ifdef MATRIXWORLD_X86_LEVELS
+    const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+                    __builtin_cpu_supports("avx512cd");
+    all.push_back({"x86-64-v4", v4, kernels_v4});
+    all.push_back({"x86-64-v3", v3, kernels_v3});
+#endif
+    all.push_back({"base", true, kernels_base});
+    return all;
+}
+
+const Kernels& choose() {
+    const char* wanted = std::getenv("MATRIXWORLD_KERNELS");
+    for (const Level& level : levels()) {
+        if (level.runs && (!wanted || level.name == std::string(wanted))) return level.kernels();
+    }
+    throw std::invalid_argument(
+        "MATRIXWORLD_KERNELS: expected base, x86-64-v3 or x86-64-v4 as far as this processor runs "
+        "it, got " +
+        std::string(wanted));
+}
+
+}  // namespace
+
+const Kernels& kernels() {
+    static const Kernels& chosen = choose();
+    return chosen;
+}
+
+}  // namespace matrixworld

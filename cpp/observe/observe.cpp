@@ -1,0 +1,302 @@
+#include "observe/observe.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "kernels/kernels.hpp"
+
+namespace matrixworld {
+
+namespace {
+
+constexpr int kChunk = Board::kMaxWidth;  // cells of a row that are read at once
+
+struct Window {
+    Window(const World& world, int cell)
+        : fov(world.config().fov),
+          top(world.grid().row(cell) - fov / 2),
+          left(world.grid().col(cell) - fov / 2) {}
+
+    int fov;
+    int top;
+    int left;
+};
+
+// Is the agent alone of its team on its cell? Then the centre of its own channel stays empty.
+bool alone(const World& world, const Occupancy& occupancy, int agent) {
+    return occupancy.count(world.cell(agent), world.team(agent)) == 1;
+}
+
+int own_centre(const World& world, int agent) {
+    const int fov = world.config().fov;
+    return (channel(world.team(agent)) * fov + fov / 2) * fov + fov / 2;
+}
+
+// Calls visit(index of the first cell, bits) for the windows of a board, row by row.
+template <typename Visit>
+void for_each_chunk(const Board& board, const Window& window, Visit visit) {
+    for (int r = 0; r < window.fov; ++r) {
+        for (int c = 0; c < window.fov; c += kChunk) {
+            const int width = std::min(kChunk, window.fov - c);
+            const Board::Reader reader = board.window(window.top + r, window.left + c);
+            visit(r * window.fov + c, reader.row(0, width));
+        }
+    }
+}
+
+}  // namespace
+
+// ---- Bytes and floats ---------------------------------------------------------------------------
+
+namespace {
+
+constexpr int kLargestBorder = 15;  // of a view, for which all that is seen of the border is kept
+
+}  // namespace
+
+Lens::Lens(const Setup& setup)
+    : fov_(setup.config.fov),
+      places_(setup.config.n_pursuers, setup.config.n_agents(), fov_),
+      obstacles_(static_cast<std::size_t>(setup.config.n_agents())),
+      cases_(setup.grid, fov_),
+      planes_{Plane(setup.grid, fov_ / 2, 0), Plane(setup.grid, fov_ / 2, 0)} {
+    if (fov_ <= kLargestBorder) make_border(setup.grid);
+}
+
+void Lens::make_border(const Grid& grid) {
+    const int area = fov_ * fov_;
+    border_.resize(static_cast<std::size_t>(cases_.n_cases()) * area);
+    const Ground empty(grid, fov_ / 2);
+    std::vector<bool> known(cases_.n_cases());
+    for (int row = 0; row < grid.rows(); ++row) {
+        for (int col = 0; col < grid.cols(); ++col) {
+            const int number = cases_.number(row, col);
+            if (known[number]) continue;
+            known[number] = true;
+            std::uint8_t* seen = &border_[static_cast<std::size_t>(number) * area];
+            const std::uint8_t* window = empty.closed.window(row - fov_ / 2, col - fov_ / 2);
+            for (int r = 0; r < fov_; ++r, window += empty.closed.stride()) {
+                std::copy_n(window, fov_, seen + r * fov_);
+            }
+        }
+    }
+}
+
+const std::uint8_t* Lens::border(int row, int col) const {
+    return &border_[static_cast<std::size_t>(cases_.number(row, col)) * fov_ * fov_];
+}
+
+template <typename Number>
+void Lens::write(const World& world, const Occupancy& occupancy, Number* out) {
+    if (world.config().n_agents() <= kMostPlaces) {
+        draw(world, out);
+    } else {
+        copy(world, occupancy, out);
+    }
+}
+
+template void Lens::write(const World&, const Occupancy&, std::uint8_t*);
+template void Lens::write(const World&, const Occupancy&, float*);
+
+namespace {
+
+using Obstacles = const std::uint8_t* const*;
+
+void draw_scene(const Scene& scene, Obstacles obstacles, int stride, std::uint8_t* out) {
+    kernels().draw_bytes(scene, obstacles, stride, out);
+}
+void draw_scene(const Scene& scene, Obstacles obstacles, int stride, float* out) {
+    kernels().draw_floats(scene, obstacles, stride, out);
+}
+
+}  // namespace
+
+template <typename Number>
+void Lens::draw(const World& world, Number* out) {
+    const Grid grid = world.grid();
+    const Plane& closed = world.ground().closed;
+    const bool only_border = !world.ground().has_obstacles && !border_.empty();
+    places_.take_all();
+    for (int a : world.living()) {
+        const int row = grid.row(world.cell(a));
+        const int col = grid.col(world.cell(a));
+        places_.put(a, row, col, false);
+        obstacles_[a] =
+            only_border ? border(row, col) : closed.window(row - fov_ / 2, col - fov_ / 2);
+    }
+    draw_scene(places_.scene(), obstacles_.data(), only_border ? fov_ : closed.stride(), out);
+}
+
+namespace {
+
+void copy_piece(const std::uint8_t* from, std::uint8_t* to) {
+    std::memcpy(to, from, Plane::kPiece);
+}
+
+void copy_piece(const std::uint8_t* from, float* to) {
+    std::array<std::uint8_t, Plane::kPiece>
+        piece;  // so that the compiler sees that `to` is elsewhere
+    std::memcpy(piece.data(), from, piece.size());
+    for (std::size_t i = 0; i < piece.size(); ++i) to[i] = piece[i];
+}
+
+// Appends a window row by row, in whole pieces as long as there is room before `end`: what a piece
+// has too much, the next row writes over.
+template <int kFov, typename Number>
+Number* copy_window(const Plane& plane, const Window& window, Number* out, const Number* end) {
+    constexpr int kPiece = Plane::kPiece;
+    const int fov = kFov ? kFov : window.fov;  // kFov where the compiler is to know it
+    const std::uint8_t* row = plane.window(window.top, window.left);
+    for (int r = 0; r < fov; ++r, row += plane.stride(), out += fov) {
+        for (int c = 0; c < fov; c += kPiece) {
+            if (end - (out + c) >= kPiece) {
+                copy_piece(row + c, out + c);
+            } else {
+                for (int i = c; i < std::min(c + kPiece, fov); ++i) out[i] = row[i];
+            }
+        }
+    }
+    return out;
+}
+
+// The channels evaders, pursuers, obstacles.
+template <int kFov, typename Number>
+void copy_channels(const Plane (&teams)[kTeams], const Plane& walls, const Window& window,
+                   Number* out) {
+    const Number* end = out + kChannels * window.fov * window.fov;
+    out = copy_window<kFov>(teams[static_cast<int>(Team::Evader)], window, out, end);
+    out = copy_window<kFov>(teams[static_cast<int>(Team::Pursuer)], window, out, end);
+    copy_window<kFov>(walls, window, out, end);
+}
+
+}  // namespace
+
+template <typename Number>
+void Lens::copy(const World& world, const Occupancy& occupancy, Number* out) {
+    constexpr int kUsual = 11;
+    mark(world, 1);
+    const int size = kChannels * fov_ * fov_;
+    for (int a = 0; a < world.config().n_agents(); ++a, out += size) {
+        if (!world.alive(a)) {
+            std::fill_n(out, size, Number{0});
+            continue;
+        }
+        const Window window(world, world.cell(a));
+        const auto channels =
+            fov_ == kUsual ? copy_channels<kUsual, Number> : copy_channels<0, Number>;
+        channels(planes_, world.ground().closed, window, out);
+        if (alone(world, occupancy, a)) out[own_centre(world, a)] = 0;
+    }
+    mark(world, 0);
+}
+
+void Lens::mark(const World& world, std::uint8_t value) {
+    for (int a : world.living()) {
+        const int cell = world.cell(a);
+        const int team = static_cast<int>(world.team(a));
+        planes_[team].at(world.grid().row(cell), world.grid().col(cell)) = value;
+    }
+}
+
+// ---- Lists ------------------------------------------------------------------------------------
+
+namespace {
+
+// Lists the cells that are set in the window of one board, numbered from `first`. The centre is
+// left out where `hide_centre`; several rows are read to a word.
+template <int kFov>
+int* list_narrow(const Board& board, const Window& window, int first, bool hide_centre, int* out) {
+    const int fov = kFov ? kFov : window.fov;  // kFov where the compiler is to know it
+    const int rows_a_word = 64 / fov;
+    const Board::Reader reader = board.window(window.top, window.left);
+    for (int r = 0; r < fov; r += rows_a_word) {
+        std::uint64_t bits = 0;
+        for (int i = 0; i < rows_a_word && r + i < fov; ++i) {
+            bits |= reader.row(r + i, fov) << (i * fov);
+        }
+        if (hide_centre && r <= fov / 2 && fov / 2 < r + rows_a_word) {
+            bits &= ~(std::uint64_t{1} << (fov * fov / 2 - r * fov));
+        }
+        for (; bits; bits &= bits - 1) *out++ = first + r * fov + __builtin_ctzll(bits);
+    }
+    return out;
+}
+
+int* list_wide(const Board& board, const Window& window, int first, bool hide_centre, int* out) {
+    const int centre = window.fov * window.fov / 2;
+    for_each_chunk(board, window, [&](int index, std::uint64_t bits) {
+        for (; bits; bits &= bits - 1) {
+            const int place = index + __builtin_ctzll(bits);
+            if (!(hide_centre && place == centre)) *out++ = first + place;
+        }
+    });
+    return out;
+}
+
+int* list_board(const Board& board, const Window& window, int first, bool hide_centre, int* out) {
+    constexpr int kUsual = 11;
+    if (window.fov == kUsual) return list_narrow<kUsual>(board, window, first, hide_centre, out);
+    if (window.fov <= kChunk) return list_narrow<0>(board, window, first, hide_centre, out);
+    return list_wide(board, window, first, hide_centre, out);
+}
+
+// Agent by agent.
+int* list_places(const World& world, const Occupancy& occupancy, int agent, int* out) {
+    const Window window(world, world.cell(agent));
+    const auto within = [&](int offset) { return offset >= 0 && offset < window.fov; };
+    int* const begin = out;
+    for (int other : world.living()) {
+        const int down = world.grid().row(world.cell(other)) - window.top;
+        const int right = world.grid().col(world.cell(other)) - window.left;
+        if (other == agent || !within(down) || !within(right)) continue;
+        const int input = (channel(world.team(other)) * window.fov + down) * window.fov + right;
+        const bool several = occupancy.count(world.cell(other), world.team(other)) > 1;
+        if (several && std::find(begin, out, input) != out) continue;  // one bit for all of them
+        *out++ = input;
+    }
+    return out;
+}
+
+int* list_boards(const World& world, const Occupancy& occupancy, int agent, int* out) {
+    const Window window(world, world.cell(agent));
+    const int area = window.fov * window.fov;
+    const bool hide = alone(world, occupancy, agent);
+    const bool pursuer = world.team(agent) == Team::Pursuer;
+    out = list_board(occupancy.board(Team::Evader), window, kEvaders * area, hide && !pursuer, out);
+    return list_board(occupancy.board(Team::Pursuer), window, kPursuers * area, hide && pursuer,
+                      out);
+}
+
+}  // namespace
+
+int list_agents(const World& world, const Occupancy& occupancy, int agent, int* out) {
+    const bool few = world.config().n_agents() <= kMostPlaces;
+    int* const end =
+        few ? list_places(world, occupancy, agent, out) : list_boards(world, occupancy, agent, out);
+    return static_cast<int>(end - out);
+}
+
+int list_obstacles(const World& world, int cell, int* out) {
+    if (!world.ground().has_obstacles) return 0;
+    const Window window(world, cell);
+    const int first = kObstacles * window.fov * window.fov;
+    return static_cast<int>(list_board(world.ground().walls, window, first, false, out) - out);
+}
+
+void write_state(const World& world, std::uint8_t* out) {
+    const Config& config = world.config();
+    const Grid& grid = world.grid();
+    const int area = config.rows * config.cols;
+    std::memset(out, 0, static_cast<std::size_t>(kChannels) * area);
+    for (int a : world.living()) {
+        const int cell = world.cell(a);
+        out[channel(world.team(a)) * area + grid.row(cell) * config.cols + grid.col(cell)] = 1;
+    }
+    for (int i = 0; i < area; ++i) {
+        out[kObstacles * area + i] =
+            world.ground().kind[grid.cell(i / config.cols, i % config.cols)] == kObstacle;
+    }
+}
+
+}  // namespace matrixworld

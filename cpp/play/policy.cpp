@@ -1,0 +1,87 @@
+#include "play/policy.hpp"
+
+namespace matrixworld {
+
+namespace {
+
+constexpr int kAgentsPerBlock = 2 * kDrawsPerBlock;  // 32 bits for each
+
+}  // namespace
+
+void Player::decide(const World& world, const Occupancy& occupancy, int first, int last,
+                    std::vector<std::uint8_t>& actions) {
+    const auto room = static_cast<std::size_t>(last - first);
+    agents_.resize(room);
+    draws_.resize(room);
+    std::size_t n = 0;
+    Block block{};
+    int number = -1;
+    for (int a = first; a < last; ++a) {
+        if (!world.alive(a)) continue;
+        if (a / kAgentsPerBlock != number) {
+            number = a / kAgentsPerBlock;
+            block = world.key().block(Purpose::Decide, number, world.steps());
+        }
+        agents_[n] = a;
+        const std::uint64_t pair = block[a % kAgentsPerBlock / 2];
+        draws_[n] = static_cast<std::uint32_t>(a % 2 ? pair >> 32 : pair);
+        ++n;
+    }
+    agents_.resize(n);
+    draws_.resize(n);
+    chosen_.resize(n);
+    if (n == 0) return;
+    choose(world, occupancy);
+    for (std::size_t i = 0; i < n; ++i) actions[agents_[i]] = chosen_[i];
+}
+
+void NetworkPlayer::choose(const World& world, const Occupancy& occupancy) {
+    units_.resize(draws_.size());
+    for (std::size_t i = 0; i < draws_.size(); ++i) units_[i] = unit(draws_[i]);
+    mlp_.act(world, occupancy, agents_, units_, chosen_);
+}
+
+void ScriptedPlayer::choose(const World& world, const Occupancy& occupancy) {
+    for (std::size_t i = 0; i < agents_.size(); ++i) {
+        // The lowest bits decide on a slip, the highest on a move.
+        const bool slips = static_cast<int>(draws_[i] % kSlipSteps) < script_.slips;
+        chosen_[i] =
+            static_cast<std::uint8_t>(slips ? below(draws_[i], world.config().n_actions())
+                                            : best_move(world, occupancy, agents_[i], draws_[i]));
+    }
+}
+
+int ScriptedPlayer::best_move(const World& world, const Occupancy& occupancy, int agent,
+                              std::uint32_t draw) {
+    if (!script_.goals) return 0;
+    sight_.look(world, occupancy, agent);
+    goals_.clear();
+    script_.goals(sight_, goals_);
+    if (goals_.empty() && script_.stride > 0) {
+        const int move = walk_on(world, agent);
+        if (sight_.is_free({kRowStep[move], kColStep[move]})) return move;
+    }
+    int best = 0;
+    int n_best = 0;
+    int moves[kDiagonalMoves];
+    for (int move = 0; move < world.config().n_actions(); ++move) {
+        const Offset there{kRowStep[move], kColStep[move]};
+        if (move != 0 && !sight_.is_free(there)) continue;
+        const int worth = script_.worth(sight_, goals_, there);
+        if (n_best == 0 || worth > best) {
+            best = worth;
+            n_best = 0;
+        }
+        if (worth == best) moves[n_best++] = move;
+    }
+    return moves[below(draw, n_best)];
+}
+
+// The direction of these steps, drawn anew after every stride.
+int ScriptedPlayer::walk_on(const World& world, int agent) const {
+    const int stride = world.steps() / script_.stride;
+    const Block block = world.key().block(Purpose::Walk, agent, stride);
+    return 1 + below(block[0], world.config().n_actions() - 1);
+}
+
+}  // namespace matrixworld

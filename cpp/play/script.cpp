@@ -1,0 +1,129 @@
+#include "play/script.hpp"
+
+#include <algorithm>
+#include <climits>
+#include <cstdlib>
+
+#include "observe/observe.hpp"
+
+namespace matrixworld {
+
+void Sight::look(const World& world, const Occupancy& occupancy, int agent) {
+    world_ = &world;
+    own_ = {world.grid().row(world.cell(agent)), world.grid().col(world.cell(agent))};
+    n_moves_ = world.config().n_actions();
+    adversaries_.clear();
+    teammates_.clear();
+    const int fov = world.config().fov;
+    const int own_channel = world.team(agent) == Team::Pursuer ? kPursuers : kEvaders;
+    const int n_set = list_agents(world, occupancy, agent, set_.data());
+    for (int i = 0; i < n_set; ++i) {
+        const int place = set_[i] % (fov * fov);
+        Offsets& seen = set_[i] / (fov * fov) == own_channel ? teammates_ : adversaries_;
+        seen.push_back({place / fov - fov / 2, place % fov - fov / 2});
+    }
+}
+
+bool Sight::is_free(Offset cell) const {
+    const int number = world_->grid().cell(own_.row + cell.row, own_.col + cell.col);
+    return world_->ground().kind[number] == kFree;
+}
+
+int Sight::moves(Offset from, Offset to) const {
+    const int rows = std::abs(from.row - to.row);
+    const int cols = std::abs(from.col - to.col);
+    return world_->config().diagonal ? std::max(rows, cols) : rows + cols;
+}
+
+namespace {
+
+constexpr Offset kHere{0, 0};
+
+// ---- Goals -----------------------------------------------------------------------------------
+
+void adversaries(const Sight& sight, Offsets& goals) { goals = sight.adversaries(); }
+
+// Adversaries to which no teammate in view is nearer; all of them where each has a nearer one.
+void unclaimed_adversaries(const Sight& sight, Offsets& goals) {
+    for (const Offset& adversary : sight.adversaries()) {
+        const int own = sight.moves(kHere, adversary);
+        const auto is_nearer = [&](const Offset& teammate) {
+            return sight.moves(teammate, adversary) < own;
+        };
+        const Offsets& team = sight.teammates();
+        if (std::none_of(team.begin(), team.end(), is_nearer)) goals.push_back(adversary);
+    }
+    if (goals.empty()) goals = sight.adversaries();
+}
+
+// Free cells beside adversaries on which no teammate in view is.
+void open_sides(const Sight& sight, Offsets& goals) {
+    for (const Offset& adversary : sight.adversaries()) {
+        for (int side = 1; side <= sight.n_neighbors(); ++side) {
+            const Offset beside{adversary.row + kRowStep[side], adversary.col + kColStep[side]};
+            const auto is_there = [&](const Offset& teammate) {
+                return teammate.row == beside.row && teammate.col == beside.col;
+            };
+            const Offsets& team = sight.teammates();
+            if (std::any_of(team.begin(), team.end(), is_there)) continue;
+            if (sight.is_free(beside)) goals.push_back(beside);
+        }
+    }
+}
+
+// ---- Worth -----------------------------------------------------------------------------------
+
+int nearest(const Sight& sight, const Offsets& goals, Offset there) {
+    int moves = INT_MAX;
+    for (const Offset& goal : goals) moves = std::min(moves, sight.moves(there, goal));
+    return moves;
+}
+
+int near(const Sight& sight, const Offsets& goals, Offset there) {
+    return -nearest(sight, goals, there);
+}
+
+int far(const Sight& sight, const Offsets& goals, Offset there) {
+    return nearest(sight, goals, there);
+}
+
+// Far from all of them: they repel like charges.
+int far_from_all(const Sight& sight, const Offsets& goals, Offset there) {
+    constexpr int kCharge = 1 << 14;
+    int push = 0;
+    for (const Offset& goal : goals) {
+        const int apart = 1 + sight.moves(there, goal);
+        push += kCharge / (apart * apart);
+    }
+    return -push;
+}
+
+constexpr int kNever = 0;
+constexpr int kHalf = kSlipSteps / 2;
+constexpr int kStride = 12;
+
+}  // namespace
+
+const std::vector<Script>& scripts() {
+    static const std::vector<Script> all = {
+        {"random", nullptr, nullptr, kSlipSteps, 0},
+        {"still", nullptr, nullptr, kNever, 0},
+        {"chaser", adversaries, near, kNever, 0},
+        {"fleer", adversaries, far, kNever, 0},
+        {"clumsy-chaser", adversaries, near, kHalf, 0},
+        {"hunter", unclaimed_adversaries, near, kNever, kStride},
+        {"surrounder", open_sides, near, kNever, kStride},
+        {"clumsy-fleer", adversaries, far, kHalf, 0},
+        {"dodger", adversaries, far_from_all, kNever, 0},
+    };
+    return all;
+}
+
+const Script* find_script(const std::string& name) {
+    for (const Script& script : scripts()) {
+        if (name == script.name) return &script;
+    }
+    return nullptr;
+}
+
+}  // namespace matrixworld

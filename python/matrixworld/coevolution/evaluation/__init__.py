@@ -1,0 +1,1 @@
+"""Evaluation: payoff matrices and held-out opponents."""

@@ -1,0 +1,218 @@
+"""What the teams of a run score against opponents that no run has met (see `held_out`)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld.analysis import Estimate, bootstrap_episodes
+from matrixworld.coevolution.evaluation.held_out import fitting_opponents
+from matrixworld.coevolution.progress import Report, silent
+from matrixworld.coevolution.seeding import Phase
+from matrixworld.coevolution.settings import SingleSettings
+from matrixworld.coevolution.storage.saved_run import SavedRun
+from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.config import WorldConfig
+from matrixworld.policy import Population, TeamPolicy
+from matrixworld.rollout import Matches, Rollout, match_seed, rollout
+
+
+@dataclass(frozen=True)
+class HeldOutScores:
+    """What genomes of one team score against held-out opponents.
+
+    Attributes
+    ----------
+    team : whose genomes these are.
+    generations : (G,) their numbers.
+    opponents : (N,) names.
+    rates : (G, N, episodes) float64, share of evaders captured, or for evaders one minus it.
+    left_out : of the opponents of this variant, and why; empty if all were met.
+    """
+
+    team: Team
+    generations: tuple[int, ...]
+    opponents: tuple[str, ...]
+    rates: NDArray[np.float64]
+    left_out: str = ""
+
+    @property
+    def matches(self) -> int:
+        """The episodes played."""
+        return self.rates.size
+
+    @property
+    def means(self) -> NDArray[np.float64]:
+        """(G,) mean over the opponents, each counting the same."""
+        return np.asarray(self.rates.mean(axis=(1, 2)))
+
+    def against(self, opponent: str, row: int = -1) -> Estimate:
+        """Return the mean of one genome against one opponent, with an interval over episodes."""
+        return self._estimate(row, [self.opponents.index(opponent)])
+
+    def mean(self, row: int = -1) -> Estimate:
+        """Return the mean of one genome over the opponents, with an interval over episodes."""
+        return self._estimate(row, range(len(self.opponents)))
+
+    def _estimate(self, row: int, chosen: Sequence[int]) -> Estimate:
+        cells = self.rates[row][np.newaxis, list(chosen)]
+        return bootstrap_episodes(cells, lambda means: float(means.mean()), bounds=(0.0, 1.0))
+
+    def to_json(self) -> dict[str, Any]:
+        """Return all but the single episodes as values that JSON can hold."""
+        rows = range(len(self.generations))
+        return {
+            "team": self.team,
+            "score": "capture rate" if self.team == "pursuer" else "escape rate",
+            "episodes": self.rates.shape[2],
+            "matches": self.matches,
+            "generations": list(self.generations),
+            "against": {n: [_plain(self.against(n, r)) for r in rows] for n in self.opponents},
+            "mean": [_plain(self.mean(row)) for row in rows],
+            "left_out": self.left_out,
+        }
+
+
+def _plain(estimate: Estimate) -> dict[str, float | None]:
+    return {"value": estimate.value, "low": estimate.low, "high": estimate.high}
+
+
+def score_population(
+    config: WorldConfig,
+    team: Team,
+    population: Population,
+    *,
+    opponents: Mapping[str, TeamPolicy] | None = None,
+    generations: Sequence[int] | None = None,
+    left_out: str = "",
+    episodes: int = 100,
+    seed: int = 0,
+    threads: int | None = None,
+    play: Rollout = rollout,
+    on_row: Callable[[int], None] = lambda played: None,
+) -> HeldOutScores:
+    """Play every genome of a team against every held-out opponent.
+
+    Parameters
+    ----------
+    config : the world.
+    team, population : who is scored.
+    opponents : by name; default: those of the world's rules that fit its views and actions.
+    generations : what the genomes are called; default: 0, 1, ...
+    episodes : of each pair, at least 2. They depend on `seed` and the opponent's place alone: all
+        genomes, of all runs, meet the same.
+    on_row : called after each opponent with the episodes played so far.
+
+    ValueError for fewer episodes and for a network that does not fit the world.
+    """
+    if episodes < 2:
+        raise ValueError(f"episodes: expected at least 2, got {episodes}")
+    if opponents is None:
+        opponents, left_out = fitting_opponents(team, config)
+    columns = []
+    count = len(population.genomes)
+    for number, opponent in enumerate(opponents.values()):
+        key = (TEAMS.index(team), number, int(Phase.HELD_OUT))
+        matches = _matches(team, count, match_seed(seed, *key))
+        sides = (population, opponent) if team == "pursuer" else (opponent, population)
+        scores = play(config, *sides, matches, worlds=episodes, threads=threads)
+        captured = np.asarray(scores.capture_rate, np.float64)
+        columns.append(captured if team == "pursuer" else 1.0 - captured)
+        on_row(len(columns) * count * episodes)
+    numbers = range(count) if generations is None else generations
+    return HeldOutScores(
+        team, tuple(numbers), tuple(opponents), np.stack(columns, axis=1), left_out
+    )
+
+
+def _matches(team: Team, count: int, seed: int) -> Matches:
+    each, same = np.arange(count), np.uint64(seed)
+    return Matches.of(each, 0, same) if team == "pursuer" else Matches.of(0, each, same)
+
+
+def score(
+    run: SavedRun,
+    *,
+    generation: int | None = -1,
+    episodes: int = 100,
+    steps: int | None = None,
+    seed: int = 0,
+    threads: int | None = None,
+    play: Rollout = rollout,
+    report: Report = silent,
+) -> dict[Team, HeldOutScores]:
+    """Score each team that learned in a run against the held-out opponents of its variant.
+
+    Parameters
+    ----------
+    run : what `open_run` returned; it need not be finished.
+    generation : which one, below 0 from the last; None: all. IndexError beyond the archive.
+    episodes : of each pair, at least 2.
+    steps : most steps of an episode; default: as in the run's evaluation.
+    seed : of the episodes; the same for every run unless told otherwise.
+    report : called with the progress, as in `Run.run`.
+
+    The world is the run's own. A script that a run has learnt against is left out, and so are the
+    evolved opponents where they do not fit; `HeldOutScores.left_out` says it.
+    """
+    world = run.settings.world(steps or run.settings.eval_steps)
+    chosen = {team: _chosen(run, team, generation) for team in _learned(run)}
+    unmet = {team: _unmet(run, team, world) for team in chosen}
+    total = sum(len(chosen[team][1]) * len(unmet[team][0]) * episodes for team in chosen)
+    scores: dict[Team, HeldOutScores] = {}
+    played = 0
+    for team, (population, generations) in chosen.items():
+        opponents, left_out = unmet[team]
+        scores[team] = score_population(
+            world,
+            team,
+            population,
+            opponents=opponents,
+            generations=generations,
+            left_out=left_out,
+            episodes=episodes,
+            seed=seed,
+            threads=threads,
+            play=play,
+            on_row=partial(_report_from, report, played, total, f"{team}s"),
+        )
+        played += scores[team].matches
+    return scores
+
+
+def _report_from(report: Report, before: int, total: int, team: str, done: int) -> None:
+    report(f"{team} against held-out opponents", before + done, total)
+
+
+def _learned(run: SavedRun) -> tuple[Team, ...]:
+    settings = run.settings
+    return (settings.team,) if isinstance(settings, SingleSettings) else TEAMS
+
+
+def _chosen(run: SavedRun, team: Team, generation: int | None) -> tuple[Population, list[int]]:
+    """Return the genomes to score, and their generations."""
+    archive = cast(Population, run.teams[team])  # the team has learned
+    numbers = list(range(len(archive.genomes)))
+    if generation is not None:
+        if not -len(numbers) <= generation < len(numbers):
+            raise IndexError(
+                f"generation: expected 0 to {len(numbers) - 1} for {team}s, got {generation}"
+            )
+        numbers = [numbers[generation]]
+    return Population(archive.genomes[numbers], archive.network), numbers
+
+
+def _unmet(run: SavedRun, team: Team, world: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
+    opponents, left_out = fitting_opponents(team, world)
+    met = run.settings.against if isinstance(run.settings, SingleSettings) else None
+    if met not in opponents:
+        return opponents, left_out
+    unmet = {name: each for name, each in opponents.items() if name != met}
+    return unmet, "; ".join(
+        filter(None, [f"not {met}, which the run has learnt against", left_out])
+    )

@@ -1,0 +1,68 @@
+"""All against all: the payoff matrix of two archives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld.coevolution.payoff import Payoff
+from matrixworld.coevolution.seeding import evaluation_seed
+from matrixworld.config import WorldConfig
+from matrixworld.policy import TeamPolicy
+from matrixworld.rollout import EpisodeStatistics, Matches, Rollout, rollout
+
+
+def tournament(
+    config: WorldConfig,
+    pursuers: TeamPolicy,
+    evaders: TeamPolicy,
+    *,
+    seed: int,
+    episodes: int,
+    threads: int | None = None,
+    play: Rollout = rollout,
+    first: tuple[int, int] = (0, 0),
+    on_row: Callable[[int], None] = lambda played: None,
+) -> Payoff:
+    """Play every pursuer against every evader: the master tournament of Floreano & Nolfi 1997.
+
+    Parameters
+    ----------
+    config : the world.
+    pursuers, evaders : populations of G and H genomes, or scripted teams (then 1).
+    seed : run seed. A cell's match seed is ``evaluation_seed(seed, pursuer generation, evader
+        generation)`` whatever else is played: it can be replayed on its own.
+    episodes : per cell.
+    first : generations of the first pursuer and the first evader, which enter the seeds.
+    on_row : called after each row with the episodes played so far.
+    """
+    rows = []
+    n_evaders = _count(evaders)
+    for g in range(_count(pursuers)):
+        seeds = [evaluation_seed(seed, first[0] + g, first[1] + h) for h in range(n_evaders)]
+        matches = Matches.of(g, np.arange(n_evaders), np.array(seeds, dtype=np.uint64))
+        rows.append(play(config, pursuers, evaders, matches, worlds=episodes, threads=threads))
+        on_row(len(rows) * n_evaders * episodes)
+    return _payoff(rows)
+
+
+def _count(team: TeamPolicy) -> int:
+    return 1 if isinstance(team, str) else len(team.genomes)
+
+
+def _payoff(rows: list[EpisodeStatistics]) -> Payoff:
+    def stacked(name: str) -> NDArray[Any]:
+        return np.stack([getattr(row, name) for row in rows])
+
+    return Payoff(
+        capture_rates=stacked("capture_rate").astype(np.float32),
+        lengths=stacked("length").astype(np.int32),
+        collisions=stacked("collisions").mean(axis=2),
+        faults=stacked("faults").mean(axis=2),
+        agent_steps=stacked("agent_steps").mean(axis=2),
+        pursuer_survivors=stacked("pursuer_survivors").mean(axis=2),
+        evader_survivors=stacked("evader_survivors").mean(axis=2),
+    )

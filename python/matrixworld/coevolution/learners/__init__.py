@@ -1,0 +1,1 @@
+"""Learners: what improves a team from the fitness of its candidates."""

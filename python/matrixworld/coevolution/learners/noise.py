@@ -1,0 +1,42 @@
+"""A table of normal numbers from which noise vectors are cut."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from matrixworld.coevolution.checks import check_number
+from matrixworld.coevolution.types import Genome
+
+VECTORS_PER_TABLE = 256
+MOST_EXTRA_NUMBERS = 2**24
+
+
+class NoiseTable:
+    """Noise vectors as windows of one long row of normal numbers.
+
+    Drawing a fresh normal number for each gene of each candidate costs more than the rest of what
+    a learner does. A window that starts at a random place of a long shared table is as good and
+    costs nothing to make (Salimans et al. 2017, section 2.1; for a genetic algorithm Such et al.
+    2017, "Deep neuroevolution", arXiv:1712.06567).
+
+    Parameters
+    ----------
+    size : length of a noise vector (genes).
+    rng : generator that fills the table.
+    sigma : standard deviation of the numbers, in units of the genes.
+    """
+
+    def __init__(self, size: int, rng: np.random.Generator, *, sigma: float) -> None:
+        if size < 1:
+            raise ValueError(f"size: expected at least 1 gene, got {size}")
+        check_number("sigma", sigma, least=0.0, positive=True)
+        extra = min(VECTORS_PER_TABLE * size, MOST_EXTRA_NUMBERS)
+        self.size, self.sigma = size, sigma
+        self._numbers = rng.standard_normal(size + extra, dtype=np.float32)
+        self._numbers *= np.float32(sigma)
+        self._numbers.flags.writeable = False
+
+    def draw(self, count: int, rng: np.random.Generator) -> list[Genome]:
+        """Return `count` noise vectors, each a read-only view (size,) float32 of the table."""
+        starts = rng.integers(0, len(self._numbers) - self.size, size=count, endpoint=True)
+        return [self._numbers[start : start + self.size] for start in starts]

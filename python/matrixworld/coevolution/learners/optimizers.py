@@ -1,0 +1,112 @@
+"""Steps of gradient ascent: Adam, and classical momentum."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+
+from matrixworld.coevolution.checks import check_choice, check_number
+from matrixworld.coevolution.types import Genome, State
+
+OPTIMIZERS = {"adam": "Adam", "momentum": "classical momentum"}
+
+
+class Optimizer(Protocol):
+    """Turns gradients into changes of the genome."""
+
+    updates: int
+    """Steps made."""
+
+    def step(self, gradient: Genome, rate: float) -> Genome:
+        """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""
+
+    def state(self) -> State:
+        """Return all that changes, as plain arrays."""
+
+    def restore(self, state: State) -> None:
+        """Take up a state that `state` returned."""
+
+
+class Adam:
+    """Adam's step upwards (Kingma & Ba 2015, algorithm 1), on float32 arrays of shape (size,)."""
+
+    def __init__(
+        self, size: int, *, beta1: float = 0.9, beta2: float = 0.999, epsilon: float = 1e-8
+    ) -> None:
+        self.beta1, self.beta2, self.epsilon = beta1, beta2, epsilon
+        self.mean = np.zeros(size, dtype=np.float32)
+        self.square = np.zeros(size, dtype=np.float32)
+        self.updates = 0
+
+    def step(self, gradient: Genome, rate: float) -> Genome:
+        """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""
+        self.updates += 1
+        self.mean += (1 - self.beta1) * (gradient - self.mean)
+        self.square += (1 - self.beta2) * (gradient * gradient - self.square)
+        mean = self.mean / (1 - self.beta1**self.updates)
+        square = self.square / (1 - self.beta2**self.updates)
+        change: Genome = rate * mean / (np.sqrt(square) + self.epsilon)
+        return change
+
+    def state(self) -> State:
+        """Return both moving averages and the count."""
+        return {
+            "adam_mean": self.mean.copy(),
+            "adam_square": self.square.copy(),
+            "updates": np.array(self.updates),
+        }
+
+    def restore(self, state: State) -> None:
+        """Take up a state that `state` returned."""
+        self.mean = state["adam_mean"].astype(np.float32)
+        self.square = state["adam_square"].astype(np.float32)
+        self.updates = int(state["updates"])
+
+
+class Momentum:
+    """Classical momentum, upwards, on float32 arrays of shape (size,).
+
+    ::
+
+        v = momentum * v + rate * gradient;  change by v
+
+    Polyak 1964, as written by Sutskever et al. 2013, "On the importance of initialization and
+    momentum in deep learning", equations 1 and 2. Unlike Adam's, a step is as long as the gradient.
+    """
+
+    def __init__(self, size: int, *, momentum: float = 0.9) -> None:
+        check_momentum(momentum)
+        self.momentum = momentum
+        self.velocity = np.zeros(size, dtype=np.float32)
+        self.updates = 0
+
+    def step(self, gradient: Genome, rate: float) -> Genome:
+        """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""
+        self.updates += 1
+        self.velocity *= np.float32(self.momentum)
+        self.velocity += np.float32(rate) * gradient
+        change: Genome = self.velocity.copy()
+        return change
+
+    def state(self) -> State:
+        """Return the velocity and the count."""
+        return {"velocity": self.velocity.copy(), "updates": np.array(self.updates)}
+
+    def restore(self, state: State) -> None:
+        """Take up a state that `state` returned."""
+        self.velocity = state["velocity"].astype(np.float32)
+        self.updates = int(state["updates"])
+
+
+def new_optimizer(name: str, size: int, *, momentum: float) -> Optimizer:
+    """Return the optimizer of a name in `OPTIMIZERS`; Adam has no `momentum`."""
+    check_choice("optimizer", name, OPTIMIZERS)
+    return Adam(size) if name == "adam" else Momentum(size, momentum=momentum)
+
+
+def check_momentum(momentum: float) -> None:
+    """ValueError unless `momentum` is in [0, 1)."""
+    check_number("momentum", momentum, least=0.0)
+    if momentum >= 1.0:
+        raise ValueError(f"momentum: expected a number below 1, got {momentum}")

@@ -1,0 +1,1 @@
+"""Runs: races of two teams, and one team against fixed opponents."""

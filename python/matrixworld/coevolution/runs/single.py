@@ -1,0 +1,206 @@
+"""One team evolves against opponents that stand still: scripted ones, or genomes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import ceil
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from matrixworld.coevolution.evaluation.tournament import tournament
+from matrixworld.coevolution.learners.genetic_algorithm import mutate_gaussian
+from matrixworld.coevolution.opponents import RoundRobin
+from matrixworld.coevolution.payoff import Payoff
+from matrixworld.coevolution.runs.run import Run
+from matrixworld.coevolution.runs.team_phase import TeamPhase
+from matrixworld.coevolution.seeding import Purpose, keyed_generator
+from matrixworld.coevolution.settings import SingleSettings
+from matrixworld.coevolution.storage.run_directory import RunDirectory
+from matrixworld.coevolution.storage.saved_run import archive_network, last_generation, script_of
+from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team, other
+from matrixworld.policy import SCRIPTS, Network, Population, TeamPolicy
+from matrixworld.rollout import Rollout, rollout
+
+GIVEN = "given as genomes"
+"""What the settings say of opponents or a start that were handed over as arrays."""
+
+
+def check_opponents(network: Network, expected: Network) -> None:
+    """Raise ValueError unless opponents see the same view and know the same actions."""
+    if (network.fov, network.n_actions) != (expected.fov, expected.n_actions):
+        raise ValueError(
+            f"opponents: expected genomes for fov {expected.fov} and {expected.n_actions} "
+            f"actions, got fov {network.fov} and {network.n_actions} actions"
+        )
+
+
+class SingleTeam(Run[SingleSettings]):
+    """Evolution of one team against opponents that stand still.
+
+    TeamPolicy are met in turn, one an epoch. The archive holds the learning team's genome at the
+    start and after every `archive_every` epochs, and the opponents' genomes if they have any, so
+    that a run is complete in itself. The payoff is that of the last genome, on fresh episodes.
+
+    Parameters
+    ----------
+    opponents : population to learn against, in place of `settings.against`.
+    start : genome (genes,) to start from, in place of `settings.start`.
+
+    Other parameters and attributes as in `Run`. A stage is `archive_every` epochs.
+    """
+
+    kind: ClassVar[str] = "single"
+    settings_class: ClassVar[type[Any]] = SingleSettings
+
+    def __init__(
+        self,
+        settings: SingleSettings,
+        directory: str | Path | RunDirectory,
+        *,
+        opponents: Population | None = None,
+        start: ArrayLike | None = None,
+        threads: int | None = None,
+        play: Rollout = rollout,
+    ) -> None:
+        self.settings = settings
+        self.check_settings()
+        self.rivals: TeamPolicy = "random"
+        self._start: Genome | None = None
+        if not isinstance(directory, RunDirectory):  # else `_restore` finds them in the archive
+            self.rivals = _opponents(settings, opponents)
+            self._start = _start(settings, start)
+            settings = replace(
+                settings,
+                against=settings.against if opponents is None else GIVEN,
+                start=settings.start if start is None else GIVEN,
+            )
+        super().__init__(settings, directory, threads=threads, play=play)
+
+    @property
+    def n_stages(self) -> int:
+        """The entries that the run adds to the archive."""
+        return ceil(self.settings.epochs / self.settings.archive_every)
+
+    def learning_teams(self) -> tuple[Team, ...]:
+        """Return the one team that learns."""
+        return (self.settings.team,)
+
+    def first_population(self, team: Team, count: int) -> Genomes:
+        """Return untrained genomes, or the genome to start from and mutants of it."""
+        if self._start is None:
+            return super().first_population(team, count)
+        population = np.repeat(self._start[np.newaxis], count, axis=0)
+        rng = keyed_generator(self.settings.seed, Purpose.INITIAL, TEAMS.index(team))
+        population[1:] = mutate_gaussian(
+            population[1:], rng, sigma=self.settings.mutation, probability=1.0
+        )
+        return population
+
+    def first_archive(self) -> dict[Team, list[Genome]]:
+        """Return the genome to start from, and the opponents if they have genomes."""
+        team = self.settings.team
+        rivals = [] if isinstance(self.rivals, str) else list(self.rivals.genomes)
+        return {team: [self.learners[team].genome], other(team): rivals}
+
+    def more_config(self) -> dict[str, Any]:
+        """Return the network of the opponents, which may differ from the learning team's."""
+        if isinstance(self.rivals, str):
+            return {"opponent_network": None}
+        network = self.rivals.network
+        return {
+            "opponent_network": {
+                "hidden": list(network.hidden),
+                "activation": network.activation,
+            }
+        }
+
+    def learn(self, stage: int) -> None:
+        """Let the team learn until the next entry of the archive."""
+        team, settings = self.settings.team, self.settings
+        team_phase = TeamPhase(
+            self.training,
+            self.learners[team],
+            team,
+            generation=1 + stage,
+            opponents=self.rivals,
+            selection=RoundRobin(),
+            on_epoch=lambda: self.report(f"{team}s against {settings.against}"),
+        )
+        first = stage * settings.archive_every
+        team_phase.run(range(first, min(first + settings.archive_every, settings.epochs)))
+        self.archive[team].append(self.learners[team].genome)
+
+    def total_matches(self) -> int:
+        """Return the episodes of the training and of the evaluation."""
+        settings = self.settings
+        opponents = 1 if isinstance(self.rivals, str) else len(self.rivals.genomes)
+        training = settings.epochs * settings.population * settings.worlds
+        return training + opponents * settings.eval_episodes
+
+    def evaluate(self) -> Payoff:
+        """Play the last genome against each opponent, on episodes that were not trained on."""
+        settings, training = self.settings, self.training
+        champion = training.population(self.archive[settings.team][-1][np.newaxis])
+        learned = settings.team == "pursuer"
+        pursuers, evaders = (champion, self.rivals) if learned else (self.rivals, champion)
+        return tournament(
+            settings.world(settings.eval_steps),
+            pursuers,
+            evaders,
+            seed=settings.seed,
+            episodes=settings.eval_episodes,
+            threads=training.threads,
+            play=training.rollout,
+            first=(self.n_stages, 0) if learned else (0, self.n_stages),
+            on_row=lambda played: self.report("evaluation", played),
+        )
+
+    def summary(self, payoff: Payoff) -> dict[str, Any]:
+        """Return counts, and mean and deviation over all episodes of the evaluation."""
+        rates, lengths = payoff.capture_rates.astype(np.float64), payoff.lengths
+        return {
+            **super().summary(payoff),
+            "capture_rate": float(rates.mean()),
+            "capture_rate_std": float(rates.std()),
+            "length": float(lengths.mean()),
+            "length_std": float(lengths.std()),
+        }
+
+    def _restore(self) -> None:
+        super()._restore()
+        rival = other(self.settings.team)
+        if self.archive[rival]:
+            self.rivals = Population(self.genomes(rival), archive_network(self.files, rival))
+        else:
+            self.rivals = script_of(self.settings.against)
+
+
+def _opponents(settings: SingleSettings, given: Population | None) -> TeamPolicy:
+    if given is None and settings.against in SCRIPTS:
+        return script_of(settings.against)
+    population = given or last_generation(settings.against, other(settings.team))
+    check_opponents(population.network, settings.network)
+    return population
+
+
+def _start(settings: SingleSettings, given: ArrayLike | None) -> Genome | None:
+    if given is None and settings.start is None:
+        return None
+    size = settings.network.genome_size
+    if given is not None:
+        genome = np.asarray(given, dtype=np.float32)
+    else:
+        population = last_generation(str(settings.start), settings.team)
+        if population.network != settings.network:
+            raise ValueError(
+                f"start: expected a genome of {settings.network}, got one of {population.network}"
+            )
+        genome = population.genomes[0]
+    if genome.shape != (size,) or not np.isfinite(genome).all():
+        raise ValueError(
+            f"start: expected {size} finite genes, got an array of shape {genome.shape}"
+        )
+    return genome

@@ -1,0 +1,246 @@
+"""What the parallel and the AEC environments share."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from itertools import chain
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+from numpy.typing import NDArray
+
+from matrixworld.checks import check_bool
+from matrixworld.config import WorldConfig
+from matrixworld.envs.drawing import Drawing
+from matrixworld.episode import Episode
+from matrixworld.rules import KINDS, VARIANTS, Rules
+from matrixworld.world import World
+
+RENDER_MODES = ("human", "rgb_array", "ansi")
+
+OPTIONS = ("episode", "pursuers", "evaders", "obstacles")
+"""What ``options`` of a reset may hold, each as `World.reset` takes it."""
+
+INFO_KEYS = (
+    *(f"involved_{kind}" for kind in KINDS),
+    *(f"fault_{kind}" for kind in KINDS),
+    *("captured", "captors", "cost"),
+    *(f"cost_{kind}" for kind in KINDS),
+    *("capture_rate", "ever_capture_rate", "pursuer_survival_rate", "evader_survival_rate"),
+    "step",
+)
+"""The keys of every agent's info, at every step."""
+
+
+@dataclass(frozen=True, eq=False)
+class Status:
+    """What a step came to, for all A agents at once, of which E are evaders.
+
+    The agents' axis holds the pursuers and then the evaders; an agent keeps its place when others
+    are gone. Each array is fresh.
+
+    positions: ``(A, 2)`` int32 row and column, (-1, -1) when gone; alive: ``(A,)`` bool
+    captured, ever_captured: ``(E,)`` bool, at this moment and in this episode
+    captors: ``(E,)`` int32, pursuers with part in a capture of this step
+    involved, fault: ``(A, 3)`` bool, in a collision with an obstacle, a teammate, an adversary
+    cost: ``(A,)`` float32, the number of kinds in which an agent is at fault
+    rewards: ``(A,)`` float32; terminations, truncations: ``(A,)`` bool
+    capture_rate, ever_capture_rate: () float32, shares of the evaders
+    survival_rate: ``(2,)`` float32, of pursuers and of evaders
+    seed, episode: () uint64, which episode it is: `World.reset` takes both
+    steps: () int32; terminated, truncated: () bool, of the world
+    """
+
+    positions: NDArray[np.int32]
+    alive: NDArray[np.bool_]
+    captured: NDArray[np.bool_]
+    ever_captured: NDArray[np.bool_]
+    captors: NDArray[np.int32]
+    involved: NDArray[np.bool_]
+    fault: NDArray[np.bool_]
+    cost: NDArray[np.float32]
+    rewards: NDArray[np.float32]
+    terminations: NDArray[np.bool_]
+    truncations: NDArray[np.bool_]
+    capture_rate: NDArray[np.float32]
+    ever_capture_rate: NDArray[np.float32]
+    survival_rate: NDArray[np.float32]
+    seed: NDArray[np.uint64]
+    episode: NDArray[np.uint64]
+    steps: NDArray[np.int32]
+    terminated: NDArray[np.bool_]
+    truncated: NDArray[np.bool_]
+
+    @classmethod
+    def of(cls, world: World) -> Status:
+        """That of the world's last step."""
+        return cls(**world.read(*cls.__dataclass_fields__))
+
+    def infos(self) -> list[dict[str, Any]]:
+        """For each agent its `INFO_KEYS`, as plain values."""
+        none = [0] * (len(self.alive) - len(self.captured))  # pursuers are not captured
+        captured = [False for _ in none] + self.captured.tolist()
+        captors = none + self.captors.tolist()
+        of_world = (
+            *(float(self.capture_rate), float(self.ever_capture_rate)),
+            *(*self.survival_rate.tolist(), int(self.steps)),
+        )
+        rows = zip(
+            self.involved.tolist(),
+            self.fault.tolist(),
+            zip(captured, captors, self.cost.tolist(), strict=True),
+            self.fault.astype(float).tolist(),
+            strict=True,
+        )
+        return [
+            dict(zip(INFO_KEYS, (*chain.from_iterable(row), *of_world), strict=True))
+            for row in rows
+        ]
+
+
+class MatrixWorldBase:
+    """A world with its agents' names, spaces, and pictures.
+
+    config: a `WorldConfig`, `Rules`, or the name of a variant
+    render_mode: None, "human" (a window, a notebook's output or the terminal, drawn by itself),
+        "rgb_array" (``(height, width, 3)`` uint8) or "ansi" (text)
+    fields_of_view: whose views pictures outline: True for everybody's, or names of agents
+    record: whether to keep every step for `recorded`; done in any case where a render mode is set
+    max_cycles: another name for the config's ``max_steps``, as PettingZoo's environments have it
+    changes: fields of the config to change
+
+    A copy (`copy.deepcopy`, `pickle`) is at the same moment of the same episode and goes on
+    independently; a window is not copied.
+
+    Raises ValueError and TypeError as `WorldConfig` does, and for an unknown mode or agent.
+    """
+
+    world: World
+    possible_agents: list[str]
+    render_mode: str | None
+
+    def __init__(
+        self,
+        config: WorldConfig | Rules | str = "O",
+        *,
+        render_mode: str | None = None,
+        fields_of_view: bool | Iterable[str] = False,
+        record: bool = False,
+        max_cycles: int | None = None,
+        **changes: Any,
+    ) -> None:
+        if max_cycles is not None:
+            changes["max_steps"] = max_cycles
+        if render_mode not in (None, *RENDER_MODES):
+            raise ValueError(
+                f"render_mode: expected None or one of {RENDER_MODES}, got {render_mode!r}"
+            )
+        self.config = WorldConfig.of(config, **changes)
+        self.world = World(self.config)
+        self.render_mode = render_mode
+        self.metadata = metadata_of(self.config)
+        names = [self.config.agent_name(agent) for agent in range(self.config.n_agents)]
+        self.possible_agents = names
+        self.agents: list[str] = []
+        self._index = {name: agent for agent, name in enumerate(names)}
+        viewers = self._viewers(fields_of_view)
+        kept = check_bool("record", record) or render_mode is not None
+        self._drawing = Drawing(self.world, render_mode, viewers) if kept else None
+        self._make_spaces()
+        self._seeded = False
+
+    def _viewers(self, fields_of_view: bool | Iterable[str]) -> list[int]:
+        if isinstance(fields_of_view, bool):
+            return list(self._index.values()) if fields_of_view else []
+        named = list(fields_of_view)
+        unknown = [name for name in named if name not in self._index]
+        if unknown:
+            raise ValueError(f"fields_of_view: expected names of agents, got {unknown}")
+        return [self._index[name] for name in named]
+
+    def _make_spaces(self) -> None:
+        config = self.config
+        view, whole = (3, config.fov, config.fov), (3, config.rows, config.cols)
+        self.observation_spaces = {
+            name: spaces.Box(0, 1, view, np.uint8) for name in self.possible_agents
+        }
+        self.action_spaces = {
+            name: spaces.Discrete(config.n_actions) for name in self.possible_agents
+        }
+        self.state_space = spaces.Box(0, 1, whole, np.uint8)
+
+    def observation_space(self, agent: str) -> spaces.Box:
+        """``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles around the agent."""
+        return self.observation_spaces[agent]
+
+    def action_space(self, agent: str) -> spaces.Discrete:
+        """``Discrete(5)``, or 9 with diagonal moves; see `matrixworld.Action`."""
+        return self.action_spaces[agent]
+
+    def state(self) -> NDArray[np.uint8]:
+        """``(3, rows, cols)`` uint8, 0 or 1: the whole world: evaders, pursuers, obstacles."""
+        return self.world.state()
+
+    @property
+    def status(self) -> Status:
+        """The last step for all agents at once, under indices that never shift."""
+        return Status.of(self.world)
+
+    def _reset_world(self, seed: int | None, options: Mapping[str, Any] | None) -> None:
+        given = dict(options or {})
+        for unknown in set(given) - set(OPTIONS):
+            warnings.warn(f"options: expected some of {OPTIONS}, ignored {unknown!r}", stacklevel=3)
+            del given[unknown]
+        if seed is None and not self._seeded:
+            seed = int(np.random.SeedSequence().generate_state(1, np.uint64)[0])
+        self.world.reset(seed, **given)
+        self._seeded = True
+        self.agents = self.possible_agents[:]
+        if self._drawing is not None:
+            self._drawing.begin()
+
+    def render(self) -> NDArray[np.uint8] | str | None:
+        """The present moment, in the way of the render mode; None for "human".
+
+        Raises ValueError without a render mode, RuntimeError before the first reset.
+        """
+        if self.render_mode is None or self._drawing is None:
+            raise ValueError(
+                f"render: expected a render_mode of {RENDER_MODES} when the environment was made"
+            )
+        self._require_begun()
+        return self._drawing.render()
+
+    def _require_begun(self) -> None:
+        if not self._seeded:
+            raise RuntimeError("call reset() first")
+
+    @property
+    def recorded(self) -> Episode:
+        """The episode so far, to `replay` or save.
+
+        Raises RuntimeError where it is not kept (see ``record``) and before the first reset.
+        """
+        if self._drawing is None:
+            raise RuntimeError("no episode was kept: make the environment with record=True")
+        self._require_begun()
+        return self._drawing.episode()
+
+    def close(self) -> None:
+        """Close the window, if there is one."""
+        if self._drawing is not None:
+            self._drawing.close()
+
+
+def metadata_of(config: WorldConfig) -> dict[str, Any]:
+    """PettingZoo's metadata of an environment."""
+    names = [name.lower() for name, rules in VARIANTS.items() if rules == config.rules]
+    return {
+        "name": f"pursuit_evasion_{names[0] if names else 'custom'}_v0",
+        "render_modes": list(RENDER_MODES),
+        "render_fps": 10,
+        "is_parallelizable": True,
+    }

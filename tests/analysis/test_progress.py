@@ -1,0 +1,165 @@
+"""CIAO triangles and the kinds of progress, written out in loops."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+from matrices import circular, logistic, staircase
+from matrixworld import analysis
+
+payoffs = arrays.arrays(
+    np.float64,
+    arrays.array_shapes(min_dims=2, max_dims=2, min_side=1, max_side=7),
+    elements=st.integers(0, 16).map(lambda n: n / 16),
+)
+
+MATRIX = np.array([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 0.8, 1.0]])
+nan = np.nan
+
+
+# ---- CIAO ---------------------------------------------------------------------------------------
+
+
+def test_ciao_holds_the_two_triangles_with_the_diagonal() -> None:
+    pursuers, evaders = analysis.ciao(MATRIX)
+    np.testing.assert_array_equal(
+        pursuers.payoff, [[0.1, nan, nan], [0.4, 0.5, nan], [0.7, 0.8, 1.0]]
+    )
+    np.testing.assert_allclose(
+        evaders.payoff, [[0.9, nan, nan], [0.8, 0.5, nan], [0.7, 0.4, 0.0]], atol=1e-15
+    )
+    np.testing.assert_allclose(pursuers.by_age, [1.6 / 3, 0.6, 0.7])
+
+
+def test_fading_compares_newer_with_older_ancestors() -> None:
+    pursuers, evaders = analysis.ciao(MATRIX)
+    assert pursuers.fading == pytest.approx(((0.5 - 0.4) + (1.0 - 0.7)) / 2)
+    assert evaders.fading == pytest.approx(((0.5 - 0.8) + (0.0 - 0.7)) / 2)
+    assert np.isnan(analysis.ciao([[0.5]]).pursuers.fading)
+
+
+@pytest.mark.parametrize("period", [3, 5])
+def test_cycles_are_stripes_of_their_period(period: int) -> None:
+    for triangle in analysis.ciao(circular(31, period)):
+        assert triangle.period == period
+        assert triangle.stripes == pytest.approx(1.0)
+        assert abs(triangle.fading) < 0.12
+
+
+def test_stripes_may_lie_in_any_direction() -> None:
+    g, h = np.indices((31, 31))
+    for phase in (h, g - h, 2 * g - h):
+        triangle = analysis.ciao(0.5 + 0.4 * np.sin(2 * np.pi * phase / 6)).pursuers
+        assert triangle.period == 6
+        assert triangle.stripes > 0.95
+
+
+def test_a_race_of_ever_better_teams_has_no_stripes_and_old_opponents_are_easy() -> None:
+    for matrix in (logistic(31), staircase(31)):
+        for triangle in analysis.ciao(matrix):
+            assert (triangle.stripes, triangle.period) == (0.0, None)
+            assert triangle.fading <= 0.0
+
+
+def test_noise_hardly_makes_stripes() -> None:
+    rng = np.random.default_rng(0)
+    stripes = [analysis.ciao(rng.random((31, 31))).pursuers.stripes for _ in range(50)]
+    assert max(stripes) < 0.2
+
+
+def test_a_team_that_remembers_the_newest_opponents_only_fades() -> None:
+    age = np.subtract.outer(np.arange(20), np.arange(20))
+    triangle = analysis.ciao(np.where(np.abs(age) < 3, 0.9, 0.1)).pursuers
+    assert triangle.fading > 0.1
+    np.testing.assert_allclose(triangle.by_age[:5], [0.9, 0.9, 0.9, 0.1, 0.1])
+
+
+def test_autocorrelation_of_a_matrix_without_variation_is_not_defined() -> None:
+    assert np.isnan(analysis.autocorrelation(np.full((9, 9), 0.5))).all()
+
+
+# ---- kinds of progress --------------------------------------------------------------------------
+
+
+def written_out(matrix: np.ndarray, met: str) -> tuple[list[float], list[float]]:
+    """EpisodeStatistics and gains of the pursuers against each kind of opponents."""
+    rows, columns = matrix.shape
+    generations = range(min(rows, columns) if met == "local" else rows)
+    scores, gains = [], []
+    for g in generations:
+        opponents = [g] if met == "local" else [h for h in range(columns) if h <= g]
+        scores.append(np.mean([matrix[g, h] for h in opponents]))
+        if g:
+            gains.append(np.mean([matrix[g, h] - matrix[g - 1, h] for h in opponents]))
+    return scores, gains
+
+
+@given(payoffs)
+def test_local_and_historical_progress_agree_with_their_definition(matrix: np.ndarray) -> None:
+    for met, found in (
+        ("local", analysis.local_progress(matrix)),
+        ("historical", analysis.historical_progress(matrix)),
+    ):
+        for team, own in zip(found, (matrix, 1 - matrix.T), strict=True):
+            scores, gains = written_out(own, met)
+            np.testing.assert_allclose(team.scores, scores)
+            np.testing.assert_allclose(team.gains, gains, atol=1e-15)
+
+
+@given(payoffs)
+def test_swapping_the_teams_swaps_ciao_and_progress(matrix: np.ndarray) -> None:
+    swapped = analysis.swap_teams(matrix)
+    for function in (analysis.local_progress, analysis.historical_progress):
+        for one, other in zip(function(matrix), function(swapped)[::-1], strict=True):
+            np.testing.assert_array_equal(one.scores, other.scores)
+            np.testing.assert_array_equal(one.gains, other.gains)
+    for one, other in zip(analysis.ciao(matrix), analysis.ciao(swapped)[::-1], strict=True):
+        np.testing.assert_array_equal(one.payoff, other.payoff)
+        assert (one.stripes, one.period) == (other.stripes, other.period)
+
+
+def test_a_race_that_only_cycles_has_local_progress_and_no_other() -> None:
+    # Generation g of the pursuers beats generation g of the evaders, which beats g - 1.
+    turn = np.subtract.outer(np.arange(30), np.arange(30)) % 3
+    matrix = np.array([1.0, 0.0, 0.5])[turn]
+    assert analysis.local_progress(matrix).pursuers.mean_gain == pytest.approx(0.5)
+    assert abs(analysis.historical_progress(matrix).pursuers.mean_gain) < 0.1
+    cross = np.broadcast_to(matrix, (2, 2, 30, 30))
+    assert abs(analysis.global_progress(cross).pursuers.mean_gain) < 0.02
+
+
+def test_global_progress_is_against_other_runs_only() -> None:
+    rng = np.random.default_rng(1)
+    cross = rng.random((3, 3, 4, 5))
+    cross[range(3), range(3)] = np.nan
+    found = analysis.global_progress(cross)
+    for r in range(3):
+        others = [s for s in range(3) if s != r]
+        for g in range(4):
+            expected = np.mean([cross[r, s, g] for s in others])
+            assert found.pursuers.scores[r, g] == pytest.approx(expected)
+        for h in range(5):
+            expected = 1 - np.mean([cross[s, r, :, h] for s in others])
+            assert found.evaders.scores[r, h] == pytest.approx(expected)
+    np.testing.assert_allclose(found.evaders.gains, np.diff(found.evaders.scores))
+    swapped = analysis.global_progress(1 - cross.transpose(1, 0, 3, 2))
+    np.testing.assert_allclose(swapped.pursuers.scores, found.evaders.scores)
+
+
+@pytest.mark.parametrize(
+    ("cross", "message"),
+    [
+        (np.zeros((2, 3, 4, 4)), r"shape \(runs, runs, n, m\), got \(2, 3, 4, 4\)"),
+        (np.zeros((2, 4, 4)), r"got \(2, 4, 4\)"),
+        (np.zeros((1, 1, 4, 4)), "at least 2 runs, got 1"),
+        (np.full((2, 2, 3, 3), np.nan), r"\[0, 1\], got nan"),
+        (np.zeros((2, 2, 0, 3)), "none of them empty"),
+    ],
+)
+def test_global_progress_refuses_bad_input(cross: np.ndarray, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        analysis.global_progress(cross)

@@ -1,0 +1,250 @@
+"""``matrixworld bench``: what it prints, writes and refuses; how fast is not looked at."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from command_line import MAIN_JOB, matrixworld_command
+from matrixworld import bench
+from matrixworld.bench import Machine, Measurement
+from matrixworld.cli.bench_report import figures_of, matches_of, print_figures
+from matrixworld.coevolution import RaceSettings, start
+from matrixworld.coevolution.storage.files import load_json
+
+WORLD = ["--rows", 7, "--cols", 6, "--pursuers", 2, "--evaders", 3, "--fov", 5]
+QUICK = ["bench", *WORLD, "--seconds", 0.02, "--hidden", "4"]
+STEPS = ["step only"] * 2 + ["step and views"] * 3 + ["VectorEnv"] * 3
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let files go to a temporary place, and kernels be the processor's own."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("MATRIXWORLD_KERNELS", raising=False)
+
+
+def measurement(what: str, threads: int, *rates: float, hidden: tuple[int, ...] | None = None):
+    """A finished one, of which a call is 10 worlds or matches, 500 agent-steps."""
+    done = Measurement(what, 10, threads, lambda call: None, 500, 20, hidden)
+    done.rates += rates
+    return done
+
+
+def figures(*measured: Measurement):
+    races = [RaceSettings(schedule=name) for name in MAIN_JOB]
+    return figures_of(measured, Machine.this(), mw.WorldConfig("O"), races)
+
+
+# What it prints and writes
+
+
+def test_it_prints_the_machine_a_table_and_what_that_means():
+    result = matrixworld_command(*QUICK, "--threads", 2, "--hidden", "none")
+    head, processor, world, _, titles, *lines = result.stdout.splitlines()
+    assert head.startswith(f"matrixworld {mw.__version__}, NumPy {np.__version__}, Python 3.")
+    assert "to use; kernels for " in processor
+    assert world == "O: 7 x 6 cells, 2 pursuers against 3 evaders, views of 5 x 5"
+    assert titles.split()[:3] == ["at", "once", "threads"]
+    names = [*STEPS, *["matches, hidden 4"] * 2, *["matches, hidden none"] * 2]
+    for name, line in zip(names, lines, strict=False):
+        assert line.startswith(name)
+        numbers = [float(part.replace(",", "")) for part in line.removeprefix(name).split()]
+        assert min(numbers) > 0
+        assert len(numbers) == 4 + name.startswith("matches") + (numbers[1] == 2)
+    text = " ".join(result.stdout.split())
+    assert "An agent-step is one step of a living agent" in text
+    assert "matches of matrixworld evolve in this world with --hidden 4 take about" in text
+    assert "A learner on VectorEnv, with 1024 worlds and 2 threads, waits" in text
+    assert "60 of 60 timings" in result.stderr
+
+
+def test_the_file_holds_the_figures():
+    result = matrixworld_command(*QUICK, "sb", "--threads", 2, "--json", "a.json")
+    assert result.stdout.endswith("\nWritten: a.json\n")
+    assert [path.name for path in Path().iterdir()] == ["a.json"]
+    written = load_json(Path("a.json"))
+    assert written["machine"]["kernels"] in ("base", "x86-64-v3", "x86-64-v4")
+    assert written["machine"]["python"].startswith("3.")
+    config = mw.WorldConfig("SB", rows=7, cols=6, n_pursuers=2, n_evaders=3, fov=5)
+    assert written["world"] == config.to_json()
+    lines = written["lines"]
+    assert [line["what"] for line in lines] == [*STEPS, "matches", "matches"]
+    assert {(line["at_once"], line["threads"]) for line in lines} == {
+        *[(1024, 1), (1, 1), (1024, 2)],
+        *[(48, 1), (48, 2)],
+    }
+    for line in lines:
+        assert line["repeats"] == 5
+        assert line["agent_steps_per_second"] > line["world_steps_per_second"] > 0
+        assert (line["over_one_thread"] is None) == (line["threads"] == 1)
+    assert lines[-1]["matches_per_second"] > 0
+    assert written["evolve"]["hidden"] == [4]
+
+
+def test_one_thread_is_compared_with_nothing():
+    matrixworld_command(*QUICK, "TO", "--threads", 1, "--json", "a.json")
+    lines = json.loads(Path("a.json").read_text())["lines"]
+    assert len(lines) == 7
+    assert {line["over_one_thread"] for line in lines} == {None}
+
+
+def test_a_map_as_world():
+    rows = [".....", ".@@..", "....."]
+    Path("a.map").write_text("\n".join(["type octile", "height 3", "width 5", "map", *rows]))
+    world = ["--pursuers", 2, "--evaders", 3, "--obstacles", "a.map", "--diagonal"]
+    options = ["--seconds", 0.02, "--hidden", 4, "--threads", 1]
+    assert "\nO: 3 x 5 cells" in matrixworld_command("bench", *world, *options).stdout
+
+
+# The figures
+
+
+def test_rates_are_medians_and_multiples_of_one_thread():
+    lines = figures(
+        measurement("VectorEnv", 1, 1.0, 4.0, 2.0),
+        measurement("VectorEnv", 4, 3.0, 3.5, 1.0),
+        measurement("matches", 4, 2.0, hidden=(32,)),
+    )["lines"]
+    assert [line["agent_steps_per_second"] for line in lines] == [1000, 1500, 1000]
+    assert [line["world_steps_per_second"] for line in lines] == [40, 60, 40]
+    assert [line["matches_per_second"] for line in lines] == [None, None, 20]
+    assert [line["over_one_thread"] for line in lines] == [None, 1.5, None]
+    assert lines[0]["spread"] == 1.5
+
+
+def test_the_matches_of_a_race_are_those_that_it_says(tmp_path):
+    race = RaceSettings(rows=6, cols=6, pursuers=2, evaders=3, hidden=(4,), worlds=2)
+    training, evaluation = matches_of(race)
+    assert training + evaluation == start(race, tmp_path / "run").total_matches()
+
+
+def test_how_long_evolve_takes():
+    evolve = figures(measurement("matches", 2, 10.0, hidden=(32,)))["evolve"]
+    training, evaluation = matches_of(RaceSettings())
+    assert evolve["matches"] == 2 * (training + evaluation)
+    assert evolve["seconds"] == 2 * (training + 2.5 * evaluation) / 100
+    assert figures(measurement("matches", 2, 10.0, hidden=(64,)))["evolve"] is None
+
+
+def test_hints_say_what_may_be_wrong(capsys):
+    one, good, bad = (
+        measurement("matches", n, r, hidden=(32,)) for n, r in ((1, 1), (2, 2), (2, 1))
+    )
+    print_figures(figures(one, good), default=True)
+    told = capsys.readouterr().out
+    assert "Hint" not in told
+    assert " matches of matrixworld evolve with --hidden 32 take about" in told
+    print_figures(figures(one, bad, measurement("step only", 1, 1.0, 2.0)), default=True)
+    told = " ".join(capsys.readouterr().out.split())
+    assert "Hint: 2 threads play only 1.00 times as much as one (matches, hidden 32):" in told
+    assert (
+        "Hint: from repeat to repeat step only, 10 at once with 1 thread, differs by 67%:" in told
+    )
+
+
+def test_the_living_are_counted():
+    config = mw.WorldConfig("SDB", rows=9, cols=9, n_pursuers=2, n_evaders=2, max_steps=20)
+    assert bench.alive_share(config, 3) > 0.9
+    deadly = mw.WorldConfig("D", rows=4, cols=4, n_pursuers=4, n_evaders=4, max_steps=20)
+    assert bench.alive_share(deadly, 3) < 0.6
+
+
+def test_large_views_mean_fewer_worlds():
+    assert bench.many_worlds(mw.WorldConfig("O")) == 1024
+    assert bench.many_worlds(mw.WorldConfig("O", fov=255)) == 36
+    crowd = mw.WorldConfig("O", n_pursuers=700, n_evaders=700, fov=255)
+    assert bench.many_worlds(crowd) == 1
+
+
+def test_a_processor_without_a_name(tmp_path):
+    cpuinfo = tmp_path / "cpuinfo"
+    cpuinfo.write_text("processor : 0\nmodel name\t: Abacus 3\nmodel name\t: Abacus 3\n")
+    assert bench.processor_name(cpuinfo) == "Abacus 3"
+    assert bench.processor_name(tmp_path / "nothing")
+
+
+# What it refuses
+
+
+BAD = [
+    (["Q"], "'[VARIANT]': expected one of D, R, B, O, S, SB, SD, SDB, TO, got 'Q'"),
+    (["--seconds", "0"], "'--seconds': expected a number above 0, at most 3600, got 0"),
+    (["--seconds", "nan"], "'--seconds': expected a number above 0, at most 3600, got nan"),
+    (["--threads", "0"], "0 is not in the range 1<=x<=1024"),
+    (["--hidden", "4,x"], "expected sizes such as 32 or 64,64, or none, got '4,x'"),
+    (["--hidden", "0"], "--hidden: expected"),
+    (["--rows", "1", "--cols", "3"], "--pursuers: expected 1 to 3, got 8"),
+    (["--fov", "4"], "--fov: expected"),
+    (["--obstacles", "no.map"], "expected a density in [0, 1) or a .map file, got 'no.map'"),
+    (["--json", "old.json"], "'--json': expected a new file, and 'old.json' exists"),
+    (["--json", "no/a.json"], "'--json': expected a directory that exists, got 'no'"),
+]
+
+
+@pytest.mark.parametrize(("options", "message"), BAD, ids=[" ".join(bad[0]) for bad in BAD])
+def test_bad_options_are_refused_before_anything_is_measured(options, message):
+    Path("old.json").write_text("precious")
+    result = matrixworld_command("bench", *options, code=2)
+    assert message in result.stderr
+    assert result.stdout == ""
+    assert Path("old.json").read_text() == "precious"
+
+
+def test_kernels_that_do_not_exist(monkeypatch):
+    message = "MATRIXWORLD_KERNELS: expected base"
+
+    def refuse() -> str:
+        raise ValueError(message)
+
+    monkeypatch.setattr(bench._core, "kernel_level", refuse)
+    assert f"Error: {message}" in matrixworld_command(*QUICK, code=1).stderr
+
+
+def test_a_wrong_answer_of_worlds_ends_it(monkeypatch):
+    views = mw.World.views
+    monkeypatch.setattr(mw.World, "views", lambda world: 1 - views(world))
+    result = matrixworld_command(*QUICK, "--json", "a.json", code=1)
+    assert "VectorEnv shows other observations than a single world after step 1" in result.stderr
+    assert "Nothing was measured" in result.stderr
+    assert list(Path().iterdir()) == []
+
+
+def test_a_wrong_answer_of_threads_ends_it(monkeypatch):
+    def play(*args, threads=None, **more):
+        scores = mw.rollout(*args, threads=threads, **more)
+        return replace(scores, length=scores.length + 1) if threads == 3 else scores
+
+    monkeypatch.setattr(bench, "rollout", play)
+    result = matrixworld_command(*QUICK, "--threads", 3, code=1)
+    assert "rollout scores another length with 3 threads than 1" in result.stderr
+
+
+# Interrupting
+
+
+@pytest.mark.parametrize("repeats", [0, 3, 12])
+def test_ctrl_c_gives_what_was_measured_so_far(monkeypatch, repeats):
+    repeat, calls = Measurement.repeat, iter(range(repeats))
+
+    def stop(each: Measurement, seconds: float) -> None:
+        if next(calls, None) is None:
+            raise KeyboardInterrupt
+        repeat(each, seconds)
+
+    monkeypatch.setattr(Measurement, "repeat", stop)
+    result = matrixworld_command(*QUICK, "--threads", 2, "--json", "a.json", code=130)
+    if repeats == 0:
+        assert "Stopped before there were figures." in result.stderr
+        assert not Path("a.json").exists()
+        return
+    assert "Stopped. The figures are those until then." in result.stderr
+    lines = load_json(Path("a.json"))["lines"]
+    assert len(lines) == min(repeats, 10)
+    assert sum(line["repeats"] for line in lines) == repeats
+    assert result.stdout.count("\nstep only ") == 2

@@ -1,0 +1,341 @@
+"""``matrixworld evolve``: options, jobs, interruptions, and progress."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import shlex
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import warnings
+from collections.abc import Iterator
+from dataclasses import fields
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import Result
+
+from command_line import FIGURES, MAIN_JOB, PNG, RACE, WORLD, matrixworld_command, words
+from matrixworld.cli import jobs, report
+from matrixworld.cli.arguments import find_runs
+from matrixworld.cli.options import SECTIONS, option_name, settings_from
+from matrixworld.cli.progress import ProgressLines, progress, warnings_as_notes
+from matrixworld.coevolution import (
+    TEAMS,
+    DisengagementWarning,
+    ProgressBar,
+    RaceSettings,
+    RunDirectory,
+    SingleSettings,
+    open_run,
+    resume,
+    start,
+)
+from tiny_race import StopAt, results, tiny_race, tiny_single
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let runs that are given no place go to a temporary one."""
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.fixture
+def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Leave the figures out where they are not what is tested."""
+    monkeypatch.setattr(report, "draw_run", lambda path: [])
+    monkeypatch.setattr(report, "draw_comparison", lambda payoffs, path: path)
+
+
+@pytest.fixture(scope="module")
+def job(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Result]:
+    """The main job, tiny, and what it printed."""
+    output = tmp_path_factory.mktemp("job") / "main job"
+    return output, matrixworld_command("evolve", output, *words(RACE), "--threads", 1)
+
+
+@pytest.fixture
+def copy(job: tuple[Path, Result], tmp_path: Path) -> Path:
+    """A copy of the main job, to be changed."""
+    return Path(shutil.copytree(job[0], tmp_path / "copy"))
+
+
+# The options
+
+
+def test_every_setting_is_an_option_of_one_section_with_its_help():
+    names = [name for section in SECTIONS.values() for name in section]
+    settings = {item.name for kind in (RaceSettings, SingleSettings) for item in fields(kind)}
+    assert sorted(names) == sorted(settings)
+    shown = " ".join(matrixworld_command("evolve", "--help").output.split())
+    for title in SECTIONS:
+        assert f"{title}:" in shown
+    for name in settings:
+        assert f"{option_name(name)} " in shown
+    race, alone = RaceSettings(), SingleSettings()
+    assert f"in which the pursuers learn [default: {race.pursuer_epochs}]" in shown
+    different = f"[default: {race.population}; with --against {alone.population}]"
+    assert f"candidates an epoch {different}" in shown
+    epochs = [f"{SingleSettings(team=team).epochs} for {team}s" for team in TEAMS]
+    assert f"epochs of the run [default: {', '.join(epochs)}]" in shown
+
+
+def test_without_options_the_settings_are_those_of_the_package():
+    assert settings_from({}) == [RaceSettings(schedule=name) for name in MAIN_JOB]
+    assert settings_from({"against": "still"}) == [SingleSettings(against="still")]
+
+
+def test_options_become_settings(undrawn):
+    more = ["--anneal", "--diagonal", "--activation", "tanh", "--variant", "sb", "--sigma", ".2"]
+    matrixworld_command(
+        "evolve", "run", *words(RACE), *more, "--hidden", "5,4", "--obstacles", "0.1",
+        "--schedule", "generalist-specialist",
+    )  # fmt: skip
+    assert open_run("run").settings == tiny_race(
+        schedule="generalist-specialist", anneal=True, diagonal=True, activation="tanh",
+        variant="SB", sigma=0.2, hidden=(5, 4), obstacles=0.1,
+    )  # fmt: skip
+
+
+def test_a_map_file_and_no_hidden_layer(undrawn, tmp_path):
+    rows = [".....", ".@@..", "....."]
+    lines = ["type octile", "height 3", "width 5", "map", *rows]
+    (tmp_path / "a.map").write_text("\n".join(lines))
+    given = {name: value for name, value in RACE.items() if name not in ("rows", "cols")}
+    matrixworld_command(
+        "evolve", "run", *words({**given, "hidden": "none", "obstacles": "a.map"}),
+        "--schedule", "specialist-specialist",
+    )  # fmt: skip
+    settings = open_run("run").settings
+    assert settings.hidden == ()
+    assert settings.world(10).map.sum() == 2
+
+
+BAD = [
+    (["--rows", "many"], "'--rows': 'many' is not a valid integer"),
+    (["--pursuer-epochs", "0"], "--pursuer-epochs: expected at least 1, got 0"),
+    (["--pursuers", "30", *words(WORLD)[:4]], "agents"),
+    (["--population", "7"], "--population: expected an even number for es, got 7"),
+    (["--variant", "Q"], "--variant: expected one of D, R, B, O, S, SB, SD, SDB, TO, got 'Q'"),
+    (["--hidden", "4,x"], "expected sizes such as 32 or 64,64, or none, got '4,x'"),
+    (["--obstacles", "2"], "--obstacles: expected"),
+    (["--obstacles", "no.map"], "expected a density in [0, 1) or a .map file, got 'no.map'"),
+    (["--schedule", "x"], "'x' is not one of 'specialist-specialist'"),
+    (["--schedule", "hall-of-fame", "--learner", "es"], "--learner: expected ga for"),
+    (["--team", "evader"], "--team: expected together with --against only"),
+    (["--against", "random", "--generations", "3"], "--generations: expected without --against"),
+    (["--against", "nobody"], "clumsy-fleer, dodger or a run directory, got 'nobody'"),
+    (["--threads", "0"], "0 is not in the range x>=1"),
+    (["--resume", "nothing"], "expected a directory that holds a run, got 'nothing'"),
+]
+
+
+@pytest.mark.parametrize(("options", "message"), BAD, ids=[" ".join(bad[0]) for bad in BAD])
+def test_bad_options_are_refused_before_anything_is_written(options, message, tmp_path):
+    result = matrixworld_command("evolve", "out", *options, code=2)
+    assert message in result.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+# evolve
+
+
+def test_the_main_job_is_the_package_s_races(job, tmp_path):
+    output, _ = job
+    for name in MAIN_JOB:
+        start(tiny_race(schedule=name), tmp_path / name).run()
+        assert results(output / name) == results(tmp_path / name)
+
+
+def test_the_main_job_leaves_figures_and_numbers(job):
+    output, _ = job
+    names = {path.name for path in output.iterdir()}
+    assert names == {*MAIN_JOB, "comparison.png", "summary.json"}
+    for name in MAIN_JOB:
+        assert {path.name for path in (output / name).glob("*.png")} == FIGURES
+    for path in output.rglob("*.png"):
+        assert path.read_bytes().startswith(PNG)
+    runs = json.loads((output / "summary.json").read_text())["runs"]
+    assert list(runs) == [*MAIN_JOB]
+    assert runs[MAIN_JOB[0]] == open_run(output / MAIN_JOB[0]).files.summary()
+
+
+def test_the_main_job_says_what_came_of_it(job):
+    output, result = job
+    for name in MAIN_JOB:
+        assert f"\n{name}\n" in result.stdout
+        assert f"\n{name}: the paper reports " in result.stdout
+    assert "transitive share  checkerboards  swing  lag rise" in result.stdout
+    assert f"Everything is in {output}:" in result.stdout
+    assert f"matrixworld replay '{output}/generalist-generalist' --pursuers 2" in result.stdout
+    assert "[2/2] generation 2: evaders" in result.stderr
+    assert "left" in result.stderr
+
+
+def test_what_it_says_to_try_next_works(job, copy):
+    lines = [line for line in job[1].stdout.splitlines() if line.startswith("  matrixworld ")]
+    commands = [shlex.split(line.replace(str(job[0]), str(copy)))[1:] for line in lines]
+    names = ["replay", "replay", "diagnose", "score", "tournament", "plot"]
+    assert [command[0] for command in commands] == names
+    for command in commands:
+        assert matrixworld_command(*command).stdout
+
+
+def test_without_a_place_runs_go_to_new_directories(undrawn):
+    one = [*words(RACE), "--schedule", "specialist-specialist"]
+    matrixworld_command("evolve", *one)
+    matrixworld_command("evolve", *one)
+    matrixworld_command("evolve", "--against", "fleer", *words(WORLD), "--epochs", 2)
+    names = {path.name for path in Path("runs").iterdir()}
+    assert names == {"O-seed5", "O-seed5-2", "O-pursuer-against-fleer-seed5"}
+
+
+def test_a_directory_in_use_is_left_alone(copy):
+    before = sorted(copy.rglob("*"))
+    result = matrixworld_command("evolve", copy, *words(RACE), code=2)
+    assert "expected a new or empty directory" in result.stderr
+    assert f"--resume {copy} goes on" in result.stderr
+    assert sorted(copy.rglob("*")) == before
+
+
+def test_all_schedules_and_the_hall_of_fame(undrawn):
+    chosen = ["--schedule", "all", "--schedule", "hall-of-fame"]
+    matrixworld_command("evolve", "out", *words(RACE), *chosen)
+    runs = find_runs(Path("out"))
+    schedules = [*MAIN_JOB[:1], "generalist-specialist", *MAIN_JOB[1:], "hall-of-fame"]
+    assert [path.name for path in runs] == schedules
+    assert [open_run(path).settings.schedule for path in runs] == schedules
+    matrixworld_command("plot", runs[-1])
+    assert {path.name for path in runs[-1].glob("*.png")} == FIGURES
+
+
+def test_one_team_alone_against_a_script_and_then_against_the_result():
+    epochs = ["--epochs", 5, "--archive-every", 2]
+    result = matrixworld_command(
+        "evolve", "first", "--against", "random", "--team", "evader", *words(WORLD), *epochs
+    )
+    start(tiny_single(team="evader"), "again").run()
+    assert results(Path("first")) == results(Path("again"))
+    rate = open_run("first").files.summary()["capture_rate"]
+    assert f"capture rate {rate:.4f} +- " in result.stdout
+    assert (Path("first") / "training.png").read_bytes().startswith(PNG)
+    matrixworld_command(
+        "evolve", "next", "--against", "first", "--start", "hunters", *words(WORLD), code=2
+    )
+    matrixworld_command("evolve", "next", "--against", "first", *words(WORLD), *epochs)
+    archive = open_run("next").files.archive()
+    last = open_run("first").files.archive()["evader"][-1]
+    assert np.array_equal(archive["evader"], last[None])
+
+
+def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
+    against = copy / MAIN_JOB[0]
+    result = matrixworld_command("evolve", "out", "--against", against, "--fov", 5, code=2)
+    assert "opponents: expected genomes for fov 5" in result.stderr
+    assert not Path("out").exists()
+
+
+# Interrupting and going on
+
+
+@pytest.mark.parametrize("calls", [0, 7, 17])
+def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(job, undrawn, monkeypatch, calls):
+    play = StopAt(calls)
+    monkeypatch.setattr(jobs, "resume", lambda path, threads=None: resume(path, play=play))
+    result = matrixworld_command("evolve", "out", *words(RACE), code=130)
+    assert "matrixworld evolve --resume out\n" in result.stderr
+    assert find_runs(Path("out")) == [Path("out") / name for name in MAIN_JOB]
+    monkeypatch.setattr(jobs, "resume", resume)
+    resumed = matrixworld_command("evolve", "--resume", "out")
+    assert "Everything is in out:" in resumed.stdout
+    for name in MAIN_JOB:
+        assert results(Path("out") / name) == results(job[0] / name)
+
+
+def test_a_real_ctrl_c(tmp_path):
+    """During a team phase of a long race, after the log of the first phase was written."""
+    longer = {"generations": 10, "pursuer_epochs": 60, "evader_epochs": 60, "worlds": 4}
+    many = words({**RACE, **longer, "schedule": MAIN_JOB[1]})
+    process = subprocess.Popen(
+        [sys.executable, "-m", "matrixworld", "evolve", "out", *many],
+        stderr=subprocess.PIPE,
+        text=True,
+        # Whoever runs the tests in the background may have it ignored, and children inherit that.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )
+    log = Path("out") / "log.csv"
+    deadline = time.monotonic() + 30
+    while not log.exists() and time.monotonic() < deadline:
+        time.sleep(0.05)
+    os.kill(process.pid, signal.SIGINT)
+    _, errors = process.communicate(timeout=30)
+    assert process.returncode == 130
+    assert "matrixworld evolve --resume out\n" in errors
+    assert "Traceback" not in errors
+    stopped = resume("out")
+    assert stopped.stage < stopped.n_stages
+    stopped.run()
+    start(stopped.settings, tmp_path / "straight").run()
+    assert results(Path("out")) == results(tmp_path / "straight")
+
+
+def test_resume_of_a_finished_job_tells_the_result_again(copy, undrawn):
+    before = {name: results(copy / name) for name in MAIN_JOB}
+    result = matrixworld_command("evolve", "--resume", copy)
+    assert "the paper reports" in result.stdout
+    assert {name: results(copy / name) for name in MAIN_JOB} == before
+
+
+def test_resume_takes_no_settings(copy):
+    result = matrixworld_command("evolve", "--resume", copy, "--rows", 9, code=2)
+    assert "expected no settings beside it, as a run keeps its own, got --rows" in result.stderr
+
+
+def test_a_run_at_work_and_a_damaged_one_are_told_of_in_a_line(copy):
+    files = RunDirectory.open(copy / MAIN_JOB[0])
+    with files.lock():
+        locked = matrixworld_command("evolve", "--resume", copy, code=1)
+    assert "Error: " in locked.stderr
+    assert "another process is running there" in locked.stderr
+    (copy / MAIN_JOB[0] / "payoff.npz").write_bytes(b"nothing")
+    damaged = matrixworld_command("plot", copy, code=1)
+    assert "payoff.npz: cut or altered" in damaged.stderr
+
+
+# Progress
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_lines_now_and_then_where_there_is_no_terminal():
+    seconds: Iterator[float] = iter([0.0, 2.0, 4.0])
+    out = io.StringIO()
+    lines = ProgressLines(out, clock=lambda: next(seconds))
+    for done in (100, 150, 300, 350, 600):
+        lines("evaders", done, 1000)
+    assert out.getvalue().splitlines() == [
+        " 30%  300 of 1,000 matches, 100 a second, 00:07 left (evaders)",
+        " 60%  600 of 1,000 matches, 125 a second, 00:03 left (evaders)",
+    ]
+
+
+def test_a_bar_in_a_terminal():
+    with progress(Terminal()) as report_bar, progress(io.StringIO()) as report_lines:
+        assert isinstance(report_bar, ProgressBar)
+        assert isinstance(report_lines, ProgressLines)
+
+
+def test_warnings_for_users_are_lines_of_their_own(capsys):
+    with warnings_as_notes():
+        warnings.warn("the pursuers win nearly everything", DisengagementWarning, stacklevel=1)
+    assert capsys.readouterr().err == "Warning: the pursuers win nearly everything\n"
+    with pytest.raises(DeprecationWarning), warnings_as_notes():
+        warnings.warn("for developers", DeprecationWarning, stacklevel=1)

@@ -1,0 +1,245 @@
+"""Held-out opponents, and what runs score against them."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from command_line import matrixworld_command
+from matrixworld import coevolution
+from matrixworld.coevolution import TEAMS, held_out, open_run, score, score_population, start
+from matrixworld.coevolution.evaluation.held_out import NETWORK, held_out_genomes
+from matrixworld.coevolution.types import other
+from tiny_race import StopAt, tiny_race, tiny_single
+
+SCRIPTED = {
+    "pursuer": ["random", "clumsy-chaser", "chaser", "hunter"],
+    "evader": ["random", "still", "clumsy-fleer", "fleer", "dodger"],
+}
+EVOLVED = ["evolved-1", "evolved-2"]
+FITTING: dict[str, Any] = {"fov": 11, "rows": 7, "cols": 7, "hidden": (2,)}
+
+
+@pytest.fixture(scope="module")
+def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A race whose views are those of the evolved opponents."""
+    path = tmp_path_factory.mktemp("races") / "race"
+    start(tiny_race(**FITTING), path, threads=1).run()
+    return path
+
+
+# ---- The opponents ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("variant", mw.VARIANTS)
+@pytest.mark.parametrize("team", TEAMS)
+def test_every_variant_has_scripts_and_genomes(team, variant):
+    opponents = held_out(team, variant)
+    surround = mw.VARIANTS[variant].capture is mw.Capture.SURROUND
+    more = ["surrounder"] if surround and team == "pursuer" else []
+    assert list(opponents) == [*SCRIPTED[team], *more, *EVOLVED]
+    assert all(name == each for name, each in opponents.items() if name not in EVOLVED)
+    genomes = [opponents[name].genomes[0] for name in EVOLVED]
+    assert len({genome.tobytes() for genome in genomes}) == 2
+    untrained = NETWORK.initial(np.random.default_rng(0))
+    assert all(0.01 < np.abs(genome).mean() < 10 for genome in genomes)
+    assert genomes[0].shape == untrained.shape
+    assert opponents == {**opponents, **{n: n for n in SCRIPTED[team]}}
+    assert held_out(team, mw.VARIANTS[variant]).keys() == opponents.keys()
+
+
+def test_the_sets_of_two_variants_are_different():
+    sets = [held_out_genomes(team, variant) for team in TEAMS for variant in mw.VARIANTS]
+    assert len({genomes.tobytes() for genomes in sets}) == 2 * len(mw.VARIANTS)
+
+
+def test_rules_of_one_s_own_have_scripts_only():
+    rules = replace(mw.VARIANTS["SB"], captured_disappear=True, teammate=mw.Outcome.DISAPPEAR)
+    assert list(held_out("pursuer", rules)) == [*SCRIPTED["pursuer"], "surrounder"]
+    assert list(held_out("evader", rules)) == SCRIPTED["evader"]
+
+
+def test_unknown_teams_and_variants_are_refused():
+    with pytest.raises(ValueError, match="team: expected one of pursuer, evader, got 'both'"):
+        held_out("both", "O")
+    with pytest.raises(ValueError, match="variant: expected one of D, R, B"):
+        held_out("pursuer", "Q")
+
+
+@pytest.mark.parametrize("variant", ["R", "O", "TO", "SDB"])
+def test_the_evolved_are_no_random_walkers(variant):
+    """The better one catches far more, or escapes far more often, than a random walk does."""
+    surround = mw.VARIANTS[variant].capture is mw.Capture.SURROUND
+    config = mw.WorldConfig(variant, max_steps=300)
+    matches = mw.Matches.of(0, 0, np.uint64(3))
+    pursuers, evaders = (held_out(team, variant) for team in TEAMS)
+
+    def captured(pursuers: Any, evaders: Any) -> float:
+        scores = mw.rollout(config, pursuers, evaders, matches, worlds=12)
+        return float(scores.captured_fraction.mean())
+
+    walk = captured("random", "random")
+    assert max(captured(pursuers[name], "random") for name in EVOLVED) > walk + 0.05
+    hunter = "hunter" if surround else "random"
+    hunted = captured(hunter, "random")
+    assert min(captured(hunter, evaders[name]) for name in EVOLVED) < hunted - 0.05
+
+
+# ---- Episode statistics -------------------------------------------------------------------------
+
+
+def test_scores_are_those_of_the_matches(race):
+    run = open_run(race)
+    scores = score(run, episodes=4, threads=1)
+    assert list(scores) == ["pursuer", "evader"]
+    for team, found in scores.items():
+        against = held_out(other(team), "O")
+        assert found.opponents == tuple(against)
+        assert found.generations == (2,)
+        assert found.rates.shape == (1, len(against), 4)
+        assert found.matches == 4 * len(against)
+        assert found.left_out == ""
+        for number, opponent in enumerate(against.values()):
+            seed = mw.match_seed(0, TEAMS.index(team), number, 4)
+            own = mw.Population(run.teams[team].genomes[2], run.settings.network)
+            sides = (own, opponent) if team == "pursuer" else (opponent, own)
+            config = run.settings.world(12)
+            played = mw.rollout(config, *sides, mw.Matches.of(0, 0, np.uint64(seed)), worlds=4)
+            captured = played.capture_rate[0].astype(float)
+            expected = captured if team == "pursuer" else 1 - captured
+            assert np.array_equal(found.rates[0, number], expected)
+        assert found.means[0] == pytest.approx(found.rates[0].mean())
+
+
+def test_all_generations_are_a_curve_of_single_ones(race):
+    run = open_run(race)
+    curve = score(run, generation=None, episodes=3)["evader"]
+    assert curve.generations == (0, 1, 2)
+    for generation in range(-3, 3):
+        one = score(run, generation=generation, episodes=3)["evader"]
+        assert np.array_equal(one.rates[0], curve.rates[generation])
+        assert one.generations == (generation % 3,)
+
+
+def test_steps_and_seeds_are_heeded(race):
+    run = open_run(race)
+
+    def rates(**changes: Any) -> np.ndarray:
+        return score(run, episodes=8, **changes)["pursuer"].rates
+
+    assert np.array_equal(rates(), rates(seed=0, steps=12, threads=2))
+    assert not np.array_equal(rates(), rates(seed=1))
+    assert rates(steps=1).mean() < rates(steps=40).mean()
+
+
+def test_intervals_hold_the_mean_and_shrink_with_episodes():
+    config = mw.WorldConfig("O", rows=12, cols=12, n_pursuers=2, n_evaders=4, max_steps=40)
+    team = mw.Population(NETWORK.initial(np.random.default_rng(1)), NETWORK)
+
+    def width(episodes: int) -> float:
+        estimate = score_population(config, "pursuer", team, episodes=episodes).mean()
+        assert estimate.low < estimate.value < estimate.high
+        return float(estimate.high - estimate.low)
+
+    assert width(200) < 0.6 * width(10)
+    few = score_population(config, "pursuer", team, episodes=20)
+    against = few.against("still")
+    assert against.value == pytest.approx(few.rates[0, few.opponents.index("still")].mean())
+    assert against.high - against.low > few.mean().high - few.mean().low
+
+
+def test_views_that_do_not_fit_meet_scripts_only(tmp_path):
+    start(tiny_race(), tmp_path / "run")
+    found = score(open_run(tmp_path / "run"), episodes=2)["evader"]
+    assert found.opponents == tuple(SCRIPTED["pursuer"])
+    assert found.left_out == (
+        "no evolved opponents: they see 11 x 11 cells and know 5 actions, here it is 3 x 3 and 5"
+    )
+    start(tiny_race(**FITTING, diagonal=True), tmp_path / "diagonal")
+    found = score(open_run(tmp_path / "diagonal"), episodes=2)["pursuer"]
+    assert found.opponents == tuple(SCRIPTED["evader"])
+    assert found.left_out.endswith("11 x 11 and 9")
+
+
+def test_what_a_run_has_learnt_against_is_not_held_out(tmp_path):
+    start(tiny_single(team="evader", against="chaser"), tmp_path / "run")
+    scores = score(open_run(tmp_path / "run"), episodes=2)
+    assert list(scores) == ["evader"]
+    assert scores["evader"].opponents == ("random", "clumsy-chaser", "hunter")
+    assert scores["evader"].left_out.startswith("not chaser, which the run has learnt against; no ")
+
+
+def test_a_single_team_is_scored_alone(tmp_path, race):
+    start(tiny_single(team="evader", against=str(race), **FITTING), tmp_path / "run")
+    scores = score(open_run(tmp_path / "run"), episodes=2)
+    assert list(scores) == ["evader"]
+    assert len(scores["evader"].opponents) == 6
+
+
+def test_bad_generations_and_episodes_are_refused(race):
+    with pytest.raises(IndexError, match="generation: expected 0 to 2 for pursuers, got 3"):
+        score(open_run(race), generation=3)
+    with pytest.raises(ValueError, match="episodes: expected at least 2, got 1"):
+        score(open_run(race), episodes=1)
+
+
+# ---- The command -----------------------------------------------------------------------------
+
+
+def test_the_command_prints_and_writes_the_scores(race, tmp_path):
+    file = tmp_path / "scores.json"
+    told = matrixworld_command("score", race, "--episodes", 5, "--json", file).stdout
+    scores = score(open_run(race), episodes=5)
+    written = json.loads(file.read_text())
+    for team, found in scores.items():
+        assert f"\n{team}s of generation 2: " in told
+        width = max(map(len, found.opponents))
+        for name in found.opponents:
+            assert f"  {name:{width}}  {found.against(name)}\n" in told
+        assert f"  {'mean':{width}}  {found.mean()}\n" in told
+        assert written[f"{team}s"] == found.to_json()
+        [told_mean] = written[f"{team}s"]["mean"]
+        assert told_mean["value"] == pytest.approx(found.rates.mean())
+    assert f"\n{5 * (7 + 6)} matches were played.\n" in told
+    assert "Left out" not in told
+
+
+def test_the_command_prints_a_curve(race):
+    told = matrixworld_command("score", race, "--generation", "all", "--episodes", 2).stdout
+    curve = score(open_run(race), generation=None, episodes=2)["pursuer"]
+    lines = told[told.index("pursuers by generation") :].splitlines()
+    assert lines[1:4] == [f"  {g:10}  {curve.mean(g)}" for g in range(3)]
+
+
+def test_the_command_says_what_it_left_out(tmp_path):
+    run = start(tiny_race(), tmp_path / "run", play=StopAt(2))
+    with pytest.raises(KeyboardInterrupt):
+        run.run()
+    told = matrixworld_command("score", tmp_path / "run", "--episodes", 2).stdout
+    assert "Left out: no evolved opponents: they see 11 x 11" in told
+
+
+@pytest.mark.parametrize(
+    ("options", "code", "message"),
+    [
+        (["--generation", "first"], 2, "expected a generation or all, got 'first'"),
+        (["--generation", "3"], 2, "--generation: expected 0 to 2 for pursuers, got 3"),
+        (["--episodes", "1"], 2, "1 is not in the range x>=2"),
+    ],
+)
+def test_the_command_refuses(race, options, code, message):
+    assert message in matrixworld_command("score", race, *options, code=code).stderr
+
+
+def test_a_damaged_run_is_refused(race, tmp_path):
+    assert "holds a run" in matrixworld_command("score", tmp_path, code=2).stderr
+    coevolution.start(tiny_race(), tmp_path / "run")
+    archive = tmp_path / "run" / "archive.npz"
+    archive.write_bytes(archive.read_bytes()[:-100])
+    assert "archive.npz: cut" in matrixworld_command("score", tmp_path / "run", code=1).stderr

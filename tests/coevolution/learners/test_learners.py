@@ -1,0 +1,443 @@
+"""Learners and their parts, on functions whose optimum is known."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+from itertools import count
+
+import numpy as np
+import pytest
+from deap import algorithms, cma, tools
+from threadpoolctl import threadpool_limits
+
+from matrixworld.coevolution import (
+    Adam,
+    CmaEs,
+    EvolutionStrategy,
+    GeneticAlgorithm,
+    Momentum,
+    NoiseTable,
+    centred_ranks,
+    generate_update_toolbox,
+    mate_uniform,
+    mutate_from_table,
+    mutate_gaussian,
+    select_tournament,
+    select_truncation,
+)
+from matrixworld.coevolution.learners.cma_es import MOST_GENES, check_genes
+
+SIZE = 20
+TARGET = np.linspace(-1.0, 1.0, SIZE)
+
+
+def closeness(genomes):
+    """Minus the squared distance from the target: a sphere, best at zero."""
+    return -((np.asarray(genomes, dtype=np.float64) - TARGET) ** 2).sum(axis=-1)
+
+
+def generator(epoch=0):
+    return np.random.Generator(np.random.SFC64([7, epoch]))
+
+
+def noise_table(size=SIZE, sigma=0.05):
+    return NoiseTable(size, generator(99), sigma=sigma)
+
+
+def strategy(**changes):
+    options = {"samples": 16, "learning_rate": 0.05, **changes}
+    return EvolutionStrategy(np.zeros(SIZE), noise_table(), **options)
+
+
+def momentum(**changes):
+    return strategy(optimizer="momentum", learning_rate=0.01, **changes)
+
+
+def covariance(**changes):
+    return CmaEs(np.zeros(SIZE), **{"sigma": 0.3, "samples": 16, **changes})
+
+
+def algorithm(sigma=0.05, **changes):
+    population = generator(98).standard_normal((40, SIZE), dtype=np.float32)
+    return GeneticAlgorithm(population, noise_table(sigma=sigma), **changes)
+
+
+LEARNERS = [strategy, momentum, algorithm, covariance]
+
+
+def teach(learner, epochs, first=0):
+    for epoch in range(first, first + epochs):
+        learner.tell(closeness(learner.ask(generator(epoch))))
+    return learner
+
+
+@pytest.mark.parametrize(
+    ("fitness", "ranks"),
+    [
+        ([10.0, 30.0, 20.0], [-0.5, 0.5, 0.0]),
+        ([5.0, 5.0, 5.0, 5.0], [0.0, 0.0, 0.0, 0.0]),
+        ([1.0, 2.0, 2.0, 3.0, 3.0], [-0.5, -0.125, -0.125, 0.375, 0.375]),
+        ([4.0], [0.0]),
+    ],
+)
+def test_centred_ranks(fitness, ranks):
+    assert centred_ranks(np.array(fitness)).tolist() == ranks
+
+
+def test_adam_is_the_textbook_algorithm():
+    gradients = [[0.3, -2.0], [0.1, 1.0], [-0.5, 0.0], [0.2, 4.0]]
+    adam = Adam(2)
+    for t, gradient in enumerate(gradients, start=1):
+        got = adam.step(np.array(gradient, dtype=np.float32), 0.02)
+        for gene in range(2):
+            m = sum(0.1 * 0.9 ** (t - 1 - s) * gradients[s][gene] for s in range(t))
+            v = sum(0.001 * 0.999 ** (t - 1 - s) * gradients[s][gene] ** 2 for s in range(t))
+            expected = 0.02 * (m / (1 - 0.9**t)) / (math.sqrt(v / (1 - 0.999**t)) + 1e-8)
+            assert got[gene] == pytest.approx(expected, rel=1e-4)
+
+
+def test_momentum_is_the_textbook_algorithm():
+    """Sutskever et al. 2013: v = mu v + rate g, written out as a sum over all gradients so far."""
+    gradients = np.array([[0.3, -2.0], [0.1, 1.0], [-0.5, 0.0], [0.2, 4.0]], dtype=np.float32)
+    rates = [0.02, 0.02, 0.01, 0.005]
+    optimizer = Momentum(2, momentum=0.8)
+    for t in range(4):
+        got = optimizer.step(gradients[t], rates[t])
+        expected = sum(0.8 ** (t - s) * rates[s] * gradients[s] for s in range(t + 1))
+        assert got == pytest.approx(expected, rel=1e-5)
+    assert optimizer.updates == 4
+
+
+def test_noise_vectors_are_windows_of_normal_numbers():
+    table = noise_table(50, sigma=2.0)
+    vectors = np.array(table.draw(400, generator(1)))
+    assert vectors.shape == (400, 50)
+    assert abs(vectors.mean()) < 0.1
+    assert abs(vectors.std() - 2.0) < 0.1
+    assert len({vector.tobytes() for vector in vectors}) > 380
+    again = np.array(noise_table(50, sigma=2.0).draw(400, generator(1)))
+    assert np.array_equal(vectors, again)
+    with pytest.raises(ValueError, match="read-only"):
+        table.draw(1, generator())[0][0] = 1.0
+
+
+def test_evolution_strategy_samples_mirrored_pairs_on_shared_matches():
+    learner = teach(strategy(), 3)
+    candidates = learner.ask(generator(3))
+    assert candidates.shape == (16, SIZE)
+    assert candidates.dtype == np.float32
+    assert np.allclose((candidates[:8] + candidates[8:]) / 2, learner.genome, atol=1e-6)
+    assert np.std(candidates - learner.genome) == pytest.approx(0.05, rel=0.2)
+    assert learner.match_of_candidate.tolist() == [*range(8), *range(8)]
+
+
+def test_evolution_strategy_finds_the_target():
+    learner = teach(strategy(anneal_over=400), 400)
+    assert closeness(learner.genome) > -0.01 > closeness(np.zeros(SIZE))
+
+
+def test_evolution_strategy_follows_the_published_update():
+    learner = strategy()
+    candidates = learner.ask(generator())
+    fitness = closeness(candidates)
+    noise = candidates / 0.05
+    ranks = np.argsort(np.argsort(fitness)) / 15 - 0.5
+    gradient = (ranks[:, None] * noise).sum(axis=0) / (16 * 0.05)
+    learner.tell(fitness)
+    assert np.allclose(learner.genome, 0.05 * np.sign(gradient), atol=1e-4)  # Adam's first step
+
+
+def test_momentum_follows_the_published_update():
+    learner = momentum(momentum=0.5)
+    rates, gradients = [], []
+    for epoch in range(2):
+        candidates = learner.ask(generator(epoch))
+        noise = (candidates - learner.genome) / 0.05
+        fitness = closeness(candidates)
+        ranks = np.argsort(np.argsort(fitness)) / 15 - 0.5
+        gradients.append((ranks[:, None] * noise).sum(axis=0) / (16 * 0.05))
+        rates.append(learner.rate)
+        learner.tell(fitness)
+    assert rates == [0.01, 0.01]
+    expected = 0.01 * gradients[0] + (0.01 * gradients[1] + 0.5 * 0.01 * gradients[0])
+    assert np.allclose(learner.genome, expected, atol=1e-5)
+
+
+def test_momentum_finds_the_target():
+    learner = teach(momentum(anneal_over=400), 400)
+    assert closeness(learner.genome) > -0.01
+
+
+def test_momentum_anneals_as_adam_does():
+    learner = momentum(anneal_over=10)
+    assert learner.rate == 0.01
+    assert teach(learner, 12).rate == pytest.approx(0.001)
+
+
+def ellipsoid(size, condition):
+    """Minus a rotated ellipsoid around `TARGET`, best at zero."""
+    axes, _ = np.linalg.qr(generator(97).standard_normal((size, size)))
+    scales = np.logspace(0, math.log10(condition), size)
+    return lambda genomes: (
+        -(((np.asarray(genomes, dtype=np.float64) - TARGET[:size]) @ axes) ** 2 @ scales)
+    )
+
+
+def test_cma_solves_an_ellipsoid_that_the_evolution_strategies_do_not():
+    score = ellipsoid(10, 1e4)
+    start, noise = np.zeros(10), noise_table(10)
+    made = {
+        "cma": CmaEs(start, sigma=0.3, samples=16),
+        "adam": EvolutionStrategy(start, noise, samples=16, anneal_over=400),
+        "momentum": EvolutionStrategy(
+            start, noise, samples=16, anneal_over=400, optimizer="momentum"
+        ),
+    }
+    for learner in made.values():
+        for epoch in range(400):
+            learner.tell(score(learner.ask(generator(epoch))))
+    left = {name: -score(learner.genome) for name, learner in made.items()}
+    assert left["cma"] < 1e-6
+    assert left["adam"] > 1e-3
+    assert left["momentum"] > 1e-3
+
+
+def test_cma_goes_where_deap_s_own_strategy_goes(monkeypatch):
+    """DEAP's strategy, driven as its documentation does, on the same normal numbers."""
+
+    class Individual(list):
+        fitness = None
+
+    score = ellipsoid(SIZE, 100.0)
+    learner, theirs = covariance(), cma.Strategy([0.0] * SIZE, 0.3, lambda_=16)
+    for epoch in range(60):
+        candidates = learner.ask(generator(epoch))
+        # The fitness of both is that of the float32 genomes, which are what is played.
+        learner.tell(score(candidates))
+        monkeypatch.setattr(np.random, "standard_normal", generator(epoch).standard_normal)
+        population = theirs.generate(Individual)
+        for individual in population:
+            individual.fitness = score(np.array(individual, dtype=np.float32))
+        theirs.update(population)
+    state = learner.state()
+    for name in ("centroid", "sigma", "C", "pc", "ps"):
+        assert np.array_equal(state[name], getattr(theirs, name)), name
+    assert np.array_equal(learner.genome, theirs.centroid.astype(np.float32))
+    assert state["update_count"] == 60
+    assert theirs.sigma != pytest.approx(0.3, rel=0.1)
+
+
+def test_cma_samples_with_the_covariance_that_it_has():
+    learner = teach(covariance(samples=400), 5)
+    state = learner.state()
+    samples = np.concatenate([learner.ask(generator(50 + i)) for i in range(50)])
+    seen = np.cov(samples.T) / state["sigma"] ** 2
+    assert np.abs(seen - state["C"]).max() < 0.1 * state["C"].max()
+    assert np.allclose(samples.mean(axis=0), learner.genome, atol=0.05 * float(state["sigma"]))
+
+
+def test_cma_leaves_the_global_generator_alone(monkeypatch):
+    def refuse(*args, **options):
+        raise AssertionError("the global generator was asked")
+
+    monkeypatch.setattr(np.random, "standard_normal", refuse)
+    teach(covariance(), 2)
+
+
+def test_cma_does_not_depend_on_the_threads_of_the_linear_algebra():
+    """With 330 genes, OpenBLAS with two threads rounds otherwise than with one."""
+    ended = []
+    for threads in (1, 2):
+        with threadpool_limits(threads, "blas"):
+            learner = CmaEs(np.zeros(330), sigma=0.3, samples=24)
+            for epoch in range(3):
+                candidates = learner.ask(generator(epoch))
+                learner.tell(-(candidates**2).sum(axis=1))
+            ended.append(learner.state())
+    assert all(np.array_equal(ended[0][name], ended[1][name]) for name in ended[0])
+
+
+def test_cma_says_when_numbers_leave_the_range_of_floats():
+    """Up a slope without end the step size doubles and doubles."""
+    learner = CmaEs(np.zeros(2), sigma=1e30, samples=8)
+
+    def climb():
+        for epoch in range(200):
+            learner.tell(learner.ask(generator(epoch))[:, 0].astype(np.float64))
+
+    with pytest.raises(ArithmeticError, match="finite genes, got a step size of .*e\\+3"):
+        climb()
+
+
+def test_equal_fitness_teaches_nothing():
+    learner = strategy()
+    learner.ask(generator())
+    learner.tell(np.full(16, 3.0))
+    assert not learner.genome.any()
+
+
+def test_annealed_rate_falls_to_a_tenth():
+    learner = strategy(anneal_over=10, learning_rate=1.0)
+    rates = []
+    for epoch in range(12):
+        rates.append(learner.rate)
+        teach(learner, 1, first=epoch)
+    assert rates[0] == 1.0
+    assert rates[5] == pytest.approx(0.55)
+    assert rates[10:] == pytest.approx([0.1, 0.1])
+    assert strategy().rate == teach(strategy(), 3).rate == 0.05
+
+
+@pytest.mark.parametrize("make", LEARNERS)
+def test_restored_learner_goes_on_bit_for_bit(make):
+    straight = teach(make(), 8)
+    stopped = teach(make(), 5)
+    state = {name: value.copy() for name, value in stopped.state().items()}
+    teach(stopped, 2, first=50)
+    resumed = make()
+    resumed.restore(state)
+    teach(resumed, 3, first=5)
+    assert np.array_equal(resumed.genome, straight.genome)
+    for name, value in straight.state().items():
+        assert np.array_equal(resumed.state()[name], value), name
+
+
+def test_a_new_learner_can_be_saved_and_restored():
+    state = algorithm().state()
+    other = GeneticAlgorithm(np.zeros((40, SIZE)), noise_table())
+    other.restore(state)
+    assert np.array_equal(other.ask(generator()), algorithm().ask(generator()))
+
+
+@pytest.mark.parametrize("make", LEARNERS)
+@pytest.mark.parametrize("fitness", [np.zeros(3), np.full(16, np.nan), np.zeros((16, 1))])
+def test_bad_fitness_is_refused(make, fitness):
+    learner = make()
+    with pytest.raises(RuntimeError, match="ask"):
+        learner.tell(fitness)
+    learner.ask(generator())
+    with pytest.raises(ValueError, match="fitness: expected"):
+        learner.tell(fitness)
+
+
+def test_bad_learners_are_refused():
+    with pytest.raises(ValueError, match=r"samples: expected an even number.*got 5"):
+        strategy(samples=5)
+    with pytest.raises(ValueError, match="genome: expected shape"):
+        EvolutionStrategy(np.zeros(SIZE + 1), noise_table())
+    with pytest.raises(ValueError, match="selection: expected tournament or truncation"):
+        algorithm(selection="roulette")
+    with pytest.raises(ValueError, match="population: expected"):
+        algorithm(elites=40)
+    with pytest.raises(
+        ValueError, match=f"noise: expected a table for {SIZE} genes, got one for 3"
+    ):
+        GeneticAlgorithm(np.zeros((40, SIZE)), noise_table(3))
+    with pytest.raises(ValueError, match=r"sigma: expected .*got 0"):
+        noise_table(sigma=0)
+    with pytest.raises(ValueError, match="optimizer: expected one of adam, momentum, got 'sgd'"):
+        strategy(optimizer="sgd")
+    for share in (1.0, -0.1, math.nan):
+        with pytest.raises(ValueError, match="momentum: expected a number"):
+            momentum(momentum=share)
+
+
+def test_bad_cma_is_refused():
+    expected = r"learner: expected at most 1000 genes .* got 1001; a smaller view"
+    with pytest.raises(ValueError, match=expected):
+        CmaEs(np.zeros(MOST_GENES + 1), sigma=0.1)
+    check_genes(MOST_GENES)
+    with pytest.raises(ValueError, match=r"genome: expected shape \(genes,\), got \(2, 3\)"):
+        CmaEs(np.zeros((2, 3)), sigma=0.1)
+    with pytest.raises(ValueError, match="samples: expected at least 2, got 1"):
+        covariance(samples=1)
+    with pytest.raises(ValueError, match=r"sigma: expected .*got -1"):
+        covariance(sigma=-1)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {},
+        {"selection": "truncation"},
+        {"crossover": 0.7},
+        {"selection": "truncation", "elites": 0, "mutation": 0.3},
+    ],
+)
+def test_genetic_algorithm_improves(options):
+    start = algorithm(**options)
+    learner = teach(algorithm(sigma=0.1, **options), 150)
+    best_at_first = closeness(start.ask(generator())).max()
+    assert closeness(learner.genome) > best_at_first / 10
+
+
+def test_elites_are_kept_unchanged():
+    learner = algorithm(elites=3)
+    first = learner.ask(generator())
+    learner.tell(closeness(first))
+    best = first[np.argsort(-closeness(first))[:3]]
+    assert np.array_equal(learner.ask(generator(1))[:3], best)
+    assert np.array_equal(learner.genome, best[0])
+
+
+def test_tournament_prefers_the_fitter():
+    fitness = np.arange(10.0)
+    chosen = select_tournament(fitness, 20_000, generator(), size=3)
+    share_of_best = np.mean(chosen == 9)
+    assert share_of_best == pytest.approx(1 - 0.9**3, abs=0.02)
+    at_random = select_tournament(fitness, 20_000, generator(), size=1)
+    assert np.bincount(at_random).min() > 1700
+
+
+def test_truncation_takes_from_the_best_only():
+    chosen = select_truncation(np.array([3.0, 9.0, 1.0, 8.0]), 500, generator(), fraction=0.5)
+    assert set(chosen) == {1, 3}
+
+
+def test_mating_mixes_the_given_share():
+    first, second = np.zeros((2000, 10), np.float32), np.ones((2000, 10), np.float32)
+    children = mate_uniform(first, second, generator(), probability=0.25)
+    mixed = children.any(axis=1)
+    assert mixed.mean() == pytest.approx(0.25, abs=0.04)
+    assert children[mixed].mean() == pytest.approx(0.5, abs=0.03)
+    assert not first.any()
+
+
+@pytest.mark.parametrize(
+    "mutate",
+    [
+        partial(mutate_gaussian, sigma=0.5),
+        partial(mutate_from_table, noise=noise_table(100, sigma=0.5)),
+    ],
+)
+def test_mutation_moves_the_given_share_of_genes(mutate):
+    genomes = np.full((500, 100), 3.0, dtype=np.float32)
+    mutants = mutate(genomes, generator(), probability=0.2)
+    moved = mutants != genomes
+    assert moved.mean() == pytest.approx(0.2, abs=0.01)
+    assert (mutants - genomes)[moved].std() == pytest.approx(0.5, abs=0.02)
+    assert (genomes == 3.0).all()
+
+
+@pytest.mark.parametrize("make", LEARNERS)
+def test_learners_work_with_deap_algorithms(make):
+    toolbox = generate_update_toolbox(
+        make(),
+        lambda candidates: closeness(candidates.genomes),
+        (generator(epoch) for epoch in count()),
+    )
+    best = tools.HallOfFame(1)
+    statistics = tools.Statistics(lambda individual: individual.fitness.values[0])
+    statistics.register("max", max)
+    population, logbook = algorithms.eaGenerateUpdate(
+        toolbox, ngen=30, halloffame=best, stats=statistics, verbose=False
+    )
+    by_hand = teach(make(), 30)
+    assert len(logbook) == 30
+    assert logbook[-1]["max"] > logbook[0]["max"]
+    assert best[0].fitness.values[0] == closeness(best[0].genome) == max(logbook.select("max"))
+    last = np.array([individual.genome for individual in population])
+    again = make()
+    assert np.array_equal(last, teach(again, 29).ask(generator(29)))
+    assert not np.array_equal(by_hand.genome, make().genome)

@@ -1,0 +1,433 @@
+"""Archives of candidates and tests: MaxSolve, IPCA, LAPCA, Generalist."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from matrixworld.coevolution.opponents import (
+    IPCA,
+    LAPCA,
+    ArchiveSampler,
+    Generalist,
+    Latest,
+    MaxSolve,
+    Uniform,
+    layers_of,
+    maximally_different,
+    swapped,
+)
+from matrixworld.coevolution.storage.files import load_arrays, save_arrays
+
+ARCHIVES = {
+    "MaxSolve": lambda: MaxSolve(3),
+    "IPCA": IPCA,
+    "LAPCA": lambda: LAPCA(2),
+    "Generalist": lambda: Generalist([0, 1, 2], sample=2),
+}
+every_archive = pytest.mark.parametrize("make", ARCHIVES.values(), ids=ARCHIVES)
+
+
+def looked_up(payoffs):
+    """The outcome of members that are numbers of rows and of columns."""
+    matrix = np.asarray(payoffs, dtype=float)
+    return lambda candidates, tests: matrix[np.ix_(candidates, tests)]
+
+
+def submitted(archive, payoffs, *, candidates=None, tests=None):
+    """The archive after one submission of all, or of some."""
+    n, m = np.shape(payoffs)
+    archive.submit(
+        np.arange(n) if candidates is None else np.array(candidates, dtype=int),
+        np.arange(m) if tests is None else np.array(tests, dtype=int),
+        looked_up(payoffs),
+    )
+    return archive
+
+
+def kept(archive):
+    return archive.candidates.tolist(), archive.tests.tolist()
+
+
+@st.composite
+def histories(draw, levels=(0, 1), most=9):
+    """Payoffs of candidates on tests, and both in batches, in the order of submission."""
+    n, m = draw(st.integers(1, most)), draw(st.integers(1, most))
+    cells = st.lists(st.sampled_from(levels), min_size=n * m, max_size=n * m)
+    payoffs = np.array(draw(cells), dtype=float).reshape(n, m)
+    batches = draw(st.integers(1, 4))
+    of_candidate = draw(st.lists(st.integers(0, batches - 1), min_size=n, max_size=n))
+    of_test = draw(st.lists(st.integers(0, batches - 1), min_size=m, max_size=m))
+    return payoffs, [
+        (np.flatnonzero(np.equal(of_candidate, b)), np.flatnonzero(np.equal(of_test, b)))
+        for b in range(batches)
+    ]
+
+
+# MaxSolve
+
+
+SOLVED = [
+    [1, 1, 0, 0, 0],  # 0 solves two
+    [1, 0, 0, 0, 0],  # 1 solves one
+    [0, 0, 0, 0, 0],  # 2 solves none
+    [1, 1, 0, 0, 0],  # 3 solves the same as 0
+    [0, 0, 1, 1, 0],  # 4 solves two others
+]
+
+
+def test_maxsolve_by_hand():
+    # 2 solves nothing and 3 is another 0. Test 4 is never solved. 0 and 1 solve test 0, 0 alone
+    # test 1, 4 alone both 2 and 3, of which 2 is the older.
+    assert kept(submitted(MaxSolve(9), SOLVED)) == ([0, 1, 4], [0, 1, 2])
+    # With two places, 1 goes; then tests 0 and 1 are both solved by 0 alone.
+    assert kept(submitted(MaxSolve(2), SOLVED)) == ([0, 4], [0, 2])
+    # With one, the older of the two that solve two.
+    assert kept(submitted(MaxSolve(1), SOLVED)) == ([0], [0])
+
+
+def test_maxsolve_judges_on_archived_and_new_tests_together():
+    payoffs = [[1, 1, 0, 0], [0, 0, 1, 0], [0, 1, 1, 1]]
+    archive = submitted(MaxSolve(1), payoffs, candidates=[0], tests=[0, 1])
+    assert kept(archive) == ([0], [0])  # tests 0 and 1 are the same to the one candidate
+    # On the new test 2 alone candidate 1 would win by 1 to 0. On 0 and 2 both solve one test, and
+    # the older stays.
+    assert kept(submitted(archive, payoffs, candidates=[1], tests=[2])) == ([0], [0])
+    # Candidate 2 loses on the archived test 0, by 0 to 1, and wins on 2 and 3, by 2 to 0.
+    assert kept(submitted(archive, payoffs, candidates=[2], tests=[2, 3])) == ([2], [2])
+
+
+def test_maxsolve_takes_a_draw_for_unsolved():
+    assert kept(submitted(MaxSolve(2), [[0.5, 0.6]])) == ([0], [1])
+
+
+@given(histories(), st.integers(1, 10))
+def test_maxsolve_keeps_all_distinct_solved_vectors_up_to_its_limit(history, limit):
+    payoffs, _ = history
+    archive = submitted(MaxSolve(limit), payoffs)
+    vectors = {tuple(row) for row in payoffs if row.any()}
+    expected = sorted((sum(vector) for vector in vectors), reverse=True)[:limit]
+    assert sorted(payoffs[archive.candidates].sum(axis=1), reverse=True) == expected
+    assert len({tuple(row) for row in payoffs[archive.candidates]}) == len(expected)
+    # The tests likewise: all distinct columns of the candidates kept that one of them solves.
+    columns = {tuple(column) for column in payoffs[archive.candidates].T if column.any()}
+    assert sorted(map(tuple, archive.outcomes.T)) == sorted(columns)
+
+
+@given(histories(), st.integers(1, 10))
+def test_maxsolve_stays_within_its_limit_and_holds_no_duplicates(history, limit):
+    payoffs, batches = history
+    archive = MaxSolve(limit)
+    for candidates, tests in batches:
+        submitted(archive, payoffs, candidates=candidates, tests=tests)
+        rows, columns = map(tuple, archive.outcomes), map(tuple, archive.outcomes.T)
+        assert len(set(rows)) == len(archive.candidates) <= limit
+        assert len(set(columns)) == len(archive.tests)
+        assert archive.outcomes.any(axis=0).all()
+        assert archive.outcomes.any(axis=1).all()
+
+
+# IPCA
+
+
+def test_ipca_by_hand():
+    payoffs = [
+        [1, 0, 0, 0],  # 0
+        [0, 1, 0, 0],  # 1: neither of 0 and 1 dominates the other, by tests 0 and 1
+        [1, 0, 1, 0],  # 2 dominates 0, which test 2 shows
+        [0, 1, 0, 0],  # 3 does the same as 1
+        [0, 0, 0, 0],  # 4 is dominated by all
+    ]
+    archive = submitted(IPCA(), payoffs, candidates=[0, 1, 4], tests=[0, 1, 3])
+    assert kept(archive) == ([0, 1], [0, 1])
+    submitted(archive, payoffs, candidates=[2, 3], tests=[2, 3])
+    assert kept(archive) == ([1, 2], [0, 1, 2])
+
+
+def test_ipca_judges_on_archived_and_new_tests_together():
+    payoffs = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]]
+    archive = submitted(IPCA(), payoffs, candidates=[0, 1], tests=[0, 1])
+    # On the new test alone, 2 dominates 0 and 1; on the archived ones alone, it is dominated.
+    # Together, nobody dominates anybody, and test 2 is needed to show it.
+    assert kept(submitted(archive, payoffs, candidates=[2], tests=[2])) == ([0, 1, 2], [0, 1, 2])
+
+
+def test_ipca_takes_as_few_new_tests_as_show_it():
+    # 1 is told from 0 by tests 0 and 2, 2 from 0 by tests 1 and 2, 0 from both by test 3; but 1
+    # from 2 by test 0 only, and 2 from 1 by test 1 only, so test 2 is not needed.
+    payoffs = [[0, 0, 0, 1], [1, 0, 1, 0], [0, 1, 1, 0]]
+    assert kept(submitted(IPCA(), payoffs)) == ([0, 1, 2], [0, 1, 3])
+    # Archived tests come first: with test 2 in the archive, 0 and 1 are still needed.
+    archive = submitted(IPCA(), payoffs, candidates=[0, 1], tests=[2, 3])
+    assert kept(archive) == ([0, 1], [2, 3])
+    assert kept(submitted(archive, payoffs, candidates=[2], tests=[0, 1])) == (
+        [0, 1, 2],
+        [2, 3, 0, 1],
+    )
+
+
+def dominates_or_equals(one, another):
+    return all(a >= b for a, b in zip(one, another, strict=True))
+
+
+@given(histories(levels=(0, 1, 2)))
+def test_ipca_is_monotone(history):
+    payoffs, batches = history
+    archive, seen, tests = IPCA(), [], []
+    for new_candidates, new_tests in batches:
+        submitted(archive, payoffs, candidates=new_candidates, tests=new_tests)
+        # No test is ever dropped.
+        assert archive.tests.tolist()[: len(tests)] == tests
+        tests = archive.tests.tolist()
+        # Whoever was ever submitted is matched by somebody on all tests known at the time.
+        seen += [(candidate, list(tests)) for candidate in new_candidates]
+        seen += [(candidate, list(tests)) for candidate in archive.candidates]
+        for candidate, then in seen:
+            assert any(
+                dominates_or_equals(payoffs[now, then], payoffs[candidate, then])
+                for now in archive.candidates
+            )
+
+
+@given(histories(levels=(0, 1, 2)))
+def test_ipca_s_candidates_are_told_apart_by_its_tests(history):
+    payoffs, batches = history
+    archive = IPCA()
+    for candidates, tests in batches:
+        submitted(archive, payoffs, candidates=candidates, tests=tests)
+        rows = archive.outcomes.tolist()
+        for i, one in enumerate(rows):
+            for j, another in enumerate(rows):
+                assert i == j or not dominates_or_equals(one, another)
+
+
+# LAPCA
+
+
+LAYERED = [
+    [2, 2, 0],  # 0
+    [0, 2, 2],  # 1: first layer, with 0
+    [1, 2, 0],  # 2: second, dominated by 0
+    [0, 1, 0],  # 3: third, dominated by 2
+    [1, 2, 0],  # 4 does the same as 2
+]
+
+
+def test_layers_by_hand():
+    assert layers_of(np.array(LAYERED, dtype=float)).tolist() == [0, 0, 1, 2, -1]
+
+
+def test_lapca_by_hand():
+    # One layer: 0 and 1, told apart by tests 0 and 2.
+    assert kept(submitted(LAPCA(1), LAYERED)) == ([0, 1], [0, 2])
+    # Two: 0 over 2 and 2 over 1 by test 0, 1 over 2 by test 2.
+    assert kept(submitted(LAPCA(2), LAYERED)) == ([0, 1, 2], [0, 2])
+    # Three: 3 is told from its neighbour 2 by test 0, too.
+    assert kept(submitted(LAPCA(3), LAYERED)) == ([0, 1, 2, 3], [0, 2])
+
+
+def test_lapca_drops_tests_that_tell_no_neighbours_apart():
+    payoffs = [[1, 0, 0], [0, 1, 0], [1, 1, 1]]
+    archive = submitted(LAPCA(1), payoffs, candidates=[0, 1], tests=[0, 1])
+    assert kept(archive) == ([0, 1], [0, 1])
+    # 2 dominates both: one layer has no neighbours left to be told apart.
+    assert kept(submitted(archive, payoffs, candidates=[2], tests=[2])) == ([2], [])
+
+
+@given(histories(levels=(0, 1, 2)))
+def test_lapca_with_one_layer_keeps_the_candidates_of_a_front(history):
+    payoffs, _ = history
+    assert np.array_equal(
+        submitted(LAPCA(1), payoffs).candidates, submitted(IPCA(), payoffs).candidates
+    )
+
+
+@given(histories(levels=(0, 1, 2)), st.integers(1, 4))
+def test_lapca_s_layers_hold_on_its_own_tests(history, layers):
+    payoffs, batches = history
+    archive = LAPCA(layers)
+    for candidates, tests in batches:
+        before = archive.candidates, archive.tests
+        submitted(archive, payoffs, candidates=candidates, tests=tests)
+        union = np.sort(np.concatenate([before[0].astype(int), candidates]))
+        all_tests = np.sort(np.concatenate([before[1].astype(int), tests]))
+        assert set(archive.candidates) <= set(union)
+        on_all = payoffs[np.ix_(archive.candidates.astype(int), all_tests)]
+        layer = layers_of(on_all)
+        assert layer.min(initial=0) == 0
+        assert layer.max(initial=0) < layers
+        for i, one in enumerate(on_all):
+            for j, another in enumerate(on_all):
+                if abs(layer[i] - layer[j]) <= 1 and (one > another).any():
+                    assert (archive.outcomes[i] > archive.outcomes[j]).any()
+
+
+# Generalist
+
+
+def test_maximally_different_by_hand():
+    payoffs = [
+        [0.9, 0.9, 0.9],  # 0: the strongest
+        [0.9, 0.9, 0.8],  # 1: nearly 0
+        [0.0, 0.0, 0.1],  # 2: farthest from 0
+        [0.9, 0.0, 0.1],  # 3: .57 from 0, .3 from 2
+        [0.1, 0.9, 0.9],  # 4: .27 from 0, .57 from 2
+    ]
+    # After 0 and 2 the nearest of those is .3 away from 3, .27 from 4 and .03 from 1.
+    assert maximally_different(payoffs, 4).tolist() == [0, 2, 3, 4]
+    assert maximally_different(payoffs, 9).tolist() == [0, 2, 3, 4, 1]
+
+
+def test_generalist_lets_in_only_who_is_better_against_all():
+    payoffs = [
+        [0.6, 0.6, 0.6],  # 0
+        [0.3, 0.3, 0.6],  # 1: the worst, mean .4
+        [0.9, 0.1, 0.1],  # 2: best against test 0, mean .37
+        [0.5, 0.4, 0.4],  # 3: mean .43
+        [0.3, 0.3, 0.6],  # 4: as good as the worst
+    ]
+    archive = Generalist([0, 1], sample=1)
+    outcome = looked_up(payoffs)
+    assert archive.submit([2, 4], [0, 1, 2], outcome).tolist() == [False, False]
+    assert archive.candidates.tolist() == [0, 1]
+    assert archive.submit([3, 3], [0, 1, 2], outcome).tolist() == [True, False]
+    assert archive.candidates.tolist() == [0, 3]
+    # The opponents' payoffs against 0 and 3 are .4 and .5; .4 and .6; .4 and .6: the first best.
+    assert archive.tests.tolist() == [1]
+    assert archive.submit(np.zeros(0, dtype=int), [0, 1], outcome).tolist() == []
+
+
+@given(histories(levels=(0.0, 0.3, 1.0)))
+def test_generalist_never_gets_worse_against_all(history):
+    payoffs, batches = history
+    everybody = np.arange(payoffs.shape[1])
+    archive = Generalist([0] * 3, sample=2)
+    for candidates, _ in batches:
+        before = np.sort(payoffs[archive.candidates].mean(axis=1))
+        submitted(archive, payoffs, candidates=candidates, tests=everybody)
+        assert (np.sort(payoffs[archive.candidates].mean(axis=1)) >= before).all()
+        assert len(archive.candidates) == 3
+        assert len(archive.tests) == min(2, len(everybody))
+
+
+# All of them
+
+
+def in_batches(archive, payoffs, batches):
+    for candidates, tests in batches:
+        submitted(archive, payoffs, candidates=candidates, tests=tests)
+    return archive
+
+
+BATCHES = [(np.arange(b, 12, 4), np.arange(b, 12, 4)) for b in range(4)]
+
+
+@every_archive
+def test_resumed_archive_goes_on_as_if_never_stopped(make, tmp_path):
+    payoffs = np.random.default_rng(5).integers(0, 3, (12, 12)) / 2
+    straight = in_batches(make(), payoffs, BATCHES)
+    save_arrays(tmp_path / "state.npz", in_batches(make(), payoffs, BATCHES[:2]).state())
+    resumed = make()
+    resumed.restore(load_arrays(tmp_path / "state.npz"))
+    in_batches(resumed, payoffs, BATCHES[2:])
+    assert resumed.state().keys() == straight.state().keys()
+    for name, values in straight.state().items():
+        assert values.dtype == resumed.state()[name].dtype
+        assert np.array_equal(values, resumed.state()[name])
+
+
+def on_the_line(candidates, tests):
+    """Genomes of one gene: the greater beats the smaller."""
+    return (candidates[:, :1] > tests[:, :1].T).astype(float)
+
+
+@every_archive
+def test_an_archived_genome_never_changes(make):
+    candidates = np.array([[0.3, 7.0], [0.9, 8.0]], dtype=np.float32)
+    tests = np.array([[0.2, 5.0], [0.5, 6.0], [0.8, 6.5]], dtype=np.float32)
+    archive = make()
+    if isinstance(archive, Generalist):
+        archive = Generalist(candidates, sample=2)
+    archive.submit(candidates, tests, on_the_line)
+    before = {name: values.copy() for name, values in archive.state().items()}
+    assert len(archive.candidates)
+    candidates[:], tests[:] = 0.0, 0.0
+    for name, values in archive.state().items():
+        assert np.array_equal(values, before[name])
+    for members in (archive.candidates, archive.tests):
+        with pytest.raises(ValueError, match="read-only"):
+            members[...] = 1.0
+
+    def meddling(candidates, tests):
+        candidates[...] = 1.0
+
+    with pytest.raises(ValueError, match="read-only"):
+        archive.submit(candidates, np.ones((1, 2), dtype=np.float32), meddling)
+    for name, values in archive.state().items():
+        assert np.array_equal(values, before[name])
+
+
+def test_swapped_outcomes_are_the_other_team_s():
+    # Pursuer 0 scores 1, .25 and 0 against evaders 0, 1, 2; so evader 1 scores .75 against it.
+    evaders_view = swapped(looked_up([[1, 0.25, 0], [0, 0, 0.5]]))
+    assert evaders_view([1, 2], [0, 1]).tolist() == [[0.75, 1], [1, 0.5]]
+
+
+@every_archive
+def test_swapping_the_teams_swaps_the_archives(make):
+    pursuers_win = looked_up(np.random.default_rng(6).integers(0, 3, (12, 12)) / 2)
+
+    def race(outcome):
+        archives = make(), make()
+        for number in range(1, 12):
+            for archive, view in zip(archives, (outcome, swapped(outcome)), strict=True):
+                archive.submit([number], [number - 1, number], view)
+        return [kept(archive) for archive in archives]
+
+    assert race(swapped(pursuers_win)) == race(pursuers_win)[::-1]
+
+
+@pytest.mark.parametrize("make", [lambda: MaxSolve(5), IPCA, lambda: LAPCA(3)])
+def test_a_known_payoff_is_not_asked_for_again(make):
+    payoffs = np.random.default_rng(7).integers(0, 2, (12, 12)).astype(float)
+    asked = np.zeros((12, 12), dtype=int)
+
+    def outcome(candidates, tests):
+        asked[np.ix_(candidates, tests)] += 1
+        return payoffs[np.ix_(candidates, tests)]
+
+    archive = make()
+    for candidates, tests in BATCHES:
+        archive.submit(candidates, tests, outcome)
+        rows, columns = archive.candidates.astype(int), archive.tests.astype(int)
+        assert np.array_equal(archive.outcomes, payoffs[np.ix_(rows, columns)])
+    assert asked.max() == 1
+
+
+def test_outcomes_of_another_shape_are_refused():
+    with pytest.raises(ValueError, match="outcome: expected payoffs of shape"):
+        IPCA().submit([0, 1], [0], lambda candidates, tests: np.zeros((1, 2)))
+    with pytest.raises(ValueError, match="outcome: expected finite numbers"):
+        MaxSolve(1).submit([0], [0], lambda candidates, tests: [[np.nan]])
+    with pytest.raises(ValueError, match="limit: expected at least 1, got 0"):
+        MaxSolve(0)
+    with pytest.raises(ValueError, match="layers: expected at least 1, got 0"):
+        LAPCA(0)
+
+
+def test_archive_as_a_selection():
+    payoffs = [[1, 0, 0, 0], [0, 1, 0, 0], [1, 0, 1, 0], [0, 0, 0, 1]]
+    selection = ArchiveSampler(IPCA(), Uniform(None))
+    rng = np.random.default_rng(0)
+    assert selection.choose(3, 0, rng).tolist() == Latest().choose(3, 0, rng).tolist()
+    submitted(selection.archive, payoffs, candidates=[0, 1], tests=[0, 1, 3])
+    assert selection.choose(4, 0, rng).tolist() == [0, 1]
+    submitted(selection.archive, payoffs, candidates=[2], tests=[2])
+    assert selection.choose(4, 0, rng).tolist() == [0, 1, 2]
+    resumed = ArchiveSampler(IPCA(), Uniform(None))
+    resumed.restore(selection.state())
+    assert resumed.choose(4, 0, rng).tolist() == [0, 1, 2]
+    with pytest.raises(ValueError, match="archive: expected generations below 2"):
+        selection.choose(2, 0, rng)

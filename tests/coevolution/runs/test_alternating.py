@@ -1,0 +1,345 @@
+"""Alternating races: what is played, kept, and the same after an interruption."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from matrixworld import coevolution
+from matrixworld.coevolution import (
+    DisengagementWarning,
+    LockedError,
+    Payoff,
+    Race,
+    RunDirectory,
+    evaluation_seed,
+    open_run,
+)
+from matrixworld.coevolution.settings_json import settings_from_json, settings_to_json
+from matrixworld.policy import Population
+from matrixworld.rollout import Matches, rollout
+from matrixworld.rules import VARIANTS
+from tiny_race import StopAt, constant_scores, results, tiny_race
+
+EPOCHS = 2 * (2 + 3)
+CALLS = EPOCHS + 3
+"""Calls of `rollout` in a tiny race: one an epoch, one a row of the payoff matrix."""
+
+
+@pytest.fixture(scope="module")
+def straight(tmp_path_factory):
+    """A tiny race that was never stopped."""
+    race = Race(tiny_race(), tmp_path_factory.mktemp("straight") / "run", threads=1)
+    race.run()
+    return race
+
+
+def test_archive_holds_every_generation(straight):
+    size = straight.network.genome_size
+    archive = straight.files.archive()
+    assert archive["pursuer"].shape == archive["evader"].shape == (3, size)
+    assert archive["pursuer"].dtype == np.float32
+    for team in ("pursuer", "evader"):
+        assert len({genome.tobytes() for genome in archive[team]}) == 3
+        assert np.array_equal(straight.genomes(team), archive[team])
+
+
+def test_log_has_a_row_per_epoch_and_counts_matches(straight):
+    log = straight.files.log()
+    assert log["generation"].tolist() == [1] * 5 + [2] * 5
+    assert log["team"].tolist() == (["pursuer"] * 2 + ["evader"] * 3) * 2
+    assert log["epoch"].tolist() == [0, 1, 0, 1, 2] * 2
+    assert log["opponent"].tolist() == [0, 0, 0, 1, 0, 0, 1, 0, 1, 2]
+    assert log["matches"].tolist() == [4 * row for row in range(1, EPOCHS + 1)]
+    steps = np.diff(log["steps"], prepend=0)
+    assert np.allclose(steps, 4 * log["length"])
+    assert straight.training.matches == straight.training_matches() == 4 * EPOCHS
+
+
+def test_learners_score_on_the_matches_that_the_log_says(tmp_path):
+    played = []
+
+    def play(config, pursuers, evaders, matches, **options):
+        played.append((config.max_steps, pursuers, evaders, matches, options["worlds"]))
+        return rollout(config, pursuers, evaders, matches, **options)
+
+    race = Race(tiny_race(worlds=2), tmp_path / "run", play=play)
+    race.run()
+    archive = race.files.archive()
+    for call, row in enumerate(zip(*race.files.log().values(), strict=True)):
+        team, opponent = row[1], row[3]
+        steps, pursuers, evaders, matches, worlds = played[call]
+        learning, still = (pursuers, evaders) if team == "pursuer" else (evaders, pursuers)
+        other = "evader" if team == "pursuer" else "pursuer"
+        assert (steps, worlds, learning.genomes.shape[0]) == (8, 2, 4)
+        met = matches.evader if team == "pursuer" else matches.pursuer
+        assert set(met.tolist()) == {opponent}
+        assert np.array_equal(still.genomes, archive[other][: len(still.genomes)])
+        assert len(still.genomes) == coevolution.available(team, row[0])
+        assert np.array_equal(matches.seed[:2], matches.seed[2:])  # mirrored pairs
+    training = [seed for *_, matches, _ in played[:EPOCHS] for seed in set(matches.seed)]
+    evaluation = [seed for *_, matches, _ in played[EPOCHS:] for seed in set(matches.seed)]
+    assert len(set(training + evaluation)) == 2 * EPOCHS + 9
+    assert len(played) == CALLS
+
+
+def test_every_cell_can_be_replayed_on_its_own(straight):
+    settings, archive, payoff = straight.settings, straight.files.archive(), straight.payoff()
+    assert payoff.capture_rates.shape == (3, 3, 3)
+    world = settings.world(settings.eval_steps)
+    teams = [Population(archive[team], straight.network) for team in ("pursuer", "evader")]
+    for g, h in [(0, 2), (2, 0), (1, 1)]:
+        seed = evaluation_seed(settings.seed, g, h)
+        scores = rollout(world, *teams, Matches.of(g, h, seed), worlds=3)
+        assert np.array_equal(scores.capture_rate[0], payoff.capture_rates[g, h])
+        assert np.array_equal(scores.length[0], payoff.lengths[g, h])
+        assert np.array_equal(scores.faults[0].mean(axis=0), payoff.faults[g, h])
+        episode = open_run(straight.files.path).record(g, h, episode=1)
+        assert episode.length == payoff.lengths[g, h, 1]
+
+
+def test_saved_run_counts_generations_from_both_ends(straight):
+    saved = open_run(straight.files.path)
+    assert np.array_equal(saved.payoff().lengths, straight.payoff().lengths)
+    assert np.array_equal(saved.record(-1, -3).positions, saved.record(2, 0).positions)
+    with pytest.raises(IndexError, match="evader: expected a generation from 0 to 2, got 3"):
+        saved.record(0, 3)
+
+
+def test_payoff_file_speaks_for_itself(straight):
+    arrays, payoff = straight.files.payoff(), straight.payoff()
+    assert np.allclose(arrays["capture_rate"], payoff.capture_rates.mean(axis=2))
+    assert np.allclose(arrays["capture_rate_std"], payoff.capture_rates.std(axis=2), atol=1e-6)
+    assert np.allclose(arrays["length"], payoff.lengths.mean(axis=2))
+    assert arrays["collisions"].shape == arrays["faults"].shape == (3, 3, 2, 3)
+    assert (arrays["collisions"] >= arrays["faults"]).all()
+    again = Payoff.from_arrays(arrays)
+    assert np.array_equal(again.capture_rates, payoff.capture_rates)
+
+
+def test_summary_counts_what_was_played(straight):
+    summary = straight.files.summary()
+    assert summary["training_matches"] == 4 * EPOCHS
+    assert summary["evaluation_matches"] == 27
+    assert straight.total_matches() == 4 * EPOCHS + 27
+    assert summary["training_steps"] == straight.files.log()["steps"][-1]
+    assert summary["analysis"]["pursuers"]["generations"] == 3
+
+
+@pytest.mark.parametrize("threads", [2, 3])
+def test_threads_change_nothing(straight, tmp_path, threads):
+    Race(tiny_race(), tmp_path / "run", threads=threads).run()
+    assert results(tmp_path / "run") == results(straight.files.path)
+
+
+def test_another_seed_is_another_race(straight, tmp_path):
+    Race(tiny_race(seed=6), tmp_path / "run").run()
+    ours, theirs = results(tmp_path / "run"), results(straight.files.path)
+    assert all(ours[name] != theirs[name] for name in ours)
+
+
+@pytest.mark.parametrize("call", range(CALLS))
+def test_interrupted_race_ends_as_if_never_stopped(straight, tmp_path, call):
+    race = Race(tiny_race(), tmp_path / "run", threads=1, play=StopAt(call))
+    with pytest.raises(KeyboardInterrupt):
+        race.run()
+    resumed = Race.resume(tmp_path / "run", threads=1)
+    assert resumed.stage == sum(call >= end for end in (2, 5, 7, 10))
+    resumed.run()
+    assert results(tmp_path / "run") == results(straight.files.path)
+
+
+@pytest.mark.parametrize(
+    "changes", [{"learner": "cma"}, {"learner": "ga"}, {"optimizer": "momentum", "anneal": True}]
+)
+def test_every_learner_goes_on_as_if_never_stopped(tmp_path, changes):
+    settings = tiny_race(**changes)
+    coevolution.start(settings, tmp_path / "straight").run()
+    with pytest.raises(KeyboardInterrupt):
+        coevolution.finish(settings, tmp_path / "run", play=StopAt(6))
+    coevolution.finish(settings, tmp_path / "run")
+    assert results(tmp_path / "run") == results(tmp_path / "straight")
+
+
+def test_race_stopped_again_and_again(straight, tmp_path):
+    Race(tiny_race(), tmp_path / "run")
+    for _ in range(4):
+        race = Race.resume(tmp_path / "run", play=StopAt(3))
+        with pytest.raises(KeyboardInterrupt):
+            race.run()
+    race = coevolution.resume(tmp_path / "run")
+    race.run()
+    assert results(tmp_path / "run") == results(straight.files.path)
+
+
+def test_the_same_object_goes_on_after_an_interruption(straight, tmp_path):
+    race = Race(tiny_race(), tmp_path / "run", play=StopAt(6))
+    with pytest.raises(KeyboardInterrupt):
+        race.run()
+    race.training.rollout = rollout
+    race.run()
+    assert results(tmp_path / "run") == results(straight.files.path)
+
+
+def test_writes_that_fail_lose_nothing(straight, tmp_path, monkeypatch):
+    replace, left = os.replace, [0]
+
+    def failing(source, target):
+        if left[0] == 0:
+            raise OSError(28, "No space left on device", str(target))
+        left[0] -= 1
+        replace(source, target)
+
+    race = Race(tiny_race(), tmp_path / "run")
+    monkeypatch.setattr(os, "replace", failing)
+    for left[0] in (0, 1, 2, 3, 5):
+        with pytest.raises(OSError, match="No space left"):
+            race.run()
+    monkeypatch.undo()
+    assert race.stage > 0
+    race.run()
+    assert results(tmp_path / "run") == results(straight.files.path)
+
+
+CHILD = """
+import sys
+from matrixworld.coevolution import resume
+def report(what, done, total):
+    print(done, flush=True)
+    sys.stdin.readline()
+resume(sys.argv[1], threads=1).run(report)
+"""
+"""Goes on with a race, and waits for a line after each epoch."""
+
+
+def start_child(directory: Path) -> subprocess.Popen[str]:
+    return subprocess.Popen(
+        [sys.executable, "-c", CHILD, str(directory)],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
+
+
+def test_killed_race_ends_as_if_never_stopped(straight, tmp_path):
+    directory = tmp_path / "run"
+    Race(tiny_race(), directory)
+    for epochs, last in ((3, 12), (4, 24)):  # each time two matches into a team phase
+        with start_child(directory) as child:
+            for _ in range(epochs - 1):
+                child.stdout.readline()
+                print(file=child.stdin, flush=True)
+            assert int(child.stdout.readline()) == last
+            with pytest.raises(LockedError, match="another process is running there"):
+                Race.resume(directory)
+            child.kill()
+    Race.resume(directory).run()
+    assert results(directory) == results(straight.files.path)
+
+
+def test_finished_race_is_left_alone(straight):
+    before = results(straight.files.path)
+    calls = StopAt(0)
+    payoff = Race.resume(straight.files.path, play=calls).run()
+    assert np.array_equal(payoff.lengths, straight.payoff().lengths)
+    assert results(straight.files.path) == before
+
+
+def test_damaged_checkpoint_costs_one_half_step(straight, tmp_path):
+    race = Race(tiny_race(), tmp_path / "run", play=StopAt(6))
+    with pytest.raises(KeyboardInterrupt):
+        race.run()
+    checkpoint = tmp_path / "run" / "checkpoint.npz"
+    checkpoint.write_bytes(checkpoint.read_bytes()[:1000])
+    with pytest.warns(UserWarning, match=r"checkpoint\.npz: cut"):
+        resumed = Race.resume(tmp_path / "run")
+    assert resumed.stage == 1
+    resumed.run()
+    assert results(tmp_path / "run") == results(straight.files.path)
+
+
+def test_progress_is_reported_when_asked(tmp_path, capfd):
+    seen = []
+    race = Race(tiny_race(), tmp_path / "run")
+    race.run(lambda *report: seen.append(report))
+    assert [done for _, done, _ in seen] == [*range(4, 41, 4), 49, 58, 67]
+    assert {total for *_, total in seen} == {67}
+    assert seen[0][0] == "generation 1: pursuers"
+    assert seen[-1][0] == "tournament"
+    assert capfd.readouterr() == ("", "")
+    with coevolution.ProgressBar() as bar:
+        Race(tiny_race(), tmp_path / "other").run(bar)
+    assert "tournament: 100%" in capfd.readouterr().err
+
+
+def test_new_race_wants_an_empty_directory(straight):
+    with pytest.raises(FileExistsError, match="expected a new or empty directory"):
+        Race(tiny_race(), straight.files.path)
+
+
+def test_bad_settings_leave_no_trace(tmp_path):
+    with pytest.raises(ValueError, match="schedule: expected one of"):
+        Race(tiny_race(schedule="hall-of-fame"), tmp_path / "run")
+    with pytest.raises(TypeError, match="settings: expected RaceSettings, got dict"):
+        Race({}, tmp_path / "run")
+    assert not (tmp_path / "run").exists()
+
+
+@pytest.mark.parametrize("schedule", ["specialist-specialist", "generalist-specialist"])
+@pytest.mark.parametrize("learner", ["es", "ga", "cma"])
+def test_schedules_and_learners(tmp_path, schedule, learner):
+    settings = tiny_race(schedule=schedule, learner=learner, obstacles=0.1, variant="SDB")
+    payoff = coevolution.start(settings, tmp_path / "run").run()
+    assert payoff.capture_rate.shape == (3, 3)
+    learned = RunDirectory.open(tmp_path / "run").log()
+    samplers = {t: coevolution.SCHEDULES[schedule].selection(t) for t in coevolution.TEAMS}
+    rng = np.random.default_rng(0)
+    for k, team, i, met in zip(
+        *(learned[name] for name in ("generation", "team", "epoch", "opponent")), strict=True
+    ):
+        there = coevolution.available(team, k)
+        assert samplers[team].choose(there, i, rng).tolist() == [met]
+
+
+def test_given_map_is_kept_with_the_run(tmp_path):
+    rows = ["......", ".##...", "......", "...##.", "......"]
+    settings = tiny_race(rows=None, cols=None, obstacles=rows)
+    assert settings.obstacles == tuple(rows)
+    as_array = np.array([[cell == "#" for cell in row] for row in rows])
+    assert tiny_race(rows=None, cols=None, obstacles=as_array) == settings
+    assert np.array_equal(settings.world(5).map, as_array)
+    Race(settings, tmp_path / "run")
+    assert coevolution.resume(tmp_path / "run").settings == settings
+
+
+def test_settings_survive_json():
+    for settings in (tiny_race(), tiny_race(variant=VARIANTS["SDB"], obstacles=0.25)):
+        values = settings_to_json(settings)
+        assert settings_from_json(coevolution.RaceSettings, values) == settings
+    with pytest.raises(ValueError, match=r"missing fields \['seed'\], unknown fields \['speed'\]"):
+        settings_from_json(coevolution.RaceSettings, {**_without(values, "seed"), "speed": 1})
+
+
+def _without(values, name):
+    return {key: value for key, value in values.items() if key != name}
+
+
+def disengaged(config, pursuers, evaders, matches, *, worlds=1, threads=None):
+    """The pursuers catch everybody, whoever plays."""
+    return constant_scores(1.0, (len(matches.seed), worlds))
+
+
+def test_disengagement_is_warned_of_once(tmp_path):
+    race = Race(tiny_race(generations=5), tmp_path / "run", play=disengaged)
+    with pytest.warns(DisengagementWarning, match="the pursuers win nearly everything") as caught:
+        race.run()
+    assert len(caught) == 1
+    assert race.stage == 10
+    (sentence,) = race.files.summary()["disengagement"]
+    assert sentence.startswith("generations 1 to 5")

@@ -1,0 +1,93 @@
+"""Simultaneous co-evolution with halls of fame."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from matrixworld import coevolution
+from matrixworld.coevolution import HallOfFameRace
+from matrixworld.coevolution.runs.hall_of_fame import pairings, table_of_individuals
+from tiny_race import StopAt, results, tiny_race
+
+
+def hall_of_fame(**changes):
+    options = {"contemporaries": 2, "hall_sample": 2, "generations": 3}
+    return tiny_race(schedule="hall-of-fame", **{**options, **changes})
+
+
+def test_everybody_meets_the_same_number_of_opponents():
+    met = pairings(5, 3, (1, 2), np.random.default_rng(0))
+    assert len(met.pursuer) == len(met.evader) == len(met.round) == 5 * (3 + 1 + 2)
+    for individual in range(5):
+        opponents = met.evader[met.pursuer == individual]
+        assert sorted(opponents[opponents >= 5]) == [5, 6]
+        assert (opponents < 5).sum() == 3
+        opponents = met.pursuer[met.evader == individual]
+        assert sorted(opponents[opponents >= 5]) == [5]
+        assert (opponents < 5).sum() == 3
+    assert not ((met.pursuer >= 5) & (met.evader >= 5)).any()
+    assert np.array_equal(met.round, np.repeat(np.arange(6), 5))
+
+
+def test_matches_as_a_table_of_individuals():
+    own, opponents = np.array([0, 1, 1, 3, 0, 0]), np.array([1, 0, 2, 1, 1, 3])
+    values = np.array([1.0, 2.0, 4.0, 9.0, 5.0, 7.0])
+    table = table_of_individuals(own, opponents, 2, values)
+    assert np.array_equal(
+        table, [[np.nan, 3.0, np.nan, 7.0], [2.0, np.nan, 4.0, np.nan]], equal_nan=True
+    )
+
+
+def test_race(tmp_path):
+    race = coevolution.start(hall_of_fame(), tmp_path / "run")
+    assert isinstance(race, HallOfFameRace)
+    payoff = race.run()
+    assert payoff.capture_rate.shape == (4, 4)
+    archive = race.files.archive()
+    assert archive["pursuer"].shape == archive["evader"].shape == (4, race.network.genome_size)
+    log = race.files.log()
+    assert log["team"].tolist() == ["pursuer", "evader"] * 6
+    assert log["generation"].tolist() == [1] * 4 + [2] * 4 + [3] * 4
+    per_epoch = [4 * (2 + 2 * hall) for hall in (1, 2, 2) for _ in range(2)]
+    assert log["matches"][::2].tolist() == np.cumsum(per_epoch).tolist()
+    assert race.training_matches() == sum(per_epoch)
+    assert race.phase_rates().shape == (3, 2)
+
+
+@pytest.mark.parametrize("call", [0, 1, 3, 5, 7])
+def test_interrupted_race_ends_as_if_never_stopped(tmp_path, call):
+    coevolution.start(hall_of_fame(), tmp_path / "straight", threads=2).run()
+    race = coevolution.start(hall_of_fame(), tmp_path / "run", threads=1, play=StopAt(call))
+    with pytest.raises(KeyboardInterrupt):
+        race.run()
+    resumed = coevolution.resume(tmp_path / "run", threads=1)
+    assert isinstance(resumed, HallOfFameRace)
+    resumed.run()
+    assert results(tmp_path / "run") == results(tmp_path / "straight")
+
+
+def test_hall_alone_or_contemporaries_alone(tmp_path):
+    for number, changes in enumerate(({"hall_sample": 0}, {"contemporaries": 0})):
+        race = coevolution.start(hall_of_fame(**changes), tmp_path / str(number))
+        race.run()
+        assert race.training.matches == race.training_matches()
+
+
+def test_wrong_kind_of_run_is_refused(tmp_path):
+    with pytest.raises(ValueError, match="schedule: expected one of hall-of-fame"):
+        HallOfFameRace(tiny_race(), tmp_path / "run")
+    coevolution.start(hall_of_fame(), tmp_path / "run")
+    with pytest.raises(ValueError, match="expected a race run, got 'hall-of-fame'"):
+        coevolution.Race.resume(tmp_path / "run")
+
+
+def test_default_budget_is_that_of_the_other_schedules(tmp_path):
+    settings = coevolution.RaceSettings(fov=3, hidden=(2,), eval_episodes=1)
+    alternating = coevolution.start(settings, tmp_path / "alternating").training_matches()
+    settings = replace(settings, schedule="hall-of-fame")
+    joint = coevolution.start(settings, tmp_path / "joint").training_matches()
+    assert alternating == 259_200
+    assert joint == pytest.approx(alternating, rel=0.05)

@@ -1,0 +1,190 @@
+"""Races whose teams select their opponents, keep archives, and share fitness."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from matrixworld import Matches, Population, coevolution, rollout
+from matrixworld.coevolution import RaceSettings
+from matrixworld.coevolution.fitness import mean_over_met, shared_fitness
+from matrixworld.coevolution.opponents import SAMPLERS
+from matrixworld.coevolution.seeding import Phase, training_seeds
+from tiny_race import StopAt, results, tiny_race
+
+ARCHIVES = ("maxsolve", "ipca", "lapca", "generalist")
+
+
+def alternating(name: str, **changes) -> RaceSettings:
+    options = {"schedule": "alternating", "opponents": 2, "generations": 4, "archive_size": 3}
+    return tiny_race(**{**options, "pursuers_meet": name, "evaders_meet": name, **changes})
+
+
+def joint(name: str, **changes) -> RaceSettings:
+    options = {"contemporaries": 2, "hall_sample": 2, "archive_size": 3}
+    return alternating(name, **{**options, "schedule": "hall-of-fame", "opponents": 1, **changes})
+
+
+@pytest.mark.parametrize("make", [alternating, joint])
+@pytest.mark.parametrize("name", SAMPLERS)
+def test_stopped_race_ends_as_if_never_stopped(tmp_path, make, name):
+    straight = coevolution.start(make(name), tmp_path / "straight", threads=2)
+    straight.run()
+    stopped = coevolution.start(make(name), tmp_path / "run", threads=1, play=StopAt(7))
+    with pytest.raises(KeyboardInterrupt):
+        stopped.run()
+    assert 0 < stopped.stage < stopped.n_stages
+    coevolution.resume(tmp_path / "run", threads=1).run()
+    assert results(tmp_path / "run") == results(tmp_path / "straight")
+
+
+@pytest.mark.parametrize("make", [alternating, joint])
+@pytest.mark.parametrize("name", SAMPLERS)
+def test_matches_are_counted_and_foreseen(tmp_path, make, name):
+    played = 0
+
+    def counting(*args, **options):
+        nonlocal played
+        scores = rollout(*args, **options)
+        played += scores.length.size
+        return scores
+
+    race = coevolution.start(make(name), tmp_path / "run", play=counting)
+    payoff = race.run()
+    training = played - payoff.lengths.size
+    assert race.training.matches == race.files.summary()["training_matches"] == training
+    assert race.files.log()["matches"][-1] == training
+    foreseen = race.training_matches()
+    if name in ARCHIVES:
+        assert training <= foreseen
+    else:
+        assert training == foreseen
+
+
+def test_finish_does_what_is_left_to_do(tmp_path):
+    settings, place = alternating("uniform"), tmp_path / "run"
+    with pytest.raises(KeyboardInterrupt):
+        coevolution.finish(settings, place, play=StopAt(5))
+    run = coevolution.finish(settings, place, threads=1)
+    coevolution.start(settings, tmp_path / "straight").run()
+    assert results(place) == results(tmp_path / "straight")
+    assert run.payoff().capture_rate.shape == (5, 5)
+    again = coevolution.finish(settings, place, play=StopAt(0))
+    assert np.array_equal(again.payoff().lengths, run.payoff().lengths)
+    with pytest.raises(ValueError, match="run: expected a run of RaceSettings.*seed=9"):
+        coevolution.finish(alternating("uniform", seed=9), place)
+
+
+def test_runs_are_compared_at_equal_budgets(tmp_path):
+    race = coevolution.start(alternating("latest", opponents=1, worlds=2), tmp_path / "run")
+    race.run()
+    run = coevolution.open_run(tmp_path / "run")
+    # Generations of 2 pursuer epochs and 3 evader epochs of 4 candidates in 2 worlds: 16, then 24.
+    at = {n: tuple(run.generation_at(t, n) for t in coevolution.TEAMS) for n in (15, 16, 39, 40)}
+    assert at == {15: (0, 0), 16: (1, 0), 39: (1, 0), 40: (1, 1)}
+    assert run.generation_at("pursuer", 10**6) == run.generation_at("evader", 160) == 4
+    assert run.generation_at("evader", 159) == 3
+
+
+def test_candidates_meet_every_opponent_that_was_selected(tmp_path):
+    settings = alternating("round-robin", opponents=3, learner="ga", worlds=2)
+    race = coevolution.start(settings, tmp_path / "run")
+    calls = []
+
+    def listening(config, pursuers, evaders, matches, **options):
+        calls.append((pursuers, evaders, matches))
+        return rollout(config, pursuers, evaders, matches, **options)
+
+    race.training.rollout = listening
+    race.run()
+    # The last epoch of the last generation's evaders, before the evaluation of 5 rows.
+    pursuers, _, matches = calls[-6]
+    assert np.array_equal(pursuers.genomes, race.genomes("pursuer"))
+    epoch = settings.evader_epochs - 1
+    met = [(3 * epoch + turn) % 5 for turn in range(3)]
+    assert matches.pursuer.tolist() == met * settings.population
+    assert matches.evader.tolist() == np.repeat(np.arange(settings.population), 3).tolist()
+    for turn, g in enumerate(met):
+        seeds = training_seeds(settings.seed, g, 4, Phase.EVADERS_LEARN, epoch, 1)
+        assert set(matches.seed[turn::3].tolist()) == set(seeds.tolist())
+
+
+@pytest.mark.parametrize("name", ["maxsolve", "ipca", "lapca"])
+def test_archives_hold_what_the_matches_of_a_pair_say(tmp_path, name):
+    settings = alternating(name, archive_episodes=2, generations=5, seed=4)
+    race = coevolution.start(settings, tmp_path / "run")
+    race.run()
+    pursuers, evaders = (Population(race.genomes(t), race.network) for t in coevolution.TEAMS)
+    held = 0
+    for team in coevolution.TEAMS:
+        archive = race.matchmaking.samplers[team].archive
+        for i, own in enumerate(archive.candidates.astype(int)):
+            for j, opponent in enumerate(archive.tests.astype(int)):
+                g, h = (own, opponent) if team == "pursuer" else (opponent, own)
+                seeds = training_seeds(settings.seed, g, h, Phase.ARCHIVE, 0, 2)
+                scores = rollout(
+                    settings.world(settings.train_steps),
+                    pursuers,
+                    evaders,
+                    Matches.of(g, h, seeds),
+                )
+                caught = round(3 * float(scores.capture_rate.sum()))  # of 3 evaders in 2 matches
+                won = np.sign(caught - 3) * (1 if team == "pursuer" else -1)
+                assert archive.outcomes[i, j] == (1 + won) / 2
+                held += 1
+    assert held
+
+
+def test_generalist_learns_from_opponents_that_differ(tmp_path):
+    race = coevolution.start(alternating("generalist"), tmp_path / "run")
+    race.run()
+    for team in coevolution.TEAMS:
+        archive = race.matchmaking.samplers[team].archive
+        assert len(set(archive.tests.tolist())) == len(archive.tests) == 3
+        assert set(archive.tests) <= set(range(5))
+
+
+def test_opponents_selected_by_results_depend_on_them(tmp_path):
+    """Prioritised selection remembers: the state in the checkpoint is what it was told."""
+    race = coevolution.start(alternating("prioritized-hard"), tmp_path / "run")
+    race.run()
+    state = race.files.restore().state
+    games = state["pursuer.met.games"]
+    assert games.shape == (4,)
+    assert (games > 0).all()
+    rates = state["pursuer.met.wins"] / games
+    assert ((rates >= 0) & (rates <= 1)).all()
+    again = coevolution.resume(tmp_path / "run")
+    assert np.array_equal(again.matchmaking.samplers["pursuer"].win_rates(4), rates)
+
+
+def test_sharing_by_hand():
+    nan = np.nan
+    payoff = np.array([[1.0, 0.0, nan], [1.0, nan, 0.5], [0.0, 0.0, nan]])
+    # Opponent 0 is shared by two, opponent 2 belongs to individual 1; n / m = 3 / 3.
+    shared = shared_fitness(payoff - 0.2, payoff, sharing="competitive", virulence=None)
+    assert shared == pytest.approx([0.5 - 0.2, 1.5 - 0.2, 0.0 - 0.2])
+    # Wins 1, 1.5 and 0: shares 2/3, 1 and 0 of the best; v = 3/4.
+    eased = shared_fitness(payoff, payoff, sharing="none", virulence=0.75)
+    assert eased == pytest.approx([1 - (1 / 9) ** 2, 1 - (1 / 3) ** 2, 0.0])
+    plain = shared_fitness(payoff - 0.2, payoff, sharing="none", virulence=None)
+    assert plain == pytest.approx([0.3, 0.55, -0.2])
+    assert mean_over_met(payoff).tolist() == [0.5, 0.75, 0.0]
+    assert mean_over_met(np.array([[1.0, 3.0]])).tolist() == [2.0]
+
+
+@pytest.mark.parametrize(
+    "changes", [{"sharing": "competitive"}, {"evader_virulence": 0.6, "pursuer_virulence": 1.0}]
+)
+@pytest.mark.parametrize("make", [alternating, joint])
+def test_sharing_changes_what_evolves(tmp_path, make, changes):
+    same = {"learner": "ga", "population": 8, "evader_epochs": 6, "generations": 4}
+    if make is alternating:
+        same["opponents"] = 4
+    plain, shared = make("uniform", **same), make("uniform", **same, **changes)
+    archives = []
+    for number, settings in enumerate((plain, shared)):
+        race = coevolution.start(settings, tmp_path / str(number))
+        race.run()
+        archives.append(race.genomes("evader"))
+    assert not np.array_equal(*archives)

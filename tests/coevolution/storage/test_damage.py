@@ -1,0 +1,345 @@
+"""Run directories that somebody has damaged: told of in a line or mended, never a wrong result."""
+
+from __future__ import annotations
+
+import io
+import os
+import shutil
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import killed
+from command_line import MAIN_JOB, RACE, matrixworld_command, words
+from matrixworld.cli import jobs, report
+from matrixworld.coevolution import (
+    DamagedFileError,
+    OtherVersionError,
+    Race,
+    RunDirectory,
+    files,
+    open_run,
+    resume,
+)
+from tiny_race import RESULTS, StopAt, directory_in_memory, results, tiny_race
+
+PREVIOUS = ("archive.previous.npz", "checkpoint.previous.npz")
+AT_THE_END = ("payoff.npz", "summary.json")
+OF_EITHER = [
+    (run, name)
+    for run in ("straight", "stopped")
+    for name in (*RESULTS, *PREVIOUS)
+    if run == "straight" or name not in AT_THE_END
+]
+"""The files that a finished run has, and one that was stopped."""
+LOCKS = [("straight", ".lock"), ("stopped", ".lock")]
+
+
+@pytest.fixture(autouse=True)
+def undrawn(monkeypatch):
+    """Leave the figures out: they are not what is tested."""
+    monkeypatch.setattr(report, "draw_run", lambda path: [])
+
+
+@pytest.fixture
+def tmp_path():
+    """Many files are synced here."""
+    with directory_in_memory() as directory:
+        yield directory
+
+
+@pytest.fixture(scope="module")
+def straight(tmp_path_factory):
+    """A finished race."""
+    directory = tmp_path_factory.mktemp("straight") / "run"
+    Race(tiny_race(), directory, threads=1).run()
+    return directory
+
+
+@pytest.fixture(scope="module")
+def stopped(tmp_path_factory):
+    """The same race, stopped in its last team phase but one."""
+    directory = tmp_path_factory.mktemp("stopped") / "run"
+    race = Race(tiny_race(), directory, threads=1, play=StopAt(6))
+    with pytest.raises(KeyboardInterrupt):
+        race.run()
+    return directory
+
+
+@pytest.fixture(scope="module")
+def foreign(tmp_path_factory):
+    """A finished race of another seed."""
+    directory = tmp_path_factory.mktemp("foreign") / "run"
+    Race(tiny_race(seed=6), directory, threads=1).run()
+    return directory
+
+
+@pytest.fixture(params=["straight", "stopped"])
+def copy(request, tmp_path):
+    """A copy of either, to be damaged."""
+    return Path(shutil.copytree(request.getfixturevalue(request.param), tmp_path / "run"))
+
+
+def resumed(directory):
+    """Resume by the command line; returns exit code and what it said."""
+    try:
+        return 0, matrixworld_command("evolve", "--resume", directory).output
+    except AssertionError:  # of the exit code
+        return 1, matrixworld_command("evolve", "--resume", directory, code=1).stderr
+
+
+def check_that_it_is_told_or_mended(directory, name, straight):
+    """After damage to a file: the true result, or an error that names the directory."""
+    code, said = resumed(directory)
+    if code == 0:
+        assert results(directory) == results(straight)
+    else:
+        assert "Error: " in said
+        assert f"{directory}/{name}: " in said
+    return code
+
+
+def cuts(content):
+    return [content[: len(content) * part // 4] for part in range(4)] + [content.rstrip()[:-1]]
+
+
+def alterations(content):
+    for part in range(5):
+        place = (len(content) - 1) * part // 4
+        yield content[:place] + bytes([content[place] ^ 0x15]) + content[place + 1 :]
+
+
+def replacements(content):
+    return [b"{}", b"null", b"PK\x05\x06" + bytes(18), content + content, content + b"\0"]
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")  # of damage, among what is said
+@pytest.mark.parametrize("damage", [cuts, alterations, replacements])
+@pytest.mark.parametrize(("copy", "name"), OF_EITHER, indirect=["copy"])
+def test_damaged_file(copy, straight, name, damage):
+    kept = {path: path.read_bytes() for path in copy.iterdir()}
+    for content in damage(kept[copy / name]):
+        (copy / name).write_bytes(content)
+        code = check_that_it_is_told_or_mended(copy, name, straight)
+        if name in PREVIOUS:
+            assert code == 0
+        for path in copy.iterdir():
+            path.unlink()
+        for path, whole in kept.items():
+            path.write_bytes(whole)
+
+
+@pytest.mark.parametrize(("copy", "name"), [*OF_EITHER, *LOCKS], indirect=["copy"])
+def test_deleted_file(copy, straight, name):
+    (copy / name).unlink()
+    if name == "config.json":
+        matrixworld_command("evolve", "--resume", copy, code=2)
+        again = matrixworld_command("evolve", copy, "--schedule", MAIN_JOB[0], code=2)
+        assert "expected a new or empty directory" in again.stderr
+    else:
+        code = check_that_it_is_told_or_mended(copy, name, straight)
+        assert code == (1 if name == "log.csv" else 0)
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+@pytest.mark.parametrize("name", RESULTS)
+def test_file_of_another_run(copy, straight, foreign, name):
+    """Whole, and of the right form, but not this run's."""
+    shutil.copy(foreign / name, copy / name)
+    refused = "checkpoint.npz" if name == "config.json" else name
+    check_that_it_is_told_or_mended(copy, refused, straight)
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+@pytest.mark.parametrize(
+    ("source", "name"),
+    [
+        ("archive.npz", "checkpoint.npz"),
+        ("checkpoint.npz", "archive.npz"),
+        ("archive.npz", "payoff.npz"),
+        ("config.json", "summary.json"),
+    ],
+)
+def test_file_under_another_name(copy, straight, source, name):
+    shutil.copy(copy / source, copy / name)
+    check_that_it_is_told_or_mended(copy, name, straight)
+
+
+def test_readers_take_no_damaged_file(straight, foreign, tmp_path):
+    for name, read in {
+        "archive.npz": lambda run: run.files.archive(),
+        "payoff.npz": lambda run: run.payoff(),
+        "summary.json": lambda run: run.files.summary(),
+        "log.csv": lambda run: run.files.log(),
+    }.items():
+        copy = Path(shutil.copytree(straight, tmp_path / name))
+        run = open_run(copy)
+        read(run)
+        shutil.copy(foreign / name, copy / name)
+        with pytest.raises(DamagedFileError, match=f"{name}: (altered|cut)"):
+            read(run)
+        (copy / name).unlink()
+        with pytest.raises((FileNotFoundError, DamagedFileError), match=name):
+            read(run)
+
+
+def rewritten(directory, change):
+    """Change config.json as another version would have written it, with a checksum that fits."""
+    config = files.load_json(directory / "config.json")
+    change(config)
+    files.save_json(directory / "config.json", config)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda config: config.update(format=1), r"expected format 2, got 1"),
+        (lambda config: config.update(format=99, matrixworld="9.9"), r"written by matrixworld 9.9"),
+        (lambda config: config.pop("format"), r"expected format 2, got None"),
+        (lambda config: config["settings"].pop("seed"), r"missing fields \['seed'\]"),
+        (lambda config: config["settings"].update(speed=1), r"unknown fields \['speed'\]"),
+        (lambda config: config["settings"].update(learner="annealing"), "learner: expected one of"),
+        (lambda config: config["settings"].update(schedule="random"), "schedule: expected one of"),
+        (lambda config: config["settings"].update(rows="many"), "rows"),
+        (lambda config: config.update(kind="islands"), "islands"),
+    ],
+)
+def test_another_version_s_files(copy, change, message):
+    before = {path: path.read_bytes() for path in copy.iterdir() if path.name != "config.json"}
+    rewritten(copy, change)
+    for read in (resume, open_run):
+        with pytest.raises(OtherVersionError, match=message):
+            read(copy)
+    for command in (["evolve", "--resume"], ["replay"], ["tournament"]):
+        result = matrixworld_command(*command, copy, code=1)
+        assert "Error: " in result.stderr
+        assert "config.json" in result.stderr or "islands" in result.stderr
+    assert all(path.read_bytes() == content for path, content in before.items())
+
+
+class Trap:
+    """What would be called if it were unpickled."""
+
+    def __reduce__(self):
+        return os.mkdir, ("sprung",)
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+@pytest.mark.parametrize("sealed", [False, True])
+@pytest.mark.parametrize("name", ["archive", "checkpoint", "payoff"])
+def test_pickled_objects_are_not_loaded(straight, tmp_path, monkeypatch, name, sealed):
+    monkeypatch.chdir(tmp_path)
+    copy = Path(shutil.copytree(straight, tmp_path / "run"))
+    buffer = io.BytesIO()
+    np.savez(buffer, pursuers=np.array([Trap()], dtype=object))
+    owner = RunDirectory.open(copy)._owner_of(name)
+    content = files._signed(buffer.getvalue(), owner) if sealed else buffer.getvalue()
+    (copy / f"{name}.npz").write_bytes(content)
+    with pytest.raises(DamagedFileError, match=f"{name}.npz: "):
+        files.load_arrays(copy / f"{name}.npz", owner=owner)
+    check_that_it_is_told_or_mended(copy, f"{name}.npz", straight)
+    assert not (tmp_path / "sprung").exists()
+
+
+# A directory that is not finished, or not ours to write to
+
+
+def test_remains_of_a_creation_are_built_upon(straight, tmp_path):
+    directory = tmp_path / "run"
+    directory.mkdir()
+    for name in (".lock", "archive.npz", "checkpoint.npz"):
+        shutil.copy(straight / name, directory)
+    (directory / ".checkpoint.npz.123.tmp").write_bytes(b"half")
+    Race(tiny_race(), directory, threads=1).run()
+    assert results(directory) == results(straight)
+
+
+@pytest.mark.parametrize("left_over", ["notes.txt", "log.csv", "archive.previous.npz"])
+def test_only_remains_of_a_creation_are_built_upon(straight, tmp_path, left_over):
+    directory = tmp_path / "run"
+    directory.mkdir()
+    for name in (".lock", "archive.npz", left_over):
+        (directory / name).write_bytes(b"mine")
+    with pytest.raises(FileExistsError, match=f"found {left_over}"):
+        Race(tiny_race(), directory)
+    (directory / left_over).unlink()
+    (directory / ".lock").unlink()  # the archive is somebody's who keeps it here
+    with pytest.raises(FileExistsError, match="found archive.npz"):
+        Race(tiny_race(), directory)
+    assert (directory / "archive.npz").read_bytes() == b"mine"
+
+
+def test_a_command_stopped_while_it_makes_a_run_can_be_given_again(straight, tmp_path, monkeypatch):
+    directory = tmp_path / "run"
+    command = ["evolve", directory, *words(RACE), "--schedule", MAIN_JOB[1]]
+    with monkeypatch.context() as patch:
+        patch.setattr(RunDirectory, "write_config", interrupted)
+        matrixworld_command(*command, code=1)
+    assert not (directory / "config.json").exists()
+    assert "that holds a run" in matrixworld_command("evolve", "--resume", directory, code=2).stderr
+    matrixworld_command(*command)
+    assert results(directory) == results(straight)
+
+
+def test_a_job_of_which_some_runs_were_made_is_not_taken_for_a_whole_one(tmp_path, monkeypatch):
+    directory = tmp_path / "job"
+    start, left = jobs.start, [1]
+
+    def second_fails(*args, **options):
+        if not left:
+            interrupted()
+        left.pop()
+        return start(*args, **options)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(jobs, "start", second_fails)
+        matrixworld_command("evolve", directory, *words(RACE), code=1)
+    for command in (["evolve", "--resume", directory], ["evolve", directory, *words(RACE)]):
+        said = matrixworld_command(*command, code=2).stderr
+        assert "was stopped while its runs were being made" in said
+    shutil.rmtree(directory)
+    monkeypatch.setattr(report, "draw_comparison", lambda payoffs, path: path)
+    matrixworld_command("evolve", directory, *words(RACE))
+
+
+def interrupted(*args, **options):
+    raise KeyboardInterrupt
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs permissions")
+@pytest.mark.parametrize("made", [False, True])
+def test_read_only_directory(stopped, straight, made):
+    with directory_in_memory() as place:  # of which all may see the parents
+        os.chmod(place, 0o755)
+        directory = Path(shutil.copytree(stopped, place / "run"))
+        if not made:
+            for path in directory.iterdir():
+                path.unlink()
+        told = place / "message"
+        told.touch(0o666)
+        os.chmod(told, 0o666)
+        os.chmod(directory, 0o555)
+        child = killed.process(killed.go_on_without_rights, "race", directory, told)
+        child.join()
+        assert child.exitcode == killed.REFUSED
+        assert f"Permission denied: '{directory}" in told.read_text()
+        os.chmod(directory, 0o755)
+        killed.go_on("race", directory)
+        assert results(directory) == results(straight)
+
+
+def test_a_full_disk_is_told_of_with_the_way_to_go_on(stopped, straight, tmp_path, monkeypatch):
+    copy = Path(shutil.copytree(stopped, tmp_path / "run"))
+
+    def full(handle):
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "fsync", full)
+        said = matrixworld_command("evolve", "--resume", copy, code=1).stderr
+    assert f"Error: [Errno 28] No space left on device: '{copy}" in said
+    assert f"matrixworld evolve --resume {copy}\n" in said
+    matrixworld_command("evolve", "--resume", copy)
+    assert results(copy) == results(straight)

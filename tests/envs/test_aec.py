@@ -1,0 +1,176 @@
+"""The AEC environment: turns are played when those who act in them have committed."""
+
+from __future__ import annotations
+
+import copy
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld.envs import raw_aec_env
+from rows import CUSTOM, config_of, random_actions
+
+NAMES = [*mw.VARIANTS, *CUSTOM]
+
+
+def play(env: Any, rows: np.ndarray) -> tuple[dict[str, float], list[str]]:
+    """Whole episode: row t holds the t-th action of each agent. Returns and order of acting."""
+    returns = dict.fromkeys(env.possible_agents, 0.0)
+    taken = dict.fromkeys(env.possible_agents, 0)
+    order = []
+    for agent in env.agent_iter():
+        _, reward, terminated, truncated, _ = env.last()
+        returns[agent] += reward
+        if terminated or truncated:
+            env.step(None)
+            continue
+        order.append(agent)
+        env.step(int(rows[taken[agent], env.possible_agents.index(agent)]))
+        taken[agent] += 1
+    return returns, order
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_episode_is_the_world_s(name: str) -> None:
+    config = config_of(name, obstacles=0.1)
+    env, world = mw.aec_env(config), mw.World(config)
+    rows = random_actions(5, config.n_actions, config.max_steps, config.n_agents)
+    env.reset(seed=6)
+    returns, _ = play(env, rows)
+    world.reset(6)
+    expected = np.zeros(config.n_agents)
+    for row in rows:
+        expected += world.step(row)
+        if world.terminated or world.truncated:
+            break
+    np.testing.assert_allclose(list(returns.values()), expected, atol=1e-3)
+    np.testing.assert_array_equal(env.state(), world.state())
+    assert env.unwrapped.status.steps == world.steps
+    assert env.agents == []
+
+
+def test_agents_see_what_was_done_before_their_turn() -> None:
+    """Cops and robbers, hand-driven: every action is a turn."""
+    config = config_of("TO", obstacles=0.1, max_steps=30)
+    env, world = raw_aec_env(config), mw.World(config)
+    env.reset(seed=2)
+    world.reset(2)
+    rng = np.random.default_rng(0)
+    seen_in_midround = 0
+    while env.agents:
+        agent = env.agent_selection
+        number = env.possible_agents.index(agent)
+        np.testing.assert_array_equal(env.observe(agent), world.views()[number])
+        if env.terminations[agent] or env.truncations[agent]:
+            env.step(None)
+            continue
+        while world.actors[0] != number:  # the gone
+            world.play_turn(np.zeros(config.n_agents, int))
+        action = int(rng.integers(5))
+        env.step(action)
+        world.play_turn(np.full(config.n_agents, action))
+        while world.turn and world.terminated:
+            world.play_turn(np.zeros(config.n_agents, int))
+        np.testing.assert_array_equal(env.state(), world.state())
+        seen_in_midround += world.turn > 0
+    assert seen_in_midround > 5
+
+
+def test_swarms_commit_one_by_one_and_move_at_once() -> None:
+    config = config_of("swarm-S")
+    env = raw_aec_env(config)
+    env.reset(seed=1)
+    start = env.state()
+    for agent in env.possible_agents[: config.n_pursuers]:
+        assert env.agent_selection == agent
+        np.testing.assert_array_equal(env.state(), start)
+        env.step(2)
+    moved = env.state()
+    assert not np.array_equal(moved[1], start[1])
+    np.testing.assert_array_equal(moved[0], start[0])
+    world = mw.World(config)
+    world.reset(1)
+    world.play_turn(np.full(config.n_agents, 2))
+    assert env.agent_selection == "evader_0"
+    np.testing.assert_array_equal(env.observe("evader_0"), world.views()[config.n_pursuers])
+
+
+def test_together_everybody_sees_the_start_of_the_round() -> None:
+    env = raw_aec_env(config_of("R"))
+    env.reset(seed=1)
+    start = {agent: env.observe(agent) for agent in env.agents}
+    for agent in env.possible_agents[:-1]:
+        env.step(2)
+        np.testing.assert_array_equal(env.observe(agent), start[agent])
+        assert not any(env.rewards.values())
+    env.step(2)
+    assert env.status.steps == 1
+    assert env.agent_selection == "pursuer_0"
+    assert all(env.rewards.values())
+
+
+def test_order_of_turns() -> None:
+    config = config_of("TO", rows=9, cols=9, max_steps=3)
+    env = raw_aec_env(config)
+    env.reset(
+        seed=0,
+        options={"pursuers": [[0, 0], [0, 4], [0, 8]], "evaders": [[8, 0], [8, 2], [8, 6], [8, 8]]},
+    )
+    _, order = play(env, np.zeros((3, config.n_agents), int))
+    assert order == env.possible_agents * 3
+
+
+def test_an_evader_caught_in_a_turn_does_not_act() -> None:
+    config = mw.WorldConfig("TO", rows=1, cols=6, n_pursuers=2, n_evaders=2)
+    env = raw_aec_env(config)
+    env.reset(seed=0, options={"pursuers": [[0, 0], [0, 5]], "evaders": [[0, 1], [0, 3]]})
+    env.step(int(mw.Action.EAST))
+    assert env.agent_selection == "evader_0"
+    assert env.terminations["evader_0"]
+    assert env.infos["evader_0"]["captured"]
+    assert env.rewards["pursuer_0"] == pytest.approx(10 - 0.05)
+    env.step(None)
+    assert env.agents == ["pursuer_0", "pursuer_1", "evader_1"]
+    assert env.agent_selection == "pursuer_1"
+    env.step(int(mw.Action.WEST))
+    assert env.agent_selection == "evader_1"
+    assert env.status.steps == 0
+    env.step(int(mw.Action.STAY))
+    assert (env.agent_selection, env.status.steps) == ("pursuer_0", 1)
+    env.step(int(mw.Action.EAST))
+    env.step(int(mw.Action.WEST))  # caught: the world terminates in the middle of the round
+    assert env.status.terminated
+    assert env.status.steps == 2
+    assert all(env.terminations.values())
+
+
+@pytest.mark.parametrize("make", [raw_aec_env, mw.aec_env])
+@pytest.mark.parametrize("name", ["O", "TO", "swarm-D"])
+def test_a_copy_in_the_midst_of_a_round(name: str, make: Any) -> None:
+    env = make(config_of(name))
+    env.reset(seed=3)
+    config = env.unwrapped.config
+    rows = random_actions(5, 5, config.max_steps, config.n_agents)
+    for row in rows[:2, 0]:
+        env.step(int(row))
+    twin = copy.deepcopy(env)
+    assert play(twin, rows) == play(env, rows)
+    np.testing.assert_array_equal(twin.state(), env.state())
+
+
+def test_refused() -> None:
+    env = raw_aec_env(config_of("O"))
+    with pytest.raises(RuntimeError, match="call reset"):
+        env.step(0)
+    env.reset(seed=1)
+    with pytest.raises(ValueError, match="action: expected 0 to 4, got 5"):
+        env.step(5)
+    with pytest.raises(TypeError, match="action: expected an int, got None"):
+        env.step(None)
+    assert env.agent_selection == "pursuer_0"
+    wrapped = mw.aec_env(config_of("O"))
+    wrapped.reset(seed=1)
+    with pytest.raises(AssertionError, match="action is not in action space"):
+        wrapped.step(5)

@@ -1,0 +1,103 @@
+"""PettingZoo's own tests, for every variant and some rows of rules that are none of them."""
+
+from __future__ import annotations
+
+import io
+import types
+import warnings
+from contextlib import redirect_stdout
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld.envs import makers, parallel_env, raw_aec_env
+from rows import CUSTOM, config_of
+
+with warnings.catch_warnings():  # where pygame is installed it imports old environments of its own
+    warnings.simplefilter("ignore", DeprecationWarning)
+    from pettingzoo.test import (
+        api_test,
+        max_cycles_test,
+        parallel_api_test,
+        parallel_seed_test,
+        render_test,
+        seed_test,
+    )
+
+NAMES = [*mw.VARIANTS, *CUSTOM]
+
+# Told of by PettingZoo's tests, and right for these worlds: who is gone, or alone in the open, sees
+# zeros.
+zeros_are_seen = pytest.mark.filterwarnings("ignore:Observation numpy array is all zeros")
+# Both API tests reset with an option that no environment knows.
+foreign_option = pytest.mark.filterwarnings("ignore:options. expected some of .*ignored 'options'")
+
+
+@pytest.fixture(autouse=True)
+def _quiet() -> Any:
+    with redirect_stdout(io.StringIO()):
+        yield
+
+
+@zeros_are_seen
+@foreign_option
+@pytest.mark.parametrize("name", NAMES)
+def test_aec_api(name: str) -> None:
+    api_test(mw.aec_env(config_of(name, obstacles=0.1)), num_cycles=60)
+
+
+@foreign_option
+@pytest.mark.parametrize("name", NAMES)
+def test_parallel_api(name: str) -> None:
+    parallel_api_test(parallel_env(config_of(name, obstacles=0.1)), num_cycles=60)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_seeds(name: str) -> None:
+    config = config_of(name, obstacles=0.1)
+    seed_test(lambda: mw.aec_env(config), num_cycles=20)
+    parallel_seed_test(lambda: parallel_env(config), num_cycles=20)
+
+
+@pytest.mark.parametrize("name", mw.VARIANTS)
+def test_max_cycles(name: str) -> None:
+    env, raw_env, parallel = makers(name)
+    module = types.SimpleNamespace(env=env, raw_env=raw_env, parallel_env=parallel)
+    with warnings.catch_warnings():
+        # It steps a parallel environment until max_cycles, whether or not agents are gone.
+        warnings.simplefilter("error")
+        max_cycles_test(module)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_rendering(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("time.sleep", lambda seconds: None)  # which "human" does to be seen
+    drawn = {"ansi": lambda text: "captured" in text, "human": lambda nothing: nothing is None}
+    render_test(lambda **mode: mw.aec_env(config_of(name), **mode), custom_tests=drawn)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_spaces_hold_what_is_seen(name: str) -> None:
+    env = parallel_env(config_of(name, obstacles=0.1, diagonal=True))
+    observations, _ = env.reset(seed=4)
+    while env.agents:
+        assert env.state_space.contains(env.state())
+        for agent, seen in observations.items():
+            assert env.observation_space(agent).contains(seen)
+            assert env.observation_space(agent) is env.observation_space(agent)
+            assert env.observation_space(agent).sample().shape == seen.shape
+        actions = {agent: env.action_space(agent).sample() for agent in env.agents}
+        observations, *_ = env.step(actions)
+
+
+def test_one_agent_s_space_is_not_seeded_with_another_s() -> None:
+    env = raw_aec_env("O")
+    first, second = (env.action_space(agent) for agent in env.possible_agents[:2])
+    second.seed(1)
+    expected = [int(second.sample()) for _ in range(20)]
+    second.seed(1)
+    first.seed(2)
+    assert [int(second.sample()) for _ in range(20)] == expected
+    assert np.unique(expected).size > 1

@@ -1,0 +1,254 @@
+"""The parallel environment against the world that it plays in."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+import warnings
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld.envs import INFO_KEYS
+from rows import CUSTOM, config_of, random_actions
+
+NAMES = [*mw.VARIANTS, *CUSTOM]
+
+
+def named(env: Any, row: np.ndarray) -> dict[str, int]:
+    return {
+        agent: int(action)
+        for agent, action in zip(env.possible_agents, row, strict=True)
+        if agent in env.agents
+    }
+
+
+def assert_equal(one: Any, other: Any) -> None:
+    """Dicts of arrays and numbers, nested."""
+    if isinstance(one, dict):
+        assert one.keys() == other.keys()
+        for key, value in one.items():
+            assert_equal(value, other[key])
+    else:
+        np.testing.assert_array_equal(one, other)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_step_is_a_round_of_the_world(name: str) -> None:
+    config = config_of(name, obstacles=0.1)
+    env, world = mw.parallel_env(config), mw.World(config)
+    world.reset(8)
+    observations, infos = env.reset(seed=8)
+    alive = np.ones(config.n_agents, bool)
+    for row in random_actions(3, config.n_actions, config.max_steps, config.n_agents):
+        acted = [agent for agent, lives in zip(env.possible_agents, alive, strict=True) if lives]
+        assert env.agents == acted
+        observations, rewards, terminations, truncations, infos = env.step(named(env, row))
+        world.step(row)
+        for part in (observations, rewards, terminations, truncations, infos):
+            assert list(part) == acted
+        over = world.terminated or world.truncated
+        for i, agent in enumerate(env.possible_agents):
+            if not alive[i]:
+                continue
+            np.testing.assert_array_equal(observations[agent], world.views()[i])
+            assert rewards[agent] == world.rewards[i]
+            assert terminations[agent] == (world.terminated or not world.alive[i])
+            assert truncations[agent] == (world.truncated and not terminations[agent])
+            assert tuple(infos[agent]) == INFO_KEYS
+        np.testing.assert_array_equal(env.state(), world.state())
+        alive = world.alive
+        if over:
+            assert env.agents == []
+            break
+    assert over
+
+
+def test_infos() -> None:
+    config = mw.WorldConfig("SB", rows=1, cols=5, n_pursuers=2, n_evaders=1, max_steps=9)
+    env = mw.parallel_env(config)
+    where = {"pursuers": [[0, 0], [0, 2]], "evaders": [[0, 3]]}
+    _, infos = env.reset(seed=0, options=where)
+    assert {tuple(info) for info in infos.values()} == {INFO_KEYS}
+    assert infos["pursuer_0"]["step"] == 0
+    # pursuer_0 heads for pursuer_1, who heads for the evader, who stays.
+    *_, infos = env.step({"pursuer_0": 2, "pursuer_1": 2, "evader_0": 0})
+    first, second, evader = infos.values()
+    assert not first["involved_adversary"]
+    assert (second["fault_adversary"], second["cost_adversary"], second["cost"]) == (True, 1.0, 1.0)
+    assert (evader["involved_adversary"], evader["fault_adversary"], evader["cost"]) == (
+        True,
+        False,
+        0.0,
+    )
+    _, _, terminations, _, infos = env.step({"pursuer_0": 2, "pursuer_1": 0, "evader_0": 2})
+    assert infos["pursuer_0"]["cost_teammate"] == infos["pursuer_1"]["cost_teammate"] == 1.0
+    assert infos["evader_0"] | {"captured": False} == infos["evader_0"]
+    # Between pursuer and border, the evader is surrounded.
+    _, _, terminations, _, infos = env.step({"pursuer_0": 0, "pursuer_1": 2, "evader_0": 0})
+    assert all(terminations.values())
+    assert (infos["evader_0"]["captured"], infos["evader_0"]["captors"]) == (True, 1)
+    shared = ("capture_rate", "ever_capture_rate", "pursuer_survival_rate", "evader_survival_rate")
+    for info in infos.values():
+        assert [info[key] for key in shared] == [1.0] * 4
+        assert info["step"] == 3
+        assert {type(value) for value in info.values()} == {bool, float, int}
+
+
+@pytest.mark.parametrize("name", ["D", "SDB", "TO"])
+def test_status_never_shifts(name: str) -> None:
+    config = config_of(name)
+    env, world = mw.parallel_env(config), mw.World(config)
+    env.reset(seed=2)
+    world.reset(2)
+    for row in random_actions(3, config.n_actions, config.max_steps, config.n_agents):
+        if not env.agents:
+            break
+        env.step(named(env, row))
+        world.step(row)
+        for field in env.status.__dataclass_fields__:
+            np.testing.assert_array_equal(getattr(env.status, field), world.read(field)[field])
+    assert env.status.alive.shape == (config.n_agents,)
+    assert not env.agents
+
+
+# ---- Episodes ----------------------------------------------------------------------------------
+
+
+def test_episodes_follow_each_other() -> None:
+    env, world = mw.parallel_env("O"), mw.World("O")
+    env.reset(seed=3)
+    env.reset()
+    world.reset(3, episode=1)
+    np.testing.assert_array_equal(env.status.positions, world.positions)
+    env.reset(options={"episode": 5}, seed=9)
+    assert (env.world.seed, env.world.episode) == (9, 5)
+
+
+def test_an_environment_without_a_seed_draws_one() -> None:
+    seeds = []
+    for _ in range(3):
+        env = mw.parallel_env("O")
+        env.reset()
+        seeds.append(env.world.seed)
+    assert len(set(seeds)) == 3
+
+
+def test_options() -> None:
+    env = mw.parallel_env("R", rows=3, cols=3, n_pursuers=1, n_evaders=1)
+    ground = np.eye(3, dtype=bool)
+    env.reset(options={"pursuers": [[0, 1]], "evaders": [[2, 0]], "obstacles": ground})
+    np.testing.assert_array_equal(env.status.positions, [[0, 1], [2, 0]])
+    np.testing.assert_array_equal(env.state()[2], ground)
+    with pytest.warns(UserWarning, match="expected some of .*'evaders'.*, ignored 'evader'"):
+        env.reset(options={"evader": [[2, 0]]})
+
+
+@pytest.mark.parametrize("copied", [copy.deepcopy, lambda e: pickle.loads(pickle.dumps(e))])  # noqa: S301
+@pytest.mark.parametrize("name", ["O", "SB", "swarm-D", "TO"])
+def test_copies_go_on_alike_and_apart(name: str, copied: Any) -> None:
+    env = mw.parallel_env(config_of(name), record=True)
+    env.reset(seed=1)
+    rows = random_actions(3, 5, 20, env.config.n_agents)
+    env.step(named(env, rows[0]))
+    twin = copied(env)
+    env.action_space(env.agents[0]).seed(4)
+    for row in rows[1:]:
+        if not env.agents:
+            env.reset()
+            twin.reset()
+        assert_equal(
+            dict(enumerate(env.step(named(env, row)))), dict(enumerate(twin.step(named(twin, row))))
+        )
+    np.testing.assert_array_equal(env.recorded.positions, twin.recorded.positions)
+    left = copied(env)
+    env.reset()
+    assert left.world.episode == env.world.episode - 1
+
+
+def test_environments_are_independent() -> None:
+    rows = random_actions(3, 5, 12, 7)
+    alone = [mw.parallel_env(config_of("O")) for _ in range(2)]
+    together = [mw.parallel_env(config_of("O")) for _ in range(2)]
+    for number, env in enumerate(alone):
+        env.reset(seed=number)
+        for row in rows:
+            if env.agents:
+                env.step(named(env, row))
+    for number, env in enumerate(together):
+        env.reset(seed=number)
+    for row in rows:
+        for env in together:
+            if env.agents:
+                env.step(named(env, row))
+    for one, other in zip(alone, together, strict=True):
+        np.testing.assert_array_equal(one.state(), other.state())
+
+
+# ---- Bad input ---------------------------------------------------------------------------------
+
+
+def test_observations_are_not_overwritten() -> None:
+    env = mw.parallel_env(config_of("R"))
+    observations, _ = env.reset(seed=1)
+    before = copy.deepcopy(observations)
+    env.step(named(env, random_actions(3, 5, env.config.n_agents)))
+    assert_equal(observations, before)
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "says"),
+    [
+        ({"pursuer_0": None}, TypeError, "expected an int for each agent, got .*NoneType"),
+        ({"pursuer_0": 1.0}, TypeError, "expected an int for each agent, got float"),
+        ({"pursuer_1": 5}, ValueError, "expected 0 to 4, got 5 .*agent 1"),
+        ({"evader_9": 0}, ValueError, r"expected names of agents, got \['evader_9'\]"),
+    ],
+)
+def test_actions_that_are_refused(
+    change: dict[str, Any], error: type[Exception], says: str
+) -> None:
+    env = mw.parallel_env(config_of("O"))
+    env.reset(seed=1)
+    before = env.state()
+    with pytest.raises(error, match=says):
+        env.step(dict.fromkeys(env.agents, 0) | change)
+    np.testing.assert_array_equal(env.state(), before)
+    assert env.status.steps == 0
+
+
+def test_calls_that_are_refused() -> None:
+    env = mw.parallel_env(config_of("O"))
+    with pytest.raises(RuntimeError, match="call reset"):
+        env.step({})
+    env.reset(seed=1)
+    ended = mw.parallel_env(config_of("O", max_steps=1))
+    ended.reset(seed=1)
+    ended.step(dict.fromkeys(ended.agents, 0))
+    assert ended.step({}) == ({}, {}, {}, {}, {})
+    with pytest.raises(RuntimeError, match="has ended"):
+        ended.step({"pursuer_0": 0})
+    with pytest.raises(ValueError, match=r"none came for \['pursuer_1', "):
+        env.step({"pursuer_0": 0})
+    with pytest.raises(ValueError, match="render: expected a render_mode"):
+        env.render()
+    with pytest.raises(RuntimeError, match="record=True"):
+        env.recorded  # noqa: B018
+    with pytest.raises(ValueError, match="render_mode: expected None or one of .*got 'png'"):
+        mw.parallel_env(render_mode="png")
+    with pytest.raises(ValueError, match=r"fields_of_view: .*got \['evader_30'\]"):
+        mw.parallel_env(fields_of_view=["pursuer_0", "evader_30"])
+    env.close()
+    env.close()
+
+
+def test_names() -> None:
+    assert mw.parallel_env("pursuit-evasion-sdb").metadata["name"] == "pursuit_evasion_sdb_v0"
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        custom = mw.parallel_env(CUSTOM["nobody"])
+    assert custom.metadata["name"] == "pursuit_evasion_custom_v0"
+    assert custom.possible_agents[7:9] == ["pursuer_7", "evader_0"]
+    assert mw.parallel_env("O", max_cycles=7).config.max_steps == 7

@@ -1,0 +1,50 @@
+"""The benchmarks run, and assert their answers; how fast is not looked at."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+from click.testing import CliRunner
+
+FOLDER = Path(__file__).parents[2] / "benchmarks"
+SHORT = ["--seconds", "0.001", "--repeats", "1"]
+FEW = {
+    "bench_worlds": SHORT,
+    "bench_rollouts": [*SHORT, "--rounds", "20"],
+    "bench_peers": [*SHORT, "--rounds", "20", "--size", "2"],
+    "bench_scaling": [*SHORT, "--largest", "100", "--out", "scaling.png"],
+    "bench_evolve": ["--generations", "1", "--epochs", "2"],
+}
+"""By script, what makes its work small."""
+
+
+def load(name: str, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(name, FOLDER / f"{name}.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    monkeypatch.setitem(sys.modules, name, module)  # dataclasses look their module up
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_all_benchmarks_are_tested() -> None:
+    assert sorted(FEW) == sorted(path.stem for path in FOLDER.glob("bench_*.py"))
+
+
+@pytest.mark.parametrize("name", FEW)
+def test_benchmark_runs(name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.syspath_prepend(FOLDER)
+    monkeypatch.chdir(tmp_path)
+    module = load(name, monkeypatch)
+    monkeypatch.setattr(module, "bind", lambda cores: None)
+    result = CliRunner().invoke(module.main, FEW[name])
+    assert result.exception is None
+    lines = result.output.splitlines()
+    assert lines[1].startswith("|---")
+    assert len(lines) > 7
+    assert (tmp_path / "scaling.png").exists() == (name == "bench_scaling")

@@ -1,0 +1,137 @@
+"""The scripts in evolution/ that measure over many runs: what they count, compare and write."""
+
+from __future__ import annotations
+
+import csv
+import importlib
+import re
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from evolution_scripts import SCRIPTS, run_quickly
+from matrixworld.coevolution import open_run
+
+
+def counted(results: Path) -> list[dict[str, str]]:
+    with (results / "hit_rates.csv").open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def total(rows: list[dict[str, str]], **wanted: str) -> int:
+    return sum(int(row["count"]) for row in rows if wanted.items() <= row.items())
+
+
+def test_diagnosis_on_toys_tells_and_writes_how_often_it_is_right(tmp_path: Path) -> None:
+    told = run_quickly("diagnosis_on_toys", tmp_path, "--seeds", "1")
+    results = tmp_path / "diagnosis"
+    assert {path.name for path in results.iterdir()} == {"hit_rates.md", "hit_rates.csv"}
+    assert told.startswith((results / "hit_rates.md").read_text(encoding="utf-8"))
+    rows = [line.split(" | ") for line in told.splitlines() if line.startswith("| virul")]
+    assert rows[0][:3] == ["| virulence 1", "disengagement (1)", "1"]
+    counts = counted(results)
+    right = total(counts, truth="True", verdict="present")
+    right += total(counts, truth="False", verdict="absent")
+    judged = total(counts) - total(counts, verdict="cannot tell")
+    assert right > 0.8 * judged > 20
+
+
+def test_the_committed_hit_rates_are_those_of_the_committed_counts() -> None:
+    results = SCRIPTS / "results" / "diagnosis"
+    text = (results / "hit_rates.md").read_text(encoding="utf-8")
+    counts = counted(results)
+    for condition in {row["condition"] for row in counts}:
+        of = {"condition": condition, "by": "one race, its episodes"}
+        races = total(counts, **of, truth="True")
+        hits = total(counts, **of, truth="True", verdict="present")
+        assert races >= 40
+        assert f"| {condition} | {of['by']} | {races} | {hits / races:.0%} |" in text
+
+
+def test_hall_of_fame_compares_two_kinds_of_race(tmp_path: Path) -> None:
+    printed = run_quickly("hall_of_fame", tmp_path)
+    assert "| mean over seeds | latest only | hall of fame |" in printed
+    assert {path.name for path in tmp_path.iterdir()} == {"runs", "hall_of_fame.png"}
+    matches = {
+        kind: open_run(tmp_path / "runs/hall_of_fame" / kind / "0").files.log()["matches"][-1]
+        for kind in ("latest-only", "hall-of-fame")
+    }
+    # In the first generation there is one champion to meet, where later there are two.
+    assert matches["latest-only"] - matches["hall-of-fame"] == 2 * 3 * 8
+    assert run_quickly("hall_of_fame", tmp_path) == printed
+
+
+def test_archives_are_compared_at_one_budget(tmp_path: Path) -> None:
+    printed = run_quickly("archives", tmp_path, "--samplers", "latest", "maxsolve")
+    budget = int(printed.split(" matches")[0].rsplit(" ", 1)[-1].replace(",", ""))
+    ends = [
+        open_run(tmp_path / "runs/archives" / name / "0").files.log()["matches"][-1]
+        for name in ("latest", "maxsolve")
+    ]
+    assert budget == min(ends) < max(ends)
+    assert printed.count("\n| latest |") == printed.count("\n| maxsolve |") == 1
+
+
+def test_claims_are_told_with_intervals_and_their_numbers_kept(tmp_path: Path) -> None:
+    printed = run_quickly("paper_claims", tmp_path)
+    table = (tmp_path / "paper_claims/claims.md").read_text()
+    assert table in printed
+    claims, scores = table.strip().split("\n\n")
+    assert len(claims.splitlines()) == 2 + 12
+    assert len(scores.splitlines()) == 2 + 7
+    verdicts = [line.rsplit("**", 2)[1] for line in claims.splitlines()[2:]]
+    assert set(verdicts) <= {"reproduced", "not reproduced", "undecided"}
+    with np.load(tmp_path / "paper_claims/numbers.npz") as numbers:
+        assert numbers["payoff generalist-generalist"].shape == (2, 7, 7)
+        assert numbers["cross-play of evaders"].shape == (4, 2, 2, 2, 3)
+
+
+NUMBER = r"-?\d+\.\d+"
+
+
+def test_the_committed_claims_follow_from_the_committed_numbers(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.syspath_prepend(SCRIPTS)
+    results = SCRIPTS / "results" / "paper_claims"
+    with np.load(results / "numbers.npz") as numbers:
+        told = importlib.import_module("paper_claims").tables(numbers)
+    committed = (results / "claims.md").read_text(encoding="utf-8").strip()
+    # Another SciPy may resample otherwise: words and verdicts are the same, numbers nearly.
+    assert re.sub(NUMBER, "#", told) == re.sub(NUMBER, "#", committed)
+    values, expected = ([*map(float, re.findall(NUMBER, text))] for text in (told, committed))
+    assert values == pytest.approx(expected, rel=0.05, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("values", "side", "verdict"),
+    [
+        ([0.2, 0.3, 0.4], "above", "reproduced"),
+        ([0.2, 0.3, 0.4], "below", "not reproduced"),
+        ([-0.2, 0.3, 0.1], "above", "undecided"),
+        ([-0.2, 0.3, 0.1], "below", "undecided"),
+        ([-0.2, -0.3, -0.1], "above", "not reproduced"),
+        ([-0.2, -0.3, -0.1], "below", "reproduced"),
+        ([0.0, 0.0, 0.0], "above", "not reproduced"),
+    ],
+)
+def test_verdict_on_a_claim(
+    monkeypatch: pytest.MonkeyPatch, values: list[float], side: str, verdict: str
+) -> None:
+    monkeypatch.syspath_prepend(SCRIPTS)
+    script = importlib.import_module("paper_claims")
+    assert script.Claim("it is so", "a number", np.array(values), side).verdict == verdict
+
+
+def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: Path) -> None:
+    evolve = partial(run_quickly, "evolve_held_out", tmp_path)
+    assert "O done\nSB done\nWritten: held_out.npz" in evolve()
+    evolve("--processes", "2", "--output", "again.npz")
+    assert (tmp_path / "held_out.npz").read_bytes() == (tmp_path / "again.npz").read_bytes()
+    lines = evolve("--table", "held_out.npz").splitlines()
+    assert "| pursuers | O | SB |" in lines
+    rows = [line.split(" | ") for line in lines if line.startswith("| evolved-")]
+    assert len(rows) == 4
+    assert all(len(row) == 3 for row in rows)

@@ -1,0 +1,22 @@
+"""Scripts of evolution/, run as a user runs them."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+SCRIPTS = Path(__file__).parents[2] / "evolution"
+
+
+def run_script(name: str, place: Path, *options: str) -> subprocess.CompletedProcess[str]:
+    """Run a script in a directory, warnings being errors."""
+    command = [sys.executable, "-W", "error", SCRIPTS / f"{name}.py", *options]
+    return subprocess.run(command, cwd=place, capture_output=True, text=True, timeout=300)
+
+
+def run_quickly(name: str, place: Path, *options: str) -> str:
+    """What a script prints under --quick."""
+    done = run_script(name, place, "--quick", *options)
+    assert done.returncode == 0, done.stderr
+    return done.stdout

@@ -1,0 +1,91 @@
+"""Races that take a fraction of a second, and ways to stop them."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+from matrixworld.coevolution import RaceSettings, SingleSettings
+from matrixworld.rollout import rollout
+
+TINY: dict[str, Any] = {
+    "rows": 6,
+    "cols": 6,
+    "pursuers": 2,
+    "evaders": 3,
+    "fov": 3,
+    "hidden": (4,),
+    "population": 4,
+    "train_steps": 8,
+    "eval_steps": 12,
+    "eval_episodes": 3,
+    "seed": 5,
+}
+
+RESULTS = ("config.json", "archive.npz", "log.csv", "payoff.npz", "summary.json", "checkpoint.npz")
+
+
+def tiny_race(**changes: Any) -> RaceSettings:
+    """Two generations of two and three epochs."""
+    epochs = {"generations": 2, "pursuer_epochs": 2, "evader_epochs": 3, "joint_epochs": 2}
+    return RaceSettings(**{**TINY, **epochs, **changes})
+
+
+def tiny_single(**changes: Any) -> SingleSettings:
+    """Five epochs, an entry of the archive every two."""
+    return SingleSettings(**{**TINY, "epochs": 5, "archive_every": 2, **changes})
+
+
+def results(directory: Path) -> dict[str, bytes]:
+    """The bytes of all files that a resumed run must share with one that was never stopped."""
+    return {name: (directory / name).read_bytes() for name in RESULTS}
+
+
+@contextmanager
+def directory_in_memory() -> Iterator[Path]:
+    """A temporary directory, in memory where that can be: syncing costs nothing there."""
+    memory = Path("/dev/shm")
+    usable = memory.is_dir() and os.access(memory, os.W_OK)
+    with tempfile.TemporaryDirectory(dir=memory if usable else None) as directory:
+        yield Path(directory)
+
+
+class StopAt:
+    """Plays matches like `rollout`, but is interrupted at a given call."""
+
+    def __init__(self, call: int) -> None:
+        self.left = call
+
+    def __call__(self, *args: Any, **options: Any) -> Any:
+        self.left -= 1
+        if self.left < 0:
+            raise KeyboardInterrupt
+        return rollout(*args, **options)
+
+
+def constant_scores(capture_rate: float, shape: tuple[int, int]) -> SimpleNamespace:
+    """EpisodeStatistics of matches (M, worlds) that all ended with the same capture rate."""
+    rates = np.full(shape, capture_rate, dtype=np.float32)
+    kinds = np.zeros((*shape, 2, 3), dtype=np.int32)
+    ones = np.ones(shape, dtype=np.int32)
+    return SimpleNamespace(
+        capture_rate=rates,
+        captured_fraction=rates,
+        length=ones,
+        pursuer_return=ones.astype(np.float64),
+        evader_return=-ones.astype(np.float64),
+        pursuer_survivors=ones,
+        evader_survivors=ones,
+        pursuer_crowding=np.zeros(shape, dtype=np.float32),
+        evader_crowding=np.zeros(shape, dtype=np.float32),
+        collisions=kinds,
+        faults=kinds,
+        agent_steps=np.ones((*shape, 2), dtype=np.int64),
+    )

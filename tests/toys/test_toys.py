@@ -1,0 +1,190 @@
+"""Toys, against their known answers."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from matrixworld import toys
+from matrixworld.coevolution.opponents import HallOfFame, Latest, Prioritized, Uniform
+from matrixworld.toys.numbers import beats_in_sum, beats_where_farthest, beats_where_nearest
+from matrixworld.toys.populations import select_proportionate
+from matrixworld.toys.rock_paper_scissors import PAPER, ROCK, SCISSORS
+from matrixworld.toys.virulence import mutate_biased
+
+# Rock-paper-scissors
+
+
+def test_specialists_run_in_circles_of_three():
+    hands = toys.alternate("specialist-specialist", 30, 1)
+    # By hand: paper beats rock, scissors beat paper, rock beats scissors, and so on.
+    assert hands["pursuer"][:4] == [ROCK, PAPER, ROCK, SCISSORS]
+    assert hands["evader"][:4] == [ROCK, SCISSORS, PAPER, ROCK]
+    for team in hands:
+        after_the_first = hands[team][1:]
+        assert after_the_first[3:] == after_the_first[:-3]
+        assert set(after_the_first[:3]) == {ROCK, PAPER, SCISSORS}
+    assert toys.exploitability({team: played[-1:] for team, played in hands.items()}) > 0.4
+
+
+def test_specialists_that_learn_together_run_in_the_same_circles():
+    hands = toys.play_together({"pursuer": Latest(), "evader": Latest()}, 30)
+    assert hands["pursuer"] == hands["evader"] == [ROCK, PAPER, SCISSORS] * 10 + [ROCK]
+
+
+def test_answering_all_of_the_past_is_fictitious_play():
+    exploitabilities = []
+    for seed in range(5):
+        samplers = {"pursuer": Uniform(None), "evader": Uniform(None)}
+        hands = toys.play_together(samplers, 3000, seed, draw=0.0)
+        exploitabilities.append(
+            [
+                toys.exploitability({team: h[: n + 1] for team, h in hands.items()}, draw=0.0)
+                for n in (10, 100, 3000)
+            ]
+        )
+    # Known: .273, .099, .019; the spread over seeds is .068, .014, .001.
+    means = np.mean(exploitabilities, axis=0)
+    assert means == pytest.approx([0.273, 0.099, 0.019], abs=0.07)
+    assert means[1:] == pytest.approx([0.099, 0.019], abs=0.015)
+    assert means[2] == pytest.approx(0.019, abs=0.003)
+
+
+def test_generalists_do_not_cycle():
+    hands = toys.alternate("generalist-generalist", 200, 200)
+    assert toys.exploitability(hands) < 0.1
+    assert toys.exploitability(toys.alternate("specialist-specialist", 2, 1)) > 0.3
+
+
+# Numbers games
+
+
+def test_who_beats_whom_by_hand():
+    a, b = np.array([[5, 1], [3, 3], [4, 2]]), np.array([[2, 3], [3, 3], [1, 1]])
+    # a - b = (3, -2), (0, 0), (3, 1)
+    assert beats_in_sum(a, b).tolist() == [True, False, True]
+    assert beats_where_farthest(a, b).tolist() == [True, False, True]
+    assert beats_where_nearest(a, b).tolist() == [False, False, True]
+    assert beats_where_nearest(b, a).tolist() == [True, False, False]
+    # The intransitive game has circles: (0, 2) beats (4, 1) beats (3, 5) beats (0, 2).
+    x, y, z = np.array([[0, 2]]), np.array([[4, 1]]), np.array([[3, 5]])
+    assert [beats_where_nearest(*pair)[0] for pair in ((x, y), (y, z), (z, x))] == [True] * 3
+
+
+@pytest.mark.parametrize(
+    ("name", "expected", "tolerance"),
+    # Known over 20 seeds: 99.3 +- 0, 85.7 +- 3, 59.5 +- 18.5; four standard errors of four seeds.
+    [("scalar", 99.3, 0.5), ("focusing", 85.7, 6.0), ("intransitive", 59.5, 37.0)],
+)
+def test_numbers_game(name, expected, tolerance):
+    finals = [toys.numbers_game(name, seed).final_objective for seed in range(4)]
+    assert np.mean(finals) == pytest.approx(expected, abs=tolerance)
+
+
+def test_numbers_games_differ_as_they_should():
+    finals = {
+        name: [toys.numbers_game(name, seed).final_objective.mean() for seed in range(3)]
+        for name in toys.GAMES
+    }
+    assert min(finals["scalar"]) > max(finals["focusing"])
+    assert np.mean(finals["focusing"]) > np.mean(finals["intransitive"])
+
+
+def test_same_seed_same_history():
+    halls = HallOfFame(newest=1, sampled=2), Uniform(3)
+    once, again, other = (
+        toys.numbers_game("intransitive", seed, generations=20, halls=halls) for seed in (1, 1, 2)
+    )
+    assert np.array_equal(once.objective, again.objective)
+    assert np.array_equal(once.wins, again.wins)
+    assert not np.array_equal(once.objective, other.objective)
+    assert once.objective.shape == (21, 2, 25)
+    assert once.wins.shape == (20, 2, 25)
+
+
+def test_hall_of_fame_is_met_besides_the_living():
+    # A side that meets 15 living opponents and up to 3 of the hall can win at most 18 contests.
+    halls = HallOfFame(newest=1, sampled=2), HallOfFame(newest=1, sampled=0)
+    wins = toys.numbers_game("scalar", 0, generations=60, halls=halls).wins
+    assert wins[:, 0].max() == 18
+    assert wins[:, 1].max() == 16
+    assert toys.numbers_game("scalar", 0, generations=60).wins.max() == 15
+
+
+def all_zeros_or_ones(halls):
+    """Five generations in which children of side 0 are all zeros, and those of side 1 all ones."""
+    sides = [
+        toys.Side(
+            fitness=lambda wins: wins,
+            select=select_proportionate,
+            mutate=lambda bits, rng, value=value: np.full_like(bits, value),
+        )
+        for value in (False, True)
+    ]
+    return toys.evolve(
+        toys.GAMES["scalar"],
+        tuple(sides),
+        np.random.default_rng(0),
+        population=4,
+        generations=5,
+        opponents=2,
+        halls=halls,
+    )
+
+
+def test_the_hall_holds_the_other_side_s_champions():
+    # From the second generation on, all of side 1 and its champions are ones, those of side 0
+    # zeros: side 1 beats the two opponents it meets and one champion of side 0.
+    wins = all_zeros_or_ones((Latest(), Latest())).wins
+    assert (wins[1:, 1] == 3).all()
+    assert (wins[:, 0] == 0).all()
+    assert (wins[0] == 0).all()
+
+
+def test_selections_are_told_of_the_champions_met():
+    # Nobody is met in the first generation, when all are zeros. Later side 1 beats whomever it
+    # meets; side 0 draws with the first champion of side 1 and loses to the others. The fifth
+    # champions were never met.
+    halls = Prioritized(count=9, decay=1.0), Prioritized(count=9, decay=1.0)
+    all_zeros_or_ones(halls)
+    assert halls[1].win_rates(5).tolist() == [1, 1, 1, 1, 0.5]
+    assert halls[0].win_rates(5).tolist() == [0.5, 0, 0, 0, 0.5]
+
+
+def test_selection_in_proportion_to_fitness():
+    rng = np.random.default_rng(0)
+    counts = np.bincount(select_proportionate(np.array([0.0, 1.0, 3.0]), 4000, rng), minlength=3)
+    assert counts.tolist() == [0, pytest.approx(1000, rel=0.1), pytest.approx(3000, rel=0.1)]
+    counts = np.bincount(select_proportionate(np.zeros(2), 4000, rng))
+    assert counts.tolist() == [pytest.approx(2000, rel=0.1)] * 2
+
+
+def test_unknown_game_is_refused():
+    with pytest.raises(ValueError, match="game: expected one of scalar, focusing, intransitive"):
+        toys.numbers_game("chess", 0)
+
+
+# Virulence
+
+
+def test_bits_drift_to_their_bias():
+    rng, bits = np.random.default_rng(0), np.zeros((200, 1, 100), dtype=bool)
+    for _ in range(150):
+        bits = mutate_biased(bits, rng, probability=0.03, bias=0.75)
+    assert bits.mean() == pytest.approx(0.75 * (1 - 0.97**150), abs=0.01)
+
+
+def test_full_virulence_loses_the_hosts():
+    races = [toys.hosts_and_parasites(1.0, seed) for seed in range(5)]
+    # Known: engaged in 10 % of generations, hosts at 50. Spread over seeds: 5 %, and 3 ones.
+    assert np.mean([race.engaged.mean() for race in races]) == pytest.approx(0.1, abs=0.07)
+    hosts = np.mean([race.objective[-50:, 0].mean() for race in races])
+    assert hosts == pytest.approx(50, abs=4)
+
+
+def test_reduced_virulence_keeps_both_in_the_race():
+    races = [toys.hosts_and_parasites(0.75, seed) for seed in range(5)]
+    # Known: engaged in all generations (but the first ones, when all are zeros), hosts at 93.
+    assert min(race.engaged.mean() for race in races) > 0.99
+    hosts = np.mean([race.objective[-50:, 0].mean() for race in races])
+    assert hosts == pytest.approx(93, abs=2)
