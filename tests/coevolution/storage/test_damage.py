@@ -19,10 +19,10 @@ from matrixworld.coevolution import (
     OtherVersionError,
     Race,
     RunDirectory,
-    files,
     open_run,
     resume,
 )
+from matrixworld.coevolution.storage import files
 from tiny_race import RESULTS, StopAt, directory_in_memory, results, tiny_race
 
 PREVIOUS = ("archive.previous.npz", "checkpoint.previous.npz")

@@ -14,8 +14,8 @@ from matrixworld.coevolution import (
     LockedError,
     OtherVersionError,
     RunDirectory,
-    files,
 )
+from matrixworld.coevolution.storage import files
 from matrixworld.coevolution.storage.run_log import COLUMNS, RunLog, read_log
 
 
