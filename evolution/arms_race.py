@@ -48,7 +48,7 @@ def score(
     if team == "pursuer":
         return mw.rollout(world, own, rival, mw.Matches.of(each, 0, seeds)).captured_fraction[:, 0]
     scores = mw.rollout(world, rival, own, mw.Matches.of(0, each, seeds))
-    return (1 - scores.captured_fraction - CROWDING * scores.evader_crowding)[:, 0]
+    return (1 - scores.captured_fraction - CROWDING * scores.evader_overlap)[:, 0]
 
 
 def toolbox_of(team: Team, budget: Budget, rng: np.random.Generator) -> base.Toolbox:

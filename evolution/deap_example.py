@@ -100,7 +100,7 @@ def score(
         values = scores.captured_fraction
     else:
         scores = mw.rollout(world, met, learning, mw.Matches.of(j, i, seeds.ravel()))
-        values = 1 - scores.captured_fraction - CROWDING * scores.evader_crowding
+        values = 1 - scores.captured_fraction - CROWDING * scores.evader_overlap
     return values.reshape(seeds.shape).mean(axis=1)
 
 

@@ -37,7 +37,7 @@ LEARNER = {
     "sigma": 0.15,
     "initial_weight": 0.2,
     "initial_head": 0.09,
-    "crowding": 0.2,
+    "overlap_penalty": 0.2,
 }
 QUICK_EPOCHS = 3
 EPISODES = 50  # of each cell of the table

@@ -120,7 +120,7 @@ def play(plan: Plan, seed: int, root: Path, threads: int | None) -> dict[str, Sa
     def taught(place: Path) -> None:
         """Evaders that have learned from random pursuers go on with pursuers that have learned."""
         half = plan.evaders.archive_every
-        settings = replace(plan.evaders, seed=seed, epochs=half, anneal=False, crowding=0.2)
+        settings = replace(plan.evaders, seed=seed, epochs=half, anneal=False, overlap_penalty=0.2)
         genome = runs[EVADERS_ALONE].teams["evader"].genomes[1]
         rivals = runs[PURSUERS_ALONE].teams["pursuer"]
         champion = mw.Population(rivals.genomes[-1:], rivals.network)

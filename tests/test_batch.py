@@ -14,7 +14,7 @@ import matrixworld as mw
 from rows import CUSTOM, config_of, random_actions
 
 NAMES = [*mw.VARIANTS, *CUSTOM]
-MOMENT = ("positions", "places", "alive", "steps", "seed", "episode", "views", "state")
+MOMENT = ("positions", "last_positions", "alive", "steps", "seed", "episode", "views", "state")
 MODES = list(mw.Autoreset)
 
 

@@ -13,7 +13,7 @@ from rows import CUSTOM, config_of, random_actions
 
 NAMES = [*mw.VARIANTS, *CUSTOM]
 ARRAYS = (
-    *("positions", "places", "alive", "captured", "ever_captured", "actions", "rewards"),
+    *("positions", "last_positions", "alive", "captured", "ever_captured", "actions", "rewards"),
     *("involved", "fault", "map"),
 )
 

@@ -57,12 +57,12 @@ def tiny(
     before: list[list[int]], after: list[list[int]], alive: list[bool], captured: bool
 ) -> Episode:
     """One step of a pursuer and an evader on a 3 x 3 grid; the gone are where they went."""
-    places = np.array([before, after], np.int32)
+    last_positions = np.array([before, after], np.int32)
     living = np.array([[True, True], alive])
     ever = np.array([[False], [captured]])
     return Episode(
-        positions=np.where(living[..., None], places, -1).astype(np.int32),
-        places=places,
+        positions=np.where(living[..., None], last_positions, -1).astype(np.int32),
+        last_positions=last_positions,
         alive=living,
         captured=ever,
         ever_captured=ever,

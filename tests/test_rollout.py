@@ -46,7 +46,7 @@ def score_of(episode: mw.Episode, config: mw.WorldConfig) -> dict[str, Any]:
                 episode.alive[1:, team], episode.positions[1:, team], strict=True
             )
         ]
-        score[f"{name}_crowding"] = sum(crowded) / size / config.max_steps
+        score[f"{name}_overlap"] = sum(crowded) / size / config.max_steps
     for name, flags in (("collisions", episode.involved), ("faults", episode.fault)):
         score[name] = [flags[:, team].sum(axis=(0, 1)) for team in teams.values()]
     score["agent_steps"] = [episode.alive[:-1, team].sum() for team in teams.values()]
@@ -98,8 +98,8 @@ def test_shapes_and_types() -> None:
         "evader_return": "f8",
         "pursuer_survivors": "i4",
         "evader_survivors": "i4",
-        "pursuer_crowding": "f4",
-        "evader_crowding": "f4",
+        "pursuer_overlap": "f4",
+        "evader_overlap": "f4",
         "collisions": "i4",
         "faults": "i4",
         "agent_steps": "i8",

@@ -138,9 +138,9 @@ def test_one_team_given_the_other_drawn() -> None:
     world = mw.World(config)
     for seed in range(20):
         world.reset(seed, pursuers=[[1, 2], [0, 0]])
-        places = [tuple(cell) for cell in world.positions.tolist()]
-        assert places[:2] == [(1, 2), (0, 0)]
-        assert len(set(places)) == 6
+        last_positions = [tuple(cell) for cell in world.positions.tolist()]
+        assert last_positions[:2] == [(1, 2), (0, 0)]
+        assert len(set(last_positions)) == 6
         world.reset(seed, evaders=[[0, 0], [0, 1], [0, 2], [1, 1]])
         assert {tuple(cell) for cell in world.positions[:2].tolist()} == {(1, 0), (1, 2)}
 

@@ -26,7 +26,7 @@ def test_the_scene_is_the_moment_of_the_world() -> None:
     assert scene.n_pursuers == 3
     for name in ("alive", "captured", "map", "involved", "fault"):
         assert np.array_equal(getattr(scene, name), getattr(world, name)), name
-    assert np.array_equal(scene.positions, world.places)
+    assert np.array_equal(scene.positions, world.last_positions)
     assert scene.collided()[0] == {(0, 0), (0, 2)}
     drawn = ansi(scene, color="none").splitlines()[1:]
     assert [line[::2] for line in drawn] == str(world).splitlines()

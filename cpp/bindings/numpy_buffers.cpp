@@ -70,7 +70,7 @@ void take_world(Holder& holder, const Config& config, Buffers& b) {
     const py::ssize_t agents = config.n_agents();
     const py::ssize_t evaders = config.n_evaders;
     holder.take<std::int32_t>("positions", b.positions, {agents, 2});
-    holder.take<std::int32_t>("places", b.places, {agents, 2});
+    holder.take<std::int32_t>("last_positions", b.last_positions, {agents, 2});
     holder.take<bool>("alive", b.alive, {agents});
     holder.take<std::int32_t>("steps", b.steps, {});
     holder.take<std::uint64_t>("seed", b.seed, {});

@@ -70,39 +70,40 @@ void require_index(const char* name, std::int32_t index, int n) {
 }
 
 template <typename T, typename Get>
-py::array_t<T> column(const std::vector<Score>& scores, Shape shape, const Shape& rest, Get get) {
+py::array_t<T> column(const std::vector<EpisodeStatistics>& scores, Shape shape, const Shape& rest,
+                      Get get) {
     py::ssize_t per_score = 1;
     for (py::ssize_t size : rest) per_score *= size;
     shape.insert(shape.end(), rest.begin(), rest.end());
     py::array_t<T> array(shape);
     T* out = array.mutable_data();
-    for (const Score& score : scores) {
+    for (const EpisodeStatistics& score : scores) {
         const T* from = get(score);
         out = std::copy_n(from, per_score, out);
     }
     return array;
 }
 
-py::dict to_columns(const std::vector<Score>& scores, const Shape& shape) {
+py::dict to_columns(const std::vector<EpisodeStatistics>& scores, const Shape& shape) {
     py::dict out;
     const Shape by_kind{kTeams, kKinds};
     const auto put = [&](const char* name, auto get, const Shape& rest = {}) {
         using T = std::remove_cv_t<std::remove_pointer_t<decltype(get(scores[0]))>>;
         out[name] = column<T>(scores, shape, rest, get);
     };
-    put("capture_rate", [](const Score& s) { return &s.capture_rate; });
-    put("ever_capture_rate", [](const Score& s) { return &s.ever_capture_rate; });
-    put("captured_fraction", [](const Score& s) { return &s.captured_fraction; });
-    put("length", [](const Score& s) { return &s.length; });
-    put("pursuer_return", [](const Score& s) { return &s.returns[0]; });
-    put("evader_return", [](const Score& s) { return &s.returns[1]; });
-    put("pursuer_survivors", [](const Score& s) { return &s.survivors[0]; });
-    put("evader_survivors", [](const Score& s) { return &s.survivors[1]; });
-    put("pursuer_crowding", [](const Score& s) { return &s.crowding[0]; });
-    put("evader_crowding", [](const Score& s) { return &s.crowding[1]; });
-    put("collisions", [](const Score& s) { return s.collisions.data(); }, by_kind);
-    put("faults", [](const Score& s) { return s.faults.data(); }, by_kind);
-    put("agent_steps", [](const Score& s) { return s.agent_steps.data(); }, {kTeams});
+    put("capture_rate", [](const EpisodeStatistics& s) { return &s.capture_rate; });
+    put("ever_capture_rate", [](const EpisodeStatistics& s) { return &s.ever_capture_rate; });
+    put("captured_fraction", [](const EpisodeStatistics& s) { return &s.captured_fraction; });
+    put("length", [](const EpisodeStatistics& s) { return &s.length; });
+    put("pursuer_return", [](const EpisodeStatistics& s) { return &s.returns[0]; });
+    put("evader_return", [](const EpisodeStatistics& s) { return &s.returns[1]; });
+    put("pursuer_survivors", [](const EpisodeStatistics& s) { return &s.survivors[0]; });
+    put("evader_survivors", [](const EpisodeStatistics& s) { return &s.survivors[1]; });
+    put("pursuer_overlap", [](const EpisodeStatistics& s) { return &s.overlap[0]; });
+    put("evader_overlap", [](const EpisodeStatistics& s) { return &s.overlap[1]; });
+    put("collisions", [](const EpisodeStatistics& s) { return s.collisions.data(); }, by_kind);
+    put("faults", [](const EpisodeStatistics& s) { return s.faults.data(); }, by_kind);
+    put("agent_steps", [](const EpisodeStatistics& s) { return s.agent_steps.data(); }, {kTeams});
     return out;
 }
 
@@ -122,7 +123,7 @@ py::dict rollout(const std::shared_ptr<const Setup>& setup, const py::object& pu
         require_index("evader", evader.at(i), right.candidates.n);
         matches.push_back({pursuer.at(i), evader.at(i), seed.at(i)});
     }
-    std::vector<Score> scores;
+    std::vector<EpisodeStatistics> scores;
     {
         const py::gil_scoped_release release;
         scores =
@@ -140,7 +141,7 @@ class Recorder {
         const std::size_t n_agents = config_.n_agents();
         const std::size_t n_evaders = config_.n_evaders;
         grow(positions_, 2 * n_agents);
-        grow(places_, 2 * n_agents);
+        grow(last_positions_, 2 * n_agents);
         grow(alive_, n_agents);
         grow(captured_, n_evaders);
         grow(ever_captured_, n_evaders);
@@ -148,11 +149,11 @@ class Recorder {
             const int agent = static_cast<int>(a);
             const bool alive = world.alive(agent);
             const std::size_t at = moments_ * n_agents + a;
-            const int cell = world.alive(agent) ? world.cell(agent) : world.went_at()[agent];
-            places_[2 * at] = world.grid().row(cell);
-            places_[2 * at + 1] = world.grid().col(cell);
-            positions_[2 * at] = alive ? places_[2 * at] : kGone;
-            positions_[2 * at + 1] = alive ? places_[2 * at + 1] : kGone;
+            const int cell = world.alive(agent) ? world.cell(agent) : world.last_cells()[agent];
+            last_positions_[2 * at] = world.grid().row(cell);
+            last_positions_[2 * at + 1] = world.grid().col(cell);
+            positions_[2 * at] = alive ? last_positions_[2 * at] : kGone;
+            positions_[2 * at + 1] = alive ? last_positions_[2 * at + 1] : kGone;
             alive_[at] = alive;
         }
         std::copy_n(world.captured().data(), n_evaders, &captured_[moments_ * n_evaders]);
@@ -167,7 +168,7 @@ class Recorder {
         const py::ssize_t n_evaders = config_.n_evaders;
         py::dict out;
         out["positions"] = to_array(positions_, {t, n_agents, 2});
-        out["places"] = to_array(places_, {t, n_agents, 2});
+        out["last_positions"] = to_array(last_positions_, {t, n_agents, 2});
         out["alive"] = to_array(alive_, {t, n_agents});
         out["captured"] = to_array(captured_, {t, n_evaders});
         out["ever_captured"] = to_array(ever_captured_, {t, n_evaders});
@@ -206,7 +207,7 @@ class Recorder {
 
     const Config& config_;
     std::size_t moments_ = 0;
-    std::vector<std::int32_t> positions_, places_;
+    std::vector<std::int32_t> positions_, last_positions_;
     std::vector<std::uint8_t> alive_, captured_, ever_captured_, involved_, fault_;
     std::vector<std::int8_t> actions_;
     std::vector<float> rewards_;
@@ -218,7 +219,7 @@ py::array_t<std::uint8_t> map_of(const World& world) {
     for (int row = 0; row < config.rows; ++row) {
         for (int col = 0; col < config.cols; ++col) {
             const int cell = world.grid().cell(row, col);
-            map.mutable_at(row, col) = world.ground().kind[cell] == kObstacle;
+            map.mutable_at(row, col) = world.terrain().kind[cell] == kObstacle;
         }
     }
     return map;

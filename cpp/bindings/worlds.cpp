@@ -43,14 +43,14 @@ py::dict to_dict(const Snapshot& s, int turn) {
     out["flags"] = std::make_tuple(s.fresh_round, s.terminated, s.truncated);
     out["map"] = to_array(s.map);
     out["cell"] = to_array(s.cell);
-    out["went_at"] = to_array(s.went_at);
+    out["last_cells"] = to_array(s.last_cells);
     out["captured"] = to_array(s.captured);
     out["ever_captured"] = to_array(s.ever_captured);
     out["capture_paid"] = to_array(s.capture_paid);
     out["captors"] = to_array(s.captors);
     out["rewards"] = to_array(s.rewards);
     out["report"] = to_array(s.report);
-    out["cast"] = s.cast;
+    out["participants"] = s.participants;
     return out;
 }
 
@@ -63,14 +63,14 @@ Snapshot to_snapshot(const py::dict& from) {
     s.steps = from["steps"].cast<int>();
     s.map = to_values<std::uint8_t>(from["map"]);
     s.cell = to_values<int>(from["cell"]);
-    s.went_at = to_values<int>(from["went_at"]);
+    s.last_cells = to_values<int>(from["last_cells"]);
     s.captured = to_values<std::uint8_t>(from["captured"]);
     s.ever_captured = to_values<std::uint8_t>(from["ever_captured"]);
     s.capture_paid = to_values<std::uint8_t>(from["capture_paid"]);
     s.captors = to_values<int>(from["captors"]);
     s.rewards = to_values<float>(from["rewards"]);
     s.report = to_values<int>(from["report"]);
-    s.cast = from["cast"].cast<std::vector<int>>();
+    s.participants = from["participants"].cast<std::vector<int>>();
     return s;
 }
 
@@ -196,7 +196,7 @@ class SingleWorld {
     std::shared_ptr<const Setup> setup_;
     World world_;
     Scratch scratch_;
-    mutable Lens lens_;
+    mutable Observer lens_;
     int turn_ = 0;  // the next one of the round
     std::vector<Conflict> conflicts_;
 };
@@ -217,8 +217,8 @@ std::vector<Placement> to_placements(const py::object& pursuers, const py::objec
     };
     deal(pursuers, &Placement::pursuers);
     deal(evaders, &Placement::evaders);
-    const ByteArray ground = to_map(map);
-    for (Placement& placement : placements) placement.map = ground;
+    const ByteArray terrain = to_map(map);
+    for (Placement& placement : placements) placement.map = terrain;
     return placements;
 }
 

@@ -45,8 +45,8 @@ void World::choose_judged(const Turn& turn, const Scratch& scratch) {
         for (int a : living_) choose_evader(a);
         return;
     }
-    for (int a : turn.cast) choose_evader(a);
-    for (int a : scratch.last_cast) choose_evader(a);
+    for (int a : turn.participants) choose_evader(a);
+    for (int a : scratch.last_participants) choose_evader(a);
     if (surround) {
         choose_near(scratch.here, scratch);
         choose_near(scratch.there, scratch);
@@ -54,7 +54,7 @@ void World::choose_judged(const Turn& turn, const Scratch& scratch) {
 }
 
 void World::choose_near(int cell, const Scratch& scratch) {
-    if (ground_->kind[cell] == kBorder) return;
+    if (terrain_->kind[cell] == kBorder) return;
     const CellLists& lists = scratch.occupancy.lists();
     for (int move = 1; move < config().n_actions(); ++move) {
         const int beside = cell + grid().delta(move);
@@ -112,7 +112,7 @@ void World::judge_surround(int evader, Scratch& scratch) {
     for (int move = 1; move < config().n_actions(); ++move) {
         const int beside = cell + grid().delta(move);
         const bool held = occupancy.count(beside, Team::Pursuer) > 0;
-        if (!held && ground_->kind[beside] == kFree) return;
+        if (!held && terrain_->kind[beside] == kFree) return;
         pursued |= held;
     }
     if (!pursued) return;

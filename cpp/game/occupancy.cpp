@@ -4,12 +4,12 @@ namespace matrixworld {
 
 namespace {
 
-constexpr std::uint64_t both(std::uint64_t bits) { return bits | bits << Heading::kBits; }
+constexpr std::uint64_t both(std::uint64_t bits) { return bits | bits << Reservation::kBits; }
 constexpr std::uint64_t opposite(int way) { return both(std::uint64_t{1} << kOpposite[way]); }
 
 }  // namespace
 
-const std::array<Headings::Word, kDiagonalMoves> Headings::kOppositeWays = {
+const std::array<ReservationTable::Word, kDiagonalMoves> ReservationTable::kOppositeMoves = {
     0,           opposite(1), opposite(2), opposite(3), opposite(4),
     opposite(5), opposite(6), opposite(7), opposite(8)};
 
@@ -21,52 +21,52 @@ Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int fov, bo
       for_networks_(for_networks),
       keeps_lists_(keeps_lists),
       words_(static_cast<std::size_t>(grid.n_cells()), 0),
-      headings_(words_.data()),
+      reservations_(words_.data()),
       lists_(grid, n_agents),
-      places_(n_pursuers, n_agents, fov),
-      boards_{Board(grid, fov / 2), Board(grid, fov / 2)} {}
+      positions_table_(n_pursuers, n_agents, fov),
+      bitboards_{Bitboard(grid, fov / 2), Bitboard(grid, fov / 2)} {}
 
 void Occupancy::add(int agent, int cell) {
     anybody_ = true;
-    headings_.post(cell, team(agent), Heading::by(0, false));
+    reservations_.reserve(cell, team(agent), Reservation::by(0, false));
 }
 
 void Occupancy::remove(int agent, int cell) {
-    headings_.withdraw(cell, team(agent), 0);
+    reservations_.release(cell, team(agent), 0);
     if (keeps_lists_) lists_.remove(agent, cell);
     if (for_networks_) hide(agent);
-    if (for_networks_ && keeps_boards() && count(cell, team(agent)) > 0) {
-        boards_[static_cast<int>(team(agent))].set(grid_.row(cell), grid_.col(cell));
+    if (for_networks_ && keeps_bitboards() && count(cell, team(agent)) > 0) {
+        bitboards_[static_cast<int>(team(agent))].set(grid_.row(cell), grid_.col(cell));
     }
 }
 
 void Occupancy::clear(const std::vector<int>& living, const IntArray& cell) {
-    lift(living, cell);
+    release(living, cell);
     anybody_ = false;
 }
 
-void Occupancy::lift(const std::vector<int>& cast, const IntArray& cell) {
+void Occupancy::release(const std::vector<int>& participants, const IntArray& cell) {
     if (!anybody_) return;
-    const Headings headings = headings_;
+    const ReservationTable reservations = reservations_;
     const int* const cells = cell.data();
-    for (int a : cast) headings.clear(cells[a]);
+    for (int a : participants) reservations.clear(cells[a]);
     if (keeps_lists_) {
-        for (int a : cast) lists_.remove(a, cell[a]);
+        for (int a : participants) lists_.remove(a, cell[a]);
     }
     if (for_networks_) {
-        for (int a : cast) hide(a);
+        for (int a : participants) hide(a);
     }
 }
 
-void Occupancy::land(const std::vector<int>& cast, const IntArray& cell) {
+void Occupancy::occupy(const std::vector<int>& participants, const IntArray& cell) {
     anybody_ = true;
     if (keeps_lists_) {
-        for (int a : cast) {
+        for (int a : participants) {
             if (cell[a] != kGone) lists_.add(a, cell[a]);
         }
     }
     if (for_networks_) {
-        for (int a : cast) {
+        for (int a : participants) {
             if (cell[a] != kGone) show(a, cell[a]);
         }
     }
@@ -89,15 +89,16 @@ void Occupancy::unlist() {
 void Occupancy::show(int agent, int cell) {
     const int row = grid_.row(cell);
     const int col = grid_.col(cell);
-    places_.put(agent, row, col, headings_.at(cell, team(agent)).several());
-    if (keeps_boards()) boards_[static_cast<int>(team(agent))].set(row, col);
+    positions_table_.put(agent, row, col, reservations_.at(cell, team(agent)).several());
+    if (keeps_bitboards()) bitboards_[static_cast<int>(team(agent))].set(row, col);
 }
 
 void Occupancy::hide(int agent) {
-    if (keeps_boards()) {
-        boards_[static_cast<int>(team(agent))].clear(places_.row(agent), places_.col(agent));
+    if (keeps_bitboards()) {
+        bitboards_[static_cast<int>(team(agent))].clear(positions_table_.row(agent),
+                                                        positions_table_.col(agent));
     }
-    places_.take(agent);
+    positions_table_.take(agent);
 }
 
 }  // namespace matrixworld

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "game/places.hpp"
+#include "game/position_table.hpp"
 #include "grid/bitboard.hpp"
 #include "grid/cell_lists.hpp"
 #include "grid/grid.hpp"
@@ -19,7 +19,7 @@ namespace matrixworld {
 // The agents of one team that head for a cell: how many, and which of the nine ways to get there
 // are taken (way 0: by standing there already). One of several that took the same way may be
 // withdrawn only when nobody asks for ways any more.
-class Heading {
+class Reservation {
   public:
     static constexpr int kBits = 32;
     static constexpr int kCountShift = kDiagonalMoves + 1;
@@ -27,9 +27,9 @@ class Heading {
 
     static_assert(kMaxTeam << kCountShift <= UINT32_MAX, "a team's number has room");
 
-    explicit constexpr Heading(std::uint32_t bits) : bits_(bits) {}
+    explicit constexpr Reservation(std::uint32_t bits) : bits_(bits) {}
     // The way of an agent that moves or stands, in its own turn or in another's; not the agent.
-    static Heading by(int way, bool acts) { return Heading(acts ? kActing[way] : kStands); }
+    static Reservation by(int way, bool acts) { return Reservation(acts ? kActing[way] : kStands); }
 
     int count() const { return static_cast<int>(bits_ >> kCountShift); }
     bool several() const { return bits_ >= 2 * kOne; }
@@ -56,55 +56,55 @@ class Heading {
     std::uint32_t bits_;
 };
 
-// Both teams' headings for every cell, one word a cell. To copy this is to point to the same words.
-class Headings {
+// Both teams' reservations for every cell, one word a cell. To copy this is to point to the same words.
+class ReservationTable {
   public:
-    using Word = std::uint64_t;  // the pursuers' heading in the lower half
+    using Word = std::uint64_t;  // the pursuers' reservation in the lower half
 
-    explicit Headings(Word* words) : words_(words) {}
+    explicit ReservationTable(Word* words) : words_(words) {}
 
-    Heading at(int cell, Team team) const {
-        return Heading(static_cast<std::uint32_t>(words_[cell] >> shift(team)));
+    Reservation at(int cell, Team team) const {
+        return Reservation(static_cast<std::uint32_t>(words_[cell] >> shift(team)));
     }
     bool empty(int cell) const { return words_[cell] == 0; }
     // Is one agent, of this team, all that heads for a cell?
     bool alone(int cell, Team team) const { return (words_[cell] & kCounts) == one(team); }
     // Does anybody head for a cell by the opposite of this way? For one that stays, nobody does.
-    bool comes_opposite(int cell, int way) const { return words_[cell] & kOppositeWays[way]; }
+    bool comes_opposite(int cell, int way) const { return words_[cell] & kOppositeMoves[way]; }
     // Is anybody of a team on one of the cells beside this one?
     bool beside(int cell, Team team, const Grid& grid, bool diagonal) const {
         Word around = 0;
         const auto look = [&](int move) { around |= words_[cell + grid.delta(move)]; };
         for (int move = 1; move < kCompassMoves; ++move) look(move);
         for (int move = kCompassMoves; diagonal && move < kDiagonalMoves; ++move) look(move);
-        return around & kCounts & of_team(team, Heading(~0u));
+        return around & kCounts & of_team(team, Reservation(~0u));
     }
 
     // Posts one agent, and tells whether anybody is posted there already.
-    bool post(int cell, Team team, Heading by) const {
+    bool reserve(int cell, Team team, Reservation by) const {
         const Word before = words_[cell];
         words_[cell] = (before + one(team)) | of_team(team, by);
         return before;
     }
-    void withdraw(int cell, Team team, int way) const {
+    void release(int cell, Team team, int way) const {
         const Word left = words_[cell] - one(team);
-        words_[cell] = left & kCounts ? left & ~of_team(team, Heading(1u << way)) : 0;
+        words_[cell] = left & kCounts ? left & ~of_team(team, Reservation(1u << way)) : 0;
     }
     void clear(int cell) const { words_[cell] = 0; }
 
   private:
-    static constexpr int shift(Team team) { return Heading::kBits * static_cast<int>(team); }
-    static constexpr Word of_team(Team team, Heading heading) {
-        return Word{heading.bits()} << shift(team);
+    static constexpr int shift(Team team) { return Reservation::kBits * static_cast<int>(team); }
+    static constexpr Word of_team(Team team, Reservation reservation) {
+        return Word{reservation.bits()} << shift(team);
     }
-    static constexpr Word of_both(Heading heading) {
-        return of_team(Team::Pursuer, heading) | of_team(Team::Evader, heading);
+    static constexpr Word of_both(Reservation reservation) {
+        return of_team(Team::Pursuer, reservation) | of_team(Team::Evader, reservation);
     }
-    static constexpr Word one(Team team) { return of_team(team, Heading(Heading::kOne)); }
+    static constexpr Word one(Team team) { return of_team(team, Reservation(Reservation::kOne)); }
 
     static constexpr Word kCounts =
-        ~(Word{Heading::kOne - 1} << Heading::kBits | (Heading::kOne - 1));
-    static const std::array<Word, kDiagonalMoves> kOppositeWays;  // by way; for way 0 nobody
+        ~(Word{Reservation::kOne - 1} << Reservation::kBits | (Reservation::kOne - 1));
+    static const std::array<Word, kDiagonalMoves> kOppositeMoves;  // by way; for way 0 nobody
 
     Word* words_;
 };
@@ -116,22 +116,22 @@ class Occupancy {
     Occupancy(const Grid& grid, int n_pursuers, int n_agents, int fov, bool for_networks,
               bool keeps_lists);
 
-    // Posts an agent that is on no cell; once all are, they land.
+    // Posts an agent that is on no cell; once all are, they occupy.
     void add(int agent, int cell);
     // Takes an agent from the cell that it stands on.
     void remove(int agent, int cell);
 
-    // A turn lifts the agents of its cast, who are all that stand on their cells, posts them in
-    // `headings`, and lets those who are still there (not kGone) land. Nobody is lifted where
+    // A turn lifts the agents of its participants, who are all that stand on their cells, posts them in
+    // `reservations`, and lets those who are still there (not kGone) occupy. Nobody is lifted where
     // nobody is.
-    void lift(const std::vector<int>& cast, const IntArray& cell);
-    void land(const std::vector<int>& cast, const IntArray& cell);
+    void release(const std::vector<int>& participants, const IntArray& cell);
+    void occupy(const std::vector<int>& participants, const IntArray& cell);
     // Lifts everybody.
     void clear(const std::vector<int>& living, const IntArray& cell);
 
-    Headings headings() const { return headings_; }
-    int count(int cell, Team team) const { return headings_.at(cell, team).count(); }
-    bool empty(int cell) const { return headings_.empty(cell); }
+    ReservationTable reservations() const { return reservations_; }
+    int count(int cell, Team team) const { return reservations_.at(cell, team).count(); }
+    bool empty(int cell) const { return reservations_.empty(cell); }
 
     // Makes the lists of who stands where, of everybody; or forgets them. Nothing where they are
     // kept.
@@ -140,16 +140,16 @@ class Occupancy {
     const CellLists& lists() const { return lists_; }
 
     // For networks: who is where, and the boards of the teams where there are more agents than
-    // kMostPlaces.
-    const Places& places() const { return places_; }
-    const Board& board(Team team) const { return boards_[static_cast<int>(team)]; }
+    // kMaxPositions.
+    const PositionTable& places() const { return positions_table_; }
+    const Bitboard& bitboard(Team team) const { return bitboards_[static_cast<int>(team)]; }
 
     Team team(int agent) const { return agent < n_pursuers_ ? Team::Pursuer : Team::Evader; }
 
   private:
     void show(int agent, int cell);
     void hide(int agent);
-    bool keeps_boards() const { return n_agents_ > kMostPlaces; }
+    bool keeps_bitboards() const { return n_agents_ > kMaxPositions; }
 
     const Grid grid_;
     int n_pursuers_;
@@ -157,12 +157,12 @@ class Occupancy {
     bool for_networks_;
     bool keeps_lists_;
     bool anybody_ = false;
-    std::vector<Headings::Word> words_;  // by cell
-    Headings headings_;
+    std::vector<ReservationTable::Word> words_;  // by cell
+    ReservationTable reservations_;
     CellLists lists_;
     std::vector<int> listed_;  // cells with a list that was made for this turn
-    Places places_;
-    Board boards_[kTeams];
+    PositionTable positions_table_;
+    Bitboard bitboards_[kTeams];
 };
 
 }  // namespace matrixworld

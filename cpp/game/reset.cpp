@@ -10,18 +10,18 @@ namespace matrixworld {
 namespace {
 
 // Deals the cells of the world in random order, one by one, and restores the pack at the end.
-class Dealer {
+class CellSampler {
   public:
-    Dealer(Scratch& scratch, Stream& stream)
+    CellSampler(Scratch& scratch, Stream& stream)
         : order_(scratch.order), swaps_(scratch.swaps), stream_(stream) {}
-    ~Dealer() {
+    ~CellSampler() {
         for (int i = static_cast<int>(swaps_.size()) - 1; i >= 0; --i) {
             std::swap(order_[i], order_[swaps_[i]]);
         }
         swaps_.clear();
     }
-    Dealer(const Dealer&) = delete;
-    Dealer& operator=(const Dealer&) = delete;
+    CellSampler(const CellSampler&) = delete;
+    CellSampler& operator=(const CellSampler&) = delete;
 
     int next() {
         const int dealt = static_cast<int>(swaps_.size());
@@ -47,21 +47,21 @@ void require_count(const char* team, std::size_t flat, int n) {
 
 // ---- What worlds share ------------------------------------------------------------------------
 
-Ground::Ground(const Grid& grid, int margin)
+Terrain::Terrain(const Grid& grid, int margin)
     : kind(ByteArray::Constant(grid.n_cells(), kBorder)),
       walls(grid, margin),
       closed(grid, margin, 1) {
     clear_obstacles(grid);
 }
 
-void Ground::set_obstacle(const Grid& grid, int cell) {
+void Terrain::set_obstacle(const Grid& grid, int cell) {
     kind[cell] = kObstacle;
     walls.set(grid.row(cell), grid.col(cell));
     closed.at(grid.row(cell), grid.col(cell)) = 1;
     has_obstacles = true;
 }
 
-void Ground::clear_obstacles(const Grid& grid) {
+void Terrain::clear_obstacles(const Grid& grid) {
     for (int row = 0; row < grid.rows(); ++row) {
         kind.segment(grid.cell(row, 0), grid.cols()).setConstant(kFree);
         std::fill_n(&closed.at(row, 0), grid.cols(), std::uint8_t{0});
@@ -72,9 +72,9 @@ void Ground::clear_obstacles(const Grid& grid) {
 
 namespace {
 
-void set_map(Ground& ground, const Grid& grid, const ByteArray& map) {
+void set_map(Terrain& terrain, const Grid& grid, const ByteArray& map) {
     for (int i = 0; i < map.size(); ++i) {
-        if (map[i]) ground.set_obstacle(grid, grid.cell(i / grid.cols(), i % grid.cols()));
+        if (map[i]) terrain.set_obstacle(grid, grid.cell(i / grid.cols(), i % grid.cols()));
     }
 }
 
@@ -82,14 +82,14 @@ void set_map(Ground& ground, const Grid& grid, const ByteArray& map) {
 
 Setup::Setup(Config given) : config(std::move(given)), grid(config.rows, config.cols) {
     config.validate();
-    auto base = std::make_shared<Ground>(grid, config.fov / 2);
+    auto base = std::make_shared<Terrain>(grid, config.fov / 2);
     set_map(*base, grid, config.map);
-    ground = std::move(base);
+    terrain = std::move(base);
     for (int team = 0; team < kTeams; ++team) {
         for (int kinds = 0; kinds < 1 << kKinds; ++kinds) {
-            fines[team][kinds] = 0;
+            penalties[team][kinds] = 0;
             for (int kind = 0; kind < kKinds; ++kind) {
-                if (kinds >> kind & 1) fines[team][kinds] += config.rewards.collide[team][kind];
+                if (kinds >> kind & 1) penalties[team][kinds] += config.rewards.collide[team][kind];
             }
         }
     }
@@ -103,17 +103,17 @@ Scratch::Scratch(const Setup& setup, bool for_networks)
     for (int i = 0; i < order.size(); ++i) {
         order[i] = setup.grid.cell(i / setup.config.cols, i % setup.config.cols);
     }
-    cast.reserve(setup.config.n_agents());
-    last_cast.reserve(setup.config.n_agents());
+    participants.reserve(setup.config.n_agents());
+    last_participants.reserve(setup.config.n_agents());
 }
 
 // ---- Reset --------------------------------------------------------------------------------------
 
 World::World(std::shared_ptr<const Setup> setup)
     : setup_(std::move(setup)),
-      ground_(setup_->ground),
+      terrain_(setup_->terrain),
       cell_(IntArray::Constant(config().n_agents(), kGone)),
-      went_at_(IntArray::Constant(config().n_agents(), kGone)),
+      last_cell_(IntArray::Constant(config().n_agents(), kGone)),
       captured_(ByteArray::Zero(config().n_evaders)),
       ever_captured_(ByteArray::Zero(config().n_evaders)),
       capture_paid_(ByteArray::Zero(config().n_evaders)),
@@ -172,7 +172,7 @@ void World::check(const Placement& placement) const {
 void World::reset(EpisodeKey key, Scratch& scratch, const Placement& placement) {
     check(placement);
     begin_episode(key);
-    lay_ground(placement.map);
+    lay_terrain(placement.map);
 
     const auto place_given = [&](const std::vector<int>& positions, int first) {
         for (std::size_t i = 0; i < positions.size(); i += 2) {
@@ -184,19 +184,20 @@ void World::reset(EpisodeKey key, Scratch& scratch, const Placement& placement) 
     place_given(placement.evaders, config().n_pursuers);
 
     Stream stream(key, Purpose::Reset);
-    Dealer dealer(scratch, stream);
+    CellSampler cell_sampler(scratch, stream);
     const auto free_cell = [&] {
-        int cell = dealer.next();
-        while (ground_->kind[cell] != kFree || !scratch.occupancy.empty(cell)) cell = dealer.next();
+        int cell = cell_sampler.next();
+        while (terrain_->kind[cell] != kFree || !scratch.occupancy.empty(cell))
+            cell = cell_sampler.next();
         return cell;
     };
     const bool own_map = placement.map.size() != 0 || config().map.size() != 0;
     if (!own_map && config().n_random_obstacles() > 0) {
-        auto ground = std::make_shared<Ground>(*setup_->ground);
+        auto terrain = std::make_shared<Terrain>(*setup_->terrain);
         for (int i = 0; i < config().n_random_obstacles(); ++i) {
-            ground->set_obstacle(grid(), free_cell());
+            terrain->set_obstacle(grid(), free_cell());
         }
-        ground_ = std::move(ground);
+        terrain_ = std::move(terrain);
     }
     if (placement.evaders.empty()) {
         for (int e = 0; e < config().n_evaders; ++e) place(evader_agent(e), free_cell(), scratch);
@@ -204,7 +205,7 @@ void World::reset(EpisodeKey key, Scratch& scratch, const Placement& placement) 
     if (placement.pursuers.empty()) {
         for (int p = 0; p < config().n_pursuers; ++p) place(p, free_cell(), scratch);
     }
-    scratch.occupancy.land(living_, cell_);
+    scratch.occupancy.occupy(living_, cell_);
 }
 
 void World::begin_episode(EpisodeKey key) {
@@ -226,12 +227,12 @@ void World::begin_episode(EpisodeKey key) {
     truncated_ = false;
 }
 
-void World::lay_ground(const ByteArray& map) {
-    ground_ = setup_->ground;
+void World::lay_terrain(const ByteArray& map) {
+    terrain_ = setup_->terrain;
     if (map.size() == 0) return;
-    auto ground = std::make_shared<Ground>(grid(), config().fov / 2);
-    set_map(*ground, grid(), map);
-    ground_ = std::move(ground);
+    auto terrain = std::make_shared<Terrain>(grid(), config().fov / 2);
+    set_map(*terrain, grid(), map);
+    terrain_ = std::move(terrain);
 }
 
 void World::place(int agent, int cell, Scratch& scratch) {

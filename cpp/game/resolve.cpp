@@ -46,9 +46,10 @@ Resolver::Resolver(const Grid& grid, const Rules& rules, int n_pursuers, int n_a
       target_(IntArray::Zero(n_agents)),
       by_target_(grid, n_agents) {}
 
-void Resolver::resolve(const Turn& turn, Headings headings, std::vector<Conflict>* log) {
+void Resolver::resolve(const Turn& turn, ReservationTable reservations,
+                       std::vector<Conflict>* log) {
     turn_ = &turn;
-    headings_ = headings;
+    reservations_ = reservations;
     log_ = log;
     for (int a : eventful_) flags_[a] = 0;  // of the last turn
     eventful_.clear();
@@ -76,7 +77,7 @@ void Resolver::obstacles() {
 template <Team kTeam, bool kAllAct>
 void Resolver::set_out() {
     const Turn turn = *turn_;  // copies, which the compiler knows that nothing stored here changes
-    const Headings headings = headings_;
+    const ReservationTable reservations = reservations_;
     short* const ways = way_.data();
     int* const targets = target_.data();
     bool meets = false;
@@ -86,20 +87,20 @@ void Resolver::set_out() {
         int target = turn.cell[a] + grid_.delta(way);
         ways[a] = static_cast<short>(way);
         targets[a] = target;
-        if (turn.ground[target] != kFree && way != 0) {
+        if (turn.terrain[target] != kFree && way != 0) {
             if (!enters_obstacle(a)) continue;
             way = ways[a];
             target = targets[a];
         }
-        meets |= headings.comes_opposite(turn.cell[a], way);
-        meets |= headings.post(target, kTeam, Heading::by(way, acts));
+        meets |= reservations.comes_opposite(turn.cell[a], way);
+        meets |= reservations.reserve(target, kTeam, Reservation::by(way, acts));
     }
     somebody_meets_ |= meets;
 }
 
 // Is an agent that runs into an obstacle still there?
 bool Resolver::enters_obstacle(int a) {
-    const bool border = turn_->ground[target_[a]] == kBorder;  // there is no cell beyond
+    const bool border = turn_->terrain[target_[a]] == kBorder;  // there is no cell beyond
     const Outcome outcome =
         border && rules_.obstacle == Outcome::Reach ? Outcome::Bounce : rules_.obstacle;
     raise(a, involved(Kind::Obstacle) | at_fault(Kind::Obstacle));
@@ -117,24 +118,24 @@ bool Resolver::enters_obstacle(int a) {
 
 void Resolver::list_present() {
     present_.clear();
-    for (int a : turn_->cast) present_.add_if(!(flags_[a] & kCrashed), a);
+    for (int a : turn_->participants) present_.add_if(!(flags_[a] & kCrashed), a);
 }
 
 // Those who are not alone: somebody else heads for the same cell, or comes from there to the cell
 // that they leave. Nobody else is in conflict with anybody.
 void Resolver::find_company() {
-    const Headings headings = headings_;
+    const ReservationTable reservations = reservations_;
     company_.clear();
     for (int a : present_) {
-        const bool alone = headings.alone(target_[a], team(a));
-        company_.add_if(!alone | headings.comes_opposite(turn_->cell[a], way_[a]), a);
+        const bool alone = reservations.alone(target_[a], team(a));
+        company_.add_if(!alone | reservations.comes_opposite(turn_->cell[a], way_[a]), a);
     }
 }
 
 // Who heads for a cell, one by one. The lists are made once in a stage in which somebody does, and
 // targets stay as they are while there are lists.
-CellLists::Range Resolver::heading_for(int cell) {
-    if (!headings_.empty(cell) && !listed_) {
+CellLists::Range Resolver::reserving(int cell) {
+    if (!reservations_.empty(cell) && !listed_) {
         for (int a : present_) by_target_.add(a, target_[a]);
         listed_ = true;
     }
@@ -174,10 +175,10 @@ void Resolver::teammates() {
 }
 
 bool Resolver::meets_teammate(int a) const {
-    const Heading there = headings_.at(target_[a], team(a));
+    const Reservation there = reservations_.at(target_[a], team(a));
     if (turn_->acts(a) ? there.several() : there.moves() || there.stands_as_actor()) return true;
     if (way_[a] == 0) return false;
-    return headings_.at(turn_->cell[a], team(a)).takes(kOpposite[way_[a]]);
+    return reservations_.at(turn_->cell[a], team(a)).takes(kOpposite[way_[a]]);
 }
 
 // Holds, until nothing changes, every teammate that means to enter the cell of one held in this
@@ -187,7 +188,7 @@ void Resolver::spread_bounce() {
     AgentList& held = held_now_;
     for (std::size_t i = 0; i < held.size(); ++i) {
         const int b = held[i];
-        for (int a : heading_for(turn_->cell[b])) {
+        for (int a : reserving(turn_->cell[b])) {
             if (way_[a] == 0 || (flags_[a] & kBarred) || team(a) != team(b)) continue;
             for (int side : {a, b}) {
                 raise(side, involved(Kind::Teammate) | at_fault(Kind::Teammate));
@@ -204,10 +205,10 @@ void Resolver::spread_bounce() {
 
 // From now on an agent means to stay.
 void Resolver::hold(int a) {
-    headings_.withdraw(target_[a], team(a), way_[a]);
+    reservations_.release(target_[a], team(a), way_[a]);
     way_[a] = 0;
     target_[a] = turn_->cell[a];
-    headings_.post(target_[a], team(a), Heading::by(0, true));
+    reservations_.reserve(target_[a], team(a), Reservation::by(0, true));
 }
 
 // ---- Stage 3 ------------------------------------------------------------------------------
@@ -220,11 +221,11 @@ void Resolver::adversaries() {
 void Resolver::judge_adversaries(int a) {
     const Team other_team = opponent(team(a));
     const bool moves = way_[a] != 0;
-    const Heading there = headings_.at(target_[a], other_team);
+    const Reservation there = reservations_.at(target_[a], other_team);
     const bool standing = turn_->acts(a) ? there.stands() : there.stands_as_actor();
     const bool moving = there.moves();
     const bool swapping =
-        moves && headings_.at(turn_->cell[a], other_team).takes(kOpposite[way_[a]]);
+        moves && reservations_.at(turn_->cell[a], other_team).takes(kOpposite[way_[a]]);
     if (!(standing || moving || swapping)) return;
 
     const Outcome own = rules_.adversary(team(a));
@@ -250,13 +251,13 @@ void Resolver::judge_adversaries(int a) {
 }
 
 void Resolver::note_captors(int evader) {
-    for (int p : heading_for(target_[evader])) {
+    for (int p : reserving(target_[evader])) {
         if (team(p) == Team::Pursuer && (turn_->acts(p) || turn_->acts(evader))) {
             captures_.emplace_back(evader, p);
         }
     }
     if (way_[evader] == 0) return;
-    for (int p : heading_for(turn_->cell[evader])) {
+    for (int p : reserving(turn_->cell[evader])) {
         if (team(p) == Team::Pursuer && swap(p, evader)) captures_.emplace_back(evader, p);
     }
 }
@@ -264,11 +265,11 @@ void Resolver::note_captors(int evader) {
 // ---- Stage 4 ------------------------------------------------------------------------------
 
 // `held_now_` are the links. Those held in stage 3 are barred: they head nowhere any more; a link
-// made here still counts as heading for its cell.
+// made here still counts as reservation for its cell.
 void Resolver::chains() {
     for (std::size_t i = 0; i < held_now_.size(); ++i) {
         const int link = held_now_[i];
-        for (int a : heading_for(turn_->cell[link])) {
+        for (int a : reserving(turn_->cell[link])) {
             const bool enters = way_[a] != 0 && !(flags_[a] & kBarred);
             if (enters && !swap(a, link)) enter_link(a, link);  // a swap was judged before
         }
@@ -308,10 +309,10 @@ void Resolver::end_up() {
         const bool gone = flags_[a] & (kCrashed | kDoomed);
         const bool returns = flags_[a] & kHeld && target_[a] != turn_->cell[a];
         if (!(flags_[a] & kCrashed) && (gone || returns)) {
-            headings_.withdraw(target_[a], team(a), way_[a]);
+            reservations_.release(target_[a], team(a), way_[a]);
         }
         if (flags_[a] & (kCrashed | kHeld)) target_[a] = turn_->cell[a];
-        if (returns && !gone) headings_.post(target_[a], team(a), Heading::by(0, true));
+        if (returns && !gone) reservations_.reserve(target_[a], team(a), Reservation::by(0, true));
     }
 }
 
@@ -328,12 +329,12 @@ void Resolver::log_pairs(Kind kind) {
         return a < b && (team(a) == team(b)) == (kind == Kind::Teammate);
     };
     for (int a : present_) {
-        for (int b : heading_for(target_[a])) {
+        for (int b : reserving(target_[a])) {
             if (concerns(a, b) && (turn_->acts(a) || turn_->acts(b))) {
                 log_pair(Form::Vertex, a, b, target_[a]);
             }
         }
-        for (int b : heading_for(turn_->cell[a])) {
+        for (int b : reserving(turn_->cell[a])) {
             if (concerns(a, b) && swap(a, b)) log_pair(Form::Edge, a, b, target_[a]);
         }
     }

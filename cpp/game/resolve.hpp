@@ -2,7 +2,7 @@
 // four methods that `resolve` calls are the first four stages of a step; each judges all agents
 // at once from the state that it found, so the numbering of agents cannot matter.
 //
-// Headings tell for each cell who heads for it, and by which ways. Whether an agent is in
+// ReservationTable tell for each cell who heads for it, and by which ways. Whether an agent is in
 // conflict is then a look at two cells, the one it heads for and the one it leaves. Nearly all
 // agents are in none, and nothing more is asked of them. The work is O(agents), plus the pairs of a
 // chain or a capture where several share a cell.
@@ -55,12 +55,12 @@ struct Agents {
 // The agents that may meet in this turn and what they set out to do. Those with first_actor <=
 // agent < last_actor act; the others stay where they are.
 struct Turn {
-    Agents cast;                  // living agents, pursuers first
-    const int* first_evader;      // of the cast
-    Agents actors;                // of the cast
+    Agents participants;          // living agents, pursuers first
+    const int* first_evader;      // of the participants
+    Agents actors;                // of the participants
     const int* cell;              // by agent
     const std::uint8_t* actions;  // by agent
-    const std::uint8_t* ground;   // by cell
+    const std::uint8_t* terrain;  // by cell
     int first_actor;
     int last_actor;
     int number;
@@ -71,8 +71,8 @@ struct Turn {
         return agents.first == agents.last || (acts(agents.first[0]) && acts(agents.last[-1]));
     }
     Agents of(Team team) const {
-        return team == Team::Pursuer ? Agents{cast.first, first_evader}
-                                     : Agents{first_evader, cast.last};
+        return team == Team::Pursuer ? Agents{participants.first, first_evader}
+                                     : Agents{first_evader, participants.last};
     }
 };
 
@@ -80,13 +80,13 @@ class Resolver {
   public:
     Resolver(const Grid& grid, const Rules& rules, int n_pursuers, int n_agents);
 
-    // Finds nobody of the cast posted, and leaves everybody posted where it ends up, but for those
+    // Finds nobody of the participants posted, and leaves everybody posted where it ends up, but for those
     // who disappear. Appends each conflict to `log` where one is given; that costs the
     // number of conflicts.
-    void resolve(const Turn& turn, Headings headings, std::vector<Conflict>* log);
+    void resolve(const Turn& turn, ReservationTable reservations, std::vector<Conflict>* log);
 
     Flags flags(int agent) const { return flags_[agent]; }
-    // The cell where an agent of the cast ends up, or where it disappears.
+    // The cell where an agent of the participants ends up, or where it disappears.
     int target(int agent) const { return target_[agent]; }
     // Agents with any flag at all; each once.
     const AgentList& eventful() const { return eventful_; }
@@ -105,7 +105,7 @@ class Resolver {
     bool enters_obstacle(int agent);
     void list_present();
     void find_company();
-    CellLists::Range heading_for(int cell);
+    CellLists::Range reserving(int cell);
     void unlist_targets();
     void hold(int agent);
     void spread_bounce();
@@ -130,10 +130,10 @@ class Resolver {
     int n_pursuers_;
 
     const Turn* turn_ = nullptr;
-    Headings headings_{nullptr};
+    ReservationTable reservations_{nullptr};
     std::vector<Conflict>* log_ = nullptr;
     bool somebody_meets_ = false;  // else there is no conflict but with obstacles
-    AgentList present_;            // the cast without the crashed
+    AgentList present_;            // the participants without the crashed
     AgentList company_;            // those of them who may be in conflict
     AgentList held_now_;           // held during this stage, not yet followed up
     AgentList eventful_;

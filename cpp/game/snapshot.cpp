@@ -32,20 +32,20 @@ Snapshot World::snapshot(const Scratch& scratch) const {
     s.key = key_;
     s.map.resize(config().rows * config().cols);
     for (int i = 0; i < s.map.size(); ++i) {
-        s.map[i] = ground_->kind[grid().cell(i / config().cols, i % config().cols)] == kObstacle;
+        s.map[i] = terrain_->kind[grid().cell(i / config().cols, i % config().cols)] == kObstacle;
     }
     const auto index = [&](int cell) {
         return cell == kGone ? kGone : grid().row(cell) * config().cols + grid().col(cell);
     };
     s.cell = cell_.unaryExpr(index);
-    s.went_at = went_at_.unaryExpr(index);
+    s.last_cells = last_cell_.unaryExpr(index);
     s.captured = captured_;
     s.ever_captured = ever_captured_;
     s.capture_paid = capture_paid_;
     s.captors = captors_;
     s.rewards = rewards_;
     s.report = report_.cast<int>();
-    s.cast = scratch.cast;
+    s.participants = scratch.participants;
     s.steps = steps_;
     s.fresh_round = fresh_round_;
     s.terminated = terminated_;
@@ -58,7 +58,7 @@ void World::check(const Snapshot& s) const {
     const int n_agents = config().n_agents();
     require_size("map", s.map.size(), area);
     require_size("cell", s.cell.size(), n_agents);
-    require_size("went_at", s.went_at.size(), n_agents);
+    require_size("last_cells", s.last_cells.size(), n_agents);
     require_size("rewards", s.rewards.size(), n_agents);
     require_size("report", s.report.size(), n_agents);
     require_size("captured", s.captured.size(), config().n_evaders);
@@ -66,18 +66,18 @@ void World::check(const Snapshot& s) const {
     require_size("capture_paid", s.capture_paid.size(), config().n_evaders);
     require_size("captors", s.captors.size(), config().n_evaders);
     require_below("cell", s.cell, kGone, area);
-    require_below("went_at", s.went_at, kGone, area);
-    require_below("cast", s.cast, 0, n_agents);
+    require_below("last_cells", s.last_cells, kGone, area);
+    require_below("participants", s.participants, 0, n_agents);
 }
 
 void World::restore(const Snapshot& s, Scratch& scratch) {
     check(s);
     begin_episode(s.key);
-    lay_ground(s.map);
+    lay_terrain(s.map);
     const auto cell = [&](int index) {
         return index == kGone ? kGone : grid().cell(index / config().cols, index % config().cols);
     };
-    went_at_ = s.went_at.unaryExpr(cell);
+    last_cell_ = s.last_cells.unaryExpr(cell);
     living_.clear();
     n_living_[0] = n_living_[1] = 0;
     for (int a = 0; a < config().n_agents(); ++a) {
@@ -87,7 +87,7 @@ void World::restore(const Snapshot& s, Scratch& scratch) {
         ++n_living_[static_cast<int>(team(a))];
         place(a, cell(s.cell[a]), scratch);
     }
-    scratch.occupancy.land(living_, cell_);
+    scratch.occupancy.occupy(living_, cell_);
     captured_ = s.captured;
     ever_captured_ = s.ever_captured;
     capture_paid_ = s.capture_paid;
@@ -95,7 +95,7 @@ void World::restore(const Snapshot& s, Scratch& scratch) {
     rewards_ = s.rewards;
     report_ = s.report.cast<Flags>();
     count_captures();
-    scratch.cast = s.cast;
+    scratch.participants = s.participants;
     steps_ = s.steps;
     fresh_round_ = s.fresh_round;
     terminated_ = s.terminated;

@@ -6,7 +6,7 @@ namespace matrixworld {
 
 void World::enter(Scratch& scratch) const {
     for (int a : living_) scratch.occupancy.add(a, cell_[a]);
-    scratch.occupancy.land(living_, cell_);
+    scratch.occupancy.occupy(living_, cell_);
 }
 
 void World::leave(Scratch& scratch) const { scratch.occupancy.clear(living_, cell_); }
@@ -64,19 +64,19 @@ void World::play_turn(int number, const std::uint8_t* actions, Scratch& scratch,
     const bool nobody = last - first == 1 ? !alive(first) : n_living(team(first)) == 0;
     if (terminated_ || nobody) return;
 
-    const std::vector<int>& cast =
-        one_by_one() ? choose_cast(first, actions[first], scratch) : living_;
-    const Turn turn = make_turn(cast, actions, first, last, number);
-    scratch.occupancy.lift(cast, cell_);
-    scratch.resolver.resolve(turn, scratch.occupancy.headings(), log);
+    const std::vector<int>& participants =
+        one_by_one() ? choose_participants(first, actions[first], scratch) : living_;
+    const Turn turn = make_turn(participants, actions, first, last, number);
+    scratch.occupancy.release(participants, cell_);
+    scratch.resolver.resolve(turn, scratch.occupancy.reservations(), log);
     settle(turn, scratch);
-    scratch.occupancy.land(cast, cell_);
+    scratch.occupancy.occupy(participants, cell_);
     teams_touch_ = one_by_one() || find_touch(turn, scratch);
     judge_captures(turn, scratch);
     pay_captures();
     remove_captured(scratch);
     pay_actors(turn, scratch);
-    report_and_fine(scratch);
+    report_and_penalize(scratch);
     scratch.occupancy.unlist();
     drop_gone();
     judge_end();
@@ -90,27 +90,27 @@ void World::end_round() {
 
 // Where a single agent acts: it and those on the cell it leaves or heads for. Nobody else can meet
 // it.
-const std::vector<int>& World::choose_cast(int actor, int action, Scratch& scratch) const {
-    std::swap(scratch.cast, scratch.last_cast);
-    scratch.cast.clear();
+const std::vector<int>& World::choose_participants(int actor, int action, Scratch& scratch) const {
+    std::swap(scratch.participants, scratch.last_participants);
+    scratch.participants.clear();
     scratch.here = cell_[actor];
     scratch.there = scratch.here + grid().delta(action);
     const CellLists& lists = scratch.occupancy.lists();
     for (Team wanted : {Team::Pursuer, Team::Evader}) {
         const auto call = [&](int cell) {
             for (int a : lists.at(cell)) {
-                if (team(a) == wanted) scratch.cast.push_back(a);
+                if (team(a) == wanted) scratch.participants.push_back(a);
             }
         };
         call(scratch.here);
         if (scratch.there != scratch.here) call(scratch.there);
     }
-    return scratch.cast;
+    return scratch.participants;
 }
 
-Turn World::make_turn(const std::vector<int>& cast, const std::uint8_t* actions, int first,
+Turn World::make_turn(const std::vector<int>& participants, const std::uint8_t* actions, int first,
                       int last, int number) const {
-    const Agents all{cast.data(), cast.data() + cast.size()};
+    const Agents all{participants.data(), participants.data() + participants.size()};
     const int* first_evader = all.first + n_living(Team::Pursuer);
     Agents actors = all;
     if (one_by_one()) {
@@ -123,13 +123,13 @@ Turn World::make_turn(const std::vector<int>& cast, const std::uint8_t* actions,
     } else if (last != config().n_agents()) {
         actors.last = first_evader;
     }
-    return {all,   first_evader, actors, cell_.data(), actions, ground_->kind.data(),
+    return {all,   first_evader, actors, cell_.data(), actions, terrain_->kind.data(),
             first, last,         number};
 }
 
 void World::settle(const Turn& turn, Scratch& scratch) {
     const Resolver& resolver = scratch.resolver;
-    for (int a : turn.cast) cell_[a] = resolver.target(a);
+    for (int a : turn.participants) cell_[a] = resolver.target(a);
     for (int a : resolver.eventful()) {
         if (!(resolver.flags(a) & (kCrashed | kDoomed))) continue;
         if (team(a) == Team::Evader) release(evader_number(a));  // until judged
@@ -139,7 +139,7 @@ void World::settle(const Turn& turn, Scratch& scratch) {
 
 void World::remove(int agent, int at) {
     cell_[agent] = kGone;
-    went_at_[agent] = at;
+    last_cell_[agent] = at;
     --n_living_[static_cast<int>(team(agent))];
     if (team(agent) == Team::Evader && !counts_as_captured(evader_number(agent))) --n_at_large_;
 }
@@ -164,11 +164,11 @@ void World::pay_captures() {
 
 void World::pay_actors(const Turn& turn, const Scratch& scratch) {
     const Rewards& rewards = config().rewards;
-    const Headings headings = scratch.occupancy.headings();
+    const ReservationTable reservations = scratch.occupancy.reservations();
     for (int a : turn.actors) rewards_[a] += pay(rewards.step, a);
     if (!teams_touch_) return;
     for (int a : turn.actors) {
-        if (alive(a) && headings.beside(cell_[a], opponent(team(a)), grid(), false)) {
+        if (alive(a) && reservations.beside(cell_[a], opponent(team(a)), grid(), false)) {
             rewards_[a] += pay(rewards.neighbor, a);
         }
     }
@@ -176,23 +176,23 @@ void World::pay_actors(const Turn& turn, const Scratch& scratch) {
 
 // Of each pair that is side by side one is of the smaller team.
 bool World::find_touch(const Turn& turn, const Scratch& scratch) const {
-    const Headings headings = scratch.occupancy.headings();
+    const ReservationTable reservations = scratch.occupancy.reservations();
     const bool fewer = n_living(Team::Pursuer) <= n_living(Team::Evader);
     const Team team = fewer ? Team::Pursuer : Team::Evader;
     const bool diagonal = config().diagonal;
     bool touch = false;
     for (int a : turn.of(team)) {
-        if (alive(a)) touch |= headings.beside(cell_[a], opponent(team), grid(), diagonal);
+        if (alive(a)) touch |= reservations.beside(cell_[a], opponent(team), grid(), diagonal);
     }
     return touch;
 }
 
-void World::report_and_fine(const Scratch& scratch) {
+void World::report_and_penalize(const Scratch& scratch) {
     for (int a : scratch.resolver.eventful()) {
         const Flags news = scratch.resolver.flags(a) & kReportMask & ~report_[a];
         report_[a] |= news;
         const int blamed = config().rewards.blame == Blame::Fault ? news >> kKinds : news;
-        rewards_[a] += setup_->fines[static_cast<int>(team(a))][blamed & ((1 << kKinds) - 1)];
+        rewards_[a] += setup_->penalties[static_cast<int>(team(a))][blamed & ((1 << kKinds) - 1)];
     }
 }
 

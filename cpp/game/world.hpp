@@ -25,14 +25,14 @@ struct Placement {
 };
 
 // What the cells are made of, as a table and as a bitmap of the obstacles inside the border.
-struct Ground {
-    Ground(const Grid& grid, int margin);
+struct Terrain {
+    Terrain(const Grid& grid, int margin);
 
     void set_obstacle(const Grid& grid, int cell);
     void clear_obstacles(const Grid& grid);
 
     ByteArray kind;  // by cell
-    Board walls;     // obstacles
+    Bitboard walls;  // obstacles
     Plane closed;    // obstacles and whatever is outside
     bool has_obstacles = false;
 };
@@ -41,14 +41,14 @@ struct Ground {
 // the last one.
 struct Snapshot {
     EpisodeKey key;
-    ByteArray map;     // (rows * cols)
-    IntArray cell;     // by agent, an index into the rows * cols cells; kGone when gone
-    IntArray went_at;  // by agent that is gone, the same
+    ByteArray map;        // (rows * cols)
+    IntArray cell;        // by agent, an index into the rows * cols cells; kGone when gone
+    IntArray last_cells;  // by agent that is gone, the same
     ByteArray captured, ever_captured, capture_paid;  // by evader
     IntArray captors;                                 // by evader
     FloatArray rewards;                               // by agent
     IntArray report;                                  // by agent
-    std::vector<int> cast;                            // the agents of the last turn
+    std::vector<int> participants;                    // the agents of the last turn
     int steps = 0;
     bool fresh_round = false;
     bool terminated = false;
@@ -61,8 +61,8 @@ struct Setup {
 
     Config config;
     Grid grid;
-    std::shared_ptr<const Ground> ground;  // with the obstacles of the configured map
-    float fines[kTeams][1 << kKinds];      // by the set of kinds that an agent pays for
+    std::shared_ptr<const Terrain> terrain;  // with the obstacles of the configured map
+    float penalties[kTeams][1 << kKinds];    // by the set of kinds that an agent pays for
 };
 
 // The scratch memory of one thread, for any number of worlds of one configuration.
@@ -75,8 +75,8 @@ struct Scratch {
     std::vector<int> swaps;  // how to restore it
     // Of turns of one agent: those that take part, in this turn and in the one before within the
     // round; where the actor stands and where it heads for.
-    std::vector<int> cast;
-    std::vector<int> last_cast;
+    std::vector<int> participants;
+    std::vector<int> last_participants;
     int here = 0;
     int there = 0;
 };
@@ -124,11 +124,11 @@ class World {
     bool alive(int agent) const { return cell_[agent] != kGone; }
     int cell(int agent) const { return cell_[agent]; }
     const IntArray& cells() const { return cell_; }             // by agent
-    const IntArray& went_at() const { return went_at_; }        // by agent that is gone
+    const IntArray& last_cells() const { return last_cell_; }   // by agent that is gone
     const std::vector<int>& living() const { return living_; }  // in the order of their numbers
     int n_living(Team team) const { return n_living_[static_cast<int>(team)]; }
-    const Ground& ground() const { return *ground_; }
-    const std::shared_ptr<const Ground>& shared_ground() const { return ground_; }
+    const Terrain& terrain() const { return *terrain_; }
+    const std::shared_ptr<const Terrain>& shared_terrain() const { return terrain_; }
 
     // By evader; `captors` is 0 once the step of the capture is over and the evader gone.
     const ByteArray& captured() const { return captured_; }
@@ -152,13 +152,13 @@ class World {
   private:
     void check(const Snapshot& snapshot) const;
     void begin_episode(EpisodeKey key);
-    void lay_ground(const ByteArray& map);
+    void lay_terrain(const ByteArray& map);
     void count_captures();
     void place(int agent, int cell, Scratch& scratch);
 
-    const std::vector<int>& choose_cast(int actor, int action, Scratch& scratch) const;
-    Turn make_turn(const std::vector<int>& cast, const std::uint8_t* actions, int first, int last,
-                   int number) const;
+    const std::vector<int>& choose_participants(int actor, int action, Scratch& scratch) const;
+    Turn make_turn(const std::vector<int>& participants, const std::uint8_t* actions, int first,
+                   int last, int number) const;
     void settle(const Turn& turn, Scratch& scratch);
     void remove(int agent, int at);
     void drop_gone();
@@ -177,7 +177,7 @@ class World {
     void remove_captured(Scratch& scratch);
     void pay_actors(const Turn& turn, const Scratch& scratch);
     bool find_touch(const Turn& turn, const Scratch& scratch) const;
-    void report_and_fine(const Scratch& scratch);
+    void report_and_penalize(const Scratch& scratch);
     void judge_end();
 
     int evader_number(int agent) const { return agent - config().n_pursuers; }
@@ -187,11 +187,11 @@ class World {
     }
 
     std::shared_ptr<const Setup> setup_;
-    std::shared_ptr<const Ground> ground_;
+    std::shared_ptr<const Terrain> terrain_;
     EpisodeKey key_;
 
     IntArray cell_;            // by agent; kGone when gone
-    IntArray went_at_;         // by agent that is gone: the cell where it went
+    IntArray last_cell_;       // by agent that is gone: the cell where it went
     std::vector<int> living_;  // agents, ascending
     int n_living_[kTeams] = {0, 0};
     int n_captured_ = 0;  // evaders that count as captured

@@ -14,11 +14,11 @@ namespace matrixworld {
 // One bit a cell, with a margin of empty cells on every side so that a window around any cell can
 // be read without a test. (Words are read as little-endian, as on every processor that the kernels
 // are built for.)
-class Board {
+class Bitboard {
   public:
     static constexpr int kMaxWidth = 56;  // of a window: with a shift below 8, it fits one word
 
-    Board(const Grid& grid, int margin)
+    Bitboard(const Grid& grid, int margin)
         : stride_((grid.cols() + 2 * margin + 7) / 8),
           margin_(margin),
           bits_(static_cast<std::size_t>(grid.rows() + 2 * margin) * stride_ + sizeof(Word), 0) {}

@@ -64,7 +64,7 @@ inline std::uint64_t near_bits(const std::int16_t* rows, const std::int16_t* col
 
 // Which agents another one sees, as bits.
 struct Seen {
-    static constexpr int kWords = kMostPlaces / kPlacePad;
+    static constexpr int kWords = kMaxPositions / kPositionPad;
 
     std::uint64_t words[kWords];
     int n_words;
@@ -72,36 +72,38 @@ struct Seen {
 };
 
 // Of those seen who set the same cell, leaves the first.
-inline void drop_doubles(const Scene& scene, Seen& seen) {
-    int first[kMostPlaces];  // of those on shared cells, on each
+inline void drop_doubles(const Positions& positions, Seen& seen) {
+    int first[kMaxPositions];  // of those on shared cells, on each
     int n = 0;
     for (int i = 0; i < seen.n_words; ++i) {
-        for (std::uint64_t bits = seen.words[i] & scene.shared[i]; bits; bits &= bits - 1) {
-            const int agent = i * kPlacePad + __builtin_ctzll(bits);
+        for (std::uint64_t bits = seen.words[i] & positions.shared[i]; bits; bits &= bits - 1) {
+            const int agent = i * kPositionPad + __builtin_ctzll(bits);
             bool known = false;
-            for (int k = 0; k < n; ++k) known |= scene.cells[first[k]] == scene.cells[agent];
+            for (int k = 0; k < n; ++k)
+                known |= positions.cells[first[k]] == positions.cells[agent];
             first[n] = agent;
             n += !known;
-            seen.words[i] &= ~(std::uint64_t{known} << (agent % kPlacePad));
+            seen.words[i] &= ~(std::uint64_t{known} << (agent % kPositionPad));
         }
     }
 }
 
-inline int most(int n) { return n < kPlacePad ? n : kPlacePad; }
+inline int most(int n) { return n < kPositionPad ? n : kPositionPad; }
 
-inline Seen look(const Scene& scene, int agent, int fov) {
+inline Seen look(const Positions& positions, int agent, int fov) {
     const int reach = fov / 2;
-    const short top = static_cast<short>(scene.rows[agent] - reach);
-    const short left = static_cast<short>(scene.cols[agent] - reach);
+    const short top = static_cast<short>(positions.rows[agent] - reach);
+    const short left = static_cast<short>(positions.cols[agent] - reach);
     Seen seen;
-    seen.n_words = (scene.n_agents + kPlacePad - 1) / kPlacePad;
+    seen.n_words = (positions.n_agents + kPositionPad - 1) / kPositionPad;
     seen.corner = top * fov + left;
     for (int i = 0; i < seen.n_words; ++i) {
-        const int first = i * kPlacePad;
-        const std::uint64_t self = std::uint64_t{agent / kPlacePad == i} << (agent % kPlacePad);
+        const int first = i * kPositionPad;
+        const std::uint64_t self = std::uint64_t{agent / kPositionPad == i}
+                                   << (agent % kPositionPad);
         seen.words[i] =
-            near_bits(scene.rows + first, scene.cols + first, most(scene.n_agents - first), top,
-                      left, static_cast<short>(2 * reach)) &
+            near_bits(positions.rows + first, positions.cols + first,
+                      most(positions.n_agents - first), top, left, static_cast<short>(2 * reach)) &
             ~self;
     }
     return seen;

@@ -37,7 +37,7 @@ inline void sum_seen_columns(const Seen& seen, const std::int32_t* cells, const 
                              const float* weights, int width, Activation activation, float* out) {
     Vec sum[kVecs];
     for (int v = 0; v < kVecs; ++v) sum[v] = load<Vec>(base + v * kLanes);
-    for (int i = 0; i < seen.n_words; ++i, cells += kPlacePad) {
+    for (int i = 0; i < seen.n_words; ++i, cells += kPositionPad) {
         for (std::uint64_t bits = seen.words[i]; bits; bits &= bits - 1) {
             const int cell = cells[__builtin_ctzll(bits)] - seen.corner;
             const float* row = weights + static_cast<long>(cell) * width;
@@ -47,21 +47,21 @@ inline void sum_seen_columns(const Seen& seen, const std::int32_t* cells, const 
     for (int v = 0; v < kVecs; ++v) store(out + v * kLanes, activate(sum[v], activation));
 }
 
-void sum_seen(const Scene& scene, const int* agents, int n, const float* const* bases,
+void sum_seen(const Positions& positions, const int* agents, int n, const float* const* bases,
               const float* weights, int width, Activation activation, float* out) {
     constexpr int kWide = 2 * kPad;
     for (int i = 0; i < n; ++i, out += width) {
-        Seen seen = look(scene, agents[i], scene.fov);
+        Seen seen = look(positions, agents[i], positions.fov);
         std::uint64_t shared = 0;
-        for (int w = 0; w < seen.n_words; ++w) shared |= seen.words[w] & scene.shared[w];
-        if (shared) drop_doubles(scene, seen);
+        for (int w = 0; w < seen.n_words; ++w) shared |= seen.words[w] & positions.shared[w];
+        if (shared) drop_doubles(positions, seen);
         int c = 0;
         for (; c + kWide <= width; c += kWide) {
-            sum_seen_columns<kWide / kLanes>(seen, scene.cells, bases[i] + c, weights + c, width,
-                                             activation, out + c);
+            sum_seen_columns<kWide / kLanes>(seen, positions.cells, bases[i] + c, weights + c,
+                                             width, activation, out + c);
         }
         if (c < width) {
-            sum_seen_columns<kPad / kLanes>(seen, scene.cells, bases[i] + c, weights + c, width,
+            sum_seen_columns<kPad / kLanes>(seen, positions.cells, bases[i] + c, weights + c, width,
                                             activation, out + c);
         }
     }

@@ -47,12 +47,12 @@ inline void clear(std::uint8_t* to, long n) {
 // The others that an agent sees, each one set cell. Most see a few: so many are marked without a
 // branch, those that are not there in a cell of the obstacles, which are drawn afterwards.
 template <typename Number>
-inline void mark_others(const Scene& scene, int agent, int fov, Number* view) {
+inline void mark_others(const Positions& positions, int agent, int fov, Number* view) {
     constexpr int kMost = 2;
     const int unused = 2 * fov * fov;
-    const Seen seen = look(scene, agent, fov);
+    const Seen seen = look(positions, agent, fov);
     for (int i = 0; i < seen.n_words; ++i) {
-        const std::int32_t* cells = scene.cells + i * kPlacePad;
+        const std::int32_t* cells = positions.cells + i * kPositionPad;
         std::uint64_t bits = seen.words[i];
         for (int k = 0; k < kMost; ++k, bits &= bits - 1) {
             const int cell = cells[__builtin_ctzll(bits | std::uint64_t{1} << 63)] - seen.corner;
@@ -65,17 +65,17 @@ inline void mark_others(const Scene& scene, int agent, int fov, Number* view) {
 }
 
 template <int kFov, typename Number>
-void draw_views(const Scene& scene, const std::uint8_t* const* obstacles, int stride,
+void draw_views(const Positions& positions, const std::uint8_t* const* obstacles, int stride,
                 Number* views) {
-    const int fov = kFov ? kFov : scene.fov;  // kFov where the compiler is to know it
+    const int fov = kFov ? kFov : positions.fov;  // kFov where the compiler is to know it
     const int size = 3 * fov * fov;
     clear(reinterpret_cast<std::uint8_t*>(views),
-          static_cast<long>(sizeof(Number)) * size * scene.n_agents);
-    for (int a = 0; a < scene.n_agents; ++a) {
-        if (scene.rows[a] == kFarOff) continue;
+          static_cast<long>(sizeof(Number)) * size * positions.n_agents);
+    for (int a = 0; a < positions.n_agents; ++a) {
+        if (positions.rows[a] == kFarOff) continue;
         Number* const view = views + static_cast<long>(a) * size;
         Number* const channel = view + 2 * fov * fov;
-        mark_others(scene, a, fov, view);
+        mark_others(positions, a, fov, view);
         if (stride == fov) {
             copy(obstacles[a], channel, fov * fov);
             continue;
@@ -89,11 +89,12 @@ void draw_views(const Scene& scene, const std::uint8_t* const* obstacles, int st
 constexpr int kUsualFov = 11;
 
 template <typename Number>
-void draw(const Scene& scene, const std::uint8_t* const* obstacles, int stride, Number* views) {
-    if (scene.fov == kUsualFov) {
-        draw_views<kUsualFov>(scene, obstacles, stride, views);
+void draw(const Positions& positions, const std::uint8_t* const* obstacles, int stride,
+          Number* views) {
+    if (positions.fov == kUsualFov) {
+        draw_views<kUsualFov>(positions, obstacles, stride, views);
     } else {
-        draw_views<0>(scene, obstacles, stride, views);
+        draw_views<0>(positions, obstacles, stride, views);
     }
 }
 

@@ -10,7 +10,7 @@ namespace matrixworld {
 
 namespace {
 
-constexpr int kChunk = Board::kMaxWidth;  // cells of a row that are read at once
+constexpr int kChunk = Bitboard::kMaxWidth;  // cells of a row that are read at once
 
 struct Window {
     Window(const World& world, int cell)
@@ -33,13 +33,13 @@ int own_centre(const World& world, int agent) {
     return (channel(world.team(agent)) * fov + fov / 2) * fov + fov / 2;
 }
 
-// Calls visit(index of the first cell, bits) for the windows of a board, row by row.
+// Calls visit(index of the first cell, bits) for the windows of a bitboard, row by row.
 template <typename Visit>
-void for_each_chunk(const Board& board, const Window& window, Visit visit) {
+void for_each_chunk(const Bitboard& bitboard, const Window& window, Visit visit) {
     for (int r = 0; r < window.fov; ++r) {
         for (int c = 0; c < window.fov; c += kChunk) {
             const int width = std::min(kChunk, window.fov - c);
-            const Board::Reader reader = board.window(window.top + r, window.left + c);
+            const Bitboard::Reader reader = bitboard.window(window.top + r, window.left + c);
             visit(r * window.fov + c, reader.row(0, width));
         }
     }
@@ -55,19 +55,19 @@ constexpr int kLargestBorder = 15;  // of a view, for which all that is seen of 
 
 }  // namespace
 
-Lens::Lens(const Setup& setup)
+Observer::Observer(const Setup& setup)
     : fov_(setup.config.fov),
-      places_(setup.config.n_pursuers, setup.config.n_agents(), fov_),
+      positions_table_(setup.config.n_pursuers, setup.config.n_agents(), fov_),
       obstacles_(static_cast<std::size_t>(setup.config.n_agents())),
       cases_(setup.grid, fov_),
       planes_{Plane(setup.grid, fov_ / 2, 0), Plane(setup.grid, fov_ / 2, 0)} {
     if (fov_ <= kLargestBorder) make_border(setup.grid);
 }
 
-void Lens::make_border(const Grid& grid) {
+void Observer::make_border(const Grid& grid) {
     const int area = fov_ * fov_;
     border_.resize(static_cast<std::size_t>(cases_.n_cases()) * area);
-    const Ground empty(grid, fov_ / 2);
+    const Terrain empty(grid, fov_ / 2);
     std::vector<bool> known(cases_.n_cases());
     for (int row = 0; row < grid.rows(); ++row) {
         for (int col = 0; col < grid.cols(); ++col) {
@@ -83,49 +83,50 @@ void Lens::make_border(const Grid& grid) {
     }
 }
 
-const std::uint8_t* Lens::border(int row, int col) const {
+const std::uint8_t* Observer::border(int row, int col) const {
     return &border_[static_cast<std::size_t>(cases_.number(row, col)) * fov_ * fov_];
 }
 
 template <typename Number>
-void Lens::write(const World& world, const Occupancy& occupancy, Number* out) {
-    if (world.config().n_agents() <= kMostPlaces) {
+void Observer::write(const World& world, const Occupancy& occupancy, Number* out) {
+    if (world.config().n_agents() <= kMaxPositions) {
         draw(world, out);
     } else {
         copy(world, occupancy, out);
     }
 }
 
-template void Lens::write(const World&, const Occupancy&, std::uint8_t*);
-template void Lens::write(const World&, const Occupancy&, float*);
+template void Observer::write(const World&, const Occupancy&, std::uint8_t*);
+template void Observer::write(const World&, const Occupancy&, float*);
 
 namespace {
 
 using Obstacles = const std::uint8_t* const*;
 
-void draw_scene(const Scene& scene, Obstacles obstacles, int stride, std::uint8_t* out) {
-    kernels().draw_bytes(scene, obstacles, stride, out);
+void draw_scene(const Positions& positions, Obstacles obstacles, int stride, std::uint8_t* out) {
+    kernels().draw_bytes(positions, obstacles, stride, out);
 }
-void draw_scene(const Scene& scene, Obstacles obstacles, int stride, float* out) {
-    kernels().draw_floats(scene, obstacles, stride, out);
+void draw_scene(const Positions& positions, Obstacles obstacles, int stride, float* out) {
+    kernels().draw_floats(positions, obstacles, stride, out);
 }
 
 }  // namespace
 
 template <typename Number>
-void Lens::draw(const World& world, Number* out) {
+void Observer::draw(const World& world, Number* out) {
     const Grid grid = world.grid();
-    const Plane& closed = world.ground().closed;
-    const bool only_border = !world.ground().has_obstacles && !border_.empty();
-    places_.take_all();
+    const Plane& closed = world.terrain().closed;
+    const bool only_border = !world.terrain().has_obstacles && !border_.empty();
+    positions_table_.take_all();
     for (int a : world.living()) {
         const int row = grid.row(world.cell(a));
         const int col = grid.col(world.cell(a));
-        places_.put(a, row, col, false);
+        positions_table_.put(a, row, col, false);
         obstacles_[a] =
             only_border ? border(row, col) : closed.window(row - fov_ / 2, col - fov_ / 2);
     }
-    draw_scene(places_.scene(), obstacles_.data(), only_border ? fov_ : closed.stride(), out);
+    draw_scene(positions_table_.positions(), obstacles_.data(),
+               only_border ? fov_ : closed.stride(), out);
 }
 
 namespace {
@@ -173,7 +174,7 @@ void copy_channels(const Plane (&teams)[kTeams], const Plane& walls, const Windo
 }  // namespace
 
 template <typename Number>
-void Lens::copy(const World& world, const Occupancy& occupancy, Number* out) {
+void Observer::copy(const World& world, const Occupancy& occupancy, Number* out) {
     constexpr int kUsual = 11;
     mark(world, 1);
     const int size = kChannels * fov_ * fov_;
@@ -185,13 +186,13 @@ void Lens::copy(const World& world, const Occupancy& occupancy, Number* out) {
         const Window window(world, world.cell(a));
         const auto channels =
             fov_ == kUsual ? copy_channels<kUsual, Number> : copy_channels<0, Number>;
-        channels(planes_, world.ground().closed, window, out);
+        channels(planes_, world.terrain().closed, window, out);
         if (alone(world, occupancy, a)) out[own_centre(world, a)] = 0;
     }
     mark(world, 0);
 }
 
-void Lens::mark(const World& world, std::uint8_t value) {
+void Observer::mark(const World& world, std::uint8_t value) {
     for (int a : world.living()) {
         const int cell = world.cell(a);
         const int team = static_cast<int>(world.team(a));
@@ -203,13 +204,14 @@ void Lens::mark(const World& world, std::uint8_t value) {
 
 namespace {
 
-// Lists the cells that are set in the window of one board, numbered from `first`. The centre is
+// Lists the cells that are set in the window of one bitboard, numbered from `first`. The centre is
 // left out where `hide_centre`; several rows are read to a word.
 template <int kFov>
-int* list_narrow(const Board& board, const Window& window, int first, bool hide_centre, int* out) {
+int* list_narrow(const Bitboard& bitboard, const Window& window, int first, bool hide_centre,
+                 int* out) {
     const int fov = kFov ? kFov : window.fov;  // kFov where the compiler is to know it
     const int rows_a_word = 64 / fov;
-    const Board::Reader reader = board.window(window.top, window.left);
+    const Bitboard::Reader reader = bitboard.window(window.top, window.left);
     for (int r = 0; r < fov; r += rows_a_word) {
         std::uint64_t bits = 0;
         for (int i = 0; i < rows_a_word && r + i < fov; ++i) {
@@ -223,9 +225,10 @@ int* list_narrow(const Board& board, const Window& window, int first, bool hide_
     return out;
 }
 
-int* list_wide(const Board& board, const Window& window, int first, bool hide_centre, int* out) {
+int* list_wide(const Bitboard& bitboard, const Window& window, int first, bool hide_centre,
+               int* out) {
     const int centre = window.fov * window.fov / 2;
-    for_each_chunk(board, window, [&](int index, std::uint64_t bits) {
+    for_each_chunk(bitboard, window, [&](int index, std::uint64_t bits) {
         for (; bits; bits &= bits - 1) {
             const int place = index + __builtin_ctzll(bits);
             if (!(hide_centre && place == centre)) *out++ = first + place;
@@ -234,11 +237,12 @@ int* list_wide(const Board& board, const Window& window, int first, bool hide_ce
     return out;
 }
 
-int* list_board(const Board& board, const Window& window, int first, bool hide_centre, int* out) {
+int* list_board(const Bitboard& bitboard, const Window& window, int first, bool hide_centre,
+                int* out) {
     constexpr int kUsual = 11;
-    if (window.fov == kUsual) return list_narrow<kUsual>(board, window, first, hide_centre, out);
-    if (window.fov <= kChunk) return list_narrow<0>(board, window, first, hide_centre, out);
-    return list_wide(board, window, first, hide_centre, out);
+    if (window.fov == kUsual) return list_narrow<kUsual>(bitboard, window, first, hide_centre, out);
+    if (window.fov <= kChunk) return list_narrow<0>(bitboard, window, first, hide_centre, out);
+    return list_wide(bitboard, window, first, hide_centre, out);
 }
 
 // Agent by agent.
@@ -263,25 +267,26 @@ int* list_boards(const World& world, const Occupancy& occupancy, int agent, int*
     const int area = window.fov * window.fov;
     const bool hide = alone(world, occupancy, agent);
     const bool pursuer = world.team(agent) == Team::Pursuer;
-    out = list_board(occupancy.board(Team::Evader), window, kEvaders * area, hide && !pursuer, out);
-    return list_board(occupancy.board(Team::Pursuer), window, kPursuers * area, hide && pursuer,
+    out = list_board(occupancy.bitboard(Team::Evader), window, kEvaders * area, hide && !pursuer,
+                     out);
+    return list_board(occupancy.bitboard(Team::Pursuer), window, kPursuers * area, hide && pursuer,
                       out);
 }
 
 }  // namespace
 
 int list_agents(const World& world, const Occupancy& occupancy, int agent, int* out) {
-    const bool few = world.config().n_agents() <= kMostPlaces;
+    const bool few = world.config().n_agents() <= kMaxPositions;
     int* const end =
         few ? list_places(world, occupancy, agent, out) : list_boards(world, occupancy, agent, out);
     return static_cast<int>(end - out);
 }
 
 int list_obstacles(const World& world, int cell, int* out) {
-    if (!world.ground().has_obstacles) return 0;
+    if (!world.terrain().has_obstacles) return 0;
     const Window window(world, cell);
     const int first = kObstacles * window.fov * window.fov;
-    return static_cast<int>(list_board(world.ground().walls, window, first, false, out) - out);
+    return static_cast<int>(list_board(world.terrain().walls, window, first, false, out) - out);
 }
 
 void write_state(const World& world, std::uint8_t* out) {
@@ -295,7 +300,7 @@ void write_state(const World& world, std::uint8_t* out) {
     }
     for (int i = 0; i < area; ++i) {
         out[kObstacles * area + i] =
-            world.ground().kind[grid.cell(i / config.cols, i % config.cols)] == kObstacle;
+            world.terrain().kind[grid.cell(i / config.cols, i % config.cols)] == kObstacle;
     }
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "game/occupancy.hpp"
-#include "game/places.hpp"
+#include "game/position_table.hpp"
 #include "game/world.hpp"
 #include "grid/border.hpp"
 #include "grid/plane.hpp"
@@ -15,9 +15,9 @@
 namespace matrixworld {
 
 // Writes views as numbers; scratch memory of one thread, for worlds of one configuration.
-class Lens {
+class Observer {
   public:
-    explicit Lens(const Setup& setup);
+    explicit Observer(const Setup& setup);
 
     // The views of all agents, (A, 3, fov, fov) bytes or floats, 0 or 1; a gone agent sees zeros.
     template <typename Number>
@@ -36,7 +36,7 @@ class Lens {
     void mark(const World& world, std::uint8_t value);
 
     int fov_;
-    Places places_;
+    PositionTable positions_table_;
     std::vector<const std::uint8_t*> obstacles_;  // by agent: what it sees of them
     BorderCases cases_;
     std::vector<std::uint8_t> border_;  // (n cases, fov, fov); none where views are large

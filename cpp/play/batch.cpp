@@ -14,11 +14,11 @@ Batch::Batch(std::shared_ptr<const Setup> setup, int n_worlds, int n_threads, Au
     : setup_(std::move(setup)),
       autoreset_(autoreset),
       worlds_(static_cast<std::size_t>(n_worlds), World(setup_)),
-      tallies_(worlds_.size(), Tally(setup_->config)),
+      statistics_(worlds_.size(), StatisticsAccumulator(setup_->config)),
       actions_(worlds_.size() * setup_->config.n_agents(), 0),
       workers_(n_threads) {
     for (int i = 0; i < workers_.n_threads(); ++i) {
-        desks_.push_back(std::make_unique<Desk>(*setup_));
+        workspaces_.push_back(std::make_unique<Workspace>(*setup_));
     }
 }
 
@@ -28,7 +28,7 @@ void Batch::for_each_world(Play play) {
     workers_.run(n_pieces, [&](int piece, int thread) {
         const int end = std::min((piece + 1) * kWorldsPerPiece, n_worlds());
         for (int w = piece * kWorldsPerPiece; w < end; ++w) {
-            play(worlds_[w], static_cast<std::size_t>(w), *desks_[thread]);
+            play(worlds_[w], static_cast<std::size_t>(w), *workspaces_[thread]);
         }
     });
 }
@@ -43,33 +43,36 @@ void Batch::reset(const std::uint64_t* seeds, std::uint64_t episode, const std::
     for (std::size_t w = 0; w < worlds_.size(); ++w) {
         if (!mask || mask[w]) worlds_[w].check(placement(w));
     }
-    for_each_world([&](World& world, std::size_t w, Desk& desk) {
+    for_each_world([&](World& world, std::size_t w, Workspace& workspace) {
         if (mask && !mask[w]) return;
         const EpisodeKey next{world.key().seed, world.key().episode + 1};
-        begin(world, w, seeds ? EpisodeKey{seeds[w], episode} : next, desk.scratch, placement(w));
+        begin(world, w, seeds ? EpisodeKey{seeds[w], episode} : next, workspace.scratch,
+              placement(w));
         write_step(world, w, buffers);
-        write_moment(world, desk.scratch.occupancy, desk.lens, w, buffers);
+        write_moment(world, workspace.scratch.occupancy, workspace.observer, w, buffers);
         if (buffers.acted) {
             const int n_agents = setup_->config.n_agents();
             std::fill_n(buffers.acted + w * n_agents, n_agents, std::uint8_t{0});
         }
         if (buffers.ended) buffers.ended[w] = 0;
-        world.leave(desk.scratch);
+        world.leave(workspace.scratch);
     });
 }
 
 void Batch::begin(World& world, std::size_t number, EpisodeKey key, Scratch& scratch,
                   const Placement& placement) {
     world.reset(key, scratch, placement);
-    tallies_[number] = Tally(setup_->config);
+    statistics_[number] = StatisticsAccumulator(setup_->config);
 }
 
 void Batch::play(const Buffers& buffers) {
-    for_each_world([&](World& world, std::size_t w, Desk& desk) { play(world, w, desk, buffers); });
+    for_each_world([&](World& world, std::size_t w, Workspace& workspace) {
+        play(world, w, workspace, buffers);
+    });
 }
 
-void Batch::play(World& world, std::size_t number, Desk& desk, const Buffers& buffers) {
-    Scratch& scratch = desk.scratch;
+void Batch::play(World& world, std::size_t number, Workspace& workspace, const Buffers& buffers) {
+    Scratch& scratch = workspace.scratch;
     write_acted(world, number, buffers);
     const EpisodeKey next{world.key().seed, world.key().episode + 1};
     const bool was_over = world.over();
@@ -81,24 +84,24 @@ void Batch::play(World& world, std::size_t number, Desk& desk, const Buffers& bu
             world.begin_round();  // nothing happens any more
         } else {
             world.step(actions_.data() + number * setup_->config.n_agents(), scratch);
-            if (buffers.tells_episodes()) tallies_[number].add(world, scratch.occupancy);
+            if (buffers.tells_episodes()) statistics_[number].add(world, scratch.occupancy);
         }
     }
     write_step(world, number, buffers);
     const bool ended = world.over() && !was_over;
     if (buffers.ended) buffers.ended[number] = ended;
-    if (ended) finish(world, number, desk, buffers);
+    if (ended) finish(world, number, workspace, buffers);
     if (world.over() && autoreset_ == Autoreset::SameStep) {
         world.leave(scratch);
         begin(world, number, next, scratch, {});
     }
-    write_moment(world, scratch.occupancy, desk.lens, number, buffers);
+    write_moment(world, scratch.occupancy, workspace.observer, number, buffers);
     world.leave(scratch);
 }
 
-void Batch::finish(World& world, std::size_t number, Desk& desk, const Buffers& buffers) {
-    if (buffers.tells_episodes()) write_score(tallies_[number].total(world), number, buffers);
-    write_final_views(world, desk.scratch.occupancy, desk.lens, number, buffers);
+void Batch::finish(World& world, std::size_t number, Workspace& workspace, const Buffers& buffers) {
+    if (buffers.tells_episodes()) write_score(statistics_[number].total(world), number, buffers);
+    write_final_views(world, workspace.scratch.occupancy, workspace.observer, number, buffers);
 }
 
 }  // namespace matrixworld

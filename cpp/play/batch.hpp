@@ -78,15 +78,15 @@ class Batch {
     const Setup& setup() const { return *setup_; }
 
     // Where world w is.
-    Snapshot snapshot(int w) const { return worlds_[w].snapshot(desks_[0]->scratch); }
+    Snapshot snapshot(int w) const { return worlds_[w].snapshot(workspaces_[0]->scratch); }
 
   private:
     // Where a thread plays worlds and looks at them.
-    struct Desk {
-        explicit Desk(const Setup& setup) : scratch(setup, false), lens(setup) {}
+    struct Workspace {
+        explicit Workspace(const Setup& setup) : scratch(setup, false), observer(setup) {}
 
         Scratch scratch;
-        Lens lens;
+        Observer observer;
     };
 
     template <typename Integer>
@@ -94,18 +94,18 @@ class Batch {
     void play(const Buffers& buffers);
     template <typename Play>
     void for_each_world(Play play);
-    void play(World& world, std::size_t number, Desk& desk, const Buffers& buffers);
+    void play(World& world, std::size_t number, Workspace& workspace, const Buffers& buffers);
     void begin(World& world, std::size_t number, EpisodeKey key, Scratch& scratch,
                const Placement& placement);
-    void finish(World& world, std::size_t number, Desk& desk, const Buffers& buffers);
+    void finish(World& world, std::size_t number, Workspace& workspace, const Buffers& buffers);
 
     std::shared_ptr<const Setup> setup_;
     Autoreset autoreset_;
     std::vector<World> worlds_;
-    std::vector<Tally> tallies_;
+    std::vector<StatisticsAccumulator> statistics_;
     std::vector<std::uint8_t> actions_;  // (W, A)
     Workers workers_;
-    std::vector<std::unique_ptr<Desk>> desks_;  // one a thread
+    std::vector<std::unique_ptr<Workspace>> workspaces_;  // one a thread
 };
 
 template <typename Integer>

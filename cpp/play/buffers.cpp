@@ -14,11 +14,11 @@ std::size_t view_size(const Config& config) {
 }
 
 // The views of all agents of one world, as bytes and as floats.
-void write_views(const World& world, const Occupancy& occupancy, Lens& lens, std::size_t number,
-                 std::uint8_t* bytes, float* floats) {
+void write_views(const World& world, const Occupancy& occupancy, Observer& observer,
+                 std::size_t number, std::uint8_t* bytes, float* floats) {
     const std::size_t at = number * world.config().n_agents() * view_size(world.config());
-    if (bytes) lens.write(world, occupancy, bytes + at);
-    if (floats) lens.write(world, occupancy, floats + at);
+    if (bytes) observer.write(world, occupancy, bytes + at);
+    if (floats) observer.write(world, occupancy, floats + at);
 }
 
 }  // namespace
@@ -34,11 +34,11 @@ void write_pairs(const Grid& grid, const int* cells, std::size_t n, std::int32_t
     }
 }
 
-void write_places(const World& world, std::size_t n_agents, std::int32_t* out) {
-    const int* went_at = world.went_at().data();
+void write_last_positions(const World& world, std::size_t n_agents, std::int32_t* out) {
+    const int* last_cells = world.last_cells().data();
     write_pairs(world.grid(), world.cells().data(), n_agents, out);
     for (std::size_t a = 0; a < n_agents; ++a) {
-        if (out[2 * a] == kGone) write_pairs(world.grid(), went_at + a, 1, out + 2 * a);
+        if (out[2 * a] == kGone) write_pairs(world.grid(), last_cells + a, 1, out + 2 * a);
     }
 }
 
@@ -49,20 +49,21 @@ void write_alive(const World& world, std::size_t n_agents, std::uint8_t* out) {
 
 }  // namespace
 
-void write_moment(const World& world, const Occupancy& occupancy, Lens& lens, std::size_t number,
-                  const Buffers& buffers) {
+void write_moment(const World& world, const Occupancy& occupancy, Observer& observer,
+                  std::size_t number, const Buffers& buffers) {
     const Config& config = world.config();
     const std::size_t n_agents = config.n_agents();
     const std::size_t at = number * n_agents;
     if (buffers.positions) {
         write_pairs(world.grid(), world.cells().data(), n_agents, buffers.positions + 2 * at);
     }
-    if (buffers.places) write_places(world, n_agents, buffers.places + 2 * at);
+    if (buffers.last_positions)
+        write_last_positions(world, n_agents, buffers.last_positions + 2 * at);
     if (buffers.alive) write_alive(world, n_agents, buffers.alive + at);
     if (buffers.steps) buffers.steps[number] = world.steps();
     if (buffers.seed) buffers.seed[number] = world.key().seed;
     if (buffers.episode) buffers.episode[number] = world.key().episode;
-    write_views(world, occupancy, lens, number, buffers.views, buffers.float_views);
+    write_views(world, occupancy, observer, number, buffers.views, buffers.float_views);
     if (buffers.state) {
         const std::size_t size = static_cast<std::size_t>(kChannels) * config.rows * config.cols;
         write_state(world, buffers.state + number * size);
@@ -152,12 +153,12 @@ void write_acted(const World& world, std::size_t number, const Buffers& buffers)
     }
 }
 
-void write_final_views(const World& world, const Occupancy& occupancy, Lens& lens,
+void write_final_views(const World& world, const Occupancy& occupancy, Observer& observer,
                        std::size_t number, const Buffers& buffers) {
-    write_views(world, occupancy, lens, number, buffers.final_views, buffers.final_float_views);
+    write_views(world, occupancy, observer, number, buffers.final_views, buffers.final_float_views);
 }
 
-void write_score(const Score& score, std::size_t number, const Buffers& buffers) {
+void write_score(const EpisodeStatistics& score, std::size_t number, const Buffers& buffers) {
     const auto put = [&](auto* to, const auto& value) {
         if (to) to[number] = value;
     };

@@ -14,15 +14,15 @@ namespace matrixworld {
 // null one.
 struct Buffers {
     // Of the moment.
-    std::int32_t* positions = nullptr;  // (W, A, 2) row, col; -1, -1 when gone
-    std::int32_t* places = nullptr;     // (W, A, 2) the same, and of the gone where they went
-    std::uint8_t* alive = nullptr;      // (W, A)
-    std::int32_t* steps = nullptr;      // (W,)
-    std::uint64_t* seed = nullptr;      // (W,)
-    std::uint64_t* episode = nullptr;   // (W,)
-    std::uint8_t* views = nullptr;      // (W, A, 3, fov, fov)
-    float* float_views = nullptr;       // the same as numbers
-    std::uint8_t* state = nullptr;      // (W, 3, rows, cols)
+    std::int32_t* positions = nullptr;       // (W, A, 2) row, col; -1, -1 when gone
+    std::int32_t* last_positions = nullptr;  // (W, A, 2) the same, and of the gone where they went
+    std::uint8_t* alive = nullptr;           // (W, A)
+    std::int32_t* steps = nullptr;           // (W,)
+    std::uint64_t* seed = nullptr;           // (W,)
+    std::uint64_t* episode = nullptr;        // (W,)
+    std::uint8_t* views = nullptr;           // (W, A, 3, fov, fov)
+    float* float_views = nullptr;            // the same as numbers
+    std::uint8_t* state = nullptr;           // (W, 3, rows, cols)
 
     // Of the last step.
     std::uint8_t* captured = nullptr;       // (W, E)
@@ -62,12 +62,12 @@ struct Buffers {
 };
 
 // Each writes the share of world `number`. The agents must be in the occupancy.
-void write_moment(const World& world, const Occupancy& occupancy, Lens& lens, std::size_t number,
-                  const Buffers& buffers);
+void write_moment(const World& world, const Occupancy& occupancy, Observer& observer,
+                  std::size_t number, const Buffers& buffers);
 void write_step(const World& world, std::size_t number, const Buffers& buffers);
 void write_acted(const World& world, std::size_t number, const Buffers& buffers);
-void write_final_views(const World& world, const Occupancy& occupancy, Lens& lens,
+void write_final_views(const World& world, const Occupancy& occupancy, Observer& observer,
                        std::size_t number, const Buffers& buffers);
-void write_score(const Score& score, std::size_t number, const Buffers& buffers);
+void write_score(const EpisodeStatistics& score, std::size_t number, const Buffers& buffers);
 
 }  // namespace matrixworld

@@ -7,13 +7,13 @@ namespace matrixworld {
 namespace {
 
 // Agents beyond the first on each cell, by team. Of k agents on one, each counts (k - 1) / k.
-std::array<int, kTeams> crowds(const World& world, const Occupancy& occupancy) {
+std::array<int, kTeams> overlaps(const World& world, const Occupancy& occupancy) {
     std::array<double, kTeams> sums{};
-    const Headings headings = occupancy.headings();
+    const ReservationTable reservations = occupancy.reservations();
     for (int a : world.living()) {
-        const Heading heading = headings.at(world.cell(a), world.team(a));
-        if (!heading.several()) continue;
-        const int n = heading.count();
+        const Reservation reservation = reservations.at(world.cell(a), world.team(a));
+        if (!reservation.several()) continue;
+        const int n = reservation.count();
         sums[static_cast<int>(world.team(a))] += static_cast<double>(n - 1) / n;
     }
     return {static_cast<int>(std::lround(sums[0])), static_cast<int>(std::lround(sums[1]))};
@@ -33,15 +33,16 @@ double sum(const float* values, int n) {
 
 }  // namespace
 
-Tally::Tally(const Config& config) : living_{config.n_pursuers, config.n_evaders} {}
+StatisticsAccumulator::StatisticsAccumulator(const Config& config)
+    : living_{config.n_pursuers, config.n_evaders} {}
 
-void Tally::add(const World& world, const Occupancy& occupancy) {
+void StatisticsAccumulator::add(const World& world, const Occupancy& occupancy) {
     const int sizes[kTeams] = {world.config().n_pursuers, world.config().n_evaders};
-    const std::array<int, kTeams> crowded = crowds(world, occupancy);
+    const std::array<int, kTeams> overlapping = overlaps(world, occupancy);
     captured_ += world.n_captured();
     const float* rewards = world.rewards().data();
     for (int t = 0; t < kTeams; ++t) {
-        crowded_[t] += crowded[t];
+        overlapping_[t] += overlapping[t];
         score_.agent_steps[t] += living_[t];
         living_[t] = world.n_living(static_cast<Team>(t));
         score_.returns[t] += sum(rewards, sizes[t]);
@@ -58,20 +59,20 @@ void Tally::add(const World& world, const Occupancy& occupancy) {
     }
 }
 
-Score Tally::total(const World& world) const {
+EpisodeStatistics StatisticsAccumulator::total(const World& world) const {
     const Config& config = world.config();
     const int sizes[kTeams] = {config.n_pursuers, config.n_evaders};
     const auto share = [](double count, int of) { return static_cast<float>(count / of); };
     const std::int64_t idle = config.max_steps - world.steps();
     const auto captured = static_cast<double>(captured_ + idle * world.n_captured());
-    Score score = score_;
+    EpisodeStatistics score = score_;
     score.length = world.steps();
     score.capture_rate = share(world.n_captured(), config.n_evaders);
     score.ever_capture_rate = share(world.n_ever_captured(), config.n_evaders);
     score.captured_fraction = share(captured / config.max_steps, config.n_evaders);
     for (int t = 0; t < kTeams; ++t) {
         score.survivors[t] = world.n_living(static_cast<Team>(t));
-        score.crowding[t] = share(static_cast<double>(crowded_[t]) / config.max_steps, sizes[t]);
+        score.overlap[t] = share(static_cast<double>(overlapping_[t]) / config.max_steps, sizes[t]);
     }
     return score;
 }

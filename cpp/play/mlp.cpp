@@ -119,10 +119,10 @@ void Mlp::make_border_base(int number, int row, int col) {
                                            corner(bottom, left) + corner(top, left)));
 }
 
-// Keeps what the obstacles of the world's ground add, until the ground is another.
-void Mlp::meet_ground(const World& world) {
-    if (world.shared_ground() == ground_) return;
-    ground_ = world.shared_ground();
+// Keeps what the obstacles of the world's terrain add, until the terrain is another.
+void Mlp::meet_terrain(const World& world) {
+    if (world.shared_terrain() == terrain_) return;
+    terrain_ = world.shared_terrain();
     obstacle_known_.assign(static_cast<std::size_t>(grid_.n_cells()), 0);
     obstacle_bases_.resize(grid_.n_cells(), layers_.front().width);
 }
@@ -171,11 +171,11 @@ void Mlp::act(const World& world, const Occupancy& occupancy, const std::vector<
 void Mlp::first_layer(const World& world, const Occupancy& occupancy,
                       const std::vector<int>& agents) {
     bases_.resize(agents.size());
-    const Places& places = occupancy.places();
+    const PositionTable& places = occupancy.places();
     const Eigen::Index width = layers_.front().width;
-    const bool obstacles = world.ground().has_obstacles;
+    const bool obstacles = world.terrain().has_obstacles;
     const bool kept = grid_.n_cells() * width <= kMostKept;
-    if (obstacles && kept) meet_ground(world);
+    if (obstacles && kept) meet_terrain(world);
     if (obstacles && !kept) obstacle_bases_.resize(static_cast<Eigen::Index>(agents.size()), width);
     for (std::size_t i = 0; i < agents.size(); ++i) {
         const int cell = world.cell(agents[i]);
@@ -195,8 +195,8 @@ void Mlp::first_layer(const World& world, const Occupancy& occupancy,
 void Mlp::sum_seen(const World& world, const Occupancy& occupancy, const std::vector<int>& agents) {
     const Layer& first = layers_.front();
     float* out = activations_.front().data();
-    if (world.config().n_agents() <= kMostPlaces) {
-        kernels().sum_seen(occupancy.places().scene(), agents.data(),
+    if (world.config().n_agents() <= kMaxPositions) {
+        kernels().sum_seen(occupancy.places().positions(), agents.data(),
                            static_cast<int>(agents.size()), bases_.data(), first.weights,
                            first.width, first.activation, out);
         return;

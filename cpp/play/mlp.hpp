@@ -67,7 +67,7 @@ class Mlp {
     void sum_border();
     const float* border_base(int row, int col);
     void make_border_base(int number, int row, int col);
-    void meet_ground(const World& world);
+    void meet_terrain(const World& world);
     const float* obstacle_base(const World& world, int cell);
     void sum_obstacles(const World& world, int cell, float* out);
     void choose_largest(std::size_t n, std::vector<std::uint8_t>& actions) const;
@@ -85,7 +85,7 @@ class Mlp {
     Matrix border_bases_;                     // (n cases, width): bias + border
     std::vector<std::uint8_t> border_known_;  // by case
 
-    std::shared_ptr<const Ground> ground_;  // of which the obstacles are kept; may be none
+    std::shared_ptr<const Terrain> terrain_;  // of which the obstacles are kept; may be none
     Matrix obstacle_bases_;  // (n cells, width): bias + border + obstacles; of many cells, by agent
     std::vector<std::uint8_t> obstacle_known_;  // by cell
 };

@@ -8,7 +8,7 @@ constexpr int kAgentsPerBlock = 2 * kDrawsPerBlock;  // 32 bits for each
 
 }  // namespace
 
-void Player::decide(const World& world, const Occupancy& occupancy, int first, int last,
+void Policy::decide(const World& world, const Occupancy& occupancy, int first, int last,
                     std::vector<std::uint8_t>& actions) {
     const auto room = static_cast<std::size_t>(last - first);
     agents_.resize(room);
@@ -35,13 +35,13 @@ void Player::decide(const World& world, const Occupancy& occupancy, int first, i
     for (std::size_t i = 0; i < n; ++i) actions[agents_[i]] = chosen_[i];
 }
 
-void NetworkPlayer::choose(const World& world, const Occupancy& occupancy) {
+void NetworkPolicy::choose(const World& world, const Occupancy& occupancy) {
     units_.resize(draws_.size());
     for (std::size_t i = 0; i < draws_.size(); ++i) units_[i] = unit(draws_[i]);
     mlp_.act(world, occupancy, agents_, units_, chosen_);
 }
 
-void ScriptedPlayer::choose(const World& world, const Occupancy& occupancy) {
+void ScriptedPolicy::choose(const World& world, const Occupancy& occupancy) {
     for (std::size_t i = 0; i < agents_.size(); ++i) {
         // The lowest bits decide on a slip, the highest on a move.
         const bool slips = static_cast<int>(draws_[i] % kSlipSteps) < script_.slips;
@@ -51,7 +51,7 @@ void ScriptedPlayer::choose(const World& world, const Occupancy& occupancy) {
     }
 }
 
-int ScriptedPlayer::best_move(const World& world, const Occupancy& occupancy, int agent,
+int ScriptedPolicy::best_move(const World& world, const Occupancy& occupancy, int agent,
                               std::uint32_t draw) {
     if (!script_.goals) return 0;
     sight_.look(world, occupancy, agent);
@@ -78,7 +78,7 @@ int ScriptedPlayer::best_move(const World& world, const Occupancy& occupancy, in
 }
 
 // The direction of these steps, drawn anew after every stride.
-int ScriptedPlayer::walk_on(const World& world, int agent) const {
+int ScriptedPolicy::walk_on(const World& world, int agent) const {
     const int stride = world.steps() / script_.stride;
     const Block block = world.key().block(Purpose::Walk, agent, stride);
     return 1 + below(block[0], world.config().n_actions() - 1);

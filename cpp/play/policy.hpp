@@ -10,9 +10,9 @@
 
 namespace matrixworld {
 
-class Player {
+class Policy {
   public:
-    virtual ~Player() = default;
+    virtual ~Policy() = default;
 
     // Writes actions[agent] for the living agents [first, last), which are of one team.
     void decide(const World& world, const Occupancy& occupancy, int first, int last,
@@ -27,9 +27,9 @@ class Player {
     std::vector<std::uint8_t> chosen_;
 };
 
-class NetworkPlayer : public Player {
+class NetworkPolicy : public Policy {
   public:
-    NetworkPlayer(const Network& network, const Grid& grid) : mlp_(network, grid) {}
+    NetworkPolicy(const Network& network, const Grid& grid) : mlp_(network, grid) {}
 
     void load(const float* genome) { mlp_.load(genome); }
 
@@ -40,9 +40,9 @@ class NetworkPlayer : public Player {
     std::vector<float> units_;
 };
 
-class ScriptedPlayer : public Player {
+class ScriptedPolicy : public Policy {
   public:
-    ScriptedPlayer(const Script& script, int fov) : script_(script), sight_(fov) {}
+    ScriptedPolicy(const Script& script, int fov) : script_(script), sight_(fov) {}
 
   private:
     void choose(const World& world, const Occupancy& occupancy) override;

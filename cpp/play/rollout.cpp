@@ -15,15 +15,15 @@ class Seat {
   public:
     Seat(const Candidates& candidates, const Setup& setup) : candidates_(candidates) {
         if (candidates.network) {
-            auto player = std::make_unique<NetworkPlayer>(*candidates.network, setup.grid);
+            auto player = std::make_unique<NetworkPolicy>(*candidates.network, setup.grid);
             network_ = player.get();
             player_ = std::move(player);
         } else {
-            player_ = std::make_unique<ScriptedPlayer>(*candidates.script, setup.config.fov);
+            player_ = std::make_unique<ScriptedPolicy>(*candidates.script, setup.config.fov);
         }
     }
 
-    Player& take(int candidate) {
+    Policy& take(int candidate) {
         if (network_ && candidate != loaded_) {
             network_->load(candidates_.genomes + candidate * candidates_.network->genome_size());
             loaded_ = candidate;
@@ -33,8 +33,8 @@ class Seat {
 
   private:
     const Candidates& candidates_;
-    std::unique_ptr<Player> player_;
-    NetworkPlayer* network_ = nullptr;
+    std::unique_ptr<Policy> player_;
+    NetworkPolicy* network_ = nullptr;
     int loaded_ = -1;
 };
 
@@ -49,11 +49,11 @@ class Table {
           evaders_(evaders, *setup),
           actions_(static_cast<std::size_t>(setup->config.n_agents()), 0) {}
 
-    Score play(const Match& match, std::uint64_t episode, const Watcher* watcher) {
+    EpisodeStatistics play(const Match& match, std::uint64_t episode, const Watcher* watcher) {
         world_.reset({match.seed, episode}, scratch_);
-        Player& pursuers = pursuers_.take(match.pursuer);
-        Player& evaders = evaders_.take(match.evader);
-        Tally tally(world_.config());
+        Policy& pursuers = pursuers_.take(match.pursuer);
+        Policy& evaders = evaders_.take(match.evader);
+        StatisticsAccumulator tally(world_.config());
         if (watcher) (*watcher)(world_, nullptr);
         while (!world_.over()) {
             play_round(pursuers, evaders);
@@ -66,7 +66,7 @@ class Table {
 
   private:
     // Everybody looks when its turn comes, and sees what was done before in the round.
-    void play_round(Player& pursuers, Player& evaders) {
+    void play_round(Policy& pursuers, Policy& evaders) {
         const int n_pursuers = world_.config().n_pursuers;
         world_.begin_round();
         for (int turn = 0; turn < world_.n_turns() && !world_.terminated(); ++turn) {
@@ -94,12 +94,13 @@ class Table {
 
 }  // namespace
 
-std::vector<Score> play_matches(const std::shared_ptr<const Setup>& setup,
-                                const Candidates& pursuers, const Candidates& evaders,
-                                const std::vector<Match>& matches, int n_worlds, int n_threads) {
+std::vector<EpisodeStatistics> play_matches(const std::shared_ptr<const Setup>& setup,
+                                            const Candidates& pursuers, const Candidates& evaders,
+                                            const std::vector<Match>& matches, int n_worlds,
+                                            int n_threads) {
     const int n_matches = static_cast<int>(matches.size());
     const int pieces_per_match = (n_worlds + kWorldsPerPiece - 1) / kWorldsPerPiece;
-    std::vector<Score> scores(matches.size() * static_cast<std::size_t>(n_worlds));
+    std::vector<EpisodeStatistics> scores(matches.size() * static_cast<std::size_t>(n_worlds));
     Workers workers(n_threads);
     std::vector<std::unique_ptr<Table>> tables(static_cast<std::size_t>(workers.n_threads()));
     workers.run(n_matches * pieces_per_match, [&](int piece, int thread) {
@@ -114,9 +115,9 @@ std::vector<Score> play_matches(const std::shared_ptr<const Setup>& setup,
     return scores;
 }
 
-Score watch_match(const std::shared_ptr<const Setup>& setup, const Candidates& pursuers,
-                  const Candidates& evaders, const Match& match, std::uint64_t episode,
-                  const Watcher& watcher) {
+EpisodeStatistics watch_match(const std::shared_ptr<const Setup>& setup, const Candidates& pursuers,
+                              const Candidates& evaders, const Match& match, std::uint64_t episode,
+                              const Watcher& watcher) {
     return Table(setup, pursuers, evaders).play(match, episode, &watcher);
 }
 

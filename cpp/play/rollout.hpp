@@ -34,13 +34,14 @@ struct Match {
 using Watcher = std::function<void(const World& world, const std::vector<std::uint8_t>* actions)>;
 
 // Scores, (n matches, n_worlds), in the order of the matches.
-std::vector<Score> play_matches(const std::shared_ptr<const Setup>& setup,
-                                const Candidates& pursuers, const Candidates& evaders,
-                                const std::vector<Match>& matches, int n_worlds, int n_threads);
+std::vector<EpisodeStatistics> play_matches(const std::shared_ptr<const Setup>& setup,
+                                            const Candidates& pursuers, const Candidates& evaders,
+                                            const std::vector<Match>& matches, int n_worlds,
+                                            int n_threads);
 
 // Plays one episode of a match again, for a watcher.
-Score watch_match(const std::shared_ptr<const Setup>& setup, const Candidates& pursuers,
-                  const Candidates& evaders, const Match& match, std::uint64_t episode,
-                  const Watcher& watcher);
+EpisodeStatistics watch_match(const std::shared_ptr<const Setup>& setup, const Candidates& pursuers,
+                              const Candidates& evaders, const Match& match, std::uint64_t episode,
+                              const Watcher& watcher);
 
 }  // namespace matrixworld

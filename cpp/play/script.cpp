@@ -26,7 +26,7 @@ void Sight::look(const World& world, const Occupancy& occupancy, int agent) {
 
 bool Sight::is_free(Offset cell) const {
     const int number = world_->grid().cell(own_.row + cell.row, own_.col + cell.col);
-    return world_->ground().kind[number] == kFree;
+    return world_->terrain().kind[number] == kFree;
 }
 
 int Sight::moves(Offset from, Offset to) const {

@@ -10,7 +10,7 @@
 namespace matrixworld::tests {
 
 inline bool inside(const World& world, int cell) {
-    return cell >= 0 && cell < world.grid().n_cells() && world.ground().kind[cell] != kBorder;
+    return cell >= 0 && cell < world.grid().n_cells() && world.terrain().kind[cell] != kBorder;
 }
 
 inline bool counts_as_captured(const World& world, int evader) {
@@ -22,7 +22,7 @@ inline void check_places(const World& world) {
     for (int a = 0; a < world.config().n_agents(); ++a) {
         if (!world.alive(a)) continue;
         require(inside(world, world.cell(a)), "every agent is on the grid");
-        const bool on_obstacle = world.ground().kind[world.cell(a)] == kObstacle;
+        const bool on_obstacle = world.terrain().kind[world.cell(a)] == kObstacle;
         require(!on_obstacle || world.config().rules.obstacle == Outcome::Reach,
                 "an agent is on an obstacle only where the rules let it");
     }
@@ -95,7 +95,7 @@ inline void check_view(const World& world, const Occupancy& occupancy, int agent
     write_state(world, state.data());
     const auto size = static_cast<std::ptrdiff_t>(view.size());
     std::vector<std::uint8_t> views(view.size() * static_cast<std::size_t>(config.n_agents()));
-    Lens(Setup(world.config())).write(world, occupancy, views.data());
+    Observer(Setup(world.config())).write(world, occupancy, views.data());
     std::copy_n(views.begin() + agent * size, size, view.begin());
     int n_listed = list_agents(world, occupancy, agent, listed.data());
     n_listed += list_obstacles(world, world.cell(agent), listed.data() + n_listed);

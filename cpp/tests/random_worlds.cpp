@@ -30,13 +30,13 @@ void check_placement(const SharedSetup& setup, const World& world) {
                         ByteArray::Zero(config.rows * config.cols)};
     for (int i = 0; i < placement.map.size(); ++i) {
         const int cell = world.grid().cell(i / config.cols, i % config.cols);
-        placement.map[i] = world.ground().kind[cell] == kObstacle;
+        placement.map[i] = world.terrain().kind[cell] == kObstacle;
     }
     Scratch scratch(*setup);
     World copy(setup);
     copy.reset({1, 1}, scratch, placement);
     check_equal(world, copy);
-    require((world.ground().kind == copy.ground().kind).all(), "the same ground");
+    require((world.terrain().kind == copy.terrain().kind).all(), "the same terrain");
 
     Placement overlap = placement;
     std::copy_n(overlap.evaders.begin(), 2, overlap.pursuers.begin());
@@ -93,7 +93,7 @@ void play_snapshots(const Rules& rules, Random& random) {
         Scratch other(*setup);
         World copy(setup);
         copy.restore(world.snapshot(scratch), other);
-        require((world.ground().kind == copy.ground().kind).all(), "the same ground");
+        require((world.terrain().kind == copy.terrain().kind).all(), "the same terrain");
         for (int turn = cut; turn < world.n_turns(); ++turn) {
             world.play_turn(turn, actions.data(), scratch);
             copy.play_turn(turn, actions.data(), other);
@@ -178,7 +178,7 @@ class SingleWorlds {
     SingleWorlds(const SharedSetup& setup, int n_worlds, Autoreset autoreset)
         : autoreset_(autoreset),
           worlds_(static_cast<std::size_t>(n_worlds), World(setup)),
-          tallies_(worlds_.size(), Tally(setup->config)),
+          statistics_(worlds_.size(), StatisticsAccumulator(setup->config)),
           scratch_(*setup),
           lens_(*setup) {}
 
@@ -220,7 +220,7 @@ class SingleWorlds {
     void begin(std::size_t w, EpisodeKey key) {
         worlds_[w].reset(key, scratch_);
         worlds_[w].leave(scratch_);
-        tallies_[w] = Tally(worlds_[w].config());
+        statistics_[w] = StatisticsAccumulator(worlds_[w].config());
     }
 
     void play(std::size_t w, const std::vector<std::uint8_t>& actions, const Buffers& buffers) {
@@ -228,11 +228,11 @@ class SingleWorlds {
         world.enter(scratch_);
         world.step(actions.data() + w * static_cast<std::size_t>(world.config().n_agents()),
                    scratch_);
-        tallies_[w].add(world, scratch_.occupancy);
+        statistics_[w].add(world, scratch_.occupancy);
         write_step(world, w, buffers);
         if (world.over()) {
             buffers.ended[w] = 1;
-            write_score(tallies_[w].total(world), w, buffers);
+            write_score(statistics_[w].total(world), w, buffers);
             write_final_views(world, scratch_.occupancy, lens_, w, buffers);
         }
         world.leave(scratch_);
@@ -246,9 +246,9 @@ class SingleWorlds {
 
     Autoreset autoreset_;
     std::vector<World> worlds_;
-    std::vector<Tally> tallies_;
+    std::vector<StatisticsAccumulator> statistics_;
     Scratch scratch_;
-    Lens lens_;
+    Observer lens_;
 };
 
 void play_batch(const Rules& rules, Random& random) {
@@ -276,11 +276,11 @@ void play_batch(const Rules& rules, Random& random) {
 
 // ---- Rollouts --------------------------------------------------------------------------------
 
-void check_same(const Score& a, const Score& b) {
+void check_same(const EpisodeStatistics& a, const EpisodeStatistics& b) {
     require(a.capture_rate == b.capture_rate && a.captured_fraction == b.captured_fraction,
             "the same captures");
     require(a.length == b.length && a.survivors == b.survivors, "the same length and survivors");
-    require(a.returns == b.returns && a.crowding == b.crowding, "the same returns and crowding");
+    require(a.returns == b.returns && a.overlap == b.overlap, "the same returns and overlap");
     require(a.collisions == b.collisions && a.faults == b.faults, "the same collisions");
     require(a.agent_steps == b.agent_steps, "the same agent-steps");
 }
@@ -307,13 +307,14 @@ void play_rollout(const Rules& rules, Random& random) {
     const std::size_t m = matches.size() - 1;
     const int episode = random.below(n_worlds);
     int moments = 0;
-    const Score watched = watch_match(setup, pursuers->candidates, evaders->candidates, matches[m],
-                                      static_cast<std::uint64_t>(episode),
-                                      [&](const World& world, const std::vector<std::uint8_t>*) {
-                                          check_places(world);
-                                          check_counters(world);
-                                          ++moments;
-                                      });
+    const EpisodeStatistics watched =
+        watch_match(setup, pursuers->candidates, evaders->candidates, matches[m],
+                    static_cast<std::uint64_t>(episode),
+                    [&](const World& world, const std::vector<std::uint8_t>*) {
+                        check_places(world);
+                        check_counters(world);
+                        ++moments;
+                    });
     check_same(watched, scores[m * static_cast<std::size_t>(n_worlds) + episode]);
     require(watched.length == moments - 1, "the length is the number of steps");
 }

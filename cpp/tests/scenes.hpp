@@ -87,7 +87,7 @@ inline int lay_obstacles(Config& config, Random& random) {
     return area - config.map.cast<int>().sum();
 }
 
-// Mostly small and crowded, sometimes wide; fields of view below and above the size of the grid.
+// Mostly small and overlapping, sometimes wide; fields of view below and above the size of the grid.
 inline Config random_config(const Rules& rules, Random& random) {
     Config config;
     config.rules = rules;

@@ -15,13 +15,13 @@ Specs: TypeAlias = dict[str, tuple[tuple[int, ...], DTypeLike]]
 def array_specs(config: WorldConfig) -> Specs:
     """Shape (of one world) and dtype of everything that a world tells of itself.
 
-    `World` says what each is. ``positions``, ``places``, ``alive``, ``steps``, ``seed``,
+    `World` says what each is. ``positions``, ``last_positions``, ``alive``, ``steps``, ``seed``,
     ``episode``, ``views`` and ``state`` are of the moment, the others of the last step.
     """
     a, e = config.n_agents, config.n_evaders
     return {
         "positions": ((a, 2), np.int32),
-        "places": ((a, 2), np.int32),
+        "last_positions": ((a, 2), np.int32),
         "alive": ((a,), np.bool_),
         "captured": ((e,), np.bool_),
         "ever_captured": ((e,), np.bool_),

@@ -1,8 +1,10 @@
-"""Checks of plain arguments, with one wording for what was expected and what came."""
+"""Checks of plain arguments. Every message says what was expected and what came."""
 
 from __future__ import annotations
 
 import operator
+from collections.abc import Iterable
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -18,26 +20,92 @@ _MAX_THREADS = 1024
 
 
 def check_integer(name: str, value: Any, low: int = -INT_MAX, high: int = INT_MAX) -> int:
-    """``value`` as an int.
+    """Return an integer argument as an int.
 
-    Raises TypeError for what is not an integer, ValueError outside ``low`` to ``high``.
+    Parameters
+    ----------
+    name : str
+        Name of the argument in messages.
+    value : object
+        The argument: an int or anything that Python takes for an index, but no bool.
+    low, high : int, optional
+        The smallest and the largest legal value. The default limits are those of the engine.
+
+    Returns
+    -------
+    int
+        The value.
+
+    Raises
+    ------
+    TypeError
+        If the value is not an integer.
+    ValueError
+        If it lies outside `low` to `high`.
     """
     if isinstance(value, bool | np.bool_):
-        raise TypeError(f"{name}: expected an int, got {value!r}")
+        raise TypeError(f"{name}: expected an integer, got {value!r}")
     try:
         number = operator.index(value)
     except TypeError:
-        raise TypeError(f"{name}: expected an int, got {value!r}") from None
+        raise TypeError(f"{name}: expected an integer, got {value!r}") from None
     if not low <= number <= high:
-        raise ValueError(f"{name}: expected {low} to {high}, got {number}")
+        # The engine's own limit is of no interest to a caller who is below the other one.
+        expected = f"at least {low}" if number < low and high == INT_MAX else f"{low} to {high}"
+        raise ValueError(f"{name}: expected {expected}, got {number}")
+    return number
+
+
+def check_number(
+    name: str, value: Any, *, least: float, most: float = np.inf, positive: bool = False
+) -> float:
+    """Return a real argument as a float.
+
+    Parameters
+    ----------
+    name : str
+        Name of the argument in messages.
+    value : object
+        The argument: a real number, but no bool.
+    least, most : float, optional
+        The smallest and the largest legal value. Infinity is never legal.
+    positive : bool, optional
+        Whether 0 is refused.
+
+    Returns
+    -------
+    float
+        The value.
+
+    Raises
+    ------
+    TypeError
+        If the value is not a number.
+    ValueError
+        If it is not finite or lies outside the limits.
+    """
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise TypeError(f"{name}: expected a number, got {value!r}")
+    number = float(value)
+    if not least <= number <= most or number == np.inf or (positive and number == 0.0):
+        above = "above" if positive else "at least"
+        upper = "" if most == np.inf else f" and at most {most:g}"
+        raise ValueError(f"{name}: expected a number {above} {least:g}{upper}, got {value}")
     return number
 
 
 def check_bool(name: str, value: Any) -> bool:
-    """``value``, a bool. Raises TypeError for anything else."""
+    """Return an argument that must be True or False; raise TypeError for anything else."""
     if not isinstance(value, bool):
-        raise TypeError(f"{name}: expected a bool, got {value!r}")
+        raise TypeError(f"{name}: expected True or False, got {value!r}")
     return value
+
+
+def check_choice(name: str, value: Any, choices: Iterable[str]) -> None:
+    """Raise ValueError, listing the choices, unless `value` is one of them."""
+    known = list(choices)
+    if value not in known:
+        raise ValueError(f"{name}: expected one of {', '.join(known)}, got {value!r}")
 
 
 def check_threads(threads: int | None) -> int:

@@ -36,7 +36,7 @@ _UNREADABLE = (
 # Shape, in the letters of `Episode` (S is T + 1), and dtype of each array.
 _ARRAYS: dict[str, tuple[str, str]] = {
     "positions": ("S A 2", "int32"),
-    "places": ("S A 2", "int32"),
+    "last_positions": ("S A 2", "int32"),
     "alive": ("S A", "bool"),
     "captured": ("S E", "bool"),
     "ever_captured": ("S E", "bool"),
@@ -53,7 +53,7 @@ class Episode:
     """An episode of T steps, of P pursuers and E evaders, A = P + E agents, pursuers first.
 
     positions: ``(T + 1, A, 2)`` int32, row and column, (-1, -1) when gone
-    places: the same; of agents that are gone, where they went
+    last_positions: the same; of agents that are gone, where they went
     alive: ``(T + 1, A)`` bool
     captured, ever_captured: ``(T + 1, E)`` bool, at the moment and so far
     actions: ``(T, A)`` int8
@@ -70,7 +70,7 @@ class Episode:
     """
 
     positions: NDArray[np.int32]
-    places: NDArray[np.int32]
+    last_positions: NDArray[np.int32]
     alive: NDArray[np.bool_]
     captured: NDArray[np.bool_]
     ever_captured: NDArray[np.bool_]

@@ -16,7 +16,7 @@ from matrixworld.replay import capture_title, scene
 from matrixworld.rules import Rules
 from matrixworld.world import World
 
-_MOMENT = ("positions", "places", "alive", "captured", "ever_captured")
+_MOMENT = ("positions", "last_positions", "alive", "captured", "ever_captured")
 _STEP = ("rewards", "involved", "fault")
 
 

@@ -51,7 +51,7 @@ def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None
     now = range(episode.length + 1)[step]
     captures, deaths = _marks(episode, now)
     return Scene(
-        positions=episode.places[now],
+        positions=episode.last_positions[now],
         alive=episode.alive[now],
         captured=episode.captured[now],
         map=episode.map,
@@ -239,8 +239,8 @@ def _marks(episode: Episode, now: int) -> tuple[NDArray[np.int64], NDArray[np.in
         caught = _newly_captured(episode, step)
         gone = episode.alive[step - 1] & ~episode.alive[step]
         for marks, agents in ((captures, caught), (deaths, gone & ~caught)):
-            places = episode.places[step, agents].tolist()
-            marks.extend((row, col, now - step) for row, col in places)
+            last_positions = episode.last_positions[step, agents].tolist()
+            marks.extend((row, col, now - step) for row, col in last_positions)
     return np.array(captures, int).reshape(-1, 3), np.array(deaths, int).reshape(-1, 3)
 
 

@@ -60,7 +60,7 @@ class EpisodeStatistics:
     length: int32, steps
     pursuer_return, evader_return: float64, rewards summed over team and steps
     pursuer_survivors, evader_survivors: int32, agents alive at the end
-    pursuer_crowding, evader_crowding: float32, (alive agents - distinct cells that they stand
+    pursuer_overlap, evader_overlap: float32, (alive agents - distinct cells that they stand
         on) / team size, mean over ``max_steps``
     collisions, faults: ``(M, W, 2, 3)`` int32, agent-steps involved and at fault, by team
         (pursuers, evaders) and kind (obstacle, teammate, adversary)
@@ -75,8 +75,8 @@ class EpisodeStatistics:
     evader_return: NDArray[np.float64]
     pursuer_survivors: NDArray[np.int32]
     evader_survivors: NDArray[np.int32]
-    pursuer_crowding: NDArray[np.float32]
-    evader_crowding: NDArray[np.float32]
+    pursuer_overlap: NDArray[np.float32]
+    evader_overlap: NDArray[np.float32]
     collisions: NDArray[np.int32]
     faults: NDArray[np.int32]
     agent_steps: NDArray[np.int64]

@@ -12,6 +12,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from matrixworld._core import Blame, Capture, Interaction, Outcome
+from matrixworld.checks import check_bool
 
 KINDS = ("obstacle", "teammate", "adversary")
 """The kinds of collision, in the order of the last axis of ``involved`` and ``fault``."""
@@ -72,8 +73,7 @@ class Rules:
         _require("capture", self.capture, Capture)
         for name in ("obstacle", "teammate", "evader", "pursuer"):
             _require(name, getattr(self, name), Outcome)
-        if not isinstance(self.captured_disappear, bool):
-            raise TypeError(f"captured_disappear: expected a bool, got {self.captured_disappear!r}")
+        check_bool("captured_disappear", self.captured_disappear)
 
     @property
     def captures(self) -> bool:
@@ -139,8 +139,7 @@ class Rewards:
     capture_repeats: bool = False
 
     def __post_init__(self) -> None:
-        if not isinstance(self.capture_repeats, bool):
-            raise TypeError(f"capture_repeats: expected a bool, got {self.capture_repeats!r}")
+        check_bool("capture_repeats", self.capture_repeats)
         _require("blame", self.blame, Blame)
         for name in (item.name for item in fields(self)):
             value = getattr(self, name)

@@ -199,9 +199,9 @@ class World:
         return self._read("positions")
 
     @property
-    def places(self) -> NDArray[np.int32]:
+    def last_positions(self) -> NDArray[np.int32]:
         """``(A, 2)`` int32 row and column of each agent; of one that is gone, where it went."""
-        return self._read("places")
+        return self._read("last_positions")
 
     @property
     def alive(self) -> NDArray[np.bool_]:
@@ -311,7 +311,7 @@ class World:
         from matrixworld.render import Scene
 
         return Scene(
-            positions=self.places,
+            positions=self.last_positions,
             alive=self.alive,
             captured=self.captured,
             map=self.map,

@@ -21,15 +21,15 @@ NETWORKS = [
     value("an empty layer", lambda: mw.Network((0,)), "1 to 1048576 | got 0"),
     value("a negative layer", lambda: mw.Network((8, -1)), "1 to 1048576 | got -1"),
     value("a huge layer", lambda: mw.Network((2**40,)), "1 to 1048576 | got 1099511627776"),
-    kind("a float layer", lambda: mw.Network((3.7,)), "an int | got 3.7"),
+    kind("a float layer", lambda: mw.Network((3.7,)), "an integer | got 3.7"),
     kind("hidden=32", lambda: mw.Network(32), "a sequence of ints | got 32"),
     value("even fov", lambda: mw.Network(fov=4), "an odd number | got 4"),
     value("no fov", lambda: mw.Network(fov=0), "1 to 255 | got 0"),
     value("huge fov", lambda: mw.Network(fov=10**6 + 1), "1 to 255 | got 1000001"),
-    kind("float fov", lambda: mw.Network(fov=11.0), "an int | got 11.0"),
+    kind("float fov", lambda: mw.Network(fov=11.0), "an integer | got 11.0"),
     value("four actions", lambda: mw.Network(n_actions=4), "5 or 9 | got 4"),
     value("activation", lambda: mw.Network(activation="gelu"), "'relu' or 'tanh' | got 'gelu'"),
-    kind("sampled", lambda: mw.Network(sampled=1), "a bool | got 1"),
+    kind("sampled", lambda: mw.Network(sampled=1), "True or False | got 1"),
     value("a short genome", lambda: NETWORK.layers(GENOME[:-1]), "shape (329,) | got (328,)"),
     value("two genomes", lambda: NETWORK.layers(TEAM.genomes), "shape (329,) | got (2, 329)"),
     value(
@@ -94,15 +94,15 @@ def record(pursuers: Any, evaders: Any, config: Any = CONFIG, **more: Any) -> mw
 
 
 MATCHES = [
-    kind("float indices", lambda: mw.Matches.of([0.0], 0, 0), "an int | got 0.0"),
+    kind("float indices", lambda: mw.Matches.of([0.0], 0, 0), "an integer | got 0.0"),
     value("negative indices", lambda: mw.Matches.of(0, [2, -1], 0), "0 to 2147483647 | got -1"),
     value("huge indices", lambda: mw.Matches.of(2**32, 0, 0), "0 to 2147483647 | got 4294967296"),
     value("negative seeds", lambda: mw.Matches.of(0, 0, -1), "0 to 1844 | got -1"),
     value("huge seeds", lambda: mw.Matches.of(0, 0, 2**64), "0 to 1844 | got 18446744073709551616"),
-    kind("text as a seed", lambda: mw.Matches.of(0, 0, "7"), "an int | got '7'"),
+    kind("text as a seed", lambda: mw.Matches.of(0, 0, "7"), "an integer | got '7'"),
     value("a table of matches", lambda: mw.Matches.of([[0]], 0, 0), "one axis | got shape (1, 1)"),
-    value("no worlds", lambda: rollout(TEAM, TEAM, worlds=0), "1 to | got 0"),
-    kind("float worlds", lambda: rollout(TEAM, TEAM, worlds=1.5), "an int | got 1.5"),
+    value("no worlds", lambda: rollout(TEAM, TEAM, worlds=0), "at least 1 | got 0"),
+    kind("float worlds", lambda: rollout(TEAM, TEAM, worlds=1.5), "an integer | got 1.5"),
     value("no threads", lambda: rollout(TEAM, TEAM, threads=0), "1 to 1024 | got 0"),
     kind("no config", lambda: rollout(TEAM, TEAM, None), "Rules or the name | got None"),
     value(
@@ -143,9 +143,9 @@ MATCHES = [
     value(
         "record: negative",
         lambda: record(TEAM, TEAM, seed=0, pursuer=-1),
-        "0 to 2147483647 | got -1",
+        "at least 0 | got -1",
     ),
-    kind("record: seeds", lambda: record(TEAM, TEAM, seed=[1, 2]), "an int | got [1, 2]"),
+    kind("record: seeds", lambda: record(TEAM, TEAM, seed=[1, 2]), "an integer | got [1, 2]"),
     value("record: negative seed", lambda: record(TEAM, TEAM, seed=-1), "0 to 1844 | got -1"),
     value(
         "record: negative episode",
@@ -158,7 +158,7 @@ MATCHES = [
         "a network for fov 7 | got fov 5",
     ),
     value("match_seed: negative", lambda: mw.match_seed(1, -2), "0 to 1844 | got -2"),
-    kind("match_seed: float", lambda: mw.match_seed(1, 2.0), "an int | got 2.0"),
+    kind("match_seed: float", lambda: mw.match_seed(1, 2.0), "an integer | got 2.0"),
 ]
 
 

@@ -32,19 +32,19 @@ SETTINGS = [
     value_of("rows", -3, "1 to 4096 | got -3"),
     value_of("rows", 4097, "1 to 4096 | got 4097"),
     value_of("rows", 10**12, "-2147483647 to 2147483647 | got 1000000000000"),
-    kind_of("rows", 3.0, "an int | got 3.0"),
+    kind_of("rows", 3.0, "an integer | got 3.0"),
     value_of("cols", 0, "1 to 4096 | got 0"),
-    kind_of("cols", True, "an int | got True"),
-    kind_of("cols", "4", "an int | got '4'"),
+    kind_of("cols", True, "an integer | got True"),
+    kind_of("cols", "4", "an integer | got '4'"),
     value_of("n_pursuers", 0, "1 to 12 | got 0"),
     value_of("n_pursuers", 13, "1 to 12 | got 13"),
     value_of("n_pursuers", 12, "at most 12 agents | got 13"),
     value_of("n_evaders", 0, "1 to 12 | got 0"),
-    kind_of("n_evaders", 1.5, "an int | got 1.5"),
+    kind_of("n_evaders", 1.5, "an integer | got 1.5"),
     value_of("fov", 4, "an odd number | got 4"),
     value_of("fov", 0, "1 to 255 | got 0"),
     value_of("fov", 257, "1 to 255 | got 257"),
-    kind_of("diagonal", 1, "a bool | got 1"),
+    kind_of("diagonal", 1, "True or False | got 1"),
     value_of("max_steps", 0, "1 to | got 0"),
     value_of("max_steps", 2**31, "-2147483647 to 2147483647 | got 2147483648"),
     kind_of("rewards", {"step": 1}, "Rewards | got {'step': 1}"),
@@ -69,14 +69,18 @@ SETTINGS = [
         lambda: mw.Rules(interaction=mw.Outcome.REACH),
         "a matrixworld.Interaction | got <Outcome.REACH",
     ),
-    kind("Rules(captured_disappear)", lambda: mw.Rules(captured_disappear=1), "a bool | got 1"),
+    kind(
+        "Rules(captured_disappear)", lambda: mw.Rules(captured_disappear=1), "True or False | got 1"
+    ),
     value(
         "Rewards(nan)", lambda: mw.Rewards(evader_step=float("nan")), "a finite number | got nan"
     ),
     value("Rewards(1e39)", lambda: mw.Rewards(evader_step=1e39), "a finite | got 1e+39"),
     kind("Rewards(None)", lambda: mw.Rewards(evader_step=None), "a number | got None"),
     kind("Rewards('1')", lambda: mw.Rewards(pursuer_step="1"), "a number | got '1'"),
-    kind("Rewards(capture_repeats)", lambda: mw.Rewards(capture_repeats=1), "a bool | got 1"),
+    kind(
+        "Rewards(capture_repeats)", lambda: mw.Rewards(capture_repeats=1), "True or False | got 1"
+    ),
 ]
 
 

@@ -14,7 +14,7 @@ def scores():
     made = constant_scores(0.0, (2, 2))
     made.captured_fraction = np.array([[0.2, 0.4], [1.0, 0.0]], dtype=np.float32)
     made.capture_rate = np.array([[0.5, 0.5], [1.0, 0.0]], dtype=np.float32)
-    made.evader_crowding = np.array([[0.1, 0.3], [0.0, 0.0]], dtype=np.float32)
+    made.evader_overlap = np.array([[0.1, 0.3], [0.0, 0.0]], dtype=np.float32)
     made.pursuer_return = np.array([[10.0, 20.0], [0.0, 0.0]])
     made.evader_return = np.array([[-10.0, -30.0], [0.0, 2.0]])
     return made
@@ -32,11 +32,11 @@ def scores():
     ],
 )
 def test_fitness(measure, team, expected):
-    assert fitness(scores(), team, measure=measure, crowding=0.5) == pytest.approx(expected)
+    assert fitness(scores(), team, measure=measure, overlap_penalty=0.5) == pytest.approx(expected)
 
 
-def test_without_crowding_the_teams_share_one():
+def test_without_overlap_penalty_the_teams_share_one():
     made = scores()
-    pursuers = fitness(made, "pursuer", measure="captured-fraction", crowding=0.0)
-    evaders = fitness(made, "evader", measure="captured-fraction", crowding=0.0)
+    pursuers = fitness(made, "pursuer", measure="captured-fraction", overlap_penalty=0.0)
+    evaders = fitness(made, "evader", measure="captured-fraction", overlap_penalty=0.0)
     assert pursuers + evaders == pytest.approx([1.0, 1.0])

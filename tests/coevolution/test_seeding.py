@@ -55,7 +55,7 @@ def test_seeds_of_keys_refuse_bad_keys():
         seeds_of_keys((1, 2, 3), COUNT)
     with pytest.raises(ValueError, match="match seed: expected 0 to 18446744073709551615, got -1"):
         seeds_of_keys((1, 2, 3, -1), COUNT)
-    with pytest.raises(TypeError, match="expected an int, got 1.0"):
+    with pytest.raises(TypeError, match="expected an integer, got 1.0"):
         seeds_of_keys((1, 2, 3, 1.0), COUNT)
 
 

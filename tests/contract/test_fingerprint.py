@@ -29,7 +29,7 @@ ARRAYS = (
 )
 SCORES = (
     *("capture_rate", "captured_fraction", "length", "pursuer_return", "evader_return"),
-    *("pursuer_survivors", "evader_survivors", "pursuer_crowding", "evader_crowding"),
+    *("pursuer_survivors", "evader_survivors", "pursuer_overlap", "evader_overlap"),
     *("collisions", "faults"),
 )
 

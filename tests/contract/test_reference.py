@@ -22,7 +22,7 @@ WORLDS_PER_ROW = 8
 WORLDS_OF_SHARED_CELLS = 1500
 MANY = settings(max_examples=8 * settings().max_examples)
 ARRAYS = (
-    *("positions", "places", "alive", "captured", "ever_captured", "captors"),
+    *("positions", "last_positions", "alive", "captured", "ever_captured", "captors"),
     *("involved", "fault"),
 )
 NUMBERS = ("steps", "terminated", "truncated")

@@ -167,7 +167,7 @@ def test_refused() -> None:
     env.reset(seed=1)
     with pytest.raises(ValueError, match="action: expected 0 to 4, got 5"):
         env.step(5)
-    with pytest.raises(TypeError, match="action: expected an int, got None"):
+    with pytest.raises(TypeError, match="action: expected an integer, got None"):
         env.step(None)
     assert env.agent_selection == "pursuer_0"
     wrapped = mw.aec_env(config_of("O"))

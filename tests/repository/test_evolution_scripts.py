@@ -121,7 +121,7 @@ def test_the_deap_example_scores_each_player_against_each_rival(script: ModuleTy
             match = mw.Matches.of(0, 0, seeds[i, j])
             scores = mw.rollout(world, pursuer, evader, match)
             captured = float(scores.captured_fraction[0, 0])
-            escaped = 1 - captured - 0.2 * float(scores.evader_crowding[0, 0])
+            escaped = 1 - captured - 0.2 * float(scores.evader_overlap[0, 0])
             expected[i] += (captured if team == "pursuer" else escaped) / 2
         np.testing.assert_allclose(
             script.score(team, world, own, rivals, seeds), expected, rtol=1e-5

@@ -27,19 +27,21 @@ def made_up_episode(
     alive = [np.ones(agents, bool)]
     actions = rng.integers(0, 5, (steps, agents), dtype=np.int8)
     fault = np.zeros((steps, agents, 3), bool)
-    places = moments[:]
+    last_positions = moments[:]
     for step in range(steps):
         now, fault[step, :, 0] = _walk(moments[-1], actions[step], world)
         touched = (now[pursuers:, None] == now[None, :pursuers]).all(axis=2).any(axis=1)
         living = alive[-1] & ~np.concatenate([np.zeros(pursuers, bool), touched])
         fault[step] &= alive[-1][:, None]
-        places.append(np.where(alive[-1][:, None], now, places[-1]).astype(np.int32))
+        last_positions.append(
+            np.where(alive[-1][:, None], now, last_positions[-1]).astype(np.int32)
+        )
         moments.append(np.where(living[:, None], now, -1).astype(np.int32))
         alive.append(living)
     ever = ~np.array(alive)[:, pursuers:]
     return Episode(
         positions=np.array(moments),
-        places=np.array(places),
+        last_positions=np.array(last_positions),
         alive=np.array(alive),
         captured=ever,
         ever_captured=ever,

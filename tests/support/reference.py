@@ -200,7 +200,7 @@ class ReferenceWorld:
         return np.array([self.where.get(a, GONE) for a in self.agents])
 
     @property
-    def places(self) -> np.ndarray:
+    def last_positions(self) -> np.ndarray:
         return np.array([self.been[a] for a in self.agents])
 
     @property

@@ -40,7 +40,7 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "Learner": (
         "learner", "population", "sigma", "optimizer", "learning_rate", "momentum", "anneal",
         "mutation", "crossover", "selection", "tournament", "truncation", "elites", "fitness",
-        "crowding",
+        "overlap_penalty",
     ),
     "Episodes and seed": ("train_steps", "worlds", "eval_steps", "eval_episodes", "seed"),
 }  # fmt: skip

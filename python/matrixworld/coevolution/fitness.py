@@ -36,7 +36,9 @@ FITNESS: dict[str, Callable[[EpisodeStatistics, Team], FloatArray]] = {
 }
 
 
-def fitness(scores: EpisodeStatistics, team: Team, *, measure: str, crowding: float) -> FloatArray:
+def fitness(
+    scores: EpisodeStatistics, team: Team, *, measure: str, overlap_penalty: float
+) -> FloatArray:
     """Return the fitness (M,) of `team` in M matches, averaged over the worlds of each.
 
     Parameters
@@ -44,13 +46,13 @@ def fitness(scores: EpisodeStatistics, team: Team, *, measure: str, crowding: fl
     scores : of M matches, arrays (M, worlds).
     team : whose fitness.
     measure : key of `FITNESS`. The capture measures are 1 minus for evaders.
-    crowding : penalty on evaders that stand on one another's cells, times the crowding in [0, 1].
+    overlap_penalty : penalty on evaders that share cells, times their overlap in [0, 1].
         Without it, where teammates may share a cell, evaders pile up in one corner: either nobody
         finds them or all are lost at once.
     """
     values = FITNESS[measure](scores, team)
     if team == "evader":
-        values = values - crowding * np.asarray(scores.evader_crowding, dtype=np.float64)
+        values = values - overlap_penalty * np.asarray(scores.evader_overlap, dtype=np.float64)
     means: FloatArray = values.mean(axis=1)
     return means
 

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import Outcome
-from matrixworld.coevolution.checks import check_choice, check_flag, check_integer, check_number
+from matrixworld.checks import check_bool, check_choice, check_integer, check_number
 from matrixworld.coevolution.fitness import FITNESS, SHARING
 from matrixworld.coevolution.learners.cma_es import check_genes
 from matrixworld.coevolution.learners.optimizers import OPTIMIZERS, check_momentum
@@ -33,10 +33,10 @@ LEARNERS = {
 }
 SELECTIONS = ("tournament", "truncation")
 
-SHARED_CELL_CROWDING = 0.2
-"""Default crowding penalty of a race where teammates may share a cell."""
+SHARED_CELL_OVERLAP_PENALTY = 0.2
+"""Default overlap_penalty penalty of a race where teammates may share a cell."""
 
-SHARED_CELL_CROWDING_ALONE = 0.5
+SHARED_CELL_OVERLAP_PENALTY_ALONE = 0.5
 """The same where evaders learn alone from untrained genomes."""
 
 ALL_SCHEDULES = (*SCHEDULES, ALTERNATING, HALL_OF_FAME)
@@ -88,7 +88,7 @@ class TrainingSettings:
     elites: int = option(2, "ga: fittest individuals kept unchanged")
 
     fitness: str = option("captured-fraction", f"fitness: {', '.join(FITNESS)}")
-    crowding: float | None = option(
+    overlap_penalty: float | None = option(
         None,
         "penalty on evaders sharing cells; default: where teammates may share, 0.2, or 0.5 for "
         "evaders alone from untrained genomes; else 0",
@@ -110,30 +110,28 @@ class TrainingSettings:
 
     def _check_budget(self) -> None:
         for name in ("train_steps", "worlds", "eval_steps", "eval_episodes"):
-            check_integer(name, getattr(self, name), least=1)
-        check_integer("seed", self.seed, least=0)
-        if self.seed > MOST_SEED:
-            raise ValueError(f"seed: expected at most {MOST_SEED}, got {self.seed}")
+            check_integer(name, getattr(self, name), 1)
+        check_integer("seed", self.seed, 0, MOST_SEED)
         check_choice("fitness", self.fitness, FITNESS)
-        if self.crowding is not None:
-            check_number("crowding", self.crowding, least=0.0)
+        if self.overlap_penalty is not None:
+            check_number("overlap_penalty", self.overlap_penalty, least=0.0)
 
     def _check_learner(self) -> None:
         if self.learner is not None:
             check_choice("learner", self.learner, LEARNERS)
-        check_integer("population", self.population, least=2)
+        check_integer("population", self.population, 2)
         if self.learner_name == "es" and self.population % 2:
             raise ValueError(f"population: expected an even number for es, got {self.population}")
         for name in ("sigma", "learning_rate", "mutation"):
             check_number(name, getattr(self, name), least=0.0, positive=True)
-        check_flag("anneal", self.anneal)
+        check_bool("anneal", self.anneal)
         check_choice("optimizer", self.optimizer, OPTIMIZERS)
         check_momentum(self.momentum)
         check_number("crossover", self.crossover, least=0.0, most=1.0)
         check_choice("selection", self.selection, SELECTIONS)
-        check_integer("tournament", self.tournament, least=1)
+        check_integer("tournament", self.tournament, 1)
         check_number("truncation", self.truncation, least=0.0, most=1.0, positive=True)
-        check_integer("elites", self.elites, least=0)
+        check_integer("elites", self.elites, 0)
         if self.learner_name == "ga" and self.elites >= self.population:
             raise ValueError(f"elites: expected fewer than {self.population}, got {self.elites}")
 
@@ -189,17 +187,17 @@ class TrainingSettings:
         return self.learner or "es"
 
     @property
-    def crowding_penalty(self) -> float:
-        """The crowding penalty, with the default filled in."""
-        if self.crowding is not None:
-            return self.crowding
+    def resolved_overlap_penalty(self) -> float:
+        """The overlap penalty, with the default filled in."""
+        if self.overlap_penalty is not None:
+            return self.overlap_penalty
         may_share = self.rules.teammate is Outcome.REACH and self.fitness != "rewards"
-        return self.default_crowding if may_share else 0.0
+        return self.default_overlap_penalty if may_share else 0.0
 
     @property
-    def default_crowding(self) -> float:
-        """The crowding penalty where teammates may share a cell."""
-        return SHARED_CELL_CROWDING
+    def default_overlap_penalty(self) -> float:
+        """The overlap penalty where teammates may share a cell."""
+        return SHARED_CELL_OVERLAP_PENALTY
 
 
 @dataclass(frozen=True)
@@ -237,9 +235,9 @@ class RaceSettings(TrainingSettings):
         self._check_opponents()
         self._check_sharing()
         for name in ("generations", "pursuer_epochs", "evader_epochs", "joint_epochs"):
-            check_integer(name, getattr(self, name), least=1)
-        check_integer("contemporaries", self.contemporaries, least=0)
-        check_integer("hall_sample", self.hall_sample, least=0)
+            check_integer(name, getattr(self, name), 1)
+        check_integer("contemporaries", self.contemporaries, 0)
+        check_integer("hall_sample", self.hall_sample, 0)
         if self.contemporaries + self.hall_sample < 1:
             raise ValueError("contemporaries and hall_sample: expected one opponent or more, got 0")
         if self.schedule == HALL_OF_FAME and self.learner not in (None, "ga"):
@@ -260,7 +258,7 @@ class RaceSettings(TrainingSettings):
                     f"got {self.schedule!r}, which names its own"
                 )
         for name in ("opponents", "archive_size", "archive_episodes"):
-            check_integer(name, getattr(self, name), least=1)
+            check_integer(name, getattr(self, name), 1)
         if self.opponents > 1 and self.schedule != ALTERNATING:
             raise ValueError(
                 f"opponents: expected 1 for the schedule {self.schedule}, got {self.opponents}"
@@ -357,14 +355,16 @@ class SingleSettings(TrainingSettings):
         for name, value in SINGLE_DEFAULTS[self.team].items():
             if getattr(self, name) is None:
                 self._freeze(name, value)
-        check_integer("epochs", self.epochs, least=1)
-        check_integer("archive_every", self.archive_every, least=1)
+        check_integer("epochs", self.epochs, 1)
+        check_integer("archive_every", self.archive_every, 1)
         super().__post_init__()
 
     @property
-    def default_crowding(self) -> float:
-        """The crowding penalty where teammates may share a cell."""
-        return SHARED_CELL_CROWDING_ALONE if self.start is None else SHARED_CELL_CROWDING
+    def default_overlap_penalty(self) -> float:
+        """The overlap penalty where teammates may share a cell."""
+        return (
+            SHARED_CELL_OVERLAP_PENALTY_ALONE if self.start is None else SHARED_CELL_OVERLAP_PENALTY
+        )
 
     def total_epochs(self, team: Team) -> int:
         """Return the epochs of the whole run."""

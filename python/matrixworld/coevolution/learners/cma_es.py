@@ -9,7 +9,7 @@ from deap import cma
 from numpy.typing import ArrayLike, NDArray
 from threadpoolctl import ThreadpoolController
 
-from matrixworld.coevolution.checks import check_integer, check_number
+from matrixworld.checks import check_integer, check_number
 from matrixworld.coevolution.learners.learner import checked_fitness
 from matrixworld.coevolution.types import Genome, Genomes, State
 
@@ -70,7 +70,7 @@ class CmaEs:
             raise ValueError(f"genome: expected shape (genes,), got {start.shape}")
         check_genes(start.size)
         check_number("sigma", sigma, least=0.0, positive=True)
-        check_integer("samples", samples, least=2)
+        check_integer("samples", samples, 2)
         self._blas = ThreadpoolController()
         with self._one_thread():
             self._strategy = Strategy(start, sigma, lambda_=samples)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from matrixworld.coevolution.checks import check_number
+from matrixworld.checks import check_number
 from matrixworld.coevolution.types import Genome
 
 VECTORS_PER_TABLE = 256

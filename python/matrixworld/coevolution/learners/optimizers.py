@@ -6,7 +6,7 @@ from typing import Protocol
 
 import numpy as np
 
-from matrixworld.coevolution.checks import check_choice, check_number
+from matrixworld.checks import check_choice, check_number
 from matrixworld.coevolution.types import Genome, State
 
 OPTIMIZERS = {"adam": "Adam", "momentum": "classical momentum"}

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from matrixworld.analysis import Disengagement, disengagements, summarize
 from matrixworld.analysis.engagement import PATIENCE
-from matrixworld.coevolution.checks import check_choice
+from matrixworld.checks import check_choice
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.opponents.schedules import ALTERNATING, SCHEDULES, available
 from matrixworld.coevolution.payoff import Payoff

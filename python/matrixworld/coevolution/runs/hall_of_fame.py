@@ -8,7 +8,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.coevolution.checks import check_choice
+from matrixworld.checks import check_choice
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.toolbox import Candidates, learner_toolbox
 from matrixworld.coevolution.opponents.schedules import HALL_OF_FAME

@@ -83,11 +83,11 @@ class Training:
         """
         settings = self.settings
         measured = partial(fitness, scores, team, measure=settings.fitness)
-        values = table(measured(crowding=settings.crowding_penalty))
+        values = table(measured(overlap_penalty=settings.resolved_overlap_penalty))
         sharing, virulence = settings.sharing, settings.virulence(team)
         if sharing == "none" and virulence is None:
             return mean_over_met(values)
-        payoff = table(measured(crowding=0.0))
+        payoff = table(measured(overlap_penalty=0.0))
         return shared_fitness(values, payoff, sharing=sharing, virulence=virulence)
 
     def record(
