@@ -13,18 +13,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld import Outcome
 from matrixworld.checks import check_bool, check_choice, check_integer, check_number
-from matrixworld.coevolution.fitness import FITNESS, SHARING
+from matrixworld.coevolution.fitness import FITNESS, LEAST_VIRULENCE, SHARING
 from matrixworld.coevolution.learners.cma_es import check_genes
 from matrixworld.coevolution.learners.optimizers import OPTIMIZERS, check_momentum
 from matrixworld.coevolution.opponents import SAMPLERS
 from matrixworld.coevolution.opponents.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
-from matrixworld.coevolution.sharing import LEAST_VIRULENCE
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
 from matrixworld.policy import SCRIPTS, Network
-from matrixworld.rules import VARIANTS, Rules
+from matrixworld.rules import VARIANTS, Outcome, Rules
 
 LEARNERS = {
     "es": "evolution strategy",

@@ -13,8 +13,8 @@ from functools import partial
 
 import numpy as np
 
+from matrixworld.coevolution.fitness import reduced_virulence
 from matrixworld.coevolution.learners.genetic_algorithm import select_tournament
-from matrixworld.coevolution.sharing import reduced_virulence
 from matrixworld.toys.numbers import GAMES
 from matrixworld.toys.populations import Bits, Generator, History, Side, evolve
 
