@@ -135,4 +135,5 @@ def training_seeds(
         If a number is negative.
     """
     key = (run_seed, pursuer_generation, evader_generation, int(phase), epoch)
-    return np.random.SeedSequence(key).generate_state(count, np.uint64)
+    seeds: Seeds = np.random.SeedSequence(key).generate_state(count, np.uint64).astype(np.uint64)
+    return seeds
