@@ -68,7 +68,7 @@ from matrixworld.coevolution.learners.toolbox import (
     generate_update_toolbox,
     learner_toolbox,
 )
-from matrixworld.coevolution.opponents.schedules import (
+from matrixworld.coevolution.opponents.registry import (
     ALTERNATING,
     HALL_OF_FAME,
     SCHEDULES,

@@ -18,8 +18,12 @@ from matrixworld.checks import check_choice, check_integer, check_number
 from matrixworld.coevolution.fitness import FITNESS, LEAST_VIRULENCE, SHARING
 from matrixworld.coevolution.learners.optimizers import OPTIMIZERS
 from matrixworld.coevolution.learners.registry import LEARNERS, check_learner_settings
-from matrixworld.coevolution.opponents import SAMPLERS
-from matrixworld.coevolution.opponents.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
+from matrixworld.coevolution.opponents.registry import (
+    ALTERNATING,
+    HALL_OF_FAME,
+    SAMPLERS,
+    SCHEDULES,
+)
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
 from matrixworld.policy import SCRIPTS, Network
@@ -257,7 +261,7 @@ class RaceSettings(TrainingSettings):
     def meets(self, team: Team) -> str:
         """Return the name of the selection by which `team` meets its opponents."""
         if self.schedule in SCHEDULES:
-            return SCHEDULES[self.schedule].meets(team)
+            return SCHEDULES[self.schedule].sampler_name(team)
         return (self.pursuers_meet if team == "pursuer" else self.evaders_meet) or "uniform"
 
     def met(self, team: Team) -> int:

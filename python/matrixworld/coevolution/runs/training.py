@@ -9,10 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.coevolution.fitness import fitness, mean_over_opponents, shared_fitness
-from matrixworld.coevolution.opponents import Indices
 from matrixworld.coevolution.settings import TrainingSettings
 from matrixworld.coevolution.storage.run_log import Row
-from matrixworld.coevolution.types import Genomes, Seeds, Team
+from matrixworld.coevolution.types import Genomes, Indices, Seeds, Team
 from matrixworld.policy import Population, TeamPolicy
 from matrixworld.rollout import EpisodeStatistics, Matches, Rollout
 
