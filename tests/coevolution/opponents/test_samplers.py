@@ -1,4 +1,4 @@
-"""Opponent sampler, by hand and by what must hold whatever comes."""
+"""Opponent samplers: by hand, and properties that hold for any input."""
 
 from __future__ import annotations
 
@@ -33,13 +33,13 @@ def chosen(sampler, available, epoch=0, seed=0):
 
 def played(sampler, epochs, *, first=0, payoff=None, candidates=3):
     """Return the opponents of some epochs; one more is available in each."""
-    sample = []
+    samples = []
     for epoch in range(first, first + epochs):
         draw = rng(1000 + epoch)
-        sample.append(sampler.sample(epoch + 1, epoch, draw))
+        samples.append(sampler.sample(epoch + 1, epoch, draw))
         scores = draw.random((candidates, epoch + 1)) if payoff is None else payoff[:, : epoch + 1]
-        sampler.tell(sample[-1], scores[:, sample[-1]])
-    return [index.tolist() for index in sample]
+        sampler.tell(samples[-1], scores[:, samples[-1]])
+    return [index.tolist() for index in samples]
 
 
 def test_latest():
