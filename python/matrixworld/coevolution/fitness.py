@@ -90,6 +90,7 @@ def win_rates(scores: EpisodeStatistics, team: Team) -> FloatArray:
 
 def mean_over_opponents(values: FloatArray) -> FloatArray:
     """Return the mean of each row of (n, m) values; NaN marks an opponent that was not met."""
+    # `nanmean` is several times slower; most tables have no NaN.
     means = values.mean(axis=1)
     return np.asarray(np.nanmean(values, axis=1) if np.isnan(means).any() else means)
 
@@ -159,9 +160,11 @@ def competitive_sharing(wins: ArrayLike) -> FloatArray:
     ----------
     Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
+    # Not only zeros and ones: a mean over episodes is a share of a win.
     matrix = np.asarray(wins, dtype=np.float64)
     if matrix.ndim != 2 or not ((matrix >= 0.0) & (matrix < np.inf)).all():
         raise ValueError(f"wins: expected (n, m) numbers >= 0, got shape {matrix.shape}: {matrix}")
+    # An opponent that no individual beats is worth nothing, and would divide by zero.
     beaten = matrix[:, matrix.sum(axis=0) > 0.0]
     fitness: FloatArray = (beaten / beaten.sum(axis=0)).sum(axis=1)
     return fitness

@@ -71,6 +71,7 @@ def keyed_generator(seed: int, purpose: Purpose, *key: int) -> np.random.Generat
     numpy.random.Generator
         A new SFC64 generator.
     """
+    # A spawn key keeps these generators apart from match seeds, which have plain keys.
     sequence = np.random.SeedSequence(seed, spawn_key=(int(purpose), *key))
     return np.random.Generator(np.random.SFC64(sequence))
 
@@ -134,6 +135,7 @@ def training_seeds(
     ValueError
         If a number is negative.
     """
+    # One sequence for all matches: to make one for each takes a noticeable share of a run.
     key = (run_seed, pursuer_generation, evader_generation, int(phase), epoch)
     seeds: Seeds = np.random.SeedSequence(key).generate_state(count, np.uint64).astype(np.uint64)
     return seeds

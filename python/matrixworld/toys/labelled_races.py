@@ -116,6 +116,7 @@ def truth_of_hands(hands: HandHistory, first: int) -> Truth:
     dict of str to bool or None
         The labels.
     """
+    # Both teams: one team alone may change its hand without a cycle.
     changes = min(np.count_nonzero(np.diff(hands[team][first:])) for team in TEAMS)
     cycling = True if changes >= 3 else None
     return {
@@ -148,6 +149,7 @@ def _averages_race(seed: int) -> LabelledRace:
     or forgotten. A circle round the equilibrium is too small to decide on cycling.
     """
     hands = _fictitious_play(100 + 10 * (GENERATIONS - 1), seed)
+    # The first 100 rounds are left out, in which the averages still move.
     pursuers, evaders = (average_strategies(hands[team])[100::10] for team in TEAMS)
     truth: Truth = {
         "arms race": False,
@@ -165,6 +167,7 @@ def _fictitious_play(rounds: int, seed: int) -> HandHistory:
 
 def _play_episodes(pursuers: FloatArray, evaders: FloatArray, seed: int) -> FloatArray:
     """Return scores of matches that are won or lost; a draw is decided at random."""
+    # Another key than that of the race, so that luck and hands are independent.
     rng = np.random.default_rng([seed, 1])
     wins = capture_probabilities(pursuers, evaders, luck=rng.uniform(0.0, MOST_LUCK))
     return (rng.random((*wins.shape, _episode_count(seed))) < wins[..., np.newaxis]).astype(float)
@@ -207,6 +210,7 @@ def truth_of_history(history: History, generations: Indices) -> Truth:
     spread = history.objective[generations].std(axis=2).mean(axis=0)  # (2,)
     middle, totals = len(ones) // 2, ones.sum(axis=2)
     gained = totals[-1] - totals[middle]
+    # Both compare with the best so far: of each dimension, and of the total.
     below_best = (np.maximum.accumulate(ones) - ones)[middle:].mean(axis=0)  # (2, dimensions)
     fallen = (np.maximum.accumulate(totals) - totals).max(axis=0)
     one_number = history.game.shape[0] == 1
@@ -214,6 +218,7 @@ def truth_of_history(history: History, generations: Indices) -> Truth:
     cycling = False if one_number else _cycling(history, fallen.min())
     arms_race = _label(gained.min(), true_from=RISE, false_to=1.0)
     forgotten = (
+        # At least half a one, since a population of equals has no spread.
         _label((below_best[:, 0] / np.maximum(spread, 0.5)).max(), true_from=LOST, false_to=HELD)
         if one_number
         else _label(below_best.max() / history.game.shape[1], true_from=FORGOTTEN, false_to=KEPT)
@@ -221,6 +226,7 @@ def truth_of_history(history: History, generations: Indices) -> Truth:
     disengaged = _label(1.0 - engaged, true_from=1.0 - DISENGAGED, false_to=1.0 - ENGAGED)
     still = one_number and disengaged is False and np.abs(gained).max() <= STANDSTILL
     return {
+        # The rising part of a circle looks like an arms race in the last half.
         "arms race": None if cycling and arms_race else arms_race,
         "cycling": cycling,
         "disengagement": disengaged,

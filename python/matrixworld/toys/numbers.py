@@ -99,6 +99,7 @@ def numbers_game(
     if name not in GAMES:
         raise ValueError(f"game: expected one of {', '.join(GAMES)}, got {name!r}")
     side = Side(
+        # Wins are the fitness: the objective must not leak into selection.
         fitness=lambda wins: wins,
         select=select_proportionate,
         mutate=lambda bits, rng: flip(bits, rng, probability=flips),

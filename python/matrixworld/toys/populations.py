@@ -111,6 +111,7 @@ class History:
         """
         picked = np.asarray(generations)
         shape = (len(picked), len(picked), episodes)
+        # One draw for each side of all matches: new individuals in each episode.
         first, second = (rng.integers(self.ones.shape[2], size=shape).ravel() for _ in (0, 1))
         i, j, _ = (index.ravel() for index in np.indices(shape))
         a, b = self.ones[picked[i], 0, first], self.ones[picked[j], 1, second]
@@ -171,6 +172,7 @@ def evolve(
         for side in (0, 1):
             if samplers is not None and len(chosen[side]):
                 samplers[side].tell(chosen[side], matches.scores_on_champions(side))
+            # After the matches, so that the champions of a generation are past ones in the next.
             champions[side].append(bits[side][np.argmax(won[side])])
             bits[side] = sides[side].breed(bits[side], won[side], rng)
         ones.append(_ones(bits))
@@ -204,6 +206,7 @@ class _Matches:
 
     def wins(self, side: int) -> FloatArray:
         """Return the wins (n,) of a population."""
+        # Indices from n on are champions, whose wins count for no individual.
         totals = np.bincount(self.index[side], weights=self.won[side], minlength=self.n)
         return np.asarray(totals[: self.n], dtype=np.float64)
 

@@ -101,6 +101,7 @@ def best_response(
     """
     counts = np.bincount(np.asarray(opponents), minlength=3)
     payoffs = matrix @ counts if team == "pursuer" else -(counts @ matrix)
+    # Equal sums may differ in their last bits, and a tie must stay a tie.
     best = np.flatnonzero(payoffs > payoffs.max() - ROUNDING)
     return int(rng.choice(best))
 
@@ -165,6 +166,7 @@ def play_together(
     rng, matrix = np.random.default_rng(seed), payoff_matrix(draw)
     hands: HandHistory = {"pursuer": [ROCK], "evader": [ROCK]}
     for epoch in range(rounds):
+        # Both answers first, so that neither team sees the hand of this round.
         answers = {team: _answer(team, hands, samplers[team], epoch, matrix, rng) for team in TEAMS}
         for team in TEAMS:
             hands[team].append(answers[team])

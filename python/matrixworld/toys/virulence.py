@@ -31,6 +31,7 @@ def mutate_biased(
     bits: BoolArray, rng: np.random.Generator, *, probability: float, bias: float
 ) -> BoolArray:
     """Return the bits, each redrawn with `probability`: then a one with probability `bias`."""
+    # Redrawn, not flipped: without selection a bit ends at its bias whatever it was before.
     drawn = rng.random(bits.shape) < bias
     return np.asarray(np.where(rng.random(bits.shape) < probability, drawn, bits))
 

@@ -130,7 +130,7 @@ def test_archives_hold_what_the_matches_of_a_pair_say(tmp_path, name):
                 )
                 caught = round(3 * float(scores.capture_rate.sum()))  # of 3 evaders in 2 matches
                 won = np.sign(caught - 3) * (1 if team == "pursuer" else -1)
-                assert archive.outcomes[i, j] == (1 + won) / 2
+                assert archive.payoffs[i, j] == (1 + won) / 2
                 held += 1
     assert held
 

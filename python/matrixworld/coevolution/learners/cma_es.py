@@ -90,6 +90,7 @@ class CmaEs:
         check_genes(start.size)
         check_number("sigma", sigma, least=0.0, positive=True)
         check_integer("samples", samples, 2)
+        # Once for all calls: to search the loaded libraries takes milliseconds.
         self._blas = ThreadpoolController()
         with self._one_thread():
             self._strategy = SeededStrategy(start, sigma, lambda_=samples)
@@ -120,6 +121,7 @@ class CmaEs:
         """
         with self._one_thread():
             samples = self._strategy.sample(rng)
+        # Numbers too large for float32 become infinite, which is reported with its cause below.
         with np.errstate(over="ignore"):
             candidates: Genomes = samples.astype(np.float32)
         if not np.isfinite(candidates).all():
@@ -128,6 +130,7 @@ class CmaEs:
                 f"and deviations along the axes from {self._strategy.diagD[0]:g} to "
                 f"{self._strategy.diagD[-1]:g}; start with a smaller sigma, or stop earlier"
             )
+        # In float64: the covariance adapts to the samples as drawn, not as rounded for the match.
         self._samples = samples
         return candidates
 
@@ -136,6 +139,7 @@ class CmaEs:
         if self._samples is None:
             raise RuntimeError("tell: expected a call of ask before it, got none")
         values = checked_fitness(fitness, len(self._samples))
+        # DEAP reads an attribute `fitness`, which a view has room for and a plain array has not.
         population = list(self._samples.view(ScoredSample))
         for sample, value in zip(population, values, strict=True):
             sample.fitness = float(value)
@@ -153,6 +157,7 @@ class CmaEs:
         strategy = self._strategy
         for name in ADAPTED:
             value = state[name]
+            # Arrays without an axis were plain numbers before they were saved.
             setattr(strategy, name, value.copy() if value.ndim else value.item())
         # Column by column, as LAPACK returned it: BLAS rounds differently in another order.
         strategy.B = np.asfortranarray(strategy.B)

@@ -43,10 +43,12 @@ def centred_ranks(fitness: FloatArray) -> FloatArray:
     """
     n = len(fitness)
     if n < 2:
+        # One value has no range to be scaled to.
         return np.zeros(n)
     in_order = np.sort(fitness)
     below = np.searchsorted(in_order, fitness, side="left")
     not_above = np.searchsorted(in_order, fitness, side="right")
+    # Equal values take the places below .. not_above - 1; their rank is the middle of these.
     return (below + not_above - 1) / (2 * (n - 1)) - 0.5
 
 
@@ -135,6 +137,7 @@ class EvolutionStrategy:
         """Return the samples: half of them, then their mirror images in the same order."""
         pairs = self.samples // 2
         self._noise = self._table.draw(pairs, rng)
+        # Both halves are written into one array, which a rollout takes without another copy.
         candidates = np.empty((2, pairs, self._table.size), dtype=np.float32)
         plus, minus = candidates
         for i, noise in enumerate(self._noise):
@@ -147,6 +150,7 @@ class EvolutionStrategy:
         if not self._noise:
             raise RuntimeError("tell: expected a call of ask before it, got none")
         gradient = self._gradient(centred_ranks(checked_fitness(fitness, self.samples)))
+        # A new array, not in place: archives keep a reference to the genome of their generation.
         self.genome = self.genome + self._optimizer.step(gradient, self.rate)
         self._noise = []
 
@@ -163,6 +167,7 @@ class EvolutionStrategy:
 
     def state(self) -> State:
         """Return the mean and the state of the optimizer."""
+        # The optimizer copies its arrays. The genome needs no copy, since no step changes it.
         return {"genome": self.genome, **self._optimizer.state()}
 
     def restore(self, state: State) -> None:

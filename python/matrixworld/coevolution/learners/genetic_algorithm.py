@@ -47,6 +47,7 @@ def select_tournament(
         Indices of the winners, the fittest of each tournament.
     """
     entrants = rng.integers(0, len(fitness), size=(k, size))
+    # Rows are tournaments; of equal fitness the first entrant wins, and their order is random.
     winners = np.argmax(fitness[entrants], axis=1)
     selected: Indices = entrants[np.arange(k), winners]
     return selected
@@ -73,6 +74,7 @@ def select_truncation(
     ndarray of intp, shape (k,)
         Indices of the parents.
     """
+    # Stable: individuals of equal fitness keep their order on every machine.
     best_first = np.argsort(-fitness, kind="stable")
     survivors = best_first[: max(1, round(fraction * len(fitness)))]
     return survivors[rng.integers(0, len(survivors), size=k)]
@@ -100,6 +102,7 @@ def mate_uniform(
     """
     mixed = rng.random(len(first)) < probability
     children: Genomes = first.copy()
+    # Without crossover, the default, no random number for each gene is drawn.
     if mixed.any():
         from_second = rng.random((int(mixed.sum()), first.shape[1]), dtype=np.float32) < 0.5
         children[mixed] = np.where(from_second, second[mixed], first[mixed])
@@ -128,6 +131,7 @@ def mutate_gaussian(
         The mutants.
     """
     mutants = rng.standard_normal(genomes.shape, dtype=np.float32)
+    # In place: no second array of the size of the population.
     mutants *= np.float32(sigma)
     if probability < 1.0:
         mutants *= rng.random(genomes.shape, dtype=np.float32) < probability
@@ -157,6 +161,7 @@ def mutate_from_table(
         The mutants.
     """
     mutants = np.empty_like(genomes)
+    # Row by row: each window starts at another place, and no array holds all of them.
     for mutant, genome, change in zip(mutants, genomes, noise.draw(len(genomes), rng), strict=True):
         if probability < 1.0:
             change = change * (rng.random(noise.size, dtype=np.float32) < probability)
@@ -255,6 +260,7 @@ class GeneticAlgorithm:
     def ask(self, rng: np.random.Generator) -> Genomes:
         """Return the next population: at first as given, later elites and then children."""
         if self._fitness is None:
+            # No fitness yet, so there is nothing to select by.
             self._candidates = self._population
         else:
             self._candidates = self._offspring(self._fitness, rng)
@@ -262,6 +268,7 @@ class GeneticAlgorithm:
 
     def _offspring(self, fitness: FloatArray, rng: np.random.Generator) -> Genomes:
         n_children = len(self._population) - self.elites
+        # Both parents are selected independently, so that they may be the same individual.
         fathers = self._population[self.toolbox.select(fitness, n_children, rng)]
         mothers = self._population[self.toolbox.select(fitness, n_children, rng)]
         children = self.toolbox.mutate(self.toolbox.mate(fathers, mothers, rng), rng)
@@ -277,6 +284,7 @@ class GeneticAlgorithm:
 
     def state(self) -> State:
         """Return the population and its fitness (empty before the first `tell`)."""
+        # A state holds arrays only, so an empty one stands for None.
         scored = np.zeros(0) if self._fitness is None else self._fitness
         return {"population": self._population, "fitness": scored}
 

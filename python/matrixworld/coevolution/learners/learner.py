@@ -86,6 +86,7 @@ def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:
     values = np.asarray(fitness, dtype=np.float64)
     if values.shape != (n,):
         raise ValueError(f"fitness: expected shape ({n},), got {values.shape}")
+    # One NaN would spread to the whole genome, or be taken for the best.
     if not np.isfinite(values).all():
         raise ValueError(f"fitness: expected finite numbers, got {values}")
     return values

@@ -52,5 +52,6 @@ class NoiseTable:
 
     def draw(self, count: int, rng: np.random.Generator) -> list[Genome]:
         """Return `count` noise vectors, each a read-only view (size,) float32 of the table."""
+        # The last window may end with the table, hence the endpoint.
         starts = rng.integers(0, len(self._numbers) - self.size, size=count, endpoint=True)
         return [self._numbers[start : start + self.size] for start in starts]

@@ -57,6 +57,7 @@ class Adam:
     def step(self, gradient: Genome, rate: float) -> Genome:
         """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""
         self.updates += 1
+        # In place, and in float32 throughout: both averages are as long as the genome.
         self.mean += (1 - self.beta1) * (gradient - self.mean)
         self.square += (1 - self.beta2) * (gradient * gradient - self.square)
         # Both averages start at zero; the divisions correct their bias in the first steps.
@@ -117,6 +118,7 @@ class Momentum:
         self.updates += 1
         self.velocity *= np.float32(self.momentum)
         self.velocity += np.float32(rate) * gradient
+        # A copy: the next step changes the velocity in place.
         change: Genome = self.velocity.copy()
         return change
 

@@ -34,6 +34,7 @@ def check_learner_settings(settings: TrainingSettings) -> None:
     settings : TrainingSettings
         Settings whose world has been checked already: the network's size follows from it.
     """
+    # Of all learners, not only of the chosen one: a value out of range is never meant.
     for entry in LEARNERS.values():
         for name, check in entry.settings.items():
             check(name, getattr(settings, name))
@@ -62,6 +63,7 @@ def new_learner(settings: RaceSettings | SingleSettings, team: Team, genomes: Ge
     Learner
         The learner.
     """
+    # The table is filled again from the same key when a run resumes, so no checkpoint holds it.
     rng = keyed_generator(settings.seed, Purpose.NOISE, TEAMS.index(team))
     return LEARNERS[settings.learner_name].new(settings, team, genomes, rng)
 
@@ -70,4 +72,5 @@ def untrained(settings: RaceSettings | SingleSettings, team: Team, count: int) -
     """Return the first `count` untrained genomes (count, genes) of a team of a run."""
     rng = keyed_generator(settings.seed, Purpose.INITIAL, TEAMS.index(team))
     weight, head = settings.initial_weight, settings.initial_head
+    # One after the other from one generator: the first genomes do not depend on `count`.
     return np.stack([settings.network.initial(rng, weight=weight, head=head) for _ in range(count)])

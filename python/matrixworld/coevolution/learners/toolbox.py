@@ -51,6 +51,7 @@ class Candidates(list[Individual]):
     """
 
     def __init__(self, genomes: Genomes) -> None:
+        # The genome of an individual is a view of its row, so both always agree.
         super().__init__(Individual(genome) for genome in genomes)
         self.genomes = genomes
 

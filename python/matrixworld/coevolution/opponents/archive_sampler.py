@@ -58,6 +58,7 @@ class ArchiveSampler(Stateless):
             See `PayoffFunction`.
         """
         if self.archive.needs_all_tests and len(opponents):
+            # Generations are numbered without gaps.
             opponents = np.arange(opponents.max() + 1)
         self.archive.submit(new, opponents, payoff)
 
@@ -72,13 +73,17 @@ class ArchiveSampler(Stateless):
             Generations of the team and of its opponents, the new ones included.
         """
         if self.archive.needs_all_tests:
+            # Generalist computes all payoffs again: of its team and of the new generation.
             return (len(self.archive.candidates) + 1) * tests
+        # A Pareto archive computes the new row and the new column, at most of all generations.
         return candidates + tests
 
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return opponents that the archive has kept."""
         check_available(available)
+        # Sorted, so that the sample does not depend on the order inside the archive.
         kept = np.unique(self.archive.tests).astype(np.intp)
+        # MaxSolve and LAPCA may drop all tests.
         if not len(kept):
             return Latest().sample(available, epoch, rng)
         if kept[0] < 0 or kept[-1] >= available:

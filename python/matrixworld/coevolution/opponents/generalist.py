@@ -44,6 +44,7 @@ def maximally_different(payoffs: ArrayLike, count: int) -> Indices:
     for _ in range(min(count, len(values))):
         chosen.append(int(np.argmax(distance)))
         nearest = np.abs(values[:, np.newaxis] - values[chosen]).mean(axis=2).min(axis=1)
+        # Below every distance, so that no opponent is chosen twice.
         nearest[chosen] = -1.0
         distance = nearest
     return np.array(chosen, dtype=np.intp)
@@ -116,11 +117,13 @@ class Generalist:
         """
         variants, opponents = read_only(candidates), read_only(tests)
         check_count("tests", len(opponents))
+        # Opponents learn, too: payoffs of the last submission are of no use here.
         members = list(self.candidates)
         payoffs = checked_payoffs(payoff, self.candidates, opponents)
         offered = checked_payoffs(payoff, variants, opponents)
         replaced = np.zeros(len(variants), dtype=np.bool_)
         for i, variant in enumerate(variants):
+            # The worst of the present team, in which earlier variants may have a place.
             worst = int(np.argmin(payoffs.mean(axis=1)))
             if offered[i].mean() > payoffs[worst].mean():
                 payoffs[worst], members[worst], replaced[i] = offered[i], variant, True
@@ -129,6 +132,7 @@ class Generalist:
         return replaced
 
     def _next_tests(self, payoffs: FloatArray) -> Indices:
+        # The opponents' own payoffs: the same matrix, seen from the other side.
         return maximally_different(1.0 - payoffs.T, self.sample_size)
 
     def state(self) -> State:

@@ -37,6 +37,7 @@ def read_only(rows: ArrayLike) -> Members:
     members = np.array(rows)
     if members.ndim == 0:
         raise ValueError("members: expected an array of rows, got a single number")
+    # Payoff functions of users get these arrays and could otherwise change the archive.
     members.flags.writeable = False
     return members
 
@@ -118,6 +119,7 @@ class Archive(ABC):
         archived = self.payoffs.shape
         all_candidates = _joined(self.candidates, new_candidates)
         all_tests = _joined(self.tests, new_tests)
+        # The payoffs of archived candidates on archived tests are known; two blocks are missing.
         on_new_tests = checked_payoffs(payoff, self.candidates, new_tests)
         of_new_candidates = checked_payoffs(payoff, new_candidates, all_tests)
         of_archived = np.concatenate([self.payoffs, on_new_tests], axis=1)
@@ -178,6 +180,7 @@ class MaxSolve(Archive):
         """Return the candidates and tests to keep."""
         solved = payoffs > SOLVED_ABOVE
         distinct = _first_of_equals(solved)
+        # Stable: of candidates that solve equally many tests the oldest comes first.
         most_first = distinct[np.argsort(-solved[distinct].sum(axis=1), kind="stable")]
         rows = np.sort(most_first[: self.limit])
         # Kept candidates differ on a test that one of them solves, so they differ on kept tests.
@@ -213,9 +216,11 @@ class IPCA(Archive):
     def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
         """Return the candidates and tests to keep."""
         rows = _front(payoffs)
+        # Archived candidates that leave the archive count, too: tests must show why they left.
         others = np.union1d(rows, np.arange(archived[0]))
         pairs = (len(rows) * len(others), payoffs.shape[1])
         shown = _distinctions(payoffs)[np.ix_(rows, others)].reshape(pairs)
+        # Columns up to archived[1] are archived tests, the rest are new ones.
         known = shown[:, : archived[1]].any(axis=1)
         added = archived[1] + np.array(_fewest_tests(shown[~known, archived[1] :]), dtype=np.intp)
         return rows, np.concatenate([np.arange(archived[1]), np.sort(added)])
@@ -260,9 +265,11 @@ class LAPCA(Archive):
         """Return the candidates and tests to keep."""
         layer = layers_of(payoffs)
         rows = np.flatnonzero((layer >= 0) & (layer < self.layers))
+        # Both orders of each pair, since either candidate may be the better one on some test.
         near = np.abs(layer[rows, np.newaxis] - layer[rows]) <= 1
         shown = _distinctions(payoffs[rows])[near]
         old = _fewest_tests(shown[:, : archived[1]])
+        # New tests are needed only for pairs that no kept archived test tells apart.
         left = shown[~shown[:, old].any(axis=1), archived[1] :]
         new = [archived[1] + test for test in _fewest_tests(left)]
         return rows, np.sort(np.array(old + new, dtype=np.intp))
@@ -282,6 +289,7 @@ def layers_of(payoffs: FloatArray) -> Indices:
         Layer, 0 the best. -1 for a candidate whose payoffs equal those of an earlier one.
     """
     layer = np.full(len(payoffs), -1, dtype=np.intp)
+    # `unique` returns the first row of each kind, in the order of the values; sort by age again.
     left = np.sort(np.unique(payoffs, axis=0, return_index=True)[1])
     for number in range(len(payoffs)):
         best = left[_front(payoffs[left])]
@@ -292,6 +300,7 @@ def layers_of(payoffs: FloatArray) -> Indices:
 
 def _first_of_equals(solved: BoolArray) -> Indices:
     """Return the first of each kind of row that is not all False, in ascending order."""
+    # A dict keeps the order of insertion, so the values below are ascending.
     seen: dict[bytes, int] = {}
     for i, row in enumerate(solved):
         seen.setdefault(row.tobytes(), i)
@@ -306,6 +315,7 @@ def _distinctions(payoffs: FloatArray) -> BoolArray:
 def _front(payoffs: FloatArray) -> Indices:
     """Return the rows that none dominates; of rows with equal payoffs the first."""
     better = _distinctions(payoffs).any(axis=2)
+    # better[a, b]: a beats b on some test. Neither beats the other: all payoffs are equal.
     equal = ~better & ~better.T
     earlier = np.tri(len(payoffs), k=-1, dtype=np.bool_)
     superfluous = ~better & (better.T | (equal & earlier))
@@ -319,6 +329,7 @@ def _fewest_tests(needed: BoolArray) -> list[int]:
     test that tells the most of them apart, the first of equals.
     """
     chosen: list[int] = []
+    # Pairs that no test tells apart would never leave the loop.
     left = needed[needed.any(axis=1)]
     while len(left):
         chosen.append(int(np.argmax(left.sum(axis=0))))

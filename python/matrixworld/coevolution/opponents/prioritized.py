@@ -101,6 +101,7 @@ class Prioritized:
         """Return the learning team's recent win rate against each opponent, (available,)."""
         wins, games = _padded(self._wins, available), _padded(self._games, available)
         rates = np.full(available, UNKNOWN)
+        # Where there are no games, `out` keeps the assumed rate.
         np.divide(wins[:available], games[:available], out=rates, where=games[:available] > 0.0)
         return rates
 
@@ -118,6 +119,7 @@ class Prioritized:
         probabilities = self.probabilities(available)
         positive = np.flatnonzero(probabilities)
         count = min(self.count, available)
+        # `choice` cannot draw more than there are of positive weight; the rest is drawn evenly.
         size = min(count, len(positive))
         chosen = rng.choice(positive, size=size, replace=False, p=probabilities[positive])
         rest = np.flatnonzero(probabilities == 0.0)
@@ -126,6 +128,7 @@ class Prioritized:
     def tell(self, opponents: Indices, scores: ArrayLike) -> None:
         """Count one game against each opponent, won by the mean of its scores (n, c)."""
         index, values = checked_scores(opponents, scores)
+        # The archive grows during a run, and so do the counts.
         size = int(index.max()) + 1
         self._wins, self._games = _padded(self._wins, size), _padded(self._games, size)
         self._wins[index] = self.decay * self._wins[index] + values.mean(axis=0)

@@ -82,6 +82,7 @@ class Schedule:
 
     def sampler(self, team: Team) -> OpponentSampler:
         """Return a new sampler of one opponent an epoch."""
+        # The samplers of schedules have no archive, so the size does not matter.
         return SAMPLERS[self.sampler_name(team)](1, 1)
 
 
@@ -105,6 +106,8 @@ def available(team: Team, k: int) -> int:
     ValueError
         If `k` is below 1.
     """
+    # Generation 0 is untrained.
     if k < 1:
         raise ValueError(f"generation: expected at least 1, got {k}")
+    # The pursuers learn first, so the evaders can play against generation k already.
     return k if team == "pursuer" else k + 1

@@ -98,6 +98,7 @@ class Uniform(Stateless):
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return opponents in random order, or all of them in their own order."""
         check_available(available)
+        # Nothing is drawn, so all opponents keep their order.
         if self.count is None:
             return np.arange(available)
         return rng.choice(available, size=min(self.count, available), replace=False)
@@ -125,6 +126,7 @@ class RoundRobin(Stateless):
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return the next opponents in the cycle."""
         check_available(available)
+        # No more than are available, or an opponent would come twice in an epoch.
         turns = np.arange(min(self.count, available))
         return np.asarray((epoch * self.count + turns) % available)
 
@@ -156,6 +158,7 @@ class HallOfFame(Stateless):
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return the newest opponents, the newest first, and then the older ones."""
         check_available(available)
+        # Opponents 0 .. older - 1 are the older ones.
         older = max(0, available - self.newest)
         newest = np.arange(older, available)[::-1]
         return np.append(newest, rng.choice(older, size=min(self.sampled, older), replace=False))

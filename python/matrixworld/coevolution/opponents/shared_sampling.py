@@ -52,6 +52,7 @@ def shared_sample(beats: ArrayLike, count: int, rng: np.random.Generator) -> Ind
     chosen: list[int] = []
     for _ in range(min(count, len(matrix))):
         value = (shuffled / (1.0 + covered)).sum(axis=1)
+        # Below every value, so that no opponent is chosen twice.
         value[chosen] = -1.0
         chosen.append(int(np.argmax(value)))
         covered += shuffled[chosen[-1]]
@@ -89,6 +90,7 @@ class SharedSampling:
     def tell(self, opponents: Indices, scores: ArrayLike) -> None:
         """Record one minus the scores (n, c) for each opponent."""
         index, values = checked_scores(opponents, scores)
+        # Columns are candidates; with another number of them old scores fit none.
         if self._beats.shape[1] != len(values):
             self._beats = np.ones((0, len(values)))
         self._beats = self.beats(max(len(self._beats), int(index.max()) + 1))
