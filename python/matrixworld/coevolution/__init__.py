@@ -43,7 +43,12 @@ from matrixworld.coevolution.evaluation.held_out_scores import (
     score_population,
 )
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.coevolution.fitness import FITNESS, fitness
+from matrixworld.coevolution.fitness import (
+    FITNESS,
+    competitive_sharing,
+    fitness,
+    reduced_virulence,
+)
 from matrixworld.coevolution.learners.cma_es import CmaEs
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy, centred_ranks
 from matrixworld.coevolution.learners.genetic_algorithm import (
@@ -63,7 +68,7 @@ from matrixworld.coevolution.learners.toolbox import (
     generate_update_toolbox,
     learner_toolbox,
 )
-from matrixworld.coevolution.opponents.schedules import (
+from matrixworld.coevolution.opponents.registry import (
     ALTERNATING,
     HALL_OF_FAME,
     SCHEDULES,
@@ -85,7 +90,6 @@ from matrixworld.coevolution.settings import (
     SingleSettings,
     TrainingSettings,
 )
-from matrixworld.coevolution.sharing import competitive_sharing, reduced_virulence
 from matrixworld.coevolution.storage.files import DamagedFileError, OtherVersionError
 from matrixworld.coevolution.storage.lock import LockedError
 from matrixworld.coevolution.storage.run_directory import RunDirectory

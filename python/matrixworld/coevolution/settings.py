@@ -14,24 +14,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import Outcome
-from matrixworld.checks import check_bool, check_choice, check_integer, check_number
-from matrixworld.coevolution.fitness import FITNESS, SHARING
-from matrixworld.coevolution.learners.cma_es import check_genes
-from matrixworld.coevolution.learners.optimizers import OPTIMIZERS, check_momentum
-from matrixworld.coevolution.opponents import SAMPLERS
-from matrixworld.coevolution.opponents.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
-from matrixworld.coevolution.sharing import LEAST_VIRULENCE
+from matrixworld.checks import check_choice, check_integer, check_number
+from matrixworld.coevolution.fitness import FITNESS, LEAST_VIRULENCE, SHARING
+from matrixworld.coevolution.learners.optimizers import OPTIMIZERS
+from matrixworld.coevolution.learners.registry import LEARNERS, check_learner_settings
+from matrixworld.coevolution.opponents.registry import (
+    ALTERNATING,
+    HALL_OF_FAME,
+    SAMPLERS,
+    SCHEDULES,
+)
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
 from matrixworld.policy import SCRIPTS, Network
 from matrixworld.rules import VARIANTS, Rules
-
-LEARNERS = {
-    "es": "evolution strategy",
-    "ga": "genetic algorithm",
-    "cma": "CMA-ES, for small networks",
-}
-SELECTIONS = ("tournament", "truncation")
 
 SHARED_CELL_OVERLAP_PENALTY = 0.2
 """Default overlap_penalty penalty of a race where teammates may share a cell."""
@@ -102,8 +98,8 @@ class TrainingSettings:
     def __post_init__(self) -> None:
         self._freeze("hidden", tuple(int(size) for size in self.hidden))
         self._check_budget()
-        self._check_learner()
         self._check_world()
+        self._check_learner()
 
     def _freeze(self, name: str, value: Any) -> None:
         object.__setattr__(self, name, value)
@@ -120,20 +116,7 @@ class TrainingSettings:
         if self.learner is not None:
             check_choice("learner", self.learner, LEARNERS)
         check_integer("population", self.population, 2)
-        if self.learner_name == "es" and self.population % 2:
-            raise ValueError(f"population: expected an even number for es, got {self.population}")
-        for name in ("sigma", "learning_rate", "mutation"):
-            check_number(name, getattr(self, name), least=0.0, positive=True)
-        check_bool("anneal", self.anneal)
-        check_choice("optimizer", self.optimizer, OPTIMIZERS)
-        check_momentum(self.momentum)
-        check_number("crossover", self.crossover, least=0.0, most=1.0)
-        check_choice("selection", self.selection, SELECTIONS)
-        check_integer("tournament", self.tournament, 1)
-        check_number("truncation", self.truncation, least=0.0, most=1.0, positive=True)
-        check_integer("elites", self.elites, 0)
-        if self.learner_name == "ga" and self.elites >= self.population:
-            raise ValueError(f"elites: expected fewer than {self.population}, got {self.elites}")
+        check_learner_settings(self)
 
     def _check_world(self) -> None:
         check_number("initial_weight", self.initial_weight, least=0.0)
@@ -141,9 +124,8 @@ class TrainingSettings:
         config = self.world(self.train_steps)
         if config.map is not None:
             self._freeze("obstacles", map_as_text(config.map))
-        network = Network.for_config(config, hidden=self.hidden, activation=self.activation)
-        if self.learner_name == "cma":
-            check_genes(network.genome_size)
+        # Only to check the layers and the activation.
+        Network.for_config(config, hidden=self.hidden, activation=self.activation)
 
     @property
     def sharing(self) -> str:
@@ -279,7 +261,7 @@ class RaceSettings(TrainingSettings):
     def meets(self, team: Team) -> str:
         """Return the name of the selection by which `team` meets its opponents."""
         if self.schedule in SCHEDULES:
-            return SCHEDULES[self.schedule].meets(team)
+            return SCHEDULES[self.schedule].sampler_name(team)
         return (self.pursuers_meet if team == "pursuer" else self.evaders_meet) or "uniform"
 
     def met(self, team: Team) -> int:

@@ -1,4 +1,4 @@
-"""The paper's three schedules, against its algorithms written out."""
+"""The paper's three schedules, against its algorithms by hand; and the settings of a race."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 from matrixworld.coevolution import SCHEDULES, RaceSettings, available
 
 # The paper's pseudo-code, generations 1 to 3 with four epochs each, by hand:
-# schedule: {k: (generations of e that the pursuers meet, generations of p that the evaders meet)}
+# schedule: {k: (opponents of the pursuers, generations of e; of the evaders, generations of p)}
 BY_HAND = {
     "specialist-specialist": {
         1: ([0, 0, 0, 0], [1, 1, 1, 1]),
@@ -29,11 +29,11 @@ BY_HAND = {
 
 
 def opponents(name, team, k, epochs):
-    """Whom a team meets in the first epochs of its generation k."""
-    selection, rng = SCHEDULES[name].selection(team), np.random.default_rng(0)
-    met = [selection.choose(available(team, k), i, rng).tolist() for i in range(epochs)]
-    assert all(len(each) == 1 for each in met)
-    return [each[0] for each in met]
+    """Return the opponents of a team in the first epochs of its generation k."""
+    sampler, rng = SCHEDULES[name].sampler(team), np.random.default_rng(0)
+    sampled = [sampler.sample(available(team, k), i, rng).tolist() for i in range(epochs)]
+    assert all(len(each) == 1 for each in sampled)
+    return [each[0] for each in sampled]
 
 
 def test_all_schedules_are_written_out():

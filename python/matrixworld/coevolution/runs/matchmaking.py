@@ -6,17 +6,14 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from matrixworld.coevolution.opponents import (
-    ArchiveSampler,
-    Members,
-    OpponentSampler,
-    PayoffFunction,
-)
+from matrixworld.coevolution.opponents.archive_sampler import ArchiveSampler
+from matrixworld.coevolution.opponents.pareto import PayoffFunction
 from matrixworld.coevolution.opponents.registry import SAMPLERS
+from matrixworld.coevolution.opponents.samplers import OpponentSampler
 from matrixworld.coevolution.runs.training import Training
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Team, other
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Members, Team, other
 from matrixworld.policy import Population
 from matrixworld.rollout import Matches
 
@@ -60,14 +57,14 @@ class Matchmaking:
         selection = self.samplers[team]
         if isinstance(selection, ArchiveSampler):
             outcome = self._outcome(team, graded=selection.graded)
-            selection.admit(np.array(new), np.array(opponents), outcome)
+            selection.update(np.array(new), np.array(opponents), outcome)
 
     def most_admitted(self, team: Team, new: int, opponents: int) -> int:
         """Return the most episodes that admitting costs a team of so many generations."""
         selection = self.samplers[team]
         if not isinstance(selection, ArchiveSampler):
             return 0
-        pairs = selection.most_pairs(new, opponents)
+        pairs = selection.max_pairs(new, opponents)
         return pairs * self.settings.archive_episodes * self.settings.worlds
 
     def _outcome(self, team: Team, *, graded: bool) -> PayoffFunction:

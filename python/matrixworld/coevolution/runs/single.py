@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.learners.genetic_algorithm import mutate_gaussian
-from matrixworld.coevolution.opponents import RoundRobin
+from matrixworld.coevolution.opponents.samplers import RoundRobin
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.team_phase import TeamPhase

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.learners.toolbox import Candidates, generate_update_toolbox
-from matrixworld.coevolution.opponents import Indices, OpponentSampler, Stateless
+from matrixworld.coevolution.opponents.samplers import OpponentSampler, Stateless
 from matrixworld.coevolution.runs.training import Training
 from matrixworld.coevolution.seeding import (
     Purpose,
@@ -22,7 +22,7 @@ from matrixworld.coevolution.seeding import (
     training_seeds,
 )
 from matrixworld.coevolution.storage.run_log import SEVERAL
-from matrixworld.coevolution.types import TEAMS, Seeds, Team
+from matrixworld.coevolution.types import TEAMS, Indices, Seeds, Team
 from matrixworld.policy import TeamPolicy
 
 
@@ -98,7 +98,7 @@ class TeamPhase:
 
     def _matchup(self, epoch: int) -> Matchup:
         available = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
-        met = self.selection.choose(available, epoch, self._generator(Purpose.OPPONENTS, epoch))
+        met = self.selection.sample(available, epoch, self._generator(Purpose.OPPONENTS, epoch))
         match = self.learner.match_of_candidate
         seeds = np.stack([self._seeds(int(index), epoch)[match] for index in met], axis=1)
         return Matchup(epoch, met, seeds)

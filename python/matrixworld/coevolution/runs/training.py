@@ -8,11 +8,10 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.coevolution.fitness import fitness, mean_over_met, shared_fitness
-from matrixworld.coevolution.opponents import Indices
+from matrixworld.coevolution.fitness import fitness, mean_over_opponents, shared_fitness
 from matrixworld.coevolution.settings import TrainingSettings
 from matrixworld.coevolution.storage.run_log import Row
-from matrixworld.coevolution.types import Genomes, Seeds, Team
+from matrixworld.coevolution.types import Genomes, Indices, Seeds, Team
 from matrixworld.policy import Population, TeamPolicy
 from matrixworld.rollout import EpisodeStatistics, Matches, Rollout
 
@@ -86,7 +85,7 @@ class Training:
         values = table(measured(overlap_penalty=settings.resolved_overlap_penalty))
         sharing, virulence = settings.sharing, settings.virulence(team)
         if sharing == "none" and virulence is None:
-            return mean_over_met(values)
+            return mean_over_opponents(values)
         payoff = table(measured(overlap_penalty=0.0))
         return shared_fitness(values, payoff, sharing=sharing, virulence=virulence)
 

@@ -47,7 +47,7 @@ from matrixworld.coevolution.storage.lock import locked
 from matrixworld.coevolution.storage.run_log import Row, RunLog, read_log
 from matrixworld.coevolution.types import TEAMS, Genomes, Team
 
-FORMAT = 2
+FORMAT = 3
 """Version of the directory's layout; another one is refused."""
 
 CONFIG, SUMMARY, LOG, LOCK = "config.json", "summary.json", "log.csv", ".lock"
