@@ -60,7 +60,7 @@ def test_it_prints_the_machine_a_table_and_what_that_means():
     text = " ".join(result.stdout.split())
     assert "An agent-step is one step of a living agent" in text
     assert "matches of matrixworld evolve in this world with --hidden 4 take about" in text
-    assert "A learner on VectorEnv, with 1024 worlds and 2 threads, waits" in text
+    assert "VectorEnv, with 1024 worlds and 2 threads, plays 100 million agent-steps in" in text
     assert "60 of 60 timings" in result.stderr
 
 
@@ -142,10 +142,8 @@ def test_hints_say_what_may_be_wrong(capsys):
     assert " matches of matrixworld evolve with --hidden 32 take about" in told
     print_figures(figures(one, bad, measurement("step only", 1, 1.0, 2.0)), default=True)
     told = " ".join(capsys.readouterr().out.split())
-    assert "Hint: 2 threads play only 1.00 times as much as one (matches, hidden 32):" in told
-    assert (
-        "Hint: from repeat to repeat step only, 10 at once with 1 thread, differs by 67%:" in told
-    )
+    assert "Hint: 2 threads are only 1.00 times as fast as one (matches, hidden 32)." in told
+    assert "Hint: the repeats of step only, 10 at once with 1 thread, differ by 67%." in told
 
 
 def test_the_living_are_counted():
@@ -182,8 +180,8 @@ BAD = [
     (["--rows", "1", "--cols", "3"], "--pursuers: expected 1 to 3, got 8"),
     (["--fov", "4"], "--fov: expected"),
     (["--obstacles", "no.map"], "expected a density in [0, 1) or a .map file, got 'no.map'"),
-    (["--json", "old.json"], "'--json': expected a new file, and 'old.json' exists"),
-    (["--json", "no/a.json"], "'--json': expected a directory that exists, got 'no'"),
+    (["--json", "old.json"], "old.json: exists; give --force to replace it"),
+    (["--json", "no/a.json"], "no/a.json: expected a directory that exists, got 'no'"),
 ]
 
 
@@ -240,10 +238,10 @@ def test_ctrl_c_gives_what_was_measured_so_far(monkeypatch, repeats):
     monkeypatch.setattr(Measurement, "repeat", stop)
     result = matrixworld_command(*QUICK, "--threads", 2, "--json", "a.json", code=130)
     if repeats == 0:
-        assert "Stopped before there were figures." in result.stderr
+        assert "Stopped. Nothing was measured yet." in result.stderr
         assert not Path("a.json").exists()
         return
-    assert "Stopped. The figures are those until then." in result.stderr
+    assert "Stopped. The figures are from the time before." in result.stderr
     lines = load_json(Path("a.json"))["lines"]
     assert len(lines) == min(repeats, 10)
     assert sum(line["repeats"] for line in lines) == repeats

@@ -40,11 +40,13 @@ def test_a_run_is_diagnosed_by_its_episodes(job):
     result = matrixworld_command("diagnose", job / "1", "--json", "found.json")
     text = words(result.output)
     assert "A single run, 13 pursuer and 13 evader generations:" in text
-    assert "This is a single run, and says nothing of what its settings would do again" in text
+    assert (
+        "It does not show what the same settings do with another seed" in text
+    )
     for name in ("Arms race:", "Cycling:", "Disengagement:", "Forgetting:", "Stagnation:"):
         assert name in text
     assert max(map(len, result.output.splitlines())) <= 100
-    assert text.endswith("Written: found.json")
+    assert text.endswith("Terms are explained in docs/glossary.md. Written: found.json")
     found = load_json(Path("found.json"))
     assert found["runs"] == 1
     evidence = found["findings"][0]["evidence"]
@@ -54,7 +56,8 @@ def test_a_run_is_diagnosed_by_its_episodes(job):
 
 def test_several_runs_are_taken_together(job):
     by_name = matrixworld_command("diagnose", job / "1", job / "2", "--json", "one.json").output
-    assert matrixworld_command("diagnose", job, "--json", "one.json").output == by_name
+    again = matrixworld_command("diagnose", job, "--json", "one.json", "--force").output
+    assert again == by_name
     assert "2 runs, 13 pursuer and 13 evader generations:" in words(by_name)
     assert "This is a single run" not in words(by_name)
     evidence = json.loads(Path("one.json").read_text())["findings"][1]["evidence"]

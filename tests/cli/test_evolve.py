@@ -23,8 +23,9 @@ from click.testing import Result
 from command_line import FIGURES, MAIN_JOB, PNG, RACE, WORLD, matrixworld_command, words
 from matrixworld.cli import jobs, report
 from matrixworld.cli.arguments import find_runs
-from matrixworld.cli.options import SECTIONS, option_name, settings_from
-from matrixworld.cli.progress import ProgressLines, progress, warnings_as_notes
+from matrixworld.cli.console import ProgressLines, progress, warnings_as_notes
+from matrixworld.cli.options import option_name
+from matrixworld.cli.setting_options import SECTIONS, settings_from
 from matrixworld.coevolution import (
     TEAMS,
     DisengagementWarning,
@@ -48,8 +49,8 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """Leave the figures out where they are not what is tested."""
-    monkeypatch.setattr(report, "draw_run", lambda path: [])
-    monkeypatch.setattr(report, "draw_comparison", lambda payoffs, path: path)
+    monkeypatch.setattr(report, "draw_run", lambda run: [])
+    monkeypatch.setattr(report, "draw_comparison", lambda races, path: path)
 
 
 @pytest.fixture(scope="module")
@@ -130,7 +131,7 @@ BAD = [
     (["--team", "evader"], "--team: expected together with --against only"),
     (["--against", "random", "--generations", "3"], "--generations: expected without --against"),
     (["--against", "nobody"], "clumsy-fleer, dodger or a run directory, got 'nobody'"),
-    (["--threads", "0"], "0 is not in the range x>=1"),
+    (["--threads", "0"], "0 is not in the range 1<=x<=1024"),
     (["--resume", "nothing"], "expected a directory that holds a run, got 'nothing'"),
 ]
 
@@ -171,8 +172,8 @@ def test_the_main_job_says_what_came_of_it(job):
         assert f"\n{name}\n" in result.stdout
         assert f"\n{name}: the paper reports " in result.stdout
     assert "transitive share  checkerboards  swing  lag rise" in result.stdout
-    assert f"Everything is in {output}:" in result.stdout
-    assert f"matrixworld replay '{output}/generalist-generalist' --pursuers 2" in result.stdout
+    assert f"All files are in {output}:" in result.stdout
+    assert f"matrixworld replay '{output}/generalist-generalist' --pursuer 2" in result.stdout
     assert "[2/2] generation 2: evaders" in result.stderr
     assert "left" in result.stderr
 
@@ -199,7 +200,7 @@ def test_a_directory_in_use_is_left_alone(copy):
     before = sorted(copy.rglob("*"))
     result = matrixworld_command("evolve", copy, *words(RACE), code=2)
     assert "expected a new or empty directory" in result.stderr
-    assert f"--resume {copy} goes on" in result.stderr
+    assert f"--resume {copy} continues the run in it" in result.stderr
     assert sorted(copy.rglob("*")) == before
 
 
@@ -246,13 +247,14 @@ def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
 @pytest.mark.parametrize("calls", [0, 7, 17])
 def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(job, undrawn, monkeypatch, calls):
     play = StopAt(calls)
-    monkeypatch.setattr(jobs, "resume", lambda path, threads=None: resume(path, play=play))
+    monkeypatch.setattr(
+        jobs, "start", lambda settings, path, threads=None: start(settings, path, play=play)
+    )
     result = matrixworld_command("evolve", "out", *words(RACE), code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
     assert find_runs(Path("out")) == [Path("out") / name for name in MAIN_JOB]
-    monkeypatch.setattr(jobs, "resume", resume)
     resumed = matrixworld_command("evolve", "--resume", "out")
-    assert "Everything is in out:" in resumed.stdout
+    assert "All files are in out:" in resumed.stdout
     for name in MAIN_JOB:
         assert results(Path("out") / name) == results(job[0] / name)
 
@@ -293,7 +295,9 @@ def test_resume_of_a_finished_job_tells_the_result_again(copy, undrawn):
 
 def test_resume_takes_no_settings(copy):
     result = matrixworld_command("evolve", "--resume", copy, "--rows", 9, code=2)
-    assert "expected no settings beside it, as a run keeps its own, got --rows" in result.stderr
+    assert (
+        "expected no settings beside it, because a run keeps" in result.stderr
+    )
 
 
 def test_a_run_at_work_and_a_damaged_one_are_told_of_in_a_line(copy):
