@@ -208,7 +208,7 @@ def test_a_wrong_answer_of_worlds_ends_it(monkeypatch):
     views = mw.World.views
     monkeypatch.setattr(mw.World, "views", lambda world: 1 - views(world))
     result = matrixworld_command(*QUICK, "--json", "a.json", code=1)
-    assert "VectorEnv shows other observations than a single world after step 1" in result.stderr
+    assert "VectorEnv and a single world differ in observations after step 1" in result.stderr
     assert "Nothing was measured" in result.stderr
     assert list(Path().iterdir()) == []
 
@@ -220,7 +220,7 @@ def test_a_wrong_answer_of_threads_ends_it(monkeypatch):
 
     monkeypatch.setattr(bench, "rollout", play)
     result = matrixworld_command(*QUICK, "--threads", 3, code=1)
-    assert "rollout scores another length with 3 threads than 1" in result.stderr
+    assert "rollout: length with 3 threads differs from 1 thread" in result.stderr
 
 
 # Interrupting

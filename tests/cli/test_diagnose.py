@@ -40,9 +40,7 @@ def test_a_run_is_diagnosed_by_its_episodes(job):
     result = matrixworld_command("diagnose", job / "1", "--json", "found.json")
     text = words(result.output)
     assert "A single run, 13 pursuer and 13 evader generations:" in text
-    assert (
-        "It does not show what the same settings do with another seed" in text
-    )
+    assert "It does not show what the same settings do with another seed" in text
     for name in ("Arms race:", "Cycling:", "Disengagement:", "Forgetting:", "Stagnation:"):
         assert name in text
     assert max(map(len, result.output.splitlines())) <= 100

@@ -30,6 +30,7 @@ from matrixworld.coevolution import (
     TEAMS,
     DisengagementWarning,
     ProgressBar,
+    Race,
     RaceSettings,
     RunDirectory,
     SingleSettings,
@@ -37,6 +38,7 @@ from matrixworld.coevolution import (
     resume,
     start,
 )
+from matrixworld.coevolution.runs import alternating
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 
@@ -172,10 +174,28 @@ def test_the_main_job_says_what_came_of_it(job):
         assert f"\n{name}\n" in result.stdout
         assert f"\n{name}: the paper reports " in result.stdout
     assert "transitive share  checkerboards  swing  lag rise" in result.stdout
+    assert "Terms are explained in docs/glossary.md." in result.stdout
     assert f"All files are in {output}:" in result.stdout
     assert f"matrixworld replay '{output}/generalist-generalist' --pursuer 2" in result.stdout
     assert "[2/2] generation 2: evaders" in result.stderr
     assert "left" in result.stderr
+
+
+def test_a_job_builds_and_reads_and_summarizes_each_run_once(undrawn, monkeypatch):
+    counts = {"built": 0, "read": 0, "summarized": 0}
+
+    def counted(what, function):
+        def count(*args, **options):
+            counts[what] += 1
+            return function(*args, **options)
+
+        return count
+
+    monkeypatch.setattr(Race, "__init__", counted("built", Race.__init__))
+    monkeypatch.setattr(RunDirectory, "payoff", counted("read", RunDirectory.payoff))
+    monkeypatch.setattr(alternating, "summarize", counted("summarized", alternating.summarize))
+    matrixworld_command("evolve", "out", *words(RACE))
+    assert counts == dict.fromkeys(counts, len(MAIN_JOB))
 
 
 def test_what_it_says_to_try_next_works(job, copy):
@@ -189,8 +209,10 @@ def test_what_it_says_to_try_next_works(job, copy):
 
 def test_without_a_place_runs_go_to_new_directories(undrawn):
     one = [*words(RACE), "--schedule", "specialist-specialist"]
-    matrixworld_command("evolve", *one)
-    matrixworld_command("evolve", *one)
+    first = matrixworld_command("evolve", *one).stderr
+    assert first.startswith("Output directory: runs/O-seed5\n")
+    second = matrixworld_command("evolve", *one).stderr
+    assert second.startswith("Output directory: runs/O-seed5-2 (runs/O-seed5 exists)\n")
     matrixworld_command("evolve", "--against", "fleer", *words(WORLD), "--epochs", 2)
     names = {path.name for path in Path("runs").iterdir()}
     assert names == {"O-seed5", "O-seed5-2", "O-pursuer-against-fleer-seed5"}
@@ -295,9 +317,7 @@ def test_resume_of_a_finished_job_tells_the_result_again(copy, undrawn):
 
 def test_resume_takes_no_settings(copy):
     result = matrixworld_command("evolve", "--resume", copy, "--rows", 9, code=2)
-    assert (
-        "expected no settings beside it, because a run keeps" in result.stderr
-    )
+    assert "expected no settings beside it, because a run keeps" in result.stderr
 
 
 def test_a_run_at_work_and_a_damaged_one_are_told_of_in_a_line(copy):

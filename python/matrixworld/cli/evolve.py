@@ -35,8 +35,17 @@ from matrixworld.cli.report import report
 from matrixworld.cli.setting_options import setting_options, settings_from
 from matrixworld.coevolution import Run, RunDirectory
 
+# \b keeps click from wrapping the lines.
+EXAMPLES = """\b
+Examples:
+  matrixworld evolve
+  matrixworld evolve my-race --variant SB --schedule generalist-generalist
+  matrixworld evolve --against random --team evader
+  matrixworld evolve --resume my-race
+"""
 
-@click.command("evolve", cls=SectionedCommand)
+
+@click.command("evolve", cls=SectionedCommand, epilog=EXAMPLES)
 @click.argument("output", required=False, type=click.Path(path_type=Path, file_okay=False))
 @click.option(
     "--resume",
@@ -60,13 +69,6 @@ def evolve_command(
 
     Ctrl-C stops. --resume continues from the last checkpoint, with the same results. Results do
     not depend on --threads.
-
-    \b
-    Examples:
-      matrixworld evolve
-      matrixworld evolve my-race --variant SB --schedule generalist-generalist
-      matrixworld evolve --against random --team evader
-      matrixworld evolve --resume my-race
     """
     given = given_options(options)
     with failures(), warnings_as_notes():

@@ -34,6 +34,13 @@ SUFFIXES = (".gif", ".mp4", ".png", ".npz")
 CHASER, FLEER = "chaser", "fleer"
 MATCH = {"pursuer", "evader", "episode"}
 """Options that choose an episode of a run; the other ones describe a new game."""
+# \b keeps click from wrapping the lines.
+EXAMPLES = """\b
+Examples:
+  matrixworld replay runs/O-seed0/generalist-generalist --pursuer 30 --evader 15
+  matrixworld replay my-race --out match.gif
+  matrixworld replay SB --pursuer surrounder --obstacles 0.1
+"""
 
 
 def _out(ctx: click.Context, param: click.Parameter, value: tuple[Path, ...]) -> tuple[Path, ...]:
@@ -59,7 +66,7 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
         ) from None
 
 
-@click.command("replay", cls=SectionedCommand)
+@click.command("replay", cls=SectionedCommand, epilog=EXAMPLES)
 @click.argument("source", metavar="RUN|FILE|VARIANT", callback=_source)
 @click.option(
     "--pursuer",
@@ -129,12 +136,6 @@ def replay_command(
     count from the last. FILE: an episode that --out or Episode.save has written. VARIANT (O, SB,
     ...): a new game between scripts, with --seed, --steps and the options of the world. WHO is
     random, still, chaser, fleer, clumsy-chaser, hunter, surrounder, clumsy-fleer or dodger.
-
-    \b
-    Examples:
-      matrixworld replay runs/O-seed0/generalist-generalist --pursuer 30 --evader 15
-      matrixworld replay my-race --out match.gif
-      matrixworld replay SB --pursuer surrounder --obstacles 0.1
     """
     if view and not out:
         raise click.UsageError("--view: expected a picture to --out together with it")
