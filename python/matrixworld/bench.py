@@ -103,6 +103,7 @@ def processor_name(cpuinfo: Path = Path("/proc/cpuinfo")) -> str:
 
 def usable_cores() -> int:
     """Return the number of cores that this process may use."""
+    # A process may be bound to fewer cores than the machine has, as in many containers.
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
@@ -143,6 +144,7 @@ def check_matches(config: WorldConfig, network: Network, threads: int) -> None:
     """Compare several threads with one; raise WrongAnswerError if the statistics differ."""
     teams = _team(network, CHECKED_MATCHES, 0), _team(network, 1, 1)
     matches = Matches.of(np.arange(CHECKED_MATCHES), 0, np.arange(CHECKED_MATCHES))
+    # Also where only one thread is measured, there must be something to compare with.
     several = max(2, threads)
     one, more = (
         rollout(config, *teams, matches, worlds=2, threads=number) for number in (1, several)
@@ -178,6 +180,7 @@ class RandomActions:
         self._places = rng.integers(self.SPARE, size=self.PLACES).tolist()
 
     def __getitem__(self, step: int) -> NDArray[np.uint8]:
+        # PLACES is prime, so that its period hardly ever coincides with that of the episodes.
         place = self._places[step % self.PLACES]
         return self._drawn[place : place + self._size].reshape(self._shape)
 
@@ -269,6 +272,8 @@ def measurements(
     """
     many = many_worlds(config)
     alive = {size: alive_share(config, size) for size in (many, 1)}
+    # Threads divide the worlds, so one world is played by one thread. Steps without views are, too:
+    # they are the cost of the rules alone.
     cases = [(many, 1), (1, 1), (many, threads)]
     steps = [
         _steps(config, what, size, number, alive[size])
@@ -304,6 +309,7 @@ def alive_share(config: WorldConfig, worlds: int) -> float:
 def _batch(config: WorldConfig, worlds: int, threads: int, *names: str) -> Batch:
     specs = array_specs(config) | episode_specs(config)
     buffers = {name: np.zeros((worlds, *specs[name][0]), specs[name][1]) for name in names}
+    # Every step of every world is then a step of an episode.
     mode = Autoreset.SAME_STEP
     return Batch(worlds, config, threads=threads, autoreset=mode, buffers=buffers)
 

@@ -29,8 +29,10 @@ ORDER = [*SCHEDULES, ALTERNATING, HALL_OF_FAME]
 
 def find_runs(path: Path) -> list[Path]:
     """Return `path` if it is a run directory, else the run directories directly in it."""
+    # config.json is the last file of a new run: without it the run was not completely created.
     if (path / CONFIG).is_file():
         return [path]
+    # Only one level down: a response to a champion lies in its run, and is no part of the job.
     return sorted((file.parent for file in path.glob(f"*/{CONFIG}")), key=_place)
 
 
@@ -87,6 +89,7 @@ def all_of(
 
 def opponent_of(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
     """Return the name of a script, or the path of a run."""
+    # A directory that has the name of a script can be given as ./random.
     if value is None or value in SCRIPTS:
         return value
     if not find_runs(Path(value)):
@@ -105,5 +108,6 @@ def failures() -> Iterator[None]:
     """End the command with a message instead of a traceback on errors that files cause."""
     try:
         yield
+    # Any other error is a mistake in the program, and its traceback is wanted.
     except (DamagedFileError, OtherVersionError, LockedError, OSError) as error:
         raise click.ClickException(str(error)) from error

@@ -34,6 +34,7 @@ from matrixworld.coevolution import RaceSettings
 from matrixworld.config import WorldConfig
 from matrixworld.rules import VARIANTS, rules_of
 
+# The default of `evolve`, a common size, and the network of the published runs.
 HIDDEN = ((32,), (64, 64), (400, 300))
 REPEATS = 5
 SECONDS = 4.0
@@ -52,11 +53,13 @@ def _variant(ctx: click.Context, param: click.Parameter, value: str) -> str:
 def _hidden(
     ctx: click.Context, param: click.Parameter, values: tuple[str, ...]
 ) -> list[tuple[int, ...]]:
+    # sizes_of returns None for no value only, and here every value is a string.
     given = [sizes_of(ctx, param, value) or () for value in values]
     return list(dict.fromkeys(given or HIDDEN))
 
 
 def _seconds(ctx: click.Context, param: click.Parameter, value: float) -> float:
+    # Not click.FloatRange, which lets nan pass.
     if not 0 < value <= LONGEST:
         raise click.BadParameter(f"expected a number above 0, at most {LONGEST:g}, got {value:g}")
     return value
@@ -140,6 +143,7 @@ def _measure(
     """Return what was measured, and whether Ctrl-C stopped it."""
     planned: list[Measurement] = []
     stopped = False
+    # Ctrl-C may come in the checks, too: then nothing is planned yet.
     try:
         _check(settings, world, threads)
         planned += measurements(

@@ -39,6 +39,7 @@ Figures = dict[str, Any]
 
 def print_machine(machine: Machine, variant: str, world: WorldConfig) -> None:
     """Print the machine and the world."""
+    # A forced instruction set explains figures that are lower than on other machines.
     chosen = ", as MATRIXWORLD_KERNELS says" if "MATRIXWORLD_KERNELS" in os.environ else ""
     cores = "1 core" if machine.cores == 1 else f"{machine.cores} cores"
     click.echo(
@@ -101,6 +102,7 @@ def _line(each: Measurement) -> Figures:
 
 def _compare(lines: Sequence[Figures]) -> None:
     """Add to each line of several threads the speedup over one thread, if that was measured."""
+    # A line is compared with the line that differs from it in the threads only.
     keys = ("what", "hidden", "at_once")
     ones = [line for line in lines if line["threads"] == 1]
     for line in lines:
@@ -112,6 +114,7 @@ def _compare(lines: Sequence[Figures]) -> None:
 
 def _evolve(lines: Sequence[Figures], races: Sequence[RaceSettings]) -> Figures | None:
     """Estimate how long the matches of races take, from the rate of training matches."""
+    # All races have the same network and world; they differ in the schedule.
     hidden = list(races[0].hidden)
     rates = [line for line in lines if line["what"] == MATCHES and line["hidden"] == hidden]
     if not rates:
@@ -119,6 +122,7 @@ def _evolve(lines: Sequence[Figures], races: Sequence[RaceSettings]) -> Figures 
     # The matches measured have the length of training; those of the evaluation are longer.
     trained, evaluated = (sum(counts) for counts in zip(*map(matches_of, races), strict=True))
     longer = races[0].eval_steps / races[0].train_steps
+    # The last line is that of the most threads.
     rate = rates[-1]["matches_per_second"]
     return {
         "hidden": hidden,
@@ -131,6 +135,7 @@ def _evolve(lines: Sequence[Figures], races: Sequence[RaceSettings]) -> Figures 
 def matches_of(race: RaceSettings) -> tuple[int, int]:
     """Return the numbers of matches of a race's training and of its payoff matrix."""
     epochs = sum(race.total_epochs(team) for team in TEAMS)
+    # Generation 0 is evaluated, too.
     cells = (race.generations + 1) ** 2
     return epochs * race.population * race.worlds, cells * race.eval_episodes
 
@@ -201,6 +206,7 @@ def _threads(count: int) -> str:
 
 
 def _duration(seconds: float) -> str:
+    # From one and a half units on: "80 seconds" reads better than "1.3 minutes".
     for unit, length in (("hours", 3600.0), ("minutes", 60.0)):
         if seconds >= 1.5 * length:
             return f"{seconds / length:.{0 if seconds >= 10 * length else 1}f} {unit}"

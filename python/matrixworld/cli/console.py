@@ -90,6 +90,7 @@ def progress(stream: TextIO | None = None, unit: str = "matches") -> Iterator[Re
         To be called as ``report(what, done, total)``.
     """
     out = sys.stderr if stream is None else stream
+    # A bar redraws its line, which makes a log file unreadable.
     if out.isatty():
         with ProgressBar(unit) as bar:
             yield bar
@@ -119,6 +120,7 @@ def warnings_as_notes() -> Iterator[None]:
             file: TextIO | None = None,
             line: str | None = None,
         ) -> None:
+            # Other warnings, such as those of libraries, are for developers: they keep their form.
             if issubclass(category, UserWarning):
                 note(f"Warning: {message}")
             else:

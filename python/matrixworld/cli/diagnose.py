@@ -73,6 +73,7 @@ def _payoffs(path: Path) -> Payoffs:
         except ValueError as error:
             raise click.UsageError(str(error)) from error
     run = open_result(path)
+    # The payoff of one team alone is a single cell.
     if not run.is_race:
         raise click.UsageError(f"{path}: expected a race, got a run in which one team evolved")
     return read_payoffs(run.payoff.capture_rates, episodes=True)

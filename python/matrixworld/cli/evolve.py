@@ -75,11 +75,13 @@ def evolve_command(
         if resume:
             _refuse_settings(output, given)
             root = resume[0] if len(resume) == 1 else resume[0].parent
+            # The runs are restored inside the block: reading them may fail or take some time.
             with _resumable(root):
                 report(play_runs(resume_runs(resume, threads)), root)
         else:
             settings = settings_from(given)
             root = _new_directory(settings[0], output)
+            # Outside the block: a job that is not completely created cannot be resumed.
             runs = _new_runs(settings, root, threads)
             with _resumable(root):
                 report(play_runs(runs), root)
@@ -122,6 +124,7 @@ def _new_directory(settings: Settings, output: Path | None) -> Path:
 
 
 def _check_free(root: Path) -> None:
+    # First, because an incomplete job is not empty, and its own message says more.
     check_made(root)
     try:
         RunDirectory(root).check_empty()
@@ -133,6 +136,7 @@ def _check_free(root: Path) -> None:
 
 
 def _new_runs(settings: list[Any], root: Path, threads: int | None) -> list[Run[Any]]:
+    # Some settings can be checked only when opponents and start genomes have been read.
     try:
         return create_runs(settings, root, threads)
     except ValueError as error:

@@ -83,7 +83,9 @@ def open_result(path: Path) -> Result:
 
 def default_directory(settings: Settings) -> Path:
     """Return the directory named after a run's variant and seed, such as ``runs/O-seed0``."""
+    # Rules made in Python have no name.
     variant = settings.variant if isinstance(settings.variant, str) else "own-rules"
+    # `against` may be the path of a run: its last part is the name.
     what = ""
     if isinstance(settings, SingleSettings):
         what = f"-{settings.team}-against-{Path(settings.against).name}"
@@ -119,6 +121,7 @@ def resume_runs(paths: Sequence[Path], threads: int | None) -> list[Run[Any]]:
 
 def play_runs(runs: Sequence[Run[Any]]) -> list[Result]:
     """Play each run to its end, with one progress bar for all."""
+    # The bar needs the matches of the whole job before the first run starts.
     counts = [_matches(run) for run in runs]
     whole = sum(total for _, total in counts)
     results = []
@@ -130,6 +133,7 @@ def play_runs(runs: Sequence[Run[Any]]) -> list[Result]:
             after = sum(done for done, _ in counts[number + 1 :])
             if counts[number][0] < counts[number][1]:
                 note(f"{place}{run.files.path}")
+            # A finished run plays nothing, and returns its payoff from the file.
             payoff = run.run(_part(report, place, before + after, whole))
             results.append(Result(run.files, run.settings, payoff))
     return results

@@ -82,6 +82,8 @@ def option_name(field_name: str) -> str:
 
 def given_options(options: Mapping[str, Any]) -> dict[str, Any]:
     """Return those options of the current command that the user has given."""
+    # Not by comparing values with defaults: a default may be given, too, and settings such as
+    # --seed must be refused beside --resume even then.
     source = click.get_current_context().get_parameter_source
     return {
         name: value for name, value in options.items() if source(name) != ParameterSource.DEFAULT
@@ -133,6 +135,7 @@ def with_new_names(command: click.Command, args: Sequence[str]) -> list[str]:
 
 
 def _with_new_name(arg: str, renamed: Mapping[str, str]) -> str:
+    # Both forms are options: "--old value" and "--old=value".
     name, equals, value = arg.partition("=")
     if name not in renamed:
         return arg

@@ -54,12 +54,14 @@ def plot_command(runs: list[Path], comparison: Path | None, force: bool) -> None
         races = [each for each in results if each.is_race]
         common = Path(os.path.commonpath([each.path.absolute() for each in results]))
         compared = [comparison or common / "comparison.png"] if len(races) > 1 else []
+        # All files are checked before the first is drawn.
         figures = [file for each in results for file in figure_files(each)]
         refuse_existing(*figures, *compared, force=force)
         for each in results:
             for file in draw_run(each):
                 click.echo(file)
         for file in compared:
+            # Relative paths: runs of different jobs often have the same name.
             named = {str(each.path.absolute().relative_to(common)): each for each in races}
             click.echo(draw_comparison(named, file))
 
@@ -117,6 +119,7 @@ def _training(run: Result) -> Figure:
         title = f"Capture rate while {settings.team}s learn"
         window = max(1, settings.epochs // LONGEST)
         return plots.training_curve(rates, learners, window=window, title=title)
+    # The same window for both teams, so it must fit into the shorter team phase.
     window = max(1, min(settings.epochs(team) for team in TEAMS) // WINDOWS)
     generations = log["generation"]
     if settings.schedule != HALL_OF_FAME:

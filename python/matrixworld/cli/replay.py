@@ -137,6 +137,7 @@ def replay_command(
     ...): a new game between scripts, with --seed, --steps and the options of the world. WHO is
     random, still, chaser, fleer, clumsy-chaser, hunter, surrounder, clumsy-fleer or dodger.
     """
+    # The terminal shows no fields of view.
     if view and not out:
         raise click.UsageError("--view: expected a picture to --out together with it")
     refuse_existing(*out, force=force)
@@ -190,6 +191,8 @@ def _generation(option: str, who: str) -> int:
         raise click.UsageError(f"{option}: expected a generation of the run, got {who!r}") from None
 
 
+# The defaults here stand for options that the user has not given: a run and a variant have
+# different ones.
 def _scripted(
     rules: Rules,
     pursuer: str = CHASER,
@@ -200,6 +203,7 @@ def _scripted(
     **world: Any,
 ) -> Episode:
     teams = _script("--pursuer", pursuer), _script("--evader", evader)
+    # None is no number of steps: WorldConfig has its own default.
     limit: dict[str, Any] = {} if steps is None else {"max_steps": steps}
     try:
         config = WorldConfig(rules, **limit, **world)

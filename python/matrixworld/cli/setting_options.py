@@ -120,6 +120,7 @@ def _declaration(name: str) -> tuple[str, str]:
 
 def _attributes(name: str) -> dict[str, Any]:
     attributes: dict[str, Any] = {"default": None, "help": _help(name)}
+    # Settings whose option has its own type or callback, because a field does not say enough.
     special = _SPECIAL.get(name)
     if special is not None:
         return {**attributes, **special}
@@ -146,6 +147,7 @@ def _help(name: str) -> str:
 def _default(name: str) -> str:
     """Return a race's default and, where it differs, one team's alone; empty for none."""
     race = _shown(RACE[name]) if name in RACE else ""
+    # SingleSettings leaves some fields to the learning team: the defaults of both are shown.
     by_team = [
         f"{values[name]} for {t}s" for t, values in SINGLE_DEFAULTS.items() if name in values
     ]
@@ -179,6 +181,7 @@ def obstacles_of(ctx: click.Context, param: click.Parameter, value: str | None) 
     """Return a density, or the path of a map."""
     if value is None:
         return None
+    # A file that is named like a number can be given as ./0.1.
     try:
         return float(value)
     except ValueError:
@@ -234,6 +237,7 @@ def _refuse(given: Mapping[str, Any], known: set[str], how: str) -> None:
 
 
 def _schedules(named: Sequence[str]) -> list[str]:
+    # A dictionary keeps the order and drops what is named twice.
     wanted = [*SCHEDULES] if ALL in named else []
     return list(dict.fromkeys([*wanted, *(name for name in named if name != ALL)]))
 

@@ -96,9 +96,11 @@ def _play(
     ours: SavedRun, theirs: SavedRun, episodes: int, steps: int, seed: int, threads: int | None
 ) -> Payoff:
     pursuers, evaders = ours.teams["pursuer"], theirs.teams["evader"]
+    # A script is one opponent; a team that learned has one for each generation.
     sizes = [len(t.genomes) if isinstance(t, Population) else 1 for t in (pursuers, evaders)]
     total = sizes[0] * sizes[1] * episodes
     with progress() as report:
+        # The first row may take minutes, and the bar should be there before.
         report("tournament", 0, total)
         return tournament(
             ours.settings.world(steps),
