@@ -1,4 +1,4 @@
-"""``matrixworld bench``: what it prints, writes and refuses; how fast is not looked at."""
+"""``matrixworld bench``: what it prints, writes and refuses. Speed itself is not tested."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ STEPS = ["step only"] * 2 + ["step and views"] * 3 + ["VectorEnv"] * 3
 
 @pytest.fixture(autouse=True)
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let files go to a temporary place, and kernels be the processor's own."""
+    """Run commands in a temporary directory, with the processor's own kernels."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("MATRIXWORLD_KERNELS", raising=False)
 
 
 def measurement(what: str, threads: int, *rates: float, hidden: tuple[int, ...] | None = None):
-    """A finished one, of which a call is 10 worlds or matches, 500 agent-steps."""
+    """A measurement whose calls play 10 worlds or matches, of 500 agent-steps in all."""
     done = Measurement(what, 10, threads, lambda call: None, 500, 20, hidden)
     done.rates += rates
     return done
@@ -44,7 +44,7 @@ def figures(*measured: Measurement):
 # What it prints and writes
 
 
-def test_it_prints_the_machine_a_table_and_what_that_means():
+def test_it_prints_the_machine_a_table_and_durations():
     result = matrixworld_command(*QUICK, "--threads", 2, "--hidden", "none")
     head, processor, world, _, titles, *lines = result.stdout.splitlines()
     assert head.startswith(f"matrixworld {mw.__version__}, NumPy {np.__version__}, Python 3.")
@@ -87,7 +87,7 @@ def test_the_file_holds_the_figures():
     assert written["evolve"]["hidden"] == [4]
 
 
-def test_one_thread_is_compared_with_nothing():
+def test_one_thread_has_no_speedup():
     matrixworld_command(*QUICK, "TO", "--threads", 1, "--json", "a.json")
     lines = json.loads(Path("a.json").read_text())["lines"]
     assert len(lines) == 7
@@ -118,7 +118,7 @@ def test_rates_are_medians_and_multiples_of_one_thread():
     assert lines[0]["spread"] == 1.5
 
 
-def test_the_matches_of_a_race_are_those_that_it_says(tmp_path):
+def test_matches_of_adds_up_to_the_total_of_a_run(tmp_path):
     race = RaceSettings(rows=6, cols=6, pursuers=2, evaders=3, hidden=(4,), worlds=2)
     training, evaluation = matches_of(race)
     assert training + evaluation == start(race, tmp_path / "run").total_matches()
@@ -146,7 +146,7 @@ def test_hints_say_what_may_be_wrong(capsys):
     assert "Hint: the repeats of step only, 10 at once with 1 thread, differ by 67%." in told
 
 
-def test_the_living_are_counted():
+def test_the_share_of_living_agents():
     config = mw.WorldConfig("SDB", rows=9, cols=9, n_pursuers=2, n_evaders=2, max_steps=20)
     assert bench.alive_share(config, 3) > 0.9
     deadly = mw.WorldConfig("D", rows=4, cols=4, n_pursuers=4, n_evaders=4, max_steps=20)

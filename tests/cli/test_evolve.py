@@ -44,20 +44,20 @@ from tiny_race import StopAt, results, tiny_race, tiny_single
 
 @pytest.fixture(autouse=True)
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let runs that are given no place go to a temporary one."""
+    """Run commands in a temporary directory."""
     monkeypatch.chdir(tmp_path)
 
 
 @pytest.fixture
 def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Leave the figures out where they are not what is tested."""
+    """Draw no figures, in tests of something else."""
     monkeypatch.setattr(report, "draw_run", lambda run: [])
     monkeypatch.setattr(report, "draw_comparison", lambda races, path: path)
 
 
 @pytest.fixture(scope="module")
 def job(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Result]:
-    """The main job, tiny, and what it printed."""
+    """A tiny main job: its directory and its output."""
     output = tmp_path_factory.mktemp("job") / "main job"
     return output, matrixworld_command("evolve", output, *words(RACE), "--threads", 1)
 
@@ -155,7 +155,7 @@ def test_the_main_job_is_the_package_s_races(job, tmp_path):
         assert results(output / name) == results(tmp_path / name)
 
 
-def test_the_main_job_leaves_figures_and_numbers(job):
+def test_the_main_job_writes_figures_and_numbers(job):
     output, _ = job
     names = {path.name for path in output.iterdir()}
     assert names == {*MAIN_JOB, "comparison.png", "summary.json"}
@@ -168,7 +168,7 @@ def test_the_main_job_leaves_figures_and_numbers(job):
     assert runs[MAIN_JOB[0]] == open_run(output / MAIN_JOB[0]).files.summary()
 
 
-def test_the_main_job_says_what_came_of_it(job):
+def test_the_main_job_prints_its_results(job):
     output, result = job
     for name in MAIN_JOB:
         assert f"\n{name}\n" in result.stdout
@@ -198,7 +198,7 @@ def test_a_job_builds_and_reads_and_summarizes_each_run_once(undrawn, monkeypatc
     assert counts == dict.fromkeys(counts, len(MAIN_JOB))
 
 
-def test_what_it_says_to_try_next_works(job, copy):
+def test_the_commands_that_it_suggests_work(job, copy):
     lines = [line for line in job[1].stdout.splitlines() if line.startswith("  matrixworld ")]
     commands = [shlex.split(line.replace(str(job[0]), str(copy)))[1:] for line in lines]
     names = ["replay", "replay", "diagnose", "score", "tournament", "plot"]
@@ -207,7 +207,7 @@ def test_what_it_says_to_try_next_works(job, copy):
         assert matrixworld_command(*command).stdout
 
 
-def test_without_a_place_runs_go_to_new_directories(undrawn):
+def test_without_output_runs_go_to_new_directories(undrawn):
     one = [*words(RACE), "--schedule", "specialist-specialist"]
     first = matrixworld_command("evolve", *one).stderr
     assert first.startswith("Output directory: runs/O-seed5\n")
@@ -218,7 +218,7 @@ def test_without_a_place_runs_go_to_new_directories(undrawn):
     assert names == {"O-seed5", "O-seed5-2", "O-pursuer-against-fleer-seed5"}
 
 
-def test_a_directory_in_use_is_left_alone(copy):
+def test_a_directory_with_runs_is_refused(copy):
     before = sorted(copy.rglob("*"))
     result = matrixworld_command("evolve", copy, *words(RACE), code=2)
     assert "expected a new or empty directory" in result.stderr
@@ -289,7 +289,7 @@ def test_a_real_ctrl_c(tmp_path):
         [sys.executable, "-m", "matrixworld", "evolve", "out", *many],
         stderr=subprocess.PIPE,
         text=True,
-        # Whoever runs the tests in the background may have it ignored, and children inherit that.
+        # In a background job SIGINT may be ignored, and child processes inherit that.
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     log = Path("out") / "log.csv"
@@ -308,7 +308,7 @@ def test_a_real_ctrl_c(tmp_path):
     assert results(Path("out")) == results(tmp_path / "straight")
 
 
-def test_resume_of_a_finished_job_tells_the_result_again(copy, undrawn):
+def test_resume_of_a_finished_job_prints_the_results_again(copy, undrawn):
     before = {name: results(copy / name) for name in MAIN_JOB}
     result = matrixworld_command("evolve", "--resume", copy)
     assert "the paper reports" in result.stdout
@@ -320,7 +320,7 @@ def test_resume_takes_no_settings(copy):
     assert "expected no settings beside it, because a run keeps" in result.stderr
 
 
-def test_a_run_at_work_and_a_damaged_one_are_told_of_in_a_line(copy):
+def test_a_locked_run_and_a_damaged_run_give_an_error_of_one_line(copy):
     files = RunDirectory.open(copy / MAIN_JOB[0])
     with files.lock():
         locked = matrixworld_command("evolve", "--resume", copy, code=1)
@@ -339,7 +339,7 @@ class Terminal(io.StringIO):
         return True
 
 
-def test_lines_now_and_then_where_there_is_no_terminal():
+def test_progress_lines_without_a_terminal():
     seconds: Iterator[float] = iter([0.0, 2.0, 4.0])
     out = io.StringIO()
     lines = ProgressLines(out, clock=lambda: next(seconds))
@@ -351,7 +351,7 @@ def test_lines_now_and_then_where_there_is_no_terminal():
     ]
 
 
-def test_a_bar_in_a_terminal():
+def test_progress_bar_in_a_terminal():
     with progress(Terminal()) as report_bar, progress(io.StringIO()) as report_lines:
         assert isinstance(report_bar, ProgressBar)
         assert isinstance(report_lines, ProgressLines)

@@ -77,7 +77,7 @@ def test_every_command_that_names_an_output_file_has_force():
 @pytest.mark.parametrize("command", [["evolve", "out"], ["replay", "O"]])
 def test_the_range_of_seeds(command, seed):
     said = matrixworld_command(*command, "--seed", seed, code=2).stderr
-    assert f"{seed} is not in the range" in said
+    assert f"'--seed': expected 0 to {MOST_SEED}, got {seed}" in said
     assert not Path("out").exists()
 
 

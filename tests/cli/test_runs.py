@@ -21,7 +21,7 @@ from tiny_race import StopAt, tiny_race
 
 @pytest.fixture(autouse=True)
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let files that are given no place go to a temporary one."""
+    """Run commands in a temporary directory."""
     monkeypatch.chdir(tmp_path)
 
 
@@ -94,7 +94,7 @@ def test_cross_play_needs_one_world(job):
     assert "expected two runs in the same world, got rows 6 and 7" in result.stderr
 
 
-def test_a_tournament_of_a_run_that_goes_on():
+def test_a_tournament_of_an_unfinished_run():
     race = start(tiny_race(), "begun", threads=1, play=StopAt(3))
     with pytest.raises(KeyboardInterrupt):
         race.run()
@@ -102,7 +102,7 @@ def test_a_tournament_of_a_run_that_goes_on():
     assert np.load("begun.npz")["capture_rates"].shape == (2, 1, 100)
 
 
-def test_replay_plays_the_episode_that_was_counted(job):
+def test_replay_plays_the_episode_of_the_payoff(job):
     run = job / MAIN_JOB[1]
     result = matrixworld_command(
         "replay", run, "--pursuer", 2, "--evader", -3, "--episode", 1,
@@ -138,7 +138,7 @@ def test_replay_of_a_variant_is_a_game_of_scripts():
     assert result.stdout.endswith(f"{episode.length} steps  a.npz, a.PNG\n")
 
 
-def test_replay_plays_the_last_generations_unless_told_otherwise(job):
+def test_replay_plays_the_last_generations_by_default(job):
     run = job / MAIN_JOB[1]
     chosen = ["--pursuer", 2, "--evader", 2, "--episode", 0]
     told = matrixworld_command("replay", run, *chosen).stdout
@@ -176,7 +176,7 @@ def test_plot_draws_all_figures_and_compares(copy):
     assert all(path.read_bytes().startswith(PNG) for path in figures)
 
 
-def test_plot_compares_where_it_is_told_to(copy, monkeypatch):
+def test_plot_draws_the_comparison_to_the_given_file(copy, monkeypatch):
     monkeypatch.setattr("matrixworld.cli.plot.draw_run", lambda run: [])
     result = matrixworld_command("plot", *map(copy.joinpath, MAIN_JOB), "--comparison", "both.png")
     assert result.stdout == "both.png\n"
@@ -196,7 +196,7 @@ def test_collisions_are_counted_per_1000_steps_of_an_agent(job):
     assert rates[1, 0, 0] == pytest.approx(1000 * row / payoff.agent_steps[1, :, 0].sum())
     column = sum(payoff.collisions[g, 2, 1, 1] for g in range(3))
     assert rates[2, 1, 1] == pytest.approx(1000 * column / payoff.agent_steps[:, 2, 1].sum())
-    # 2 pursuers, who stay in -O, and at most 3 evaders.
+    # 2 pursuers, which never disappear in -O, and at most 3 evaders.
     assert payoff.agent_steps[..., 0] == pytest.approx(2 * payoff.length)
     assert (payoff.agent_steps[..., 1] <= 3 * payoff.length).all()
 

@@ -27,9 +27,18 @@ RENAMED = {
 
 MOST_THREADS = 1024
 
+
+def _seed(ctx: click.Context, param: click.Parameter, value: int) -> int:
+    # Not click.IntRange, which would print the 19 digits of the limit in every help page.
+    if not 0 <= value <= MOST_SEED:
+        raise click.BadParameter(f"expected 0 to {MOST_SEED}, got {value}")
+    return value
+
+
 # A dictionary, because --seed of `evolve` is a setting and is declared among the settings.
 SEED: dict[str, Any] = {
-    "type": click.IntRange(0, MOST_SEED),
+    "type": int,
+    "callback": _seed,
     "default": 0,
     "show_default": True,
     "metavar": "INTEGER",
@@ -51,7 +60,7 @@ steps_option = click.option(
     "--steps",
     type=click.IntRange(min=1),
     metavar="INTEGER",
-    help="most steps of an episode  [default: as in the evaluation of RUN; of a VARIANT 500]",
+    help="most steps of an episode  [default: as in the evaluation of RUN, or 500]",
 )
 threads_option = click.option(
     "--threads",
