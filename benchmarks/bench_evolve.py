@@ -76,10 +76,9 @@ def race(settings: RaceSettings, threads: int, parts: Parts) -> dict[str, bytes]
     with TemporaryDirectory() as directory, silence():
         root = Path(directory)
         with parts.timed(OTHER):
-            paths = create_runs([settings], root, threads)
-            play_runs(paths, threads)
+            results = play_runs(create_runs([settings], root, threads))
         with parts.timed(FIGURES):
-            report(paths, root)
+            report(results, root)
         return {name: (root / name).read_bytes() for name in RESULTS}
 
 

@@ -1,9 +1,9 @@
-"""How fast this machine plays: what the command ``matrixworld bench`` measures.
+"""Speed of worlds and matches on this machine, as ``matrixworld bench`` measures it.
 
-An agent-step is one step of one agent that is alive as it begins, as in
-`EpisodeStatistics`. Worlds are played with random actions, drawn before the clock starts, and begin
-anew where an episode has ended; matches are between untrained networks,
-one call being an epoch of ``matrixworld evolve``.
+An agent-step is one step of an agent that is alive when the step begins, as in
+`EpisodeStatistics`. Worlds are played with random actions that are drawn before the clock starts;
+an episode that ends is followed by a new one. Matches are played between untrained networks; one
+call plays the matches of an epoch of ``matrixworld evolve``.
 """
 
 from __future__ import annotations
@@ -37,28 +37,32 @@ MATCHES = "matches"
 
 MANY = 1024
 MOST_VIEWS = 2**28
-"""Bytes of views from which on fewer worlds than `MANY` are played."""
+"""Most bytes of views; where `MANY` worlds need more, fewer worlds are played."""
 
 COUNTED = 2**20
-"""Steps of agents in which those alive are counted."""
+"""Agent-steps, of living and dead agents, from which the share of the living is estimated."""
 CHECKED_WORLDS, CHECKED_STEPS = 5, 16
 CHECKED_MATCHES = 4
 
 
 class WrongAnswerError(RuntimeError):
-    """Two ways of playing the same thing have come to different ends."""
-
-
-# ---- The machine -------------------------------------------------------------------------------
+    """Two ways to play the same episodes have given different results."""
 
 
 @dataclass(frozen=True)
 class Machine:
-    """What figures were measured on.
+    """The machine and the versions with which figures were measured.
 
-    cores: those that this process may use
-    kernels: the instruction set of the networks, as ``MATRIXWORLD_KERNELS`` calls it
-    matrixworld, numpy, python: versions
+    Parameters
+    ----------
+    processor : str
+        Name of the processor.
+    cores : int
+        Cores that this process may use.
+    kernels : str
+        Instruction set of the networks' code, a value of ``MATRIXWORLD_KERNELS``.
+    matrixworld, numpy, python : str
+        Versions.
     """
 
     processor: str
@@ -70,7 +74,13 @@ class Machine:
 
     @classmethod
     def this(cls) -> Machine:
-        """The machine at hand. Raises ValueError where ``MATRIXWORLD_KERNELS`` cannot be had."""
+        """Describe this machine.
+
+        Raises
+        ------
+        ValueError
+            If this processor does not have the kernels that ``MATRIXWORLD_KERNELS`` names.
+        """
         level = _core.kernel_level().removeprefix("kernels_")
         return cls(
             processor=processor_name(),
@@ -83,25 +93,24 @@ class Machine:
 
 
 def processor_name(cpuinfo: Path = Path("/proc/cpuinfo")) -> str:
-    """The processor's name, as far as the system tells."""
+    """Return the processor's name, or "unknown"."""
     lines = cpuinfo.read_text(encoding="utf-8").splitlines() if cpuinfo.is_file() else []
     names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    # Linux only has cpuinfo, and on some machines it names no model.
     known = (*names, platform.processor(), platform.machine())
     return next((name for name in known if name), "unknown")
 
 
 def usable_cores() -> int:
-    """Cores that this process may use."""
+    """Return the number of cores that this process may use."""
+    # A process may be bound to fewer cores than the machine has, as in many containers.
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
 
 
-# ---- The answer, first -------------------------------------------------------------------------
-
-
 def check_worlds(config: WorldConfig, threads: int) -> None:
-    """Raise WrongAnswerError unless a `VectorEnv` shows what single worlds show."""
+    """Compare a `VectorEnv` with single worlds; raise WrongAnswerError if they differ."""
     worlds = [World(config) for _ in range(CHECKED_WORLDS)]
     env = VectorEnv(config, CHECKED_WORLDS, autoreset_mode="Disabled", threads=threads)
     env.reset(seed=0)
@@ -126,33 +135,40 @@ def _check_world(env: VectorEnv, number: int, world: World, step: int) -> None:
     for name, (ours, theirs) in shown.items():
         if not np.array_equal(ours, theirs):
             raise WrongAnswerError(
-                f"VectorEnv shows other {name} than a single world after step {step + 1} of seed "
+                f"VectorEnv and a single world differ in {name} after step {step + 1} of seed "
                 f"{number}"
             )
 
 
 def check_matches(config: WorldConfig, network: Network, threads: int) -> None:
-    """Raise WrongAnswerError unless several threads score matches as one does."""
+    """Compare several threads with one; raise WrongAnswerError if the statistics differ."""
     teams = _team(network, CHECKED_MATCHES, 0), _team(network, 1, 1)
     matches = Matches.of(np.arange(CHECKED_MATCHES), 0, np.arange(CHECKED_MATCHES))
+    # Also where only one thread is measured, there must be something to compare with.
     several = max(2, threads)
     one, more = (
         rollout(config, *teams, matches, worlds=2, threads=number) for number in (1, several)
     )
     for name in (item.name for item in fields(EpisodeStatistics)):
         if not np.array_equal(getattr(one, name), getattr(more, name)):
-            raise WrongAnswerError(f"rollout scores another {name} with {several} threads than 1")
-
-
-# ---- What is measured --------------------------------------------------------------------------
+            raise WrongAnswerError(f"rollout: {name} with {several} threads differs from 1 thread")
 
 
 class RandomActions:
-    """Actions of all agents of some worlds, ``(worlds, A)`` uint8, by the number of the step.
+    """Random actions of all agents, ``actions[step]`` of shape (worlds, A) and dtype uint8.
 
-    They are windows of numbers that were drawn before, at places drawn before. (A few rows that
-    come again and again would drive all agents to the borders, where they collide more.)
+    Drawing them takes no time during a measurement: each step's actions are a window, at a random
+    place, of numbers drawn beforehand.
+
+    Parameters
+    ----------
+    config : WorldConfig
+        The world, of A agents.
+    worlds : int
+        Number of worlds.
     """
+
+    # A few rows of actions in turn would drive all agents to the borders, where they collide more.
 
     SPARE, PLACES = 2**20, 4093
 
@@ -164,20 +180,33 @@ class RandomActions:
         self._places = rng.integers(self.SPARE, size=self.PLACES).tolist()
 
     def __getitem__(self, step: int) -> NDArray[np.uint8]:
+        # PLACES is prime, so that its period hardly ever coincides with that of the episodes.
         place = self._places[step % self.PLACES]
         return self._drawn[place : place + self._size].reshape(self._shape)
 
 
 @dataclass
 class Measurement:
-    """Something that is played again and again, always as much in a call.
+    """A call whose speed is measured, and the rates measured so far.
 
-    what: `STEP`, `VIEWS`, `VECTOR_ENV` or `MATCHES`
-    size: worlds, or matches, in a call
-    hidden: layers of the networks of matches
-    play: called with the number of the call
-    agent_steps, world_steps: in a call, the first a mean
-    rates: calls a second, one number for each repeat
+    Parameters
+    ----------
+    what : str
+        `STEP`, `VIEWS`, `VECTOR_ENV` or `MATCHES`.
+    size : int
+        Worlds, or matches, in a call.
+    threads : int
+        Threads that play.
+    play : callable
+        Called with the number of the call.
+    agent_steps : float
+        Mean number of agent-steps in a call.
+    world_steps : float
+        Steps of worlds in a call.
+    hidden : tuple of int, optional
+        Hidden layers of the networks of matches. None for worlds.
+    rates : list of float, optional
+        Calls a second, one number for each repeat.
     """
 
     what: str
@@ -190,8 +219,10 @@ class Measurement:
     rates: list[float] = field(default_factory=list)
 
     def repeat(self, seconds: float) -> None:
-        """Play for so long, at least one call, and keep the rate."""
-        if self.what != MATCHES:  # which are long beside the time to fill the caches again
+        """Call for so many seconds, at least once, and append the rate to `rates`."""
+        # An untimed call fills the caches, which the measurement before has used. A call of matches
+        # is so long that this does not matter.
+        if self.what != MATCHES:
             self.play(0)
         calls, passed, start = 0, 0.0, time.perf_counter()
         while calls == 0 or passed < seconds:
@@ -202,12 +233,12 @@ class Measurement:
 
     @property
     def rate(self) -> float:
-        """Calls a second, the median of the repeats."""
+        """Median of the repeats, in calls a second."""
         return statistics.median(self.rates)
 
     @property
     def spread(self) -> float:
-        """From the slowest repeat to the fastest, as a share of the median."""
+        """Difference of the fastest and the slowest repeat, as a share of the median."""
         return (max(self.rates) - min(self.rates)) / self.rate
 
 
@@ -219,14 +250,30 @@ def measurements(
     population: int,
     threads: int,
 ) -> list[Measurement]:
-    """What there is to measure, with one thread and with all; nothing is timed yet.
+    """Prepare all measurements, with one thread and with `threads`; nothing is timed yet.
 
-    config, match_config: of the worlds and of the matches
-    networks: of both teams, one after the other
-    population: pursuers that meet one evader in a call
+    Parameters
+    ----------
+    config : WorldConfig
+        World of the steps.
+    match_config : WorldConfig
+        World of the matches.
+    networks : sequence of Network
+        Networks of matches; each is measured, as the network of both teams.
+    population : int
+        Pursuers that meet one evader in a call.
+    threads : int
+        Number of threads beside one.
+
+    Returns
+    -------
+    list of Measurement
+        First those of worlds, then those of matches.
     """
     many = many_worlds(config)
     alive = {size: alive_share(config, size) for size in (many, 1)}
+    # Threads divide the worlds, so one world is played by one thread. Steps without views are, too:
+    # they are the cost of the rules alone.
     cases = [(many, 1), (1, 1), (many, threads)]
     steps = [
         _steps(config, what, size, number, alive[size])
@@ -242,14 +289,16 @@ def measurements(
 
 
 def many_worlds(config: WorldConfig) -> int:
-    """`MANY`, or as many as `MOST_VIEWS` holds."""
+    """Return `MANY`, or the number of worlds whose views fit into `MOST_VIEWS`."""
+    # A view has three channels of one byte a cell.
     views = config.n_agents * 3 * config.fov**2
     return max(1, min(MANY, MOST_VIEWS // views))
 
 
 def alive_share(config: WorldConfig, worlds: int) -> float:
-    """The share of the agents that are alive as a step begins, counted in whole episodes."""
+    """Return the share of the agents that are alive when a step begins."""
     an_episode = config.n_agents * config.max_steps
+    # At least one whole episode is played, because agents disappear in the course of it.
     some = max(1, min(worlds, COUNTED // an_episode))
     steps = max(config.max_steps, COUNTED // (config.n_agents * some))
     batch, actions = _batch(config, some, 1, "acted"), RandomActions(config, some)
@@ -260,6 +309,7 @@ def alive_share(config: WorldConfig, worlds: int) -> float:
 def _batch(config: WorldConfig, worlds: int, threads: int, *names: str) -> Batch:
     specs = array_specs(config) | episode_specs(config)
     buffers = {name: np.zeros((worlds, *specs[name][0]), specs[name][1]) for name in names}
+    # Every step of every world is then a step of an episode.
     mode = Autoreset.SAME_STEP
     return Batch(worlds, config, threads=threads, autoreset=mode, buffers=buffers)
 
@@ -301,7 +351,8 @@ def _matches(
     def play(number: int, call: int = 0) -> EpisodeStatistics:
         return rollout(config, *teams, matches, threads=number)
 
-    scores = play(max(threads))  # the same in every call
+    # Every call plays the same matches, so their steps are counted once.
+    scores = play(max(threads))
     counts = int(scores.agent_steps.sum()), int(scores.length.sum())
     return [
         Measurement(MATCHES, population, n, partial(play, n), *counts, hidden=network.hidden)

@@ -111,11 +111,24 @@ def rollout(
         WorldConfig.of(config).setup,
         check_team("pursuers", pursuers),
         check_team("evaders", evaders),
-        *Matches.of(*matches),
+        *(matches if _converted(matches) else Matches.of(*matches)),
         n_worlds=check_integer("worlds", worlds, 1),
         n_threads=check_threads(threads),
     )
     return EpisodeStatistics(**columns)
+
+
+def _converted(matches: Matches) -> bool:
+    """Whether matches are arrays as `Matches.of` returns them; the engine checks the indices."""
+    if not isinstance(matches, Matches) or len({np.shape(part) for part in matches}) != 1:
+        return False
+    return all(
+        isinstance(part, np.ndarray)
+        and part.dtype == dtype
+        and part.ndim == 1
+        and part.flags.c_contiguous
+        for part, dtype in zip(matches, (np.int32, np.int32, np.uint64), strict=True)
+    )
 
 
 def record(

@@ -226,5 +226,6 @@ def test_every_summary_is_json_and_has_words(matrix: np.ndarray) -> None:
     summary = analysis.summarize(matrix)
     plain = summary.to_dict()
     assert json.loads(json.dumps(plain, allow_nan=False)) == plain
+    assert analysis.Summary.from_dict(plain) == summary
     assert plain["last_half"]["first_pursuers"] == matrix.shape[0] // 2
     assert "nan" not in analysis.describe(summary)

@@ -1,4 +1,4 @@
-"""``matrixworld bench``: what it prints, writes and refuses; how fast is not looked at."""
+"""``matrixworld bench``: what it prints, writes and refuses. Speed itself is not tested."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ STEPS = ["step only"] * 2 + ["step and views"] * 3 + ["VectorEnv"] * 3
 
 @pytest.fixture(autouse=True)
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let files go to a temporary place, and kernels be the processor's own."""
+    """Run commands in a temporary directory, with the processor's own kernels."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("MATRIXWORLD_KERNELS", raising=False)
 
 
 def measurement(what: str, threads: int, *rates: float, hidden: tuple[int, ...] | None = None):
-    """A finished one, of which a call is 10 worlds or matches, 500 agent-steps."""
+    """A measurement whose calls play 10 worlds or matches, of 500 agent-steps in all."""
     done = Measurement(what, 10, threads, lambda call: None, 500, 20, hidden)
     done.rates += rates
     return done
@@ -44,7 +44,7 @@ def figures(*measured: Measurement):
 # What it prints and writes
 
 
-def test_it_prints_the_machine_a_table_and_what_that_means():
+def test_it_prints_the_machine_a_table_and_durations():
     result = matrixworld_command(*QUICK, "--threads", 2, "--hidden", "none")
     head, processor, world, _, titles, *lines = result.stdout.splitlines()
     assert head.startswith(f"matrixworld {mw.__version__}, NumPy {np.__version__}, Python 3.")
@@ -60,7 +60,7 @@ def test_it_prints_the_machine_a_table_and_what_that_means():
     text = " ".join(result.stdout.split())
     assert "An agent-step is one step of a living agent" in text
     assert "matches of matrixworld evolve in this world with --hidden 4 take about" in text
-    assert "A learner on VectorEnv, with 1024 worlds and 2 threads, waits" in text
+    assert "VectorEnv, with 1024 worlds and 2 threads, plays 100 million agent-steps in" in text
     assert "60 of 60 timings" in result.stderr
 
 
@@ -87,7 +87,7 @@ def test_the_file_holds_the_figures():
     assert written["evolve"]["hidden"] == [4]
 
 
-def test_one_thread_is_compared_with_nothing():
+def test_one_thread_has_no_speedup():
     matrixworld_command(*QUICK, "TO", "--threads", 1, "--json", "a.json")
     lines = json.loads(Path("a.json").read_text())["lines"]
     assert len(lines) == 7
@@ -118,7 +118,7 @@ def test_rates_are_medians_and_multiples_of_one_thread():
     assert lines[0]["spread"] == 1.5
 
 
-def test_the_matches_of_a_race_are_those_that_it_says(tmp_path):
+def test_matches_of_adds_up_to_the_total_of_a_run(tmp_path):
     race = RaceSettings(rows=6, cols=6, pursuers=2, evaders=3, hidden=(4,), worlds=2)
     training, evaluation = matches_of(race)
     assert training + evaluation == start(race, tmp_path / "run").total_matches()
@@ -142,13 +142,11 @@ def test_hints_say_what_may_be_wrong(capsys):
     assert " matches of matrixworld evolve with --hidden 32 take about" in told
     print_figures(figures(one, bad, measurement("step only", 1, 1.0, 2.0)), default=True)
     told = " ".join(capsys.readouterr().out.split())
-    assert "Hint: 2 threads play only 1.00 times as much as one (matches, hidden 32):" in told
-    assert (
-        "Hint: from repeat to repeat step only, 10 at once with 1 thread, differs by 67%:" in told
-    )
+    assert "Hint: 2 threads are only 1.00 times as fast as one (matches, hidden 32)." in told
+    assert "Hint: the repeats of step only, 10 at once with 1 thread, differ by 67%." in told
 
 
-def test_the_living_are_counted():
+def test_the_share_of_living_agents():
     config = mw.WorldConfig("SDB", rows=9, cols=9, n_pursuers=2, n_evaders=2, max_steps=20)
     assert bench.alive_share(config, 3) > 0.9
     deadly = mw.WorldConfig("D", rows=4, cols=4, n_pursuers=4, n_evaders=4, max_steps=20)
@@ -182,8 +180,8 @@ BAD = [
     (["--rows", "1", "--cols", "3"], "--pursuers: expected 1 to 3, got 8"),
     (["--fov", "4"], "--fov: expected"),
     (["--obstacles", "no.map"], "expected a density in [0, 1) or a .map file, got 'no.map'"),
-    (["--json", "old.json"], "'--json': expected a new file, and 'old.json' exists"),
-    (["--json", "no/a.json"], "'--json': expected a directory that exists, got 'no'"),
+    (["--json", "old.json"], "old.json: exists; give --force to replace it"),
+    (["--json", "no/a.json"], "no/a.json: expected a directory that exists, got 'no'"),
 ]
 
 
@@ -210,7 +208,7 @@ def test_a_wrong_answer_of_worlds_ends_it(monkeypatch):
     views = mw.World.views
     monkeypatch.setattr(mw.World, "views", lambda world: 1 - views(world))
     result = matrixworld_command(*QUICK, "--json", "a.json", code=1)
-    assert "VectorEnv shows other observations than a single world after step 1" in result.stderr
+    assert "VectorEnv and a single world differ in observations after step 1" in result.stderr
     assert "Nothing was measured" in result.stderr
     assert list(Path().iterdir()) == []
 
@@ -222,7 +220,7 @@ def test_a_wrong_answer_of_threads_ends_it(monkeypatch):
 
     monkeypatch.setattr(bench, "rollout", play)
     result = matrixworld_command(*QUICK, "--threads", 3, code=1)
-    assert "rollout scores another length with 3 threads than 1" in result.stderr
+    assert "rollout: length with 3 threads differs from 1 thread" in result.stderr
 
 
 # Interrupting
@@ -240,10 +238,10 @@ def test_ctrl_c_gives_what_was_measured_so_far(monkeypatch, repeats):
     monkeypatch.setattr(Measurement, "repeat", stop)
     result = matrixworld_command(*QUICK, "--threads", 2, "--json", "a.json", code=130)
     if repeats == 0:
-        assert "Stopped before there were figures." in result.stderr
+        assert "Stopped. Nothing was measured yet." in result.stderr
         assert not Path("a.json").exists()
         return
-    assert "Stopped. The figures are those until then." in result.stderr
+    assert "Stopped. The figures are from the time before." in result.stderr
     lines = load_json(Path("a.json"))["lines"]
     assert len(lines) == min(repeats, 10)
     assert sum(line["repeats"] for line in lines) == repeats

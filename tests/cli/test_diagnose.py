@@ -17,13 +17,13 @@ from tiny_race import StopAt, tiny_race, tiny_single
 
 @pytest.fixture(autouse=True)
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let files that are given no place go to a temporary one."""
+    """Run commands in a temporary directory."""
     monkeypatch.chdir(tmp_path)
 
 
 @pytest.fixture(scope="module")
 def job(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A directory of two finished races of twelve generations, by different seeds."""
+    """A directory of two finished races of twelve generations, with different seeds."""
     output = tmp_path_factory.mktemp("job")
     for seed in (1, 2):
         changes = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "eval_episodes": 4}
@@ -32,7 +32,7 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def words(output: str) -> str:
-    """Without the wrapping."""
+    """Return the output without line breaks."""
     return " ".join(output.split())
 
 
@@ -40,11 +40,11 @@ def test_a_run_is_diagnosed_by_its_episodes(job):
     result = matrixworld_command("diagnose", job / "1", "--json", "found.json")
     text = words(result.output)
     assert "A single run, 13 pursuer and 13 evader generations:" in text
-    assert "This is a single run, and says nothing of what its settings would do again" in text
+    assert "It does not show what the same settings do with another seed" in text
     for name in ("Arms race:", "Cycling:", "Disengagement:", "Forgetting:", "Stagnation:"):
         assert name in text
     assert max(map(len, result.output.splitlines())) <= 100
-    assert text.endswith("Written: found.json")
+    assert text.endswith("Terms are explained in docs/glossary.md. Written: found.json")
     found = load_json(Path("found.json"))
     assert found["runs"] == 1
     evidence = found["findings"][0]["evidence"]
@@ -52,9 +52,10 @@ def test_a_run_is_diagnosed_by_its_episodes(job):
     assert evidence["least_rise"]["samples"] == 4
 
 
-def test_several_runs_are_taken_together(job):
+def test_several_runs_are_diagnosed_together(job):
     by_name = matrixworld_command("diagnose", job / "1", job / "2", "--json", "one.json").output
-    assert matrixworld_command("diagnose", job, "--json", "one.json").output == by_name
+    again = matrixworld_command("diagnose", job, "--json", "one.json", "--force").output
+    assert again == by_name
     assert "2 runs, 13 pursuer and 13 evader generations:" in words(by_name)
     assert "This is a single run" not in words(by_name)
     evidence = json.loads(Path("one.json").read_text())["findings"][1]["evidence"]
@@ -90,7 +91,7 @@ def test_what_cannot_be_diagnosed_is_refused(job):
     assert "other.npy" in matrixworld_command("diagnose", "other.npy", code=2).output
 
 
-def test_runs_that_are_no_finished_races_are_refused():
+def test_unfinished_runs_and_runs_of_one_team_are_refused():
     start(tiny_single(), "alone", threads=1).run()
     refused = matrixworld_command("diagnose", "alone", code=2).output
     assert "alone: expected a race, got a run in which one team evolved" in words(refused)

@@ -23,12 +23,14 @@ from click.testing import Result
 from command_line import FIGURES, MAIN_JOB, PNG, RACE, WORLD, matrixworld_command, words
 from matrixworld.cli import jobs, report
 from matrixworld.cli.arguments import find_runs
-from matrixworld.cli.options import SECTIONS, option_name, settings_from
-from matrixworld.cli.progress import ProgressLines, progress, warnings_as_notes
+from matrixworld.cli.console import ProgressLines, progress, warnings_as_notes
+from matrixworld.cli.options import option_name
+from matrixworld.cli.setting_options import SECTIONS, settings_from
 from matrixworld.coevolution import (
     TEAMS,
     DisengagementWarning,
     ProgressBar,
+    Race,
     RaceSettings,
     RunDirectory,
     SingleSettings,
@@ -36,25 +38,26 @@ from matrixworld.coevolution import (
     resume,
     start,
 )
+from matrixworld.coevolution.runs import alternating
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 
 @pytest.fixture(autouse=True)
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let runs that are given no place go to a temporary one."""
+    """Run commands in a temporary directory."""
     monkeypatch.chdir(tmp_path)
 
 
 @pytest.fixture
 def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Leave the figures out where they are not what is tested."""
-    monkeypatch.setattr(report, "draw_run", lambda path: [])
-    monkeypatch.setattr(report, "draw_comparison", lambda payoffs, path: path)
+    """Draw no figures, in tests of something else."""
+    monkeypatch.setattr(report, "draw_run", lambda run: [])
+    monkeypatch.setattr(report, "draw_comparison", lambda races, path: path)
 
 
 @pytest.fixture(scope="module")
 def job(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Result]:
-    """The main job, tiny, and what it printed."""
+    """A tiny main job: its directory and its output."""
     output = tmp_path_factory.mktemp("job") / "main job"
     return output, matrixworld_command("evolve", output, *words(RACE), "--threads", 1)
 
@@ -130,7 +133,7 @@ BAD = [
     (["--team", "evader"], "--team: expected together with --against only"),
     (["--against", "random", "--generations", "3"], "--generations: expected without --against"),
     (["--against", "nobody"], "clumsy-fleer, dodger or a run directory, got 'nobody'"),
-    (["--threads", "0"], "0 is not in the range x>=1"),
+    (["--threads", "0"], "0 is not in the range 1<=x<=1024"),
     (["--resume", "nothing"], "expected a directory that holds a run, got 'nothing'"),
 ]
 
@@ -152,7 +155,7 @@ def test_the_main_job_is_the_package_s_races(job, tmp_path):
         assert results(output / name) == results(tmp_path / name)
 
 
-def test_the_main_job_leaves_figures_and_numbers(job):
+def test_the_main_job_writes_figures_and_numbers(job):
     output, _ = job
     names = {path.name for path in output.iterdir()}
     assert names == {*MAIN_JOB, "comparison.png", "summary.json"}
@@ -165,19 +168,37 @@ def test_the_main_job_leaves_figures_and_numbers(job):
     assert runs[MAIN_JOB[0]] == open_run(output / MAIN_JOB[0]).files.summary()
 
 
-def test_the_main_job_says_what_came_of_it(job):
+def test_the_main_job_prints_its_results(job):
     output, result = job
     for name in MAIN_JOB:
         assert f"\n{name}\n" in result.stdout
         assert f"\n{name}: the paper reports " in result.stdout
     assert "transitive share  checkerboards  swing  lag rise" in result.stdout
-    assert f"Everything is in {output}:" in result.stdout
-    assert f"matrixworld replay '{output}/generalist-generalist' --pursuers 2" in result.stdout
+    assert "Terms are explained in docs/glossary.md." in result.stdout
+    assert f"All files are in {output}:" in result.stdout
+    assert f"matrixworld replay '{output}/generalist-generalist' --pursuer 2" in result.stdout
     assert "[2/2] generation 2: evaders" in result.stderr
     assert "left" in result.stderr
 
 
-def test_what_it_says_to_try_next_works(job, copy):
+def test_a_job_builds_and_reads_and_summarizes_each_run_once(undrawn, monkeypatch):
+    counts = {"built": 0, "read": 0, "summarized": 0}
+
+    def counted(what, function):
+        def count(*args, **options):
+            counts[what] += 1
+            return function(*args, **options)
+
+        return count
+
+    monkeypatch.setattr(Race, "__init__", counted("built", Race.__init__))
+    monkeypatch.setattr(RunDirectory, "payoff", counted("read", RunDirectory.payoff))
+    monkeypatch.setattr(alternating, "summarize", counted("summarized", alternating.summarize))
+    matrixworld_command("evolve", "out", *words(RACE))
+    assert counts == dict.fromkeys(counts, len(MAIN_JOB))
+
+
+def test_the_commands_that_it_suggests_work(job, copy):
     lines = [line for line in job[1].stdout.splitlines() if line.startswith("  matrixworld ")]
     commands = [shlex.split(line.replace(str(job[0]), str(copy)))[1:] for line in lines]
     names = ["replay", "replay", "diagnose", "score", "tournament", "plot"]
@@ -186,20 +207,22 @@ def test_what_it_says_to_try_next_works(job, copy):
         assert matrixworld_command(*command).stdout
 
 
-def test_without_a_place_runs_go_to_new_directories(undrawn):
+def test_without_output_runs_go_to_new_directories(undrawn):
     one = [*words(RACE), "--schedule", "specialist-specialist"]
-    matrixworld_command("evolve", *one)
-    matrixworld_command("evolve", *one)
+    first = matrixworld_command("evolve", *one).stderr
+    assert first.startswith("Output directory: runs/O-seed5\n")
+    second = matrixworld_command("evolve", *one).stderr
+    assert second.startswith("Output directory: runs/O-seed5-2 (runs/O-seed5 exists)\n")
     matrixworld_command("evolve", "--against", "fleer", *words(WORLD), "--epochs", 2)
     names = {path.name for path in Path("runs").iterdir()}
     assert names == {"O-seed5", "O-seed5-2", "O-pursuer-against-fleer-seed5"}
 
 
-def test_a_directory_in_use_is_left_alone(copy):
+def test_a_directory_with_runs_is_refused(copy):
     before = sorted(copy.rglob("*"))
     result = matrixworld_command("evolve", copy, *words(RACE), code=2)
     assert "expected a new or empty directory" in result.stderr
-    assert f"--resume {copy} goes on" in result.stderr
+    assert f"--resume {copy} continues the run in it" in result.stderr
     assert sorted(copy.rglob("*")) == before
 
 
@@ -246,13 +269,14 @@ def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
 @pytest.mark.parametrize("calls", [0, 7, 17])
 def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(job, undrawn, monkeypatch, calls):
     play = StopAt(calls)
-    monkeypatch.setattr(jobs, "resume", lambda path, threads=None: resume(path, play=play))
+    monkeypatch.setattr(
+        jobs, "start", lambda settings, path, threads=None: start(settings, path, play=play)
+    )
     result = matrixworld_command("evolve", "out", *words(RACE), code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
     assert find_runs(Path("out")) == [Path("out") / name for name in MAIN_JOB]
-    monkeypatch.setattr(jobs, "resume", resume)
     resumed = matrixworld_command("evolve", "--resume", "out")
-    assert "Everything is in out:" in resumed.stdout
+    assert "All files are in out:" in resumed.stdout
     for name in MAIN_JOB:
         assert results(Path("out") / name) == results(job[0] / name)
 
@@ -265,7 +289,7 @@ def test_a_real_ctrl_c(tmp_path):
         [sys.executable, "-m", "matrixworld", "evolve", "out", *many],
         stderr=subprocess.PIPE,
         text=True,
-        # Whoever runs the tests in the background may have it ignored, and children inherit that.
+        # In a background job SIGINT may be ignored, and child processes inherit that.
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     log = Path("out") / "log.csv"
@@ -284,7 +308,7 @@ def test_a_real_ctrl_c(tmp_path):
     assert results(Path("out")) == results(tmp_path / "straight")
 
 
-def test_resume_of_a_finished_job_tells_the_result_again(copy, undrawn):
+def test_resume_of_a_finished_job_prints_the_results_again(copy, undrawn):
     before = {name: results(copy / name) for name in MAIN_JOB}
     result = matrixworld_command("evolve", "--resume", copy)
     assert "the paper reports" in result.stdout
@@ -293,10 +317,10 @@ def test_resume_of_a_finished_job_tells_the_result_again(copy, undrawn):
 
 def test_resume_takes_no_settings(copy):
     result = matrixworld_command("evolve", "--resume", copy, "--rows", 9, code=2)
-    assert "expected no settings beside it, as a run keeps its own, got --rows" in result.stderr
+    assert "expected no settings beside it, because a run keeps" in result.stderr
 
 
-def test_a_run_at_work_and_a_damaged_one_are_told_of_in_a_line(copy):
+def test_a_locked_run_and_a_damaged_run_give_an_error_of_one_line(copy):
     files = RunDirectory.open(copy / MAIN_JOB[0])
     with files.lock():
         locked = matrixworld_command("evolve", "--resume", copy, code=1)
@@ -315,7 +339,7 @@ class Terminal(io.StringIO):
         return True
 
 
-def test_lines_now_and_then_where_there_is_no_terminal():
+def test_progress_lines_without_a_terminal():
     seconds: Iterator[float] = iter([0.0, 2.0, 4.0])
     out = io.StringIO()
     lines = ProgressLines(out, clock=lambda: next(seconds))
@@ -327,7 +351,7 @@ def test_lines_now_and_then_where_there_is_no_terminal():
     ]
 
 
-def test_a_bar_in_a_terminal():
+def test_progress_bar_in_a_terminal():
     with progress(Terminal()) as report_bar, progress(io.StringIO()) as report_lines:
         assert isinstance(report_bar, ProgressBar)
         assert isinstance(report_lines, ProgressLines)

@@ -13,7 +13,7 @@ import pytest
 import matrixworld
 from command_line import GIF, MAIN_JOB, PNG, matrixworld_command
 from matrixworld import VARIANTS, Episode, WorldConfig, record, replay
-from matrixworld.cli.figures import collisions_per_1000
+from matrixworld.cli.plot import collisions_per_1000
 from matrixworld.coevolution import evaluation_seed, open_run, start
 from matrixworld.rollout import Matches, rollout
 from tiny_race import StopAt, tiny_race
@@ -21,7 +21,7 @@ from tiny_race import StopAt, tiny_race
 
 @pytest.fixture(autouse=True)
 def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let files that are given no place go to a temporary one."""
+    """Run commands in a temporary directory."""
     monkeypatch.chdir(tmp_path)
 
 
@@ -56,7 +56,8 @@ def test_variants_prints_a_row_for_each():
 
 def test_a_tournament_with_the_run_s_settings_is_its_payoff(copy):
     run = copy / MAIN_JOB[0]
-    result = matrixworld_command("tournament", run, "--threads", 1)
+    same = ["--episodes", 3, "--steps", 12, "--seed", 5]
+    result = matrixworld_command("tournament", run, *same, "--threads", 1)
     made = run / "tournament-3x12-seed5.npz"
     with np.load(made) as again, np.load(run / "payoff.npz") as payoff:
         assert again.files == payoff.files
@@ -67,16 +68,6 @@ def test_a_tournament_with_the_run_s_settings_is_its_payoff(copy):
     assert f"all evaders, capture  {matrix[-1].mean():.3f}" in result.stdout
     assert f"all pursuers, escape   {1 - matrix[:, -1].mean():.3f}" in result.stdout
     assert "This run is undecided" in result.stdout
-
-
-def test_a_tournament_asks_before_it_replaces_a_file(copy):
-    command = ["tournament", copy / MAIN_JOB[0], "--output", "mine.npz", "--episodes", 1]
-    Path("mine.npz").write_bytes(b"precious")
-    assert "Replace it?" in matrixworld_command(*command, code=1, answer="n\n").output
-    assert Path("mine.npz").read_bytes() == b"precious"
-    matrixworld_command(*command, answer="y\n")
-    assert np.load("mine.npz")["capture_rates"].shape == (3, 3, 1)
-    matrixworld_command(*command, "--yes")
 
 
 def test_cross_play_of_two_runs(job):
@@ -103,18 +94,18 @@ def test_cross_play_needs_one_world(job):
     assert "expected two runs in the same world, got rows 6 and 7" in result.stderr
 
 
-def test_a_tournament_of_a_run_that_goes_on():
+def test_a_tournament_of_an_unfinished_run():
     race = start(tiny_race(), "begun", threads=1, play=StopAt(3))
     with pytest.raises(KeyboardInterrupt):
         race.run()
     matrixworld_command("tournament", "begun", "--output", "begun.npz")
-    assert np.load("begun.npz")["capture_rates"].shape == (2, 1, 3)
+    assert np.load("begun.npz")["capture_rates"].shape == (2, 1, 100)
 
 
-def test_replay_plays_the_episode_that_was_counted(job):
+def test_replay_plays_the_episode_of_the_payoff(job):
     run = job / MAIN_JOB[1]
     result = matrixworld_command(
-        "replay", run, "--pursuers", 2, "--evaders", -3, "--episode", 1,
+        "replay", run, "--pursuer", 2, "--evader", -3, "--episode", 1,
         "--out", "match.gif", "--out", "match.npz",
     )  # fmt: skip
     payoff, episode = open_run(run).payoff(), Episode.load("match.npz")
@@ -132,7 +123,7 @@ def test_replay_plays_the_episode_that_was_counted(job):
 def test_replay_of_a_variant_is_a_game_of_scripts():
     world = ["--rows", 12, "--cols", 9, "--obstacles", 0.1, "--steps", 40]
     game = ["replay", "pursuit-evasion-sb", "--seed", 7, "--episode", 2, *world]
-    result = matrixworld_command(*game, "--evaders", "random", "--out", "a.npz", "--out", "a.PNG")
+    result = matrixworld_command(*game, "--evader", "random", "--out", "a.npz", "--out", "a.PNG")
     episode = Episode.load("a.npz")
     config = WorldConfig("SB", rows=12, cols=9, obstacles=0.1, max_steps=40)
     expected = record(config, "chaser", "random", seed=7, episode=2)
@@ -147,9 +138,9 @@ def test_replay_of_a_variant_is_a_game_of_scripts():
     assert result.stdout.endswith(f"{episode.length} steps  a.npz, a.PNG\n")
 
 
-def test_replay_plays_the_last_generations_unless_told_otherwise(job):
+def test_replay_plays_the_last_generations_by_default(job):
     run = job / MAIN_JOB[1]
-    chosen = ["--pursuers", 2, "--evaders", 2, "--episode", 0]
+    chosen = ["--pursuer", 2, "--evader", 2, "--episode", 0]
     told = matrixworld_command("replay", run, *chosen).stdout
     assert matrixworld_command("replay", run).stdout == told
 
@@ -159,12 +150,12 @@ def test_replay_plays_the_last_generations_unless_told_otherwise(job):
     [
         (["nothing"], 2, "or a variant (D, R, B, O, S, SB, SD, SDB, TO), got 'nothing'"),
         (["{job}"], 2, "expected one run, got a directory of several"),
-        (["{job}/specialist-specialist", "--pursuers", "3"], 2, "a generation from 0 to 2, got 3"),
+        (["{job}/specialist-specialist", "--pursuer", "3"], 2, "a generation from 0 to 2, got 3"),
         (["{job}/specialist-specialist/log.csv"], 1, "cut, altered or not an npz file"),
         (["{job}/specialist-specialist/log.csv", "--episode", "1"], 2, "expected no --episode"),
-        (["{job}/specialist-specialist", "--evaders", "fleer"], 2, "a generation of the run, got"),
+        (["{job}/specialist-specialist", "--evader", "fleer"], 2, "a generation of the run, got"),
         (["{job}/specialist-specialist", "--seed", "1"], 2, "is a run: expected no --seed with it"),
-        (["O", "--pursuers", "3"], 2, "--pursuers: expected random, still, chaser, fleer, "),
+        (["O", "--pursuer", "3"], 2, "--pursuer: expected random, still, chaser, fleer, "),
         (["O", "--rows", "1", "--cols", "3"], 2, "n_pursuers: expected 1 to 3, got 8"),
         (["O", "--obstacles", "many"], 2, "expected a density in [0, 1) or a .map file"),
         (["O", "--steps", "1", "--view", "pursuer_8", "--out", "x.png"], 1, "got 'pursuer_8'"),
@@ -185,8 +176,8 @@ def test_plot_draws_all_figures_and_compares(copy):
     assert all(path.read_bytes().startswith(PNG) for path in figures)
 
 
-def test_plot_compares_where_it_is_told_to(copy, monkeypatch):
-    monkeypatch.setattr("matrixworld.cli.plot.draw_run", lambda path: [])
+def test_plot_draws_the_comparison_to_the_given_file(copy, monkeypatch):
+    monkeypatch.setattr("matrixworld.cli.plot.draw_run", lambda run: [])
     result = matrixworld_command("plot", *map(copy.joinpath, MAIN_JOB), "--comparison", "both.png")
     assert result.stdout == "both.png\n"
     assert Path("both.png").read_bytes().startswith(PNG)
@@ -205,7 +196,7 @@ def test_collisions_are_counted_per_1000_steps_of_an_agent(job):
     assert rates[1, 0, 0] == pytest.approx(1000 * row / payoff.agent_steps[1, :, 0].sum())
     column = sum(payoff.collisions[g, 2, 1, 1] for g in range(3))
     assert rates[2, 1, 1] == pytest.approx(1000 * column / payoff.agent_steps[:, 2, 1].sum())
-    # 2 pursuers, who stay in -O, and at most 3 evaders.
+    # 2 pursuers, which never disappear in -O, and at most 3 evaders.
     assert payoff.agent_steps[..., 0] == pytest.approx(2 * payoff.length)
     assert (payoff.agent_steps[..., 1] <= 3 * payoff.length).all()
 

@@ -1,4 +1,4 @@
-"""The command line, called in this process, with the options of tiny runs."""
+"""The command line, called in the tests' process, with the options of tiny runs."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ def words(options: dict[str, object]) -> list[str]:
     return [word for name, value in options.items() for word in (option_name(name), str(value))]
 
 
-def matrixworld_command(*args: object, code: int = 0, answer: str | None = None) -> Result:
+def matrixworld_command(*args: object, code: int = 0) -> Result:
     """Run a command and check its exit code."""
-    result = CliRunner().invoke(main, [str(arg) for arg in args], input=answer)
+    result = CliRunner().invoke(main, [str(arg) for arg in args])
     unexpected = None if isinstance(result.exception, SystemExit) else result.exception
     assert unexpected is None, result.output
     assert result.exit_code == code, result.output

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -105,6 +106,19 @@ class Summary:
         """Nested dictionaries, lists, numbers, strings and None, ready for ``json.dumps``."""
         plain: dict[str, Any] = _listed(asdict(self))
         return plain
+
+    @classmethod
+    def from_dict(cls, values: Mapping[str, Any]) -> Summary:
+        """Return the summary that `to_dict` made into dictionaries and lists."""
+        parts = {
+            "pursuers": TeamSummary(**values["pursuers"]),
+            "evaders": TeamSummary(**values["evaders"]),
+            "whole": PartSummary(**values["whole"]),
+            "last_half": PartSummary(**values["last_half"]),
+            "disengagements": tuple(Disengagement(**each) for each in values["disengagements"]),
+        }
+        lags = {name: tuple(values[name]) for name in ("lags", "lag_means", "lag_cells")}
+        return cls(**{**values, **parts, **lags})
 
 
 def summarize(payoff: ArrayLike) -> Summary:

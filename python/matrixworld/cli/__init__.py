@@ -1,22 +1,22 @@
 """The command ``matrixworld``.
 
-==============  ==================================================================================
-evolve.py       ``evolve``: start runs or go on with them
-tournament.py   ``tournament``: payoff matrices, also of two runs
-replay.py       ``replay``: watch a match
-score.py        ``score``: a run against opponents that it has not met
-exploit.py      ``exploit``: what a fresh best response takes from a champion
-plot.py         ``plot``: figures of finished runs
-diagnose.py     ``diagnose``: what happened in a race, and what to try
-variants.py     ``variants``: the table of rules
-bench.py        ``bench``: how fast this machine plays; `bench_report` prints it
-options.py      options from the fields of the settings
-arguments.py    run directories as arguments
-jobs.py         several runs as one job
-progress.py     a bar over the whole job
-report.py       what is printed at the end
-figures.py      figures of a run directory
-==============  ==================================================================================
+==================  ================================================================================
+evolve.py           ``evolve``: start runs or continue them
+tournament.py       ``tournament``: payoff matrices, also of two runs
+replay.py           ``replay``: watch a match
+score.py            ``score``: a run against held-out opponents
+exploit.py          ``exploit``: evolve a best response to a champion
+plot.py             ``plot``: figures of finished runs
+diagnose.py         ``diagnose``: what happened in a race, and what to try
+variants.py         ``variants``: the table of rules
+bench.py            ``bench``: how fast this machine plays; `bench_report` prints it
+options.py          options that several commands share, and old names of options
+setting_options.py  options from the fields of the settings
+arguments.py        run directories as arguments
+jobs.py             several runs as one job
+report.py           what ``evolve`` prints at the end
+console.py          progress, notes, wrapped text and tables
+==================  ================================================================================
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ from matrixworld.cli.bench import bench_command
 from matrixworld.cli.diagnose import diagnose_command
 from matrixworld.cli.evolve import evolve_command
 from matrixworld.cli.exploit import exploit_command
+from matrixworld.cli.options import Commands
 from matrixworld.cli.plot import plot_command
 from matrixworld.cli.replay import replay_command
 from matrixworld.cli.score import score_command
@@ -37,13 +38,15 @@ from matrixworld.cli.variants import variants_command
 __all__ = ["main"]
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
+@click.group(
+    cls=Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100}
+)
 @click.version_option(matrixworld.__version__)
 def main() -> None:
     """Pursuers and evaders on a grid that evolve against each other.
 
-    Start with `matrixworld evolve`: it runs two races within minutes, shows which of them goes in
-    circles and which makes progress, and says what to try next.
+    Start with `matrixworld evolve`: it runs two races in some minutes, says whether they look like
+    cycling or progress, and what to try next.
     """
 
 

@@ -1,13 +1,14 @@
-"""Run directories as arguments and options of commands (callbacks of Click)."""
+"""Run directories as arguments of commands, and errors that a user's files can cause."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 import click
 
+from matrixworld.cli.console import command
 from matrixworld.coevolution import (
     ALTERNATING,
     HALL_OF_FAME,
@@ -20,23 +21,18 @@ from matrixworld.coevolution.storage.run_directory import CONFIG
 from matrixworld.policy import SCRIPTS
 
 UNMADE = ".unmade"
-"""A file in a directory of several runs until the last of them has been made."""
+"""Marker file in a directory of several runs: not all of them have been created yet."""
 
 ORDER = [*SCHEDULES, ALTERNATING, HALL_OF_FAME]
 """The order in which the runs of one job are played and shown."""
 
-threads_option = click.option(
-    "--threads",
-    type=click.IntRange(min=1),
-    metavar="INTEGER",
-    help="threads; no result depends on them  [default: one a core]",
-)
-
 
 def find_runs(path: Path) -> list[Path]:
-    """The run that a directory is, or the runs directly in it; empty if there are none."""
+    """Return `path` if it is a run directory, else the run directories directly in it."""
+    # config.json is the last file of a new run: without it the run was not completely created.
     if (path / CONFIG).is_file():
         return [path]
+    # Only one level down: a response to a champion lies in its run, and is no part of the job.
     return sorted((file.parent for file in path.glob(f"*/{CONFIG}")), key=_place)
 
 
@@ -45,16 +41,16 @@ def _place(run: Path) -> tuple[int, str]:
 
 
 def check_made(path: Path) -> None:
-    """Raise click.UsageError if only some of the runs in a directory have been made."""
+    """Raise click.UsageError if only some of the runs in a directory have been created."""
     if (path / UNMADE).exists():
         raise click.UsageError(
-            f"{path}: was stopped while its runs were being made, before any of them had begun; "
-            f"delete it and start again"
+            f"{path}: the program was stopped while it created the runs, before any of them had "
+            f"begun; delete the directory and start again"
         )
 
 
 def runs_of(ctx: click.Context, param: click.Parameter, value: str | None) -> list[Path]:
-    """The runs of a directory that is a run or holds some."""
+    """Return the runs of a directory that is a run or holds several."""
     if value is None:
         return []
     runs = find_runs(Path(value))
@@ -65,7 +61,7 @@ def runs_of(ctx: click.Context, param: click.Parameter, value: str | None) -> li
 
 
 def run_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Path | None:
-    """The run of a directory that is a run or holds exactly one."""
+    """Return the run of a directory that is a run or holds exactly one."""
     runs = runs_of(ctx, param, value)
     if len(runs) > 1:
         names = ", ".join(str(run) for run in runs)
@@ -73,8 +69,27 @@ def run_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Pat
     return runs[0] if runs else None
 
 
+def all_of(
+    find: Callable[[Path], list[Path]], expected: str
+) -> Callable[[click.Context, click.Parameter, tuple[str, ...]], list[Path]]:
+    """Return a callback for an argument of several paths: what `find` finds in all of them."""
+
+    def callback(ctx: click.Context, param: click.Parameter, values: tuple[str, ...]) -> list[Path]:
+        found: list[Path] = []
+        for value in values:
+            here = find(Path(value))
+            if not here:
+                raise click.BadParameter(f"expected {expected}, got {value!r}")
+            found += here
+        # A run may be named twice: by itself, and by the directory that holds it.
+        return list(dict.fromkeys(found))
+
+    return callback
+
+
 def opponent_of(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
-    """The name of a script, or the path of a run."""
+    """Return the name of a script, or the path of a run."""
+    # A directory that has the name of a script can be given as ./random.
     if value is None or value in SCRIPTS:
         return value
     if not find_runs(Path(value)):
@@ -83,10 +98,16 @@ def opponent_of(ctx: click.Context, param: click.Parameter, value: str | None) -
     return str(run_of(ctx, param, value))
 
 
+def resume_command(root: Path) -> str:
+    """Return the command that continues the runs in a directory."""
+    return command("evolve --resume", root)
+
+
 @contextmanager
 def failures() -> Iterator[None]:
-    """End the command with a message, not a traceback, on what a user's files can cause."""
+    """End the command with a message instead of a traceback on errors that files cause."""
     try:
         yield
+    # Any other error is a mistake in the program, and its traceback is wanted.
     except (DamagedFileError, OtherVersionError, LockedError, OSError) as error:
         raise click.ClickException(str(error)) from error

@@ -1,4 +1,4 @@
-"""``matrixworld bench``: how fast worlds and matches are played on this machine."""
+"""``matrixworld bench``: how fast this machine plays; `matrixworld.bench` measures it."""
 
 from __future__ import annotations
 
@@ -19,29 +19,30 @@ from matrixworld.bench import (
 )
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.bench_report import figures_of, print_figures, print_machine
-from matrixworld.cli.evolve import INTERRUPTED
+from matrixworld.cli.console import INTERRUPTED, note, progress
 from matrixworld.cli.options import (
     SectionedCommand,
-    given_settings,
-    settings_from,
-    sizes_of,
-    world_options,
+    force_option,
+    given_options,
+    json_option,
+    refuse_existing,
+    threads_option,
+    write_json,
 )
-from matrixworld.cli.progress import note, progress
+from matrixworld.cli.setting_options import settings_from, sizes_of, world_options
 from matrixworld.coevolution import RaceSettings
-from matrixworld.coevolution.storage.files import save_json
 from matrixworld.config import WorldConfig
 from matrixworld.rules import VARIANTS, rules_of
 
+# The default of `evolve`, a common size, and the network of the published runs.
 HIDDEN = ((32,), (64, 64), (400, 300))
 REPEATS = 5
 SECONDS = 4.0
 LONGEST = 3600.0
-MOST_THREADS = 1024
 
 
 def _variant(ctx: click.Context, param: click.Parameter, value: str) -> str:
-    """The name of a variant, which may be written as `rules_of` takes it."""
+    """Return the name of a variant, given in any form that `rules_of` accepts."""
     try:
         rules = rules_of(value)
     except ValueError as error:
@@ -52,22 +53,15 @@ def _variant(ctx: click.Context, param: click.Parameter, value: str) -> str:
 def _hidden(
     ctx: click.Context, param: click.Parameter, values: tuple[str, ...]
 ) -> list[tuple[int, ...]]:
+    # sizes_of returns None for no value only, and here every value is a string.
     given = [sizes_of(ctx, param, value) or () for value in values]
     return list(dict.fromkeys(given or HIDDEN))
 
 
 def _seconds(ctx: click.Context, param: click.Parameter, value: float) -> float:
+    # Not click.FloatRange, which lets nan pass.
     if not 0 < value <= LONGEST:
         raise click.BadParameter(f"expected a number above 0, at most {LONGEST:g}, got {value:g}")
-    return value
-
-
-def _new_file(ctx: click.Context, param: click.Parameter, value: Path | None) -> Path | None:
-    """A file to be made, refused before a minute is spent on what goes into it."""
-    if value is not None and value.exists():
-        raise click.BadParameter(f"expected a new file, and {str(value)!r} exists")
-    if value is not None and not value.parent.is_dir():
-        raise click.BadParameter(f"expected a directory that exists, got {str(value.parent)!r}")
     return value
 
 
@@ -90,38 +84,31 @@ def _new_file(ctx: click.Context, param: click.Parameter, value: Path | None) ->
     metavar="NUMBER",
     help=f"time of each measurement, in {REPEATS} repeats; there are about 14",
 )
-@click.option(
-    "--threads",
-    type=click.IntRange(1, MOST_THREADS),
-    metavar="INTEGER",
-    help="threads to measure beside one  [default: one a core]",
-)
-@click.option(
-    "--json",
-    "target",
-    type=click.Path(path_type=Path),
-    callback=_new_file,
-    metavar="FILE",
-    help="write the figures to this new file, too",
-)
-@world_options
+@threads_option
+@json_option
+@force_option
+@world_options()
 def bench_command(
     variant: str,
     hidden: list[tuple[int, ...]],
     seconds: float,
     threads: int | None,
-    target: Path | None,
+    json_file: Path | None,
+    force: bool,
     **options: Any,
 ) -> None:
     """Measure how fast worlds and matches are played on this machine.
 
-    Takes about a minute, and wants the machine for itself. VARIANT is a game (O, SB, ...), by
-    default O. First the answers are checked: that many worlds at once play as single ones do, and
-    several threads as one does.
+    Takes about a minute; other programs should not be busy meanwhile. VARIANT is a game (O, SB,
+    ...), by default O. Everything is measured with one thread and with --threads. First the
+    results are checked: those of many worlds against single worlds, and those of several threads
+    against one.
 
     Ctrl-C stops, and prints what has been measured so far.
     """
-    given = given_settings(options)
+    refuse_existing(json_file, force=force)
+    given = given_options(options)
+    # One row of races for each network; the first network is that of the world's own lines.
     races = [_races({**given, "variant": variant, "hidden": sizes}) for sizes in hidden]
     settings = [race for race, *_ in races]
     threads = threads or usable_cores()
@@ -131,10 +118,11 @@ def bench_command(
     if measured:
         figures = figures_of(measured, machine, world, races[0])
         print_figures(figures, default=variant == "O" and not given)
-        _save(target, figures)
+        with failures():
+            write_json(json_file, figures)
     if stopped:
-        until = ". The figures are those until then" if measured else " before there were figures"
-        note(f"\nStopped{until}.")
+        what = "The figures are from the time before" if measured else "Nothing was measured yet"
+        note(f"\nStopped. {what}.")
         raise click.exceptions.Exit(INTERRUPTED)
 
 
@@ -152,9 +140,10 @@ def _machine() -> Machine:
 def _measure(
     settings: Sequence[RaceSettings], world: WorldConfig, threads: int, seconds: float
 ) -> tuple[list[Measurement], bool]:
-    """What could be measured, and whether Ctrl-C ended it."""
+    """Return what was measured, and whether Ctrl-C stopped it."""
     planned: list[Measurement] = []
     stopped = False
+    # Ctrl-C may come in the checks, too: then nothing is planned yet.
     try:
         _check(settings, world, threads)
         planned += measurements(
@@ -167,6 +156,7 @@ def _measure(
         _repeat(planned, seconds / REPEATS)
     except KeyboardInterrupt:
         stopped = True
+    # After Ctrl-C some have not been measured at all.
     return [each for each in planned if each.rates], stopped
 
 
@@ -177,12 +167,13 @@ def _check(settings: Sequence[RaceSettings], world: WorldConfig, threads: int) -
             check_matches(each.world(each.train_steps), each.network, threads)
     except WrongAnswerError as error:
         raise click.ClickException(
-            f"{error}. Nothing was measured: a wrong answer is worth nothing, however fast."
+            f"{error}. Nothing was measured, because the results are wrong."
         ) from error
 
 
 def _repeat(planned: Sequence[Measurement], seconds: float) -> None:
-    """Measure everything once, and again: what disturbs for a while disturbs all alike."""
+    """Measure everything once, then everything again, and so on."""
+    # In turns, so that a disturbance of some seconds does not spoil all repeats of one line.
     total = REPEATS * len(planned)
     with progress(unit="timings") as report:
         for number in range(total):
@@ -190,13 +181,3 @@ def _repeat(planned: Sequence[Measurement], seconds: float) -> None:
             report(each.what, number, total)
             each.repeat(seconds)
         report("done", total, total)
-
-
-def _save(target: Path | None, figures: dict[str, Any]) -> None:
-    if target is None:
-        return
-    with failures():
-        if target.exists():
-            raise click.ClickException(f"{target} has come to exist meanwhile and is left alone")
-        save_json(target, figures)
-    click.echo(f"\nWritten: {target}")

@@ -1,4 +1,4 @@
-"""What ``matrixworld bench`` prints and writes."""
+"""Output of ``matrixworld bench``: the figures as plain values, and in words."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from matrixworld.bench import MATCHES, VECTOR_ENV, Machine, Measurement
-from matrixworld.cli.report import print_wrapped
+from matrixworld.cli.console import print_table, print_wrapped
 from matrixworld.coevolution import TEAMS, RaceSettings
 from matrixworld.config import WorldConfig
 
@@ -27,16 +27,19 @@ LEGEND = (
     "An agent-step is one step of a living agent, in matches one decision of a network. At once: "
     "worlds in a step, or matches in a call. Speedup: over one thread."
 )
-LEARNING = 100_000_000  # agent-steps
-LEAST_GAIN, LEAST_SHARE = 1.5, 0.25
-"""What several threads play at least, on an idle machine: times as much as one, and by thread."""
+LEARNING = 100_000_000
+"""Agent-steps that a reinforcement learner may need."""
+LEAST_SPEEDUP, LEAST_SHARE = 1.5, 0.25
+"""Least speedup of several threads on an idle machine, in all and per thread."""
 WIDEST_SPREAD = 0.3
+"""Largest spread of repeats on an idle machine, as a share of the median."""
 
 Figures = dict[str, Any]
 
 
 def print_machine(machine: Machine, variant: str, world: WorldConfig) -> None:
-    """Print what it runs on and what is played."""
+    """Print the machine and the world."""
+    # A forced instruction set explains figures that are lower than on other machines.
     chosen = ", as MATRIXWORLD_KERNELS says" if "MATRIXWORLD_KERNELS" in os.environ else ""
     cores = "1 core" if machine.cores == 1 else f"{machine.cores} cores"
     click.echo(
@@ -47,18 +50,30 @@ def print_machine(machine: Machine, variant: str, world: WorldConfig) -> None:
     )
 
 
-# ---- The figures as plain values ---------------------------------------------------------------
-
-
 def figures_of(
     measured: Sequence[Measurement],
     machine: Machine,
     world: WorldConfig,
     races: Sequence[RaceSettings],
 ) -> Figures:
-    """Everything that was measured, as it is written to a file.
+    """Return everything that was measured as values that JSON can hold.
 
-    races: those of ``matrixworld evolve`` in this world
+    Parameters
+    ----------
+    measured : sequence of Measurement
+        Measurements with at least one repeat each.
+    machine : Machine
+        The machine.
+    world : WorldConfig
+        The world that was played.
+    races : sequence of RaceSettings
+        The races of ``matrixworld evolve`` in this world.
+
+    Returns
+    -------
+    dict
+        ``machine``, ``world``, ``lines`` (one for each measurement), and ``evolve`` (estimated
+        duration of the races, None if no measured network is theirs).
     """
     lines = [_line(each) for each in measured]
     _compare(lines)
@@ -86,7 +101,8 @@ def _line(each: Measurement) -> Figures:
 
 
 def _compare(lines: Sequence[Figures]) -> None:
-    """Say of each line how many times as much it plays as one thread, where that was measured."""
+    """Add to each line of several threads the speedup over one thread, if that was measured."""
+    # A line is compared with the line that differs from it in the threads only.
     keys = ("what", "hidden", "at_once")
     ones = [line for line in lines if line["threads"] == 1]
     for line in lines:
@@ -97,13 +113,16 @@ def _compare(lines: Sequence[Figures]) -> None:
 
 
 def _evolve(lines: Sequence[Figures], races: Sequence[RaceSettings]) -> Figures | None:
-    """How long the matches of races take, if those measured are as long as in training."""
+    """Estimate how long the matches of races take, from the rate of training matches."""
+    # All races have the same network and world; they differ in the schedule.
     hidden = list(races[0].hidden)
     rates = [line for line in lines if line["what"] == MATCHES and line["hidden"] == hidden]
     if not rates:
         return None
+    # The matches measured have the length of training; those of the evaluation are longer.
     trained, evaluated = (sum(counts) for counts in zip(*map(matches_of, races), strict=True))
     longer = races[0].eval_steps / races[0].train_steps
+    # The last line is that of the most threads.
     rate = rates[-1]["matches_per_second"]
     return {
         "hidden": hidden,
@@ -114,34 +133,29 @@ def _evolve(lines: Sequence[Figures], races: Sequence[RaceSettings]) -> Figures 
 
 
 def matches_of(race: RaceSettings) -> tuple[int, int]:
-    """The matches of a race's training and of its payoff matrix."""
+    """Return the numbers of matches of a race's training and of its payoff matrix."""
     epochs = sum(race.total_epochs(team) for team in TEAMS)
+    # Generation 0 is evaluated, too.
     cells = (race.generations + 1) ** 2
     return epochs * race.population * race.worlds, cells * race.eval_episodes
 
 
-# ---- The figures in words ----------------------------------------------------------------------
-
-
 def print_figures(figures: Figures, *, default: bool) -> None:
-    """Print the table, what it means, and what looks wrong.
+    """Print the table, what the figures mean for a user, and what looks wrong.
 
-    default: whether the world is that of ``matrixworld evolve`` without options
+    Parameters
+    ----------
+    figures : dict
+        From `figures_of`.
+    default : bool
+        Whether the world is that of ``matrixworld evolve`` without options.
     """
-    _print_table(figures["lines"])
+    print_table([HEADS, *map(_cells, figures["lines"])], "<" + ">" * (len(HEADS) - 1))
     click.echo()
     print_wrapped(LEGEND)
     click.echo()
-    for sentence in (*_work(figures, default), *_hints(figures)):
+    for sentence in (*_durations(figures, default), *_hints(figures)):
         print_wrapped(sentence)
-
-
-def _print_table(lines: Sequence[Figures]) -> None:
-    rows = [HEADS, *(_cells(line) for line in lines)]
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    for number, (name, *cells) in enumerate(rows):
-        aligned = (f"{cell:>{width}}" for cell, width in zip(cells, widths[1:], strict=True))
-        click.secho(f"{name:{widths[0]}}  {'  '.join(aligned)}".rstrip(), bold=number == 0)
 
 
 def _cells(line: Figures) -> tuple[str, ...]:
@@ -169,22 +183,21 @@ def _number(value: float) -> str:
     return f"{value:,.0f}" if value >= 100 else f"{value:.1f}"
 
 
-def _work(figures: Figures, default: bool) -> Iterator[str]:
+def _durations(figures: Figures, default: bool) -> Iterator[str]:
     evolve = figures["evolve"]
     if evolve is not None:
         where = "" if default else " in this world"
         yield (
             f"The {evolve['matches']:,} matches of matrixworld evolve{where} with --hidden "
             f"{_sizes(evolve['hidden'])} take about {_duration(evolve['seconds'])}, with "
-            f"{_threads(evolve['threads'])}; what the learners take comes on top."
+            f"{_threads(evolve['threads'])}. The time of the learners is not included."
         )
     envs = [line for line in figures["lines"] if line["what"] == VECTOR_ENV and line["at_once"] > 1]
     if envs:
         seconds = LEARNING / envs[-1]["agent_steps_per_second"]
         yield (
-            f"A learner on VectorEnv, with {envs[-1]['at_once']} worlds and "
-            f"{_threads(envs[-1]['threads'])}, waits {_duration(seconds)} for "
-            f"{LEARNING // 1_000_000} million agent-steps."
+            f"VectorEnv, with {envs[-1]['at_once']} worlds and {_threads(envs[-1]['threads'])}, "
+            f"plays {LEARNING // 1_000_000} million agent-steps in {_duration(seconds)}."
         )
 
 
@@ -193,6 +206,7 @@ def _threads(count: int) -> str:
 
 
 def _duration(seconds: float) -> str:
+    # From one and a half units on: "80 seconds" reads better than "1.3 minutes".
     for unit, length in (("hours", 3600.0), ("minutes", 60.0)):
         if seconds >= 1.5 * length:
             return f"{seconds / length:.{0 if seconds >= 10 * length else 1}f} {unit}"
@@ -200,19 +214,19 @@ def _duration(seconds: float) -> str:
 
 
 def _hints(figures: Figures) -> Iterator[str]:
-    """What looks wrong, and what it may be."""
+    """Yield what looks wrong, with possible causes."""
     compared = [line for line in figures["lines"] if line["over_one_thread"] is not None]
     worst = min(compared, key=lambda line: line["over_one_thread"], default=None)
-    if worst and worst["over_one_thread"] < max(LEAST_GAIN, LEAST_SHARE * worst["threads"]):
+    if worst and worst["over_one_thread"] < max(LEAST_SPEEDUP, LEAST_SHARE * worst["threads"]):
         yield (
-            f"Hint: {worst['threads']} threads play only {worst['over_one_thread']:.2f} times as "
-            f"much as one ({_name(worst)}): another process is busy, or fewer cores are free than "
-            f"there are threads."
+            f"Hint: {worst['threads']} threads are only {worst['over_one_thread']:.2f} times as "
+            f"fast as one ({_name(worst)}). Another process may be busy, or fewer cores may be "
+            f"free than there are threads."
         )
     uneven = max(figures["lines"], key=lambda line: line["spread"])
     if uneven["spread"] > WIDEST_SPREAD:
         yield (
-            f"Hint: from repeat to repeat {_name(uneven)}, {uneven['at_once']} at once with "
-            f"{_threads(uneven['threads'])}, differs by {uneven['spread']:.0%}: another process is "
-            f"busy, the processor changes its clock, or --seconds is too short."
+            f"Hint: the repeats of {_name(uneven)}, {uneven['at_once']} at once with "
+            f"{_threads(uneven['threads'])}, differ by {uneven['spread']:.0%}. Another process may "
+            f"be busy, the processor may change its clock, or --seconds may be too short."
         )

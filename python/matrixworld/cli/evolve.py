@@ -1,8 +1,9 @@
-"""``matrixworld evolve``: the main job."""
+"""``matrixworld evolve``: start runs, or continue them."""
 
 from __future__ import annotations
 
-import shlex
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -12,32 +13,45 @@ from matrixworld.cli.arguments import (
     check_made,
     failures,
     find_runs,
+    resume_command,
     runs_of,
-    threads_option,
 )
-from matrixworld.cli.jobs import create_runs, fresh_directory, play_runs
+from matrixworld.cli.console import INTERRUPTED, note, warnings_as_notes
+from matrixworld.cli.jobs import (
+    Settings,
+    create_runs,
+    default_directory,
+    free_directory,
+    play_runs,
+    resume_runs,
+)
 from matrixworld.cli.options import (
     SectionedCommand,
-    given_settings,
+    given_options,
     option_name,
-    setting_options,
-    settings_from,
+    threads_option,
 )
-from matrixworld.cli.progress import note, warnings_as_notes
 from matrixworld.cli.report import report
-from matrixworld.coevolution import RunDirectory
+from matrixworld.cli.setting_options import setting_options, settings_from
+from matrixworld.coevolution import Run, RunDirectory
 
-INTERRUPTED = 130
-"""Exit code of a program that Ctrl-C has ended."""
+# \b keeps click from wrapping the lines.
+EXAMPLES = """\b
+Examples:
+  matrixworld evolve
+  matrixworld evolve my-race --variant SB --schedule generalist-generalist
+  matrixworld evolve --against random --team evader
+  matrixworld evolve --resume my-race
+"""
 
 
-@click.command("evolve", cls=SectionedCommand)
+@click.command("evolve", cls=SectionedCommand, epilog=EXAMPLES)
 @click.argument("output", required=False, type=click.Path(path_type=Path, file_okay=False))
 @click.option(
     "--resume",
     metavar="DIR",
     callback=runs_of,
-    help="go on with the run, or with all runs, in this directory",
+    help="continue the run, or all runs, in this directory",
 )
 @threads_option
 @setting_options
@@ -46,72 +60,84 @@ def evolve_command(
 ) -> None:
     """Let pursuers and evaders evolve against each other.
 
-    Without options: two races side by side, in one the teams learn against the newest opponents
-    only (specialists), in the other against all earlier ones (generalists). They end with payoff
-    matrices, numbers and figures, in a new directory in runs/ unless OUTPUT names another. OUTPUT
-    is the run directory of a single run, and holds one for each of several.
+    Without options: two races. In the first, each team learns against the newest opponents only
+    (specialists), in the second against all earlier ones (generalists). A race ends with a payoff
+    matrix, numbers and figures. With --against one team alone evolves against fixed opponents.
 
-    With --against one team alone evolves against opponents that stay as they are.
+    OUTPUT is a new directory: the run directory of a single run, or the parent of several. The
+    default is a new directory in runs/, named after variant and seed.
 
-    Ctrl-C stops, and --resume goes on from the last half of a generation that was finished.
+    Ctrl-C stops. --resume continues from the last checkpoint, with the same results. Results do
+    not depend on --threads.
     """
-    given = given_settings(options)
+    given = given_options(options)
     with failures(), warnings_as_notes():
         if resume:
             _refuse_settings(output, given)
-            paths, root = resume, _root(resume)
+            root = resume[0] if len(resume) == 1 else resume[0].parent
+            # The runs are restored inside the block: reading them may fail or take some time.
+            with _resumable(root):
+                report(play_runs(resume_runs(resume, threads)), root)
         else:
-            paths, root = _new_runs(output, threads, given)
-        try:
-            play_runs(paths, threads)
-            report(paths, root)
-        except KeyboardInterrupt:
-            _say_how_to_go_on(root)
-            raise click.exceptions.Exit(INTERRUPTED) from None
-        except OSError:
-            _say_how_to_go_on(root)
-            raise
+            settings = settings_from(given)
+            root = _new_directory(settings[0], output)
+            # Outside the block: a job that is not completely created cannot be resumed.
+            runs = _new_runs(settings, root, threads)
+            with _resumable(root):
+                report(play_runs(runs), root)
 
 
-def _say_how_to_go_on(root: Path) -> None:
-    note(
-        "\nStopped. What was finished is kept; to go on:\n"
-        f"  matrixworld evolve --resume {shlex.quote(str(root))}"
-    )
+@contextmanager
+def _resumable(root: Path) -> Iterator[None]:
+    """Tell the user how to continue after Ctrl-C, or an error such as a full disk."""
+    hint = f"\nStopped. Finished parts are saved; to continue:\n  {resume_command(root)}"
+    try:
+        yield
+    except KeyboardInterrupt:
+        note(hint)
+        raise click.exceptions.Exit(INTERRUPTED) from None
+    except OSError:
+        note(hint)
+        raise
 
 
 def _refuse_settings(output: Path | None, given: dict[str, Any]) -> None:
     names = [*(["OUTPUT"] if output else []), *map(option_name, given)]
     if names:
         raise click.UsageError(
-            f"--resume: expected no settings beside it, as a run keeps its own, got "
+            f"--resume: expected no settings beside it, because a run keeps its own, got "
             f"{', '.join(names)}"
         )
 
 
-def _root(paths: list[Path]) -> Path:
-    return paths[0] if len(paths) == 1 else paths[0].parent
-
-
-def _new_runs(
-    output: Path | None, threads: int | None, given: dict[str, Any]
-) -> tuple[list[Path], Path]:
-    settings = settings_from(given)
-    root = fresh_directory(settings[0]) if output is None else output
-    if root.exists():
-        _check_free(root)
-    try:
-        return create_runs(settings, root, threads), root
-    except ValueError as error:
-        raise click.UsageError(str(error)) from error
+def _new_directory(settings: Settings, output: Path | None) -> Path:
+    """Return the directory of new runs, and print it if it is not `output`."""
+    if output is not None:
+        if output.exists():
+            _check_free(output)
+        return output
+    wanted = default_directory(settings)
+    free = free_directory(wanted)
+    why = "" if free == wanted else f" ({wanted} exists)"
+    note(f"Output directory: {free}{why}")
+    return free
 
 
 def _check_free(root: Path) -> None:
+    # First, because an incomplete job is not empty, and its own message says more.
     check_made(root)
     try:
         RunDirectory(root).check_empty()
     except FileExistsError as error:
-        hint = f"; --resume {shlex.quote(str(root))} goes on" if find_runs(root) else ""
+        hint = f"; {resume_command(root)} continues the run in it" if find_runs(root) else ""
         raise click.UsageError(
             f"OUTPUT: expected a new or empty directory, got {str(root)!r}{hint}"
         ) from error
+
+
+def _new_runs(settings: list[Any], root: Path, threads: int | None) -> list[Run[Any]]:
+    # Some settings can be checked only when opponents and start genomes have been read.
+    try:
+        return create_runs(settings, root, threads)
+    except ValueError as error:
+        raise click.UsageError(str(error)) from error

@@ -1,67 +1,151 @@
-"""Several runs as one job: made together, played one after the other."""
+"""Several runs as one job: created or resumed together, played one after the other."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import chain, count
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import count
 from pathlib import Path
+from typing import Any
 
-from matrixworld.cli.arguments import UNMADE
-from matrixworld.cli.progress import note, progress
-from matrixworld.coevolution import RaceSettings, Report, SingleSettings, resume, start
+import click
+
+from matrixworld.analysis import Summary
+from matrixworld.cli.arguments import UNMADE, resume_command
+from matrixworld.cli.console import note, progress
+from matrixworld.coevolution import (
+    Payoff,
+    RaceSettings,
+    Report,
+    Run,
+    RunDirectory,
+    SingleSettings,
+    resume,
+    start,
+)
 
 RUNS = Path("runs")
-"""Where runs go that were given no place."""
+"""Parent directory of runs for which no directory is given."""
 
 Settings = RaceSettings | SingleSettings
 
 
-def fresh_directory(settings: Settings) -> Path:
-    """A directory that does not exist yet, named after the run: ``runs/O-seed0``."""
+@dataclass(frozen=True)
+class Result:
+    """A finished run. The payoff is held, so that figures and report need not read it again.
+
+    Parameters
+    ----------
+    files : RunDirectory
+        The run's directory.
+    settings : RaceSettings or SingleSettings
+        The run's settings.
+    payoff : Payoff
+        The content of payoff.npz.
+    """
+
+    files: RunDirectory
+    settings: Settings
+    payoff: Payoff
+
+    @property
+    def path(self) -> Path:
+        """The run's directory."""
+        return self.files.path
+
+    @property
+    def is_race(self) -> bool:
+        """Whether both teams evolved."""
+        return not isinstance(self.settings, SingleSettings)
+
+    @cached_property
+    def numbers(self) -> dict[str, Any]:
+        """The content of summary.json."""
+        return self.files.summary()
+
+    @cached_property
+    def summary(self) -> Summary:
+        """The analysis of a race's payoff matrix, as the run has written it to summary.json."""
+        return Summary.from_dict(self.numbers["analysis"])
+
+
+def open_result(path: Path) -> Result:
+    """Read a finished run; click.UsageError if it is not finished."""
+    files = RunDirectory.open(path)
+    settings = files.settings()
+    if not files.finished:
+        raise click.UsageError(
+            f"{path}: expected a finished run; {resume_command(path)} continues it"
+        )
+    return Result(files, settings, Payoff.from_arrays(files.payoff()))
+
+
+def default_directory(settings: Settings) -> Path:
+    """Return the directory named after a run's variant and seed, such as ``runs/O-seed0``."""
+    # Rules made in Python have no name.
     variant = settings.variant if isinstance(settings.variant, str) else "own-rules"
+    # `against` may be the path of a run: its last part is the name.
     what = ""
     if isinstance(settings, SingleSettings):
         what = f"-{settings.team}-against-{Path(settings.against).name}"
-    name = f"{variant}{what}-seed{settings.seed}"
-    names = chain([name], (f"{name}-{number}" for number in count(2)))
-    return next(RUNS / name for name in names if not (RUNS / name).exists())
+    return RUNS / f"{variant}{what}-seed{settings.seed}"
 
 
-def create_runs(settings: Sequence[Settings], output: Path, threads: int | None) -> list[Path]:
-    """Make the directories of new runs, one that is `output` itself or several inside it."""
+def free_directory(wanted: Path) -> Path:
+    """Return `wanted`, or with a number added (``runs/O-seed0-2``) if it exists."""
+    if not wanted.exists():
+        return wanted
+    numbered = (wanted.with_name(f"{wanted.name}-{number}") for number in count(2))
+    return next(path for path in numbered if not path.exists())
+
+
+def create_runs(settings: Sequence[Settings], output: Path, threads: int | None) -> list[Run[Any]]:
+    """Create new runs: a single one in `output` itself, several in directories inside it."""
     if len(settings) == 1:
-        start(settings[0], output, threads=threads)
-        return [output]
-    paths = [output / each.schedule for each in settings if isinstance(each, RaceSettings)]
+        return [start(settings[0], output, threads=threads)]
+    races = [each for each in settings if isinstance(each, RaceSettings)]
     output.mkdir(parents=True, exist_ok=True)
+    # The marker tells an incomplete job from a complete one: --resume must not play only some of
+    # the runs that were asked for.
     (output / UNMADE).touch()
-    for each, path in zip(settings, paths, strict=True):
-        start(each, path, threads=threads)
+    runs: list[Run[Any]] = [start(each, output / each.schedule, threads=threads) for each in races]
     (output / UNMADE).unlink()
-    return paths
+    return runs
 
 
-def play_runs(paths: Sequence[Path], threads: int | None) -> None:
-    """Go on with each run to its end."""
-    counts = [_matches(path) for path in paths]
+def resume_runs(paths: Sequence[Path], threads: int | None) -> list[Run[Any]]:
+    """Restore runs from their directories."""
+    return [resume(path, threads=threads) for path in paths]
+
+
+def play_runs(runs: Sequence[Run[Any]]) -> list[Result]:
+    """Play each run to its end, with one progress bar for all."""
+    # The bar needs the matches of the whole job before the first run starts.
+    counts = [_matches(run) for run in runs]
     whole = sum(total for _, total in counts)
+    results = []
     with progress() as report:
-        for number, path in enumerate(paths):
-            place = f"[{number + 1}/{len(paths)}] " if len(paths) > 1 else ""
+        for number, run in enumerate(runs):
+            place = f"[{number + 1}/{len(runs)}] " if len(runs) > 1 else ""
+            # Runs before this one are finished; later ones may have been resumed half-way.
             before = sum(total for _, total in counts[:number])
             after = sum(done for done, _ in counts[number + 1 :])
             if counts[number][0] < counts[number][1]:
-                note(f"{place}{path}")
-            resume(path, threads=threads).run(_part(report, place, before + after, whole))
+                note(f"{place}{run.files.path}")
+            # A finished run plays nothing, and returns its payoff from the file.
+            payoff = run.run(_part(report, place, before + after, whole))
+            results.append(Result(run.files, run.settings, payoff))
+    return results
 
 
 def _part(report: Report, place: str, others: int, whole: int) -> Report:
-    """Reports of one run as reports of the job, in which others have played some matches."""
+    """Return a report of one run as part of a job, in which other runs have played `others`."""
     return lambda what, done, total: report(place + what, others + done, whole)
 
 
-def _matches(path: Path) -> tuple[int, int]:
-    """The matches that a run has played, and all."""
-    run = resume(path)
+def _matches(run: Run[Any]) -> tuple[int, int]:
+    """Return the matches that a run has played, and all of them."""
     total = run.total_matches()
+    # `training.matches` does not count those of the evaluation, which a finished run has played.
     return total if run.files.finished else run.training.matches, total

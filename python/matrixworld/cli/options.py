@@ -1,92 +1,162 @@
-"""Options from the fields of the settings, and settings from the options."""
+"""Options that several commands share, each declared once, and old names of options.
+
+The options of a run's settings are in `setting_options`.
+"""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import MISSING, Field, fields
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, TypeVar, get_args, get_type_hints
+from typing import Any
 
 import click
+from click.core import ParameterSource
 
-from matrixworld.cli.arguments import opponent_of, run_of
-from matrixworld.coevolution import (
-    ALTERNATING,
-    HALL_OF_FAME,
-    SCHEDULES,
-    SINGLE_DEFAULTS,
-    RaceSettings,
-    SingleSettings,
+from matrixworld.cli.console import note
+from matrixworld.coevolution.settings import MOST_SEED
+from matrixworld.coevolution.storage.files import save_json
+
+RENAMED = {
+    "--overlap-penalty": "--crowding",
+    "--force": "--yes",
+    "--champion": "--team",
+    "--pursuer": "--pursuers",
+    "--evader": "--evaders",
+}
+"""New names of options: the old names, which commands with the new option accept, too."""
+
+MOST_THREADS = 1024
+
+
+def _seed(ctx: click.Context, param: click.Parameter, value: int) -> int:
+    # Not click.IntRange, which would print the 19 digits of the limit in every help page.
+    if not 0 <= value <= MOST_SEED:
+        raise click.BadParameter(f"expected 0 to {MOST_SEED}, got {value}")
+    return value
+
+
+# A dictionary, because --seed of `evolve` is a setting and is declared among the settings.
+SEED: dict[str, Any] = {
+    "type": int,
+    "callback": _seed,
+    "default": 0,
+    "show_default": True,
+    "metavar": "INTEGER",
+    "help": "seed of all random numbers; equal seeds give equal results",
+}
+seed_option = click.option("--seed", **SEED)
+
+# At least 2: intervals over episodes do not exist for one. 100 episodes bring the interval of a
+# mean capture rate to about +-0.1 at worst, and are what `coevolution.score` plays by default.
+episodes_option = click.option(
+    "--episodes",
+    type=click.IntRange(min=2),
+    default=100,
+    show_default=True,
+    metavar="INTEGER",
+    help="fresh episodes of each pair of opponents",
 )
-from matrixworld.policy import SCRIPTS
-from matrixworld.rules import VARIANTS
-
-AnyFunction = TypeVar("AnyFunction", bound=Callable[..., Any])
-
-WORLD = "World"
-SECTIONS: dict[str, tuple[str, ...]] = {
-    "Races": (
-        "schedule", "generations", "pursuer_epochs", "evader_epochs",
-        "joint_epochs", "contemporaries", "hall_sample", "pursuers_meet", "evaders_meet",
-        "opponents", "archive_size", "archive_episodes", "sharing", "pursuer_virulence",
-        "evader_virulence",
-    ),
-    "One team alone": ("against", "team", "start", "epochs", "archive_every"),
-    WORLD: (
-        "variant", "rows", "cols", "pursuers", "evaders", "obstacles", "fov", "diagonal",
-    ),
-    "Policy": ("hidden", "activation", "initial_weight", "initial_head"),
-    "Learner": (
-        "learner", "population", "sigma", "optimizer", "learning_rate", "momentum", "anneal",
-        "mutation", "crossover", "selection", "tournament", "truncation", "elites", "fitness",
-        "overlap_penalty",
-    ),
-    "Episodes and seed": ("train_steps", "worlds", "eval_steps", "eval_episodes", "seed"),
-}  # fmt: skip
-"""The settings in the order of the help page."""
-
-MAIN_JOB = ("specialist-specialist", "generalist-generalist")
-ALL = "all"
-HELP = {
-    "variant": f"game variant: {', '.join(VARIANTS)}; see matrixworld variants",
-    "obstacles": "density of obstacles in [0, 1), or a MovingAI .map file",
-    "against": f"evolve one team alone against {', '.join(SCRIPTS)}, or the last generation of a "
-    "run",
-}
-"""Help texts in place of those of the fields."""
-MORE_HELP = {
-    "schedule": f"; may be given several times; {ALL}: the first three",
-    "hidden": ", such as 32 or 64,64; none: no hidden layer",
-}
-"""What the command line adds to the help texts of the fields."""
-DEFAULTS = {"schedule": " and ".join(MAIN_JOB), "against": ""}
-"""Defaults that are not those of the fields."""
-OTHER_NAMES = {
-    "n_pursuers": "pursuers",
-    "n_evaders": "evaders",
-    "obstacle density": "obstacles",
-    "obstacle map": "obstacles",
-}
-"""How a `WorldConfig` names some settings in its errors."""
-METAVARS = {int: "INTEGER", float: "NUMBER", str: "TEXT"}
-RACE = {item.name: item for item in fields(RaceSettings)}
-SINGLE = {item.name: item for item in fields(SingleSettings)}
+steps_option = click.option(
+    "--steps",
+    type=click.IntRange(min=1),
+    metavar="INTEGER",
+    help="most steps of an episode  [default: as in the evaluation of RUN, or 500]",
+)
+threads_option = click.option(
+    "--threads",
+    type=click.IntRange(1, MOST_THREADS),
+    metavar="INTEGER",
+    help="threads that play matches  [default: one per core]",
+)
+json_option = click.option(
+    "--json",
+    "json_file",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="write the numbers to this file, too",
+)
+output_option = click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="PATH",
+    help="where the result goes  [default: in RUN, named after the options]",
+)
+force_option = click.option("--force", is_flag=True, help="replace files that exist")
 
 
-class SettingOption(click.Option):
-    """An option that stands in a section of the help page."""
+def option_name(field_name: str) -> str:
+    """Return the option of a settings field."""
+    return "--" + field_name.replace("_", "-")
 
-    def __init__(self, *args: Any, section: str, **attributes: Any) -> None:
-        super().__init__(*args, **attributes)
-        self.section = section
+
+def given_options(options: Mapping[str, Any]) -> dict[str, Any]:
+    """Return those options of the current command that the user has given."""
+    # Not by comparing values with defaults: a default may be given, too, and settings such as
+    # --seed must be refused beside --resume even then.
+    source = click.get_current_context().get_parameter_source
+    return {
+        name: value for name, value in options.items() if source(name) != ParameterSource.DEFAULT
+    }
+
+
+def refuse_existing(*files: Path | None, force: bool) -> None:
+    """Raise click.UsageError for the first output file that must not, or cannot, be written.
+
+    To be called before anything is played or written, so that a refusal costs no time and leaves
+    no part of the output behind.
+    """
+    for file in filter(None, files):
+        if file.is_dir():
+            # Even with --force: a directory may hold a run.
+            raise click.UsageError(f"{file}: expected a file, got a directory")
+        if file.exists() and not force:
+            raise click.UsageError(f"{file}: exists; give --force to replace it")
+        if not file.parent.is_dir():
+            raise click.UsageError(
+                f"{file}: expected a directory that exists, got {str(file.parent)!r}"
+            )
+
+
+def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
+    """Write values to the file that --json names, if it is given, and print its name."""
+    if file is not None:
+        save_json(file, values)
+        click.echo(f"\nWritten: {file}")
+
+
+class Commands(click.Group):
+    """A group of commands that accept the old names of renamed options."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Return the command's name, the command, and its arguments with new names."""
+        name, command, rest = super().resolve_command(ctx, args)
+        return name, command, rest if command is None else with_new_names(command, rest)
+
+
+def with_new_names(command: click.Command, args: Sequence[str]) -> list[str]:
+    """Return arguments with new names of options in place of old ones, and note each on stderr."""
+    flags = {flag for param in command.params for flag in param.opts}
+    # An old name may be another option's name elsewhere (`evolve --team`), and then is that option.
+    renamed = {old: new for new, old in RENAMED.items() if new in flags and old not in flags}
+    return [_with_new_name(arg, renamed) for arg in args]
+
+
+def _with_new_name(arg: str, renamed: Mapping[str, str]) -> str:
+    # Both forms are options: "--old value" and "--old=value".
+    name, equals, value = arg.partition("=")
+    if name not in renamed:
+        return arg
+    note(f"{name} is now called {renamed[name]}; the old name will be removed.")
+    return f"{renamed[name]}{equals}{value}"
 
 
 class SectionedCommand(click.Command):
     """A command whose help page lists the options by section."""
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the options, those of no section first."""
+        """Write the options, those without a section first."""
         sections: dict[str, list[tuple[str, str]]] = {"Options": []}
         for param in self.get_params(ctx):
             record = param.get_help_record(ctx) if isinstance(param, click.Option) else None
@@ -95,164 +165,3 @@ class SectionedCommand(click.Command):
         for title, records in sections.items():
             with formatter.section(title):
                 formatter.write_dl(records)
-
-
-def setting_options(function: AnyFunction) -> AnyFunction:
-    """Give a command an option for every setting; those that are not given are None."""
-    for title, names in reversed(SECTIONS.items()):
-        function = _section_options(function, title, names)
-    return function
-
-
-def world_options(function: AnyFunction) -> AnyFunction:
-    """Give a command the options of a world, but not its variant."""
-    names = [name for name in SECTIONS[WORLD] if name != "variant"]
-    return _section_options(function, WORLD, names)
-
-
-def _section_options(function: AnyFunction, title: str, names: Sequence[str]) -> AnyFunction:
-    for name in reversed(names):
-        function = click.option(
-            *_declaration(name), cls=SettingOption, section=title, **_attributes(name)
-        )(function)
-    return function
-
-
-def _declaration(name: str) -> tuple[str, str]:
-    flag = option_name(name)
-    is_flag = _kind(name) is bool
-    return f"{flag}/--no-{flag.removeprefix('--')}" if is_flag else flag, name
-
-
-def _attributes(name: str) -> dict[str, Any]:
-    attributes: dict[str, Any] = {"default": None, "help": _help(name)}
-    special = _SPECIAL.get(name)
-    if special is not None:
-        return {**attributes, **special}
-    kind = _kind(name)
-    return attributes if kind is bool else {**attributes, "type": kind, "metavar": METAVARS[kind]}
-
-
-def _kind(name: str) -> type:
-    """The plainest type that a field takes."""
-    owner = RaceSettings if name in RACE else SingleSettings
-    hint = get_type_hints(owner)[name]
-    accepted = {hint, *get_args(hint)}
-    return next((kind for kind in (bool, int, float) if kind in accepted), str)
-
-
-def _help(name: str) -> str:
-    item = RACE.get(name) or SINGLE[name]
-    text = HELP.get(name, item.metadata["help"]) + MORE_HELP.get(name, "")
-    shown = DEFAULTS.get(name, _default(name))
-    return f"{text}  [default: {shown}]" if shown else text
-
-
-def _default(name: str) -> str:
-    """The default of a race and, where it differs, of one team alone; empty for none."""
-    race = _shown(RACE[name]) if name in RACE else ""
-    by_team = [
-        f"{values[name]} for {t}s" for t, values in SINGLE_DEFAULTS.items() if name in values
-    ]
-    alone = ", ".join(by_team) or (_shown(SINGLE[name]) if name in SINGLE else race)
-    if name not in RACE or race == alone:
-        return alone
-    return f"{race}; with --against {alone}"
-
-
-def _shown(item: Field[Any]) -> str:
-    value = None if item.default is MISSING else item.default
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if isinstance(value, tuple):
-        return ",".join(str(part) for part in value)
-    return "" if value is None else str(value)
-
-
-def sizes_of(
-    ctx: click.Context, param: click.Parameter, value: str | None
-) -> tuple[int, ...] | None:
-    """Layer sizes such as 32 or 64,64."""
-    if value is None or value == "none":
-        return None if value is None else ()
-    if not re.fullmatch(r"\d+(,\d+)*", value):
-        raise click.BadParameter(f"expected sizes such as 32 or 64,64, or none, got {value!r}")
-    return tuple(int(size) for size in value.split(","))
-
-
-def obstacles_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Any:
-    """A density, or the path of a map."""
-    if value is None:
-        return None
-    try:
-        return float(value)
-    except ValueError:
-        if Path(value).is_file():
-            return value
-    raise click.BadParameter(f"expected a density in [0, 1) or a .map file, got {value!r}")
-
-
-_SPECIAL: Mapping[str, dict[str, Any]] = {
-    "schedule": {
-        "type": click.Choice([*SCHEDULES, ALTERNATING, HALL_OF_FAME, ALL]),
-        "multiple": True,
-        "callback": lambda ctx, param, names: names or None,
-        "metavar": "NAME",
-    },
-    "team": {"type": click.Choice(["pursuer", "evader"]), "metavar": "TEAM"},
-    "variant": {"type": str.upper, "metavar": "NAME"},
-    "hidden": {"callback": sizes_of, "metavar": "SIZES"},
-    "obstacles": {"callback": obstacles_of, "metavar": "DENSITY|FILE"},
-    "against": {"callback": opponent_of, "metavar": "SCRIPT|RUN"},
-    "start": {"callback": run_of, "metavar": "RUN"},
-}
-
-
-def option_name(field_name: str) -> str:
-    """The option of a field."""
-    return "--" + field_name.replace("_", "-")
-
-
-def given_settings(options: Mapping[str, Any]) -> dict[str, Any]:
-    """The settings that were given on the command line."""
-    return {name: value for name, value in options.items() if value is not None}
-
-
-def settings_from(given: Mapping[str, Any]) -> list[RaceSettings] | list[SingleSettings]:
-    """The settings of each run that the options ask for.
-
-    Raises click.UsageError for what cannot be, saying what was expected.
-    """
-    if "against" in given:
-        _refuse(given, set(SINGLE), "without --against")
-        if "start" in given:
-            given = {**given, "start": str(given["start"])}
-        return [_made(SingleSettings, given)]
-    _refuse(given, set(RACE), "together with --against")
-    schedules = _schedules(given.get("schedule", MAIN_JOB))
-    return [_made(RaceSettings, {**given, "schedule": schedule}) for schedule in schedules]
-
-
-def _refuse(given: Mapping[str, Any], known: set[str], how: str) -> None:
-    for name in given:
-        if name not in known:
-            raise click.UsageError(f"{option_name(name)}: expected {how} only")
-
-
-def _schedules(named: Sequence[str]) -> list[str]:
-    wanted = [*SCHEDULES] if ALL in named else []
-    return list(dict.fromkeys([*wanted, *(name for name in named if name != ALL)]))
-
-
-def _made(kind: Callable[..., Any], given: Mapping[str, Any]) -> Any:
-    try:
-        return kind(**given)
-    except (OSError, TypeError, ValueError) as error:
-        raise click.UsageError(_in_options(str(error))) from error
-
-
-def _in_options(message: str) -> str:
-    """An error's message with the option in place of the field that it begins with."""
-    name, colon, rest = message.partition(":")
-    name = OTHER_NAMES.get(name, name)
-    return f"{option_name(name)}{colon}{rest}" if name in RACE or name in SINGLE else message

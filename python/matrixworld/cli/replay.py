@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +10,16 @@ import click
 
 from matrixworld import replay
 from matrixworld.cli.arguments import failures, find_runs, run_of
-from matrixworld.cli.options import obstacles_of
+from matrixworld.cli.options import (
+    SectionedCommand,
+    force_option,
+    given_options,
+    option_name,
+    refuse_existing,
+    seed_option,
+    steps_option,
+)
+from matrixworld.cli.setting_options import world_options
 from matrixworld.coevolution import open_run
 from matrixworld.config import WorldConfig
 from matrixworld.episode import Episode
@@ -18,10 +27,20 @@ from matrixworld.policy import SCRIPTS, TeamPolicy
 from matrixworld.rollout import record
 from matrixworld.rules import VARIANTS, Rules, rules_of
 
-LAST = -1
-SLOWEST, FASTEST = 0.1, 50.0  # drawings a second that a GIF can show
+LAST = "-1"
+SLOWEST, FASTEST = 0.1, 50.0
+"""Frames a second that a GIF can show: it holds delays in hundredths of a second."""
 SUFFIXES = (".gif", ".mp4", ".png", ".npz")
 CHASER, FLEER = "chaser", "fleer"
+MATCH = {"pursuer", "evader", "episode"}
+"""Options that choose an episode of a run; the other ones describe a new game."""
+# \b keeps click from wrapping the lines.
+EXAMPLES = """\b
+Examples:
+  matrixworld replay runs/O-seed0/generalist-generalist --pursuer 30 --evader 15
+  matrixworld replay my-race --out match.gif
+  matrixworld replay SB --pursuer surrounder --obstacles 0.1
+"""
 
 
 def _out(ctx: click.Context, param: click.Parameter, value: tuple[Path, ...]) -> tuple[Path, ...]:
@@ -32,7 +51,8 @@ def _out(ctx: click.Context, param: click.Parameter, value: tuple[Path, ...]) ->
 
 
 def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Rules:
-    """A file, else a run, else the rules of a variant."""
+    """Return a file, else a run directory, else the rules of a variant."""
+    # Paths come first: a run may be called O, and `O` in another directory is the variant.
     if Path(value).is_file():
         return Path(value)
     if find_runs(Path(value)):
@@ -46,49 +66,45 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
         ) from None
 
 
-@click.command("replay")
+@click.command("replay", cls=SectionedCommand, epilog=EXAMPLES)
 @click.argument("source", metavar="RUN|FILE|VARIANT", callback=_source)
-@click.option("--pursuers", metavar="WHO", help="a generation of the run, or a script")
-@click.option("--evaders", metavar="WHO", help="likewise")
+@click.option(
+    "--pursuer",
+    metavar="WHO",
+    help=f"generation of the run, or script  [default: the last; of a VARIANT {CHASER}]",
+)
+@click.option(
+    "--evader",
+    metavar="WHO",
+    help=f"generation of the run, or script  [default: the last; of a VARIANT {FLEER}]",
+)
 @click.option(
     "--episode",
     type=click.IntRange(min=0),
+    default=0,
+    show_default=True,
     metavar="NUMBER",
-    help="which one of the match, or of the seed  [default: 0]",
+    help="which episode of the match, or of the seed",
 )
-@click.option(
-    "--seed",
-    type=click.IntRange(min=0),
-    metavar="INTEGER",
-    help="of a variant's game  [default: 0]",
-)
-@click.option("--rows", type=click.IntRange(min=1), metavar="INTEGER", help="of a variant's grid")
-@click.option("--cols", type=click.IntRange(min=1), metavar="INTEGER", help="of a variant's grid")
-@click.option(
-    "--obstacles",
-    callback=obstacles_of,
-    metavar="DENSITY|FILE",
-    help="of a variant's grid: in [0, 1), or a MovingAI .map file",
-)
-@click.option(
-    "--steps", type=click.IntRange(min=1), metavar="INTEGER", help="of a variant's game, at most"
-)
+@seed_option
+@steps_option
 @click.option(
     "--out",
-    type=click.Path(path_type=Path, dir_okay=False),
+    type=click.Path(path_type=Path),
     multiple=True,
     callback=_out,
     metavar="FILE",
-    help="write it here instead of showing it: .gif, .mp4, .png (its last moment) or .npz (the "
-    "episode itself); may be given several times",
+    help="write the episode to a file instead of showing it: .gif, .mp4, .png (its last moment) or "
+    ".npz (its data); may be given several times",
 )
+@force_option
 @click.option(
     "--fps",
     type=click.FloatRange(SLOWEST, FASTEST),
     default=10.0,
     show_default=True,
     metavar="NUMBER",
-    help="drawings a second",
+    help="frames a second",
 )
 @click.option(
     "--every",
@@ -96,7 +112,7 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
     default=1,
     show_default=True,
     metavar="STEPS",
-    help="steps from one drawing to the next",
+    help="steps from one frame to the next",
 )
 @click.option(
     "--view",
@@ -104,40 +120,44 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
     metavar="AGENT",
     help="outline in pictures what this agent sees: pursuer_0, ...; may be given several times",
 )
+@world_options("rows", "cols", "obstacles")
 def replay_command(
     source: Path | Rules,
-    pursuers: str | None,
-    evaders: str | None,
-    episode: int | None,
     out: tuple[Path, ...],
+    force: bool,
     fps: float,
     every: int,
     view: tuple[str, ...],
-    **world: Any,
+    **options: Any,
 ) -> None:
     """Watch an episode in the terminal, or write it to files.
 
-    Of a RUN it is the very episode that the payoff matrix counts: WHO is a generation, below 0
-    from the last, by default the last. FILE is an episode that --out or Episode.save has written.
-    VARIANT (O, SB, ...) is a new game between scripts: WHO is random, still, chaser, fleer,
-    clumsy-chaser, hunter, surrounder, clumsy-fleer or dodger, by default chaser against fleer.
+    RUN: an episode of the run's payoff matrix, played again. WHO is a generation; negative numbers
+    count from the last. FILE: an episode that --out or Episode.save has written. VARIANT (O, SB,
+    ...): a new game between scripts, with --seed, --steps and the options of the world. WHO is
+    random, still, chaser, fleer, clumsy-chaser, hunter, surrounder, clumsy-fleer or dodger.
     """
-    who: dict[str, Any] = {"pursuers": pursuers, "evaders": evaders, "episode": episode}
+    # The terminal shows no fields of view.
     if view and not out:
         raise click.UsageError("--view: expected a picture to --out together with it")
+    refuse_existing(*out, force=force)
     with failures():
-        if isinstance(source, Rules):
-            played = _scripted(source, **who, **world)
-        elif source.is_file():
-            _refuse({**who, **world}, f"{source} is a single episode")
-            played = _loaded(source)
-        else:
-            _refuse(world, f"{source} is a run")
-            played = _of_run(source, **who)
+        played = _episode(source, given_options(options))
         _show(played, out, fps=fps, every=every, viewers=view)
     caught, of = int(played.counted[-1].sum()), played.n_evaders
     written = ", ".join(map(str, out))
     click.echo(f"{caught} of {of} evaders captured, {played.length} steps  {written}".rstrip())
+
+
+def _episode(source: Path | Rules, given: dict[str, Any]) -> Episode:
+    """Return the episode of a source; refuse options that say nothing about it."""
+    if isinstance(source, Rules):
+        return _scripted(source, **given)
+    if source.is_file():
+        _refuse(given, f"{source} is a single episode")
+        return _loaded(source)
+    _refuse(given.keys() - MATCH, f"{source} is a run")
+    return _of_run(source, **given)
 
 
 def _show(
@@ -152,56 +172,58 @@ def _show(
         try:
             replay.save(played, path, fps=fps, every=every, viewers=viewers)
         except (ImportError, ValueError) as error:
+            # ImportError: MP4 needs an optional package, and the message says how to install it.
             raise click.ClickException(str(error)) from error
 
 
-def _of_run(run: Path, pursuers: str | None, evaders: str | None, episode: int | None) -> Episode:
+def _of_run(run: Path, pursuer: str = LAST, evader: str = LAST, episode: int = 0) -> Episode:
+    generations = _generation("--pursuer", pursuer), _generation("--evader", evader)
     try:
-        return open_run(run).record(
-            _generation("--pursuers", pursuers), _generation("--evaders", evaders), episode or 0
-        )
+        return open_run(run).record(*generations, episode)
     except IndexError as error:
         raise click.UsageError(str(error)) from error
 
 
-def _generation(option: str, who: str | None) -> int:
-    if who is None:
-        return LAST
+def _generation(option: str, who: str) -> int:
     try:
         return int(who)
     except ValueError:
         raise click.UsageError(f"{option}: expected a generation of the run, got {who!r}") from None
 
 
+# The defaults here stand for options that the user has not given: a run and a variant have
+# different ones.
 def _scripted(
     rules: Rules,
-    pursuers: str | None,
-    evaders: str | None,
-    episode: int | None,
-    seed: int | None,
-    steps: int | None,
+    pursuer: str = CHASER,
+    evader: str = FLEER,
+    episode: int = 0,
+    seed: int = 0,
+    steps: int | None = None,
     **world: Any,
 ) -> Episode:
-    teams = _script("--pursuers", pursuers or CHASER), _script("--evaders", evaders or FLEER)
+    teams = _script("--pursuer", pursuer), _script("--evader", evader)
+    # None is no number of steps: WorldConfig has its own default.
     limit: dict[str, Any] = {} if steps is None else {"max_steps": steps}
     try:
         config = WorldConfig(rules, **limit, **world)
-        return record(config, *teams, seed=seed or 0, episode=episode or 0)
+        return record(config, *teams, seed=seed, episode=episode)
     except ValueError as error:
         raise click.UsageError(str(error)) from error
 
 
 def _script(option: str, who: str) -> TeamPolicy:
+    # The loop, and not `in`: it makes a Literal of the name for the type checker.
     for script in SCRIPTS:
         if who == script:
             return script
     raise click.UsageError(f"{option}: expected {', '.join(SCRIPTS)}, got {who!r}")
 
 
-def _refuse(options: Mapping[str, object], reason: str) -> None:
-    given = [f"--{name}" for name, value in options.items() if value is not None]
-    if given:
-        raise click.UsageError(f"{reason}: expected no {', '.join(given)} with it")
+def _refuse(names: Iterable[str], reason: str) -> None:
+    refused = ", ".join(map(option_name, sorted(names)))
+    if refused:
+        raise click.UsageError(f"{reason}: expected no {refused} with it")
 
 
 def _loaded(file: Path) -> Episode:

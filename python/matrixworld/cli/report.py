@@ -1,17 +1,17 @@
-"""What a job has come to: figures, summary, and what is printed."""
+"""What ``matrixworld evolve`` draws, writes and prints when its runs are finished."""
 
 from __future__ import annotations
 
-import shlex
-import shutil
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import click
 
-from matrixworld.analysis import Summary, describe, summarize
-from matrixworld.cli.figures import draw_comparison, draw_run
-from matrixworld.coevolution import SavedRun, SingleSettings, open_run
+from matrixworld.analysis import Summary, describe
+from matrixworld.cli.console import TERMS, command, print_table, print_wrapped
+from matrixworld.cli.jobs import Result
+from matrixworld.cli.plot import draw_comparison, draw_run
+from matrixworld.coevolution import SingleSettings
 from matrixworld.coevolution.storage.files import save_json
 from matrixworld.coevolution.types import other
 
@@ -22,84 +22,79 @@ LOOKS = {
     "progress": "looks like progress",
     "undecided": "is undecided",
 }
-WIDEST = 100  # columns of printed text
 
 
-def report(paths: Sequence[Path], root: Path) -> None:
-    """Draw the figures of finished runs, write what compares them, and print all in words."""
-    runs = {path: open_run(path) for path in paths}
-    drawn = {path: draw_run(path) for path in paths}
-    races = {path.name: run for path, run in runs.items() if is_race(run)}
-    for path, run in runs.items():
-        if not is_race(run):
-            _print_single(path, run)
-    if races:
-        _report_races(races, root if len(races) > 1 else None)
-    _print_files(drawn, root)
-    _print_next(runs)
+def report(results: Sequence[Result], root: Path) -> None:
+    """Draw the figures of finished runs, compare the races, and print the results in words.
 
-
-def is_race(run: SavedRun) -> bool:
-    """Whether both teams evolved."""
-    return not isinstance(run.settings, SingleSettings)
-
-
-def _report_races(races: Mapping[str, SavedRun], compared_in: Path | None) -> None:
-    payoffs = {name: run.payoff().capture_rate for name, run in races.items()}
-    summaries = {name: summarize(payoff) for name, payoff in payoffs.items()}
-    if compared_in is not None:
-        draw_comparison(payoffs, compared_in / "comparison.png")
-        numbers = {name: run.files.summary() for name, run in races.items()}
-        save_json(compared_in / "summary.json", {"runs": numbers})
-    for name, summary in summaries.items():
-        click.secho(f"\n{name}", bold=True)
-        print_wrapped(describe(summary))
+    Parameters
+    ----------
+    results : sequence of Result
+        The runs of one job.
+    root : Path
+        Directory of the job: of its single run, or the parent of several.
+    """
+    # Nothing is refused here: figures of an earlier report of the same runs are replaced.
+    drawn = {each.path: draw_run(each) for each in results}
+    races = {each.path.name: each for each in results if each.is_race}
+    for each in results:
+        if not each.is_race:
+            _print_single(each)
     if len(races) > 1:
-        print_table(summaries)
+        draw_comparison(races, root / "comparison.png")
+        numbers = {name: race.numbers for name, race in races.items()}
+        save_json(root / "summary.json", {"runs": numbers})
+    if races:
+        _print_races(races)
+    _print_files(drawn, root, compared=len(races) > 1)
+    _print_next(results)
+
+
+def _print_races(races: Mapping[str, Result]) -> None:
+    for name, race in races.items():
+        click.secho(f"\n{name}", bold=True)
+        print_wrapped(describe(race.summary))
+    if len(races) > 1:
+        _print_comparison({name: race.summary for name, race in races.items()})
     click.echo()
-    for name, run in races.items():
-        _print_claim(name, run, summaries[name])
+    for name, race in races.items():
+        _print_claim(name, race)
+    click.echo(TERMS)
 
 
-def print_wrapped(text: str) -> None:
-    """Print each line of a text as an indented paragraph as wide as the terminal."""
-    width = min(WIDEST, shutil.get_terminal_size().columns)
-    for line in text.splitlines():
-        click.echo(click.wrap_text(line, width, initial_indent="  ", subsequent_indent="    "))
-
-
-def print_table(summaries: Mapping[str, Summary]) -> None:
-    """Print the headline numbers of races, one a line."""
-    width = max(len("race"), *map(len, summaries))
-    heads = ("transitive share", "checkerboards", "swing", "lag rise")
-    click.echo(f"\n{'race':{width}}  {'  '.join(heads)}")
-    for name, summary in summaries.items():
-        late = summary.last_half
-        cells = (
-            _number(late.transitive_share, ".2f"),
-            _number(late.checkerboard_share, ".1%"),
+def _print_comparison(summaries: Mapping[str, Summary]) -> None:
+    heads = ("race", "transitive share", "checkerboards", "swing", "lag rise", "")
+    rows = [
+        (
+            name,
+            _number(summary.last_half.transitive_share, ".2f"),
+            _number(summary.last_half.checkerboard_share, ".1%"),
             f"{summary.swing:.2f}",
             f"{summary.lag_rise:+.2f}",
+            LOOKS[summary.verdict],
         )
-        aligned = (f"{cell:>{len(head)}}" for cell, head in zip(cells, heads, strict=True))
-        click.echo(f"{name:{width}}  {'  '.join(aligned)}  {LOOKS[summary.verdict]}")
+        for name, summary in summaries.items()
+    ]
+    click.echo()
+    print_table([heads, *rows], "<>>>><")
 
 
 def _number(value: float | None, form: str) -> str:
     return "-" if value is None else format(value, form)
 
 
-def _print_claim(name: str, run: SavedRun, summary: Summary) -> None:
-    claim = None if isinstance(run.settings, SingleSettings) else CLAIMS.get(run.settings.schedule)
+def _print_claim(name: str, race: Result) -> None:
+    settings, verdict = race.settings, race.summary.verdict
+    claim = None if isinstance(settings, SingleSettings) else CLAIMS.get(settings.schedule)
     if claim is not None:
-        here = "as here" if summary.verdict == claim else f"this run {LOOKS[summary.verdict]}"
+        here = "as here" if verdict == claim else f"this run {LOOKS[verdict]}"
         click.echo(f"{name}: the paper reports {claim} of this schedule, {here}.")
 
 
-def _print_single(path: Path, run: SavedRun) -> None:
-    settings, numbers = run.settings, run.files.summary()
+def _print_single(run: Result) -> None:
+    settings, numbers = run.settings, run.numbers
     if isinstance(settings, SingleSettings):
-        click.secho(f"\n{path}", bold=True)
+        click.secho(f"\n{run.path}", bold=True)
         click.echo(
             f"  {settings.team}s after {settings.epochs} epochs against {settings.against}, in "
             f"{numbers['evaluation_matches']} fresh episodes of at most {settings.eval_steps} "
@@ -109,33 +104,39 @@ def _print_single(path: Path, run: SavedRun) -> None:
         )
 
 
-def _print_files(drawn: Mapping[Path, Sequence[Path]], root: Path) -> None:
-    click.echo(f"\nEverything is in {root}:")
-    if len(drawn) > 1:
+def _print_files(drawn: Mapping[Path, Sequence[Path]], root: Path, *, compared: bool) -> None:
+    click.echo(f"\nAll files are in {root}:")
+    if compared:
         click.echo("  comparison.png: the races side by side; summary.json: their numbers")
     for path, figures in drawn.items():
         place = "" if path == root else f"{path.name}/: "
         click.echo(f"  {place}{', '.join(figure.name for figure in figures)}")
-    click.echo("  and for further work payoff.npz, archive.npz, log.csv, summary.json")
+    click.echo("  data of each run: payoff.npz, archive.npz, log.csv, summary.json")
 
 
-def _print_next(runs: Mapping[Path, SavedRun]) -> None:
-    *_, (path, run) = runs.items()
+def _print_next(results: Sequence[Result]) -> None:
+    # The last run: of the default job the generalists, whose late pursuers are worth watching.
+    path, settings = results[-1].path, results[-1].settings
     click.echo("\nWhat to try next:")
-    if isinstance(run.settings, SingleSettings):
-        _print_command("replay", path, "--out match.gif")
-        _print_command("evolve --against", path, f"--team {other(run.settings.team)}")
+    if isinstance(settings, SingleSettings):
+        _print_commands(
+            command("replay", path, "--out match.gif"),
+            command("evolve --against", path, f"--team {other(settings.team)}"),
+        )
         return
-    last = run.settings.generations
-    match = f"--pursuers {last} --evaders {last // 2}"
-    _print_command("replay", path, match)
-    _print_command("replay", path, match, "--out match.gif")
-    _print_command("diagnose", path)
-    _print_command("score", path)
-    _print_command("tournament", *runs, *(["--episodes 50"] if len(runs) == 1 else []))
-    _print_command("plot", *runs)
+    last = settings.generations
+    match = f"--pursuer {last} --evader {last // 2}"
+    paths = [each.path for each in results]
+    _print_commands(
+        command("replay", path, match),
+        command("replay", path, match, "--out match.gif"),
+        command("diagnose", path),
+        command("score", path),
+        command("tournament", *paths[:2]),
+        command("plot", *paths, "--force"),
+    )
 
 
-def _print_command(name: str, *words: Path | str) -> None:
-    quoted = [shlex.quote(str(word)) if isinstance(word, Path) else word for word in words]
-    click.echo(f"  matrixworld {name} {' '.join(quoted)}")
+def _print_commands(*commands: str) -> None:
+    for each in commands:
+        click.echo(f"  {each}")

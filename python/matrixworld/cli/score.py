@@ -1,4 +1,4 @@
-"""``matrixworld score``: a run's teams against opponents that it has not met."""
+"""``matrixworld score``: a run's teams against opponents that no run has met."""
 
 from __future__ import annotations
 
@@ -7,22 +7,31 @@ from pathlib import Path
 
 import click
 
-from matrixworld.cli.arguments import failures, run_of, threads_option
-from matrixworld.cli.progress import progress
-from matrixworld.cli.report import print_wrapped
+from matrixworld.cli.arguments import failures, run_of
+from matrixworld.cli.console import print_wrapped, progress
+from matrixworld.cli.options import (
+    episodes_option,
+    force_option,
+    json_option,
+    refuse_existing,
+    seed_option,
+    steps_option,
+    threads_option,
+    write_json,
+)
 from matrixworld.coevolution import HeldOutScores, SavedRun, Team, open_run, score
-from matrixworld.coevolution.storage.files import save_json
 
 ALL = "all"
 LAST = -1
 SCORE = {"pursuer": "capture rate", "evader": "escape rate"}
 LEGEND = (
-    "In brackets: what the luck of these episodes leaves open (95%). Other seeds of the run may "
-    "differ by more. The mean counts every opponent the same."
+    "In brackets: 95% interval over the episodes. Runs with other seeds may differ by more. In the "
+    "mean every opponent has the same weight."
 )
 
 
 def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int | None:
+    """Return the number of a generation, or None for all."""
     if value == ALL:
         return None
     try:
@@ -34,25 +43,17 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
 @click.command("score")
 @click.argument("run", callback=run_of)
 @click.option(
-    "--generation", default=str(LAST), callback=_generation, metavar="NUMBER|all",
-    help="which one, below 0 from the last; all: means of every one  [default: the last]",
-)  # fmt: skip
-@click.option(
-    "--episodes", type=click.IntRange(min=2), default=100, show_default=True, metavar="INTEGER",
-    help="episodes against each opponent",
-)  # fmt: skip
-@click.option(
-    "--steps", type=click.IntRange(min=1), metavar="INTEGER",
-    help="most steps of an episode  [default: as in the evaluation of RUN]",
-)  # fmt: skip
-@click.option(
-    "--seed", type=click.IntRange(0, 2**63 - 1), default=0, show_default=True, metavar="INTEGER",
-    help="seed of the episodes, the same for every run",
-)  # fmt: skip
-@click.option(
-    "--json", "json_file", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
-    help="write the numbers to a file, too",
-)  # fmt: skip
+    "--generation",
+    default=str(LAST),
+    callback=_generation,
+    metavar="NUMBER|all",
+    help="which one, negative numbers from the last; all: means of every one  [default: the last]",
+)
+@episodes_option
+@steps_option
+@seed_option
+@json_option
+@force_option
 @threads_option
 def score_command(
     run: Path,
@@ -61,23 +62,21 @@ def score_command(
     steps: int | None,
     seed: int,
     json_file: Path | None,
+    force: bool,
     threads: int | None,
 ) -> None:
     """Score a run's teams against held-out opponents.
 
-    They are scripts of different skill and, in worlds seen and walked as by default, small networks
-    that come with the package. No run has learnt against them, so that runs can be compared. RUN
-    need not be finished.
+    The opponents are scripts of different skill and, in worlds with the default views and actions,
+    small networks that come with the package. No run has learnt against them, and with one --seed
+    all runs meet them in the same episodes: runs can be compared. RUN need not be finished.
     """
+    refuse_existing(json_file, force=force)
     with failures():
-        saved = open_run(run)
-        scores = _play(saved, generation, episodes, steps, seed, threads)
-        if json_file is not None:
-            teams = {f"{team}s": each.to_json() for team, each in scores.items()}
-            save_json(json_file, {"run": str(run), "seed": seed, **teams})
-    _print(scores)
-    if json_file is not None:
-        click.echo(f"\nWritten: {json_file}")
+        scores = _play(open_run(run), generation, episodes, steps, seed, threads)
+        _print(scores)
+        teams = {f"{team}s": each.to_json() for team, each in scores.items()}
+        write_json(json_file, {"run": str(run), "seed": seed, **teams})
 
 
 def _play(
@@ -100,6 +99,7 @@ def _play(
                 report=report,
             )
         except IndexError as error:
+            # The message begins with "generation", which is an option here.
             raise click.UsageError(f"--{error}") from error
 
 
@@ -118,6 +118,7 @@ def _print_team(scores: HeldOutScores) -> None:
     [generation] = scores.generations
     click.secho(f"\n{scores.team}s of generation {generation}: {SCORE[scores.team]}", bold=True)
     rows = {name: scores.against(name) for name in scores.opponents}
+    # Its own bootstrap: the interval of a mean is narrower than those of its parts.
     rows["mean"] = scores.mean()
     width = max(map(len, rows))
     for name, estimate in rows.items():

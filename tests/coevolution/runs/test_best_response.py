@@ -140,12 +140,12 @@ def test_another_response_in_the_directory_is_refused(race, tmp_path):
 
 def test_the_command(race, tmp_path):
     run = Path(shutil.copytree(race, tmp_path / "race"))
-    command = ["exploit", run, "--team", "pursuer", "--matches", 100, "--episodes", 20]
+    command = ["exploit", run, "--champion", "pursuer", "--matches", 100, "--episodes", 20]
     told = matrixworld_command(*command).stdout
-    made = run / "response-to-pursuers-100x20-seed5"
-    result = best_response(open_run(run), "pursuer", 100, made, eval_episodes=20)
-    assert f"  the evaders that they had  {result.before.mean():.3f}\n" in told
-    assert f"  the response               {result.after.mean():.3f}\n" in told
+    made = run / "response-to-pursuers-100x20-seed0"
+    result = best_response(open_run(run), "pursuer", 100, made, eval_episodes=20, seed=0)
+    assert f"  the evaders of the run  {result.before.mean():.3f}\n" in told
+    assert f"  the response            {result.after.mean():.3f}\n" in told
     assert "96 matches of evolution and 40 of evaluation" in told
     assert f"matrixworld replay {made}" in told
     assert matrixworld_command(*command).stdout == told
@@ -154,14 +154,14 @@ def test_the_command(race, tmp_path):
 
 def test_the_command_goes_on_after_ctrl_c(race, tmp_path, monkeypatch):
     run = Path(shutil.copytree(race, tmp_path / "race"))
-    command = ["exploit", run, "--team", "evader", "--matches", 200, "--output", tmp_path / "x"]
+    command = ["exploit", run, "--champion", "evader", "--matches", 200, "--output", tmp_path / "x"]
 
     def interrupted(*args: Any, **options: Any) -> Any:
         return best_response(*args, **options, play=StopAt(2))
 
     monkeypatch.setattr(exploit, "best_response", interrupted)
     stopped = matrixworld_command(*command, code=130)
-    assert f"The same command goes on with {tmp_path / 'x'}" in stopped.stderr
+    assert f"The same command continues the run in {tmp_path / 'x'}" in stopped.stderr
     monkeypatch.undo()
     assert "192 matches of evolution" in matrixworld_command(*command).stdout
 
@@ -180,9 +180,13 @@ def test_words_for_a_gain_and_for_none(race, tmp_path):
 @pytest.mark.parametrize(
     ("options", "code", "message"),
     [
-        ([], 2, "Missing option '--team'"),
-        (["--team", "pursuer", "--matches", "47"], 2, "expected at least 48, those of an epoch"),
-        (["--team", "pursuer", "--output", "{race}"], 2, "expected a single run, got 'race'"),
+        ([], 2, "Missing option '--champion'"),
+        (
+            ["--champion", "pursuer", "--matches", "47"],
+            2,
+            "expected at least 48, those of an epoch",
+        ),
+        (["--champion", "pursuer", "--output", "{race}"], 2, "expected a single run, got 'race'"),
     ],
 )
 def test_the_command_refuses(race, options, code, message):

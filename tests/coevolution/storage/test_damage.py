@@ -298,7 +298,7 @@ def test_a_job_of_which_some_runs_were_made_is_not_taken_for_a_whole_one(tmp_pat
         matrixworld_command("evolve", directory, *words(RACE), code=1)
     for command in (["evolve", "--resume", directory], ["evolve", directory, *words(RACE)]):
         said = matrixworld_command(*command, code=2).stderr
-        assert "was stopped while its runs were being made" in said
+        assert "was stopped while it created the runs" in said
     shutil.rmtree(directory)
     monkeypatch.setattr(report, "draw_comparison", lambda payoffs, path: path)
     matrixworld_command("evolve", directory, *words(RACE))

@@ -1,0 +1,256 @@
+"""Options from the fields of a run's settings, and settings from the options.
+
+Every field of `RaceSettings` and `SingleSettings` is an option of ``matrixworld evolve``; name,
+type, help text and default are those of the field. Other commands take some of these options.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import MISSING, Field, fields
+from pathlib import Path
+from typing import Any, TypeVar, get_args, get_type_hints
+
+import click
+
+from matrixworld.cli.arguments import opponent_of, run_of
+from matrixworld.cli.options import SEED, option_name
+from matrixworld.coevolution import (
+    ALTERNATING,
+    HALL_OF_FAME,
+    SCHEDULES,
+    SINGLE_DEFAULTS,
+    RaceSettings,
+    SingleSettings,
+)
+from matrixworld.policy import SCRIPTS
+from matrixworld.rules import VARIANTS
+
+AnyFunction = TypeVar("AnyFunction", bound=Callable[..., Any])
+
+WORLD = "World"
+SECTIONS: dict[str, tuple[str, ...]] = {
+    "Races": (
+        "schedule", "generations", "pursuer_epochs", "evader_epochs",
+        "joint_epochs", "contemporaries", "hall_sample", "pursuers_meet", "evaders_meet",
+        "opponents", "archive_size", "archive_episodes", "sharing", "pursuer_virulence",
+        "evader_virulence",
+    ),
+    "One team alone": ("against", "team", "start", "epochs", "archive_every"),
+    WORLD: (
+        "variant", "rows", "cols", "pursuers", "evaders", "obstacles", "fov", "diagonal",
+    ),
+    "Policy": ("hidden", "activation", "initial_weight", "initial_head"),
+    "Learner": (
+        "learner", "population", "sigma", "optimizer", "learning_rate", "momentum", "anneal",
+        "mutation", "crossover", "selection", "tournament", "truncation", "elites", "fitness",
+        "overlap_penalty",
+    ),
+    "Episodes and seed": ("train_steps", "worlds", "eval_steps", "eval_episodes", "seed"),
+}  # fmt: skip
+"""The settings in the order of the help page."""
+
+MAIN_JOB = ("specialist-specialist", "generalist-generalist")
+ALL = "all"
+HELP = {
+    "variant": f"game variant: {', '.join(VARIANTS)}; see matrixworld variants",
+    "obstacles": "density of obstacles in [0, 1), or a MovingAI .map file",
+    "against": f"evolve one team alone against {', '.join(SCRIPTS)}, or the last generation of a "
+    "run",
+}
+"""Help texts that replace those of the fields."""
+MORE_HELP = {
+    "schedule": f"; may be given several times; {ALL}: the first three",
+    "hidden": ", such as 32 or 64,64; none: no hidden layer",
+}
+"""What the command line adds to the help texts of the fields."""
+DEFAULTS = {"schedule": " and ".join(MAIN_JOB), "against": ""}
+"""Defaults that are not those of the fields."""
+OTHER_NAMES = {
+    "n_pursuers": "pursuers",
+    "n_evaders": "evaders",
+    "obstacle density": "obstacles",
+    "obstacle map": "obstacles",
+}
+"""Names of settings in the errors of `WorldConfig`: the fields."""
+METAVARS = {int: "INTEGER", float: "NUMBER", str: "TEXT"}
+RACE = {item.name: item for item in fields(RaceSettings)}
+SINGLE = {item.name: item for item in fields(SingleSettings)}
+
+
+class SettingOption(click.Option):
+    """An option that belongs to a section of the help page."""
+
+    def __init__(self, *args: Any, section: str, **attributes: Any) -> None:
+        super().__init__(*args, **attributes)
+        self.section = section
+
+
+def setting_options(function: AnyFunction) -> AnyFunction:
+    """Give a command an option for every setting."""
+    # Decorators are applied from the last to the first, so the sections are, too.
+    for title, names in reversed(SECTIONS.items()):
+        function = _section_options(title, names)(function)
+    return function
+
+
+def world_options(*names: str) -> Callable[[AnyFunction], AnyFunction]:
+    """Return a decorator that gives a command the named options of a world, or all but variant."""
+    every = [name for name in SECTIONS[WORLD] if name != "variant"]
+    return _section_options(WORLD, names or every)
+
+
+def _section_options(title: str, names: Sequence[str]) -> Callable[[AnyFunction], AnyFunction]:
+    def decorate(function: AnyFunction) -> AnyFunction:
+        for name in reversed(names):
+            function = click.option(
+                *_declaration(name), cls=SettingOption, section=title, **_attributes(name)
+            )(function)
+        return function
+
+    return decorate
+
+
+def _declaration(name: str) -> tuple[str, str]:
+    flag = option_name(name)
+    is_flag = _kind(name) is bool  # such as --anneal/--no-anneal
+    return f"{flag}/--no-{flag.removeprefix('--')}" if is_flag else flag, name
+
+
+def _attributes(name: str) -> dict[str, Any]:
+    attributes: dict[str, Any] = {"default": None, "help": _help(name)}
+    # Settings whose option has its own type or callback, because a field does not say enough.
+    special = _SPECIAL.get(name)
+    if special is not None:
+        return {**attributes, **special}
+    kind = _kind(name)
+    return attributes if kind is bool else {**attributes, "type": kind, "metavar": METAVARS[kind]}
+
+
+def _kind(name: str) -> type:
+    """Return the simplest type that a field accepts."""
+    owner = RaceSettings if name in RACE else SingleSettings
+    hint = get_type_hints(owner)[name]
+    # `int | None` and `float | None` are options that take a number; None is "not given".
+    accepted = {hint, *get_args(hint)}
+    return next((kind for kind in (bool, int, float) if kind in accepted), str)
+
+
+def _help(name: str) -> str:
+    item = RACE.get(name) or SINGLE[name]
+    text = HELP.get(name, item.metadata["help"]) + MORE_HELP.get(name, "")
+    shown = DEFAULTS.get(name, _default(name))
+    return f"{text}  [default: {shown}]" if shown else text
+
+
+def _default(name: str) -> str:
+    """Return a race's default and, where it differs, one team's alone; empty for none."""
+    race = _shown(RACE[name]) if name in RACE else ""
+    # SingleSettings leaves some fields to the learning team: the defaults of both are shown.
+    by_team = [
+        f"{values[name]} for {t}s" for t, values in SINGLE_DEFAULTS.items() if name in values
+    ]
+    alone = ", ".join(by_team) or (_shown(SINGLE[name]) if name in SINGLE else race)
+    if name not in RACE or race == alone:
+        return alone
+    return f"{race}; with --against {alone}"
+
+
+def _shown(item: Field[Any]) -> str:
+    value = None if item.default is MISSING else item.default
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, tuple):
+        return ",".join(str(part) for part in value)
+    return "" if value is None else str(value)
+
+
+def sizes_of(
+    ctx: click.Context, param: click.Parameter, value: str | None
+) -> tuple[int, ...] | None:
+    """Return layer sizes such as 32 or 64,64."""
+    if value is None or value == "none":
+        return None if value is None else ()
+    if not re.fullmatch(r"\d+(,\d+)*", value):
+        raise click.BadParameter(f"expected sizes such as 32 or 64,64, or none, got {value!r}")
+    return tuple(int(size) for size in value.split(","))
+
+
+def obstacles_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Any:
+    """Return a density, or the path of a map."""
+    if value is None:
+        return None
+    # A file that is named like a number can be given as ./0.1.
+    try:
+        return float(value)
+    except ValueError:
+        if Path(value).is_file():
+            return value
+    raise click.BadParameter(f"expected a density in [0, 1) or a .map file, got {value!r}")
+
+
+_SPECIAL: Mapping[str, dict[str, Any]] = {
+    "schedule": {
+        "type": click.Choice([*SCHEDULES, ALTERNATING, HALL_OF_FAME, ALL]),
+        "multiple": True,
+        "metavar": "NAME",
+    },
+    "team": {"type": click.Choice(["pursuer", "evader"]), "metavar": "TEAM"},
+    "variant": {"type": str.upper, "metavar": "NAME"},
+    "hidden": {"callback": sizes_of, "metavar": "SIZES"},
+    "obstacles": {"callback": obstacles_of, "metavar": "DENSITY|FILE"},
+    "against": {"callback": opponent_of, "metavar": "SCRIPT|RUN"},
+    "start": {"callback": run_of, "metavar": "RUN"},
+    "seed": SEED,
+}
+
+
+def settings_from(given: Mapping[str, Any]) -> list[RaceSettings] | list[SingleSettings]:
+    """Return the settings of each run that the options ask for.
+
+    Parameters
+    ----------
+    given : mapping of str to object
+        The options that the user has given, by the names of the fields.
+
+    Raises
+    ------
+    click.UsageError
+        If an option has a bad value or does not apply to the kind of run.
+    """
+    if "against" in given:
+        _refuse(given, set(SINGLE), "without --against")
+        if "start" in given:
+            given = {**given, "start": str(given["start"])}
+        return [_made(SingleSettings, given)]
+    _refuse(given, set(RACE), "together with --against")
+    # Each schedule is a run of its own, with all other settings equal.
+    schedules = _schedules(given.get("schedule", MAIN_JOB))
+    return [_made(RaceSettings, {**given, "schedule": schedule}) for schedule in schedules]
+
+
+def _refuse(given: Mapping[str, Any], known: set[str], how: str) -> None:
+    for name in given:
+        if name not in known:
+            raise click.UsageError(f"{option_name(name)}: expected {how} only")
+
+
+def _schedules(named: Sequence[str]) -> list[str]:
+    # A dictionary keeps the order and drops what is named twice.
+    wanted = [*SCHEDULES] if ALL in named else []
+    return list(dict.fromkeys([*wanted, *(name for name in named if name != ALL)]))
+
+
+def _made(kind: Callable[..., Any], given: Mapping[str, Any]) -> Any:
+    try:
+        return kind(**given)
+    except (OSError, TypeError, ValueError) as error:
+        raise click.UsageError(_in_options(str(error))) from error
+
+
+def _in_options(message: str) -> str:
+    """Return an error's message with the option in place of the field that it begins with."""
+    name, colon, rest = message.partition(":")
+    name = OTHER_NAMES.get(name, name)
+    return f"{option_name(name)}{colon}{rest}" if name in RACE or name in SINGLE else message

@@ -1,0 +1,183 @@
+"""Options that commands share: declared once, existing outputs, old names."""
+
+from __future__ import annotations
+
+import shutil
+from collections import defaultdict
+from pathlib import Path
+
+import click
+import numpy as np
+import pytest
+
+from command_line import RACE, matrixworld_command, words
+from matrixworld.cli import main
+from matrixworld.cli.options import RENAMED
+from matrixworld.coevolution import open_run, start
+from matrixworld.coevolution.settings import MOST_SEED
+from tiny_race import tiny_race
+
+DIFFERENT = {"--hidden"}
+"""Options that differ between commands: `evolve` takes one network, `bench` measures several."""
+
+BENCH = ["--rows", 7, "--cols", 6, "--pursuers", 2, "--evaders", 3, "--fov", 5]
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Run commands in a temporary directory."""
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.fixture(scope="module")
+def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A finished race."""
+    directory = tmp_path_factory.mktemp("race") / "run"
+    start(tiny_race(), directory, threads=1).run()
+    return directory
+
+
+@pytest.fixture
+def run(race: Path) -> Path:
+    """A copy of the race in the working directory."""
+    return Path(shutil.copytree(race, "run"))
+
+
+# Declared once
+
+
+def test_options_of_one_name_are_equal_in_all_commands():
+    found: dict[str, set[tuple[object, ...]]] = defaultdict(set)
+    for command in main.commands.values():
+        for option in command.params:
+            if isinstance(option, click.Option):
+                meaning = (option.help, repr(option.default), repr(option.type), option.multiple)
+                found[option.opts[0]].add(meaning)
+    assert {name for name, meanings in found.items() if len(meanings) > 1} == DIFFERENT
+
+
+@pytest.mark.parametrize("option", ["--seed", "--episodes", "--steps", "--threads", "--json"])
+def test_shared_options_are_shared(option):
+    commands = [
+        name
+        for name, command in main.commands.items()
+        if any(option in param.opts for param in command.params)
+    ]
+    assert len(commands) >= 3
+
+
+def test_every_command_that_names_an_output_file_has_force():
+    for name, command in main.commands.items():
+        flags = {flag for param in command.params for flag in param.opts}
+        if flags & {"--json", "--out", "--comparison"}:
+            assert "--force" in flags, name
+
+
+@pytest.mark.parametrize("seed", [-1, MOST_SEED + 1])
+@pytest.mark.parametrize("command", [["evolve", "out"], ["replay", "O"]])
+def test_the_range_of_seeds(command, seed):
+    said = matrixworld_command(*command, "--seed", seed, code=2).stderr
+    assert f"'--seed': expected 0 to {MOST_SEED}, got {seed}" in said
+    assert not Path("out").exists()
+
+
+# Existing outputs
+
+OUTPUTS = {
+    "replay": (["replay", "O", "--steps", 5, "--out", "new.png", "--out", "old.npz"], "old.npz"),
+    "score": (["score", "run", "--episodes", 2, "--json", "old.json"], "old.json"),
+    "diagnose": (["diagnose", "circle.csv", "--json", "old.json"], "old.json"),
+    "tournament": (
+        ["tournament", "run", "--episodes", 2, "--output", "old.npz"],
+        "old.npz",
+    ),
+    "tournament's figure": (
+        ["tournament", "run", "--episodes", 2, "--output", "old.npz"],
+        "old.png",
+    ),
+    "tournament in the run": (
+        ["tournament", "run", "--episodes", 2],
+        "run/tournament-2x12-seed0.npz",
+    ),
+    "plot": (["plot", "run"], "run/training.png"),
+    "plot's comparison": (["plot", "run", "run2", "--comparison", "old.png"], "old.png"),
+    "bench": (
+        ["bench", *BENCH, "--seconds", 0.01, "--threads", 1, "--hidden", 2, "--json", "old.json"],
+        "old.json",
+    ),
+}
+"""Commands that write files, and one of these files."""
+
+
+@pytest.mark.parametrize(("command", "output"), OUTPUTS.values(), ids=OUTPUTS)
+def test_an_existing_output_is_replaced_with_force_only(run, command, output):
+    shutil.copytree(run, "run2")
+    rates = np.random.default_rng(0).random((14, 14))
+    np.savetxt("circle.csv", rates, delimiter=",")
+    file = Path(output)
+    file.write_bytes(b"precious")
+    before = {path: path.read_bytes() for path in Path().rglob("*") if path.is_file()}
+
+    refused = matrixworld_command(*command, code=2)
+    assert f"Error: {file}: exists; give --force to replace it\n" in refused.stderr
+    assert refused.stdout == ""
+    assert {path: path.read_bytes() for path in Path().rglob("*") if path.is_file()} == before
+
+    matrixworld_command(*command, "--force")
+    assert file.read_bytes() != b"precious"
+    for kept in ("config.json", "archive.npz", "payoff.npz", "summary.json", "checkpoint.npz"):
+        assert (run / kept).read_bytes() == before[run / kept]
+
+
+@pytest.mark.parametrize("force", [[], ["--force"]])
+def test_a_directory_is_never_replaced(run, force):
+    shutil.copytree(run, "old.json")
+    said = matrixworld_command("score", "run", "--json", "old.json", *force, code=2).stderr
+    assert "old.json: expected a file, got a directory" in said
+    assert open_run("old.json").files.finished
+
+
+def test_a_payoff_goes_to_an_npz_file(run):
+    said = matrixworld_command("tournament", "run", "--output", "payoff.png", code=2).stderr
+    assert "--output: expected a name that ends in .npz, got payoff.png" in said
+
+
+def test_evolve_refuses_a_directory_with_a_run_and_names_resume(run):
+    before = {path: path.read_bytes() for path in run.iterdir()}
+    said = matrixworld_command("evolve", "run", *words(RACE), code=2).stderr
+    assert "expected a new or empty directory, got 'run'" in said
+    assert "matrixworld evolve --resume run continues the run in it" in said
+    assert {path: path.read_bytes() for path in run.iterdir()} == before
+
+
+# Old names
+
+OLD = {
+    "--crowding": ["evolve", "new", *words(RACE), "--crowding", "-1"],
+    "--yes": ["tournament", "run", "--yes", "--output", "payoff.png"],
+    "--team": ["exploit", "run", "--team=pursuer", "--matches", 1],
+    "--pursuers": ["replay", "run", "--pursuers", "nobody"],
+    "--evaders": ["replay", "run", "--evaders=nobody"],
+}
+
+
+def test_every_old_name_is_tried():
+    assert OLD.keys() == set(RENAMED.values())
+
+
+@pytest.mark.parametrize(("old", "command"), OLD.items(), ids=OLD)
+def test_an_old_name_is_accepted_with_a_note(run, old, command):
+    """The commands fail for other reasons, which come after the options are known."""
+    new = {value: key for key, value in RENAMED.items()}[old]
+    result = matrixworld_command(*command, code=2)
+    assert result.stderr.startswith(f"{old} is now called {new}; the old name will be removed.\n")
+    assert "No such option" not in result.stderr
+    shown = matrixworld_command(command[0], "--help").stdout
+    assert f"{new} " in shown
+    assert f"{old} " not in shown
+
+
+def test_a_name_that_is_another_option_elsewhere_is_that_option():
+    said = matrixworld_command("evolve", "out", "--team", "evader", code=2).stderr
+    assert "is now called" not in said
+    assert "--team: expected together with --against only" in said
