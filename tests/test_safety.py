@@ -249,7 +249,7 @@ def test_refused() -> None:
         monitor.summary()
     with pytest.raises(ValueError, match=r"faults: expected shape \(2, 2, 3\), got \(2, 3\)"):
         monitor.add(zeros(2, 2, 3), zeros(2, 3), zeros(2, 2), np.zeros(2))
-    with pytest.raises(TypeError, match="agent_steps: expected an int, got 1.5"):
+    with pytest.raises(TypeError, match="agent_steps: expected an integer, got 1.5"):
         monitor.add(zeros(2, 3), zeros(2, 3), [1.5, 2], 0)
     with pytest.raises(ValueError, match="collisions: expected 0 to .*, got -1 to 0"):
         monitor.add(zeros(2, 3) - [0, 0, 1], zeros(2, 3), [1, 1], 0)
