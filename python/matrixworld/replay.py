@@ -20,7 +20,7 @@ from matrixworld.render import MARK_STEPS, Scene, ansi, rgb
 from matrixworld.render.gif import write_gif
 from matrixworld.render.layout import LARGEST_CELL
 from matrixworld.render.mp4 import write_mp4
-from matrixworld.render.screen import color_mode, fits, play
+from matrixworld.render.terminal_animation import color_mode, fits, play
 
 __all__ = [
     "Animation",
