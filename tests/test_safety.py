@@ -109,7 +109,7 @@ def follow_turns(monitor: mw.SafetyMonitor, config: mw.WorldConfig, seed: int) -
 def test_rollouts_agree_with_recordings(name: str) -> None:
     config, matches = config_of(name), mw.Matches.of(0, 0, range(4))
     rolled, recorded = mw.SafetyMonitor(), mw.SafetyMonitor()
-    rolled.add_scores(mw.rollout(config, "random", "fleer", matches, worlds=2))
+    rolled.add_statistics(mw.rollout(config, "random", "fleer", matches, worlds=2))
     for seed in range(4):
         for episode in range(2):
             recorded.add_episode(mw.record(config, "random", "fleer", seed=seed, episode=episode))
@@ -183,7 +183,7 @@ def test_intervals() -> None:
     config = config_of("SB", max_steps=40)
     scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, range(200)))
     monitor = mw.SafetyMonitor()
-    monitor.add_scores(scores)
+    monitor.add_statistics(scores)
     summary = monitor.summary()
     for rate, ends in (
         (summary.fault_rate, summary.fault_interval),
@@ -207,7 +207,7 @@ def test_monitors_add_up() -> None:
     for seeds in (range(3), range(3, 8), range(8)):
         monitor = mw.SafetyMonitor()
         scores = mw.rollout(config, "random", "fleer", mw.Matches.of(0, 0, seeds))
-        monitor.add_scores(scores)
+        monitor.add_statistics(scores)
         parts.append(monitor)
     first, second, whole = parts
     assert (first + second).summary().to_json() == whole.summary().to_json()

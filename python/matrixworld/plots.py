@@ -1,15 +1,16 @@
-"""Figures of a race: arrays in, a Matplotlib ``Figure`` out. The only importer of Matplotlib.
+"""Figures of a race: functions from arrays to a Matplotlib ``Figure``.
 
-No display and no ``pyplot`` state is involved; save a figure with ``figure.savefig(path)``, or show
-it as the last expression of a notebook cell after ``%matplotlib inline``.
+They need no display and do not touch the state of ``pyplot``. Save a figure with
+``figure.savefig(path)``, or show it as the last expression of a notebook cell after
+``%matplotlib inline``.
 
 =======================  ==========================================================================
 payoff_heatmap           every pursuer generation against every evader generation
-generalization_curves    each generation's mean score against all opponents, beside baselines
+generalization_curves    mean score of each generation against all opponents, beside baselines
 lag_profile_curve        mean capture rate by how much later the pursuers are than the evaders
 training_curve           capture rate while pursuers and evaders learn in turn
 collision_rates          collisions by team and kind over generations
-comparison               several races side by side, with the numbers of their verdicts
+comparison               several races side by side, with their verdicts in numbers
 =======================  ==========================================================================
 """
 
@@ -33,21 +34,39 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import analysis, colors
 
 COLORMAP = "viridis"
-"""Perceptually uniform, safe for colour-blind readers; dark is escape, light is capture."""
+"""Perceptually uniform and safe for colour-blind readers; dark is escape, light is capture."""
 DPI = 150
+"""Resolution of saved figures."""
 FEWEST_CELLS = 5
-"""A lag with fewer cells behind its mean is drawn faintly."""
+"""A lag whose mean rests on fewer cells is drawn faintly."""
 _SCALE = "capture rate (0 all escape, 1 all caught)"
 _KINDS = ("obstacle", "teammate", "adversary")
 _TEAMS = ("pursuers", "evaders")
 _DASHES = ("--", ":", "-.")
-_MARKED = 100  # draw a marker a point up to this many points
+_MARKED = 100  # curves with up to this many points have a marker at each
 
 
 def payoff_heatmap(payoff: ArrayLike, *, title: str = "Capture rate, all against all") -> Figure:
-    """Heat map of a payoff matrix ``(n, m)``; the dashed line marks opponents of one generation.
+    """Draw a payoff matrix as a heat map.
 
-    Raises as :func:`matrixworld.analysis.check_payoff` does.
+    The dashed line marks opponents of the same generation.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Mean capture rate of each pursuer generation against each evader generation.
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As :func:`matrixworld.analysis.check_payoff` does.
     """
     rows, columns = analysis.check_payoff(payoff).shape
     figure = _figure(min(12.0, max(4.0, 1.7 + 4.1 * columns / rows)), 5.0)
@@ -65,11 +84,29 @@ def generalization_curves(
     evader_baselines: Mapping[str, float] | None = None,
     title: str = "Generalisation: mean score against all opponents",
 ) -> Figure:
-    """Mean score of each generation against all opponents, from a payoff matrix ``(n, m)``.
+    """Draw the mean score of each generation against all opponents.
 
-    A pursuers' score is the capture rate, an evaders' one minus it. A baseline is the mean score,
-    in [0, 1], of a team trained in another way against the same opponents, drawn as a level line
-    under its name. Raises ValueError for a baseline outside [0, 1].
+    The score of pursuers is the capture rate, that of evaders is 1 minus the capture rate.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Mean capture rate of each pursuer generation against each evader generation.
+    pursuer_baselines, evader_baselines : mapping of str to float, optional
+        Mean scores in [0, 1] of teams that were trained in another way, against the same opponents.
+        Each is drawn as a level line with its name.
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError
+        If a baseline is outside [0, 1], or as :func:`matrixworld.analysis.check_payoff` does.
     """
     figure = _figure(6.4, 4.2)
     axes = figure.add_subplot()
@@ -82,10 +119,27 @@ def generalization_curves(
 
 
 def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figure:
-    """Mean over k of ``M[k + d, k]`` by lag d, from a payoff matrix ``(n, m)``.
+    """Draw the lag profile: the mean over k of ``payoff[k + d, k]`` for each lag d.
 
-    Flat with a notch at 0: specialists. Rising: later generations keep gaining on everyone. Ends
-    that rest on fewer than ``FEWEST_CELLS`` cells are faint.
+    A flat curve with a notch at 0 means specialists, which win against their own opponents only. A
+    rising curve means that later generations win against earlier and later opponents as well.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Mean capture rate of each pursuer generation against each evader generation.
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure. Lags with fewer than `FEWEST_CELLS` cells are faint.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As :func:`matrixworld.analysis.check_payoff` does.
     """
     figure = _figure(6.4, 4.2)
     axes = figure.add_subplot()
@@ -103,15 +157,34 @@ def training_curve(
     unit: str = "epoch",
     title: str = "Capture rate while pursuers and evaders learn in turn",
 ) -> Figure:
-    """Capture rate over training, coloured by the team that is learning.
+    """Draw the capture rate over training, coloured by the team that learns.
 
-    ``rates``, shape ``(T,)``: capture rate at each ``unit`` (epoch or team phase). ``learners``,
-    shape ``(T,)``: 0 where the pursuers learn, 1 where the evaders do; None where both always do.
-    ``generations``, shape ``(T,)`` ints: the generation of each point, for a second axis on top.
-    ``window``: points of a centred moving average (the paper's figure uses 30); the raw curve is
-    then drawn thin behind.
+    Parameters
+    ----------
+    rates : array_like of float, shape (T,)
+        Capture rate at each `unit`.
+    learners : array_like of int, shape (T,), or None
+        0 where the pursuers learn, 1 where the evaders learn. None if both learn all the time.
+    generations : array_like of int, shape (T,), optional
+        Generation of each point, for a second axis on top.
+    window : int, optional
+        Points of a centred moving average (the paper's figure uses 30). With more than 1 the raw
+        curve is drawn thin behind the mean.
+    unit : str, optional
+        Label of the axis, such as "epoch" or "team phase".
+    title : str, optional
+        Title of the figure.
 
-    Raises ValueError for rates outside [0, 1], other learners, unequal lengths or window < 1.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError
+        If a rate is outside [0, 1], a learner is neither 0 nor 1, the lengths differ, or `window`
+        is below 1.
     """
     values = analysis.check_rates(rates, ndim=1, what="training capture rates")
     shades = _shades(learners, len(values))
@@ -138,12 +211,25 @@ def training_curve(
 def collision_rates(
     rates: ArrayLike, *, title: str = "Collisions per 1000 agent-steps, by kind"
 ) -> Figure:
-    """Collisions over generations, a panel a team.
+    """Draw collisions over generations, one panel per team.
 
-    ``rates``, shape ``(G, 2, 3)``: collisions per 1000 agent-steps of the generations 0, 1, ...,
-    of pursuers and evaders, with obstacles, teammates and adversaries.
+    Parameters
+    ----------
+    rates : array_like of float, shape (G, 2, 3)
+        Collisions per 1000 agent-steps of the generations 0, 1 and so on, by team (pursuers,
+        evaders) and kind (obstacle, teammate, adversary).
+    title : str, optional
+        Title of the figure.
 
-    Raises ValueError for another shape and for negative or infinite rates.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError
+        If the shape is another, or a rate is negative or infinite.
     """
     values = np.asarray(rates, dtype=np.float64)
     if values.ndim != 3 or values.shape[1:] != (2, 3) or not len(values):
@@ -163,11 +249,27 @@ def collision_rates(
 
 
 def comparison(payoffs: Mapping[str, ArrayLike], *, title: str | None = None) -> Figure:
-    """Races side by side: heat maps over lag profiles over generalisation curves, shared scales.
+    """Draw several races side by side, on the same scales.
 
-    ``payoffs``: a payoff matrix per race, by the name that stands over it together with the verdict
-    of :func:`matrixworld.analysis.summarize` (matrices of at least 2 x 2). Raises ValueError when
-    empty.
+    Each column is a race: its heat map, its lag profile and its generalisation curves, below its
+    name and the verdict of :func:`matrixworld.analysis.summarize`.
+
+    Parameters
+    ----------
+    payoffs : mapping of str to array_like of float
+        Payoff matrices of at least 2 x 2, by the name of the race.
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError
+        If there are no races, or as :func:`matrixworld.analysis.check_payoff` does.
     """
     if not payoffs:
         raise ValueError("expected at least one race to draw, got none")
@@ -228,6 +330,7 @@ def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
     matrix = analysis.check_payoff(payoff)
     image = axes.imshow(matrix, origin="lower", vmin=0.0, vmax=1.0, cmap=COLORMAP)
     end = min(matrix.shape) - 0.5
+    # The light outline keeps the line visible on dark cells.
     axes.plot(
         (-0.5, end), (-0.5, end), color=colors.INK, linestyle="--", linewidth=1.2,
         path_effects=[Stroke(linewidth=2.6, foreground=colors.PAPER), Normal()],
@@ -259,6 +362,7 @@ def _draw_baselines(axes: Axes, baselines: Mapping[str, float], color: str) -> N
 
 def _draw_lag_profile(axes: Axes, payoff: ArrayLike) -> None:
     profile = analysis.lag_profile(payoff)
+    # In a small matrix no lag has FEWEST_CELLS cells; the middle half of its lags is solid then.
     solid = profile.cells >= min(FEWEST_CELLS, (profile.cells.max() + 1) // 2)
     axes.plot(profile.lags, profile.means, color=colors.INK, alpha=0.3, linewidth=1.0)
     axes.plot(profile.lags[solid], profile.means[solid], color=colors.INK, linewidth=1.8)
@@ -296,21 +400,21 @@ def _learners(learners: ArrayLike, length: int) -> NDArray[np.int64]:
 
 
 def _shades(learners: ArrayLike | None, length: int) -> list[str]:
-    """The colour of each point: that of the team that learned to get there."""
+    """Return the colour of each point: that of the team that learns."""
     if learners is None:
         return [colors.INK] * length
     return [colors.TEAMS[team] for team in _learners(learners, length)]
 
 
 def _in_pieces(values: NDArray[np.float64], shades: list[str], **style: Any) -> LineCollection:
-    """The curve, each piece in the colour of the point that it leads to."""
+    """Return the curve, each piece in the colour of the point that it leads to."""
     points = np.column_stack([np.arange(1, len(values) + 1), values])
     pieces = np.stack([points[:-1], points[1:]], axis=1)
     return LineCollection(list(pieces), colors=shades[1:], capstyle="round", **style)
 
 
 def _moving_average(values: NDArray[np.float64], window: int) -> NDArray[np.float64]:
-    """Centred mean of ``window`` points, of fewer at both ends."""
+    """Return the centred mean of `window` points, and of fewer at both ends."""
     if window < 1:
         raise ValueError(f"expected a window of at least 1 point, got {window}")
     window = min(window, len(values))
@@ -321,7 +425,7 @@ def _moving_average(values: NDArray[np.float64], window: int) -> NDArray[np.floa
 
 
 def _generation_axis(axes: Axes, generations: NDArray[np.int64], length: int) -> None:
-    """A second axis on top that names the generation where it begins."""
+    """Add a second axis on top that shows where each generation begins."""
     if generations.shape != (length,):
         raise ValueError(f"expected generations of shape ({length},), got {generations.shape}")
     names, starts = np.unique(generations, return_index=True)
