@@ -1,4 +1,4 @@
-"""Writes the pages of the variants, and their pictures, from the modules of `matrixworld.envs`.
+"""Write the pages of the variants, and their pictures, from the modules of `matrixworld.envs`.
 
 python docs/make_pages.py
 """
@@ -19,7 +19,21 @@ SIZE = {"rows": 12, "cols": 16, "obstacles": 0.06, "max_steps": 200}
 
 @dataclass(frozen=True)
 class Moment:
-    """A moment of a game of scripts in which the variant's own rule is to be seen."""
+    """A moment, in a game between two scripts, that shows the rule of a variant.
+
+    Parameters
+    ----------
+    text : str
+        Caption of the picture.
+    step : int
+        The step that is drawn. A game that ends earlier is drawn at its end.
+    seed : int, optional
+        Seed of the game.
+    pursuers, evaders : str, optional
+        Scripts of the teams.
+    n_pursuers, n_evaders : int, optional
+        Sizes of the teams.
+    """
 
     text: str
     step: int
@@ -30,44 +44,59 @@ class Moment:
     n_evaders: int = 8
 
     def episode(self, variant: str) -> mw.Episode:
-        """The game up to its end."""
+        """Play the whole game."""
         sizes = {"n_pursuers": self.n_pursuers, "n_evaders": self.n_evaders}
         config = mw.WorldConfig(variant, **SIZE, **sizes)
         return mw.record(config, self.pursuers, self.evaders, seed=self.seed)
 
 
 PACK = {"n_pursuers": 14, "n_evaders": 4}
+DEFAULT = Moment("Chasers against fleers, after a few steps.", 15)
+"""The picture of a variant without an entry in `MOMENTS`."""
+
 MOMENTS = {
     "D": Moment("Stars: evaders taken down by the pursuers that died with them.", 9, 36),
-    "R": Moment("Evaders that were reached, hollow, with their pursuers on the cell.", 15, 32),
+    "R": Moment("Hollow: evaders that were reached, with their pursuers on the cell.", 15, 32),
     "B": Moment("Rings: agents that would have entered a teammate's cell, and waited.", 38, 22),
     "O": Moment("Stars: where evaders were caught in the last steps.", 15, 32),
     "S": Moment("Hollow: evaders that pursuers and walls surround.", 15, 24, **PACK),
-    "SB": Moment("A ring closes; those who pressed on bounced off each other.", 103, 10, **PACK),
-    "SD": Moment("Stars: where evaders were surrounded, and are gone.", 12, 10, **PACK),
+    "SB": Moment("A ring closes; agents that pressed on bounced off each other.", 103, 10, **PACK),
+    "SD": Moment("Stars: where evaders were surrounded and removed.", 12, 10, **PACK),
     "SDB": Moment("A step after a capture: its captors stand around the cell.", 146, 20, **PACK),
     "TO": Moment("Stars: evaders caught in their pursuers' turns.", 16, 24),
 }
 
 
+def moment_of(variant: str) -> Moment:
+    """Return the moment that the picture of a variant shows."""
+    return MOMENTS.get(variant, DEFAULT)
+
+
 def page(variant: str) -> str:
-    """A page in Markdown: the module's docstring with the picture below its title."""
+    """Return a page in Markdown: the module's docstring with the picture below its title."""
     letter = variant.lower()
     module = import_module(f"matrixworld.envs.pursuit_evasion_{letter}_v0")
     title, rest = (module.__doc__ or "").strip().split("\n", 1)
-    moment = MOMENTS[variant]
-    picture = f"![{moment.text}]({letter}.png)\n\n*{moment.text}*\n"
+    text = moment_of(variant).text
     common = "see [`matrixworld.envs`](../../python/matrixworld/envs/__init__.py)"
-    return f"{title}\n\n{picture}{rest.replace('see `matrixworld.envs`', common)}\n"
+    rest = rest.replace("see `matrixworld.envs`", common)
+    return f"{title}\n\n![{text}]({letter}.png)\n\n*{text}*\n{rest}\n"
+
+
+def draw(variant: str, path: Path) -> None:
+    """Write the picture of a variant."""
+    moment = moment_of(variant)
+    episode = moment.episode(variant)
+    replay.save(episode, path, step=min(moment.step, episode.length), cell=CELL)
 
 
 def write(folder: Path) -> None:
     """Write every page and picture into a folder."""
     folder.mkdir(exist_ok=True)
-    for variant, moment in MOMENTS.items():
+    for variant in mw.VARIANTS:
         name = variant.lower()
         (folder / f"{name}.md").write_text(page(variant), encoding="utf-8")
-        replay.save(moment.episode(variant), folder / f"{name}.png", step=moment.step, cell=CELL)
+        draw(variant, folder / f"{name}.png")
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ import matrixworld as mw
 from made_up_episode import made_up_episode
 from matrixworld import colors, render
 from matrixworld.episode import Episode
-from matrixworld.render import screen
+from matrixworld.render import terminal_animation as terminal_codes
 from matrixworld.replay import animate_terminal, animation, contact_sheet, save, scene
 
 EPISODE = made_up_episode()
@@ -357,8 +357,10 @@ def naps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
 def test_animation_in_a_terminal(naps: list[float]) -> None:
     out = Terminal()
     animate_terminal(EPISODE, out, fps=20)
-    pictures = out.getvalue().split(screen.HOME)
-    assert pictures[0] == screen.HIDE_CURSOR + screen.WRAP_OFF + screen.CLEAR
+    pictures = out.getvalue().split(terminal_codes.HOME)
+    assert (
+        pictures[0] == terminal_codes.HIDE_CURSOR + terminal_codes.WRAP_OFF + terminal_codes.CLEAR
+    )
     assert len(pictures) - 1 == len(naps) == EPISODE.length + 1
     assert all(0 <= nap <= 0.05 * (i + 1) for i, nap in enumerate(naps))
     for step, picture in enumerate(pictures[1:]):
@@ -366,17 +368,17 @@ def test_animation_in_a_terminal(naps: list[float]) -> None:
         assert bare[0].startswith(f"step {step} of 30")
         assert len(bare) == 1 + 12
         assert {len(line) for line in bare[1:]} == {2 * 16}
-    assert out.getvalue().endswith(screen.WRAP_ON + screen.SHOW_CURSOR + "\n")
+    assert out.getvalue().endswith(terminal_codes.WRAP_ON + terminal_codes.SHOW_CURSOR + "\n")
 
 
 def test_every_picture_of_the_animation_is_the_drawing_of_its_moment(naps: list[float]) -> None:
     out = Terminal()
     animate_terminal(EPISODE, out, every=10)
-    pictures = out.getvalue().split(screen.HOME)[1:]
+    pictures = out.getvalue().split(terminal_codes.HOME)[1:]
     assert len(pictures) == len(naps) == 4
     for step, picture in zip((0, 10, 20, 30), pictures, strict=True):
         drawn = render.ansi(scene(EPISODE, step), color="256")
-        assert picture.startswith(drawn.replace("\n", screen.CLEAR_LINE + "\n"))
+        assert picture.startswith(drawn.replace("\n", terminal_codes.CLEAR_LINE + "\n"))
 
 
 def test_ctrl_c_ends_cleanly(naps: list[float], monkeypatch: pytest.MonkeyPatch) -> None:
@@ -388,8 +390,8 @@ def test_ctrl_c_ends_cleanly(naps: list[float], monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setattr("time.sleep", interrupted)
     out = Terminal()
     animate_terminal(EPISODE, out)
-    assert out.getvalue().count(screen.HOME) == 3
-    assert out.getvalue().endswith(screen.WRAP_ON + screen.SHOW_CURSOR + "\n")
+    assert out.getvalue().count(terminal_codes.HOME) == 3
+    assert out.getvalue().endswith(terminal_codes.WRAP_ON + terminal_codes.SHOW_CURSOR + "\n")
 
 
 def test_the_cursor_comes_back_after_an_error(
@@ -402,7 +404,7 @@ def test_the_cursor_comes_back_after_an_error(
     out = Terminal()
     with pytest.raises(OSError, match="gone"):
         animate_terminal(EPISODE, out)
-    assert out.getvalue().endswith(screen.SHOW_CURSOR + "\n")
+    assert out.getvalue().endswith(terminal_codes.SHOW_CURSOR + "\n")
 
 
 def test_a_small_terminal_gets_half_blocks_cut_to_its_height(
@@ -412,7 +414,7 @@ def test_a_small_terminal_gets_half_blocks_cut_to_its_height(
     monkeypatch.setenv("LINES", "6")
     out = Terminal()
     animate_terminal(EPISODE, out, every=30)
-    last = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", out.getvalue().split(screen.HOME)[-1])
+    last = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", out.getvalue().split(terminal_codes.HOME)[-1])
     assert last.rstrip("\n").split("\n")[1:] == ["▀" * 16] * 4
     assert len(naps) == 2
 
@@ -429,13 +431,15 @@ def test_no_terminal_gets_the_last_moment_as_plain_text(capsys: pytest.CaptureFi
 
 def test_which_colours_a_stream_may_have() -> None:
     terminal = Terminal()
-    assert screen.color_mode(terminal, {}) == "256"
-    assert screen.color_mode(terminal, {"COLORTERM": "truecolor"}) == "true"
-    assert screen.color_mode(terminal, {"COLORTERM": "truecolor", "NO_COLOR": "1"}) == "none"
-    assert screen.color_mode(terminal, {"TERM": "dumb"}) == "none"
-    assert screen.color_mode(io.StringIO(), {"COLORTERM": "truecolor"}) == "none"
+    assert terminal_codes.color_mode(terminal, {}) == "256"
+    assert terminal_codes.color_mode(terminal, {"COLORTERM": "truecolor"}) == "true"
+    assert (
+        terminal_codes.color_mode(terminal, {"COLORTERM": "truecolor", "NO_COLOR": "1"}) == "none"
+    )
+    assert terminal_codes.color_mode(terminal, {"TERM": "dumb"}) == "none"
+    assert terminal_codes.color_mode(io.StringIO(), {"COLORTERM": "truecolor"}) == "none"
     terminal.encoding = "ascii"
-    assert screen.color_mode(terminal, {}) == "none"
+    assert terminal_codes.color_mode(terminal, {}) == "none"
 
 
 @pytest.mark.parametrize(

@@ -109,7 +109,7 @@ def follow_turns(monitor: mw.SafetyMonitor, config: mw.WorldConfig, seed: int) -
 def test_rollouts_agree_with_recordings(name: str) -> None:
     config, matches = config_of(name), mw.Matches.of(0, 0, range(4))
     rolled, recorded = mw.SafetyMonitor(), mw.SafetyMonitor()
-    rolled.add_scores(mw.rollout(config, "random", "fleer", matches, worlds=2))
+    rolled.add_statistics(mw.rollout(config, "random", "fleer", matches, worlds=2))
     for seed in range(4):
         for episode in range(2):
             recorded.add_episode(mw.record(config, "random", "fleer", seed=seed, episode=episode))
@@ -183,7 +183,7 @@ def test_intervals() -> None:
     config = config_of("SB", max_steps=40)
     scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, range(200)))
     monitor = mw.SafetyMonitor()
-    monitor.add_scores(scores)
+    monitor.add_statistics(scores)
     summary = monitor.summary()
     for rate, ends in (
         (summary.fault_rate, summary.fault_interval),
@@ -207,7 +207,7 @@ def test_monitors_add_up() -> None:
     for seeds in (range(3), range(3, 8), range(8)):
         monitor = mw.SafetyMonitor()
         scores = mw.rollout(config, "random", "fleer", mw.Matches.of(0, 0, seeds))
-        monitor.add_scores(scores)
+        monitor.add_statistics(scores)
         parts.append(monitor)
     first, second, whole = parts
     assert (first + second).summary().to_json() == whole.summary().to_json()
@@ -249,7 +249,7 @@ def test_refused() -> None:
         monitor.summary()
     with pytest.raises(ValueError, match=r"faults: expected shape \(2, 2, 3\), got \(2, 3\)"):
         monitor.add(zeros(2, 2, 3), zeros(2, 3), zeros(2, 2), np.zeros(2))
-    with pytest.raises(TypeError, match="agent_steps: expected an int, got 1.5"):
+    with pytest.raises(TypeError, match="agent_steps: expected an integer, got 1.5"):
         monitor.add(zeros(2, 3), zeros(2, 3), [1.5, 2], 0)
     with pytest.raises(ValueError, match="collisions: expected 0 to .*, got -1 to 0"):
         monitor.add(zeros(2, 3) - [0, 0, 1], zeros(2, 3), [1, 1], 0)

@@ -1,9 +1,14 @@
 """matrixworld: pursuit and evasion on a grid, for safe coordination and co-evolution.
 
-Worlds: `World`, `Batch`, `WorldConfig`, `Rules`, `VARIANTS`, `Rewards`, `Action`.
-Policies and matches: `Network`, `Population`, `Matches`, `rollout`, `EpisodeStatistics`, `record`.
-Episodes: `Episode`, and the modules `replay` and `render`.
-Evolution and its analysis: the packages `coevolution` and `analysis`, the module `plots`.
+==================  ===============================================================================
+games               `Rules`, `VARIANTS`, `Rewards`, `WorldConfig`, `read_map`, `Action`
+worlds              `World` (one), `Batch` (many)
+environments        `parallel_env`, `aec_env` (PettingZoo), `VectorEnv` (many worlds at once)
+policies, matches   `Network`, `Population`, `SCRIPTS`, `Matches`, `rollout`, `EpisodeStatistics`
+episodes            `record`, `Recorder`, `Episode`; modules `replay` and `render`
+safety              `SafetyMonitor`, `SafetySummary`, `Conflict`
+evolution           packages `coevolution` and `analysis`, module `plots`
+==================  ===============================================================================
 """
 
 from matrixworld._core import Autoreset, Blame, Capture, Interaction, Outcome

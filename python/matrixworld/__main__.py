@@ -1,4 +1,4 @@
-"""``python -m matrixworld``: the command line."""
+"""The command line as ``python -m matrixworld``."""
 
 from __future__ import annotations
 

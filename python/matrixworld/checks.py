@@ -1,4 +1,4 @@
-"""Checks of plain arguments. Every message says what was expected and what came."""
+"""Checks of arguments. Every message states what was expected and what was passed."""
 
 from __future__ import annotations
 
@@ -50,10 +50,17 @@ def check_integer(name: str, value: Any, low: int = -INT_MAX, high: int = INT_MA
     except TypeError:
         raise TypeError(f"{name}: expected an integer, got {value!r}") from None
     if not low <= number <= high:
-        # The engine's own limit is of no interest to a caller who is below the other one.
+        # A caller below the lower limit does not need to read the engine's upper limit.
         expected = f"at least {low}" if number < low and high == INT_MAX else f"{low} to {high}"
         raise ValueError(f"{name}: expected {expected}, got {number}")
     return number
+
+
+def check_real(name: str, value: Any) -> float:
+    """Return a real argument as a float; raise TypeError for anything else and for a bool."""
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise TypeError(f"{name}: expected a number, got {value!r}")
+    return float(value)
 
 
 def check_number(
@@ -84,9 +91,7 @@ def check_number(
     ValueError
         If it is not finite or lies outside the limits.
     """
-    if isinstance(value, bool) or not isinstance(value, Real):
-        raise TypeError(f"{name}: expected a number, got {value!r}")
-    number = float(value)
+    number = check_real(name, value)
     if not least <= number <= most or number == np.inf or (positive and number == 0.0):
         above = "above" if positive else "at least"
         upper = "" if most == np.inf else f" and at most {most:g}"
@@ -101,6 +106,12 @@ def check_bool(name: str, value: Any) -> bool:
     return value
 
 
+def check_instance(name: str, value: Any, kind: type) -> None:
+    """Raise TypeError unless an argument is an instance of a type that `matrixworld` exports."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{name}: expected a matrixworld.{kind.__name__}, got {value!r}")
+
+
 def check_choice(name: str, value: Any, choices: Iterable[str]) -> None:
     """Raise ValueError, listing the choices, unless `value` is one of them."""
     known = list(choices)
@@ -109,23 +120,43 @@ def check_choice(name: str, value: Any, choices: Iterable[str]) -> None:
 
 
 def check_threads(threads: int | None) -> int:
-    """The number of threads for the engine, where 0 stands for one a core.
+    """Return the number of threads for the engine; None becomes 0, its sign for one per core.
 
-    Raises ValueError outside 1 to 1024, TypeError for what is not an integer.
+    Raises ValueError outside 1 to 1024 and TypeError for a value that is not an integer.
     """
     return 0 if threads is None else check_integer("threads", threads, 1, _MAX_THREADS)
 
 
 def check_naturals(name: str, given: ArrayLike, dtype: type[np.integer[Any]]) -> NDArray[Any]:
-    """Integers from 0 to the largest of ``dtype``, as an array of it.
+    """Return integers from 0 to the largest of a dtype as an array of that dtype.
 
-    Raises TypeError for what is not an integer, ValueError for numbers out of range.
+    Parameters
+    ----------
+    name : str
+        Name of the argument in messages.
+    given : array_like of int
+        The argument.
+    dtype : type
+        A NumPy integer type.
+
+    Returns
+    -------
+    ndarray of `dtype`
+        A copy, of the same shape.
+
+    Raises
+    ------
+    TypeError
+        If an element is not an integer.
+    ValueError
+        If an element is negative or too large for `dtype`.
     """
     array = np.asarray(given)
     if array.dtype == dtype and array.dtype.kind == "u":
         return array.astype(dtype)
     high = int(np.iinfo(dtype).max)
-    if array.dtype.kind not in "iu":  # NumPy makes floats of ints below and above 2**63
+    if array.dtype.kind not in "iu":
+        # Integers beyond 2**63 beside smaller ones become floats in NumPy, so each is checked.
         numbers = np.asarray(given, object)
         checked = [check_integer(name, number, 0, high) for number in numbers.flat]
         return np.array(checked, dtype).reshape(numbers.shape)

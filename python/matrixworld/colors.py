@@ -1,7 +1,12 @@
-"""The colours of the project, safe for colour-blind readers (Okabe and Ito 2008).
+"""Colours of figures and drawings, safe for colour-blind readers.
 
-Strings ``"#RRGGBB"``, which Matplotlib, Pillow, terminals and HTML all take. This module imports
-nothing, so that figures and renderers share it.
+They are strings ``"#RRGGBB"``, which Matplotlib, Pillow and HTML understand. This module imports
+nothing, so that figures and renderers can share it.
+
+References
+----------
+M. Okabe and K. Ito (2008). Color universal design: how to make figures and presentations that are
+friendly to colorblind people.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What is fixed for a world before its first episode."""
+"""The settings of a world, fixed before its first episode."""
 
 from __future__ import annotations
 
@@ -17,9 +17,11 @@ from matrixworld.maps import MapLike, read_map
 from matrixworld.rules import Rewards, Rules, rules_of
 
 Obstacles: TypeAlias = "float | MapLike | None"
+"""A share of the cells, a map, or no obstacles."""
 
 _SIDE = 40
-_TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}  # the paper's
+# The paper's team sizes: surrounding one evader takes up to four pursuers.
+_TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}
 
 
 def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
@@ -34,20 +36,56 @@ def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
 
 @dataclass(frozen=True, eq=False, init=False)
 class WorldConfig:
-    """The settings of a world.
+    """The settings of a world: its rules, its size and its rewards.
 
-    rules: a row of rules, or the name of a variant
-    rows, cols: cells, 1 to 4096 a side; by default those of the obstacle map, or 40
-    n_pursuers, n_evaders: 1 to 4,194,303; by default the paper's 8 and 30, under surround 20 and 5
-    fov: side of an agent's square view in cells, odd, at most 255
-    diagonal: whether agents move in 8 directions instead of 4
-    max_steps: rounds until an episode is truncated
-    obstacles: none; the share of the cells, in [0, 1), that become obstacles anew at every reset
-        (drawn uniformly, without care for connectedness); or a map as `read_map` takes it
-    rewards: what is paid
+    Settings are checked once, here, and never change. `dataclasses.replace` makes a changed copy.
 
-    Raises TypeError for values of a wrong type and ValueError for values out of range, such as
-    more agents than free cells. Warns where the rules can never capture anybody.
+    Parameters
+    ----------
+    rules : Rules or str, optional
+        The rules, or the name of a variant such as ``"SB"``. The default is ``"O"``.
+    rows, cols : int, optional
+        Size of the grid in cells, 1 to 4096 a side. The default is the size of the obstacle map,
+        or 40 without one.
+    n_pursuers, n_evaders : int, optional
+        Agents of each team, 1 to 4,194,303. The default is 8 pursuers and 30 evaders, or 20 and 5
+        where capture is by surrounding, as in the paper.
+    fov : int, optional
+        Side, in cells, of the square that an agent sees around itself; odd, at most 255. The
+        default is 11.
+    diagonal : bool, optional
+        Whether agents move in 8 directions instead of 4. The default is False.
+    max_steps : int, optional
+        Rounds after which an episode is truncated. The default is 500.
+    obstacles : float or map, optional
+        A number in [0, 1) is the share of the cells that become obstacles at every reset. They are
+        drawn uniformly, so free cells need not be connected. Anything else is a fixed map as
+        `read_map` takes it: a bool array of shape (rows, cols), rows of text, or a path. By default
+        there are no obstacles.
+    rewards : Rewards, optional
+        The rewards. The default is `Rewards()`, those of the paper.
+
+    Raises
+    ------
+    TypeError
+        If a value has a wrong type.
+    ValueError
+        If a value is out of range, for example if there are more agents than free cells.
+
+    Warns
+    -----
+    UserWarning
+        If the rules can never capture an evader.
+
+    Examples
+    --------
+    >>> import dataclasses
+    >>> from matrixworld import WorldConfig
+    >>> config = WorldConfig("SB", rows=12, cols=16, n_pursuers=6, n_evaders=2, obstacles=0.1)
+    >>> config.n_agents, config.n_actions
+    (8, 5)
+    >>> dataclasses.replace(config, diagonal=True).n_actions
+    9
     """
 
     rules: Rules
@@ -76,8 +114,8 @@ class WorldConfig:
         rewards: Rewards | None = None,
     ) -> None:
         row = rules_of(rules)
-        ground = _obstacles(obstacles)
-        height, width = ground.shape if isinstance(ground, np.ndarray) else (_SIDE, _SIDE)
+        terrain = _obstacles(obstacles)
+        height, width = terrain.shape if isinstance(terrain, np.ndarray) else (_SIDE, _SIDE)
         pursuers, evaders = _TEAM_SIZES[row.capture]
         if rewards is not None and not isinstance(rewards, Rewards):
             raise TypeError(f"rewards: expected Rewards, got {rewards!r}")
@@ -90,7 +128,7 @@ class WorldConfig:
             "fov": fov,
             "diagonal": check_bool("diagonal", diagonal),
             "max_steps": max_steps,
-            "obstacles": ground,
+            "obstacles": terrain,
             "rewards": Rewards() if rewards is None else rewards,
         }
         for name in ("rows", "cols", "n_pursuers", "n_evaders", "fov", "max_steps"):
@@ -98,53 +136,67 @@ class WorldConfig:
         for name, value in values.items():
             object.__setattr__(self, name, value)
         self.check_map(self.map)
-        self.setup  # noqa: B018  (the engine checks the ranges)
+        # Building the engine's form checks the ranges, so a bad config fails here and not later.
+        self.setup  # noqa: B018
         if not row.captures:
             warnings.warn("these rules can never capture an evader", stacklevel=2)
 
     @classmethod
     def of(cls, config: WorldConfig | Rules | str = "O", **changes: Any) -> WorldConfig:
-        """``config`` itself or the config of these rules, with some fields changed."""
+        """Return a config with some fields changed.
+
+        Parameters
+        ----------
+        config : WorldConfig, Rules or str, optional
+            The config to start from, or the rules of a new one.
+        **changes
+            Fields and their new values.
+
+        Returns
+        -------
+        WorldConfig
+            `config` itself if it is a WorldConfig and nothing changes.
+        """
         if isinstance(config, WorldConfig):
             return replace(config, **changes) if changes else config
         return cls(config, **changes)
 
     @property
     def n_agents(self) -> int:
-        """Agents of both teams."""
+        """Number of agents of both teams."""
         return self.n_pursuers + self.n_evaders
 
     @property
     def n_actions(self) -> int:
-        """5, or 9 with diagonal moves."""
+        """Number of actions: 5, or 9 with diagonal moves."""
         return 9 if self.diagonal else 5
 
     @property
     def map(self) -> NDArray[np.bool_] | None:
-        """The given obstacle map, ``(rows, cols)`` bool, or None."""
+        """The fixed obstacle map, bool of shape (rows, cols), or None without one."""
         return self.obstacles if isinstance(self.obstacles, np.ndarray) else None
 
     @property
     def density(self) -> float:
-        """The share of cells that become obstacles at a reset; 0 with a given map."""
+        """Share of the cells that become obstacles at a reset; 0 with a fixed map."""
         return 0.0 if isinstance(self.obstacles, np.ndarray) else self.obstacles
 
     def agent_name(self, agent: int) -> str:
-        """``pursuer_0`` ... and then ``evader_0`` ..."""
+        """Return the name of an agent: ``pursuer_0`` and so on, then ``evader_0`` and so on."""
         if agent < self.n_pursuers:
             return f"pursuer_{agent}"
         return f"evader_{agent - self.n_pursuers}"
 
     def check_map(self, obstacles: NDArray[np.bool_] | None) -> None:
-        """Raise ValueError where a map is not of this size."""
+        """Raise ValueError unless a map has the size of the world; None passes."""
         if obstacles is not None and obstacles.shape != (self.rows, self.cols):
             raise ValueError(
-                f"obstacle map: expected shape {(self.rows, self.cols)} as rows and cols say, "
+                f"obstacle map: expected shape {(self.rows, self.cols)}, the rows and cols, "
                 f"got {obstacles.shape}"
             )
 
     def to_json(self) -> dict[str, Any]:
-        """The settings as plain values: numbers, names, and rows of text for a map."""
+        """Return the settings as values that JSON can hold; a map becomes rows of text."""
         plain = {item.name: getattr(self, item.name) for item in fields(self)}
         plain["rules"] = {
             item.name: getattr(value, "name", value)
@@ -161,23 +213,23 @@ class WorldConfig:
         return plain
 
     def __getstate__(self) -> dict[str, Any]:
-        """The fields: the engine's form of them can be made again."""
+        """Return the fields; the engine's form of them is built again on demand."""
         return {item.name: getattr(self, item.name) for item in fields(self)}
 
     @cached_property
     def setup(self) -> _core.Setup:
-        """The engine's form of these settings."""
+        """The engine's form of the settings."""
         rules = {item.name: getattr(self.rules, item.name) for item in fields(self.rules)}
-        paid = self.rewards
+        rewards = self.rewards
         return _core.Setup(
             rules=_core.Rules(**rules),
             rewards=_core.Rewards(
-                capture=paid.by_team("capture"),
-                neighbor=paid.by_team("neighbor"),
-                collide=paid.by_team("collide"),
-                step=paid.by_team("step"),
-                blame=paid.blame,
-                capture_repeats=paid.capture_repeats,
+                capture=rewards.by_team("capture"),
+                neighbor=rewards.by_team("neighbor"),
+                collide=rewards.by_team("collide"),
+                step=rewards.by_team("step"),
+                blame=rewards.blame,
+                capture_repeats=rewards.capture_repeats,
             ),
             rows=self.rows,
             cols=self.cols,

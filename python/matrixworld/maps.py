@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 MapLike: TypeAlias = "NDArray[np.bool_] | Sequence[str] | str | PathLike[str]"
+"""An obstacle map in any form that `read_map` takes."""
 
 FREE = ".GS"
 """Characters of passable terrain (ground, swamp) in a map."""
@@ -19,13 +20,39 @@ BLOCKED = "#@OTW"
 
 
 def read_map(source: MapLike) -> NDArray[np.bool_]:
-    """An obstacle map, ``(rows, cols)`` bool, True where an obstacle is.
+    """Read an obstacle map.
 
-    source: a bool array, rows of text (see `FREE` and `BLOCKED`), or the path of a MovingAI
-        ``.map`` file (Sturtevant 2012).
+    Parameters
+    ----------
+    source : ndarray of bool, sequence of str, or path
+        A NumPy array of dtype bool and shape (rows, cols); rows of text with the characters of
+        `FREE` and `BLOCKED`; or the path of a MovingAI ``.map`` file.
 
-    Raises TypeError for another type, ValueError for a map that is empty, ragged or has an
-    unknown character, and FileNotFoundError for a path that does not exist.
+    Returns
+    -------
+    ndarray of bool, shape (rows, cols)
+        A new array, True where an obstacle is.
+
+    Raises
+    ------
+    TypeError
+        If `source` has another type.
+    ValueError
+        If the map is empty, its rows differ in length, or a character is unknown.
+    FileNotFoundError
+        If the path does not exist.
+
+    References
+    ----------
+    N. R. Sturtevant (2012). Benchmarks for grid-based pathfinding. IEEE Transactions on
+    Computational Intelligence and AI in Games 4(2).
+
+    Examples
+    --------
+    >>> from matrixworld import read_map
+    >>> read_map(["..#", "#.."])
+    array([[False, False,  True],
+           [ True, False, False]])
     """
     if isinstance(source, np.ndarray):
         return _from_array(source)
@@ -62,6 +89,7 @@ def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:
 
 
 def _from_file(path: Path) -> NDArray[np.bool_]:
+    # A character beyond ASCII is replaced, and then reported as unknown with the number of its row.
     lines = path.read_text(encoding="ascii", errors="replace").rstrip().splitlines()
     header = dict(line.split(maxsplit=1) for line in lines[:3] if len(line.split()) > 1)
     if lines[3:4] != ["map"] or set(header) != {"type", "height", "width"}:

@@ -1,4 +1,4 @@
-"""Policies: multilayer perceptrons as flat genomes, and the scripted opponents."""
+"""Policies of a team: multilayer perceptrons as flat genomes, and scripts."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
-from matrixworld.checks import check_bool, check_integer
+from matrixworld.checks import check_bool, check_choice, check_integer
 from matrixworld.config import WorldConfig
 
 Script: TypeAlias = Literal[
@@ -28,24 +28,29 @@ Script: TypeAlias = Literal[
 ]
 
 SCRIPTS: tuple[Script, ...] = get_args(Script)
-"""Scripted opponents.
+"""Names of the scripted policies.
 
-random: any action, all equally likely
-still: stays
-chaser: the move after which the nearest adversary in view is nearest
-fleer: the move after which the nearest adversary in view is farthest
-clumsy-chaser, clumsy-fleer: the same, but in half of the steps any action
-hunter: a chaser of the nearest adversary in view to which no teammate in view is nearer
-surrounder: a chaser of the nearest free cell beside an adversary in view that no teammate is on
-dodger: the move after which all adversaries in view together are farthest; each cell that holds
-    some weighs ``2**14 // (1 + moves)**2``
+==============  ===================================================================================
+random          any action, all equally likely
+still           always stays
+chaser          moves to where the nearest adversary in view is nearest
+fleer           moves to where the nearest adversary in view is farthest
+clumsy-chaser   a chaser that takes any action in half of the steps
+clumsy-fleer    a fleer that takes any action in half of the steps
+hunter          a chaser of the nearest adversary in view to which no teammate in view is nearer
+surrounder      a chaser of the nearest free cell beside an adversary in view without a teammate
+dodger          moves to where all adversaries in view together are farthest; each cell that holds
+                some weighs ``2**14 // (1 + moves)**2``
+==============  ===================================================================================
 
-All but random do not step into obstacles and break ties at random. While they see nobody (the
-hunter: no adversary, the surrounder: no such cell) hunter and surrounder walk on in one direction
-for 12 steps, the others but still walk at random. Near is counted in moves.
+Distances are counted in moves. All scripts but random avoid obstacles and break ties at random.
+Without an adversary in view (for the surrounder: without such a cell; for the hunter: without an
+adversary of its own) hunter and surrounder keep one direction for 12 steps, and the others, except
+still, walk at random.
 """
 
 CHANNELS = 3
+"""Channels of a view: evaders, pursuers, obstacles."""
 
 _MAX_FOV = 255  # as in a world
 _MAX_LAYER = 2**20
@@ -53,19 +58,41 @@ _MAX_LAYER = 2**20
 
 @dataclass(frozen=True)
 class Network:
-    """A multilayer perceptron from one agent's view to its action.
+    """A multilayer perceptron that maps an agent's view to an action.
 
-    hidden: sizes of the hidden layers; may be empty
-    activation: of the hidden layers, "relu" or "tanh"
-    fov: side of the view; the input is the view flattened, 3 * fov * fov numbers
-    n_actions: outputs, 5 or 9
-    sampled: draw the action from the softmax of the outputs, or take the (first) largest
+    It describes the shape of the network only; a genome holds the weights.
 
-    A genome is flat float32: layer by layer the weights, ``(inputs, outputs)`` row by row, and
-    then the biases.
+    Parameters
+    ----------
+    hidden : sequence of int, optional
+        Sizes of the hidden layers; may be empty. The default is one layer of 32.
+    activation : {"relu", "tanh"}, optional
+        Activation of the hidden layers.
+    fov : int, optional
+        Side of the view, odd. The input is the flattened view, 3 * fov * fov numbers.
+    n_actions : int, optional
+        Outputs: 5, or 9 with diagonal moves.
+    sampled : bool, optional
+        Whether the action is drawn from the softmax of the outputs, or is the first largest one.
 
-    Raises ValueError for sizes below 1 or above 2**20, an even fov, or another activation;
-    TypeError for values of a wrong type.
+    Raises
+    ------
+    ValueError
+        If a size is below 1 or above 2**20, `fov` is even, or the activation is unknown.
+    TypeError
+        If a value has a wrong type.
+
+    Notes
+    -----
+    A genome is a flat array of float32. It holds, layer by layer, the weights as an (inputs,
+    outputs) matrix in row-major order and then the biases.
+
+    Examples
+    --------
+    >>> from matrixworld import Network
+    >>> network = Network(hidden=(16, 8), fov=5)
+    >>> network.sizes, network.genome_size
+    ((75, 16, 8, 5), 1397)
     """
 
     hidden: tuple[int, ...] = (32,)
@@ -78,6 +105,7 @@ class Network:
         if not isinstance(self.hidden, Iterable):
             raise TypeError(f"hidden: expected a sequence of ints, got {self.hidden!r}")
         sizes = tuple(check_integer("hidden", size, 1, _MAX_LAYER) for size in self.hidden)
+        # A frozen dataclass lets its fields be set in this way only.
         object.__setattr__(self, "hidden", sizes)
         object.__setattr__(self, "fov", check_integer("fov", self.fov, 1, _MAX_FOV))
         object.__setattr__(self, "n_actions", check_integer("n_actions", self.n_actions))
@@ -93,25 +121,48 @@ class Network:
     def for_config(
         cls, config: WorldConfig, hidden: tuple[int, ...] = (32,), **more: Any
     ) -> Network:
-        """The network that fits a world's views and actions."""
+        """Return a network for the views and actions of a world.
+
+        Parameters
+        ----------
+        config : WorldConfig
+            The settings of the world.
+        hidden : sequence of int, optional
+            Sizes of the hidden layers.
+        **more
+            Other fields of the network.
+        """
         return cls(hidden, fov=config.fov, n_actions=config.n_actions, **more)
 
     @property
     def sizes(self) -> tuple[int, ...]:
-        """Inputs, hidden layers, actions."""
+        """Sizes of all layers: inputs, hidden layers, actions."""
         return (CHANNELS * self.fov**2, *self.hidden, self.n_actions)
 
     @property
     def genome_size(self) -> int:
-        """Numbers in a genome."""
+        """Number of weights and biases in a genome."""
         return sum((n_in + 1) * n_out for n_in, n_out in pairwise(self.sizes))
 
     def layers(
         self, genome: NDArray[np.float32]
     ) -> list[tuple[NDArray[np.float32], NDArray[np.float32]]]:
-        """Weights ``(inputs, outputs)`` and biases ``(outputs,)`` of each layer, as views.
+        """Return the weights and biases of each layer, as views of a genome.
 
-        Raises ValueError for a genome of another length.
+        Parameters
+        ----------
+        genome : ndarray of float32, shape (genome_size,)
+            Changing a returned array changes it.
+
+        Returns
+        -------
+        list of (ndarray, ndarray)
+            For each layer its weights, shape (inputs, outputs), and biases, shape (outputs,).
+
+        Raises
+        ------
+        ValueError
+            If the genome has another shape.
         """
         if genome.shape != (self.genome_size,):
             raise ValueError(f"genome: expected shape {(self.genome_size,)}, got {genome.shape}")
@@ -123,9 +174,24 @@ class Network:
         return layers
 
     def logits(self, genome: NDArray[np.float32], views: NDArray[np.uint8]) -> NDArray[np.float32]:
-        """Outputs ``(n, n_actions)`` float32 for views ``(n, 3, fov, fov)``, in NumPy.
+        """Return the outputs of the network, computed in NumPy.
 
-        Raises ValueError for views or a genome of another shape.
+        Parameters
+        ----------
+        genome : ndarray of float32, shape (genome_size,)
+            Weights and biases.
+        views : ndarray of uint8, shape (n, 3, fov, fov)
+            What agents see.
+
+        Returns
+        -------
+        ndarray of float32, shape (n, n_actions)
+            The outputs, before any softmax.
+
+        Raises
+        ------
+        ValueError
+            If the views or the genome have another shape.
         """
         expected = (CHANNELS, self.fov, self.fov)
         if views.shape[1:] != expected:
@@ -140,7 +206,20 @@ class Network:
     def initial(
         self, rng: np.random.Generator, weight: float = 0.05, head: float = 0.1
     ) -> NDArray[np.float32]:
-        """A random genome: hidden weights N(0, weight), last layer N(0, head), biases 0."""
+        """Return a random genome, with all biases 0.
+
+        Parameters
+        ----------
+        rng : numpy.random.Generator
+            The source of random numbers.
+        weight, head : float, optional
+            Standard deviations of the weights in the hidden layers and in the last layer.
+
+        Returns
+        -------
+        ndarray of float32, shape (genome_size,)
+            The genome.
+        """
         genome = np.zeros(self.genome_size, np.float32)
         layers = self.layers(genome)
         for number, (weights, _) in enumerate(layers):
@@ -162,10 +241,21 @@ class Network:
 
 @dataclass(frozen=True, eq=False)
 class Population:
-    """One team's candidates: genomes ``(n, genome_size)`` float32 of one network.
+    """Genomes of one network, which can play for a team.
 
-    A single genome ``(genome_size,)`` is taken as a population of one. Raises TypeError for
-    another dtype, ValueError for another shape and for numbers that are not finite.
+    Parameters
+    ----------
+    genomes : ndarray of float32, shape (n, genome_size) or (genome_size,)
+        The genomes. A single one becomes a population of one.
+    network : Network
+        The network that all of them belong to.
+
+    Raises
+    ------
+    TypeError
+        If the dtype is another or `network` is not a Network.
+    ValueError
+        If the shape is another or a number is not finite.
     """
 
     genomes: NDArray[np.float32]
@@ -192,18 +282,17 @@ class Population:
 
 
 TeamPolicy: TypeAlias = Population | Script
-"""Who plays for a team."""
+"""What plays for a team: genomes of a network, or the name of a script."""
 
 
 def check_team(name: str, team: TeamPolicy) -> Any:
-    """The engine's form of a team.
+    """Return the engine's form of a team policy.
 
-    Raises TypeError for another type, ValueError for an unknown script.
+    Raises TypeError for another type and ValueError for an unknown script.
     """
     if isinstance(team, Population):
         return team.network.core, team.genomes
     if not isinstance(team, str):
         raise TypeError(f"{name}: expected a Population or the name of a script, got {team!r}")
-    if team not in SCRIPTS:
-        raise ValueError(f"{name}: expected one of {', '.join(SCRIPTS)}, got {team!r}")
+    check_choice(name, team, SCRIPTS)
     return team

@@ -1,4 +1,4 @@
-"""Watching a recorded episode: in a terminal, as an animation, as a sheet of pictures."""
+"""Recorded episodes to watch: in a terminal, as an animation, as a sheet of pictures."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from matrixworld.render import MARK_STEPS, Scene, ansi, rgb
 from matrixworld.render.gif import write_gif
 from matrixworld.render.layout import LARGEST_CELL
 from matrixworld.render.mp4 import write_mp4
-from matrixworld.render.screen import color_mode, fits, play
+from matrixworld.render.terminal_animation import color_mode, fits, play
 
 __all__ = [
     "Animation",
@@ -33,20 +33,37 @@ __all__ = [
 ]
 
 FRAMES = 120
-"""Frames of an animation in a notebook, at most."""
+"""The most frames of an animation in a notebook."""
 PIXELS = 480
-"""The longer side of its field that is aimed at."""
+"""Wanted length of the longer side of its field."""
 FOV = 11
-"""Side of a field of view where an episode does not tell its own."""
+"""Side of a field of view if the episode does not state it."""
 
 
 def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None = None) -> Scene:
-    """What there is to draw after so many steps, from 0; negative numbers count from the end.
+    """Return one moment of an episode, to be drawn.
 
-    trail: how many steps back the trails of the agents go
-    title: by default the step and the share of the evaders that are captured
+    Parameters
+    ----------
+    episode : Episode
+        The recording.
+    step : int, optional
+        The number of steps played before the moment. Negative numbers count from the end; the
+        default is the end.
+    trail : int, optional
+        Steps back that the trails of the agents go.
+    title : str, optional
+        A line of text. By default the step and the share of the evaders that are captured.
 
-    Raises IndexError for a step outside the episode.
+    Returns
+    -------
+    Scene
+        The arrays to draw.
+
+    Raises
+    ------
+    IndexError
+        If the step is outside the episode.
     """
     now = range(episode.length + 1)[step]
     captures, deaths = _marks(episode, now)
@@ -77,13 +94,26 @@ def animate_terminal(
 ) -> None:
     """Show an episode in a terminal, in place, until its end or Ctrl-C.
 
-    stream: None for standard output; when it is no terminal, the last moment is printed as
-        plain text instead
-    fps: drawings a second; every: steps from one to the next
-    color: as `render.ansi` takes it; None finds out
+    A grid too large for the terminal is drawn in half blocks.
 
-    A grid too large for the terminal is drawn in half blocks. Raises ValueError for an fps that
-    is not positive and for every below 1.
+    Parameters
+    ----------
+    episode : Episode
+        The recording.
+    stream : file, optional
+        Where to show it. The default is standard output. If it is not a terminal, the last moment
+        is printed as plain text instead.
+    fps : float, optional
+        Drawings per second.
+    every : int, optional
+        Steps from one drawing to the next.
+    color : {"true", "256", "none"}, optional
+        As for `render.ansi`. By default it follows from the terminal.
+
+    Raises
+    ------
+    ValueError
+        If `fps` is not positive or `every` is below 1.
     """
     if not fps > 0:
         raise ValueError(f"fps: expected more than 0 drawings a second, got {fps}")
@@ -110,23 +140,52 @@ def save(
     fov: int | None = None,
     viewers: Sequence[int | str] = (),
 ) -> None:
-    """Write an episode as the end of the name says: ``.gif``, ``.mp4``, or ``.png`` for one moment.
+    """Write an episode as an animation, a film, or a picture of one moment.
 
-    fps: frames a second, 0.1 to 50; every: steps from one frame to the next, the last step always
-        being shown, and held for `hold` seconds more
-    step: which moment a PNG shows, as for `scene`
-    cell: pixels per cell; None chooses by the size of the grid
-    trail: how many steps back the trails go
-    viewers: agents whose fields of view are outlined, by number or name; fov: their side in cells,
-        by default that of the episode's world
+    The file appears complete or not at all.
 
-    The file appears complete or not at all. Raises ValueError for another suffix and for a value
-    out of range, ImportError for MP4 without the extra ``video``.
+    Parameters
+    ----------
+    episode : Episode
+        The recording.
+    path : path
+        The file. Its suffix decides: ``.gif``, ``.mp4``, or ``.png`` for one moment.
+    fps : float, optional
+        Frames per second, 0.1 to 50.
+    every : int, optional
+        Steps from one frame to the next. The last step is always shown.
+    hold : float, optional
+        Seconds for which the last frame is shown longer.
+    step : int, optional
+        The moment of a PNG, as for `scene`.
+    cell : int, optional
+        Pixels per cell. By default the size of the grid decides.
+    trail : int, optional
+        Steps back that the trails of the agents go.
+    fov : int, optional
+        Side of the fields of view in cells. By default that of the episode's world.
+    viewers : sequence of int or str, optional
+        The agents whose fields of view are outlined, by number or name.
+
+    Raises
+    ------
+    ValueError
+        If the suffix is another or a value is out of range.
+    IndexError
+        If `step` is outside the episode.
+    ImportError
+        If the extra ``video`` is not installed, which MP4 needs.
+
+    Examples
+    --------
+    >>> from matrixworld import WorldConfig, record, replay
+    >>> episode = record(WorldConfig("O", max_steps=100), "chaser", "fleer", seed=1)
+    >>> replay.save(episode, "chase.gif")  # doctest: +SKIP
     """
     suffix = Path(path).suffix.lower()
     if suffix not in (".gif", ".mp4", ".png"):
         raise ValueError(f"path: expected a name that ends in .gif, .mp4 or .png, got {path}")
-    draw = _artist(episode, cell=cell, trail=trail, fov=fov, viewers=viewers)
+    draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers)
     times = _times(episode, every)
     with replacing(path) as file:
         if suffix == ".png":
@@ -138,7 +197,13 @@ def save(
 
 @dataclass(frozen=True, repr=False)
 class Animation:
-    """A GIF that a notebook shows. data: the file's bytes."""
+    """A GIF that a notebook shows.
+
+    Parameters
+    ----------
+    data : bytes
+        The contents of the file.
+    """
 
     data: bytes
 
@@ -162,16 +227,42 @@ def animation(
     fov: int | None = None,
     viewers: Sequence[int | str] = (),
 ) -> Animation:
-    """What a notebook shows as a moving picture, kept in the notebook itself.
+    """Return an animation that a notebook shows, and stores in itself.
 
-    every: None shows at most `FRAMES` of an episode's steps; cell: None aims at `PIXELS` a side.
-    The rest is as for `save`. A long episode on 40 x 40 cells takes 1 MB or so.
+    A long episode on 40 x 40 cells takes about 1 MB.
+
+    Parameters
+    ----------
+    episode : Episode
+        The recording.
+    fps : float, optional
+        Frames per second, 0.1 to 50.
+    every : int, optional
+        Steps from one frame to the next. The default shows at most `FRAMES` frames.
+    cell : int, optional
+        Pixels per cell. The default gives about `PIXELS` pixels a side.
+    trail : int, optional
+        Steps back that the trails of the agents go.
+    fov : int, optional
+        Side of the fields of view in cells. By default that of the episode's world.
+    viewers : sequence of int or str, optional
+        The agents whose fields of view are outlined, by number or name.
+
+    Returns
+    -------
+    Animation
+        The animated GIF.
+
+    Raises
+    ------
+    ValueError
+        If a value is out of range.
     """
     if every is None:
         every = -(-episode.length // FRAMES) or 1
     if cell is None:
         cell = min(max(PIXELS // max(episode.map.shape), 1), LARGEST_CELL)
-    draw = _artist(episode, cell=cell, trail=trail, fov=fov, viewers=viewers)
+    draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers)
     buffer = io.BytesIO()
     write_gif(buffer, draw, _times(episode, every), fps=fps, hold=2.0)
     return Animation(buffer.getvalue())
@@ -187,20 +278,43 @@ def contact_sheet(
     fov: int | None = None,
     viewers: Sequence[int | str] = (),
 ) -> Image.Image:
-    """Moments of an episode from first to last, evenly spread, side by side: one picture.
+    """Draw moments of an episode, evenly spread from first to last, as one picture.
 
-    A notebook shows it. cell, trail, fov, viewers: as for `save`.
+    Parameters
+    ----------
+    episode : Episode
+        The recording.
+    rows, cols : int, optional
+        How many moments are below and beside each other.
+    cell : int, optional
+        Pixels per cell. By default the size of the grid decides.
+    trail : int, optional
+        Steps back that the trails of the agents go.
+    fov : int, optional
+        Side of the fields of view in cells. By default that of the episode's world.
+    viewers : sequence of int or str, optional
+        The agents whose fields of view are outlined, by number or name.
+
+    Returns
+    -------
+    PIL.Image.Image
+        The picture, which a notebook shows.
+
+    Raises
+    ------
+    ValueError
+        If a value is out of range.
     """
     if rows < 1 or cols < 1:
         raise ValueError(f"rows, cols: expected at least 1, got {rows}, {cols}")
     times = np.linspace(0, episode.length, rows * cols).round().astype(int)
-    draw = _artist(episode, cell=cell, trail=trail, fov=fov, viewers=viewers)
+    draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers)
     pictures = [draw(t) for t in times.tolist()]
     lines = [np.concatenate(pictures[i : i + cols], axis=1) for i in range(0, len(times), cols)]
     return Image.fromarray(np.concatenate(lines))
 
 
-def _artist(
+def _drawer(
     episode: Episode,
     *,
     cell: int | None,
@@ -208,7 +322,7 @@ def _artist(
     fov: int | None,
     viewers: Sequence[int | str],
 ) -> Callable[[int], NDArray[np.uint8]]:
-    """How a moment of the episode is drawn."""
+    """Return a function that draws a moment of the episode."""
     side = int(episode.config.get("fov", FOV)) if fov is None else fov
 
     def draw(time: int) -> NDArray[np.uint8]:
@@ -221,18 +335,19 @@ def _times(episode: Episode, every: int) -> list[int]:
     if every < 1:
         raise ValueError(f"every: expected 1 step or more, got {every}")
     times = list(range(0, episode.length + 1, every))
+    # The end is the most interesting moment, so it is shown whatever the stride.
     return times if times[-1] == episode.length else [*times, episode.length]
 
 
 def capture_title(episode: Episode, now: int, start: str) -> str:
-    """A line of text: ``start``, and how many of the evaders are captured."""
+    """Return a line of text: `start`, and how many of the evaders are captured."""
     caught, of = int(episode.counted[now].sum()), episode.n_evaders
     share = f" ({caught / of:.0%})" if of else ""
     return f"{start}    captured {caught} of {of}{share}"
 
 
 def _marks(episode: Episode, now: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Row, column and age of the captures and of the other deaths of the last steps."""
+    """Return row, column and age of the captures and of the other deaths of the last steps."""
     captures: list[tuple[int, int, int]] = []
     deaths: list[tuple[int, int, int]] = []
     for step in range(max(1, now - MARK_STEPS + 1), now + 1):
@@ -245,6 +360,6 @@ def _marks(episode: Episode, now: int) -> tuple[NDArray[np.int64], NDArray[np.in
 
 
 def _newly_captured(episode: Episode, step: int) -> NDArray[np.bool_]:
-    """``(A,)``: whose first capture was in the step that led to this moment."""
+    """Return which agents were captured for the first time in this step, shape (A,)."""
     evaders = episode.ever_captured[step] & ~episode.ever_captured[step - 1]
     return np.concatenate([np.zeros(episode.n_pursuers, bool), evaders])

@@ -1,25 +1,38 @@
-"""The rules of a game and its rewards, as data."""
+"""The rules and the rewards of a game, as data."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from enum import Enum, IntEnum
-from numbers import Real
+from enum import IntEnum
 from types import MappingProxyType
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from matrixworld._core import Blame, Capture, Interaction, Outcome
-from matrixworld.checks import check_bool
+from matrixworld.checks import check_bool, check_instance, check_real
+
+__all__ = [
+    "KINDS",
+    "VARIANTS",
+    "Action",
+    "Blame",
+    "Capture",
+    "Interaction",
+    "Outcome",
+    "Penalty",
+    "Rewards",
+    "Rules",
+    "rules_of",
+]
 
 KINDS = ("obstacle", "teammate", "adversary")
 """The kinds of collision, in the order of the last axis of ``involved`` and ``fault``."""
 
 
 class Action(IntEnum):
-    """What an agent can do; the last four only in a world with ``diagonal=True``."""
+    """The actions of an agent; the last four exist only in a world with ``diagonal=True``."""
 
     STAY = 0
     NORTH = 1
@@ -32,32 +45,50 @@ class Action(IntEnum):
     NORTHWEST = 8
 
 
-Fine: TypeAlias = float | tuple[float, float, float]
-"""For collisions of every kind, or for those with an obstacle, a teammate, an adversary."""
+Penalty: TypeAlias = float | tuple[float, float, float]
+"""One number for collisions of all kinds, or one for each of `KINDS`."""
 
+# Rewards are float32 in the engine; a larger number would become infinite there.
 _LARGEST = float(np.finfo(np.float32).max)
-
-
-def _require(name: str, value: object, kind: type[Enum]) -> None:
-    if not isinstance(value, kind):
-        raise TypeError(f"{name}: expected a matrixworld.{kind.__name__}, got {value!r}")
 
 
 @dataclass(frozen=True)
 class Rules:
-    """One row of the rules table; a game variant is nothing else.
+    """One row of the table of rules. A game variant is nothing else.
 
-    interaction: who moves together
-    obstacle: outcome of an agent that runs into an obstacle or the border
-    teammate: outcome of a collision of two agents of one team, for both
-    evader, pursuer: outcomes of the two sides of a collision of adversaries
-    capture: by being reached (occupation) or by being surrounded
-    captured_disappear: whether a surrounded evader is removed
+    Parameters
+    ----------
+    interaction : Interaction, optional
+        Which agents move together: all of them, the agents of a team, or one at a time.
+    obstacle : Outcome, optional
+        What happens to an agent that runs into an obstacle or the border.
+    teammate : Outcome, optional
+        What happens to both agents in a collision of teammates.
+    evader, pursuer : Outcome, optional
+        What happens to the evader and to the pursuer in a collision of adversaries.
+    capture : Capture, optional
+        Whether an evader is captured by being reached (occupation) or by being surrounded.
+    captured_disappear : bool, optional
+        Whether a surrounded evader is removed. Occupation does not read it.
 
-    Every combination is legal. Under occupation only an evader's outcome ``DISAPPEAR``, or
-    ``REACH`` on both sides, captures anybody; a `WorldConfig` of another row warns.
+    Raises
+    ------
+    TypeError
+        If a field has another type.
 
-    Raises TypeError for a field of another type.
+    Notes
+    -----
+    Every combination is legal. Under occupation an evader can be captured only if its outcome is
+    ``DISAPPEAR``, or if both outcomes are ``REACH``; a `WorldConfig` with other rules warns.
+
+    Examples
+    --------
+    Pursuers surround evaders, and teams take turns:
+
+    >>> from matrixworld import Capture, Interaction, Outcome, Rules
+    >>> rules = Rules(Interaction.SWARM_TURNS, evader=Outcome.BOUNCE, capture=Capture.SURROUND)
+    >>> rules.captures
+    True
     """
 
     interaction: Interaction = Interaction.SIMULTANEOUS
@@ -69,10 +100,10 @@ class Rules:
     captured_disappear: bool = False
 
     def __post_init__(self) -> None:
-        _require("interaction", self.interaction, Interaction)
-        _require("capture", self.capture, Capture)
+        check_instance("interaction", self.interaction, Interaction)
+        check_instance("capture", self.capture, Capture)
         for name in ("obstacle", "teammate", "evader", "pursuer"):
-            _require(name, getattr(self, name), Outcome)
+            check_instance(name, getattr(self, name), Outcome)
         check_bool("captured_disappear", self.captured_disappear)
 
     @property
@@ -82,11 +113,19 @@ class Rules:
         occupied = self.evader is Outcome.DISAPPEAR or both_reach
         return self.capture is Capture.SURROUND or occupied
 
+    @property
+    def removes_captured(self) -> bool:
+        """Whether a captured evader leaves the grid."""
+        if self.capture is Capture.SURROUND:
+            return self.captured_disappear
+        return self.evader is Outcome.DISAPPEAR
+
 
 def _variants() -> dict[str, Rules]:
     d, r, b = Outcome.DISAPPEAR, Outcome.REACH, Outcome.BOUNCE
     together, in_turns = Interaction.SIMULTANEOUS, Interaction.AGENT_TURNS
     occupation, surround = Capture.OCCUPATION, Capture.SURROUND
+    # One variant per line. A new line needs a text in `envs/variant_texts.py`; tests name the rest.
     #          interaction, obstacle, teammate, evader, pursuer, capture, captured disappear
     return {
         "D": Rules(together, d, d, d, d, occupation),
@@ -102,37 +141,56 @@ def _variants() -> dict[str, Rules]:
 
 
 VARIANTS: Mapping[str, Rules] = MappingProxyType(_variants())
-"""The nine variants of Sun et al., Table "Task definition", by the letters after the dash."""
+"""The nine variants of Sun et al. (2023), Table "Task definition", by their letters."""
 
 
 @dataclass(frozen=True)
 class Rewards:
-    """What is paid to an agent; the defaults are those of the paper's table "Reward function".
+    """The rewards of a game. The defaults are those of the paper's table "Reward function".
 
-    capture: to each captor for each evader captured, and to the captured evader; once per evader
-        and episode, or with ``capture_repeats`` in every step that the capture lasts
-    neighbor: flat, while at least one living adversary is north, east, south or west of it
-    collide: once for each kind of collision in which it is to blame in a step; one number, or one
-        for each of obstacle, teammate, adversary
-    step: for every step, on the agent's own turn where turns are taken
-    blame: who pays ``collide``: those at fault, or everybody involved. Under occupation a contact
-        of adversaries involves both and is nobody's fault: it is the game. Who pays for being
-        involved may want ``collide=(-12, -12, 0)``.
+    Parameters
+    ----------
+    pursuer_capture, evader_capture : float, optional
+        For each evader captured, to each captor and to the evader. Paid once per evader and
+        episode, or with `capture_repeats` in every step that the capture lasts.
+    pursuer_neighbor, evader_neighbor : float, optional
+        In a step after which a living adversary is on the cell to the north, east, south or west.
+        The number of such adversaries does not matter.
+    pursuer_collide, evader_collide : float or sequence of 3 floats, optional
+        The penalty, once for each kind of collision for which `blame` charges the agent in a step.
+        Three numbers are penalties for collisions with an obstacle, a teammate, an adversary.
+    pursuer_step, evader_step : float, optional
+        For every step. Where agents take turns, it is paid in the agent's own turn.
+    blame : Blame, optional
+        Which agents pay the penalty: those at fault, or all agents involved. Under occupation a
+        contact of adversaries involves both, and neither is at fault, because contact is the aim
+        of the game. With ``Blame.INVOLVED`` you may want ``pursuer_collide=(-12, -12, 0)``.
+    capture_repeats : bool, optional
+        Whether a capture is paid in every step that it lasts.
 
-    With an evader's ``step`` below 0 it scores better by being caught at once (-10) than by
-    surviving 500 steps (-25). The published code pays it +0.05 instead, and pays a lasting
-    capture in every step: `Rewards.published`.
+    Raises
+    ------
+    ValueError
+        If a number is not finite as a float32, or a penalty has neither 1 nor 3 numbers.
+    TypeError
+        If a value has another type.
 
-    Raises ValueError for a number that is not finite as a float32 and for other than 1 or 3
-    numbers to ``collide``, TypeError for other values.
+    See Also
+    --------
+    Rewards.published : The rewards of the code that the paper's authors published.
+
+    Notes
+    -----
+    While `evader_step` is negative, an evader that is caught at once (-10) scores better than one
+    that survives 500 steps (-25). The published code pays evaders +0.05 per step instead.
     """
 
     pursuer_capture: float = 10.0
     evader_capture: float = -10.0
     pursuer_neighbor: float = 0.1
     evader_neighbor: float = -0.1
-    pursuer_collide: Fine = -12.0
-    evader_collide: Fine = -12.0
+    pursuer_collide: Penalty = -12.0
+    evader_collide: Penalty = -12.0
     pursuer_step: float = -0.05
     evader_step: float = -0.05
     blame: Blame = Blame.FAULT
@@ -140,48 +198,63 @@ class Rewards:
 
     def __post_init__(self) -> None:
         check_bool("capture_repeats", self.capture_repeats)
-        _require("blame", self.blame, Blame)
+        check_instance("blame", self.blame, Blame)
         for name in (item.name for item in fields(self)):
             value = getattr(self, name)
             if name.endswith("_collide") and isinstance(value, tuple | list):
                 if len(value) != len(KINDS):
                     raise ValueError(f"{name}: expected 1 or {len(KINDS)} numbers, got {value!r}")
-                object.__setattr__(self, name, tuple(_paid(name, part) for part in value))
+                # The only way to set a field of a frozen dataclass.
+                object.__setattr__(self, name, tuple(_reward(name, part) for part in value))
             elif name not in ("blame", "capture_repeats"):
-                object.__setattr__(self, name, _paid(name, value))
+                object.__setattr__(self, name, _reward(name, value))
 
     @classmethod
     def paper(cls) -> Rewards:
-        """Those of Sun et al., Table "Reward function": the defaults."""
+        """Return the rewards of Sun et al. (2023), Table "Reward function": the defaults."""
         return cls()
 
     @classmethod
     def published(cls) -> Rewards:
-        """Those of the code that its authors published."""
+        """Return the rewards of the code that the paper's authors published."""
         return cls(evader_step=0.05, capture_repeats=True)
 
     def by_team(self, name: str) -> tuple[Any, Any]:
-        """(pursuer's, evader's) reward called ``name``; ``collide`` as three numbers each."""
-        paid = getattr(self, f"pursuer_{name}"), getattr(self, f"evader_{name}")
+        """Return the reward `name` of a pursuer and of an evader; ``collide`` as three numbers."""
+        by_team = getattr(self, f"pursuer_{name}"), getattr(self, f"evader_{name}")
         if name != "collide":
-            return paid
-        pursuer, evader = (part if isinstance(part, tuple) else (part,) * 3 for part in paid)
+            return by_team
+        pursuer, evader = (part if isinstance(part, tuple) else (part,) * 3 for part in by_team)
         return pursuer, evader
 
 
-def _paid(name: str, value: object) -> float:
-    if isinstance(value, bool) or not isinstance(value, Real):
-        raise TypeError(f"{name}: expected a number, got {value!r}")
-    number = float(value)
-    if not abs(number) <= _LARGEST:
+def _reward(name: str, value: object) -> float:
+    number = check_real(name, value)
+    if not abs(number) <= _LARGEST:  # true for NaN as well
         raise ValueError(f"{name}: expected a finite number, got {value!r}")
     return number
 
 
 def rules_of(variant: Rules | str) -> Rules:
-    """The row called ``variant`` ("O", "-O" or "pursuit-evasion-o"), or the row itself.
+    """Return the rules of a variant.
 
-    Raises ValueError for an unknown name and TypeError for another type.
+    Parameters
+    ----------
+    variant : Rules or str
+        Rules, which are returned as they are, or a name such as ``"O"``, ``"-O"`` or
+        ``"pursuit-evasion-o"``.
+
+    Returns
+    -------
+    Rules
+        The row of `VARIANTS`.
+
+    Raises
+    ------
+    ValueError
+        If the name is unknown.
+    TypeError
+        If `variant` has another type.
     """
     if isinstance(variant, Rules):
         return variant

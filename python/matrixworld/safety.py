@@ -1,4 +1,4 @@
-"""How safe a team plays: collisions over many episodes, counted and blamed."""
+"""Safety of a team: collisions over many episodes, by kind and by fault."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from matrixworld.rules import KINDS
 
 TEAMS = ("pursuers", "evaders")
 LEVEL = 0.95
-"""Of the intervals."""
+"""Level of the confidence intervals."""
 _COLUMNS = "{:10}{:11}{:24}{:24}{:>7}{:>8}{:>7}{:>9}"
 _RESAMPLES = 1000
 
 
-class EpisodeScores(Protocol):
-    """What `rollout` returns, as far as it is read here."""
+class StatisticsArrays(Protocol):
+    """The part of `EpisodeStatistics` that is read here."""
 
     collisions: NDArray[np.int32]
     faults: NDArray[np.int32]
@@ -29,7 +29,7 @@ class EpisodeScores(Protocol):
 
 
 class StepStatus(Protocol):
-    """What an environment's ``status`` tells, as far as it is read here."""
+    """The part of an environment's ``status`` that is read here."""
 
     alive: NDArray[np.bool_]
     captured: NDArray[np.bool_]
@@ -44,7 +44,7 @@ class StepStatus(Protocol):
 
 
 class RecordedEpisode(Protocol):
-    """A recorded `Episode`, as far as it is read here."""
+    """The part of a recorded `Episode` that is read here."""
 
     alive: NDArray[np.bool_]
     involved: NDArray[np.bool_]
@@ -58,23 +58,35 @@ class RecordedEpisode(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class SafetySummary:
-    """Collisions of n episodes, by team (pursuers, evaders) and kind (as `KINDS`).
+    """Collisions of several episodes, by team (pursuers, evaders) and kind (see `KINDS`).
 
-    An agent-step is one step of one agent that was alive as the step began. A rate is the number
-    of agent-steps with at least one collision of the kind, per 1000 agent-steps of the team; it
-    does not count conflicts. Under occupation a contact of adversaries is nobody's fault: it is
-    the game.
+    An agent-step is one step of one agent that was alive as the step began. A rate is the number of
+    agent-steps with at least one collision of a kind, per 1000 agent-steps of the team; it does not
+    count conflicts. Under occupation a contact of adversaries is nobody's fault, because contact is
+    the aim of the game.
 
-    episodes: n
-    agent_steps: ``(2,)`` int64, by team
-    capture_rate: mean over episodes; safety means nothing without the task
-    involved_rate, fault_rate: ``(2, 3)`` float64, agent-steps involved in a collision, and at
-        fault in one, per 1000
-    involved_interval, fault_interval: ``(2, 3, 2)`` float64, ends of 95% bootstrap intervals of
-        the rates, over episodes (Efron 1979)
-    safe_share: ``(2, 3)`` float64, share of the episodes without an agent at fault
-    safe_episodes: share of the episodes without any agent of any team at fault in any kind
-    fault_median, fault_mean, fault_max: ``(2, 3)`` float64, agent-steps at fault in an episode
+    Parameters
+    ----------
+    episodes : int
+        Number of episodes.
+    agent_steps : ndarray of int64, shape (2,)
+        Agent-steps of each team.
+    capture_rate : float
+        Mean over the episodes. Safety means little without success at the task.
+    involved_rate, fault_rate : ndarray of float64, shape (2, 3)
+        Agent-steps involved in a collision, and at fault in one, per 1000.
+    involved_interval, fault_interval : ndarray of float64, shape (2, 3, 2)
+        Ends of 95% bootstrap intervals of the rates, resampled over episodes.
+    safe_share : ndarray of float64, shape (2, 3)
+        Share of the episodes without an agent at fault.
+    safe_episodes : float
+        Share of the episodes without an agent at fault, of any team in any kind.
+    fault_median, fault_mean, fault_max : ndarray of float64, shape (2, 3)
+        Agent-steps at fault in an episode.
+
+    References
+    ----------
+    B. Efron (1979). Bootstrap methods: another look at the jackknife. Annals of Statistics 7(1).
     """
 
     episodes: int
@@ -91,7 +103,7 @@ class SafetySummary:
     fault_max: NDArray[np.float64]
 
     def to_json(self) -> dict[str, Any]:
-        """The same as plain values that JSON can hold."""
+        """Return the summary as values that JSON can hold."""
         return {
             item.name: value.tolist() if isinstance(value, np.ndarray) else value
             for item in fields(self)
@@ -128,11 +140,24 @@ class SafetySummary:
 
 
 class SafetyMonitor:
-    """Collects what episodes tell of collisions, and sums it up.
+    """Collects collisions of episodes and summarizes them.
 
-    Episodes come from `add_scores` (of a rollout), `add_infos` (of a `VectorEnv`, after each step),
-    `observe` (an environment's ``status``, after each step), `add_episode` (a recording), or as
-    arrays by `add`. Two monitors add up to one of all their episodes.
+    Episodes come from a rollout (`add_statistics`), a `VectorEnv` (`add_infos` after each step), an
+    environment (`observe` after each step), a recording (`add_episode`), or as arrays (`add`).
+    ``monitor + other`` is a monitor of the episodes of both.
+
+    Examples
+    --------
+    >>> import matrixworld as mw
+    >>> monitor = mw.SafetyMonitor()
+    >>> matches = mw.Matches.of(0, 0, range(20))
+    >>> config = mw.WorldConfig("SB", rows=12, cols=12, n_pursuers=6, n_evaders=2, max_steps=50)
+    >>> monitor.add_statistics(mw.rollout(config, "chaser", "fleer", matches))
+    >>> monitor.episodes
+    20
+    >>> summary = monitor.summary()
+    >>> summary.fault_rate.shape
+    (2, 3)
     """
 
     def __init__(self) -> None:
@@ -144,7 +169,7 @@ class SafetyMonitor:
 
     @property
     def episodes(self) -> int:
-        """How many have been collected."""
+        """Number of episodes collected so far."""
         return sum(len(part) for part in self._capture_rates)
 
     def add(
@@ -154,15 +179,25 @@ class SafetyMonitor:
         agent_steps: ArrayLike,
         capture_rate: ArrayLike,
     ) -> None:
-        """Collect episodes, along any leading axes. The arrays are copied.
+        """Collect episodes given as arrays, which are copied.
 
-        collisions, faults: ``(..., 2, 3)`` ints, agent-steps involved and at fault, by team and
-            kind
-        agent_steps: ``(..., 2)`` ints; capture_rate: ``(...)``
+        Parameters
+        ----------
+        collisions, faults : array_like of int, shape (..., 2, 3)
+            Agent-steps involved in a collision, and at fault in one, by team and kind. The leading
+            axes are episodes.
+        agent_steps : array_like of int, shape (..., 2)
+            Agent-steps of each team.
+        capture_rate : array_like of float, shape (...)
+            Share of the evaders captured.
 
-        Raises TypeError for counts that are no integers; ValueError for negative ones, where the
-        shapes do not fit, and where a count is larger than what it is a part of. Then nothing was
-        collected.
+        Raises
+        ------
+        TypeError
+            If a count is not an integer.
+        ValueError
+            If a count is negative, the shapes do not fit, or not faults <= collisions <=
+            agent_steps. No episode is collected then.
         """
         rates = np.array(capture_rate, np.float64)
         if not ((rates >= 0) & (rates <= 1)).all():
@@ -177,16 +212,21 @@ class SafetyMonitor:
         self._agent_steps.append(steps.reshape(-1, 2))
         self._capture_rates.append(rates.reshape(-1))
 
-    def add_scores(self, scores: EpisodeScores) -> None:
+    def add_statistics(self, statistics: StatisticsArrays) -> None:
         """Collect all episodes of a `rollout`."""
-        self.add(scores.collisions, scores.faults, scores.agent_steps, scores.capture_rate)
+        self.add(
+            statistics.collisions,
+            statistics.faults,
+            statistics.agent_steps,
+            statistics.capture_rate,
+        )
 
     def add_infos(self, infos: Mapping[str, Any]) -> None:
-        """Collect the episodes that ended in a `VectorEnv`'s step, if any did."""
-        ended, told = infos["_episode"], infos["episode"]
+        """Collect the episodes that ended in a step of a `VectorEnv`, if any did."""
+        ended, statistics = infos["_episode"], infos["episode"]
         if ended.any():
             names = ("collisions", "faults", "agent_steps", "capture_rate")
-            self.add(*(told[name][ended] for name in names))
+            self.add(*(statistics[name][ended] for name in names))
 
     def add_episode(self, episode: RecordedEpisode) -> None:
         """Collect a recorded episode."""
@@ -199,16 +239,23 @@ class SafetyMonitor:
         )
 
     def observe(self, status: StepStatus) -> None:
-        """Follow an environment: call it with ``env.status`` after every step.
+        """Follow an environment; call it after every step.
 
-        The episode is collected when it ends. A status of the same round as the one before adds
-        nothing, so that it may be called after every step of an AEC environment, too, those of
-        agents that are gone included. An episode left by a reset before its end is forgotten.
-        Episodes are told apart by their seeds and numbers, and by the steps, which begin anew.
+        An episode is collected when it ends, and forgotten if a reset comes before its end.
 
-        Raises ValueError where a step was left out.
+        Parameters
+        ----------
+        status : Status
+            ``env.status``. One of the same round as the last call adds nothing, so this works
+            after every step of an AEC environment as well.
+
+        Raises
+        ------
+        ValueError
+            If a step was left out.
         """
         current, steps = self._current, int(status.steps)
+        # Another seed or number, or fewer steps than before, means another episode.
         if current is None or _which(status) != current.which or steps < current.steps:
             current = _Current(status)
         if steps not in (current.steps, current.steps + 1):
@@ -221,7 +268,7 @@ class SafetyMonitor:
             self.add(*current.totals(), float(status.capture_rate))
 
     def __add__(self, other: SafetyMonitor) -> SafetyMonitor:
-        """A monitor of the episodes of both."""
+        """Return a monitor of the episodes of both."""
         if not isinstance(other, SafetyMonitor):
             return NotImplemented
         both = SafetyMonitor()
@@ -230,7 +277,23 @@ class SafetyMonitor:
         return both
 
     def summary(self, *, seed: int = 0) -> SafetySummary:
-        """All episodes so far. seed: of the bootstrap. Raises ValueError without an episode."""
+        """Summarize all episodes so far.
+
+        Parameters
+        ----------
+        seed : int, optional
+            Seed of the bootstrap. The default is 0.
+
+        Returns
+        -------
+        SafetySummary
+            Rates, intervals and shares.
+
+        Raises
+        ------
+        ValueError
+            If no episode was collected.
+        """
         if not self.episodes:
             raise ValueError("safety: expected at least one whole episode, got none")
         collisions, faults = np.concatenate(self._collisions), np.concatenate(self._faults)
@@ -253,7 +316,7 @@ class SafetyMonitor:
 
 
 class _Current:
-    """An episode that an environment is in, or has just ended."""
+    """Counts of the episode that an environment is in, or has just ended."""
 
     def __init__(self, status: StepStatus) -> None:
         self.which = _which(status)
@@ -292,19 +355,20 @@ def _by_team(by_agent: NDArray[Any], n_pursuers: int) -> NDArray[Any]:
 
 
 def _rate(counts: NDArray[Any], agent_steps: NDArray[Any]) -> NDArray[np.float64]:
-    """Per 1000 agent-steps, ``(..., 2, 3)`` from ``(..., 2, 3)`` and ``(..., 2)``."""
+    """Return counts per 1000 agent-steps, ``(..., 2, 3)`` from ``(..., 2, 3)`` and ``(..., 2)``."""
     return np.asarray(1000 * counts / np.maximum(agent_steps, 1)[..., np.newaxis])
 
 
 def _intervals(
     counts: NDArray[np.int64], agent_steps: NDArray[np.int64], seed: int
 ) -> NDArray[np.float64]:
-    """Percentile bootstrap over episodes: ``(..., 2, 3, 2)`` from ``(n, ..., 2, 3)``."""
+    """Return percentile bootstrap intervals, ``(..., 2, 3, 2)`` from ``(n, ..., 2, 3)``."""
     n = len(counts)
     rng = np.random.default_rng(seed)
-    told = np.concatenate([counts.reshape(n, -1), agent_steps], axis=1).astype(float)
+    data = np.concatenate([counts.reshape(n, -1), agent_steps], axis=1).astype(float)
     draws = (np.bincount(rng.integers(n, size=n), minlength=n) for _ in range(_RESAMPLES))
-    sums = np.stack([times @ told for times in draws])  # times: how often each episode is drawn
+    # One draw is how often each episode occurs in a resample: a product sums the whole resample.
+    sums = np.stack([times @ data for times in draws])
     drawn, steps = np.split(sums, [-len(TEAMS)], axis=1)
     rates = _rate(drawn.reshape(_RESAMPLES, *counts.shape[1:]), steps[:, np.newaxis])
     ends = ((1 - LEVEL) / 2, (1 + LEVEL) / 2)

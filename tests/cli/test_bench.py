@@ -171,7 +171,7 @@ def test_a_processor_without_a_name(tmp_path):
 
 
 BAD = [
-    (["Q"], "'[VARIANT]': expected one of D, R, B, O, S, SB, SD, SDB, TO, got 'Q'"),
+    (["Q"], f"'[VARIANT]': expected one of {', '.join(mw.VARIANTS)}, got 'Q'"),
     (["--seconds", "0"], "'--seconds': expected a number above 0, at most 3600, got 0"),
     (["--seconds", "nan"], "'--seconds': expected a number above 0, at most 3600, got nan"),
     (["--threads", "0"], "0 is not in the range 1<=x<=1024"),

@@ -124,7 +124,7 @@ BAD = [
     (["--pursuer-epochs", "0"], "--pursuer-epochs: expected at least 1, got 0"),
     (["--pursuers", "30", *words(WORLD)[:4]], "agents"),
     (["--population", "7"], "--population: expected an even number for es, got 7"),
-    (["--variant", "Q"], "--variant: expected one of D, R, B, O, S, SB, SD, SDB, TO, got 'Q'"),
+    (["--variant", "Q"], "--variant: expected one of D, R, B, O, S, SB"),
     (["--hidden", "4,x"], "expected sizes such as 32 or 64,64, or none, got '4,x'"),
     (["--obstacles", "2"], "--obstacles: expected"),
     (["--obstacles", "no.map"], "expected a density in [0, 1) or a .map file, got 'no.map'"),

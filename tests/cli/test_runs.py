@@ -148,7 +148,7 @@ def test_replay_plays_the_last_generations_by_default(job):
 @pytest.mark.parametrize(
     ("options", "code", "message"),
     [
-        (["nothing"], 2, "or a variant (D, R, B, O, S, SB, SD, SDB, TO), got 'nothing'"),
+        (["nothing"], 2, f"or a variant ({', '.join(VARIANTS)}), got 'nothing'"),
         (["{job}"], 2, "expected one run, got a directory of several"),
         (["{job}/specialist-specialist", "--pursuer", "3"], 2, "a generation from 0 to 2, got 3"),
         (["{job}/specialist-specialist/log.csv"], 1, "cut, altered or not an npz file"),

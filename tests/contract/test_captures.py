@@ -301,9 +301,8 @@ S, T, D, R, B = "simultaneous", "agent turns", "D", "R", "B"
         "TO": rules(T, obstacle=B, teammate=R, adversary=D + R, capture="occupation"),
     }.items(),
 )
-def test_the_nine_variants(name: str, row: mw.Rules) -> None:
+def test_the_nine_variants_of_the_paper(name: str, row: mw.Rules) -> None:
     assert mw.VARIANTS[name] == row
-    assert len(mw.VARIANTS) == 9
 
 
 @pytest.mark.parametrize("adversary", ["".join(pair) for pair in product("DRB", repeat=2)])

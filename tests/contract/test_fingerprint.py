@@ -1,7 +1,7 @@
 """One number for everything that happens in a fixed set of random episodes.
 
 After a change of what the engine does, run
-``python tests/contract/test_fingerprint.py`` to write the new number;
+``PYTHONPATH=tests/support python tests/contract/test_fingerprint.py`` to write the new number;
 CONTRIBUTING says what else such a change must do.
 """
 
@@ -20,6 +20,8 @@ FILE = Path(__file__).parent / "fingerprint.txt"
 N_WORLDS = 24
 STEPS = 25
 CENTS = 100  # rewards are counted in hundredths
+# A list of its own instead of all of VARIANTS, so that a new variant leaves the number as it is.
+NAMES = ("D", "R", "B", "O", "S", "SB", "SD", "SDB", "TO", *CUSTOM)
 
 # What is told of the play, and follows from nothing else here; new ways of telling it change no
 # fingerprint.
@@ -36,7 +38,7 @@ SCORES = (
 
 def configs() -> Iterator[mw.WorldConfig]:
     """The variants and other rows of rules, in several sizes and crowds."""
-    for number, name in enumerate([*mw.VARIANTS, *CUSTOM]):
+    for number, name in enumerate(NAMES):
         yield config_of(name, max_steps=STEPS - 8)
         yield config_of(name, rows=1, cols=13, fov=3, obstacles=0.1, max_steps=9)
         yield config_of(

@@ -1,7 +1,7 @@
-"""Readable playthroughs of the nine variants, compared with the files in ``golden/``.
+"""Readable playthroughs of the variants, compared with the files in ``golden/``.
 
-After a change of the rules, run
-``python tests/contract/test_golden.py`` to write the files anew;
+After a change of the rules, or for a new variant, run
+``PYTHONPATH=tests/support python tests/contract/test_golden.py`` to write the files anew;
 their difference shows what the change did.
 """
 
@@ -20,7 +20,7 @@ from rows import config_of, random_actions
 
 FOLDER = Path(__file__).parent / "golden"
 STEPS = 12
-# Of episodes in which much happens.
+# Episodes in which much happens. A variant that is not named here plays seed 0.
 SEEDS = {"D": 3, "R": 264, "B": 14, "O": 26, "S": 5, "SB": 280, "SD": 5, "SDB": 2, "TO": 1}
 
 
@@ -62,7 +62,7 @@ def played(world: mw.World, actions: np.ndarray) -> Iterator[str]:
 
 
 def heading(name: str, config: mw.WorldConfig) -> Iterator[str]:
-    yield f"Pursuit-Evasion-{name}, {config.rows} x {config.cols}, seed {SEEDS[name]}"
+    yield f"Pursuit-Evasion-{name}, {config.rows} x {config.cols}, seed {SEEDS.get(name, 0)}"
     for item in fields(config.rules):
         value = getattr(config.rules, item.name)
         yield f"  {item.name}: {getattr(value, 'name', value)}"
@@ -77,10 +77,10 @@ def playthrough(name: str) -> str:
     surround = mw.VARIANTS[name].capture is mw.Capture.SURROUND
     teams = {"n_pursuers": 9, "n_evaders": 2} if surround else {"n_pursuers": 3, "n_evaders": 4}
     config = config_of(name, rows=5, cols=6, obstacles=0.1, **teams)
-    world = mw.World(config)
-    world.reset(SEEDS[name])
+    world, seed = mw.World(config), SEEDS.get(name, 0)
+    world.reset(seed)
     lines = [*heading(name, config), "start", *drawing(world)]
-    for actions in random_actions(SEEDS[name], config.n_actions, STEPS, config.n_agents):
+    for actions in random_actions(seed, config.n_actions, STEPS, config.n_agents):
         lines += ["", *played(world, actions)]
         if world.terminated:
             lines += ["", "terminated"]
@@ -94,19 +94,22 @@ def path_of(name: str) -> Path:
 
 @pytest.mark.parametrize("name", list(mw.VARIANTS))
 def test_playthrough(name: str) -> None:
-    assert playthrough(name) == path_of(name).read_text(encoding="utf-8")
+    file = path_of(name)
+    command = "PYTHONPATH=tests/support python tests/contract/test_golden.py"
+    assert file.exists(), f"golden/{file.name} is missing: run {command}"
+    assert playthrough(name) == file.read_text(encoding="utf-8")
 
 
-def test_there_is_one_file_a_variant() -> None:
-    assert {path.name for path in FOLDER.iterdir()} == {path_of(name).name for name in mw.VARIANTS}
+def test_each_file_belongs_to_a_variant() -> None:
+    assert {path.name for path in FOLDER.iterdir()} <= {path_of(name).name for name in mw.VARIANTS}
 
 
 def test_the_files_show_what_can_happen() -> None:
-    texts = {name: path_of(name).read_text(encoding="utf-8") for name in mw.VARIANTS}
+    texts = {path.stem: path.read_text(encoding="utf-8") for path in FOLDER.iterdir()}
     for word in ("is captured", "gone:", "bounces", "both bounce", "ran into", "had to stay"):
         assert any(word in text for text in texts.values()), word
     for name, text in texts.items():
-        assert "is captured" in text, name
+        assert "is captured" in text, f"{name} shows no capture: choose another seed in SEEDS"
 
 
 if __name__ == "__main__":

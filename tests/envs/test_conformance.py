@@ -1,21 +1,21 @@
-"""PettingZoo's own tests, for every variant and some rows of rules that are none of them."""
+"""PettingZoo's own tests, for every variant and some other rows of rules."""
 
 from __future__ import annotations
 
 import io
-import types
 import warnings
 from contextlib import redirect_stdout
+from importlib import import_module
 from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.envs import makers, parallel_env, raw_aec_env
+from matrixworld.envs import parallel_env, raw_aec_env
 from rows import CUSTOM, config_of
 
-with warnings.catch_warnings():  # where pygame is installed it imports old environments of its own
+with warnings.catch_warnings():  # with pygame installed, PettingZoo imports outdated environments
     warnings.simplefilter("ignore", DeprecationWarning)
     from pettingzoo.test import (
         api_test,
@@ -28,8 +28,8 @@ with warnings.catch_warnings():  # where pygame is installed it imports old envi
 
 NAMES = [*mw.VARIANTS, *CUSTOM]
 
-# Told of by PettingZoo's tests, and right for these worlds: who is gone, or alone in the open, sees
-# zeros.
+# PettingZoo's tests warn of it, but it is right here: an agent that is gone, or alone in the open,
+# observes zeros.
 zeros_are_seen = pytest.mark.filterwarnings("ignore:Observation numpy array is all zeros")
 # Both API tests reset with an option that no environment knows.
 foreign_option = pytest.mark.filterwarnings("ignore:options. expected some of .*ignored 'options'")
@@ -63,8 +63,7 @@ def test_seeds(name: str) -> None:
 
 @pytest.mark.parametrize("name", mw.VARIANTS)
 def test_max_cycles(name: str) -> None:
-    env, raw_env, parallel = makers(name)
-    module = types.SimpleNamespace(env=env, raw_env=raw_env, parallel_env=parallel)
+    module = import_module(f"matrixworld.envs.pursuit_evasion_{name.lower()}_v0")
     with warnings.catch_warnings():
         # It steps a parallel environment until max_cycles, whether or not agents are gone.
         warnings.simplefilter("error")
@@ -79,7 +78,7 @@ def test_rendering(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_spaces_hold_what_is_seen(name: str) -> None:
+def test_observations_are_in_their_spaces(name: str) -> None:
     env = parallel_env(config_of(name, obstacles=0.1, diagonal=True))
     observations, _ = env.reset(seed=4)
     while env.agents:
@@ -92,7 +91,7 @@ def test_spaces_hold_what_is_seen(name: str) -> None:
         observations, *_ = env.step(actions)
 
 
-def test_one_agent_s_space_is_not_seeded_with_another_s() -> None:
+def test_each_agent_s_action_space_has_its_own_seed() -> None:
     env = raw_aec_env("O")
     first, second = (env.action_space(agent) for agent in env.possible_agents[:2])
     second.seed(1)

@@ -1,8 +1,9 @@
-"""The pages of the variants: what their tables say is so, and those on disk are up to date."""
+"""The pages of the variants: their tables are true, and the files on disk are up to date."""
 
 from __future__ import annotations
 
 import importlib.util
+import pickle
 import re
 import sys
 from importlib import import_module
@@ -16,11 +17,16 @@ from PIL import Image
 import matrixworld as mw
 from matrixworld import envs
 from matrixworld.envs import INFO_KEYS, OPTIONS, RENDER_MODES
+from matrixworld.envs.variant_texts import VARIANT_TEXTS
 
 DOCS = Path(__file__).parents[2] / "docs"
-HAPPENS = {"DISAPPEAR": "disappears", "REACH": "goes on", "BOUNCE": "bounces back"}
-MOVES = {"SIMULTANEOUS": "all at once", "AGENT_TURNS": "one after the other"}
-CAPTURED = {
+OUTCOMES = {"DISAPPEAR": "disappears", "REACH": "goes on", "BOUNCE": "bounces back"}
+MOVES = {
+    "SIMULTANEOUS": "all at once",
+    "SWARM_TURNS": "team by team",
+    "AGENT_TURNS": "one after the other",
+}
+CAPTURES = {
     "OCCUPATION": "a pursuer reaches it",
     "SURROUND": "pursuers, obstacles or the border are on its four sides",
 }
@@ -36,6 +42,12 @@ def table(text: str) -> dict[str, str]:
     return {key: value.replace("`", "") for key, value in rows}
 
 
+def test_every_variant_has_a_text() -> None:
+    missing = [variant for variant in mw.VARIANTS if variant not in VARIANT_TEXTS]
+    assert not missing, f"matrixworld/envs/variant_texts.py: add an entry for {missing}"
+    assert set(VARIANT_TEXTS) <= set(mw.VARIANTS)
+
+
 @pytest.mark.parametrize("variant", mw.VARIANTS)
 def test_the_table_of_an_environment(variant: str) -> None:
     module = module_of(variant)
@@ -43,36 +55,51 @@ def test_the_table_of_an_environment(variant: str) -> None:
     env.reset(seed=0)
     name = env.metadata["name"]
     assert module.__name__ == f"matrixworld.envs.{name}"
-    told = table(module.__doc__)
+    stated = table(module.__doc__)
     pursuers, evaders = env.config.n_pursuers, env.config.n_evaders
     first = env.possible_agents[0]
     expected = {
         "Import": f"from matrixworld.envs import {name}",
         "Make": f'pettingzoo.make("parallel", "matrixworld/{name}")',
         "Actions": "Discrete",
+        "Number of agents": str(len(env.possible_agents)),
         "Agents": f"pursuer_0 ... pursuer_{pursuers - 1}, evader_0 ... evader_{evaders - 1}",
         "Action Shape": str(env.action_space(first).shape),
         "Action Values": str(env.action_space(first)),
         "Observation Shape": str(env.observation_space(first).shape),
         "State Shape": str(env.state_space.shape),
     }
-    assert expected.items() <= told.items()
-    assert f"| Agents | `{len(env.possible_agents)}` |" in module.__doc__
-    assert sorted(module.__all__) == ["env", "parallel_env", "raw_env"]
+    assert expected.items() <= stated.items()
 
 
 @pytest.mark.parametrize("variant", mw.VARIANTS)
 def test_the_rules_of_an_environment(variant: str) -> None:
-    rules, told = mw.VARIANTS[variant], table(module_of(variant).__doc__)
+    rules, stated = mw.VARIANTS[variant], table(module_of(variant).__doc__)
     assert module_of(variant).parallel_env().config.rules == rules
-    assert told["agents move"] == MOVES[rules.interaction.name]
-    assert told["who runs into an obstacle or the border"] == HAPPENS[rules.obstacle.name]
-    assert told["an agent that collides with a teammate"] == HAPPENS[rules.teammate.name]
-    assert told["an evader that collides with a pursuer"] == HAPPENS[rules.evader.name]
-    assert told["a pursuer that collides with an evader"] == HAPPENS[rules.pursuer.name]
-    assert told["an evader is captured when"] == CAPTURED[rules.capture.name]
-    removed = rules.captured_disappear or rules.evader is mw.Outcome.DISAPPEAR
-    assert (told["a captured evader"] == "disappears") == removed
+    assert stated["agents move"] == MOVES[rules.interaction.name]
+    obstacle = stated["an agent that runs into an obstacle or the border"]
+    assert obstacle == OUTCOMES[rules.obstacle.name]
+    assert stated["an agent that collides with a teammate"] == OUTCOMES[rules.teammate.name]
+    assert stated["an evader that collides with a pursuer"] == OUTCOMES[rules.evader.name]
+    assert stated["a pursuer that collides with an evader"] == OUTCOMES[rules.pursuer.name]
+    assert stated["an evader is captured when"] == CAPTURES[rules.capture.name]
+    if rules.capture is mw.Capture.SURROUND:
+        removed = rules.captured_disappear
+    else:
+        removed = rules.evader is mw.Outcome.DISAPPEAR
+    assert (stated["a captured evader"] == "disappears") == removed
+
+
+@pytest.mark.parametrize("variant", mw.VARIANTS)
+def test_each_module_can_be_imported_in_every_way(variant: str) -> None:
+    module = module_of(variant)
+    name = module.__name__.rpartition(".")[2]
+    assert getattr(envs, name) is module
+    assert importlib.util.find_spec(module.__name__) is not None
+    assert sorted(module.__all__) == ["env", "parallel_env", "raw_env"]
+    for maker in (module.env, module.raw_env, module.parallel_env):
+        assert pickle.loads(pickle.dumps(maker)) is maker  # noqa: S301
+    assert module.raw_env(rows=20).config.rules == mw.VARIANTS[variant]
 
 
 @pytest.mark.parametrize("variant", mw.VARIANTS)
@@ -84,31 +111,50 @@ def test_pettingzoo_makes_it(variant: str) -> None:
     assert pettingzoo.make("aec", name).unwrapped.config.rules == mw.VARIANTS[variant]
 
 
-def test_what_is_common_to_all() -> None:
+def test_what_all_variants_share() -> None:
     text = envs.__doc__ or ""
     assert all(f"``{key}``" in text for key in INFO_KEYS)
     assert all(option in text for option in OPTIONS)
     assert all(f'``"{mode}"``' in text for mode in RENDER_MODES)
-    paid = mw.Rewards()
+    rewards = mw.Rewards()
     for name in ("capture", "neighbor", "collide", "step"):
-        pursuer, evader = (getattr(paid, f"{team}_{name}") for team in ("pursuer", "evader"))
+        pursuer, evader = (getattr(rewards, f"{team}_{name}") for team in ("pursuer", "evader"))
         assert f"| {name} | {pursuer:+g} | {evader:+g} |" in text
 
 
-def test_pages_are_those_of_the_docstrings() -> None:
+@pytest.fixture(scope="module")
+def make_pages() -> Any:
     spec = importlib.util.spec_from_file_location("make_pages", DOCS / "make_pages.py")
     assert spec is not None
     assert spec.loader is not None
-    make_pages = importlib.util.module_from_spec(spec)
-    sys.modules["make_pages"] = make_pages  # dataclasses look their module up
-    spec.loader.exec_module(make_pages)
-    assert list(make_pages.MOMENTS) == list(mw.VARIANTS)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["make_pages"] = module  # dataclasses look their module up
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize("variant", mw.VARIANTS)
+def test_pages_are_up_to_date(make_pages: Any, variant: str) -> None:
+    file = DOCS / "variants" / f"{variant.lower()}.md"
+    assert file.exists(), f"{file.name} is missing: run python docs/make_pages.py"
+    assert file.read_text(encoding="utf-8") == make_pages.page(variant), (
+        f"{file.name} is out of date: run python docs/make_pages.py"
+    )
+    with Image.open(file.with_suffix(".png")) as picture:
+        assert picture.size == (504, 410)
+
+
+def test_the_chosen_moments_are_in_their_games(make_pages: Any) -> None:
+    assert set(make_pages.MOMENTS) <= set(mw.VARIANTS)
     for variant, moment in make_pages.MOMENTS.items():
-        file = DOCS / "variants" / f"{variant.lower()}.md"
-        assert file.read_text(encoding="utf-8") == make_pages.page(variant)
-        with Image.open(file.with_suffix(".png")) as picture:
-            assert picture.size == (504, 410)
         assert moment.step <= moment.episode(variant).length
+
+
+def test_the_list_of_games_links_to_every_page() -> None:
+    text = (DOCS / "README.md").read_text(encoding="utf-8")
+    linked = set(re.findall(r"\]\(variants/(\w+)\.md\)", text))
+    missing = [variant for variant in mw.VARIANTS if variant.lower() not in linked]
+    assert not missing, f"docs/README.md, The nine games: add {missing} to the table"
 
 
 def test_links_between_pages() -> None:

@@ -25,21 +25,25 @@ def test_examples_print_what_the_readme_shows(tmp_path: Path) -> None:
 
 
 def test_the_table_of_variants_is_the_one_of_the_package() -> None:
-    moves = {Interaction.SIMULTANEOUS: "all at once", Interaction.AGENT_TURNS: "one at a time"}
+    moves = {
+        Interaction.SIMULTANEOUS: "all at once",
+        Interaction.SWARM_TURNS: "team by team",
+        Interaction.AGENT_TURNS: "one at a time",
+    }
     letters = {Outcome.DISAPPEAR: "D", Outcome.REACH: "R", Outcome.BOUNCE: "B"}
     captures = {Capture.OCCUPATION: "occupation", Capture.SURROUND: "surrounding"}
     for name, rules in VARIANTS.items():
-        gone = rules.captured_disappear or rules.evader is Outcome.DISAPPEAR
-        row = [
+        cells = [
             name,
             moves[rules.interaction],
             letters[rules.obstacle],
             letters[rules.teammate],
             f"{letters[rules.evader]}, {letters[rules.pursuer]}",
             captures[rules.capture],
-            "disappear" if gone else "stay",
+            "disappear" if rules.removes_captured else "stay",
         ]
-        assert f"| {' | '.join(row)} |\n" in README
+        row = f"| {' | '.join(cells)} |\n"
+        assert row in README, f"README.md, The games: add the row {row}"
 
 
 def test_every_file_that_the_readme_links_to_exists() -> None:

@@ -1,4 +1,4 @@
-"""The AEC API: one agent acts after the other."""
+"""PettingZoo's AEC API: one agent acts after the other."""
 
 from __future__ import annotations
 
@@ -16,10 +16,14 @@ View = NDArray[np.uint8]
 
 
 class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[misc]
-    """One agent acts after the other. Takes the arguments of `MatrixWorldBase`."""
+    """An environment in which one agent acts after the other.
+
+    Takes the arguments of `matrixworld.envs.base.MatrixWorldBase`. Actions are collected until all
+    agents of a turn have chosen; then the turn is played.
+    """
 
     agent_selection: str
-    _to_commit: list[str]  # the others who act in this turn
+    _to_commit: list[str]  # agents of this turn that have not chosen yet
 
     def reset(self, seed: int | None = None, options: Mapping[str, Any] | None = None) -> None:
         """Start an episode; see `MatrixWorldParallel.reset`."""
@@ -32,19 +36,33 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         self.truncations = dict.fromkeys(self.agents, False)
         self.infos = dict(zip(self.agents, self.status.infos(), strict=True))
         self._skip_agent_selection: str | None = None
-        self._call_actors()
+        self._select_actors()
 
     def observe(self, agent: str) -> View:
-        """``(3, fov, fov)`` uint8: what the agent sees now, with the turns that were played."""
+        """Return what an agent sees after the last played turn, uint8 of shape (3, fov, fov)."""
         view: View = self._views[self._index[agent]]
         return view
 
     def step(self, action: Any) -> None:
-        """Commit the action of `agent_selection`; None for an agent that has ended.
+        """Choose the action of `agent_selection`; the last choice of a turn plays the turn.
 
-        The turn is played when all who act in it have committed. Raises ValueError for an action
-        out of range and TypeError for what is no integer, before anything is changed; RuntimeError
-        in an ended episode.
+        Parameters
+        ----------
+        action : int or None
+            The action; None for an agent that has terminated or is truncated.
+
+        Raises
+        ------
+        RuntimeError
+            If the episode has ended.
+        ValueError
+            If the action is out of range.
+        TypeError
+            If the action is not an integer.
+
+        Notes
+        -----
+        If an action is refused, nothing has changed.
         """
         if not self.agents:
             raise RuntimeError("the episode has ended, or never began: call reset()")
@@ -65,9 +83,11 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         self._deads_step_first()
 
     def _play_turn(self) -> None:
-        """Play what has been committed, and call those who act next."""
+        """Play the turn that was chosen, and select the agents that act next."""
+        # Rewards accumulate over a round in the world; an AEC step pays the difference of its turn.
         before = self.world.rewards.astype(float) if self.world.turn else 0.0
         self.world.play_turn(self._actions)
+        # Turns of agents that are gone are played at once: PettingZoo never asks them to act.
         while self.world.turn and not self._living_actors():
             self.world.play_turn(self._actions)
         status = Status.of(self.world)
@@ -84,16 +104,16 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         if self.world.turn == 0 and self._drawing is not None:
             self._drawing.note(self._actions)
         if not (status.terminated or status.truncated):
-            self._call_actors()
+            self._select_actors()
 
     def _living_actors(self) -> list[str]:
-        """Who is still to act in the next turn; nobody when the world has terminated."""
+        """Return the living agents of the next turn; none when the world has terminated."""
         if self.world.terminated:
             return []
         alive = self.world.alive
         return [self.possible_agents[i] for i in self.world.actors if alive[i]]
 
-    def _call_actors(self) -> None:
-        while not (called := self._living_actors()):  # the first agents of a round may be gone
+    def _select_actors(self) -> None:
+        while not (actors := self._living_actors()):  # the first agents of a round may be gone
             self.world.play_turn(self._actions)
-        self.agent_selection, *self._to_commit = called
+        self.agent_selection, *self._to_commit = actors

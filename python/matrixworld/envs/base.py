@@ -1,4 +1,4 @@
-"""What the parallel and the AEC environments share."""
+"""The part that the parallel and the AEC environments share."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from matrixworld.world import World
 RENDER_MODES = ("human", "rgb_array", "ansi")
 
 OPTIONS = ("episode", "pursuers", "evaders", "obstacles")
-"""What ``options`` of a reset may hold, each as `World.reset` takes it."""
+"""The keys that ``options`` of a reset may hold; each is an argument of `World.reset`."""
 
 INFO_KEYS = (
     *(f"involved_{kind}" for kind in KINDS),
@@ -102,20 +102,44 @@ class Status:
 
 
 class MatrixWorldBase:
-    """A world with its agents' names, spaces, and pictures.
+    """A world with names of agents, spaces and pictures, as PettingZoo wants them.
 
-    config: a `WorldConfig`, `Rules`, or the name of a variant
-    render_mode: None, "human" (a window, a notebook's output or the terminal, drawn by itself),
-        "rgb_array" (``(height, width, 3)`` uint8) or "ansi" (text)
-    fields_of_view: whose views pictures outline: True for everybody's, or names of agents
-    record: whether to keep every step for `recorded`; done in any case where a render mode is set
-    max_cycles: another name for the config's ``max_steps``, as PettingZoo's environments have it
-    changes: fields of the config to change
+    Parameters
+    ----------
+    config : WorldConfig, Rules or str, optional
+        The settings, the rules, or the name of a variant. The default is ``"O"``.
+    render_mode : {None, "human", "rgb_array", "ansi"}, optional
+        "human" shows every step in a window, a notebook's output or the terminal. "rgb_array"
+        returns pictures, uint8 of shape (height, width, 3); "ansi" returns text.
+    fields_of_view : bool or iterable of str, optional
+        The agents whose fields of view pictures outline: True for all, or their names.
+    record : bool, optional
+        Whether to keep every step for `recorded`. With a render mode steps are always kept.
+    max_cycles : int, optional
+        Another name for ``max_steps`` of the config, as other PettingZoo environments call it.
+    **changes
+        Fields of `WorldConfig` to change.
 
-    A copy (`copy.deepcopy`, `pickle`) is at the same moment of the same episode and goes on
-    independently; a window is not copied.
+    Attributes
+    ----------
+    world : World
+        The world that is played.
+    config : WorldConfig
+        Its settings.
+    possible_agents : list of str
+        Names of all agents: ``pursuer_0`` and so on, then ``evader_0`` and so on.
+    agents : list of str
+        Names of the agents that still play; empty before the first reset and after the end.
 
-    Raises ValueError and TypeError as `WorldConfig` does, and for an unknown mode or agent.
+    Raises
+    ------
+    ValueError, TypeError
+        As `WorldConfig` does, and for an unknown render mode or agent.
+
+    Notes
+    -----
+    A copy (`copy.deepcopy`, `pickle`) is at the same moment of the same episode, and goes on
+    independently. A window is not copied.
     """
 
     world: World
@@ -165,7 +189,8 @@ class MatrixWorldBase:
         config = self.config
         view, whole = (3, config.fov, config.fov), (3, config.rows, config.cols)
         self.observation_spaces = {
-            name: spaces.Box(0, 1, view, np.uint8) for name in self.possible_agents
+            name: spaces.Box(0, 1, view, np.uint8)  # not shared: each has a generator of its own
+            for name in self.possible_agents
         }
         self.action_spaces = {
             name: spaces.Discrete(config.n_actions) for name in self.possible_agents
@@ -173,20 +198,20 @@ class MatrixWorldBase:
         self.state_space = spaces.Box(0, 1, whole, np.uint8)
 
     def observation_space(self, agent: str) -> spaces.Box:
-        """``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles around the agent."""
+        """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view."""
         return self.observation_spaces[agent]
 
     def action_space(self, agent: str) -> spaces.Discrete:
-        """``Discrete(5)``, or 9 with diagonal moves; see `matrixworld.Action`."""
+        """Return ``Discrete(5)``, or 9 with diagonal moves; see `matrixworld.Action`."""
         return self.action_spaces[agent]
 
     def state(self) -> NDArray[np.uint8]:
-        """``(3, rows, cols)`` uint8, 0 or 1: the whole world: evaders, pursuers, obstacles."""
+        """Return the whole world, uint8 of shape (3, rows, cols): evaders, pursuers, obstacles."""
         return self.world.state()
 
     @property
     def status(self) -> Status:
-        """The last step for all agents at once, under indices that never shift."""
+        """The last step for all agents at once, in arrays in which an agent keeps its index."""
         return Status.of(self.world)
 
     def _reset_world(self, seed: int | None, options: Mapping[str, Any] | None) -> None:
@@ -195,6 +220,7 @@ class MatrixWorldBase:
             warnings.warn(f"options: expected some of {OPTIONS}, ignored {unknown!r}", stacklevel=3)
             del given[unknown]
         if seed is None and not self._seeded:
+            # The first episode without a seed is a random one; later ones continue its seed.
             seed = int(np.random.SeedSequence().generate_state(1, np.uint64)[0])
         self.world.reset(seed, **given)
         self._seeded = True
@@ -203,9 +229,19 @@ class MatrixWorldBase:
             self._drawing.begin()
 
     def render(self) -> NDArray[np.uint8] | str | None:
-        """The present moment, in the way of the render mode; None for "human".
+        """Draw the present moment.
 
-        Raises ValueError without a render mode, RuntimeError before the first reset.
+        Returns
+        -------
+        ndarray of uint8, shape (height, width, 3), or str or None
+            As the render mode says; None for "human".
+
+        Raises
+        ------
+        ValueError
+            If the environment has no render mode.
+        RuntimeError
+            Before the first reset.
         """
         if self.render_mode is None or self._drawing is None:
             raise ValueError(
@@ -222,7 +258,7 @@ class MatrixWorldBase:
     def recorded(self) -> Episode:
         """The episode so far, to `replay` or save.
 
-        Raises RuntimeError where it is not kept (see ``record``) and before the first reset.
+        RuntimeError before the first reset, and if steps are not kept (see ``record``).
         """
         if self._drawing is None:
             raise RuntimeError("no episode was kept: make the environment with record=True")
@@ -236,7 +272,7 @@ class MatrixWorldBase:
 
 
 def metadata_of(config: WorldConfig) -> dict[str, Any]:
-    """PettingZoo's metadata of an environment."""
+    """Return PettingZoo's metadata of an environment."""
     names = [name.lower() for name, rules in VARIANTS.items() if rules == config.rules]
     return {
         "name": f"pursuit_evasion_{names[0] if names else 'custom'}_v0",

@@ -1,4 +1,4 @@
-"""What an environment shows of itself."""
+"""The episode of an environment, recorded and drawn."""
 
 from __future__ import annotations
 
@@ -8,41 +8,48 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld.display import Display
 from matrixworld.episode import Episode
 from matrixworld.recorder import Recorder
 from matrixworld.render import ansi, rgb
-from matrixworld.screen import Screen
 from matrixworld.world import World
 
 
 class Drawing:
     """The episode of a world so far, drawn in a render mode.
 
-    viewers: the agents whose fields of view are outlined in pictures
+    Parameters
+    ----------
+    world : World
+        The world to record.
+    mode : str or None
+        A render mode; None only records.
+    viewers : sequence of int
+        The agents whose fields of view pictures outline.
     """
 
     def __init__(self, world: World, mode: str | None, viewers: Sequence[int]) -> None:
         self._recorder = Recorder(world)
         self._mode = mode
         self._look: dict[str, Any] = {"fov": world.config.fov, "viewers": viewers}
-        self._screen: Screen | None = None
+        self._display: Display | None = None
 
     def begin(self) -> None:
-        """After a reset."""
+        """Start to record an episode; call it after a reset of the world."""
         self._recorder.begin()
         self._show()
 
     def note(self, actions: NDArray[np.int64]) -> None:
-        """After a round with these actions."""
+        """Record a round; call it after the world has played it with these actions."""
         self._recorder.note(actions)
         self._show()
 
     def episode(self) -> Episode:
-        """All that was noted since the reset."""
+        """Return what was recorded since the reset."""
         return self._recorder.episode()
 
     def render(self) -> NDArray[np.uint8] | str | None:
-        """A picture or a text; "human" has drawn itself."""
+        """Return a picture or a text; None for "human", which every step shows by itself."""
         if self._mode == "human":
             return None
         scene = self._recorder.scene()
@@ -51,15 +58,16 @@ class Drawing:
     def _show(self) -> None:
         if self._mode != "human":
             return
-        if self._screen is None:
-            self._screen = Screen()
-        self._screen.show(self._recorder.scene(), **self._look)
+        if self._display is None:
+            self._display = Display()
+        self._display.show(self._recorder.scene(), **self._look)
 
     def close(self) -> None:
-        """Close the screen."""
-        if self._screen is not None:
-            self._screen.close()
-            self._screen = None
+        """Close the display."""
+        if self._display is not None:
+            self._display.close()
+            self._display = None
 
     def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__ | {"_screen": None}
+        # A window cannot be copied. The copy opens its own when it has something to show.
+        return self.__dict__ | {"_display": None}

@@ -1,4 +1,4 @@
-"""The parallel API: everybody acts at once."""
+"""PettingZoo's parallel API: all agents act at once."""
 
 from __future__ import annotations
 
@@ -15,19 +15,44 @@ View = NDArray[np.uint8]
 
 
 class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type: ignore[misc]
-    """All agents act at once. Takes the arguments of `MatrixWorldBase`."""
+    """An environment in which all agents act at once.
+
+    Takes the arguments of `matrixworld.envs.base.MatrixWorldBase`.
+
+    Examples
+    --------
+    >>> from matrixworld import parallel_env
+    >>> env = parallel_env("SB", rows=8, cols=8, n_pursuers=4, n_evaders=1)
+    >>> observations, infos = env.reset(seed=0)
+    >>> while env.agents:
+    ...     actions = {agent: env.action_space(agent).sample() for agent in env.agents}
+    ...     observations, rewards, terminations, truncations, infos = env.step(actions)
+    """
 
     def reset(
         self, seed: int | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[dict[str, View], dict[str, dict[str, Any]]]:
-        """Start an episode; return observations and infos by agent.
+        """Start an episode.
 
-        seed: an int in [0, 2**64). Without one, the next episode of the seed in use; an environment
-            that never had one draws it from the operating system.
-        options: any of `OPTIONS`: ``pursuers``, ``evaders``: positions ``(n, 2)``; ``obstacles``: a
-            map as `read_map` takes it; ``episode``: which one of the seed. Others are warned of.
+        Parameters
+        ----------
+        seed : int, optional
+            Seed of the episode, 0 to 2**64 - 1. Without it the next episode of the present seed
+            starts. The first seed is drawn from the operating system.
+        options : mapping, optional
+            Arguments of `World.reset` under the keys of `OPTIONS`: ``pursuers`` and ``evaders``
+            (cells, shape (n, 2)), ``obstacles`` (a map), ``episode`` (a number). Other keys are
+            ignored with a warning.
 
-        Raises as `World.reset` does; the environment then stays as it was.
+        Returns
+        -------
+        observations, infos : dict
+            By the name of the agent. Observations are uint8 of shape (3, fov, fov).
+
+        Raises
+        ------
+        ValueError, TypeError
+            As `World.reset` does. The environment then stays as it was.
         """
         self._reset_world(seed, options)
         return self._by_agent(self.agents, self.world.views()), self._infos(self.agents)
@@ -41,15 +66,32 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         dict[str, bool],
         dict[str, dict[str, Any]],
     ]:
-        """Play a round; return observations, rewards, terminations, truncations, infos by agent.
+        """Play a round.
 
-        actions: an int for each of `agents`; those of agents that are gone are not looked at
+        Parameters
+        ----------
+        actions : mapping of str to int
+            An action for each of `agents`. Those of agents that are gone are ignored.
 
-        An agent that goes in this step is told so, with an observation of zeros, and leaves
-        `agents`. No actions in an ended episode, which has no agents, give five empty dicts:
-        wrappers count on it. Raises RuntimeError for actions in an ended episode; ValueError for a
-        missing action, an unknown agent or an action out of range, and TypeError for what is no
-        integer, before anything is changed.
+        Returns
+        -------
+        observations, rewards, terminations, truncations, infos : dict
+            By the name of the agent, for all that acted. An agent that disappears in this step
+            observes zeros, terminates, and leaves `agents`.
+
+        Raises
+        ------
+        RuntimeError
+            If there are actions although the episode has ended.
+        ValueError
+            If an action is missing or out of range, or an agent is unknown.
+        TypeError
+            If an action is not an integer.
+
+        Notes
+        -----
+        If an action is refused, nothing has changed. A step without actions in an ended episode
+        returns five empty dicts, because wrappers of PettingZoo rely on it.
         """
         if not self.agents:
             if actions or not self._seeded:

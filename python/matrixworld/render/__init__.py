@@ -1,6 +1,6 @@
-"""Drawing one moment of a world, from plain arrays and nothing else.
+"""Drawings of one moment of a world, made from plain arrays only.
 
-`Scene` holds the arrays, `ansi` draws it as text for a terminal, `rgb` as a picture.
+`Scene` holds the arrays. `rgb` and `png` draw it as a picture, `ansi` as text for a terminal.
 """
 
 from __future__ import annotations

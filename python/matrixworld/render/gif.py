@@ -1,4 +1,4 @@
-"""Pictures as an animated GIF, written frame by frame."""
+"""Animated GIFs, written frame by frame."""
 
 from __future__ import annotations
 
@@ -14,25 +14,41 @@ from matrixworld import colors
 
 Draw = Callable[[int], NDArray[np.uint8]]
 
-PALETTE_COLORS = 128  # few hues and their blends; fewer colours compress better
-TOO_CLOSE = 8  # levels; Pillow looks colours up coarsely, so a near one could stand in for ours
+PALETTE_COLORS = 128  # pictures have few hues and their blends; fewer colours compress better
+TOO_CLOSE = 8  # levels; Pillow's coarse look-up could confuse a colour this near with one of ours
 UNCHANGED = np.uint8(255)  # palette index of a pixel that stays as it was, written as transparent
 SAMPLES = 8  # frames looked at to choose the palette
-SLOWEST, FASTEST = 0.1, 50.0  # frames per second; most viewers slow down what is faster
+SLOWEST, FASTEST = 0.1, 50.0  # frames per second; most viewers slow down faster animations
 LONGEST_HOLD = 600.0  # seconds; the format has 16 bits for hundredths
 TRAILER = b";"  # the last byte of a GIF
 
 
 def write_gif(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, hold: float) -> None:
-    """Write an endless animation whose frames are ``draw(t)``, one for each of the times.
+    """Write an endless animation.
 
-    Every ``draw(t)`` gives ``(height, width, 3)`` uint8 of one size. All frames share a palette.
-    The last is shown `hold` seconds longer. Durations are rounded to hundredths of a second.
+    Parameters
+    ----------
+    file : binary file
+        Where the bytes go.
+    draw : callable
+        Takes a time and returns a frame, uint8 of shape (height, width, 3). All frames have the
+        same size and share a palette.
+    times : sequence of int
+        One frame is drawn for each.
+    fps : float
+        Frames per second, 0.1 to 50. Durations are rounded to hundredths of a second.
+    hold : float
+        Seconds for which the last frame is shown longer, 0 to 600.
 
-    Pillow would keep all frames in memory to write such a file; here it encodes one at a time,
-    and what it wrote before the first image is left out of all but the first.
+    Raises
+    ------
+    ValueError
+        If there are no times, or `fps` or `hold` is out of range.
 
-    Raises ValueError for no times, and for fps and hold (seconds) out of range.
+    Notes
+    -----
+    Pillow would keep all frames in memory to write such a file. Here it encodes one frame at a
+    time, each as a file of its own, whose header is cut off except for the first.
     """
     check_timing(times, fps=fps, hold=hold)
     palette = _palette([draw(times[i]) for i in _spread(len(times))])
@@ -49,7 +65,7 @@ def write_gif(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, h
 
 
 def check_timing(times: Sequence[int], *, fps: float, hold: float) -> None:
-    """Raise ValueError for no times, and for fps and hold that no viewer would show."""
+    """Raise ValueError if there are no times, or if fps or hold is out of range."""
     if len(times) == 0:
         raise ValueError("times: expected at least one, got none")
     if not SLOWEST <= fps <= FASTEST:
@@ -59,15 +75,15 @@ def check_timing(times: Sequence[int], *, fps: float, hold: float) -> None:
 
 
 def _indices(picture: NDArray[np.uint8], palette: Image.Image) -> NDArray[np.uint8]:
-    """The picture in the numbers of the palette, of which the unused ones repeat the first."""
+    """Return the picture as numbers of the palette."""
     quantized = Image.fromarray(picture).quantize(palette=palette, dither=Image.Dither.NONE)
     numbers = np.array(quantized)
-    numbers[numbers >= PALETTE_COLORS] = 0
+    numbers[numbers >= PALETTE_COLORS] = 0  # unused entries of the palette repeat the first colour
     return numbers
 
 
 def _encoded(indices: NDArray[np.uint8], palette: Image.Image, duration: int) -> bytes:
-    """A GIF of one image, shown for hundredths of a second, without the byte that ends it."""
+    """Return a GIF of one image, without its last byte; the duration is in 1/100 s."""
     image = Image.fromarray(indices)
     image.putpalette(palette.getpalette() or [])
     buffer = io.BytesIO()
@@ -84,7 +100,7 @@ def _encoded(indices: NDArray[np.uint8], palette: Image.Image, duration: int) ->
 
 
 def _header_length(encoded: bytes) -> int:
-    """Bytes before the image: signature, screen, palette, and the request to loop."""
+    """Return the number of bytes before the image: signature, screen, palette, loop request."""
     flags = encoded[10]
     length = 13 + (3 << ((flags & 7) + 1) if flags & 0x80 else 0)
     while encoded[length : length + 2] in (b"!\xff", b"!\xfe"):  # application, comment
@@ -100,7 +116,7 @@ def _spread(count: int) -> list[int]:
 
 
 def _palette(pictures: list[NDArray[np.uint8]]) -> Image.Image:
-    """The most useful colours of some pictures, the project's own exactly, 256 in all."""
+    """Return 256 colours: those of the project exactly, and the most frequent of some pictures."""
     names = [*colors.TEAMS, colors.PAPER, colors.GRID, colors.INK, colors.OBSTACLE]
     exact = np.array([ImageColor.getrgb(name) for name in names])
     together = Image.fromarray(np.concatenate(pictures)).quantize(PALETTE_COLORS - len(exact))

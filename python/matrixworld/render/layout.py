@@ -1,11 +1,11 @@
-"""Where things lie in a picture, in pixels."""
+"""Sizes and places in a picture, in pixels."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import ClassVar
 
-FIELD_PIXELS = 720  # the longer side of the field that is aimed at
+FIELD_PIXELS = 720  # wanted length of the longer side of the field
 LARGEST_CELL = 48
 NARROWEST = 464  # leaves room for the title above a small grid
 LARGEST_SIDE = 8192  # of a picture
@@ -13,7 +13,15 @@ LARGEST_SIDE = 8192  # of a picture
 
 @dataclass(frozen=True)
 class Layout:
-    """Sizes of a picture of ``rows x cols`` cells of `cell` pixels."""
+    """Sizes of a picture.
+
+    Parameters
+    ----------
+    rows, cols : int
+        Cells of the grid.
+    cell : int
+        Pixels per cell.
+    """
 
     margin: ClassVar[int] = 12
     header: ClassVar[int] = 38
@@ -25,9 +33,9 @@ class Layout:
 
     @classmethod
     def of(cls, shape: tuple[int, int], cell: int | None = None) -> Layout:
-        """A given cell size, or one that suits the grid.
+        """Return the layout with a given cell size, or with one that suits the grid.
 
-        Raises ValueError for a cell below 1 or a picture that would be too large.
+        Raises ValueError if the cell is below 1 or the picture would be too large.
         """
         rows, cols = shape
         chosen = cell
@@ -42,30 +50,30 @@ class Layout:
 
     @property
     def width(self) -> int:
-        """Of the whole picture; even, as video wants it."""
+        """Width of the whole picture; even, because video needs it."""
         wide = max(self.cols * self.cell + 2 * self.margin, NARROWEST)
         return wide + wide % 2
 
     @property
     def height(self) -> int:
-        """Of the whole picture; even, as video wants it."""
+        """Height of the whole picture; even, because video needs it."""
         high = self.header + self.rows * self.cell + self.margin
         return high + high % 2
 
     @property
     def field(self) -> tuple[int, int, int, int]:
-        """Left, top, and the first pixels right of and below the grid."""
+        """Left and top of the grid, and the first pixels right of it and below it."""
         left = (self.width - self.cols * self.cell) // 2
         return left, self.header, left + self.cols * self.cell, self.header + self.rows * self.cell
 
     @property
     def agent(self) -> int:
-        """Diameter of an agent: most of a cell, and never too small to see."""
+        """Diameter of an agent: most of a cell, but never too small to see."""
         return max(4, round(self.cell * 0.86))
 
     @property
     def halo(self) -> int:
-        """Light border that sets an agent off from what lies below."""
+        """Width of the light border around an agent."""
         return 1 if self.cell >= 8 else 0
 
     @property
@@ -74,12 +82,12 @@ class Layout:
         return 2 if self.cell >= 12 else 1
 
     def centre(self, row: int, col: int) -> tuple[float, float]:
-        """Middle of a cell: x, y."""
+        """Return x and y of the middle of a cell."""
         left, top, _, _ = self.field
         return left + (col + 0.5) * self.cell, top + (row + 0.5) * self.cell
 
     def box(self, row0: int, col0: int, row1: int, col1: int) -> tuple[int, int, int, int]:
-        """Left, top, right, bottom of these cells, both included, cut to the grid."""
+        """Return left, top, right and bottom of a range of cells, cut to the grid."""
         left, top, right, bottom = self.field
         return (
             max(left, left + col0 * self.cell),

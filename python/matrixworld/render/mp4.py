@@ -1,4 +1,4 @@
-"""Pictures as an MP4 film, written frame by frame."""
+"""MP4 films, written frame by frame."""
 
 from __future__ import annotations
 
@@ -10,9 +10,14 @@ from numpy.typing import NDArray
 
 from matrixworld.render.gif import check_timing
 
-FORMAT = ("-f", "mp4", "-movflags", "+faststart")  # a browser can begin before it has all
+FORMAT = (
+    "-f",
+    "mp4",
+    "-movflags",
+    "+faststart",
+)  # a browser can start before it has the whole file
 QUALITY = ("-crf", "16", "-tune", "animation")
-# Browsers guess the colours of a film that does not tell them, by its height.
+# Without these tags browsers guess the colour space from the height of the film.
 COLOURS = (
     "-vf",
     "scale=out_color_matrix=bt709:out_range=tv,"
@@ -28,11 +33,28 @@ def write_mp4(
     fps: float,
     hold: float,
 ) -> None:
-    """Write a film (H.264, yuv420p) into a file on disk, whose frames are ``draw(t)``.
+    """Write a film (H.264, yuv420p) into a file on disk.
 
-    Every ``draw(t)`` gives ``(height, width, 3)`` uint8 of one size, both sides even. The last
-    frame is shown `hold` seconds longer. Raises ImportError without imageio-ffmpeg, ValueError for
-    no times, and for fps and hold out of range.
+    Parameters
+    ----------
+    file : binary file
+        An open file with a name; ffmpeg writes to that name.
+    draw : callable
+        Takes a time and returns a frame, uint8 of shape (height, width, 3). All frames have the
+        same size, and both sides are even.
+    times : sequence of int
+        One frame is drawn for each.
+    fps : float
+        Frames per second, 0.1 to 50.
+    hold : float
+        Seconds for which the last frame is shown longer, 0 to 600.
+
+    Raises
+    ------
+    ImportError
+        If imageio-ffmpeg is not installed.
+    ValueError
+        If there are no times, or `fps` or `hold` is out of range.
     """
     check_timing(times, fps=fps, hold=hold)
     try:
@@ -48,7 +70,7 @@ def write_mp4(
         (width, height),
         fps=fps,
         quality=None,
-        macro_block_size=2,  # what yuv420p needs, so that nothing is rescaled
+        macro_block_size=2,  # the least that yuv420p needs; a larger one would rescale frames
         ffmpeg_log_level="error",
         output_params=[*FORMAT, *QUALITY, *COLOURS],
     )

@@ -1,4 +1,4 @@
-"""A scene as a picture, drawn with Pillow."""
+"""Pictures of scenes, drawn with Pillow."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import io
 from collections.abc import Sequence
 from functools import lru_cache
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,8 +14,10 @@ from PIL import Image, ImageDraw
 
 from matrixworld import colors
 from matrixworld.render.layout import Layout
-from matrixworld.render.scene import Crowd, Scene
 from matrixworld.render.sprites import Point, font, stamp
+
+if TYPE_CHECKING:  # a scene draws itself in notebooks, so `scene` imports this module
+    from matrixworld.render.scene import CellContents, Scene
 
 MARK_STEPS = 4  # steps until the mark of a capture or a death has faded
 SMALLEST_BADGE = 14  # cell size in pixels below which a number on an agent is unreadable
@@ -30,14 +33,31 @@ VIEW_LEVEL = 28  # of 255: tint of a field of view
 def rgb(
     scene: Scene, *, cell: int | None = None, fov: int = 11, viewers: Sequence[int | str] = ()
 ) -> NDArray[np.uint8]:
-    """Draw a scene: an array ``(height, width, 3)`` uint8.
+    """Draw a scene as an array of pixels.
 
-    cell: pixels per cell; None chooses by the size of the grid
-    fov, viewers: outline the ``fov x fov`` field of view of each of these agents, when alive; by
-        number or by name (``pursuer_0`` ..., ``evader_0`` ...)
+    Scenes of the same grid and cell size give pictures of the same size, as animations need.
 
-    Scenes of one grid and cell size give pictures of one size, so they can follow each other in
-    an animation. Raises ValueError for a cell below 1, an even fov, or a viewer that is no agent.
+    Parameters
+    ----------
+    scene : Scene
+        What to draw.
+    cell : int, optional
+        Pixels per cell. By default the size of the grid decides.
+    fov : int, optional
+        Side of the fields of view, odd. The default is 11.
+    viewers : sequence of int or str, optional
+        The agents whose fields of view are outlined while they are alive, by number or by name
+        (``pursuer_0`` and so on, ``evader_0`` and so on).
+
+    Returns
+    -------
+    ndarray of uint8, shape (height, width, 3)
+        The picture.
+
+    Raises
+    ------
+    ValueError
+        If `cell` is below 1 or gives too large a picture, `fov` is even, or a viewer is unknown.
     """
     if fov < 1 or fov % 2 == 0:
         raise ValueError(f"fov: expected an odd number from 1 up, got {fov}")
@@ -45,6 +65,7 @@ def rgb(
     picture = _Picture(scene, Layout.of(scene.shape, cell))
     for agent in agents:
         picture.draw_view(agent, fov // 2)
+    # Each layer is drawn over the ones before it: agents must not be hidden.
     picture.draw_trails()
     picture.draw_marks()
     picture.draw_collisions()
@@ -56,15 +77,16 @@ def rgb(
 def png(
     scene: Scene, *, cell: int | None = None, fov: int = 11, viewers: Sequence[int | str] = ()
 ) -> bytes:
-    """The same picture as a PNG file."""
+    """Draw a scene as the bytes of a PNG file; the parameters are those of `rgb`."""
     buffer = io.BytesIO()
     Image.fromarray(rgb(scene, cell=cell, fov=fov, viewers=viewers)).save(buffer, "PNG")
     return buffer.getvalue()
 
 
+# The ground is the slowest part to draw and the same in all frames of an episode.
 @lru_cache(maxsize=8)
 def _ground(obstacles: bytes, layout: Layout) -> Image.Image:
-    """The picture of an empty world: free cells with lines between them, and obstacles."""
+    """Return the picture of an empty world: obstacles, and lines between free cells."""
     canvas = Image.new("RGB", (layout.width, layout.height), colors.PAPER)
     draw = ImageDraw.Draw(canvas)
     left, top, right, bottom = layout.field
@@ -82,7 +104,7 @@ def _ground(obstacles: bytes, layout: Layout) -> Image.Image:
 
 
 class _Picture:
-    """A scene on its way to becoming a picture."""
+    """A scene while it is being drawn."""
 
     def __init__(self, scene: Scene, layout: Layout) -> None:
         self.scene = scene
@@ -90,7 +112,7 @@ class _Picture:
         self.canvas = _ground(scene.map.astype(bool).tobytes(), layout).copy()
 
     def draw_view(self, viewer: int, reach: int) -> None:
-        """The square that an agent sees."""
+        """Draw the square that an agent sees."""
         if not self.scene.alive[viewer]:
             return
         row, col = self.scene.positions[viewer].tolist()
@@ -105,7 +127,7 @@ class _Picture:
         )
 
     def draw_trails(self) -> None:
-        """Where each living agent came from: a line that fades with age."""
+        """Draw where each living agent came from: a line that fades with age."""
         if self.scene.trail is None or len(self.scene.trail) == 0:
             return
         cells = np.concatenate([self.scene.trail, self.scene.positions[None]])
@@ -116,7 +138,7 @@ class _Picture:
             self.canvas.paste(colour, (0, 0), mask)
 
     def draw_marks(self) -> None:
-        """Captures as a star under the agents, deaths by collision as a cross."""
+        """Draw captures as stars under the agents, and deaths by collision as crosses."""
         for marks, name, colour, scale in (
             (self.scene.captures, "burst", colors.CAPTURE, BURST_SCALE),
             (self.scene.deaths, "cross", colors.COLLISION, CROSS_SCALE),
@@ -128,36 +150,36 @@ class _Picture:
                     stamp(self.canvas, name, colour, at, size, 1 - age / MARK_STEPS)
 
     def draw_agents(self) -> None:
-        """Everybody alive; where the teams share a cell, smaller and side by side."""
+        """Draw the living agents; two teams on one cell are smaller and side by side."""
         size = self.layout.agent
-        for (row, col), crowd in self.scene.crowds().items():
+        for (row, col), contents in self.scene.occupied_cells().items():
             x, y = self.layout.centre(row, col)
-            if crowd.pursuers and crowd.evaders:
+            if contents.pursuers and contents.evaders:
                 shift, small = size * SHARED_SHIFT, max(3, round(size * SHARED_SCALE))
-                self._draw_evaders(crowd, (x + shift, y - shift), small)
-                self._draw_pursuers(crowd, (x - shift, y + shift), small)
-            elif crowd.pursuers:
-                self._draw_pursuers(crowd, (x, y), size)
+                self._draw_evaders(contents, (x + shift, y - shift), small)
+                self._draw_pursuers(contents, (x - shift, y + shift), small)
+            elif contents.pursuers:
+                self._draw_pursuers(contents, (x, y), size)
             else:
-                self._draw_evaders(crowd, (x, y), size)
+                self._draw_evaders(contents, (x, y), size)
 
-    def _draw_pursuers(self, crowd: Crowd, centre: Point, size: int) -> None:
+    def _draw_pursuers(self, contents: CellContents, centre: Point, size: int) -> None:
         wide = round(size * TRIANGLE_SCALE)
         stamp(self.canvas, "triangle", colors.PAPER, centre, wide + 4 * self.layout.halo)
         stamp(self.canvas, "triangle", colors.PURSUER, centre, wide)
-        side = -1 if crowd.evaders else 1  # the badge of evaders there is at the upper right
+        side = -1 if contents.evaders else 1  # evaders on the cell have their badge on the right
         badge = (centre[0] + side * size * 0.5, centre[1] - side * size * 0.4)
-        self._draw_badge(crowd.pursuers, badge)
+        self._draw_badge(contents.pursuers, badge)
 
-    def _draw_evaders(self, crowd: Crowd, centre: Point, size: int) -> None:
-        """A disc; hollow when everybody there is captured."""
-        shape = "thick ring" if crowd.captured == crowd.evaders else "disc"
+    def _draw_evaders(self, contents: CellContents, centre: Point, size: int) -> None:
+        """Draw a disc, which is hollow if all evaders on the cell are captured."""
+        shape = "thick ring" if contents.captured == contents.evaders else "disc"
         stamp(self.canvas, "disc", colors.PAPER, centre, size + 2 * self.layout.halo)
         stamp(self.canvas, shape, colors.EVADER, centre, size)
-        self._draw_badge(crowd.evaders, (centre[0] + size * 0.45, centre[1] - size * 0.4))
+        self._draw_badge(contents.evaders, (centre[0] + size * 0.45, centre[1] - size * 0.4))
 
     def _draw_badge(self, count: int, centre: Point) -> None:
-        """The number of agents of one team on a cell, when there are several."""
+        """Draw the number of agents of one team on a cell, if there are several."""
         if count < 2 or self.layout.cell < SMALLEST_BADGE:
             return
         size = max(11, round(self.layout.cell * 0.42))
@@ -168,7 +190,7 @@ class _Picture:
         draw.text(centre, text, fill=colors.PAPER, font=font(size - 1), anchor="mm")
 
     def draw_collisions(self) -> None:
-        """Rings around agents: strong for those at fault, faint for the others involved."""
+        """Draw rings around agents: strong for agents at fault, faint for others involved."""
         size = max(9, round(self.layout.cell * RING_SCALE))
         for cells, opacity in zip(self.scene.collided(), (1.0, INVOLVED_OPACITY), strict=True):
             for row, col in sorted(cells):
@@ -176,7 +198,7 @@ class _Picture:
                 stamp(self.canvas, "ring", colors.COLLISION, at, size, opacity)
 
     def draw_header(self) -> None:
-        """Title on the left, living members of each team on the right."""
+        """Draw the title on the left, and the sizes of both teams on the right."""
         layout = self.layout
         draw, text = ImageDraw.Draw(self.canvas), font(layout.text)
         middle, right = layout.header / 2 + 1, layout.width - layout.margin
@@ -199,11 +221,12 @@ def _draw_lines(
     cells: NDArray[np.integer],
     alive: NDArray[np.bool_],
 ) -> None:
-    """One line a step, in pieces so that it fades evenly; newer ones over older ones."""
+    """Draw one line per step, in pieces so that it fades evenly, newer lines over older ones."""
     width = max(1, round(layout.cell * 0.2))
     pieces = max(2, layout.cell // 6)
     steps = len(cells) - 1
     for step, (start, end) in enumerate(pairwise(cells)):
+        # An agent that is gone has negative coordinates: no line leads from there.
         moved = alive & (start != end).any(axis=1) & (start >= 0).all(axis=1)
         freshness = (step + (np.arange(pieces) + 1) / pieces) / steps
         levels = (TRAIL_LEVEL * freshness**1.5).round().astype(int).tolist()
@@ -216,7 +239,7 @@ def _draw_lines(
 
 
 def _shortened(title: str, room: int, size: int) -> str:
-    """The title, cut to a width in pixels."""
+    """Return the title, cut to a width in pixels."""
     text = font(size)
     if text.getlength(title) <= room:
         return title

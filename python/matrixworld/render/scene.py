@@ -1,4 +1,4 @@
-"""What a drawing is made from: the arrays of one moment, checked once."""
+"""The arrays of one moment that a drawing is made from, checked once."""
 
 from __future__ import annotations
 
@@ -8,35 +8,63 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld.render.raster import png
+
 Cell = tuple[int, int]
 
 
 @dataclass
-class Crowd:
-    """How many living agents stand on one cell."""
+class CellContents:
+    """The living agents on one cell.
+
+    Parameters
+    ----------
+    pursuers, evaders : int, optional
+        How many of each team.
+    captured : int, optional
+        How many of the evaders are captured at this moment.
+    """
 
     pursuers: int = 0
     evaders: int = 0
-    captured: int = 0  # of the evaders, those captured at this moment
+    captured: int = 0
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Scene:
-    """One moment of a world with P pursuers and E evaders, A = P + E agents, pursuers first.
+    """One moment of a world, to be drawn.
 
-    positions: ``(A, 2)`` int, row and column; of an agent that is gone where it went, or (-1, -1)
-    alive: ``(A,)`` bool
-    captured: ``(E,)`` bool, captured at this moment
-    map: ``(rows, cols)`` bool, True for an obstacle
-    n_pursuers: P
-    involved, fault: ``(A, 3)`` bool or None, collisions of the last step by kind
-        (obstacle, teammate, adversary)
-    trail: ``(K, A, 2)`` int, earlier positions, oldest first, (-1, -1) for an agent that is gone
-    captures, deaths: ``(n, 3)`` int, row, column and age in steps (0: in the last step) of the
-        evaders caught, and of the agents that crashed, lately
-    title: one line of text
+    The world has P pursuers and E evaders, A = P + E agents, pursuers first.
 
-    Raises ValueError for an array of another shape and for a living agent outside the map.
+    Parameters
+    ----------
+    positions : ndarray of int, shape (A, 2)
+        Row and column of each agent. For an agent that is gone, the cell where it disappeared or
+        (-1, -1).
+    alive : ndarray of bool, shape (A,)
+        Whether each agent is alive.
+    captured : ndarray of bool, shape (E,)
+        Whether each evader is captured at this moment.
+    map : ndarray of bool, shape (rows, cols)
+        True for an obstacle.
+    n_pursuers : int
+        P.
+    involved, fault : ndarray of bool, shape (A, 3), optional
+        Collisions of the last step by kind: obstacle, teammate, adversary.
+    trail : ndarray of int, shape (K, A, 2), optional
+        Earlier positions, oldest first; (-1, -1) for an agent that is gone.
+    captures, deaths : ndarray of int, shape (n, 3), optional
+        Recent captures, and recent deaths by collision: row, column, and age in steps. Age 0 is the
+        last step.
+    title : str, optional
+        One line of text.
+
+    Raises
+    ------
+    ValueError
+        If an array has another shape or a living agent is outside the map.
+    TypeError
+        If an array is not a NumPy array.
     """
 
     positions: NDArray[np.integer]
@@ -89,19 +117,17 @@ class Scene:
         return f"<Scene: {rows} x {cols} cells, {pursuers} pursuers, {evaders} evaders>"
 
     def _repr_png_(self) -> bytes:
-        """The picture that a notebook shows."""
-        from matrixworld.render.raster import png
-
+        """Return the picture that a notebook shows."""
         return png(self)
 
     def agents(self) -> Iterator[tuple[int, Cell, bool]]:
-        """Every living agent: its index, its cell, and whether it is a pursuer."""
+        """Yield the index of every living agent, its cell, and whether it is a pursuer."""
         for agent in np.flatnonzero(self.alive).tolist():
             row, col = self.positions[agent].tolist()
             yield agent, (row, col), agent < self.n_pursuers
 
     def agent(self, who: int | str) -> int:
-        """The number of an agent given by number or name; ValueError where there is none."""
+        """Return the number of an agent given by number or name; ValueError if there is none."""
         n_agents = len(self.alive)
         names = [f"pursuer_{i}" for i in range(self.n_pursuers)]
         names += [f"evader_{i}" for i in range(n_agents - self.n_pursuers)]
@@ -112,27 +138,27 @@ class Scene:
             raise ValueError(f"viewers: expected {expected}, got {who!r}")
         return who
 
-    def crowds(self) -> dict[Cell, Crowd]:
-        """Who stands where: only cells with somebody on them."""
-        crowds: dict[Cell, Crowd] = {}
+    def occupied_cells(self) -> dict[Cell, CellContents]:
+        """Return what is on each cell that has living agents."""
+        cells: dict[Cell, CellContents] = {}
         for agent, cell, is_pursuer in self.agents():
-            crowd = crowds.setdefault(cell, Crowd())
+            contents = cells.setdefault(cell, CellContents())
             if is_pursuer:
-                crowd.pursuers += 1
+                contents.pursuers += 1
             else:
-                crowd.evaders += 1
-                crowd.captured += bool(self.captured[agent - self.n_pursuers])
-        return crowds
+                contents.evaders += 1
+                contents.captured += bool(self.captured[agent - self.n_pursuers])
+        return cells
 
     def team_sizes(self) -> tuple[int, int]:
-        """How many pursuers and how many evaders are alive."""
+        """Return how many pursuers and how many evaders are alive."""
         return int(self.alive[: self.n_pursuers].sum()), int(self.alive[self.n_pursuers :].sum())
 
     def collided(self) -> tuple[set[Cell], set[Cell]]:
-        """Cells of agents at fault in a collision, and of the others involved in one.
+        """Return the cells of agents at fault in a collision, and of other agents involved.
 
-        Those who went in it are there as well. A contact of adversaries without anybody at fault
-        is the game, not a collision.
+        Agents that disappeared in a collision are included. A contact of adversaries without fault
+        is not: it is the aim of the game.
         """
         at_fault: set[Cell] = set()
         involved: set[Cell] = set()
@@ -143,7 +169,7 @@ class Scene:
                 continue
             if self.fault[agent].any():
                 at_fault.add((row, col))
-            elif self.involved is not None and self.involved[agent, :2].any():
+            elif self.involved is not None and self.involved[agent, :2].any():  # no adversaries
                 involved.add((row, col))
         return at_fault, involved - at_fault
 

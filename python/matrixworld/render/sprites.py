@@ -1,7 +1,7 @@
 """Small anti-aliased shapes, as masks through which a colour is painted.
 
-A shape is drawn once, `OVERSAMPLING` times too large, reduced and kept, so a frame costs a few
-pastes rather than a drawing.
+A shape is drawn once, `OVERSAMPLING` times too large, then reduced and kept. A frame then costs a
+few pastes instead of many drawings.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ Point = tuple[float, float]
 
 @lru_cache(maxsize=1024)
 def shape(name: str, size: int, opacity: float = 1.0) -> Image.Image:
-    """Mask of a shape: a grey image of ``size x size`` pixels, 255 inside times the opacity."""
+    """Return the mask of a shape: ``size x size`` pixels, 255 times the opacity inside."""
     large = Image.new("L", (size * OVERSAMPLING, size * OVERSAMPLING), 0)
     _SHAPES[name](ImageDraw.Draw(large), size * OVERSAMPLING)
     return large.reduce(OVERSAMPLING).point([round(opacity * level) for level in range(256)])
@@ -27,14 +27,14 @@ def shape(name: str, size: int, opacity: float = 1.0) -> Image.Image:
 def stamp(
     canvas: Image.Image, name: str, colour: str, centre: Point, size: int, opacity: float = 1.0
 ) -> None:
-    """Paint a shape of a colour onto the canvas, centred on a point in pixels."""
+    """Paint a shape in a colour onto the canvas, centred on a point in pixels."""
     corner = (round(centre[0] - size / 2), round(centre[1] - size / 2))
     canvas.paste(colour, corner, shape(name, size, opacity))
 
 
 @lru_cache(maxsize=64)
 def font(size: float) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
-    """The font that comes with Pillow, the same on every machine; size in pixels."""
+    """Return the font of Pillow, the same on every machine; the size is in pixels."""
     return ImageFont.load_default(size)
 
 
@@ -55,7 +55,7 @@ def _square(draw: ImageDraw.ImageDraw, size: int) -> None:
 
 
 def _triangle(draw: ImageDraw.ImageDraw, size: int) -> None:
-    """Pointing up, corners rounded, its centre of mass close to the middle of the square."""
+    """Draw it pointing up, with round corners and its centre of mass near the middle."""
     radius = size * 0.09
     corners = [
         (size / 2, size * 0.03 + radius),
@@ -79,7 +79,7 @@ def _cross(draw: ImageDraw.ImageDraw, size: int) -> None:
 
 
 def _burst(draw: ImageDraw.ImageDraw, size: int) -> None:
-    """A star of eight rays."""
+    """Draw a star of eight rays."""
     middle, points = size / 2, []
     for corner in range(16):
         reach = middle * (0.98 if corner % 2 == 0 else 0.62)

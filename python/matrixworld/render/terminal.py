@@ -1,4 +1,4 @@
-"""A scene as text for a terminal."""
+"""Scenes as text for a terminal."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import colors
-from matrixworld.render.scene import Cell, Crowd, Scene
+from matrixworld.render.scene import Cell, CellContents, Scene
 
 CAPTURE_GROUND = "#F7D28C"  # light orange: an evader was caught here in the last step
-COLLISION_GROUND = "#E9BFD6"  # light purple: an agent at fault, or a crash in the last step
+COLLISION_GROUND = "#E9BFD6"  # light purple: an agent at fault, or a death, in the last step
 FREE = "#BDBDBD"  # the dot on a free cell
 MODES = ("true", "256", "none")
 
 
 class Ink(NamedTuple):
-    """Colours of a piece of text, ``#rrggbb``; empty for the terminal's own."""
+    """Colours of a piece of text, ``#rrggbb``; empty means the terminal's own."""
 
     text: str = ""
     ground: str = ""
@@ -43,18 +43,32 @@ Run = tuple[str, Ink]  # a piece of text of one colour
 
 
 def ansi(scene: Scene, *, color: str = "true", compact: bool = False) -> str:
-    """Draw a scene as lines of text, without a newline at the end.
+    """Draw a scene as lines of text.
 
-    color: "true" for 24-bit escape codes, "256" for the 256-colour palette, "none" for plain
-        ASCII (P pursuer, E evader, e captured evader, X both teams, x a crash, # obstacle)
-    compact: half blocks, two rows of cells to a line and one character to a column; teams are
-        then told apart by colour only, so it needs colours
+    A cell is two characters wide. The second one is the number of agents if there are several. If
+    both teams share a cell, colored text shows the sign or the number of each team in its color;
+    plain text shows X, and the number of agents if it is 3 or more.
 
-    Otherwise a cell is two characters wide. The second is the number of agents there when there
-    are several. When both teams share a cell, colours show each team's sign, or number in its
-    colour, and plain text shows X and how many they are in all, from three on.
+    Parameters
+    ----------
+    scene : Scene
+        What to draw.
+    color : {"true", "256", "none"}, optional
+        24-bit escape codes, the 256-color palette, or plain ASCII: P pursuer, E evader,
+        e captured evader, X both teams, x a death, # obstacle.
+    compact : bool, optional
+        Whether to draw half blocks: two rows of cells per line and one character per column. Only
+        colors tell the teams apart then, so it needs colors.
 
-    Raises ValueError for an unknown color, and for compact without colours.
+    Returns
+    -------
+    str
+        The lines, without a newline at the end.
+
+    Raises
+    ------
+    ValueError
+        If `color` is unknown, or `compact` is combined with "none".
     """
     if color not in MODES:
         raise ValueError(f"color: expected one of {MODES}, got {color!r}")
@@ -78,7 +92,7 @@ def _legend(scene: Scene, glyphs: Glyphs) -> list[Run]:
 
 
 def _cells(scene: Scene, glyphs: Glyphs) -> list[list[Run]]:
-    crowds, grounds = scene.crowds(), _grounds(scene)
+    occupied, grounds = scene.occupied_cells(), _grounds(scene)
     crashes = _last_step(scene.deaths)
     lines: list[list[Run]] = []
     for row, obstacles in enumerate(scene.map.tolist()):
@@ -86,8 +100,8 @@ def _cells(scene: Scene, glyphs: Glyphs) -> list[list[Run]]:
         for col, obstacle in enumerate(obstacles):
             cell = (row, col)
             ground = grounds.get(cell, colors.PAPER)
-            if cell in crowds:
-                line += _crowd(crowds[cell], glyphs, ground)
+            if cell in occupied:
+                line += _agents(occupied[cell], glyphs, ground)
             elif cell in crashes:
                 line.append((glyphs.crash, Ink(colors.INK, ground)))
             else:
@@ -98,29 +112,29 @@ def _cells(scene: Scene, glyphs: Glyphs) -> list[list[Run]]:
     return lines
 
 
-def _crowd(crowd: Crowd, glyphs: Glyphs, ground: str) -> list[Run]:
+def _agents(contents: CellContents, glyphs: Glyphs, ground: str) -> list[Run]:
     pursuer, evader = Ink(colors.PURSUER, ground), Ink(colors.EVADER, ground)
-    caught = crowd.evaders == crowd.captured
+    caught = contents.evaders == contents.captured
     sign = glyphs.captured if caught else glyphs.evader
-    if crowd.pursuers and crowd.evaders:
+    if contents.pursuers and contents.evaders:
         if glyphs is ASCII:
-            return [("X" + _number(crowd.pursuers + crowd.evaders, least=3), pursuer)]
+            return [("X" + _number(contents.pursuers + contents.evaders, least=3), pursuer)]
         return [
-            (_number(crowd.pursuers, alone=glyphs.pursuer), pursuer),
-            (_number(crowd.evaders, alone=sign), evader),
+            (_number(contents.pursuers, alone=glyphs.pursuer), pursuer),
+            (_number(contents.evaders, alone=sign), evader),
         ]
-    if crowd.pursuers:
-        return [(glyphs.pursuer + _number(crowd.pursuers), pursuer)]
-    return [(sign + _number(crowd.evaders), evader)]
+    if contents.pursuers:
+        return [(glyphs.pursuer + _number(contents.pursuers), pursuer)]
+    return [(sign + _number(contents.evaders), evader)]
 
 
 def _number(count: int, alone: str = " ", least: int = 2) -> str:
-    """One character: a digit, + from ten on, and `alone` below `least`."""
+    """Return one character: a digit, + for 10 or more, and `alone` below `least`."""
     return alone if count < least else str(count) if count < 10 else "+"
 
 
 def _grounds(scene: Scene) -> dict[Cell, str]:
-    """Cells whose background tells of the last step."""
+    """Return the cells whose background shows an event of the last step."""
     collided = scene.collided()[0] | _last_step(scene.deaths)
     return {
         **dict.fromkeys(collided, COLLISION_GROUND),
@@ -138,8 +152,8 @@ def _half_blocks(scene: Scene) -> list[list[Run]]:
     rows, cols = scene.shape
     fill: dict[Cell, str] = dict.fromkeys(zip(*scene.map.nonzero(), strict=True), colors.OBSTACLE)
     fill |= _grounds(scene)
-    for cell, crowd in scene.crowds().items():
-        fill[cell] = colors.PURSUER if crowd.pursuers else colors.EVADER
+    for cell, contents in scene.occupied_cells().items():
+        fill[cell] = colors.PURSUER if contents.pursuers else colors.EVADER
     return [
         [
             (
@@ -156,7 +170,7 @@ def _half_blocks(scene: Scene) -> list[list[Run]]:
 
 
 def _painted(line: list[Run], code: Callable[[Ink], str]) -> str:
-    """The line with an escape code wherever the colour changes, reset at its end."""
+    """Return the line with an escape code at each change of colour, reset at its end."""
     parts = []
     for ink, runs in groupby(line, key=lambda run: run[1]):
         text = "".join(run[0] for run in runs)
@@ -191,7 +205,8 @@ def _channels(colour: str) -> tuple[int, int, int]:
 
 @lru_cache(maxsize=64)
 def _palette_index(colour: str) -> int:
-    """The nearest of the 6 x 6 x 6 colours and 24 greys that xterm numbers 16 to 255."""
+    """Return the nearest colour of the 6 x 6 x 6 and 24 greys that xterm numbers 16 to 255."""
+    # The first 16 colours are left out, because users choose them.
     levels = (0, 95, 135, 175, 215, 255)
     palette = {
         16 + 36 * r + 6 * g + b: (levels[r], levels[g], levels[b])

@@ -14,7 +14,11 @@ import matrixworld as mw
 from command_line import matrixworld_command
 from matrixworld import coevolution
 from matrixworld.coevolution import TEAMS, held_out, open_run, score, score_population, start
-from matrixworld.coevolution.evaluation.held_out import NETWORK, held_out_genomes
+from matrixworld.coevolution.evaluation.held_out import (
+    NETWORK,
+    fitting_opponents,
+    held_out_genomes,
+)
 from matrixworld.coevolution.types import other
 from tiny_race import StopAt, tiny_race, tiny_single
 
@@ -23,6 +27,8 @@ SCRIPTED = {
     "evader": ["random", "still", "clumsy-fleer", "fleer", "dodger"],
 }
 EVOLVED = ["evolved-1", "evolved-2"]
+SHIPPED = [variant for variant in mw.VARIANTS if len(held_out_genomes("pursuer", variant))]
+"""The variants whose genomes come with the package."""
 FITTING: dict[str, Any] = {"fov": 11, "rows": 7, "cols": 7, "hidden": (2,)}
 
 
@@ -37,9 +43,13 @@ def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
 # ---- The opponents ---------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("variant", mw.VARIANTS)
+def test_the_nine_variants_of_the_paper_have_shipped_genomes():
+    assert {"D", "R", "B", "O", "S", "SB", "SD", "SDB", "TO"} <= set(SHIPPED)
+
+
+@pytest.mark.parametrize("variant", SHIPPED)
 @pytest.mark.parametrize("team", TEAMS)
-def test_every_variant_has_scripts_and_genomes(team, variant):
+def test_these_variants_have_scripts_and_genomes(team, variant):
     opponents = held_out(team, variant)
     surround = mw.VARIANTS[variant].capture is mw.Capture.SURROUND
     more = ["surrounder"] if surround and team == "pursuer" else []
@@ -55,8 +65,18 @@ def test_every_variant_has_scripts_and_genomes(team, variant):
 
 
 def test_the_sets_of_two_variants_are_different():
-    sets = [held_out_genomes(team, variant) for team in TEAMS for variant in mw.VARIANTS]
-    assert len({genomes.tobytes() for genomes in sets}) == 2 * len(mw.VARIANTS)
+    sets = [held_out_genomes(team, variant) for team in TEAMS for variant in SHIPPED]
+    assert len({genomes.tobytes() for genomes in sets}) == 2 * len(SHIPPED)
+
+
+def test_a_variant_without_shipped_genomes_has_scripts_only(monkeypatch):
+    row = replace(mw.VARIANTS["SB"], interaction=mw.Interaction.SWARM_TURNS)
+    monkeypatch.setattr("matrixworld.rules.VARIANTS", {**mw.VARIANTS, "X": row})
+    monkeypatch.setattr("matrixworld.coevolution.evaluation.held_out.VARIANTS", {"X": row})
+    assert list(held_out("pursuer", "X")) == [*SCRIPTED["pursuer"], "surrounder"]
+    opponents, left_out = fitting_opponents("evader", mw.WorldConfig("X"))
+    assert list(opponents) == [*SCRIPTED["pursuer"], "surrounder"]
+    assert left_out == "no evolved opponents: none are shipped for variant X"
 
 
 def test_rules_of_one_s_own_have_scripts_only():

@@ -42,14 +42,15 @@ def held_out_scripts(team: Team, variant: Rules | str) -> tuple[Script, ...]:
 
 
 def held_out_genomes(team: Team, variant: Rules | str) -> Genomes:
-    """Return the shipped genomes (n, genes) float32 of `NETWORK`; n is 0 for rules of one's own.
+    """Return the shipped genomes (n, genes) float32 of `NETWORK`.
 
-    They come from ``evolution/evolve_held_out.py`` and are rounded to float16.
+    n is 0 for rules of one's own and for a variant without shipped genomes. They come from
+    ``evolution/evolve_held_out.py`` and are rounded to float16.
     """
-    name = _variant_name(rules_of(variant))
-    if name is None:
+    genomes = _shipped().get(f"{_variant_name(rules_of(variant))}.{team}s")
+    if genomes is None:
         return np.empty((0, NETWORK.genome_size), np.float32)
-    return _shipped()[f"{name}.{team}s"].astype(np.float32)
+    return genomes.astype(np.float32)
 
 
 def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
@@ -78,8 +79,11 @@ def fitting_opponents(team: Team, config: WorldConfig) -> tuple[dict[str, TeamPo
     """Return the held-out opponents of `team` in a world, and which of them it leaves out."""
     every = held_out(other(team), config.rules)
     fitting = {name: each for name, each in every.items() if _fits(each, config)}
-    if _variant_name(config.rules) is None:
+    name = _variant_name(config.rules)
+    if name is None:
         return fitting, "no evolved opponents: these rules are of one's own"
+    if f"{name}.{other(team)}s" not in _shipped():
+        return fitting, f"no evolved opponents: none are shipped for variant {name}"
     if len(fitting) == len(every):
         return fitting, ""
     return fitting, (

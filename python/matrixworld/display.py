@@ -1,4 +1,4 @@
-"""Where an environment shows itself to a person: a notebook, a window, or the terminal."""
+"""Where an environment with ``render_mode="human"`` is shown: notebook, window or terminal."""
 
 from __future__ import annotations
 
@@ -7,31 +7,31 @@ import time
 from typing import Any, Protocol, TextIO
 
 from matrixworld.render import Scene, ansi, png, rgb
-from matrixworld.render.screen import CLEAR, WRAP_OFF, WRAP_ON, color_mode, draw, fits
+from matrixworld.render.terminal_animation import CLEAR, WRAP_OFF, WRAP_ON, color_mode, draw, fits
 
 FPS = 10.0
-"""Drawings a second, at most."""
+"""The most scenes per second."""
 
 
 class Place(Protocol):
-    """Somewhere to show one scene after the other."""
+    """A place where scenes are shown one after the other."""
 
     @property
     def watched(self) -> bool:
-        """Whether each scene takes the place of the one before, so that it needs its time."""
+        """Whether each scene replaces the one before, so that a person needs time to see it."""
 
     def show(self, scene: Scene, **look: Any) -> None:
-        """Show a scene; ``look`` as `render.rgb` takes it."""
+        """Show a scene. `look` holds keyword arguments of `render.rgb`."""
 
     def close(self) -> None:
-        """Take it away, if it stands in anybody's way."""
+        """Remove the place if it would be in the way."""
 
 
-class Screen:
-    """The output of a notebook's cell; else a window, where there is a display; else the terminal.
+class Display:
+    """Shows scenes in the first place that exists: a notebook, a window, the terminal.
 
-    Shows at most `FPS` scenes a second, waiting where they come faster. Where the output is no
-    terminal (a file, a pipe) every scene is printed as plain text, without waiting.
+    It shows at most `FPS` scenes per second and waits if they come faster. If the output is not a
+    terminal but a file or a pipe, it prints every scene as plain text without waiting.
     """
 
     def __init__(self) -> None:
@@ -39,19 +39,27 @@ class Screen:
         self._due = time.monotonic()
 
     def show(self, scene: Scene, **look: Any) -> None:
-        """Show a scene instead of the one before; ``look`` as `render.rgb` takes it."""
+        """Replace the scene shown. `look` holds keyword arguments of `render.rgb`."""
         if self._place.watched:
             time.sleep(max(0.0, self._due - time.monotonic()))
             self._due = time.monotonic() + 1 / FPS
         self._place.show(scene, **look)
 
     def close(self) -> None:
-        """Close the window, if it is one."""
+        """Close the window, if there is one."""
         self._place.close()
 
 
 class Notebook:
-    """One output of a cell, drawn anew; a cell that is run later gets its own."""
+    """An output of a notebook cell that is redrawn; each cell run later gets its own.
+
+    Parameters
+    ----------
+    shell : object
+        The IPython shell.
+    display : callable
+        `IPython.display.display`.
+    """
 
     watched = True
 
@@ -59,10 +67,10 @@ class Notebook:
         self._shell = shell
         self._display = display
         self._handle: Any = None
-        self._run = -1  # the number of the cell's run that shows it
+        self._run = -1  # execution count of the cell that shows it
 
     def show(self, scene: Scene, **look: Any) -> None:
-        """Show a scene in the place of the one before."""
+        """Replace the scene shown."""
         data = {"image/png": png(scene, **look)}
         if self._handle is not None and self._run == self._shell.execution_count:
             self._handle.update(data, raw=True)
@@ -71,13 +79,20 @@ class Notebook:
         self._handle = self._display(data, raw=True, display_id=True)
 
     def close(self) -> None:
-        """The last picture stays."""
+        """Do nothing: the last picture stays."""
 
 
 class Window:
-    """A window of Matplotlib's, which the key q closes.
+    """A window of Matplotlib, which the key q closes.
 
-    Closed by its user, it stays closed; nothing else stops, and nothing waits any more.
+    A window closed by its user stays closed. The program goes on, and no longer waits for it.
+
+    Parameters
+    ----------
+    plt : module
+        `matplotlib.pyplot`.
+    figure : matplotlib.figure.Figure
+        An empty figure with a window.
     """
 
     def __init__(self, plt: Any, figure: Any) -> None:
@@ -87,16 +102,17 @@ class Window:
 
     @property
     def watched(self) -> bool:
-        """Whether it is still open."""
+        """Whether the window is still open."""
         return bool(self._plt.fignum_exists(self._figure.number))
 
     def show(self, scene: Scene, **look: Any) -> None:
-        """Show a scene in the place of the one before."""
+        """Replace the scene shown."""
         if not self.watched:
             return
         picture = rgb(scene, **look)
         if self._image is None:
             self._open(picture)
+        # Only the pixels change; drawing the axes anew would be slower.
         self._image.set_data(picture)
         self._figure.canvas.draw_idle()
         self._figure.canvas.flush_events()
@@ -115,7 +131,7 @@ class Window:
 
 
 class Terminal:
-    """Text, in place, with the cursor below it."""
+    """Text in a terminal, redrawn in place, with the cursor below it."""
 
     watched = True
 
@@ -124,7 +140,7 @@ class Terminal:
         self._begun = False
 
     def show(self, scene: Scene, **look: Any) -> None:
-        """Show a scene as text; ``look`` is for pictures only."""
+        """Show a scene as text; `look` is for pictures only."""
         mode = color_mode(self._stream)
         compact = mode != "none" and not fits(scene.shape, self._stream)
         self._stream.write(WRAP_OFF if self._begun else WRAP_OFF + CLEAR)
@@ -134,11 +150,11 @@ class Terminal:
         self._stream.flush()
 
     def close(self) -> None:
-        """The last drawing stays."""
+        """Do nothing: the last drawing stays."""
 
 
 class Printout:
-    """Plain text, one drawing below the other, a blank line between them."""
+    """Plain text, one drawing below the other with a blank line between them."""
 
     watched = False
 
@@ -146,11 +162,11 @@ class Printout:
         self._stream = stream
 
     def show(self, scene: Scene, **look: Any) -> None:
-        """Print a scene; ``look`` is for pictures only."""
+        """Print a scene; `look` is for pictures only."""
         self._stream.write(ansi(scene, color="none") + "\n\n")
 
     def close(self) -> None:
-        """What was printed stays."""
+        """Do nothing: printed text stays."""
 
 
 def _text(stream: TextIO) -> Place:
@@ -158,7 +174,7 @@ def _text(stream: TextIO) -> Place:
 
 
 def _notebook() -> Place | None:
-    if "IPython" not in sys.modules:
+    if "IPython" not in sys.modules:  # a notebook has imported it; importing it here is slow
         return None
     from IPython import get_ipython
     from IPython.display import display
@@ -173,11 +189,11 @@ def _window() -> Place | None:
     try:
         with plt.rc_context({"toolbar": "None"}):
             figure = plt.figure()
-    except ImportError:  # a backend was asked for whose display or library is not there
+    except ImportError:  # the chosen backend lacks its display or its library
         return None
     manager = figure.canvas.manager
     if manager is None or figure.canvas.required_interactive_framework is None:
-        plt.close(figure)  # drawn nowhere
+        plt.close(figure)  # this backend only writes files
         return None
     manager.set_window_title("matrixworld")
     return Window(plt, figure)

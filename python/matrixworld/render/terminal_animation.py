@@ -1,4 +1,4 @@
-"""Text drawings as an animation in a terminal."""
+"""Drawings in text, shown one after the other in a terminal."""
 
 from __future__ import annotations
 
@@ -8,46 +8,71 @@ import time
 from collections.abc import Iterable, Mapping
 from typing import TextIO
 
+# Control sequences of ECMA-48 that practically all terminals know.
 HOME = "\x1b[H"
 CLEAR = "\x1b[2J"
 CLEAR_LINE = "\x1b[K"
 CLEAR_BELOW = "\x1b[J"
 HIDE_CURSOR = "\x1b[?25l"
 SHOW_CURSOR = "\x1b[?25h"
-WRAP_OFF = "\x1b[?7l"  # a drawing wider than the terminal is cut, not broken into pieces
+WRAP_OFF = "\x1b[?7l"  # a drawing wider than the terminal is cut instead of broken into pieces
 WRAP_ON = "\x1b[?7h"
 
 
 def play(frames: Iterable[str], stream: TextIO, *, fps: float) -> None:
-    """Show drawings one after the other in place, until the last or Ctrl-C.
+    """Show drawings in place, one after the other, until the last one or Ctrl-C.
 
-    What is higher than the terminal is cut. Whatever happens, the cursor is back afterwards, on
-    the line below the drawing.
+    A drawing higher than the terminal is cut. In any case the cursor is visible again afterwards,
+    on the line below the drawing.
+
+    Parameters
+    ----------
+    frames : iterable of str
+        The drawings, as `render.ansi` returns them.
+    stream : file
+        A terminal.
+    fps : float
+        Drawings per second.
     """
     due = time.monotonic()
     try:
         stream.write(HIDE_CURSOR + WRAP_OFF + CLEAR)
         for frame in frames:
             draw(frame, stream)
+            # Waiting for a point in time, not for a period, makes up for the time to draw.
             due += 1 / fps
             time.sleep(max(0.0, due - time.monotonic()))
     except KeyboardInterrupt:
-        return  # how a viewer says that this is enough
+        return  # the viewer has seen enough
     finally:
         stream.write(WRAP_ON + SHOW_CURSOR + "\n")
         stream.flush()
 
 
 def draw(frame: str, stream: TextIO) -> None:
-    """Show a drawing in the place of the one before; what is higher than the terminal is cut."""
+    """Replace the drawing in a terminal by another one, cut to the height of the terminal."""
     height = terminal_size(stream).lines - 1
+    # Each line is cleared behind its text: clearing the whole screen first would flicker.
     lines = (line + CLEAR_LINE for line in frame.split("\n")[:height])
     stream.write(HOME + "\n".join(lines) + CLEAR_BELOW)
     stream.flush()
 
 
 def color_mode(stream: TextIO, environ: Mapping[str, str] = os.environ) -> str:
-    """What `ansi` may use on a stream: "true", "256" or "none" (see https://no-color.org)."""
+    """Return the colors that `render.ansi` may use on a stream.
+
+    Parameters
+    ----------
+    stream : file
+        Where the text goes.
+    environ : mapping, optional
+        Environment variables; NO_COLOR (https://no-color.org), TERM and COLORTERM are read.
+
+    Returns
+    -------
+    str
+        ``"true"``, ``"256"`` or ``"none"``.
+    """
     encoding = (getattr(stream, "encoding", None) or "utf-8").lower()
     plain = not stream.isatty() or environ.get("NO_COLOR") or environ.get("TERM") == "dumb"
     if plain or not encoding.startswith("utf"):
@@ -56,7 +81,7 @@ def color_mode(stream: TextIO, environ: Mapping[str, str] = os.environ) -> str:
 
 
 def terminal_size(stream: TextIO) -> os.terminal_size:
-    """Columns and lines; of the variables COLUMNS and LINES for a stream that knows no size."""
+    """Return columns and lines of a terminal; without one, of the variables COLUMNS and LINES."""
     try:
         return os.get_terminal_size(stream.fileno())
     except OSError:
@@ -64,7 +89,7 @@ def terminal_size(stream: TextIO) -> os.terminal_size:
 
 
 def fits(shape: tuple[int, ...], stream: TextIO) -> bool:
-    """Whether rows x cols cells of two characters, below a title, fit the terminal."""
+    """Return whether rows x cols cells of two characters, below a title, fit the terminal."""
     columns, lines = terminal_size(stream)
     rows, cols = shape
     return 2 * cols <= columns and rows + 2 <= lines

@@ -1,4 +1,4 @@
-"""Where an environment with render_mode="human" shows itself."""
+"""Where an environment with render_mode="human" is shown."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 import matrixworld as mw
-from matrixworld import screen
+from matrixworld.display import FPS, Display, Notebook, _window
 from matrixworld.render import ansi, png, rgb
-from matrixworld.render.screen import CLEAR, HOME, WRAP_OFF, WRAP_ON
+from matrixworld.render.terminal_animation import CLEAR, HOME, WRAP_OFF, WRAP_ON
 from rows import config_of
 
 
 @pytest.fixture(autouse=True)
 def naps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    """Collects the pauses, which are not taken, by a clock that stands still."""
+    """Collect the pauses instead of taking them; the clock stands still."""
     taken: list[float] = []
     monkeypatch.setattr("time.sleep", taken.append)
     monkeypatch.setattr("time.monotonic", lambda: 5.0)
@@ -58,10 +58,10 @@ def test_without_display_or_terminal_it_is_plain_text(
     env.step(dict.fromkeys(env.agents, 0))
     assert env.render() is None
     env.close()
-    told = capsys.readouterr().out
-    assert told.isascii()
-    assert naps == []  # nobody watches
-    assert [line for line in told.splitlines() if line.startswith("step")] == [
+    printed = capsys.readouterr().out
+    assert printed.isascii()
+    assert naps == []  # a file needs no time to be seen
+    assert [line for line in printed.splitlines() if line.startswith("step")] == [
         "step 0    captured 0 of 4 (0%)   P 3  E 4",
         "step 1    captured 0 of 4 (0%)   P 3  E 4",
     ]
@@ -73,7 +73,7 @@ def test_a_terminal_is_drawn_in_place(naps: list[float], monkeypatch: pytest.Mon
     monkeypatch.delenv("NO_COLOR", raising=False)
     stream = TerminalStream()
     monkeypatch.setattr(sys, "stdout", stream)
-    shown = screen.Screen()
+    shown = Display()
     for _ in range(3):
         shown.show(SCENE)
     shown.close()
@@ -84,7 +84,7 @@ def test_a_terminal_is_drawn_in_place(naps: list[float], monkeypatch: pytest.Mon
     assert pieces[1].splitlines()[0].startswith(ansi(SCENE, color="256").splitlines()[0])
     assert pieces[1] == pieces[2] == pieces[3] + WRAP_OFF
     assert pieces[3].endswith(WRAP_ON + "\n")
-    assert naps == pytest.approx([0, 1 / screen.FPS, 1 / screen.FPS])
+    assert naps == pytest.approx([0, 1 / FPS, 1 / FPS])
 
 
 # ---- Windows -----------------------------------------------------------------------------------
@@ -120,7 +120,7 @@ def display(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 @pytest.mark.usefixtures("display")
 def test_a_window_shows_each_picture(naps: list[float]) -> None:
-    shown = screen.Screen()
+    shown = Display()
     for title in ("before", "now"):
         shown.show(dataclasses.replace(SCENE, title=title), fov=5, viewers=[0])
     (number,) = plt.get_fignums()
@@ -132,7 +132,7 @@ def test_a_window_shows_each_picture(naps: list[float]) -> None:
     height, width, _ = expected.shape
     assert (figure.get_size_inches() * figure.dpi).round().tolist() == [width, height]
     assert DisplayCanvas.flushed == 2
-    assert naps == pytest.approx([0, 1 / screen.FPS])
+    assert naps == pytest.approx([0, 1 / FPS])
     shown.close()
     assert plt.get_fignums() == []
 
@@ -152,7 +152,7 @@ def test_each_environment_has_a_window_of_its_own() -> None:
 
 @pytest.mark.usefixtures("display")
 def test_a_window_closed_by_its_user_stays_closed_and_nothing_waits(naps: list[float]) -> None:
-    shown = screen.Screen()
+    shown = Display()
     shown.show(SCENE)
     canvas = plt.gcf().canvas
     key_press_handler(KeyEvent("key_press_event", canvas, "q"), canvas)
@@ -167,11 +167,11 @@ def test_a_display_that_is_not_there_is_no_error(monkeypatch: pytest.MonkeyPatch
         raise ImportError("Cannot load backend 'TkAgg', as 'headless' is currently running")
 
     monkeypatch.setattr(plt, "figure", headless)
-    assert screen._window() is None
+    assert _window() is None
 
 
 def test_no_window_is_left_where_there_is_no_display() -> None:
-    assert screen._window() is None
+    assert _window() is None
     assert plt.get_fignums() == []
 
 
@@ -190,7 +190,7 @@ def test_a_notebook_s_output_is_drawn_anew() -> None:
         return Handle()
 
     shell = SimpleNamespace(execution_count=4)
-    place = screen.Notebook(shell, display)
+    place = Notebook(shell, display)
     for _ in range(3):
         place.show(SCENE, viewers=[1])
     shell.execution_count = 5  # another cell is run

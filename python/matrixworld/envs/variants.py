@@ -1,0 +1,229 @@
+"""One PettingZoo module per variant, made from the rules and a text instead of written by hand.
+
+A row in `matrixworld.rules.VARIANTS` and an entry in `matrixworld.envs.variant_texts` are enough:
+the module, its docstring and its registration for ``pettingzoo.make`` follow from them.
+"""
+
+from __future__ import annotations
+
+import sys
+import textwrap
+from collections.abc import Callable
+from importlib.machinery import ModuleSpec
+from types import ModuleType
+from typing import Any, TypeAlias
+
+from pettingzoo.env_registry.registration import register
+from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, OrderEnforcingWrapper
+
+from matrixworld.config import WorldConfig
+from matrixworld.envs.aec import MatrixWorldAEC
+from matrixworld.envs.parallel import MatrixWorldParallel
+from matrixworld.envs.variant_texts import VARIANT_TEXTS
+from matrixworld.rules import Capture, Interaction, Outcome, Rules
+
+AECWrapper: TypeAlias = OrderEnforcingWrapper
+
+COLUMNS = 98
+"""Width of the paragraphs in a docstring."""
+
+_MOVES = {
+    Interaction.SIMULTANEOUS: "all at once",
+    Interaction.SWARM_TURNS: "team by team",
+    Interaction.AGENT_TURNS: "one after the other",
+}
+_OUTCOMES = {
+    Outcome.DISAPPEAR: "disappears",
+    Outcome.REACH: "goes on",
+    Outcome.BOUNCE: "bounces back",
+}
+_CAPTURES = {
+    Capture.OCCUPATION: "a pursuer reaches it",
+    Capture.SURROUND: "pursuers, obstacles or the border are on its four sides",
+}
+_CLOSING = """\
+All variants share their observations, actions, rewards, infos and arguments:
+see `matrixworld.envs`.
+
+Versions: v0, the first."""
+
+
+def parallel_env(config: WorldConfig | Rules | str = "O", **settings: Any) -> MatrixWorldParallel:
+    """Make an environment of PettingZoo's parallel API: all agents act at once.
+
+    Where the rules take turns, a step plays a whole round with actions that were all chosen before
+    it.
+
+    Parameters
+    ----------
+    config : WorldConfig, Rules or str, optional
+        The world, its rules, or the name of a variant such as ``"O"`` or ``"pursuit-evasion-o"``.
+        The default is ``"O"``.
+    **settings
+        Arguments of `MatrixWorldParallel`, and fields of `WorldConfig` to change.
+
+    Returns
+    -------
+    MatrixWorldParallel
+        The environment.
+    """
+    return MatrixWorldParallel(config, **settings)
+
+
+def raw_aec_env(config: WorldConfig | Rules | str = "O", **settings: Any) -> MatrixWorldAEC:
+    """Make an AEC environment without PettingZoo's wrappers.
+
+    Parameters
+    ----------
+    config, **settings
+        As for `parallel_env`.
+
+    Returns
+    -------
+    MatrixWorldAEC
+        The environment.
+    """
+    return MatrixWorldAEC(config, **settings)
+
+
+def aec_env(config: WorldConfig | Rules | str = "O", **settings: Any) -> AECWrapper:
+    """Make an environment of PettingZoo's AEC API: one agent acts after the other.
+
+    Where the rules take turns, this is the game itself: an agent observes what earlier agents did.
+    Where they do not, agents only choose one after the other; the round is played when the last
+    agent has chosen.
+
+    Parameters
+    ----------
+    config, **settings
+        As for `parallel_env`.
+
+    Returns
+    -------
+    OrderEnforcingWrapper
+        The environment in the usual wrappers of PettingZoo, which refuse actions out of range and
+        calls out of order.
+    """
+    return OrderEnforcingWrapper(AssertOutOfBoundsWrapper(raw_aec_env(config, **settings)))
+
+
+class VariantModule(ModuleType):
+    """A module with the environments of one variant, as PettingZoo's own modules have them.
+
+    Parameters
+    ----------
+    variant : str
+        A name of `matrixworld.VARIANTS`.
+
+    Attributes
+    ----------
+    env, raw_env, parallel_env : callable
+        `aec_env`, `raw_aec_env` and `parallel_env` with the rules of the variant; they take the
+        other arguments.
+    """
+
+    __all__: list[str]
+    env: Callable[..., AECWrapper]
+    raw_env: Callable[..., MatrixWorldAEC]
+    parallel_env: Callable[..., MatrixWorldParallel]
+
+    def __init__(self, variant: str) -> None:
+        name = f"pursuit_evasion_{variant.lower()}_v0"
+        super().__init__(f"matrixworld.envs.{name}", docstring(variant, name))
+        # `import` and `importlib.util.find_spec` ask modules for it; there is nothing to load.
+        self.__spec__ = ModuleSpec(self.__name__, loader=None, origin=__name__)
+        self.__package__ = "matrixworld.envs"
+        self.__all__ = ["env", "parallel_env", "raw_env"]
+
+        def env(**settings: Any) -> AECWrapper:
+            """Make the AEC environment, in PettingZoo's wrappers; see `matrixworld.aec_env`."""
+            return aec_env(variant, **settings)
+
+        def raw_env(**settings: Any) -> MatrixWorldAEC:
+            """Make the AEC environment without wrappers; see `matrixworld.aec_env`."""
+            return raw_aec_env(variant, **settings)
+
+        def parallel(**settings: Any) -> MatrixWorldParallel:
+            """Make the parallel environment; see `matrixworld.parallel_env`."""
+            return parallel_env(variant, **settings)
+
+        self._add(env=env, raw_env=raw_env, parallel_env=parallel)
+
+    def _add(self, **makers: Callable[..., Any]) -> None:
+        for name, maker in makers.items():
+            # With these names pickle finds the function in another process.
+            maker.__module__, maker.__name__, maker.__qualname__ = self.__name__, name, name
+            setattr(self, name, maker)
+
+
+def add_module(variant: str, package: str) -> VariantModule:
+    """Make the module of a variant importable from `package`, and known to ``pettingzoo.make``."""
+    module = VariantModule(variant)
+    name = module.__name__.rpartition(".")[2]
+    sys.modules[module.__name__] = module
+    setattr(sys.modules[package], name, module)
+    register("aec", f"matrixworld/{name}", module.env)
+    register("parallel", f"matrixworld/{name}", module.parallel_env)
+    return module
+
+
+def docstring(variant: str, name: str) -> str:
+    """Return the docstring of the module `name` in Markdown: texts, facts and rules."""
+    config = WorldConfig(variant)
+    text = VARIANT_TEXTS.get(variant)
+    if text is None:  # the tests say which text is missing; the games work without it
+        prose = [f"# -{variant}"]
+    else:
+        paragraphs = (text.models, text.choose, f"To observe: {text.observe.strip()}")
+        prose = [f"# -{variant}: {text.title}", *map(_filled, paragraphs)]
+    return "\n\n".join([*prose, _table(_facts(name, config)), _rules(config.rules), _CLOSING, ""])
+
+
+def _filled(paragraph: str) -> str:
+    words = " ".join(paragraph.split())
+    return textwrap.fill(words, COLUMNS, break_long_words=False, break_on_hyphens=False)
+
+
+def _facts(name: str, config: WorldConfig) -> dict[str, str]:
+    """Return what PettingZoo's pages state first of an environment."""
+    teams = (("pursuer", config.n_pursuers), ("evader", config.n_evaders))
+    return {
+        "Import": f"`from matrixworld.envs import {name}`",
+        "Make": f'`pettingzoo.make("parallel", "matrixworld/{name}")`',
+        "Actions": "Discrete",
+        "Parallel API": "Yes",
+        "AEC API": "Yes",
+        "Number of agents": f"`{config.n_agents}`",
+        "Agents": ", ".join(f"`{team}_0` ... `{team}_{n - 1}`" for team, n in teams),
+        "Action Shape": "`()`",
+        "Action Values": f"`Discrete({config.n_actions})`",
+        "Observation Shape": f"`(3, {config.fov}, {config.fov})`",
+        "Observation Values": "`0, 1`",
+        "State Shape": f"`(3, {config.rows}, {config.cols})`",
+        "State Values": "`0, 1`",
+    }
+
+
+def _rules(rules: Rules) -> str:
+    if rules.removes_captured:
+        captured = "disappears"
+    elif rules.capture is Capture.SURROUND:
+        captured = "stays, and is free again when the ring opens"
+    else:
+        captured = "stays and moves on"
+    rows = {
+        "agents move": _MOVES[rules.interaction],
+        "an agent that runs into an obstacle or the border": _OUTCOMES[rules.obstacle],
+        "an agent that collides with a teammate": _OUTCOMES[rules.teammate],
+        "an evader that collides with a pursuer": _OUTCOMES[rules.evader],
+        "a pursuer that collides with an evader": _OUTCOMES[rules.pursuer],
+        "an evader is captured when": _CAPTURES[rules.capture],
+        "a captured evader": captured,
+    }
+    return _table(rows, head="rule")
+
+
+def _table(rows: dict[str, str], head: str = "") -> str:
+    """Return a Markdown table of two columns."""
+    first = f"| {head} | |" if head else "| | |"
+    return "\n".join([first, "|---|---|", *(f"| {key} | {value} |" for key, value in rows.items())])

@@ -1,0 +1,243 @@
+"""Figures of payoff matrices: every pursuer generation against every evader generation."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.image import AxesImage
+from matplotlib.patheffects import Normal, Stroke
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld import analysis, colors
+from matrixworld.plots.style import DASHES, legend_below, new_figure, unit_axis, whole_numbers
+
+COLORMAP = "viridis"
+"""Perceptually uniform and safe for colour-blind readers; dark is escape, light is capture."""
+
+FEWEST_CELLS = 5
+"""A lag whose mean rests on fewer cells is drawn faintly."""
+
+_SCALE = "capture rate (0 all escape, 1 all caught)"
+
+
+def payoff_heatmap(payoff: ArrayLike, *, title: str = "Capture rate, all against all") -> Figure:
+    """Draw a payoff matrix as a heat map.
+
+    The dashed line marks opponents of the same generation.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Mean capture rate of each pursuer generation against each evader generation.
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As :func:`matrixworld.analysis.check_payoff` does.
+    """
+    rows, columns = analysis.check_payoff(payoff).shape
+    figure = new_figure(min(12.0, max(4.0, 1.7 + 4.1 * columns / rows)), 5.0)
+    axes = figure.add_subplot()
+    image = _draw_heatmap(axes, payoff)
+    axes.set_title(title)
+    figure.colorbar(image, ax=axes, label=_SCALE, shrink=0.9)
+    return figure
+
+
+def generalization_curves(
+    payoff: ArrayLike,
+    *,
+    pursuer_baselines: Mapping[str, float] | None = None,
+    evader_baselines: Mapping[str, float] | None = None,
+    title: str = "Generalisation: mean score against all opponents",
+) -> Figure:
+    """Draw the mean score of each generation against all opponents.
+
+    The score of pursuers is the capture rate, that of evaders is 1 minus the capture rate.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Mean capture rate of each pursuer generation against each evader generation.
+    pursuer_baselines, evader_baselines : mapping of str to float, optional
+        Mean scores in [0, 1] of teams that were trained in another way, against the same opponents.
+        Each is drawn as a level line with its name.
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError
+        If a baseline is outside [0, 1], or as :func:`matrixworld.analysis.check_payoff` does.
+    """
+    figure = new_figure(6.4, 4.2)
+    axes = figure.add_subplot()
+    _draw_generalization(axes, payoff)
+    for team, baselines in enumerate((pursuer_baselines or {}, evader_baselines or {})):
+        _draw_baselines(axes, baselines, colors.TEAMS[team])
+    axes.set_title(title)
+    legend_below(figure, *axes.get_legend_handles_labels())
+    return figure
+
+
+def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figure:
+    """Draw the lag profile: the mean over k of ``payoff[k + d, k]`` for each lag d.
+
+    A flat curve with a notch at 0 means specialists, which win against their own opponents only. A
+    rising curve means that later generations win against earlier and later opponents as well.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Mean capture rate of each pursuer generation against each evader generation.
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure. Lags with fewer than `FEWEST_CELLS` cells are faint.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As :func:`matrixworld.analysis.check_payoff` does.
+    """
+    figure = new_figure(6.4, 4.2)
+    axes = figure.add_subplot()
+    _draw_lag_profile(axes, payoff)
+    axes.set_title(title)
+    return figure
+
+
+def comparison(payoffs: Mapping[str, ArrayLike], *, title: str | None = None) -> Figure:
+    """Draw several races side by side, on the same scales.
+
+    Each column is a race: its heat map, its lag profile and its generalisation curves, below its
+    name and the verdict of :func:`matrixworld.analysis.summarize`.
+
+    Parameters
+    ----------
+    payoffs : mapping of str to array_like of float
+        Payoff matrices of at least 2 x 2, by the name of the race.
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError
+        If there are no races, or as :func:`matrixworld.analysis.check_payoff` does.
+    """
+    if not payoffs:
+        raise ValueError("expected at least one race to draw, got none")
+    figure = new_figure(1.2 + 4.0 * len(payoffs), 10.0)
+    grid = figure.subplots(3, len(payoffs), squeeze=False, height_ratios=(1.7, 1.0, 1.0))
+    images = [
+        _draw_race(column, name, payoff)
+        for (name, payoff), column in zip(payoffs.items(), grid.T, strict=True)
+    ]
+    figure.colorbar(images[0], ax=list(grid[0]), label=_SCALE, shrink=0.9)
+    legend_below(figure, *grid[2, 0].get_legend_handles_labels())
+    for axes in grid[:, 1:].flat:
+        axes.set_ylabel("")
+    if title:
+        figure.suptitle(title)
+    return figure
+
+
+def _draw_race(column: NDArray[np.object_], name: str, payoff: ArrayLike) -> AxesImage:
+    image = _draw_heatmap(column[0], payoff)
+    column[0].set_title(name, fontweight="bold", pad=34)
+    column[0].annotate(
+        _verdict(payoff), (0.5, 1.0), xytext=(0, 5), xycoords="axes fraction",
+        textcoords="offset points", ha="center", va="bottom", size="small",
+    )  # fmt: skip
+    _draw_lag_profile(column[1], payoff)
+    _draw_generalization(column[2], payoff)
+    for axes, title in zip(column[1:], ("lag profile", "generalisation"), strict=True):
+        axes.set_title(title, size="medium")
+    return image
+
+
+def _verdict(payoff: ArrayLike) -> str:
+    summary = analysis.summarize(payoff)
+    late = summary.last_half
+    numbers: list[str] = []
+    if late.transitive_share is not None:
+        numbers.append(f"transitive share {late.transitive_share:.2f}")
+    if late.checkerboard_share is not None:
+        numbers.append(f"checkerboards {late.checkerboard_share:.1%}")
+    verdict = summary.verdict
+    looks = verdict if verdict == "undecided" else f"looks like {verdict}"
+    return f"{looks}\nlast half: {', '.join(numbers) or 'no variance'}"
+
+
+def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
+    matrix = analysis.check_payoff(payoff)
+    image = axes.imshow(matrix, origin="lower", vmin=0.0, vmax=1.0, cmap=COLORMAP)
+    end = min(matrix.shape) - 0.5
+    # The light outline keeps the line visible on dark cells.
+    axes.plot(
+        (-0.5, end), (-0.5, end), color=colors.INK, linestyle="--", linewidth=1.2,
+        path_effects=[Stroke(linewidth=2.6, foreground=colors.PAPER), Normal()],
+    )  # fmt: skip
+    axes.set(xlabel="evader generation", ylabel="pursuer generation")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(whole_numbers(6))
+    axes.set(xlim=(-0.5, matrix.shape[1] - 0.5), ylim=(-0.5, matrix.shape[0] - 0.5))
+    return image
+
+
+def _draw_generalization(axes: Axes, payoff: ArrayLike) -> None:
+    scores = analysis.generalization(payoff)
+    labels = ("pursuers: capture rate", "evaders: 1 - capture rate")
+    for curve, label, color in zip(scores, labels, colors.TEAMS, strict=True):
+        axes.plot(curve, color=color, label=label, linewidth=1.8)
+    axes.set(xlabel="generation", ylabel="mean score")
+    axes.xaxis.set_major_locator(whole_numbers(6))
+    axes.margins(x=0.02)
+    unit_axis(axes)
+
+
+def _draw_baselines(axes: Axes, baselines: Mapping[str, float], color: str) -> None:
+    for index, (name, score) in enumerate(baselines.items()):
+        level = float(analysis.check_rates([score], ndim=1, what=f"baseline {name!r}")[0])
+        dashes = DASHES[index % len(DASHES)]
+        axes.axhline(level, color=color, linestyle=dashes, linewidth=1.3, label=name)
+
+
+def _draw_lag_profile(axes: Axes, payoff: ArrayLike) -> None:
+    profile = analysis.lag_profile(payoff)
+    # In a small matrix no lag has FEWEST_CELLS cells; the middle half of its lags is solid then.
+    solid = profile.cells >= min(FEWEST_CELLS, (profile.cells.max() + 1) // 2)
+    axes.plot(profile.lags, profile.means, color=colors.INK, alpha=0.3, linewidth=1.0)
+    axes.plot(profile.lags[solid], profile.means[solid], color=colors.INK, linewidth=1.8)
+    axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
+    axes.set(xlabel="lag: pursuer minus evader generation", ylabel="mean capture rate")
+    axes.xaxis.set_major_locator(whole_numbers(8))
+    axes.margins(x=0.02)
+    unit_axis(axes)
+    aside: dict[str, Any] = {"color": colors.MUTED, "size": "small", "transform": axes.transAxes}
+    axes.text(0.02, 0.97, "evaders are later", ha="left", va="top", **aside)
+    axes.text(0.98, 0.03, "pursuers are later", ha="right", va="bottom", **aside)

@@ -1,0 +1,185 @@
+"""Figures of a race while it learns: capture rates and collisions over time."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld import analysis, colors
+from matrixworld.plots.style import (
+    DASHES,
+    legend_below,
+    new_figure,
+    plain_axis,
+    unit_axis,
+    whole_numbers,
+)
+from matrixworld.rules import KINDS
+
+_TEAMS = ("pursuers", "evaders")
+_MARKED = 100  # curves with up to this many points have a marker at each
+
+
+def training_curve(
+    rates: ArrayLike,
+    learners: ArrayLike | None,
+    *,
+    generations: ArrayLike | None = None,
+    window: int = 1,
+    unit: str = "epoch",
+    title: str = "Capture rate while pursuers and evaders learn in turn",
+) -> Figure:
+    """Draw the capture rate over training, coloured by the team that learns.
+
+    Parameters
+    ----------
+    rates : array_like of float, shape (T,)
+        Capture rate at each `unit`.
+    learners : array_like of int, shape (T,), or None
+        0 where the pursuers learn, 1 where the evaders learn. None if both learn all the time.
+    generations : array_like of int, shape (T,), optional
+        Generation of each point, for a second axis on top.
+    window : int, optional
+        Points of a centred moving average (the paper's figure uses 30). With more than 1 the raw
+        curve is drawn thin behind the mean.
+    unit : str, optional
+        Label of the axis, such as "epoch" or "team phase".
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError
+        If a rate is outside [0, 1], a learner is neither 0 nor 1, the lengths differ, or `window`
+        is below 1.
+    """
+    values = analysis.check_rates(rates, ndim=1, what="training capture rates")
+    shades = _shades(learners, len(values))
+    figure = new_figure(8.0, 3.8)
+    axes = figure.add_subplot()
+    if window > 1:
+        axes.add_collection(_in_pieces(values, shades, alpha=0.25, linewidth=0.6))
+    smooth = _moving_average(values, window)
+    axes.add_collection(_in_pieces(smooth, shades, linewidth=1.6))
+    if len(values) <= _MARKED:
+        place = np.arange(1, len(values) + 1)
+        axes.scatter(place, smooth, s=14, c=shades, zorder=3)
+    axes.set(title=title, xlabel=unit, ylabel="capture rate", xlim=(0.5, len(values) + 0.5))
+    axes.xaxis.set_major_locator(whole_numbers(10))
+    unit_axis(axes)
+    if generations is not None:
+        _generation_axis(axes, np.asarray(generations), len(values))
+    learning = {f"{t} learn": c for t, c in zip(_TEAMS, colors.TEAMS, strict=True) if c in shades}
+    if learning:
+        legend_below(figure, [Line2D([], [], color=c) for c in learning.values()], [*learning])
+    return figure
+
+
+def collision_rates(
+    rates: ArrayLike, *, title: str = "Collisions per 1000 agent-steps, by kind"
+) -> Figure:
+    """Draw collisions over generations, one panel per team.
+
+    Parameters
+    ----------
+    rates : array_like of float, shape (G, 2, 3)
+        Collisions per 1000 agent-steps of the generations 0, 1 and so on, by team (pursuers,
+        evaders) and kind (obstacle, teammate, adversary).
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError
+        If the shape is another, or a rate is negative or infinite.
+    """
+    values = np.asarray(rates, dtype=np.float64)
+    if values.ndim != 3 or values.shape[1:] != (2, 3) or not len(values):
+        raise ValueError(f"expected collision rates of shape (G, 2, 3), got {values.shape}")
+    bad = values[~(np.isfinite(values) & (values >= 0))]
+    if len(bad):
+        raise ValueError(f"expected finite collision rates of at least 0, got {bad[0]}")
+    figure = new_figure(8.4, 3.8)
+    panels = figure.subplots(1, 2, sharey=True)
+    for team, axes in enumerate(panels):
+        _draw_collisions(axes, values[:, team], _TEAMS[team], colors.TEAMS[team])
+    panels[0].set_ylabel("collisions per 1000 agent-steps")
+    panels[0].set_ylim(bottom=0.0)
+    legend_below(figure, *panels[0].get_legend_handles_labels(), columns=3)
+    figure.suptitle(title)
+    return figure
+
+
+def _draw_collisions(axes: Axes, rates: NDArray[np.float64], team: str, color: str) -> None:
+    marker = "o" if len(rates) <= _MARKED else ""
+    for kind, curve in enumerate(rates.T):
+        axes.plot(
+            curve, label=f"with {KINDS[kind]}", color=colors.CONFLICTS[kind],
+            linestyle=("-", *DASHES)[kind], marker=marker, markersize=3,
+        )  # fmt: skip
+    axes.set_title(team, color=color)
+    axes.set_xlabel("generation")
+    axes.xaxis.set_major_locator(whole_numbers(6))
+    plain_axis(axes)
+
+
+def _learners(learners: ArrayLike, length: int) -> NDArray[np.int64]:
+    teams = np.asarray(learners)
+    if teams.shape != (length,) or not np.isin(teams, (0, 1)).all():
+        raise ValueError(
+            f"expected learners of shape ({length},), 0 for pursuers and 1 for evaders, "
+            f"got shape {teams.shape} with values {np.unique(teams)[:5].tolist()}"
+        )
+    return teams.astype(np.int64)
+
+
+def _shades(learners: ArrayLike | None, length: int) -> list[str]:
+    """Return the colour of each point: that of the team that learns."""
+    if learners is None:
+        return [colors.INK] * length
+    return [colors.TEAMS[team] for team in _learners(learners, length)]
+
+
+def _in_pieces(values: NDArray[np.float64], shades: list[str], **style: Any) -> LineCollection:
+    """Return the curve, each piece in the colour of the point that it leads to."""
+    points = np.column_stack([np.arange(1, len(values) + 1), values])
+    pieces = np.stack([points[:-1], points[1:]], axis=1)
+    return LineCollection(list(pieces), colors=shades[1:], capstyle="round", **style)
+
+
+def _moving_average(values: NDArray[np.float64], window: int) -> NDArray[np.float64]:
+    """Return the centred mean of `window` points, and of fewer at both ends."""
+    if window < 1:
+        raise ValueError(f"expected a window of at least 1 point, got {window}")
+    window = min(window, len(values))
+    kernel = np.ones(window)
+    counts = np.convolve(np.ones(len(values)), kernel, mode="same")
+    average: NDArray[np.float64] = np.convolve(values, kernel, mode="same") / counts
+    return average
+
+
+def _generation_axis(axes: Axes, generations: NDArray[np.int64], length: int) -> None:
+    """Add a second axis on top that shows where each generation begins."""
+    if generations.shape != (length,):
+        raise ValueError(f"expected generations of shape ({length},), got {generations.shape}")
+    names, starts = np.unique(generations, return_index=True)
+    every = max(1, round(len(names) / 10))
+    top = axes.secondary_xaxis("top")
+    top.set_xticks(starts[::every] + 1, [str(name) for name in names[::every]])
+    top.set_xlabel("generation")
