@@ -22,7 +22,10 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "how_to_add.md"
-COPIED = ("CMakeLists.txt", "pyproject.toml", "README.md", "LICENSE", "cpp", "python", "tests", "docs")
+COPIED = (
+    *("CMakeLists.txt", "pyproject.toml", "README.md", "LICENSE"),
+    *("cpp", "python", "tests", "docs"),
+)
 NOT_COPIED = shutil.ignore_patterns("__pycache__", "*.png", ".hypothesis")
 
 FENCE = re.compile(r"^```(?P<kind>\w+)(?P<rest>[^\n]*)\n(?P<text>.*?)^```$", re.M | re.S)
