@@ -14,6 +14,19 @@ import numpy as np
 from matrixworld._core import Blame, Capture, Interaction, Outcome
 from matrixworld.checks import check_bool
 
+__all__ = [
+    "KINDS",
+    "VARIANTS",
+    "Action",
+    "Blame",
+    "Capture",
+    "Interaction",
+    "Outcome",
+    "Rewards",
+    "Rules",
+    "rules_of",
+]
+
 KINDS = ("obstacle", "teammate", "adversary")
 """The kinds of collision, in the order of the last axis of ``involved`` and ``fault``."""
 

@@ -17,8 +17,8 @@ from pathlib import Path
 from typing import Any
 from unittest import mock
 
-from matrixworld import coevolution
-from matrixworld.coevolution.storage import files, run_log
+from matrixworld import coevolution, files
+from matrixworld.coevolution.storage import run_log
 from matrixworld.rollout import rollout
 from tiny_race import tiny_race, tiny_single
 

@@ -29,8 +29,8 @@ from matrixworld.cli.options import (
 )
 from matrixworld.cli.progress import note, progress
 from matrixworld.coevolution import RaceSettings
-from matrixworld.coevolution.storage.files import save_json
 from matrixworld.config import WorldConfig
+from matrixworld.files import save_json
 from matrixworld.rules import VARIANTS, rules_of
 
 HIDDEN = ((32,), (64, 64), (400, 300))

@@ -11,7 +11,7 @@ from matrixworld.analysis import Diagnosis, Payoffs, diagnose, read_payoffs
 from matrixworld.cli.arguments import failures, find_runs
 from matrixworld.cli.report import is_race, print_wrapped
 from matrixworld.coevolution import open_run
-from matrixworld.coevolution.storage.files import save_json
+from matrixworld.files import save_json
 
 FILES = (".csv", ".npz")
 SINGLE_RUN = (

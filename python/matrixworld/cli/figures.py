@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.coevolution import HALL_OF_FAME, TEAMS, Payoff, SavedRun, SingleSettings, open_run
-from matrixworld.episode import replacing
+from matrixworld.files import replacing
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -12,8 +12,8 @@ import click
 from matrixworld.analysis import Summary, describe, summarize
 from matrixworld.cli.figures import draw_comparison, draw_run
 from matrixworld.coevolution import SavedRun, SingleSettings, open_run
-from matrixworld.coevolution.storage.files import save_json
 from matrixworld.coevolution.types import other
+from matrixworld.files import save_json
 
 CLAIMS = {"specialist-specialist": "cycling", "generalist-generalist": "progress"}
 """What the paper reports of its schedules (Sun et al. 2023)."""

@@ -11,7 +11,7 @@ from matrixworld.cli.arguments import failures, run_of, threads_option
 from matrixworld.cli.progress import progress
 from matrixworld.cli.report import print_wrapped
 from matrixworld.coevolution import HeldOutScores, SavedRun, Team, open_run, score
-from matrixworld.coevolution.storage.files import save_json
+from matrixworld.files import save_json
 
 ALL = "all"
 LAST = -1

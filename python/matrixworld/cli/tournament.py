@@ -13,7 +13,7 @@ from matrixworld.cli.figures import save_figure
 from matrixworld.cli.progress import progress
 from matrixworld.cli.report import print_wrapped
 from matrixworld.coevolution import Payoff, SavedRun, open_run, tournament
-from matrixworld.coevolution.storage.files import save_arrays
+from matrixworld.files import save_arrays
 from matrixworld.policy import Population
 
 SHORTEST_RACE = 2

@@ -159,7 +159,8 @@ def test_views_that_do_not_fit_meet_scripts_only(tmp_path):
     found = score(open_run(tmp_path / "run"), episodes=2)["evader"]
     assert found.opponents == tuple(SCRIPTED["pursuer"])
     assert found.left_out == (
-        "no evolved opponents: they see 11 x 11 cells and know 5 actions, here it is 3 x 3 and 5"
+        "no evolved opponents: they have a view of 11 x 11 cells and 5 actions, "
+        "this world has 3 x 3 and 5"
     )
     start(tiny_race(**FITTING, diagonal=True), tmp_path / "diagonal")
     found = score(open_run(tmp_path / "diagonal"), episodes=2)["pursuer"]
@@ -172,7 +173,7 @@ def test_what_a_run_has_learnt_against_is_not_held_out(tmp_path):
     scores = score(open_run(tmp_path / "run"), episodes=2)
     assert list(scores) == ["evader"]
     assert scores["evader"].opponents == ("random", "clumsy-chaser", "hunter")
-    assert scores["evader"].left_out.startswith("not chaser, which the run has learnt against; no ")
+    assert scores["evader"].left_out.startswith("not chaser: the run trained against it; no ")
 
 
 def test_a_single_team_is_scored_alone(tmp_path, race):
@@ -222,7 +223,7 @@ def test_the_command_says_what_it_left_out(tmp_path):
     with pytest.raises(KeyboardInterrupt):
         run.run()
     told = matrixworld_command("score", tmp_path / "run", "--episodes", 2).stdout
-    assert "Left out: no evolved opponents: they see 11 x 11" in told
+    assert "Left out: no evolved opponents: they have a view of 11 x 11" in told
 
 
 @pytest.mark.parametrize(

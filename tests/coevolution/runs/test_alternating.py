@@ -20,7 +20,7 @@ from matrixworld.coevolution import (
     evaluation_seed,
     open_run,
 )
-from matrixworld.coevolution.settings_json import settings_from_json, settings_to_json
+from matrixworld.coevolution.settings import settings_from_json, settings_to_json
 from matrixworld.policy import Population
 from matrixworld.rollout import Matches, rollout
 from matrixworld.rules import VARIANTS

@@ -105,9 +105,7 @@ def test_settings_are_the_run_s_world_and_the_budget(race):
     assert (settings.train_steps, settings.eval_steps, settings.seed) == (12, 12, 5)
     changed = response_settings(run, "evader", 1000, population=10, worlds=3, train_steps=4)
     assert (changed.epochs, changed.train_steps) == (33, 4)
-    with pytest.raises(
-        ValueError, match="matches: expected at least 48, those of an epoch, got 47"
-    ):
+    with pytest.raises(ValueError, match=r"matches: expected at least 48 \(one epoch\), got 47"):
         response_settings(run, "evader", 47)
 
 
@@ -181,7 +179,7 @@ def test_words_for_a_gain_and_for_none(race, tmp_path):
     ("options", "code", "message"),
     [
         ([], 2, "Missing option '--team'"),
-        (["--team", "pursuer", "--matches", "47"], 2, "expected at least 48, those of an epoch"),
+        (["--team", "pursuer", "--matches", "47"], 2, "expected at least 48 (one epoch)"),
         (["--team", "pursuer", "--output", "{race}"], 2, "expected a single run, got 'race'"),
     ],
 )

@@ -20,7 +20,7 @@ def hall_of_fame(**changes):
 
 def test_everybody_meets_the_same_number_of_opponents():
     met = pairings(5, 3, (1, 2), np.random.default_rng(0))
-    assert len(met.pursuer) == len(met.evader) == len(met.round) == 5 * (3 + 1 + 2)
+    assert len(met.pursuer) == len(met.evader) == len(met.group) == 5 * (3 + 1 + 2)
     for individual in range(5):
         opponents = met.evader[met.pursuer == individual]
         assert sorted(opponents[opponents >= 5]) == [5, 6]
@@ -29,7 +29,7 @@ def test_everybody_meets_the_same_number_of_opponents():
         assert sorted(opponents[opponents >= 5]) == [5]
         assert (opponents < 5).sum() == 3
     assert not ((met.pursuer >= 5) & (met.evader >= 5)).any()
-    assert np.array_equal(met.round, np.repeat(np.arange(6), 5))
+    assert np.array_equal(met.group, np.repeat(np.arange(6), 5))
 
 
 def test_matches_as_a_table_of_individuals():

@@ -149,10 +149,10 @@ def test_opponents_selected_by_results_depend_on_them(tmp_path):
     race = coevolution.start(alternating("prioritized-hard"), tmp_path / "run")
     race.run()
     state = race.files.restore().state
-    games = state["pursuer.met.games"]
+    games = state["pursuer.sampler.games"]
     assert games.shape == (4,)
     assert (games > 0).all()
-    rates = state["pursuer.met.wins"] / games
+    rates = state["pursuer.sampler.wins"] / games
     assert ((rates >= 0) & (rates <= 1)).all()
     again = coevolution.resume(tmp_path / "run")
     assert np.array_equal(again.matchmaking.samplers["pursuer"].win_rates(4), rates)

@@ -13,6 +13,7 @@ import pytest
 
 import killed
 from command_line import MAIN_JOB, RACE, matrixworld_command, words
+from matrixworld import files
 from matrixworld.cli import jobs, report
 from matrixworld.coevolution import (
     DamagedFileError,
@@ -22,7 +23,6 @@ from matrixworld.coevolution import (
     open_run,
     resume,
 )
-from matrixworld.coevolution.storage import files
 from tiny_race import RESULTS, StopAt, directory_in_memory, results, tiny_race
 
 PREVIOUS = ("archive.previous.npz", "checkpoint.previous.npz")
@@ -195,9 +195,9 @@ def rewritten(directory, change):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda config: config.update(format=1), r"expected format 2, got 1"),
+        (lambda config: config.update(format=1), r"expected format 3, got 1"),
         (lambda config: config.update(format=99, matrixworld="9.9"), r"written by matrixworld 9.9"),
-        (lambda config: config.pop("format"), r"expected format 2, got None"),
+        (lambda config: config.pop("format"), r"expected format 3, got None"),
         (lambda config: config["settings"].pop("seed"), r"missing fields \['seed'\]"),
         (lambda config: config["settings"].update(speed=1), r"unknown fields \['speed'\]"),
         (lambda config: config["settings"].update(learner="annealing"), "learner: expected one of"),
@@ -235,7 +235,7 @@ def test_pickled_objects_are_not_loaded(straight, tmp_path, monkeypatch, name, s
     buffer = io.BytesIO()
     np.savez(buffer, pursuers=np.array([Trap()], dtype=object))
     owner = RunDirectory.open(copy)._owner_of(name)
-    content = files._signed(buffer.getvalue(), owner) if sealed else buffer.getvalue()
+    content = files._sealed(buffer.getvalue(), owner) if sealed else buffer.getvalue()
     (copy / f"{name}.npz").write_bytes(content)
     with pytest.raises(DamagedFileError, match=f"{name}.npz: "):
         files.load_arrays(copy / f"{name}.npz", owner=owner)

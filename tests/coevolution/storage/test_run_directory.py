@@ -1,4 +1,4 @@
-"""Files that are whole or refused, and the directory that they make up."""
+"""Run directories: checkpoints, the log, locks, and files that are damaged."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ import warnings
 import numpy as np
 import pytest
 
+from matrixworld import files
 from matrixworld.coevolution import (
     DamagedFileError,
     LockedError,
     OtherVersionError,
     RunDirectory,
 )
-from matrixworld.coevolution.storage import files
 from matrixworld.coevolution.storage.run_log import COLUMNS, RunLog, read_log
 
 
@@ -51,71 +51,6 @@ def alter(path):
     path.write_bytes(bytes(content))
 
 
-def test_arrays_come_back(tmp_path):
-    arrays = {"a": np.arange(6.0).reshape(2, 3), "text": np.array("abc"), "none": np.zeros((0, 4))}
-    files.save_arrays(tmp_path / "x.npz", arrays)
-    back = files.load_arrays(tmp_path / "x.npz")
-    assert back.keys() == arrays.keys()
-    for name, array in arrays.items():
-        assert back[name].dtype == array.dtype
-        assert np.array_equal(back[name], array)
-    with np.load(tmp_path / "x.npz", allow_pickle=False) as plain:
-        assert np.array_equal(plain["a"], arrays["a"])
-
-
-def test_objects_are_not_pickled(tmp_path):
-    with pytest.raises(TypeError, match="things: expected numbers or text"):
-        files.save_arrays(tmp_path / "x.npz", {"things": np.array([{}])})
-    assert not list(tmp_path.iterdir())
-
-
-def saved_arrays(path):
-    files.save_arrays(path, {"a": np.arange(4.0)})
-    return files.load_arrays
-
-
-def saved_json(path):
-    files.save_json(path, {"a": [1, 2.5], "b": "text"})
-    return files.load_json
-
-
-@pytest.mark.parametrize("save", [saved_arrays, saved_json])
-def test_every_cut_is_refused(tmp_path, save):
-    path = tmp_path / "x"
-    load = save(path)
-    whole = path.read_bytes().rstrip()
-    for length in range(len(whole)):
-        path.write_bytes(whole[:length])
-        with pytest.raises(DamagedFileError, match=r"x: (cut|altered)"):
-            load(path)
-
-
-@pytest.mark.parametrize("save", [saved_arrays, saved_json])
-def test_every_altered_byte_is_refused(tmp_path, save):
-    path = tmp_path / "x"
-    load = save(path)
-    whole = path.read_bytes()
-    for position, byte in enumerate(whole):
-        if byte > ord(" ") or save is saved_arrays:  # white space carries no content in JSON
-            path.write_bytes(whole[:position] + bytes([byte ^ 0x11]) + whole[position + 1 :])
-            with pytest.raises(DamagedFileError, match=r"x: (cut|altered)"):
-                load(path)
-
-
-def test_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
-    path = tmp_path / "x.json"
-    files.save_json(path, {"a": 1})
-
-    def full(handle):
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(os, "fsync", full)
-    with pytest.raises(OSError, match="No space left"):
-        files.save_json(path, {"a": 2})
-    assert files.load_json(path) == {"a": 1}
-    assert [item.name for item in tmp_path.iterdir()] == ["x.json"]
-
-
 def test_new_run_wants_an_empty_directory(tmp_path):
     (tmp_path / "notes.txt").write_text("mine")
     with pytest.raises(FileExistsError, match=r"expected a new or empty directory.*notes.txt"):
@@ -130,8 +65,8 @@ def test_directory_without_a_run_is_refused(tmp_path):
 
 def test_other_format_is_refused(run):
     config = run.config()
-    files.save_json(run.path / "config.json", {**config, "format": 3, "matrixworld": "9.1"})
-    expected = r"expected format 2, got 3 \(written by matrixworld 9.1"
+    files.save_json(run.path / "config.json", {**config, "format": 4, "matrixworld": "9.1"})
+    expected = r"expected format 3, got 4 \(written by matrixworld 9.1"
     with pytest.raises(OtherVersionError, match=expected):
         RunDirectory.open(run.path).config()
 
@@ -221,7 +156,7 @@ def test_log_is_cut_back_to_the_checkpoint(tmp_path):
     length, checksum = log.length, log.checksum
     log.append([row(2)])
     again = RunLog(tmp_path / "log.csv")
-    again.cut_back(length, checksum)
+    again.truncate(length, checksum)
     assert read_log(tmp_path / "log.csv", length, checksum)["epoch"].tolist() == [0, 1]
     again.append([row(2)])
     assert (again.length, again.checksum) == (log.length, log.checksum)
