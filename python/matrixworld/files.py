@@ -24,6 +24,7 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+# Both locks fail at once, instead of waiting, if another process holds them.
 if sys.platform == "win32":
     import msvcrt
 
@@ -110,6 +111,8 @@ def replacing(path: str | os.PathLike[str], *, keep_as: Path | None = None) -> I
         New name of the older file. By default it is lost.
     """
     target = Path(path)
+    # In the same directory, because a rename is atomic within one file system only. The number of
+    # the process separates writers that do not lock the directory.
     temporary = target.with_name(f".{target.name}.{os.getpid()}{TEMPORARY}")
     with naming(target):
         try:
@@ -119,6 +122,7 @@ def replacing(path: str | os.PathLike[str], *, keep_as: Path | None = None) -> I
                 # cut that the content does not.
                 file.flush()
                 os.fsync(file.fileno())
+            # After a crash between these two renames there is no `target`, but there is `keep_as`.
             if keep_as is not None and target.exists():
                 os.replace(target, keep_as)
             os.replace(temporary, target)
@@ -193,6 +197,7 @@ def load_arrays(path: Path, *, owner: str = "") -> Arrays:
         If the file is cut, altered or of another owner.
     """
     content = path.read_bytes()
+    # Checked before NumPy parses anything: an altered byte may still be a readable array.
     body, seal = content[:-SEAL_LENGTH], content[-SEAL_LENGTH:]
     if not seal.startswith(SEAL):
         raise DamagedFileError(path, "cut or altered, its checksum is missing")
@@ -238,6 +243,7 @@ def _seal(body: bytes, owner: str) -> bytes:
 
 def save_json(path: Path, values: Mapping[str, Any], *, owner: str = "") -> None:
     """Write a JSON object that carries its checksum; `owner` is as in `save_arrays`."""
+    # NaN is not JSON: other programs could not read the file.
     text = json.dumps({**values, CHECKSUM: json_digest(values, owner)}, indent=2, allow_nan=False)
     with replacing(path) as file:
         file.write(text.encode() + b"\n")
@@ -264,6 +270,7 @@ def load_json(path: Path, *, owner: str = "") -> dict[str, Any]:
 
 def json_digest(values: Mapping[str, Any], owner: str = "") -> str:
     """Return the checksum, 64 hexadecimal digits, of a JSON object of `owner`."""
+    # Of the values only: their order and the layout of the file may change.
     content = json.dumps(values, sort_keys=True).encode()
     return hashlib.sha256(owner.encode() + content).hexdigest()
 
@@ -282,8 +289,10 @@ def locked(path: Path) -> Iterator[None]:
 
     Notes
     -----
-    The system releases the lock when the process ends, however it ends. The file stays.
+    The system releases the lock when the process ends, even if it is killed.
     """
+    # The file is never removed: a process that still has it open would lock another file than one
+    # that makes it anew.
     handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
     try:
         try:

@@ -1,4 +1,4 @@
-"""Held-out opponents, and what runs score against them."""
+"""Held-out opponents, and the scores of runs against them."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_the_sets_of_two_variants_are_different():
     assert len({genomes.tobytes() for genomes in sets}) == 2 * len(mw.VARIANTS)
 
 
-def test_rules_of_one_s_own_have_scripts_only():
+def test_other_rules_have_scripts_only():
     rules = replace(mw.VARIANTS["SB"], captured_disappear=True, teammate=mw.Outcome.DISAPPEAR)
     assert list(held_out("pursuer", rules)) == [*SCRIPTED["pursuer"], "surrounder"]
     assert list(held_out("evader", rules)) == SCRIPTED["evader"]
@@ -73,8 +73,8 @@ def test_unknown_teams_and_variants_are_refused():
 
 
 @pytest.mark.parametrize("variant", ["R", "O", "TO", "SDB"])
-def test_the_evolved_are_no_random_walkers(variant):
-    """The better one catches far more, or escapes far more often, than a random walk does."""
+def test_evolved_opponents_are_better_than_random_walks(variant):
+    """The better of both captures, or escapes, far more often than a random walk."""
     surround = mw.VARIANTS[variant].capture is mw.Capture.SURROUND
     config = mw.WorldConfig(variant, max_steps=300)
     matches = mw.Matches.of(0, 0, np.uint64(3))
@@ -127,7 +127,7 @@ def test_all_generations_are_a_curve_of_single_ones(race):
         assert one.generations == (generation % 3,)
 
 
-def test_steps_and_seeds_are_heeded(race):
+def test_steps_and_seeds_have_an_effect(race):
     run = open_run(race)
 
     def rates(**changes: Any) -> np.ndarray:
@@ -168,7 +168,7 @@ def test_views_that_do_not_fit_meet_scripts_only(tmp_path):
     assert found.left_out.endswith("11 x 11 and 9")
 
 
-def test_what_a_run_has_learnt_against_is_not_held_out(tmp_path):
+def test_the_opponent_of_a_run_is_not_held_out(tmp_path):
     start(tiny_single(team="evader", against="chaser"), tmp_path / "run")
     scores = score(open_run(tmp_path / "run"), episodes=2)
     assert list(scores) == ["evader"]

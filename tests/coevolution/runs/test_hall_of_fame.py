@@ -18,7 +18,7 @@ def hall_of_fame(**changes):
     return tiny_race(schedule="hall-of-fame", **{**options, **changes})
 
 
-def test_everybody_meets_the_same_number_of_opponents():
+def test_all_individuals_have_the_same_number_of_opponents():
     met = pairings(5, 3, (1, 2), np.random.default_rng(0))
     assert len(met.pursuer) == len(met.evader) == len(met.group) == 5 * (3 + 1 + 2)
     for individual in range(5):

@@ -82,7 +82,7 @@ def test_checkpoint_comes_back(run):
 
 @pytest.mark.parametrize("damage", [cut, alter])
 @pytest.mark.parametrize("name", ["checkpoint.npz", "archive.npz", "log.csv"])
-def test_damaged_file_falls_back_to_the_checkpoint_before(run, name, damage):
+def test_the_checkpoint_before_is_used_if_a_file_is_damaged(run, name, damage):
     damage(run.path / name)
     reopened = RunDirectory.open(run.path)
     with pytest.warns(UserWarning, match=f"{name}: (cut|altered)"):
@@ -95,7 +95,7 @@ def test_damaged_file_falls_back_to_the_checkpoint_before(run, name, damage):
 
 
 @pytest.mark.parametrize("name", ["checkpoint", "archive"])
-def test_nothing_is_guessed_when_both_are_damaged(run, name):
+def test_an_error_is_raised_if_both_checkpoints_are_damaged(run, name):
     cut(run.path / f"{name}.npz")
     alter(run.path / f"{name}.previous.npz")
     with pytest.raises(DamagedFileError, match=rf"{name}.npz: cut.*{name}.previous.npz"):
@@ -110,7 +110,7 @@ def test_damaged_archive_is_not_shown_to_readers(run):
 
 @pytest.mark.parametrize("renames", range(1, 5))
 def test_kill_between_two_renames(run, monkeypatch, renames):
-    """Four renames make a save; whichever was the last, a whole checkpoint is found."""
+    """A save consists of four renames; after any of them there is an intact checkpoint."""
     replace, left = os.replace, [renames]
 
     def killed(source, target):
@@ -135,7 +135,7 @@ def test_kill_between_two_renames(run, monkeypatch, renames):
     assert len(run.log()["epoch"]) == stage
 
 
-def test_leftovers_of_killed_writers_are_swept(run):
+def test_temporary_files_of_killed_writers_are_removed(run):
     left = run.path / ".archive.npz.123.tmp"
     left.write_bytes(b"half")
     run.restore()
@@ -150,7 +150,7 @@ def test_one_writer_at_a_time(run):
         assert run.config()["kind"] == "race"
 
 
-def test_log_is_cut_back_to_the_checkpoint(tmp_path):
+def test_log_is_truncated_to_the_checkpoint(tmp_path):
     log = RunLog(tmp_path / "log.csv")
     log.append([row(0), row(1)])
     length, checksum = log.length, log.checksum
@@ -162,7 +162,7 @@ def test_log_is_cut_back_to_the_checkpoint(tmp_path):
     assert (again.length, again.checksum) == (log.length, log.checksum)
 
 
-def test_log_that_is_no_log_is_refused(tmp_path):
+def test_a_file_that_is_not_a_log_is_refused(tmp_path):
     path = tmp_path / "log.csv"
     content = b"generation,team\n1,evader\n"
     path.write_bytes(content)

@@ -104,6 +104,7 @@ def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
     return opponents
 
 
+# Read once: scores of many runs need it.
 @cache
 def _shipped() -> dict[str, NDArray[np.float16]]:
     with as_file(files("matrixworld.coevolution.evaluation") / FILE) as path:

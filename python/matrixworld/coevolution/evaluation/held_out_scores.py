@@ -147,6 +147,7 @@ def score_population(
     columns = []
     count = len(population.genomes)
     for number, opponent in enumerate(opponents.values()):
+        # The generation is not part of the key: all genomes play the same episodes.
         key = (TEAMS.index(team), number, int(Phase.HELD_OUT))
         matches = _matches(team, count, match_seed(seed, *key))
         sides = (population, opponent) if team == "pursuer" else (opponent, population)

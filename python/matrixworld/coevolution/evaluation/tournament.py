@@ -66,6 +66,7 @@ def tournament(
     rows = []
     n_evaders = _count(evaders)
     for g in range(_count(pursuers)):
+        # One row at a time, so that the progress can be reported.
         seeds = [evaluation_seed(seed, first[0] + g, first[1] + h) for h in range(n_evaders)]
         matches = Matches.of(g, np.arange(n_evaders), np.array(seeds, dtype=np.uint64))
         rows.append(play(config, pursuers, evaders, matches, worlds=episodes, threads=threads))
@@ -78,6 +79,7 @@ def _count(team: TeamPolicy) -> int:
 
 
 def _payoff(rows: list[EpisodeStatistics]) -> Payoff:
+    # Capture rates and lengths keep single episodes, from which intervals are computed.
     def stacked(name: str) -> NDArray[Any]:
         return np.stack([getattr(row, name) for row in rows])
 

@@ -85,6 +85,7 @@ class Race(Run[RaceSettings]):
 
     def learn(self, stage: int) -> None:
         """Let one team learn for the epochs of a generation, and archive its genome."""
+        # Pursuers in even stages, evaders in odd ones; generation 0 is untrained.
         generation, team = 1 + stage // 2, TEAMS[stage % 2]
         n_opponents = available(team, generation)
         n_before = available(team, generation - 1) if generation > 1 else 0
@@ -141,6 +142,7 @@ class Race(Run[RaceSettings]):
         if self.stage % self.stages_per_generation == 0:
             generation = self.stage // self.stages_per_generation
             for stretch in self.disengagements():
+                # Equal, not at least: a longer stretch has been reported before.
                 if stretch.last == generation and len(stretch) == PATIENCE:
                     warnings.warn(str(stretch), DisengagementWarning, stacklevel=4)
 
@@ -153,6 +155,7 @@ class Race(Run[RaceSettings]):
         stages = self.stages_per_generation
         finished = len(self.stage_capture_rates) // stages
         rates = np.array(self.stage_capture_rates[: finished * stages]).reshape(finished, stages)
+        # If a stage is a generation (as in `HallOfFameRace`), both phases have its rate.
         return np.broadcast_to(rates, (finished, 2))
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:

@@ -25,6 +25,7 @@ RESPONSE = "best_response.json"
 POPULATION = 48
 """Candidates per epoch: with few matches, many small steps learn more than few large ones."""
 
+# Settings that a response takes from the run of the champion.
 WORLD = ("variant", "rows", "cols", "pursuers", "evaders", "obstacles", "fov", "diagonal")
 POLICY = ("hidden", "activation")
 EVALUATION = ("eval_steps", "seed")
@@ -246,5 +247,6 @@ def _last(team: TeamPolicy) -> TeamPolicy:
 
 def _score(capture_rates: NDArray[np.float32], champion: Team) -> FloatArray:
     """Return the scores (episodes,) of the champion's opponent."""
+    # The opponent of an evader is a pursuer, whose score is the capture rate.
     captured = capture_rates.astype(np.float64).ravel()
     return captured if champion == "evader" else 1.0 - captured

@@ -91,6 +91,7 @@ def table_of_individuals(
     ndarray of float64, shape (n, m)
         Mean over the matches of a pair; NaN for a pair that did not play.
     """
+    # Matches of hall members themselves are not needed: they do not evolve any more.
     living, m = own < n, int(opponents.max()) + 1
     pair = own[living] * m + opponents[living]
     count = np.bincount(pair, minlength=n * m)
@@ -134,6 +135,7 @@ class HallOfFameRace(Race):
 
     def check_settings(self) -> None:
         """Raise ValueError unless the schedule is the hall of fame."""
+        # Not that of `Race`, which refuses this schedule.
         Run.check_settings(self)
         check_choice("schedule", self.settings.schedule, [HALL_OF_FAME])
 
@@ -182,6 +184,7 @@ class HallOfFameRace(Race):
             table = partial(table_of_individuals, players[team], players[other(team)], n)
             fitness[team] = self.training.fitness(scores, team, table)
             if len(sampled[team]):
+                # Columns from n on are the hall of fame.
                 self.matchmaking.samplers[team].tell(
                     sampled[team], table(win_rates(scores, team))[:, n:]
                 )

@@ -45,6 +45,7 @@ class Matchmaking:
         self, settings: RaceSettings, training: Training, archive: Mapping[Team, list[Genome]]
     ) -> None:
         self.settings, self.training, self.archive = settings, training, archive
+        # A hall-of-fame race without sampled opponents has samplers, too, but never asks them.
         count = max(1, settings.opponents_per_epoch)
         self.samplers: dict[Team, OpponentSampler] = {
             team: SAMPLERS[settings.sampler_name(team)](count, settings.archive_size)
@@ -93,6 +94,7 @@ class Matchmaking:
         def payoff(candidates: Members, tests: Members) -> FloatArray:
             generations = {team: candidates, other(team): tests}
             captured = self._capture_rates(generations["pursuer"], generations["evader"])
+            # Archives are the same for both teams: rows are candidates, and higher is better.
             rates = captured if team == "pursuer" else 1.0 - captured.T
             return rates if graded else (1.0 + np.sign(np.round(rates - EVEN, DECIMALS))) / 2.0
 
@@ -106,6 +108,7 @@ class Matchmaking:
             for g in pursuers
             for h in evaders
         ]
+        # Matches in the order of the seeds: all episodes of a pair, then the next pair.
         n, m = len(pursuers), len(evaders)
         g, h = np.repeat(np.arange(n), m * episodes), np.tile(np.arange(m).repeat(episodes), n)
         scores = self.training.play(

@@ -73,6 +73,7 @@ class Run(ABC, Generic[AnySettings]):
         threads: int | None = None,
         play: Rollout = rollout,
     ) -> None:
+        # Everything that can be wrong is checked before the directory is made.
         self.settings: AnySettings = settings
         self.check_settings()
         self.training = Training(settings, play, threads)
@@ -206,6 +207,8 @@ class Run(ABC, Generic[AnySettings]):
         """
         self._report = report
         with self.files.lock():
+            # Also if this object has just been made: an interrupted stage has changed learners, and
+            # another process may have continued the run.
             self._restore()
             while self.stage < self.n_stages:
                 self.learn(self.stage)
@@ -237,6 +240,7 @@ class Run(ABC, Generic[AnySettings]):
         }
 
     def _end_stage(self) -> None:
+        # In the second half of the epochs the team has mostly adapted to its opponents.
         rows = self.training.rows
         rates = [row["capture_rate"] for row in rows[len(rows) // 2 :]]
         self.stage_capture_rates.append(float(np.mean(rates)))
@@ -246,6 +250,7 @@ class Run(ABC, Generic[AnySettings]):
 
     def _finish(self) -> Payoff:
         payoff = self.evaluate()
+        # The summary is the last file: a run is finished when it exists.
         self.files.save_payoff(payoff.arrays())
         self.files.save_summary(self.summary(payoff))
         return payoff

@@ -87,6 +87,7 @@ class SingleTeam(Run[SingleSettings]):
         if not isinstance(directory, RunDirectory):
             self.opponents = _opponents(settings, opponents)
             self._start = _start(settings, start)
+            # The settings in config.json must not name opponents that were not used.
             settings = replace(
                 settings,
                 against=settings.against if opponents is None else GIVEN,
@@ -107,6 +108,7 @@ class SingleTeam(Run[SingleSettings]):
         """Return untrained genomes, or the genome to start from and mutants of it."""
         if self._start is None:
             return super().first_population(team, count)
+        # The genome itself stays in the population; only the others are mutated.
         population = np.repeat(self._start[np.newaxis], count, axis=0)
         rng = keyed_generator(self.settings.seed, Purpose.INITIAL, TEAMS.index(team))
         population[1:] = mutate_gaussian(

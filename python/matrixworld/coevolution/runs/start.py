@@ -91,6 +91,7 @@ def finish(
     -----
     Other errors are those of `start` and `resume`.
     """
+    # Without config.json the directory is empty, or holds a run that was never completely made.
     if (Path(directory) / CONFIG).exists():
         run = resume(directory, threads=threads, play=play)
         if run.settings != settings:

@@ -112,6 +112,7 @@ class TeamPhase:
         def table(values: FloatArray) -> FloatArray:
             return values.reshape(matchup.seeds.shape)
 
+        # Win rates, not fitness: samplers expect numbers in [0, 1].
         if not isinstance(self.sampler, Stateless):
             self.sampler.tell(opponents, table(win_rates(scores, team)))
         fitness = self.training.fitness(scores, team, table)
@@ -137,12 +138,14 @@ class TeamPhase:
         available = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
         rng = self._generator(Purpose.OPPONENTS, epoch)
         opponents = self.sampler.choose(available, epoch, rng)
+        # Candidates of the same match, such as a mirrored pair, differ in nothing but their genes.
         match = self.learner.match_of_candidate
         seeds = [self._seeds(int(opponent), epoch)[match] for opponent in opponents]
         return Matchup(epoch, opponents, np.stack(seeds, axis=1))
 
     def _seeds(self, opponent: int, epoch: int) -> Seeds:
         """Return the seeds of an epoch's matches against one opponent."""
+        # Seeds depend on both generations, so that no two phases play the same episodes.
         own, seed = self.generation, self.training.settings.seed
         generations = (own, opponent) if self.team == "pursuer" else (opponent, own)
         count = int(self.learner.match_of_candidate.max()) + 1

@@ -91,6 +91,7 @@ class Training:
         EpisodeStatistics
             Of n * c matches, in the order of ``seeds.ravel()``.
         """
+        # The matches of a candidate are adjacent, in the order of its opponents.
         n, c = seeds.shape
         own, learning = np.repeat(np.arange(n), c), self.population(candidates)
         others = 0 if isinstance(opponents, str) else np.tile(indices, n)
@@ -122,6 +123,7 @@ class Training:
         sharing, virulence = settings.sharing, settings.virulence(team)
         if sharing == "none" and virulence is None:
             return mean_over_met(values)
+        # Sharing is of results in [0, 1]; the penalty is subtracted afterwards.
         payoff = table(measured(overlap_penalty=0.0))
         return shared_fitness(values, payoff, sharing=sharing, virulence=virulence)
 
@@ -146,6 +148,7 @@ class Training:
         team, generation, epoch, opponent
             Columns of the log (see `run_log.COLUMNS`).
         """
+        # (M, worlds, teams, kinds of collision) -> (teams,)
         faults = scores.faults.sum(axis=3).mean(axis=(0, 1))
         row: Row = {
             "generation": generation,

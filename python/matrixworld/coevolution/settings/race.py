@@ -50,6 +50,7 @@ class RaceSettings(TrainingSettings):
     )
 
     def __post_init__(self) -> None:
+        # First, because other checks depend on it.
         check_choice("schedule", self.schedule, ALL_SCHEDULES)
         self._check_opponents()
         self._check_sharing()
@@ -85,6 +86,7 @@ class RaceSettings(TrainingSettings):
 
     def _check_sharing(self) -> None:
         check_choice("sharing", self.sharing, SHARING)
+        # Fitness sharing and reduced virulence exclude each other, and expect results in [0, 1].
         given = [] if self.sharing == "none" else ["sharing"]
         for name in ("pursuer_virulence", "evader_virulence"):
             if getattr(self, name) is not None:

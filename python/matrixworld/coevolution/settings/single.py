@@ -45,6 +45,7 @@ class SingleSettings(TrainingSettings):
     TypeError on a bad field.
     """
 
+    # Fields of `TrainingSettings` again, with other defaults.
     initial_weight: float = option(None, "standard deviation of untrained hidden weights")
     initial_head: float = option(None, "standard deviation of untrained output weights")
     population: int = option(128, "candidates per epoch")

@@ -31,6 +31,7 @@ SELECTIONS = ("tournament", "truncation")
 OVERLAP_PENALTY = 0.2
 """Default overlap penalty where teammates may share a cell."""
 MOST_SEED = 2**63 - 1
+"""Largest seed: the largest integer of 64 bits with a sign."""
 
 
 def option(default: Any, text: str) -> Any:
@@ -107,6 +108,7 @@ class TrainingSettings:
         self._check_world()
 
     def _freeze(self, name: str, value: Any) -> None:
+        # The dataclass is frozen; its own __post_init__ has no other way to set a field.
         object.__setattr__(self, name, value)
 
     def _check_budget(self) -> None:
@@ -139,6 +141,8 @@ class TrainingSettings:
     def _check_world(self) -> None:
         check_number("initial_weight", self.initial_weight, least=0.0)
         check_number("initial_head", self.initial_head, least=0.0)
+        # A map is kept as text, so that settings can be compared and saved, and do not depend on
+        # the file that it was read from.
         config = self.world(self.train_steps)
         if config.map is not None:
             self._freeze("obstacles", map_as_text(config.map))
@@ -167,6 +171,7 @@ class TrainingSettings:
             n_evaders=self.evaders,
             fov=self.fov,
             diagonal=self.diagonal,
+            # A tuple is a map as text; `WorldConfig` takes a list.
             obstacles=list(self.obstacles) if isinstance(self.obstacles, tuple) else self.obstacles,
             max_steps=max_steps,
         )
@@ -192,6 +197,7 @@ class TrainingSettings:
         """The overlap penalty, with the default filled in."""
         if self.overlap_penalty is not None:
             return self.overlap_penalty
+        # Without a penalty, evaders that may share a cell gather in one corner.
         may_share = self.rules.teammate is Outcome.REACH and self.fitness != "rewards"
         return self.default_overlap_penalty if may_share else 0.0
 
@@ -221,6 +227,7 @@ def settings_from_json(kind: type[Settings], values: dict[str, Any]) -> Settings
 
 
 def _plain(value: Any) -> Any:
+    """Return a value as one that JSON can hold: rules and enums by names."""
     if isinstance(value, Rules):
         return {item.name: _plain(getattr(value, item.name)) for item in fields(value)}
     if isinstance(value, Enum):
@@ -231,6 +238,7 @@ def _plain(value: Any) -> Any:
 
 
 def _restored(name: str, value: Any) -> Any:
+    """Return the value of a field from what `_plain` returned for it."""
     if name == "variant" and isinstance(value, dict):
         kinds = get_type_hints(Rules)
         return Rules(

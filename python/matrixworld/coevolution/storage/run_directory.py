@@ -140,6 +140,7 @@ class RunDirectory:
     @cached_property
     def _owner(self) -> str:
         """Owner of the files in their checksums: the checksum of config.json."""
+        # Runs of other settings, or of another seed, have another one.
         return json_digest(self._new_config or self.config())
 
     # Making a new run:
@@ -163,6 +164,7 @@ class RunDirectory:
 
     def clear(self) -> None:
         """Remove the files that `check_empty` ignores. To be called under the lock."""
+        # Again, because another process may have made a run before this one got the lock.
         self.check_empty()
         remove_temporary_files(self.path)
         for name in INCOMPLETE - {LOCK}:
@@ -181,6 +183,7 @@ class RunDirectory:
     def config(self) -> dict[str, Any]:
         """Return config.json; OtherVersionError if it has another format."""
         config = load_json(self.path / CONFIG)
+        # Before any other entry is read: another format may not have it.
         if config.get("format") != FORMAT:
             raise OtherVersionError(
                 f"{self.path / CONFIG}: expected format {FORMAT}, got {config.get('format')} "
@@ -194,6 +197,7 @@ class RunDirectory:
         try:
             return _settings_of(config)
         except (KeyError, TypeError, ValueError) as error:
+            # The checksum was correct, so that the file is not damaged.
             raise OtherVersionError(
                 f"{self.path / CONFIG}: expected settings of matrixworld "
                 f"{__version__}, got those of {config.get('matrixworld', 'unknown')}: "
@@ -235,11 +239,14 @@ class RunDirectory:
         """
         remove_temporary_files(self.path)
         problems: Problems = []
+        # After a crash while saving, the newest archive may belong to no checkpoint, but it holds
+        # the genomes of all checkpoints before it.
         for state in self._intact(CHECKPOINT, problems):
             for archive in self._intact(ARCHIVE, problems):
                 if self._fits(archive, state, problems):
                     self._set_aside(problems)
                     return Checkpoint(_archive_at(archive, state), state)
+        # Each problem once, although a file is tried with several others.
         reasons = "; ".join(dict.fromkeys(str(problem) for problem in problems))
         raise DamagedFileError(self.path, f"no intact checkpoint to continue from: {reasons}")
 

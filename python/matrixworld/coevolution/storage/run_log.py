@@ -71,6 +71,7 @@ class RunLog:
     def append(self, rows: Sequence[Row]) -> None:
         """Append rows, with the header before the first one, and sync the file."""
         text = io.StringIO()
+        # The same line ends on all systems, so that checksums are the same, too.
         writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
         if not self._length:
             writer.writeheader()
@@ -80,6 +81,7 @@ class RunLog:
             file.write(content)
             file.flush()
             os.fsync(file.fileno())
+        # Last: after a failed write, length and checksum are still those of intact rows.
         self._digest.update(content)
         self._length += len(content)
 
@@ -108,6 +110,7 @@ def _checked(path: Path, length: int, checksum: str) -> bytes:
 
 
 def _written(value: Any) -> str:
+    # Nine digits identify every float32.
     return f"{value:.9g}" if isinstance(value, float) else str(value)
 
 
@@ -133,6 +136,7 @@ def read_log(path: Path, length: int, checksum: str) -> dict[str, NDArray[Any]]:
     DamagedFileError
         If the bytes do not have `checksum` or are not rows of a log.
     """
+    # Bytes that are not text are not refused here, but below, as rows that cannot be read.
     text = _checked(path, length, checksum).decode(errors="replace")
     rows = list(csv.DictReader(io.StringIO(text, newline="")))
     try:
