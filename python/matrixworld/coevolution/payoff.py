@@ -1,4 +1,4 @@
-"""Payoffs: results of the genomes of two archives against each other."""
+"""What two archives score against each other."""
 
 from __future__ import annotations
 
@@ -12,23 +12,19 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class Payoff:
-    """Results of G pursuers against H evaders, in n episodes of each pair.
+    """What G pursuers and H evaders score against each other in `n` episodes a pair.
 
     Row g is pursuer g, column h evader h.
 
-    Parameters
+    Attributes
     ----------
-    capture_rates : ndarray of float32, shape (G, H, n)
-        Share of evaders captured in each episode.
-    lengths : ndarray of int32, shape (G, H, n)
-        Steps of each episode.
-    collisions, faults : ndarray of float64, shape (G, H, 2, 3)
-        Mean agent-steps per episode in which an agent was involved in a collision, or at fault; by
-        team (pursuers, evaders) and kind (obstacle, teammate, adversary).
-    agent_steps : ndarray of float64, shape (G, H, 2)
-        Mean steps per episode of living agents, by team.
-    pursuer_survivors, evader_survivors : ndarray of float64, shape (G, H)
-        Mean number of agents that are alive at the end of an episode.
+    capture_rates : (G, H, n) float32, share of evaders captured in each episode.
+    lengths : (G, H, n) int32, steps of each episode.
+    collisions, faults : (G, H, 2, 3) float64, mean agent-steps an episode in which an agent was
+        involved, or at fault, in a collision; by team (pursuers, evaders) and kind (obstacle,
+        teammate, adversary).
+    agent_steps : (G, H, 2) float64, mean steps an episode by agents that were alive, by team.
+    pursuer_survivors, evader_survivors : (G, H) float64, mean number alive at the end.
     """
 
     capture_rates: NDArray[np.float32]
@@ -41,22 +37,22 @@ class Payoff:
 
     @property
     def capture_rate(self) -> NDArray[np.float64]:
-        """The payoff matrix (G, H): mean capture rate. The evaders' payoff is 1 minus it."""
+        """The payoff matrix (G, H): mean capture rate, the evaders' payoff being one minus it."""
         return np.asarray(self.capture_rates.mean(axis=2, dtype=np.float64))
 
     @property
     def capture_rate_std(self) -> NDArray[np.float64]:
-        """Standard deviation (G, H) of the capture rate over episodes."""
+        """(G, H) standard deviation of the capture rate over episodes."""
         return np.asarray(self.capture_rates.std(axis=2, dtype=np.float64))
 
     @property
     def length(self) -> NDArray[np.float64]:
-        """Mean steps (G, H) of an episode."""
+        """(G, H) mean steps of an episode."""
         return np.asarray(self.lengths.mean(axis=2))
 
     @property
     def length_std(self) -> NDArray[np.float64]:
-        """Standard deviation (G, H) of the steps over episodes."""
+        """(G, H) standard deviation of the steps over episodes."""
         return np.asarray(self.lengths.std(axis=2))
 
     def arrays(self) -> dict[str, NDArray[Any]]:
@@ -66,5 +62,5 @@ class Payoff:
 
     @classmethod
     def from_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Payoff:
-        """Return the payoff whose `arrays()` are given."""
+        """Return the payoff that `arrays` came from."""
         return cls(**{item.name: arrays[item.name] for item in fields(cls)})
