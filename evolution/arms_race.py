@@ -76,14 +76,14 @@ def race(name: str, schedule: Schedule, budget: Budget, seed: int) -> dict[Team,
     """The archives of both teams: the champion of every generation, the untrained one first."""
     rng = np.random.default_rng(seed)
     toolboxes = {team: toolbox_of(team, budget, rng) for team in coevolution.TEAMS}
-    samplers = {team: schedule.selection(team) for team in coevolution.TEAMS}
+    samplers = {team: schedule.sampler(team) for team in coevolution.TEAMS}
     archive = {team: [toolbox.champion()] for team, toolbox in toolboxes.items()}
     rivals: dict[Team, Team] = {"pursuer": "evader", "evader": "pursuer"}
     for generation in tqdm(range(1, budget.generations + 1), desc=name, disable=None):
         for team, toolbox in toolboxes.items():
             for epoch in range(budget.epochs[team]):
                 available = coevolution.available(team, generation)
-                (met,) = samplers[team].choose(available, epoch, rng)
+                (met,) = samplers[team].sample(available, epoch, rng)
                 candidates = toolbox.generate()
                 pairs = rng.integers(2**63, size=budget.samples // 2)  # a mirrored pair, a seed
                 values = toolbox.evaluate(candidates, archive[rivals[team]][met], np.tile(pairs, 2))

@@ -4,7 +4,7 @@
     python evolution/diagnosis_on_toys.py --quick       2 seeds of each, less than a minute
     python evolution/diagnosis_on_toys.py --calibrate   first measure anew what evidence means
 
-The toys and how the truth of each race is known: `matrixworld.toys.known_races`. Calibration and
+The toys and how the truth of each race is known: `matrixworld.toys.labelled_races`. Calibration and
 test go by different seeds. Each race is diagnosed by its episodes, and by its payoff matrix alone;
 and five seeds of a toy together. ``--results`` gets the table and the numbers behind it.
 """
@@ -65,7 +65,7 @@ class Measured:
 
 def measure(name: str, seed: int) -> Measured:
     """Play a race and take its numbers."""
-    race = toys.known_race(name, seed)
+    race = toys.labelled_race(name, seed)
     numbers = partial(
         numbers_of_run,
         race.scores.mean(axis=2),
@@ -145,7 +145,7 @@ BY_EPISODES, BY_MATRIX, FIVE = "one race, its episodes", "one race, its matrix",
 
 def judge(name: str, seeds: Sequence[int]) -> list[Judged]:
     """Diagnose some races one by one, and all of them together if they are five."""
-    races = [toys.known_race(name, seed) for seed in seeds]
+    races = [toys.labelled_race(name, seed) for seed in seeds]
     found: list[Judged] = []
     for race in races:
         by_episodes = analysis.diagnose(race.scores, episodes=True)
@@ -184,8 +184,8 @@ def report(judged: Sequence[Judged], seeds: range, source: str) -> str:
             f"# `diagnose` on toys, seeds {seeds[0]} to {seeds[-1]}",
             "",
             f"Calibrated on other seeds ({source}). A *judgement* is one condition of one race "
-            "whose truth is known; those that are not known (`matrixworld.toys.known_races`) are "
-            "left out.",
+            "whose truth is known; those that are not known (`matrixworld.toys.labelled_races`) "
+            "are left out.",
             "",
             "## By condition",
             "",

@@ -30,7 +30,7 @@ from matrixworld.analysis.diagnosis import _unless_cycling
 from matrixworld.analysis.evidence import BOUNDS, SUPPORT, numbers_of_run, one_sided_share
 from matrixworld.coevolution.opponents import Uniform
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.toys.known_races import truth_of_hands, truth_of_history
+from matrixworld.toys.labelled_races import truth_of_hands, truth_of_history
 
 rates = arrays.arrays(
     np.float64,
@@ -162,9 +162,9 @@ def test_the_calibration_is_of_every_condition() -> None:
 
 
 @pytest.fixture(scope="module")
-def rerun() -> list[tuple[toys.KnownRace, dict[str, analysis.Estimate]]]:
+def rerun() -> list[tuple[toys.LabelledRace, dict[str, analysis.Estimate]]]:
     """Two seeds of each toy, as they were calibrated, by other resamples."""
-    races = [toys.known_race(name, seed) for name in toys.RACES for seed in (0, 12)]
+    races = [toys.labelled_race(name, seed) for name in toys.RACES for seed in (0, 12)]
     rng = np.random.default_rng(9)
     return [
         (
@@ -210,7 +210,7 @@ def test_the_calibration_agrees_with_a_re_run(condition: str, rerun) -> None:
     ],
 )
 def test_toys(toy: str, present: set[str], absent: set[str]) -> None:
-    found = diagnose(toys.known_race(toy, 2005).scores, episodes=True)
+    found = diagnose(toys.labelled_race(toy, 2005).scores, episodes=True)
     assert set(found.present) == present
     assert absent <= {one.name for one in found.findings if one.verdict == ABSENT}
     for one in found.findings:
@@ -331,7 +331,7 @@ def test_swapping_the_teams_hardly_changes_the_numbers() -> None:
 
 def test_words_and_json() -> None:
     found = diagnose(
-        toys.known_race("rock-paper-scissors, specialists", 2000).scores, episodes=True
+        toys.labelled_race("rock-paper-scissors, specialists", 2000).scores, episodes=True
     )
     text = str(found)
     assert text.startswith(
@@ -352,7 +352,7 @@ def test_words_and_json() -> None:
 
 
 def test_the_same_seed_gives_the_same_diagnosis() -> None:
-    scores = toys.known_race("intransitive", 0).scores
+    scores = toys.labelled_race("intransitive", 0).scores
     assert diagnose(scores, episodes=True).to_json() == diagnose(scores, episodes=True).to_json()
 
 
@@ -382,14 +382,16 @@ def test_bad_input_is_refused() -> None:
 def test_chances_of_hands_and_of_averages() -> None:
     pure = np.eye(3)
     np.testing.assert_allclose(
-        toys.chances(pure, pure), [[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]]
+        toys.capture_probabilities(pure, pure), [[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]]
     )
-    lucky = toys.chances(pure, pure, luck=0.1)
+    lucky = toys.capture_probabilities(pure, pure, luck=0.1)
     np.testing.assert_allclose(lucky[0], [0.5, 0.1, 0.9])
-    np.testing.assert_allclose(toys.shares([0, 1, 1, 2])[-1], [0.25, 0.5, 0.25])
-    np.testing.assert_allclose(toys.chances(np.full((1, 3), 1 / 3), pure), [[0.5] * 3])
+    np.testing.assert_allclose(toys.average_strategies([0, 1, 1, 2])[-1], [0.25, 0.5, 0.25])
+    np.testing.assert_allclose(
+        toys.capture_probabilities(np.full((1, 3), 1 / 3), pure), [[0.5] * 3]
+    )
     with pytest.raises(ValueError, match=r"luck: expected a number in \[0, 0.5\], got 0.6"):
-        toys.chances(pure, pure, luck=0.6)
+        toys.capture_probabilities(pure, pure, luck=0.6)
 
 
 def test_averages_are_near_the_equilibrium_from_the_first() -> None:
@@ -464,17 +466,17 @@ def test_truth_of_histories_by_hand() -> None:
     assert truth_of_history(a_history("focusing", one_dimension_lost), every)["forgetting"] is None
 
 
-def test_an_unknown_race_is_refused() -> None:
+def test_an_unlabelled_race_is_refused() -> None:
     with pytest.raises(ValueError, match="race: expected one of rock-paper-scissors, specialists"):
-        toys.known_race("chess", 0)
+        toys.labelled_race("chess", 0)
 
 
-def test_known_races_are_reproducible_and_name_every_condition(rerun) -> None:
+def test_labelled_races_are_reproducible_and_name_every_condition(rerun) -> None:
     for race, _ in rerun:
         assert race.truth.keys() == set(CONDITIONS)
         assert race.scores.shape in {(31, 31, 10), (31, 31, 40)}
         assert set(np.unique(race.scores)) <= {0.0, 0.5, 1.0}
     for name in ("rock-paper-scissors, generalists", "virulence .75, climbing"):
-        one, again, other = (toys.known_race(name, seed).scores for seed in (3, 3, 4))
+        one, again, other = (toys.labelled_race(name, seed).scores for seed in (3, 3, 4))
         assert np.array_equal(one, again)
         assert not np.array_equal(one, other)

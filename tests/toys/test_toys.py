@@ -15,7 +15,7 @@ from matrixworld.toys.virulence import mutate_biased
 # Rock-paper-scissors
 
 
-def test_specialists_run_in_circles_of_three():
+def test_specialists_cycle_with_period_three():
     hands = toys.alternate("specialist-specialist", 30, 1)
     # By hand: paper beats rock, scissors beat paper, rock beats scissors, and so on.
     assert hands["pursuer"][:4] == [ROCK, PAPER, ROCK, SCISSORS]
@@ -27,12 +27,12 @@ def test_specialists_run_in_circles_of_three():
     assert toys.exploitability({team: played[-1:] for team, played in hands.items()}) > 0.4
 
 
-def test_specialists_that_learn_together_run_in_the_same_circles():
+def test_specialists_that_learn_at_the_same_time_cycle_as_well():
     hands = toys.play_together({"pursuer": Latest(), "evader": Latest()}, 30)
     assert hands["pursuer"] == hands["evader"] == [ROCK, PAPER, SCISSORS] * 10 + [ROCK]
 
 
-def test_answering_all_of_the_past_is_fictitious_play():
+def test_responding_to_all_past_hands_is_fictitious_play():
     exploitabilities = []
     for seed in range(5):
         samplers = {"pursuer": Uniform(None), "evader": Uniform(None)}
@@ -59,7 +59,7 @@ def test_generalists_do_not_cycle():
 # Numbers games
 
 
-def test_who_beats_whom_by_hand():
+def test_games_by_hand():
     a, b = np.array([[5, 1], [3, 3], [4, 2]]), np.array([[2, 3], [3, 3], [1, 1]])
     # a - b = (3, -2), (0, 0), (3, 1)
     assert beats_in_sum(a, b).tolist() == [True, False, True]
@@ -91,9 +91,10 @@ def test_numbers_games_differ_as_they_should():
 
 
 def test_same_seed_same_history():
-    halls = HallOfFame(newest=1, sampled=2), Uniform(3)
+    samplers = HallOfFame(newest=1, sampled=2), Uniform(3)
     once, again, other = (
-        toys.numbers_game("intransitive", seed, generations=20, halls=halls) for seed in (1, 1, 2)
+        toys.numbers_game("intransitive", seed, generations=20, samplers=samplers)
+        for seed in (1, 1, 2)
     )
     assert np.array_equal(once.objective, again.objective)
     assert np.array_equal(once.wins, again.wins)
@@ -102,16 +103,16 @@ def test_same_seed_same_history():
     assert once.wins.shape == (20, 2, 25)
 
 
-def test_hall_of_fame_is_met_besides_the_living():
-    # A side that meets 15 living opponents and up to 3 of the hall can win at most 18 contests.
-    halls = HallOfFame(newest=1, sampled=2), HallOfFame(newest=1, sampled=0)
-    wins = toys.numbers_game("scalar", 0, generations=60, halls=halls).wins
+def test_champions_are_played_besides_the_living():
+    # A side with 15 living opponents and up to 3 champions can win at most 18 matches.
+    samplers = HallOfFame(newest=1, sampled=2), HallOfFame(newest=1, sampled=0)
+    wins = toys.numbers_game("scalar", 0, generations=60, samplers=samplers).wins
     assert wins[:, 0].max() == 18
     assert wins[:, 1].max() == 16
     assert toys.numbers_game("scalar", 0, generations=60).wins.max() == 15
 
 
-def all_zeros_or_ones(halls):
+def all_zeros_or_ones(samplers):
     """Five generations in which children of side 0 are all zeros, and those of side 1 all ones."""
     sides = [
         toys.Side(
@@ -128,27 +129,27 @@ def all_zeros_or_ones(halls):
         population=4,
         generations=5,
         opponents=2,
-        halls=halls,
+        samplers=samplers,
     )
 
 
-def test_the_hall_holds_the_other_side_s_champions():
+def test_champions_are_those_of_the_other_side():
     # From the second generation on, all of side 1 and its champions are ones, those of side 0
-    # zeros: side 1 beats the two opponents it meets and one champion of side 0.
+    # zeros: side 1 beats its two living opponents and one champion of side 0.
     wins = all_zeros_or_ones((Latest(), Latest())).wins
     assert (wins[1:, 1] == 3).all()
     assert (wins[:, 0] == 0).all()
     assert (wins[0] == 0).all()
 
 
-def test_selections_are_told_of_the_champions_met():
-    # Nobody is met in the first generation, when all are zeros. Later side 1 beats whomever it
-    # meets; side 0 draws with the first champion of side 1 and loses to the others. The fifth
-    # champions were never met.
-    halls = Prioritized(count=9, decay=1.0), Prioritized(count=9, decay=1.0)
-    all_zeros_or_ones(halls)
-    assert halls[1].win_rates(5).tolist() == [1, 1, 1, 1, 0.5]
-    assert halls[0].win_rates(5).tolist() == [0.5, 0, 0, 0, 0.5]
+def test_samplers_get_the_scores_against_champions():
+    # There is no champion in the first generation, when all are zeros. Later side 1 beats every
+    # champion; side 0 draws with the first champion of side 1 and loses to the others. The fifth
+    # champions have played no match.
+    samplers = Prioritized(count=9, decay=1.0), Prioritized(count=9, decay=1.0)
+    all_zeros_or_ones(samplers)
+    assert samplers[1].win_rates(5).tolist() == [1, 1, 1, 1, 0.5]
+    assert samplers[0].win_rates(5).tolist() == [0.5, 0, 0, 0, 0.5]
 
 
 def test_selection_in_proportion_to_fitness():
@@ -174,7 +175,7 @@ def test_bits_drift_to_their_bias():
     assert bits.mean() == pytest.approx(0.75 * (1 - 0.97**150), abs=0.01)
 
 
-def test_full_virulence_loses_the_hosts():
+def test_full_virulence_disengages_the_hosts():
     races = [toys.hosts_and_parasites(1.0, seed) for seed in range(5)]
     # Known: engaged in 10 % of generations, hosts at 50. Spread over seeds: 5 %, and 3 ones.
     assert np.mean([race.engaged.mean() for race in races]) == pytest.approx(0.1, abs=0.07)
@@ -182,7 +183,7 @@ def test_full_virulence_loses_the_hosts():
     assert hosts == pytest.approx(50, abs=4)
 
 
-def test_reduced_virulence_keeps_both_in_the_race():
+def test_reduced_virulence_keeps_both_engaged():
     races = [toys.hosts_and_parasites(0.75, seed) for seed in range(5)]
     # Known: engaged in all generations (but the first ones, when all are zeros), hosts at 93.
     assert min(race.engaged.mean() for race in races) > 0.99

@@ -2,7 +2,7 @@
 
 ``calibration.json`` holds how many toy races of each strength of evidence had a condition, and how
 many had not. ``evolution/diagnosis_on_toys.py --calibrate`` writes it; the races, and how the truth
-of each is known, are in `matrixworld.toys.known_races`.
+of each is known, are in `matrixworld.toys.labelled_races`.
 """
 
 from __future__ import annotations

@@ -42,7 +42,12 @@ from matrixworld.coevolution.evaluation.held_out_scores import (
     score_population,
 )
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.coevolution.fitness import FITNESS, fitness
+from matrixworld.coevolution.fitness import (
+    FITNESS,
+    competitive_sharing,
+    fitness,
+    reduced_virulence,
+)
 from matrixworld.coevolution.learners.cma_es import CmaEs
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy, centred_ranks
 from matrixworld.coevolution.learners.genetic_algorithm import (
@@ -62,7 +67,7 @@ from matrixworld.coevolution.learners.toolbox import (
     generate_update_toolbox,
     learner_toolbox,
 )
-from matrixworld.coevolution.opponents.schedules import (
+from matrixworld.coevolution.opponents.registry import (
     ALTERNATING,
     HALL_OF_FAME,
     SCHEDULES,
@@ -81,7 +86,6 @@ from matrixworld.coevolution.seeding import evaluation_seed, training_seeds
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSettings
 from matrixworld.coevolution.settings.training import TrainingSettings
-from matrixworld.coevolution.sharing import competitive_sharing, reduced_virulence
 from matrixworld.coevolution.storage.run_directory import OtherVersionError, RunDirectory
 from matrixworld.coevolution.storage.saved_run import SavedRun, last_generation, open_run
 from matrixworld.coevolution.types import TEAMS, Team

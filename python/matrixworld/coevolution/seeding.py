@@ -1,8 +1,23 @@
-"""Who is who, and which random numbers belong to whom.
+"""The key of every random number of a run.
 
-Every random number of a run is drawn from a generator made from a key: the run's seed, a purpose,
-and a position (team, generation, epoch). No generator is ever carried along, so a run that was
-stopped and resumed draws what it would have drawn, and there is no generator state to save.
+Every random number is drawn from a generator made from a key: the run's seed, a purpose, and a
+position (team, generation, epoch). No generator is carried from one epoch to the next. A resumed
+run therefore draws what an uninterrupted one would have drawn, and a checkpoint holds no generator.
+
+=====================  ===========================================================================
+random numbers         key
+=====================  ===========================================================================
+untrained genomes      run seed, `Purpose.INITIAL`, team
+noise table            run seed, `Purpose.NOISE`, team
+candidates of an       run seed, `Purpose.LEARN`, team, generation, epoch
+epoch
+opponents of an epoch  run seed, `Purpose.OPPONENTS`, team, generation, epoch (both teams of a
+                       hall-of-fame race: team 0)
+training matches       run seed, generation of the pursuers and of the evaders, `Phase`, epoch
+evaluation matches     run seed, generation of the pursuers and of the evaders
+=====================  ===========================================================================
+
+The team is its index in `TEAMS`.
 """
 
 from __future__ import annotations
@@ -11,7 +26,6 @@ from enum import IntEnum
 
 import numpy as np
 
-from matrixworld.coevolution.seed_sequence import seeds_of_keys
 from matrixworld.coevolution.types import Seeds, Team
 from matrixworld.rollout import match_seed
 
@@ -26,7 +40,7 @@ class Purpose(IntEnum):
 
 
 class Phase(IntEnum):
-    """Which matches a seed is for. Evaluation seeds carry no phase (see `evaluation_seed`)."""
+    """What the matches of a seed are for. Evaluation seeds have no phase (`evaluation_seed`)."""
 
     PURSUERS_LEARN = 1
     EVADERS_LEARN = 2
@@ -36,7 +50,7 @@ class Phase(IntEnum):
 
 
 def learning_phase(team: Team) -> Phase:
-    """Return the phase in which `team` learns and the other stands still."""
+    """Return the phase in which `team` learns and the other team stays the same."""
     return Phase.PURSUERS_LEARN if team == "pursuer" else Phase.EVADERS_LEARN
 
 
@@ -45,10 +59,19 @@ def keyed_generator(seed: int, purpose: Purpose, *key: int) -> np.random.Generat
 
     Parameters
     ----------
-    seed : the run's seed.
-    purpose : what the numbers are for.
-    key : non-negative integers, such as (team index, generation, epoch).
+    seed : int
+        Seed of the run.
+    purpose : Purpose
+        What the numbers are for.
+    *key : int
+        Position: non-negative integers, such as (team index, generation, epoch).
+
+    Returns
+    -------
+    numpy.random.Generator
+        A new SFC64 generator.
     """
+    # A spawn key keeps these generators apart from match seeds, which have plain keys.
     sequence = np.random.SeedSequence(seed, spawn_key=(int(purpose), *key))
     return np.random.Generator(np.random.SFC64(sequence))
 
@@ -56,9 +79,24 @@ def keyed_generator(seed: int, purpose: Purpose, *key: int) -> np.random.Generat
 def evaluation_seed(run_seed: int, pursuer_generation: int, evader_generation: int) -> int:
     """Return the match seed of one cell of a run's payoff matrix.
 
-    World `j` of that match is its episode `j`, so
-    ``record(config, pursuers, evaders, seed=evaluation_seed(s, g, h), pursuer=g, evader=h,
-    episode=j)`` plays one counted episode again.
+    Parameters
+    ----------
+    run_seed : int
+        Seed of the run.
+    pursuer_generation, evader_generation : int
+        Row and column of the cell.
+
+    Returns
+    -------
+    int
+        Seed of the match. World `j` of the match is episode `j` of the cell.
+
+    Examples
+    --------
+    To play episode `j` of cell (g, h) again::
+
+        record(config, pursuers, evaders, seed=evaluation_seed(s, g, h), pursuer=g, evader=h,
+               episode=j)
     """
     return match_seed(run_seed, pursuer_generation, evader_generation)
 
@@ -71,9 +109,33 @@ def training_seeds(
     epoch: int,
     count: int,
 ) -> Seeds:
-    """Return the seeds, (count,) uint64, of the matches of one epoch of training.
+    """Return the seeds of the matches of one epoch of training.
 
-    That of match i is ``match_seed`` of the other arguments and i.
+    Parameters
+    ----------
+    run_seed : int
+        Seed of the run.
+    pursuer_generation, evader_generation : int
+        Generations that meet.
+    phase : Phase
+        What the matches are for.
+    epoch : int
+        Epoch of the phase.
+    count : int
+        Number of seeds.
+
+    Returns
+    -------
+    ndarray of uint64, shape (count,)
+        The first words of ``numpy.random.SeedSequence`` of the other arguments. Seed `i` does not
+        depend on `count`.
+
+    Raises
+    ------
+    ValueError
+        If a number is negative.
     """
+    # One sequence for all matches: to make one for each takes a noticeable share of a run.
     key = (run_seed, pursuer_generation, evader_generation, int(phase), epoch)
-    return seeds_of_keys(key, count)
+    seeds: Seeds = np.random.SeedSequence(key).generate_state(count, np.uint64).astype(np.uint64)
+    return seeds

@@ -1,4 +1,4 @@
-"""Types that every room of the package shares."""
+"""Types that the modules of co-evolution share: teams, genomes, and arrays by dtype."""
 
 from __future__ import annotations
 
@@ -11,11 +11,20 @@ Team = Literal["pursuer", "evader"]
 TEAMS: tuple[Team, Team] = ("pursuer", "evader")
 
 Genome = NDArray[np.float32]
+"""Weights of one policy network, shape (genes,)."""
 Genomes = NDArray[np.float32]
+"""One genome a row, shape (n, genes)."""
 Seeds = NDArray[np.uint64]
+"""Seeds of matches."""
+Members = NDArray[Any]
+"""Members of an archive, shape (n, ...): one row each, of any dtype (genomes or their indices)."""
+State = dict[str, NDArray[Any]]
+"""All that changes in a learner or sampler, as plain arrays by name."""
+
 Indices = NDArray[np.intp]
 FloatArray = NDArray[np.float64]
-State = dict[str, NDArray[Any]]
+BoolArray = NDArray[np.bool_]
+IntArray = NDArray[np.int64]
 
 
 class Stateful(Protocol):

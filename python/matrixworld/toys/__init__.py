@@ -1,32 +1,32 @@
-"""Toys with known answers: co-evolution in plain NumPy, over in seconds.
+"""Toys with known answers: co-evolution in plain NumPy that takes seconds.
 
-They are played by the schedules, opponent selection and fitness sharing of the real races, so
-that what is seen here of these holds there.
+They use the schedules, opponent samplers and fitness sharing of the real races. What these do here
+they do there, too.
 
 >>> from matrixworld import toys
 >>> toys.numbers_game("scalar", seed=0).final_objective.round()
 array([99., 99.])
 
 ====================  ============================================================================
-rock_paper_scissors   specialists cycle, and averages of fictitious play approach the equilibrium
+rock_paper_scissors   specialists cycle; averages of fictitious play approach the equilibrium
 numbers               numbers games: scalar, focusing, intransitive (Watson & Pollack 2001)
-virulence             hosts that lose touch, and parasites that wait (Cartlidge & Bullock 2004)
+virulence             hosts that disengage, and parasites that wait (Cartlidge & Bullock 2004)
 populations           the loop that numbers and virulence share
-known_races           races of all of these, matched, with what is known to be true of each
+labelled_races        races of all toys, with matches, and with labels: what is true of each race
 ====================  ============================================================================
 """
 
 from __future__ import annotations
 
-from matrixworld.toys.known_races import RACES, KnownRace, known_race
+from matrixworld.toys.labelled_races import RACES, LabelledRace, labelled_race
 from matrixworld.toys.numbers import GAMES, numbers_game
 from matrixworld.toys.populations import Game, History, Side, evolve
 from matrixworld.toys.rock_paper_scissors import (
     alternate,
-    chances,
+    average_strategies,
+    capture_probabilities,
     exploitability,
     play_together,
-    shares,
 )
 from matrixworld.toys.virulence import hosts_and_parasites
 
@@ -35,15 +35,15 @@ __all__ = [
     "RACES",
     "Game",
     "History",
-    "KnownRace",
+    "LabelledRace",
     "Side",
     "alternate",
-    "chances",
+    "average_strategies",
+    "capture_probabilities",
     "evolve",
     "exploitability",
     "hosts_and_parasites",
-    "known_race",
+    "labelled_race",
     "numbers_game",
     "play_together",
-    "shares",
 ]

@@ -1,50 +1,44 @@
-"""Numbers games: who has more ones, in some dimension (Watson & Pollack 2001).
+"""Numbers games: more ones win, in one dimension or another (Watson & Pollack 2001).
 
-"Coevolutionary dynamics in a minimal substrate", GECCO 2001. Only wins are selected for, and the
-number of ones, the objective, is what an observer sees:
+An individual is a string of bits, in one or several dimensions. Selection uses wins alone; the
+number of ones, the objective, is only observed:
 
 - scalar: more ones win. Both populations climb.
-- focusing: the dimension of the greatest difference decides. Whatever is not contested drifts
-  away.
-- intransitive: the dimension of the least difference decides. a beats b, b beats c, c beats a:
-  one can win and lose ground.
+- focusing: the dimension with the greatest difference decides. Other dimensions drift away.
+- intransitive: the dimension with the least difference decides. a beats b, b beats c, c beats a:
+  a population can win and lose ones.
+
+Watson & Pollack 2001, "Coevolutionary dynamics in a minimal substrate", GECCO.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from matrixworld.coevolution.opponents import OpponentSampler
-from matrixworld.toys.populations import (
-    Bits,
-    Game,
-    Generator,
-    History,
-    Phenotypes,
-    Side,
-    evolve,
-    select_proportionate,
-)
+from matrixworld.coevolution.opponents.samplers import OpponentSampler
+from matrixworld.coevolution.types import BoolArray, Indices, IntArray
+from matrixworld.toys.populations import Game, History, Side, evolve, select_proportionate
 
 BITS = 100
+"""Bits of an individual, over all dimensions."""
 
 
-def beats_in_sum(a: Phenotypes, b: Phenotypes) -> Bits:
-    """Return (M,) whether a has more ones than b in all; a and b are (M, dimensions)."""
+def beats_in_sum(a: IntArray, b: IntArray) -> BoolArray:
+    """Return (M,) whether a has more ones than b in total; a and b are (M, dimensions)."""
     return np.asarray(a.sum(axis=1) > b.sum(axis=1))
 
 
-def beats_where_farthest(a: Phenotypes, b: Phenotypes) -> Bits:
+def beats_where_farthest(a: IntArray, b: IntArray) -> BoolArray:
     """Return (M,) whether a has more ones in the dimension, of (M, d), where they differ most."""
     return _beats_at(np.argmax(np.abs(a - b), axis=1), a, b)
 
 
-def beats_where_nearest(a: Phenotypes, b: Phenotypes) -> Bits:
+def beats_where_nearest(a: IntArray, b: IntArray) -> BoolArray:
     """Return (M,) whether a has more ones in the dimension, of (M, d), where they differ least."""
     return _beats_at(np.argmin(np.abs(a - b), axis=1), a, b)
 
 
-def _beats_at(dimension: np.ndarray, a: Phenotypes, b: Phenotypes) -> Bits:
+def _beats_at(dimension: Indices, a: IntArray, b: IntArray) -> BoolArray:
     each = np.arange(len(a))
     return np.asarray(a[each, dimension] > b[each, dimension])
 
@@ -54,10 +48,11 @@ GAMES = {
     "focusing": Game((10, BITS // 10), beats_where_farthest),
     "intransitive": Game((2, BITS // 2), beats_where_nearest),
 }
+"""Numbers games by name."""
 
 
-def flip(bits: Bits, rng: Generator, *, probability: float) -> Bits:
-    """Return bits of which each has been flipped with `probability`."""
+def flip(bits: BoolArray, rng: np.random.Generator, *, probability: float) -> BoolArray:
+    """Return the bits, each flipped with `probability`."""
     return np.asarray(bits ^ (rng.random(bits.shape) < probability))
 
 
@@ -69,19 +64,42 @@ def numbers_game(
     generations: int = 600,
     opponents: int = 15,
     flips: float = 0.005,
-    halls: tuple[OpponentSampler, OpponentSampler] | None = None,
+    samplers: tuple[OpponentSampler, OpponentSampler] | None = None,
 ) -> History:
     """Play a numbers game with fitness-proportionate selection.
 
     Parameters
     ----------
-    name : one of `GAMES`.
-    flips : probability that a bit is flipped.
-    seed, population, generations, opponents, halls : as for `populations.evolve`.
+    name : {"scalar", "focusing", "intransitive"}
+        Name in `GAMES`.
+    seed : int
+        Seed of all random numbers.
+    population : int, optional
+        Individuals of each population.
+    generations : int, optional
+        Generations that both populations breed.
+    opponents : int, optional
+        Living opponents of each individual.
+    flips : float, optional
+        Probability that a bit is flipped.
+    samplers : tuple of OpponentSampler, optional
+        Per side, chooses among the other side's past champions. By default there are no matches
+        with champions.
+
+    Returns
+    -------
+    History
+        What happened.
+
+    Raises
+    ------
+    ValueError
+        If there is no game of that name.
     """
     if name not in GAMES:
         raise ValueError(f"game: expected one of {', '.join(GAMES)}, got {name!r}")
     side = Side(
+        # Wins are the fitness: the objective must not leak into selection.
         fitness=lambda wins: wins,
         select=select_proportionate,
         mutate=lambda bits, rng: flip(bits, rng, probability=flips),
@@ -93,5 +111,5 @@ def numbers_game(
         population=population,
         generations=generations,
         opponents=opponents,
-        halls=halls,
+        samplers=samplers,
     )

@@ -1,7 +1,7 @@
 """Two populations of bit strings that evolve against each other, in one short loop.
 
-The pairing of individuals is that of the real races (`coevolution.hall_of_fame.pairings`), and
-halls of fame are asked by the real opponent selection.
+Individuals are paired by the races' own `pairings`, and past champions are chosen by the races' own
+opponent samplers.
 """
 
 from __future__ import annotations
@@ -10,15 +10,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.opponents import Indices, OpponentSampler
+from matrixworld.coevolution.opponents.samplers import OpponentSampler
 from matrixworld.coevolution.runs.hall_of_fame import pairings
-
-Bits = NDArray[np.bool_]
-Phenotypes = NDArray[np.int64]
-Values = NDArray[np.float64]
-Generator = np.random.Generator
+from matrixworld.coevolution.types import BoolArray, FloatArray, Indices, IntArray
 
 
 @dataclass(frozen=True)
@@ -27,16 +23,19 @@ class Side:
 
     Parameters
     ----------
-    fitness : wins (n,) -> fitness (n,).
-    select : (fitness (n,), n, rng) -> parents (n,).
-    mutate : (bits (n, ...), rng) -> mutants (n, ...).
+    fitness : callable
+        Wins (n,) -> fitness (n,).
+    select : callable
+        (Fitness (n,), n, rng) -> indices of the parents (n,).
+    mutate : callable
+        (Bits (n, ...), rng) -> mutants (n, ...).
     """
 
-    fitness: Callable[[Values], Values]
-    select: Callable[[Values, int, Generator], NDArray[np.intp]]
-    mutate: Callable[[Bits, Generator], Bits]
+    fitness: Callable[[FloatArray], FloatArray]
+    select: Callable[[FloatArray, int, np.random.Generator], Indices]
+    mutate: Callable[[BoolArray, np.random.Generator], BoolArray]
 
-    def breed(self, bits: Bits, wins: Values, rng: Generator) -> Bits:
+    def breed(self, bits: BoolArray, wins: FloatArray, rng: np.random.Generator) -> BoolArray:
         """Return the next population, of the same size."""
         parents = self.select(self.fitness(wins), len(bits), rng)
         return self.mutate(bits[parents], rng)
@@ -44,61 +43,78 @@ class Side:
 
 @dataclass(frozen=True)
 class Game:
-    """What is played.
+    """A game between two individuals, decided by their ones in each dimension.
 
     Parameters
     ----------
-    shape : of an individual's bits: (dimensions, bits in each).
-    beats : (a (M, dimensions), b (M, dimensions)) -> (M,) whether a beats b; ones are counted in
-        each dimension. Where neither beats the other, nobody wins.
+    shape : tuple of int
+        Shape of an individual's bits: (dimensions, bits in each).
+    beats : callable
+        (Ones a (M, dimensions), ones b (M, dimensions)) -> (M,) whether a beats b. If neither beats
+        the other, the match is a draw.
     """
 
     shape: tuple[int, int]
-    beats: Callable[[Phenotypes, Phenotypes], Bits]
+    beats: Callable[[IntArray, IntArray], BoolArray]
 
 
 @dataclass(frozen=True)
 class History:
-    """What happened in G generations of two populations of n.
+    """G generations of two populations of n individuals.
 
-    Attributes
+    Parameters
     ----------
-    game : what they played.
-    ones : (G + 1, 2, n, dimensions) ones of each individual in each dimension; the first row is
-        the start, the last what came out.
-    wins : (G, 2, n) contests that each individual won.
+    game : Game
+        The game that was played.
+    ones : ndarray of int64, shape (G + 1, 2, n, dimensions)
+        Ones of each individual in each dimension, from the start to the end.
+    wins : ndarray of float64, shape (G, 2, n)
+        Matches that each individual won.
     """
 
     game: Game
-    ones: Phenotypes
-    wins: Values
+    ones: IntArray
+    wins: FloatArray
 
     @property
-    def objective(self) -> NDArray[np.int64]:
-        """(G + 1, 2, n) ones of each individual, which no one is selected for."""
+    def objective(self) -> IntArray:
+        """Ones of each individual, (G + 1, 2, n); selection does not use them."""
         return np.asarray(self.ones.sum(axis=3))
 
     @property
-    def final_objective(self) -> Values:
-        """(2,) mean ones of each population at the end."""
+    def final_objective(self) -> FloatArray:
+        """Mean ones of each population at the end, (2,)."""
         return np.asarray(self.objective[-1].mean(axis=1))
 
     @property
-    def engaged(self) -> Bits:
-        """(G,) whether in both populations some individuals have won more than others."""
+    def engaged(self) -> BoolArray:
+        """Whether individuals of both populations differ in their wins, (G,)."""
         return np.asarray((np.ptp(self.wins, axis=2) > 0.0).all(axis=1))
 
-    def scores(self, generations: ArrayLike, episodes: int, rng: Generator) -> Values:
-        """Return (k, k, episodes) what side 0 scores: 1 for a win, 1/2 for a draw, 0 for a loss.
+    def scores(self, generations: ArrayLike, episodes: int, rng: np.random.Generator) -> FloatArray:
+        """Play matches between generations.
 
-        Row i is side 0, column j side 1 in the generations (k,) that are named. In each episode
-        two individuals, drawn at random with replacement, meet.
+        Parameters
+        ----------
+        generations : array_like of int, shape (k,)
+            Generations to play.
+        episodes : int
+            Matches of each pair, between two individuals drawn at random with replacement.
+        rng : numpy.random.Generator
+            Draws the individuals.
+
+        Returns
+        -------
+        ndarray of float64, shape (k, k, episodes)
+            Scores of side 0 (rows) against side 1 (columns): 1 for a win, 1/2 for a draw, 0 for a
+            loss.
         """
         picked = np.asarray(generations)
         shape = (len(picked), len(picked), episodes)
-        one, other = (rng.integers(self.ones.shape[2], size=shape).ravel() for _ in (0, 1))
+        # One draw for each side of all matches: new individuals in each episode.
+        first, second = (rng.integers(self.ones.shape[2], size=shape).ravel() for _ in (0, 1))
         i, j, _ = (index.ravel() for index in np.indices(shape))
-        a, b = self.ones[picked[i], 0, one], self.ones[picked[j], 1, other]
+        a, b = self.ones[picked[i], 0, first], self.ones[picked[j], 1, second]
         won, lost = self.game.beats(a, b), self.game.beats(b, a)
         return np.asarray((1.0 + won - lost) / 2.0).reshape(shape)
 
@@ -106,42 +122,57 @@ class History:
 def evolve(
     game: Game,
     sides: tuple[Side, Side],
-    rng: Generator,
+    rng: np.random.Generator,
     *,
     population: int,
     generations: int,
     opponents: int,
-    halls: tuple[OpponentSampler, OpponentSampler] | None = None,
+    samplers: tuple[OpponentSampler, OpponentSampler] | None = None,
 ) -> History:
-    """Let two populations evolve, from all zeros, and return what happened.
+    """Evolve two populations against each other, from all zeros.
 
     ::
 
         in each generation:
-            each individual meets some living opponents, paired by random permutations, and those
-            of the other side's champions that its own selection names, which is told the scores
-            both sides breed by the wins; the champion, with the most wins, joins its hall
+            each individual plays some living opponents, paired by random permutations, and those
+            of the other side's past champions that its sampler chooses
+            both sides breed by their wins; the individual with the most wins is the new champion
 
     Parameters
     ----------
-    game : what is played.
-    sides : how each population breeds.
-    rng : draws everything.
-    population, generations : their size, and how often both breed.
-    opponents : living ones that each individual meets.
-    halls : per side whom it meets of the other side's champions; None: nobody.
+    game : Game
+        What is played.
+    sides : tuple of Side
+        How each population breeds.
+    rng : numpy.random.Generator
+        Draws all random numbers.
+    population : int
+        Individuals of each population.
+    generations : int
+        Generations that both populations breed.
+    opponents : int
+        Living opponents of each individual.
+    samplers : tuple of OpponentSampler, optional
+        Per side, chooses among the other side's past champions. By default there are no matches
+        with champions.
+
+    Returns
+    -------
+    History
+        What happened.
     """
     bits = [np.zeros((population, *game.shape), dtype=np.bool_) for _ in sides]
-    champions: tuple[list[Bits], list[Bits]] = ([], [])
+    champions: tuple[list[BoolArray], list[BoolArray]] = ([], [])
     ones, wins = [_ones(bits)], []
     for generation in range(generations):
-        met = [_met(halls, s, len(champions[1 - s]), generation, rng) for s in (0, 1)]
-        guests = [[champions[s][i] for i in met[1 - s]] for s in (0, 1)]
-        contest = _contest(game, bits, guests, opponents, rng)
-        won = [contest.wins(side) for side in (0, 1)]
+        chosen = [_sample(samplers, s, len(champions[1 - s]), generation, rng) for s in (0, 1)]
+        playing = [[champions[s][i] for i in chosen[1 - s]] for s in (0, 1)]
+        matches = _play(game, bits, playing, opponents, rng)
+        won = [matches.wins(side) for side in (0, 1)]
         for side in (0, 1):
-            if halls is not None and len(met[side]):
-                halls[side].tell(met[side], contest.hall_scores(side))
+            if samplers is not None and len(chosen[side]):
+                samplers[side].tell(chosen[side], matches.scores_on_champions(side))
+            # After the matches, so that the champions of a generation are past ones in the next.
             champions[side].append(bits[side][np.argmax(won[side])])
             bits[side] = sides[side].breed(bits[side], won[side], rng)
         ones.append(_ones(bits))
@@ -149,58 +180,64 @@ def evolve(
     return History(game, np.array(ones), np.array(wins))
 
 
-def _met(
-    halls: tuple[OpponentSampler, OpponentSampler] | None,
+def _sample(
+    samplers: tuple[OpponentSampler, OpponentSampler] | None,
     side: int,
     available: int,
     generation: int,
-    rng: Generator,
+    rng: np.random.Generator,
 ) -> Indices:
-    """Return which champions of the other side this side meets."""
-    if halls is None or not available:
+    """Return the past champions of the other side that this side plays against."""
+    if samplers is None or not available:
         return np.zeros(0, dtype=np.intp)
-    return halls[side].choose(available, generation, rng)
+    return samplers[side].sample(available, generation, rng)
 
 
 @dataclass(frozen=True)
-class _Contest:
-    """The matches of one generation of two populations of n; champions count from n.
+class _Matches:
+    """The matches of one generation of two populations of n; champions have indices from n on.
 
-    ``index`` names who of each side plays in each match, ``won`` whether that side won it.
+    `index` holds the players of each side in each match, `won` whether that side won it.
     """
 
     n: int
     index: tuple[Indices, Indices]
-    won: tuple[Bits, Bits]
+    won: tuple[BoolArray, BoolArray]
 
-    def wins(self, side: int) -> Values:
+    def wins(self, side: int) -> FloatArray:
         """Return the wins (n,) of a population."""
+        # Indices from n on are champions, whose wins count for no individual.
         totals = np.bincount(self.index[side], weights=self.won[side], minlength=self.n)
         return np.asarray(totals[: self.n], dtype=np.float64)
 
-    def hall_scores(self, side: int) -> Values:
-        """Return the scores (n, c) of a population against c champions; a draw is a half."""
-        against_hall = self.index[1 - side] >= self.n
-        won, lost = (self.won[s][against_hall].reshape(-1, self.n).T for s in (side, 1 - side))
+    def scores_on_champions(self, side: int) -> FloatArray:
+        """Return the scores (n, c) of a population against c champions; a draw is 1/2."""
+        # `pairings` lists each champion's matches in the order of the population.
+        champion = self.index[1 - side] >= self.n
+        won, lost = (self.won[s][champion].reshape(-1, self.n).T for s in (side, 1 - side))
         return np.asarray((1.0 + won - lost) / 2.0)
 
 
-def _contest(
-    game: Game, bits: list[Bits], guests: list[list[Bits]], opponents: int, rng: Generator
-) -> _Contest:
-    """Play all matches of a generation; guests are champions of each side."""
+def _play(
+    game: Game,
+    bits: list[BoolArray],
+    champions: list[list[BoolArray]],
+    opponents: int,
+    rng: np.random.Generator,
+) -> _Matches:
+    """Play all matches of a generation, those with some champions of each side included."""
     n = len(bits[0])
-    met = pairings(n, opponents, (len(guests[0]), len(guests[1])), rng)
-    index = (met.pursuer, met.evader)
-    ones = [np.array([*bits[side], *guests[side]]).sum(axis=2)[index[side]] for side in (0, 1)]
-    return _Contest(n, index, (game.beats(ones[0], ones[1]), game.beats(ones[1], ones[0])))
+    pairs = pairings(n, opponents, (len(champions[0]), len(champions[1])), rng)
+    index = (pairs.pursuer, pairs.evader)
+    ones = [np.array([*bits[side], *champions[side]]).sum(axis=2)[index[side]] for side in (0, 1)]
+    return _Matches(n, index, (game.beats(ones[0], ones[1]), game.beats(ones[1], ones[0])))
 
 
-def _ones(bits: list[Bits]) -> Phenotypes:
+def _ones(bits: list[BoolArray]) -> IntArray:
     return np.array([team.sum(axis=2) for team in bits])
 
 
-def select_proportionate(fitness: Values, k: int, rng: Generator) -> NDArray[np.intp]:
-    """Return `k` indices drawn in proportion to fitness; evenly if nobody has any."""
+def select_proportionate(fitness: FloatArray, k: int, rng: np.random.Generator) -> Indices:
+    """Return `k` indices drawn in proportion to fitness; evenly if all fitness is 0."""
     total = fitness.sum()
     return rng.choice(len(fitness), size=k, p=fitness / total if total > 0.0 else None)

@@ -1,21 +1,21 @@
-"""Rock-paper-scissors between two teams whose learner is perfect: it plays a best response.
+"""Rock-paper-scissors between two teams with a perfect learner: it plays a best response.
 
-What is left to see is the schedule alone. Specialists run in circles of three; who answers all of
-the past plays fictitious play (Brown 1951), whose average play approaches the equilibrium
+Only the schedule matters then. Specialists cycle with period three. A team that answers all past
+hands of the other plays fictitious play (Brown 1951), whose average approaches the equilibrium
 (Robinson 1951).
 """
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.opponents import OpponentSampler
-from matrixworld.coevolution.opponents.schedules import SCHEDULES, available
-from matrixworld.coevolution.types import TEAMS, Team, other
+from matrixworld.coevolution.opponents.registry import SCHEDULES, available
+from matrixworld.coevolution.opponents.samplers import OpponentSampler
+from matrixworld.coevolution.types import TEAMS, FloatArray, Team, other
 
-Values = NDArray[np.float64]
-Hands = dict[Team, list[int]]
+HandHistory = dict[Team, list[int]]
+"""Team -> its hand in each generation: `ROCK`, `PAPER` or `SCISSORS`."""
 
 ROCK, PAPER, SCISSORS = range(3)
 DRAW = 0.5
@@ -23,29 +23,55 @@ ROUNDING = 1e-9
 """Sums of payoffs that differ by less are equal."""
 
 
-def payoff_matrix(draw: float = DRAW) -> Values:
-    """Return (3, 3) the pursuers' payoff, rows their hands: 1 for a win, `draw`, 0 for a loss.
+def payoff_matrix(draw: float = DRAW) -> FloatArray:
+    """Return the payoffs (3, 3) of the pursuers' hands (rows) against the evaders'.
 
-    The evaders' payoff is one minus it. With ``draw=0`` a pursuer captures only by a win.
+    A win is 1, a draw `draw`, a loss 0. The evaders' payoff is one minus it. With ``draw=0`` a
+    pursuer captures only by a win.
     """
     if not 0.0 <= draw <= 1.0:
         raise ValueError(f"draw: expected a number in [0, 1], got {draw}")
     return np.array([[draw, 0.0, 1.0], [1.0, draw, 0.0], [0.0, 1.0, draw]])
 
 
-def shares(played: ArrayLike) -> Values:
-    """Return (k, 3) the shares of the hands played (k,) so far: the average play up to each."""
+def average_strategies(played: ArrayLike) -> FloatArray:
+    """Return the average strategy up to each generation.
+
+    Parameters
+    ----------
+    played : array_like of int, shape (k,)
+        Hand of each generation.
+
+    Returns
+    -------
+    ndarray of float64, shape (k, 3)
+        Share of each hand among the hands so far.
+    """
     hands = np.eye(3)[np.asarray(played)]
     return np.asarray(hands.cumsum(axis=0) / np.arange(1, len(hands) + 1)[:, np.newaxis])
 
 
-def chances(pursuers: Values, evaders: Values, *, luck: float = 0.0) -> Values:
-    """Return (n, m) the chance that each pursuer captures each evader; a draw is half of one.
+def capture_probabilities(
+    pursuers: FloatArray, evaders: FloatArray, *, luck: float = 0.0
+) -> FloatArray:
+    """Return the probability that each pursuer captures each evader; a draw counts one half.
 
     Parameters
     ----------
-    pursuers, evaders : (n, 3) and (m, 3) shares of hands; ``np.eye(3)[hands]`` are pure ones.
-    luck : chance, in [0, 1/2], that the worse hand wins.
+    pursuers, evaders : ndarray of float64, shape (n, 3) and (m, 3)
+        Strategies: probabilities of the hands. ``np.eye(3)[hands]`` are pure ones.
+    luck : float, optional
+        Probability, in [0, 1/2], that the worse hand wins.
+
+    Returns
+    -------
+    ndarray of float64, shape (n, m)
+        The probabilities.
+
+    Raises
+    ------
+    ValueError
+        If `luck` is out of range.
     """
     if not 0.0 <= luck <= 0.5:
         raise ValueError(f"luck: expected a number in [0, 0.5], got {luck}")
@@ -53,48 +79,94 @@ def chances(pursuers: Values, evaders: Values, *, luck: float = 0.0) -> Values:
 
 
 def best_response(
-    team: Team, opponents: ArrayLike, matrix: Values, rng: np.random.Generator
+    team: Team, opponents: ArrayLike, matrix: FloatArray, rng: np.random.Generator
 ) -> int:
-    """Return the hand with the highest mean payoff to `team` against hands (c,); ties by lot."""
-    shares = np.bincount(np.asarray(opponents), minlength=3)
-    payoffs = matrix @ shares if team == "pursuer" else -(shares @ matrix)
+    """Return the hand with the highest mean payoff to a team; decide ties at random.
+
+    Parameters
+    ----------
+    team : {"pursuer", "evader"}
+        Team that responds.
+    opponents : array_like of int, shape (c,)
+        Hands of the opponents.
+    matrix : ndarray of float64, shape (3, 3)
+        Payoffs, as of `payoff_matrix`.
+    rng : numpy.random.Generator
+        Decides ties.
+
+    Returns
+    -------
+    int
+        The hand.
+    """
+    counts = np.bincount(np.asarray(opponents), minlength=3)
+    payoffs = matrix @ counts if team == "pursuer" else -(counts @ matrix)
+    # Equal sums may differ in their last bits, and a tie must stay a tie.
     best = np.flatnonzero(payoffs > payoffs.max() - ROUNDING)
     return int(rng.choice(best))
 
 
-def alternate(schedule: str, generations: int, epochs: int, seed: int = 0) -> Hands:
-    """Return the hands of each generation, 0 included, of an alternating race.
+def alternate(schedule: str, generations: int, epochs: int, seed: int = 0) -> HandHistory:
+    """Play an alternating race. Both teams start with rock.
 
-    Both begin with rock. A generation answers all opponents that the schedule names in its
-    epochs, each as often as it is met.
+    A generation responds to the opponents that the schedule's sampler chooses in its epochs, each
+    weighted by how often it was chosen.
 
     Parameters
     ----------
-    schedule : one of `coevolution.SCHEDULES`.
+    schedule : str
+        Name in `coevolution.SCHEDULES`.
+    generations : int
+        Generations after the first one.
+    epochs : int
+        Epochs of a generation.
+    seed : int, optional
+        Seed of all random numbers.
+
+    Returns
+    -------
+    dict
+        Hands of all generations of both teams, generation 0 included.
     """
     rng, matrix = np.random.default_rng(seed), payoff_matrix()
-    samplers = {team: SCHEDULES[schedule].selection(team) for team in TEAMS}
-    hands: Hands = {"pursuer": [ROCK], "evader": [ROCK]}
+    samplers = {team: SCHEDULES[schedule].sampler(team) for team in TEAMS}
+    hands: HandHistory = {"pursuer": [ROCK], "evader": [ROCK]}
     for k in range(1, generations + 1):
         for team in TEAMS:
-            there = available(team, k)
-            met = [int(samplers[team].choose(there, i, rng)[0]) for i in range(epochs)]
-            opponents = [hands[other(team)][index] for index in met]
+            count = available(team, k)
+            chosen = [int(samplers[team].sample(count, i, rng)[0]) for i in range(epochs)]
+            opponents = [hands[other(team)][index] for index in chosen]
             hands[team].append(best_response(team, opponents, matrix, rng))
     return hands
 
 
 def play_together(
     samplers: dict[Team, OpponentSampler], rounds: int, seed: int = 0, *, draw: float = DRAW
-) -> Hands:
-    """Return the hands, first ones included, of teams that answer each other at the same time.
+) -> HandHistory:
+    """Play a race in which both teams respond at the same time. Both start with rock.
 
-    Both begin with rock. In each round a team answers those of the other's hands of the past that
-    its selection names: with ``Uniform(None)``, all of them, this is fictitious play.
+    With ``Uniform(None)``, which chooses all past hands, this is fictitious play.
+
+    Parameters
+    ----------
+    samplers : dict of Team to OpponentSampler
+        Per team, chooses among the other team's past hands.
+    rounds : int
+        Rounds; in each both teams add a hand.
+    seed : int, optional
+        Seed of all random numbers.
+    draw : float, optional
+        Payoff of a draw to the pursuers.
+
+    Returns
+    -------
+    dict
+        Hands of both teams, the first ones included.
     """
     rng, matrix = np.random.default_rng(seed), payoff_matrix(draw)
-    hands: Hands = {"pursuer": [ROCK], "evader": [ROCK]}
+    hands: HandHistory = {"pursuer": [ROCK], "evader": [ROCK]}
     for epoch in range(rounds):
+        # Both answers first, so that neither team sees the hand of this round.
         answers = {team: _answer(team, hands, samplers[team], epoch, matrix, rng) for team in TEAMS}
         for team in TEAMS:
             hands[team].append(answers[team])
@@ -103,24 +175,34 @@ def play_together(
 
 def _answer(
     team: Team,
-    hands: Hands,
-    selection: OpponentSampler,
+    hands: HandHistory,
+    sampler: OpponentSampler,
     epoch: int,
-    matrix: Values,
+    matrix: FloatArray,
     rng: np.random.Generator,
 ) -> int:
     past = np.array(hands[other(team)])
-    met = selection.choose(len(past), epoch, rng)
-    hand = best_response(team, past[met], matrix, rng)
-    own = matrix[hand, past[met]] if team == "pursuer" else 1.0 - matrix[past[met], hand]
-    selection.tell(met, own[np.newaxis])
+    chosen = sampler.sample(len(past), epoch, rng)
+    hand = best_response(team, past[chosen], matrix, rng)
+    own = matrix[hand, past[chosen]] if team == "pursuer" else 1.0 - matrix[past[chosen], hand]
+    sampler.tell(chosen, own[np.newaxis])
     return hand
 
 
-def exploitability(hands: Hands, *, draw: float = DRAW) -> float:
-    """Return what best responses to both teams' average play gain together; 0 in equilibrium.
+def exploitability(hands: HandHistory, *, draw: float = DRAW) -> float:
+    """Return what best responses to both teams' average strategies gain together.
 
-    That is ``max_i (M y)_i - min_j (x M)_j``, x and y the shares of hands played so far.
+    Parameters
+    ----------
+    hands : dict
+        Hands of both teams, see `HandHistory`.
+    draw : float, optional
+        Payoff of a draw to the pursuers.
+
+    Returns
+    -------
+    float
+        ``max_i (M y)_i - min_j (x M)_j`` with the average strategies x and y; 0 in equilibrium.
     """
     matrix = payoff_matrix(draw)
     x, y = (np.bincount(hands[team], minlength=3) / len(hands[team]) for team in TEAMS)

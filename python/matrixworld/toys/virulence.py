@@ -1,10 +1,12 @@
-"""Hosts and parasites that count ones, where parasites have it easier (Cartlidge & Bullock 2004).
+"""Hosts and parasites that count ones, in a game that is easier for parasites.
 
-"Combating coevolutionary disengagement by reducing parasite virulence", Evolutionary Computation
-12(2). Whoever has more ones wins. A bit that mutates becomes one with the probability of its
-side's *bias*, so parasites, with the higher bias, outrun the hosts: then all hosts lose all
-contests, selection among them stops and they drift back. Parasites of reduced virulence, rewarded
-for winning less than the most, keep the hosts in the race and climb with them.
+The individual with more ones wins. A bit that mutates becomes a one with the probability of its
+side's *bias*. Parasites, with the higher bias, outrun the hosts: then all hosts lose all matches,
+selection among them stops, and they drift back. Parasites of reduced virulence are rewarded for
+winning less than the most; they keep the hosts in the race and climb with them.
+
+Cartlidge & Bullock 2004, "Combating coevolutionary disengagement by reducing parasite virulence",
+Evolutionary Computation 12(2).
 """
 
 from __future__ import annotations
@@ -13,18 +15,23 @@ from functools import partial
 
 import numpy as np
 
+from matrixworld.coevolution.fitness import reduced_virulence
 from matrixworld.coevolution.learners.genetic_algorithm import select_tournament
-from matrixworld.coevolution.sharing import reduced_virulence
+from matrixworld.coevolution.types import BoolArray
 from matrixworld.toys.numbers import GAMES
-from matrixworld.toys.populations import Bits, Generator, History, Side, evolve
+from matrixworld.toys.populations import History, Side, evolve
 
 HOST_BIAS = 0.5
-"""Of hosts: ones and zeros arise alike, so that without selection half of the bits are ones."""
+"""Bias of the hosts: a redrawn bit is a one half of the time."""
 PARASITE_BIAS = 0.75
+"""Bias of the parasites."""
 
 
-def mutate_biased(bits: Bits, rng: Generator, *, probability: float, bias: float) -> Bits:
-    """Return bits of which each was drawn anew with `probability`, then one with that of `bias`."""
+def mutate_biased(
+    bits: BoolArray, rng: np.random.Generator, *, probability: float, bias: float
+) -> BoolArray:
+    """Return the bits, each redrawn with `probability`: then a one with probability `bias`."""
+    # Redrawn, not flipped: without selection a bit ends at its bias whatever it was before.
     drawn = rng.random(bits.shape) < bias
     return np.asarray(np.where(rng.random(bits.shape) < probability, drawn, bits))
 
@@ -40,15 +47,31 @@ def hosts_and_parasites(
     mutation: float = 0.03,
     biases: tuple[float, float] = (HOST_BIAS, PARASITE_BIAS),
 ) -> History:
-    """Let hosts (side 0, of virulence 1) and parasites (side 1) evolve against each other.
+    """Evolve hosts (side 0, of virulence 1) and parasites (side 1) against each other.
 
     Parameters
     ----------
-    virulence : of the parasites, from 0.5 to 1.
-    tournament : individuals in a tournament.
-    mutation : probability that a bit is drawn anew.
-    biases : of the hosts and of the parasites, the probability that it is then a one.
-    seed, population, generations, opponents : as for `populations.evolve`.
+    virulence : float
+        Virulence of the parasites, from 0.5 to 1.
+    seed : int
+        Seed of all random numbers.
+    population : int, optional
+        Individuals of each population.
+    generations : int, optional
+        Generations that both populations breed.
+    opponents : int, optional
+        Opponents of each individual.
+    tournament : int, optional
+        Individuals in a tournament.
+    mutation : float, optional
+        Probability that a bit is redrawn.
+    biases : tuple of float, optional
+        Probability that a redrawn bit is a one, of the hosts and of the parasites.
+
+    Returns
+    -------
+    History
+        What happened.
     """
     select = partial(select_tournament, size=tournament)
     hosts, parasites = (

@@ -25,19 +25,19 @@ ARCHIVES = {
     "MaxSolve": lambda: MaxSolve(3),
     "IPCA": IPCA,
     "LAPCA": lambda: LAPCA(2),
-    "Generalist": lambda: Generalist([0, 1, 2], sample=2),
+    "Generalist": lambda: Generalist([0, 1, 2], sample_size=2),
 }
 every_archive = pytest.mark.parametrize("make", ARCHIVES.values(), ids=ARCHIVES)
 
 
 def looked_up(payoffs):
-    """The outcome of members that are numbers of rows and of columns."""
+    """Return a payoff function for members that are numbers of rows and of columns."""
     matrix = np.asarray(payoffs, dtype=float)
     return lambda candidates, tests: matrix[np.ix_(candidates, tests)]
 
 
 def submitted(archive, payoffs, *, candidates=None, tests=None):
-    """The archive after one submission of all, or of some."""
+    """Submit all members, or the given ones, and return the archive."""
     n, m = np.shape(payoffs)
     archive.submit(
         np.arange(n) if candidates is None else np.array(candidates, dtype=int),
@@ -113,7 +113,7 @@ def test_maxsolve_keeps_all_distinct_solved_vectors_up_to_its_limit(history, lim
     assert len({tuple(row) for row in payoffs[archive.candidates]}) == len(expected)
     # The tests likewise: all distinct columns of the candidates kept that one of them solves.
     columns = {tuple(column) for column in payoffs[archive.candidates].T if column.any()}
-    assert sorted(map(tuple, archive.outcomes.T)) == sorted(columns)
+    assert sorted(map(tuple, archive.payoffs.T)) == sorted(columns)
 
 
 @given(histories(), st.integers(1, 10))
@@ -122,11 +122,11 @@ def test_maxsolve_stays_within_its_limit_and_holds_no_duplicates(history, limit)
     archive = MaxSolve(limit)
     for candidates, tests in batches:
         submitted(archive, payoffs, candidates=candidates, tests=tests)
-        rows, columns = map(tuple, archive.outcomes), map(tuple, archive.outcomes.T)
+        rows, columns = map(tuple, archive.payoffs), map(tuple, archive.payoffs.T)
         assert len(set(rows)) == len(archive.candidates) <= limit
         assert len(set(columns)) == len(archive.tests)
-        assert archive.outcomes.any(axis=0).all()
-        assert archive.outcomes.any(axis=1).all()
+        assert archive.payoffs.any(axis=0).all()
+        assert archive.payoffs.any(axis=1).all()
 
 
 # IPCA
@@ -150,7 +150,7 @@ def test_ipca_judges_on_archived_and_new_tests_together():
     payoffs = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]]
     archive = submitted(IPCA(), payoffs, candidates=[0, 1], tests=[0, 1])
     # On the new test alone, 2 dominates 0 and 1; on the archived ones alone, it is dominated.
-    # Together, nobody dominates anybody, and test 2 is needed to show it.
+    # Together, no candidate dominates another one, and test 2 is needed to show it.
     assert kept(submitted(archive, payoffs, candidates=[2], tests=[2])) == ([0, 1, 2], [0, 1, 2])
 
 
@@ -181,7 +181,7 @@ def test_ipca_is_monotone(history):
         # No test is ever dropped.
         assert archive.tests.tolist()[: len(tests)] == tests
         tests = archive.tests.tolist()
-        # Whoever was ever submitted is matched by somebody on all tests known at the time.
+        # For every submitted candidate, an archived one does as well on all tests of that time.
         seen += [(candidate, list(tests)) for candidate in new_candidates]
         seen += [(candidate, list(tests)) for candidate in archive.candidates]
         for candidate, then in seen:
@@ -197,7 +197,7 @@ def test_ipca_s_candidates_are_told_apart_by_its_tests(history):
     archive = IPCA()
     for candidates, tests in batches:
         submitted(archive, payoffs, candidates=candidates, tests=tests)
-        rows = archive.outcomes.tolist()
+        rows = archive.payoffs.tolist()
         for i, one in enumerate(rows):
             for j, another in enumerate(rows):
                 assert i == j or not dominates_or_equals(one, another)
@@ -261,7 +261,7 @@ def test_lapca_s_layers_hold_on_its_own_tests(history, layers):
         for i, one in enumerate(on_all):
             for j, another in enumerate(on_all):
                 if abs(layer[i] - layer[j]) <= 1 and (one > another).any():
-                    assert (archive.outcomes[i] > archive.outcomes[j]).any()
+                    assert (archive.payoffs[i] > archive.payoffs[j]).any()
 
 
 # Generalist
@@ -280,7 +280,7 @@ def test_maximally_different_by_hand():
     assert maximally_different(payoffs, 9).tolist() == [0, 2, 3, 4, 1]
 
 
-def test_generalist_lets_in_only_who_is_better_against_all():
+def test_generalist_takes_only_variants_better_against_all():
     payoffs = [
         [0.6, 0.6, 0.6],  # 0
         [0.3, 0.3, 0.6],  # 1: the worst, mean .4
@@ -288,28 +288,28 @@ def test_generalist_lets_in_only_who_is_better_against_all():
         [0.5, 0.4, 0.4],  # 3: mean .43
         [0.3, 0.3, 0.6],  # 4: as good as the worst
     ]
-    archive = Generalist([0, 1], sample=1)
-    outcome = looked_up(payoffs)
-    assert archive.submit([2, 4], [0, 1, 2], outcome).tolist() == [False, False]
+    archive = Generalist([0, 1], sample_size=1)
+    payoff = looked_up(payoffs)
+    assert archive.submit([2, 4], [0, 1, 2], payoff).tolist() == [False, False]
     assert archive.candidates.tolist() == [0, 1]
-    assert archive.submit([3, 3], [0, 1, 2], outcome).tolist() == [True, False]
+    assert archive.submit([3, 3], [0, 1, 2], payoff).tolist() == [True, False]
     assert archive.candidates.tolist() == [0, 3]
     # The opponents' payoffs against 0 and 3 are .4 and .5; .4 and .6; .4 and .6: the first best.
     assert archive.tests.tolist() == [1]
-    assert archive.submit(np.zeros(0, dtype=int), [0, 1], outcome).tolist() == []
+    assert archive.submit(np.zeros(0, dtype=int), [0, 1], payoff).tolist() == []
 
 
 @given(histories(levels=(0.0, 0.3, 1.0)))
 def test_generalist_never_gets_worse_against_all(history):
     payoffs, batches = history
-    everybody = np.arange(payoffs.shape[1])
-    archive = Generalist([0] * 3, sample=2)
+    all_tests = np.arange(payoffs.shape[1])
+    archive = Generalist([0] * 3, sample_size=2)
     for candidates, _ in batches:
         before = np.sort(payoffs[archive.candidates].mean(axis=1))
-        submitted(archive, payoffs, candidates=candidates, tests=everybody)
+        submitted(archive, payoffs, candidates=candidates, tests=all_tests)
         assert (np.sort(payoffs[archive.candidates].mean(axis=1)) >= before).all()
         assert len(archive.candidates) == 3
-        assert len(archive.tests) == min(2, len(everybody))
+        assert len(archive.tests) == min(2, len(all_tests))
 
 
 # All of them
@@ -325,7 +325,7 @@ BATCHES = [(np.arange(b, 12, 4), np.arange(b, 12, 4)) for b in range(4)]
 
 
 @every_archive
-def test_resumed_archive_goes_on_as_if_never_stopped(make, tmp_path):
+def test_restored_archive_continues_as_if_never_stopped(make, tmp_path):
     payoffs = np.random.default_rng(5).integers(0, 3, (12, 12)) / 2
     straight = in_batches(make(), payoffs, BATCHES)
     save_arrays(tmp_path / "state.npz", in_batches(make(), payoffs, BATCHES[:2]).state())
@@ -349,7 +349,7 @@ def test_an_archived_genome_never_changes(make):
     tests = np.array([[0.2, 5.0], [0.5, 6.0], [0.8, 6.5]], dtype=np.float32)
     archive = make()
     if isinstance(archive, Generalist):
-        archive = Generalist(candidates, sample=2)
+        archive = Generalist(candidates, sample_size=2)
     archive.submit(candidates, tests, on_the_line)
     before = {name: values.copy() for name, values in archive.state().items()}
     assert len(archive.candidates)
@@ -360,16 +360,16 @@ def test_an_archived_genome_never_changes(make):
         with pytest.raises(ValueError, match="read-only"):
             members[...] = 1.0
 
-    def meddling(candidates, tests):
+    def writing(candidates, tests):
         candidates[...] = 1.0
 
     with pytest.raises(ValueError, match="read-only"):
-        archive.submit(candidates, np.ones((1, 2), dtype=np.float32), meddling)
+        archive.submit(candidates, np.ones((1, 2), dtype=np.float32), writing)
     for name, values in archive.state().items():
         assert np.array_equal(values, before[name])
 
 
-def test_swapped_outcomes_are_the_other_team_s():
+def test_swapped_payoffs_are_those_of_the_other_team():
     # Pursuer 0 scores 1, .25 and 0 against evaders 0, 1, 2; so evader 1 scores .75 against it.
     evaders_view = swapped(looked_up([[1, 0.25, 0], [0, 0, 0.5]]))
     assert evaders_view([1, 2], [0, 1]).tolist() == [[0.75, 1], [1, 0.5]]
@@ -379,10 +379,10 @@ def test_swapped_outcomes_are_the_other_team_s():
 def test_swapping_the_teams_swaps_the_archives(make):
     pursuers_win = looked_up(np.random.default_rng(6).integers(0, 3, (12, 12)) / 2)
 
-    def race(outcome):
+    def race(payoff):
         archives = make(), make()
         for number in range(1, 12):
-            for archive, view in zip(archives, (outcome, swapped(outcome)), strict=True):
+            for archive, view in zip(archives, (payoff, swapped(payoff)), strict=True):
                 archive.submit([number], [number - 1, number], view)
         return [kept(archive) for archive in archives]
 
@@ -390,26 +390,26 @@ def test_swapping_the_teams_swaps_the_archives(make):
 
 
 @pytest.mark.parametrize("make", [lambda: MaxSolve(5), IPCA, lambda: LAPCA(3)])
-def test_a_known_payoff_is_not_asked_for_again(make):
+def test_a_known_payoff_is_not_computed_again(make):
     payoffs = np.random.default_rng(7).integers(0, 2, (12, 12)).astype(float)
-    asked = np.zeros((12, 12), dtype=int)
+    counts = np.zeros((12, 12), dtype=int)
 
-    def outcome(candidates, tests):
-        asked[np.ix_(candidates, tests)] += 1
+    def payoff(candidates, tests):
+        counts[np.ix_(candidates, tests)] += 1
         return payoffs[np.ix_(candidates, tests)]
 
     archive = make()
     for candidates, tests in BATCHES:
-        archive.submit(candidates, tests, outcome)
+        archive.submit(candidates, tests, payoff)
         rows, columns = archive.candidates.astype(int), archive.tests.astype(int)
-        assert np.array_equal(archive.outcomes, payoffs[np.ix_(rows, columns)])
-    assert asked.max() == 1
+        assert np.array_equal(archive.payoffs, payoffs[np.ix_(rows, columns)])
+    assert counts.max() == 1
 
 
-def test_outcomes_of_another_shape_are_refused():
-    with pytest.raises(ValueError, match="outcome: expected payoffs of shape"):
+def test_payoffs_of_another_shape_are_refused():
+    with pytest.raises(ValueError, match="payoff: expected an array of shape"):
         IPCA().submit([0, 1], [0], lambda candidates, tests: np.zeros((1, 2)))
-    with pytest.raises(ValueError, match="outcome: expected finite numbers"):
+    with pytest.raises(ValueError, match="payoff: expected finite numbers"):
         MaxSolve(1).submit([0], [0], lambda candidates, tests: [[np.nan]])
     with pytest.raises(ValueError, match="limit: expected at least 1, got 0"):
         MaxSolve(0)
@@ -417,17 +417,17 @@ def test_outcomes_of_another_shape_are_refused():
         LAPCA(0)
 
 
-def test_archive_as_a_selection():
+def test_sampler_among_the_members_of_an_archive():
     payoffs = [[1, 0, 0, 0], [0, 1, 0, 0], [1, 0, 1, 0], [0, 0, 0, 1]]
-    selection = ArchiveSampler(IPCA(), Uniform(None))
+    sampler = ArchiveSampler(IPCA(), Uniform(None))
     rng = np.random.default_rng(0)
-    assert selection.choose(3, 0, rng).tolist() == Latest().choose(3, 0, rng).tolist()
-    submitted(selection.archive, payoffs, candidates=[0, 1], tests=[0, 1, 3])
-    assert selection.choose(4, 0, rng).tolist() == [0, 1]
-    submitted(selection.archive, payoffs, candidates=[2], tests=[2])
-    assert selection.choose(4, 0, rng).tolist() == [0, 1, 2]
+    assert sampler.sample(3, 0, rng).tolist() == Latest().sample(3, 0, rng).tolist()
+    submitted(sampler.archive, payoffs, candidates=[0, 1], tests=[0, 1, 3])
+    assert sampler.sample(4, 0, rng).tolist() == [0, 1]
+    submitted(sampler.archive, payoffs, candidates=[2], tests=[2])
+    assert sampler.sample(4, 0, rng).tolist() == [0, 1, 2]
     resumed = ArchiveSampler(IPCA(), Uniform(None))
-    resumed.restore(selection.state())
-    assert resumed.choose(4, 0, rng).tolist() == [0, 1, 2]
+    resumed.restore(sampler.state())
+    assert resumed.sample(4, 0, rng).tolist() == [0, 1, 2]
     with pytest.raises(ValueError, match="archive: expected generations below 2"):
-        selection.choose(2, 0, rng)
+        sampler.sample(2, 0, rng)

@@ -1,4 +1,4 @@
-"""Opponent selection, by hand and by what must hold whatever comes."""
+"""Opponent samplers: by hand, and properties that hold for any input."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from matrixworld.coevolution import opponents
 from matrixworld.files import load_arrays, save_arrays
 
-SELECTIONS = {
+SAMPLERS = {
     "latest": lambda: opponents.Latest(2),
     "uniform": lambda: opponents.Uniform(2),
     "all": lambda: opponents.Uniform(None),
@@ -20,26 +20,26 @@ SELECTIONS = {
     "even": lambda: opponents.Prioritized(opponents.even, count=2),
     "shared": lambda: opponents.SharedSampling(2),
 }
-every_selection = pytest.mark.parametrize("make", SELECTIONS.values(), ids=SELECTIONS)
+every_sampler = pytest.mark.parametrize("make", SAMPLERS.values(), ids=SAMPLERS)
 
 
 def rng(seed=0):
     return np.random.default_rng(seed)
 
 
-def chosen(selection, available, epoch=0, seed=0):
-    return selection.choose(available, epoch, rng(seed)).tolist()
+def chosen(sampler, available, epoch=0, seed=0):
+    return sampler.sample(available, epoch, rng(seed)).tolist()
 
 
-def played(selection, epochs, *, first=0, payoff=None, candidates=3):
-    """What is met in some epochs in which the opponents grow by one an epoch."""
-    met = []
+def played(sampler, epochs, *, first=0, payoff=None, candidates=3):
+    """Return the opponents of some epochs; one more is available in each."""
+    samples = []
     for epoch in range(first, first + epochs):
         draw = rng(1000 + epoch)
-        met.append(selection.choose(epoch + 1, epoch, draw))
+        samples.append(sampler.sample(epoch + 1, epoch, draw))
         scores = draw.random((candidates, epoch + 1)) if payoff is None else payoff[:, : epoch + 1]
-        selection.tell(met[-1], scores[:, met[-1]])
-    return [index.tolist() for index in met]
+        sampler.tell(samples[-1], scores[:, samples[-1]])
+    return [index.tolist() for index in samples]
 
 
 def test_latest():
@@ -60,69 +60,69 @@ def test_round_robin_takes_turns():
     assert chosen(opponents.RoundRobin(5), 3, 1) == [2, 0, 1]
 
 
-def test_uniform_draws_everybody_alike():
+def test_uniform_draws_all_opponents_equally_often():
     draw, counts = rng(), np.zeros(5)
     for epoch in range(2000):
-        met = opponents.Uniform(2).choose(5, epoch, draw)
-        assert len(set(met.tolist())) == 2
-        counts[met] += 1
+        sample = opponents.Uniform(2).sample(5, epoch, draw)
+        assert len(set(sample.tolist())) == 2
+        counts[sample] += 1
     assert counts.tolist() == pytest.approx([800] * 5, rel=0.1)
     assert chosen(opponents.Uniform(None), 4) == [0, 1, 2, 3]
     assert sorted(chosen(opponents.Uniform(9), 3)) == [0, 1, 2]
 
 
-def test_hall_of_fame_is_the_newest_and_a_sample_of_the_others():
-    selection = opponents.HallOfFame(newest=2, sampled=3)
+def test_hall_of_fame_is_the_newest_and_a_sample_of_the_older_ones():
+    sampler = opponents.HallOfFame(newest=2, sampled=3)
     for seed in range(20):
-        met = chosen(selection, 10, seed=seed)
-        assert met[:2] == [9, 8]
-        assert len(set(met)) == 5
-        assert max(met[2:]) < 8
-    assert chosen(selection, 1) == [0]
-    assert sorted(chosen(selection, 4)) == [0, 1, 2, 3]
+        sample = chosen(sampler, 10, seed=seed)
+        assert sample[:2] == [9, 8]
+        assert len(set(sample)) == 5
+        assert max(sample[2:]) < 8
+    assert chosen(sampler, 1) == [0]
+    assert sorted(chosen(sampler, 4)) == [0, 1, 2, 3]
     assert len(chosen(opponents.HallOfFame(newest=0, sampled=2), 6)) == 2
 
 
 def test_prioritized_weights_by_hand():
-    # Two games each: opponent 0 was beaten by all (x = 1), 1 by half (1/2), 2 by nobody (0); 3 is
+    # Two games each: opponent 0 was beaten by all (x = 1), 1 by half (1/2), 2 by none (0); 3 is
     # new (1/2). (1 - x)^2 = 0, 1/4, 1, 1/4, in all 3/2; x (1 - x) = 0, 1/4, 0, 1/4.
     for weighting, expected in (
         (opponents.hard(2.0), [0, 1 / 6, 4 / 6, 1 / 6]),
         (opponents.hard(1.0), [0, 1 / 4, 2 / 4, 1 / 4]),
         (opponents.even, [0, 1 / 2, 0, 1 / 2]),
     ):
-        selection = opponents.Prioritized(weighting)
-        selection.tell([0, 1], [[1, 1], [1, 0]])
-        selection.tell([2, 1, 0], [[0, 0, 1], [0, 1, 1]])
-        selection.tell([2], [[0], [0]])
-        assert selection.probabilities(4) == pytest.approx(expected)
+        sampler = opponents.Prioritized(weighting)
+        sampler.tell([0, 1], [[1, 1], [1, 0]])
+        sampler.tell([2, 1, 0], [[0, 0, 1], [0, 1, 1]])
+        sampler.tell([2], [[0], [0]])
+        assert sampler.probabilities(4) == pytest.approx(expected)
         draws = rng()
-        counts = np.bincount([selection.choose(4, 0, draws)[0] for _ in range(3000)], minlength=4)
+        counts = np.bincount([sampler.sample(4, 0, draws)[0] for _ in range(3000)], minlength=4)
         assert counts / 3000 == pytest.approx(expected, abs=0.03)
 
 
-def test_prioritized_forgets_by_its_decay():
+def test_prioritized_forgets_with_its_decay():
     # Wins 1, then 0, at decay 1/2: wins = 1/2, games = 1/2 + 1, so x = 1/3.
-    selection = opponents.Prioritized(decay=0.5)
-    selection.tell([0], [[1.0]])
-    selection.tell([0], [[0.0]])
-    assert selection.win_rates(2) == pytest.approx([1 / 3, 1 / 2])
+    sampler = opponents.Prioritized(decay=0.5)
+    sampler.tell([0], [[1.0]])
+    sampler.tell([0], [[0.0]])
+    assert sampler.win_rates(2) == pytest.approx([1 / 3, 1 / 2])
 
 
-def test_opponents_of_no_weight_are_met_only_when_the_others_do_not_suffice():
-    selection = opponents.Prioritized(opponents.hard(), count=3)
-    selection.tell([0, 1, 2], [[1, 1, 0]])
+def test_opponents_of_weight_0_are_sampled_only_if_the_others_do_not_suffice():
+    sampler = opponents.Prioritized(opponents.hard(), count=3)
+    sampler.tell([0, 1, 2], [[1, 1, 0]])
     for seed in range(20):
-        met = chosen(selection, 4, seed=seed)
-        assert {2, 3} < set(met)
-        assert met[2] in (0, 1)
+        sample = chosen(sampler, 4, seed=seed)
+        assert {2, 3} < set(sample)
+        assert sample[2] in (0, 1)
     beaten = opponents.Prioritized(opponents.hard())
     beaten.tell([0, 1], [[1, 1]])
     assert beaten.probabilities(2).tolist() == [0.5, 0.5]
 
 
 def test_shared_sample_by_hand():
-    # Opponent 0 beats individuals 0, 1, 2; 1 beats 0, 1; 2 beats 3; 3 beats nobody.
+    # Opponent 0 beats individuals 0, 1, 2; 1 beats 0, 1; 2 beats 3; 3 beats none.
     beats = [[1, 1, 1, 0], [1, 1, 0, 0], [0, 0, 0, 1], [0, 0, 0, 0]]
     # First 0, worth 3. Then 0, 1, 2 are covered once: 1 is worth 1/2 + 1/2, and so is 2, worth 1.
     orders = {tuple(opponents.shared_sample(beats, 4, rng(seed))) for seed in range(30)}
@@ -133,33 +133,33 @@ def test_shared_sample_by_hand():
     assert orders == {(0, 2, 1)}
 
 
-def test_shared_sampling_remembers_the_last_meeting_and_tries_the_unmet():
-    selection = opponents.SharedSampling(1)
-    # EpisodeStatistics are of the candidates: opponent 0 beats none of two, 1 beats both.
-    selection.tell([1, 0], [[0, 1], [0, 1]])
-    assert selection.beats(3).tolist() == [[0, 0], [1, 1], [1, 1]]
-    assert {chosen(selection, 3, seed=seed)[0] for seed in range(20)} == {1, 2}
-    selection.tell([2], [[0.5], [1.0]])
-    assert selection.beats(3).tolist() == [[0, 0], [1, 1], [0.5, 0]]
-    assert {chosen(selection, 3, seed=seed)[0] for seed in range(20)} == {1}
-    selection.tell([0], [[1.0]])
-    assert selection.beats(2).tolist() == [[0], [1]]
+def test_shared_sampling_keeps_the_last_scores_and_tries_new_opponents():
+    sampler = opponents.SharedSampling(1)
+    # The scores are those of the candidates: opponent 0 beats none of two, 1 beats both.
+    sampler.tell([1, 0], [[0, 1], [0, 1]])
+    assert sampler.beats(3).tolist() == [[0, 0], [1, 1], [1, 1]]
+    assert {chosen(sampler, 3, seed=seed)[0] for seed in range(20)} == {1, 2}
+    sampler.tell([2], [[0.5], [1.0]])
+    assert sampler.beats(3).tolist() == [[0, 0], [1, 1], [0.5, 0]]
+    assert {chosen(sampler, 3, seed=seed)[0] for seed in range(20)} == {1}
+    sampler.tell([0], [[1.0]])
+    assert sampler.beats(2).tolist() == [[0], [1]]
 
 
-@every_selection
+@every_sampler
 @given(available=st.integers(1, 12), epoch=st.integers(0, 40), seed=st.integers(0, 9))
-def test_whoever_is_met_exists_and_is_met_once(make, available, epoch, seed):
-    selection = make()
-    played(selection, 8)
-    met = selection.choose(available, epoch, rng(seed))
-    assert met.dtype.kind == "i"
-    assert 1 <= len(met) <= available
-    assert len(set(met.tolist())) == len(met)
-    assert 0 <= met.min() <= met.max() < available
+def test_a_sample_holds_available_opponents_once_each(make, available, epoch, seed):
+    sampler = make()
+    played(sampler, 8)
+    sample = sampler.sample(available, epoch, rng(seed))
+    assert sample.dtype.kind == "i"
+    assert 1 <= len(sample) <= available
+    assert len(set(sample.tolist())) == len(sample)
+    assert 0 <= sample.min() <= sample.max() < available
 
 
-@every_selection
-def test_resumed_selection_goes_on_as_if_never_stopped(make, tmp_path):
+@every_sampler
+def test_restored_sampler_continues_as_if_never_stopped(make, tmp_path):
     straight = make()
     whole = played(straight, 20)
     stopped = make()
@@ -173,25 +173,25 @@ def test_resumed_selection_goes_on_as_if_never_stopped(make, tmp_path):
         assert np.array_equal(values, resumed.state()[name])
 
 
-@every_selection
+@every_sampler
 def test_a_state_is_a_copy(make):
-    selection = make()
-    played(selection, 5)
-    state = {name: values.copy() for name, values in selection.state().items()}
-    handed_out = selection.state()
-    played(selection, 3, first=5)
+    sampler = make()
+    played(sampler, 5)
+    state = {name: values.copy() for name, values in sampler.state().items()}
+    handed_out = sampler.state()
+    played(sampler, 3, first=5)
     for name, values in state.items():
         assert np.array_equal(handed_out[name], values)
 
 
-@every_selection
-def test_swapped_teams_are_met_in_the_mirror(make):
+@every_sampler
+def test_swapped_teams_get_swapped_samples(make):
     pursuers_win = rng(3).random((12, 12))
     both = {"pursuer": pursuers_win, "evader": 1.0 - pursuers_win.T}
-    met = {team: played(make(), 12, payoff=payoff) for team, payoff in both.items()}
+    sample = {team: played(make(), 12, payoff=payoff) for team, payoff in both.items()}
     mirrored = {"pursuer": both["evader"], "evader": 1.0 - both["evader"].T}
     again = {team: played(make(), 12, payoff=payoff) for team, payoff in mirrored.items()}
-    assert (again["pursuer"], again["evader"]) == (met["evader"], met["pursuer"])
+    assert (again["pursuer"], again["evader"]) == (sample["evader"], sample["pursuer"])
 
 
 @pytest.mark.parametrize(
@@ -216,7 +216,7 @@ def test_bad_values_are_refused(call, message):
     assert message in str(caught.value)
 
 
-@every_selection
-def test_nobody_to_meet_is_refused(make):
+@every_sampler
+def test_no_available_opponent_is_refused(make):
     with pytest.raises(ValueError, match="available: expected at least 1, got 0"):
-        make().choose(0, 0, rng())
+        make().sample(0, 0, rng())

@@ -298,13 +298,13 @@ def test_schedules_and_learners(tmp_path, schedule, learner):
     payoff = coevolution.start(settings, tmp_path / "run").run()
     assert payoff.capture_rate.shape == (3, 3)
     learned = RunDirectory.open(tmp_path / "run").log()
-    samplers = {t: coevolution.SCHEDULES[schedule].selection(t) for t in coevolution.TEAMS}
+    samplers = {t: coevolution.SCHEDULES[schedule].sampler(t) for t in coevolution.TEAMS}
     rng = np.random.default_rng(0)
     for k, team, i, met in zip(
         *(learned[name] for name in ("generation", "team", "epoch", "opponent")), strict=True
     ):
         there = coevolution.available(team, k)
-        assert samplers[team].choose(there, i, rng).tolist() == [met]
+        assert samplers[team].sample(there, i, rng).tolist() == [met]
 
 
 def test_given_map_is_kept_with_the_run(tmp_path):

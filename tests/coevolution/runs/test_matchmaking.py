@@ -7,7 +7,7 @@ import pytest
 
 from matrixworld import Matches, Population, coevolution, rollout
 from matrixworld.coevolution import RaceSettings
-from matrixworld.coevolution.fitness import mean_over_met, shared_fitness
+from matrixworld.coevolution.fitness import mean_over_opponents, shared_fitness
 from matrixworld.coevolution.opponents import SAMPLERS
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from tiny_race import StopAt, results, tiny_race
@@ -130,7 +130,7 @@ def test_archives_hold_the_results_of_the_matches(tmp_path, name):
                 )
                 caught = round(3 * float(scores.capture_rate.sum()))  # of 3 evaders in 2 matches
                 won = np.sign(caught - 3) * (1 if team == "pursuer" else -1)
-                assert archive.outcomes[i, j] == (1 + won) / 2
+                assert archive.payoffs[i, j] == (1 + won) / 2
                 held += 1
     assert held
 
@@ -169,8 +169,8 @@ def test_sharing_by_hand():
     assert eased == pytest.approx([1 - (1 / 9) ** 2, 1 - (1 / 3) ** 2, 0.0])
     plain = shared_fitness(payoff - 0.2, payoff, sharing="none", virulence=None)
     assert plain == pytest.approx([0.3, 0.55, -0.2])
-    assert mean_over_met(payoff).tolist() == [0.5, 0.75, 0.0]
-    assert mean_over_met(np.array([[1.0, 3.0]])).tolist() == [2.0]
+    assert mean_over_opponents(payoff).tolist() == [0.5, 0.75, 0.0]
+    assert mean_over_opponents(np.array([[1.0, 3.0]])).tolist() == [2.0]
 
 
 @pytest.mark.parametrize(

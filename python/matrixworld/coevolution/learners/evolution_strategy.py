@@ -5,34 +5,55 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from functools import partial
+from typing import TYPE_CHECKING
 
-from matrixworld.coevolution.learners.learner import checked_fitness
+import numpy as np
+from numpy.typing import ArrayLike
+
+from matrixworld.checks import check_bool, check_choice, check_number
+from matrixworld.coevolution.learners.learner import LearnerEntry, checked_fitness
 from matrixworld.coevolution.learners.noise import NoiseTable
-from matrixworld.coevolution.learners.optimizers import new_optimizer
-from matrixworld.coevolution.types import Genome, Genomes, State
+from matrixworld.coevolution.learners.optimizers import OPTIMIZERS, check_momentum, new_optimizer
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
+
+if TYPE_CHECKING:
+    from matrixworld.coevolution.settings import RaceSettings, SingleSettings, TrainingSettings
 
 ANNEALED_RATE = 0.1
-"""What a learning rate that is annealed has fallen to at the end, as a share of its start."""
+"""Share of the starting learning rate that is left after annealing."""
 
 
-def centred_ranks(fitness: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the ranks of `fitness` (n,), scaled to [-0.5, 0.5] (Salimans et al. 2017).
+def centred_ranks(fitness: FloatArray) -> FloatArray:
+    """Return the ranks of fitness values, scaled to [-0.5, 0.5].
 
-    Equal fitness gets an equal rank, the mean of those that it spans; all equal gives zeros.
+    Parameters
+    ----------
+    fitness : ndarray of float64, shape (n,)
+        Fitness of each candidate.
+
+    Returns
+    -------
+    ndarray of float64, shape (n,)
+        Ranks. Equal values share their mean rank; if all are equal, all ranks are 0.
+
+    References
+    ----------
+    Salimans et al. 2017, arXiv:1703.03864, section 2.1 (there "fitness shaping").
     """
     n = len(fitness)
     if n < 2:
+        # One value has no range to be scaled to.
         return np.zeros(n)
     in_order = np.sort(fitness)
     below = np.searchsorted(in_order, fitness, side="left")
     not_above = np.searchsorted(in_order, fitness, side="right")
+    # Equal values take the places below .. not_above - 1; their rank is the middle of these.
     return (below + not_above - 1) / (2 * (n - 1)) - 0.5
 
 
 class EvolutionStrategy:
-    """An evolution strategy with mirrored samples and ranks (Salimans et al. 2017).
+    """An evolution strategy with mirrored samples and ranks.
 
     ::
 
@@ -40,19 +61,41 @@ class EvolutionStrategy:
         tell:  u = centred ranks of the fitness
                m = m + step( sum_i (u_i+ - u_i-) e_i / (n s) )
 
-    Both of a pair are scored on the same match seed, so that luck of the draw cancels out.
-    The table's s serves all genes; there is no weight decay. The step is Adam's or momentum's (see
-    `optimizers`).
+    Both candidates of a pair are scored on the same match seed, so that the luck of the match
+    cancels out. One standard deviation s, that of the noise table, serves all genes. There is no
+    weight decay. The step is that of Adam or of momentum (`optimizers`).
 
     Parameters
     ----------
-    genome : (genes,) float32, where the mean starts.
-    noise : table of the same number of genes; its `sigma` is the deviation of the samples (s).
-    samples : candidates per epoch (n), even.
-    learning_rate : of the step.
-    anneal_over : number of updates over which the rate falls linearly to a tenth; None: constant.
-    optimizer : "adam" or "momentum".
-    momentum : share of its last step that momentum keeps, in [0, 1); not used by Adam.
+    genome : array_like of float, shape (genes,)
+        Mean to start from.
+    noise : NoiseTable
+        Table for the same number of genes; its `sigma` is the standard deviation of the samples.
+    samples : int, optional
+        Candidates an epoch (n), even.
+    learning_rate : float, optional
+        Learning rate of the optimizer.
+    anneal_over : int, optional
+        Number of updates over which the learning rate falls linearly to a tenth. By default it
+        is constant.
+    optimizer : {"adam", "momentum"}, optional
+        How a gradient becomes a step.
+    momentum : float, optional
+        Share of its last step that momentum keeps, in [0, 1). Adam does not use it.
+
+    Attributes
+    ----------
+    genome : ndarray of float32, shape (genes,)
+        The mean.
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of range or `genome` does not fit the table.
+
+    References
+    ----------
+    Salimans et al. 2017, arXiv:1703.03864, algorithm 1 with mirrored sampling.
     """
 
     def __init__(
@@ -78,22 +121,23 @@ class EvolutionStrategy:
         self._noise: list[Genome] = []
 
     @property
-    def match_of_candidate(self) -> NDArray[np.intp]:
-        """The pair of each candidate."""
+    def match_of_candidate(self) -> Indices:
+        """Pair of each candidate, (samples,)."""
         return np.tile(np.arange(self.samples // 2), 2)
 
     @property
     def rate(self) -> float:
-        """The learning rate of the next update."""
+        """Learning rate of the next update."""
         if self.anneal_over is None:
             return self.learning_rate
         done = min(1.0, self._optimizer.updates / self.anneal_over)
         return self.learning_rate * (1.0 - (1.0 - ANNEALED_RATE) * done)
 
     def ask(self, rng: np.random.Generator) -> Genomes:
-        """Return the samples: the first half, and their mirror images in the same order."""
+        """Return the samples: half of them, then their mirror images in the same order."""
         pairs = self.samples // 2
         self._noise = self._table.draw(pairs, rng)
+        # Both halves are written into one array, which a rollout takes without another copy.
         candidates = np.empty((2, pairs, self._table.size), dtype=np.float32)
         plus, minus = candidates
         for i, noise in enumerate(self._noise):
@@ -104,27 +148,63 @@ class EvolutionStrategy:
     def tell(self, fitness: ArrayLike) -> None:
         """Move the mean towards the better samples."""
         if not self._noise:
-            raise RuntimeError("tell: expected after ask, got no candidates to be told of")
+            raise RuntimeError("tell: expected a call of ask before it, got none")
         gradient = self._gradient(centred_ranks(checked_fitness(fitness, self.samples)))
+        # A new array, not in place: archives keep a reference to the genome of their generation.
         self.genome = self.genome + self._optimizer.step(gradient, self.rate)
         self._noise = []
 
-    def _gradient(self, utility: NDArray[np.float64]) -> Genome:
+    def _gradient(self, utility: FloatArray) -> Genome:
         plus, minus = utility.reshape(2, -1)
-        # The noise is s e_i already.
+        # The table's numbers are s e_i, hence the square of sigma.
         weights = ((plus - minus) / (self.samples * self._table.sigma**2)).astype(np.float32)
         gradient = np.zeros(self._table.size, dtype=np.float32)
-        # Term by term, not as a matrix product: BLAS adds in an order that depends on the machine.
+        # Term by term, not as a matrix product: the order in which BLAS adds, and with it the
+        # rounding, depends on the machine.
         for weight, noise in zip(weights, self._noise, strict=True):
             gradient += weight * noise
         return gradient
 
     def state(self) -> State:
-        """Return the mean, and the state of the optimizer."""
+        """Return the mean and the state of the optimizer."""
+        # The optimizer copies its arrays. The genome needs no copy, since no step changes it.
         return {"genome": self.genome, **self._optimizer.state()}
 
     def restore(self, state: State) -> None:
-        """Take up a state that `state` returned."""
+        """Restore a state returned by `state()`."""
         self.genome = state["genome"].astype(np.float32)
         self._optimizer.restore(state)
         self._noise = []
+
+
+def _check(settings: TrainingSettings) -> None:
+    if settings.population % 2:
+        raise ValueError(f"population: expected an even number for es, got {settings.population}")
+
+
+def _new(
+    settings: RaceSettings | SingleSettings, team: Team, genomes: Genomes, rng: np.random.Generator
+) -> EvolutionStrategy:
+    return EvolutionStrategy(
+        genomes[0],
+        NoiseTable(genomes.shape[1], rng, sigma=settings.sigma),
+        samples=settings.population,
+        learning_rate=settings.learning_rate,
+        anneal_over=settings.total_epochs(team) if settings.anneal else None,
+        optimizer=settings.optimizer,
+        momentum=settings.momentum,
+    )
+
+
+ENTRY = LearnerEntry(
+    title="evolution strategy",
+    settings={
+        "sigma": partial(check_number, least=0.0, positive=True),
+        "optimizer": partial(check_choice, choices=OPTIMIZERS),
+        "learning_rate": partial(check_number, least=0.0, positive=True),
+        "momentum": check_momentum,
+        "anneal": check_bool,
+    },
+    check=_check,
+    new=_new,
+)

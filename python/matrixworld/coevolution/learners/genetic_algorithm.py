@@ -1,42 +1,80 @@
-"""A genetic algorithm, its operators shaped as DEAP's: select, mate, mutate.
+"""A genetic algorithm with operators in the shape of DEAP's: select, mate, mutate.
 
-DEAP's own operators draw from Python's global `random` and walk over genes one by one. These
-take an explicit generator and work on whole arrays; they are registered in a DEAP toolbox the
-same way.
+DEAP's own operators draw from Python's global `random` and visit genes one by one. These take an
+explicit generator and work on whole arrays; a DEAP toolbox registers them in the same way.
 """
 
 from __future__ import annotations
 
+from functools import partial
+from typing import TYPE_CHECKING
+
 import numpy as np
 from deap import base
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.learners.learner import checked_fitness
+from matrixworld.checks import check_choice, check_integer, check_number
+from matrixworld.coevolution.learners.learner import LearnerEntry, checked_fitness
 from matrixworld.coevolution.learners.noise import NoiseTable
-from matrixworld.coevolution.types import Genome, Genomes, State
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
+
+if TYPE_CHECKING:
+    from matrixworld.coevolution.settings import RaceSettings, SingleSettings, TrainingSettings
+
+SELECTIONS = ("tournament", "truncation")
+"""Names of the parent selections."""
 
 
 def select_tournament(
-    fitness: NDArray[np.float64], k: int, rng: np.random.Generator, *, size: int
-) -> NDArray[np.intp]:
-    """Return `k` indices, each the fittest of `size` individuals drawn with replacement.
+    fitness: FloatArray, k: int, rng: np.random.Generator, *, size: int
+) -> Indices:
+    """Select parents by tournaments.
 
     Parameters
     ----------
-    fitness : (n,) floats, higher is better.
-    k : how many to select.
-    size : individuals in a tournament; 1 is selection at random.
+    fitness : ndarray of float64, shape (n,)
+        Fitness of the population.
+    k : int
+        Number of parents to select.
+    rng : numpy.random.Generator
+        Draws the entrants, with replacement.
+    size : int
+        Individuals in a tournament; 1 selects at random.
+
+    Returns
+    -------
+    ndarray of intp, shape (k,)
+        Indices of the winners, the fittest of each tournament.
     """
     entrants = rng.integers(0, len(fitness), size=(k, size))
+    # Rows are tournaments; of equal fitness the first entrant wins, and their order is random.
     winners = np.argmax(fitness[entrants], axis=1)
-    selected: NDArray[np.intp] = entrants[np.arange(k), winners]
+    selected: Indices = entrants[np.arange(k), winners]
     return selected
 
 
 def select_truncation(
-    fitness: NDArray[np.float64], k: int, rng: np.random.Generator, *, fraction: float
-) -> NDArray[np.intp]:
-    """Return `k` indices drawn evenly from the fittest `fraction` of the individuals."""
+    fitness: FloatArray, k: int, rng: np.random.Generator, *, fraction: float
+) -> Indices:
+    """Select parents evenly among the fittest part of the population.
+
+    Parameters
+    ----------
+    fitness : ndarray of float64, shape (n,)
+        Fitness of the population.
+    k : int
+        Number of parents to select.
+    rng : numpy.random.Generator
+        Draws the parents, with replacement.
+    fraction : float
+        Share of the population to draw from, in (0, 1]; at least one individual.
+
+    Returns
+    -------
+    ndarray of intp, shape (k,)
+        Indices of the parents.
+    """
+    # Stable: individuals of equal fitness keep their order on every machine.
     best_first = np.argsort(-fitness, kind="stable")
     survivors = best_first[: max(1, round(fraction * len(fitness)))]
     return survivors[rng.integers(0, len(survivors), size=k)]
@@ -45,12 +83,26 @@ def select_truncation(
 def mate_uniform(
     first: Genomes, second: Genomes, rng: np.random.Generator, *, probability: float
 ) -> Genomes:
-    """Return children (n, genes): with `probability` a uniform mix of both parents.
+    """Return children by uniform crossover.
 
-    The other children are copies of their first parent. `first` and `second` are (n, genes).
+    Parameters
+    ----------
+    first, second : ndarray of float32, shape (n, genes)
+        Parents of each child.
+    rng : numpy.random.Generator
+        Draws which children mix, and which genes come from the second parent.
+    probability : float
+        Probability that a child mixes both parents. Other children are copies of their first
+        parent.
+
+    Returns
+    -------
+    ndarray of float32, shape (n, genes)
+        The children.
     """
     mixed = rng.random(len(first)) < probability
     children: Genomes = first.copy()
+    # Without crossover, the default, no random number for each gene is drawn.
     if mixed.any():
         from_second = rng.random((int(mixed.sum()), first.shape[1]), dtype=np.float32) < 0.5
         children[mixed] = np.where(from_second, second[mixed], first[mixed])
@@ -60,8 +112,26 @@ def mate_uniform(
 def mutate_gaussian(
     genomes: Genomes, rng: np.random.Generator, *, sigma: float, probability: float
 ) -> Genomes:
-    """Return mutants (n, genes): each gene moved by N(0, sigma) with `probability`."""
+    """Return mutants by Gaussian noise.
+
+    Parameters
+    ----------
+    genomes : ndarray of float32, shape (n, genes)
+        Genomes to mutate.
+    rng : numpy.random.Generator
+        Draws the noise.
+    sigma : float
+        Standard deviation of the noise.
+    probability : float
+        Probability that a gene mutates.
+
+    Returns
+    -------
+    ndarray of float32, shape (n, genes)
+        The mutants.
+    """
     mutants = rng.standard_normal(genomes.shape, dtype=np.float32)
+    # In place: no second array of the size of the population.
     mutants *= np.float32(sigma)
     if probability < 1.0:
         mutants *= rng.random(genomes.shape, dtype=np.float32) < probability
@@ -72,8 +142,26 @@ def mutate_gaussian(
 def mutate_from_table(
     genomes: Genomes, rng: np.random.Generator, *, noise: NoiseTable, probability: float
 ) -> Genomes:
-    """As `mutate_gaussian`, the numbers and their `sigma` those of a table: many times as fast."""
+    """Return mutants by noise from a table, many times as fast as `mutate_gaussian`.
+
+    Parameters
+    ----------
+    genomes : ndarray of float32, shape (n, genes)
+        Genomes to mutate.
+    rng : numpy.random.Generator
+        Draws the places in the table.
+    noise : NoiseTable
+        Table for the same number of genes; its `sigma` is the standard deviation of the noise.
+    probability : float
+        Probability that a gene mutates.
+
+    Returns
+    -------
+    ndarray of float32, shape (n, genes)
+        The mutants.
+    """
     mutants = np.empty_like(genomes)
+    # Row by row: each window starts at another place, and no array holds all of them.
     for mutant, genome, change in zip(mutants, genomes, noise.draw(len(genomes), rng), strict=True):
         if probability < 1.0:
             change = change * (rng.random(noise.size, dtype=np.float32) < probability)
@@ -90,19 +178,37 @@ class GeneticAlgorithm:
                select parents, mate, mutate
         tell:  the candidates become the population
 
-    Elites are scored anew each epoch, since opponents change. All candidates of an epoch are
+    Elites are scored again in each epoch, since opponents change. All candidates of an epoch are
     scored on the same match seed.
 
     Parameters
     ----------
-    population : (n, genes) float32; row 0 is the champion until the first `tell`.
-    noise : table of the same number of genes; its `sigma` is the deviation of a mutation.
-    selection : "tournament" or "truncation".
-    tournament : individuals in a tournament.
-    truncation : share of the population that truncation lets breed.
-    elites : fittest individuals kept unchanged, fewer than n.
-    crossover : probability that a child mixes two parents.
-    mutation : probability that a gene mutates.
+    population : array_like of float, shape (n, genes)
+        Genomes to start from; row 0 is the champion until the first `tell`.
+    noise : NoiseTable
+        Table for the same number of genes; its `sigma` is the standard deviation of a mutation.
+    selection : {"tournament", "truncation"}, optional
+        How parents are selected.
+    tournament : int, optional
+        Individuals in a tournament.
+    truncation : float, optional
+        Share of the population from which truncation selects parents.
+    elites : int, optional
+        Number of the fittest individuals that are kept unchanged, below n.
+    crossover : float, optional
+        Probability that a child mixes two parents.
+    mutation : float, optional
+        Probability that a gene mutates.
+
+    Attributes
+    ----------
+    toolbox : deap.base.Toolbox
+        The operators `select`, `mate` and `mutate`.
+
+    Raises
+    ------
+    ValueError
+        If `selection` is unknown, or `population`, `noise` and `elites` do not fit together.
     """
 
     def __init__(
@@ -126,7 +232,7 @@ class GeneticAlgorithm:
         genes = self._population.shape[1]
         if noise.size != genes:
             raise ValueError(f"noise: expected a table for {genes} genes, got one for {noise.size}")
-        self._fitness: NDArray[np.float64] | None = None
+        self._fitness: FloatArray | None = None
         self._candidates: Genomes | None = None
         self.elites = elites
         self.toolbox = base.Toolbox()
@@ -141,26 +247,28 @@ class GeneticAlgorithm:
 
     @property
     def genome(self) -> Genome:
-        """The champion of the last scored population."""
+        """Champion of the last scored population, (genes,) float32."""
         champion = 0 if self._fitness is None else int(np.argmax(self._fitness))
         genome: Genome = self._population[champion].copy()
         return genome
 
     @property
-    def match_of_candidate(self) -> NDArray[np.intp]:
-        """One match for all."""
+    def match_of_candidate(self) -> Indices:
+        """Zeros (n,): all candidates are scored on one match seed."""
         return np.zeros(len(self._population), dtype=np.intp)
 
     def ask(self, rng: np.random.Generator) -> Genomes:
         """Return the next population: at first as given, later elites and then children."""
         if self._fitness is None:
+            # No fitness yet, so there is nothing to select by.
             self._candidates = self._population
         else:
             self._candidates = self._offspring(self._fitness, rng)
         return self._candidates
 
-    def _offspring(self, fitness: NDArray[np.float64], rng: np.random.Generator) -> Genomes:
+    def _offspring(self, fitness: FloatArray, rng: np.random.Generator) -> Genomes:
         n_children = len(self._population) - self.elites
+        # Both parents are selected independently, so that they may be the same individual.
         fathers = self._population[self.toolbox.select(fitness, n_children, rng)]
         mothers = self._population[self.toolbox.select(fitness, n_children, rng)]
         children = self.toolbox.mutate(self.toolbox.mate(fathers, mothers, rng), rng)
@@ -168,20 +276,58 @@ class GeneticAlgorithm:
         return np.concatenate([self._population[best_first[: self.elites]], children])
 
     def tell(self, fitness: ArrayLike) -> None:
-        """Let the candidates be the population."""
+        """Make the candidates the population, with this fitness."""
         if self._candidates is None:
-            raise RuntimeError("tell: expected after ask, got no candidates to be told of")
+            raise RuntimeError("tell: expected a call of ask before it, got none")
         self._fitness = checked_fitness(fitness, len(self._candidates))
         self._population, self._candidates = self._candidates, None
 
     def state(self) -> State:
         """Return the population and its fitness (empty before the first `tell`)."""
+        # A state holds arrays only, so an empty one stands for None.
         scored = np.zeros(0) if self._fitness is None else self._fitness
         return {"population": self._population, "fitness": scored}
 
     def restore(self, state: State) -> None:
-        """Take up a state that `state` returned."""
+        """Restore a state returned by `state()`."""
         self._population = state["population"].astype(np.float32)
         scored = state["fitness"].astype(np.float64)
         self._fitness = scored if len(scored) else None
         self._candidates = None
+
+
+def _check(settings: TrainingSettings) -> None:
+    if settings.elites >= settings.population:
+        raise ValueError(
+            f"elites: expected fewer than {settings.population}, got {settings.elites}"
+        )
+
+
+def _new(
+    settings: RaceSettings | SingleSettings, team: Team, genomes: Genomes, rng: np.random.Generator
+) -> GeneticAlgorithm:
+    return GeneticAlgorithm(
+        genomes,
+        NoiseTable(genomes.shape[1], rng, sigma=settings.mutation),
+        selection=settings.selection,
+        tournament=settings.tournament,
+        truncation=settings.truncation,
+        elites=settings.elites,
+        crossover=settings.crossover,
+    )
+
+
+ENTRY = LearnerEntry(
+    title="genetic algorithm",
+    settings={
+        "mutation": partial(check_number, least=0.0, positive=True),
+        "crossover": partial(check_number, least=0.0, most=1.0),
+        "selection": partial(check_choice, choices=SELECTIONS),
+        "tournament": partial(check_integer, low=1),
+        "truncation": partial(check_number, least=0.0, most=1.0, positive=True),
+        "elites": partial(check_integer, low=0),
+    },
+    check=_check,
+    new=_new,
+    starts_from_population=True,
+)

@@ -1,57 +1,92 @@
-"""Learners: what improves one team's genome against the opponents handed to it.
-
-A learner is asked for candidates, these are scored by whoever holds the opponents, and the
-learner is told their fitness (the more the better)::
-
-    candidates = learner.ask(rng)        # (n, genes) float32
-    learner.tell(fitness)                # (n,)
-    learner.genome                       # what goes into the archive
-
-Random numbers come from the generator given to `ask` and from nothing else, and `tell` is
-deterministic: a learner restored from `state` goes on as if it had never stopped. In `toolbox`
-a learner becomes a DEAP toolbox. There are an `evolution_strategy`, a `genetic_algorithm` and, for
-small networks, `cma_es`.
-"""
+"""The interface of learners, and what the registry holds of each."""
 
 from __future__ import annotations
 
-from typing import Protocol
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.types import Genome, Genomes, State
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
+
+if TYPE_CHECKING:
+    # The settings import the registry of learners, so the import the other way is for types only.
+    from matrixworld.coevolution.settings import RaceSettings, SingleSettings, TrainingSettings
 
 
 class Learner(Protocol):
-    """What a run needs of a learner."""
+    """The interface of learners: ask for candidates, tell their fitness.
+
+    A learner improves the genome of one team. A run asks it for candidates, plays their matches,
+    and tells it their fitness (higher is better)::
+
+        candidates = learner.ask(rng)        # (n, genes) float32
+        learner.tell(fitness)                # (n,)
+        learner.genome                       # genome that enters the archive
+
+    Random numbers come only from the generator passed to `ask`, and `tell` is deterministic. A
+    learner restored from `state` therefore continues as if it had never stopped.
+    """
 
     @property
     def genome(self) -> Genome:
-        """The genome (genes,) float32 that stands for the team: champion or mean."""
+        """The genome (genes,) float32 that represents the team: champion or mean."""
 
     @property
-    def match_of_candidate(self) -> NDArray[np.intp]:
-        """(n,) ints; candidates with the same number are scored on the same match seed."""
+    def match_of_candidate(self) -> Indices:
+        """Group of each candidate, (n,) ints: one group is scored on the same match seed."""
 
     def ask(self, rng: np.random.Generator) -> Genomes:
         """Return the candidates (n, genes) float32 to be scored."""
 
     def tell(self, fitness: ArrayLike) -> None:
-        """Learn from the fitness (n,) of the candidates last asked for."""
+        """Learn from the fitness (n,) of the candidates that the last `ask` returned."""
 
     def state(self) -> State:
         """Return all that changes, as plain arrays. Valid between `tell` and `ask`."""
 
     def restore(self, state: State) -> None:
-        """Take up a state that `state` returned."""
+        """Restore a state returned by `state()`."""
 
 
-def checked_fitness(fitness: ArrayLike, n: int) -> NDArray[np.float64]:
-    """Return `fitness` as (n,) float64; ValueError on another shape or a value not finite."""
+@dataclass(frozen=True)
+class LearnerEntry:
+    """One row of the registry `LEARNERS`: a learner's settings, their checks, and its factory.
+
+    Parameters
+    ----------
+    title : str
+        Full name, for help texts.
+    settings : mapping of str to callable
+        Fields of `TrainingSettings` that this learner reads besides `population`, and the check of
+        each value: ``check(name, value)`` raises ValueError or TypeError. The values are checked
+        whichever learner is chosen, so that a bad value is never ignored.
+    check : callable
+        ``check(settings)`` raises ValueError if the learner cannot work with the settings
+        together: population, limit of genes. Called for the chosen learner only.
+    new : callable
+        ``new(settings, team, genomes, rng)`` returns the learner of a team. `genomes` (n, genes)
+        are those to start from; `rng` is a generator for tables of noise.
+    starts_from_population : bool, optional
+        Whether the learner starts from `settings.population` genomes instead of one. The default
+        is False.
+    """
+
+    title: str
+    settings: Mapping[str, Callable[[str, Any], object]]
+    check: Callable[[TrainingSettings], None]
+    new: Callable[[RaceSettings | SingleSettings, Team, Genomes, np.random.Generator], Learner]
+    starts_from_population: bool = False
+
+
+def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:
+    """Return `fitness` as (n,) float64; ValueError if it has another shape or is not finite."""
     values = np.asarray(fitness, dtype=np.float64)
     if values.shape != (n,):
         raise ValueError(f"fitness: expected shape ({n},), got {values.shape}")
+    # One NaN would spread to the whole genome, or be taken for the best.
     if not np.isfinite(values).all():
         raise ValueError(f"fitness: expected finite numbers, got {values}")
     return values

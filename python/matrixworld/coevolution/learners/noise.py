@@ -9,21 +9,34 @@ from matrixworld.coevolution.types import Genome
 
 VECTORS_PER_TABLE = 256
 MOST_EXTRA_NUMBERS = 2**24
+"""Bound of the table's memory: 64 MiB beyond one noise vector."""
 
 
 class NoiseTable:
     """Noise vectors as windows of one long row of normal numbers.
 
-    Drawing a fresh normal number for each gene of each candidate costs more than the rest of what
-    a learner does. A window that starts at a random place of a long shared table is as good and
-    costs nothing to make (Salimans et al. 2017, section 2.1; for a genetic algorithm Such et al.
-    2017, "Deep neuroevolution", arXiv:1712.06567).
+    To draw a normal number for each gene of each candidate costs more time than all other work of a
+    learner. A window at a random place of a long shared table serves as well and costs nothing.
 
     Parameters
     ----------
-    size : length of a noise vector (genes).
-    rng : generator that fills the table.
-    sigma : standard deviation of the numbers, in units of the genes.
+    size : int
+        Length of a noise vector (genes), at least 1.
+    rng : numpy.random.Generator
+        Generator that fills the table.
+    sigma : float
+        Standard deviation of the numbers, in units of the genes, above 0.
+
+    Raises
+    ------
+    ValueError
+        If `size` or `sigma` is out of range.
+
+    References
+    ----------
+    Salimans et al. 2017, "Evolution strategies as a scalable alternative to reinforcement
+    learning", arXiv:1703.03864, section 2.1. For genetic algorithms: Such et al. 2017, "Deep
+    neuroevolution", arXiv:1712.06567.
     """
 
     def __init__(self, size: int, rng: np.random.Generator, *, sigma: float) -> None:
@@ -34,9 +47,11 @@ class NoiseTable:
         self.size, self.sigma = size, sigma
         self._numbers = rng.standard_normal(size + extra, dtype=np.float32)
         self._numbers *= np.float32(sigma)
+        # Views of the table leave this class, so nothing may write to it.
         self._numbers.flags.writeable = False
 
     def draw(self, count: int, rng: np.random.Generator) -> list[Genome]:
         """Return `count` noise vectors, each a read-only view (size,) float32 of the table."""
+        # The last window may end with the table, hence the endpoint.
         starts = rng.integers(0, len(self._numbers) - self.size, size=count, endpoint=True)
         return [self._numbers[start : start + self.size] for start in starts]

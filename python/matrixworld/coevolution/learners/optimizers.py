@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -10,10 +10,11 @@ from matrixworld.checks import check_choice, check_number
 from matrixworld.coevolution.types import Genome, State
 
 OPTIMIZERS = {"adam": "Adam", "momentum": "classical momentum"}
+"""Titles of the optimizers by name."""
 
 
 class Optimizer(Protocol):
-    """Turns gradients into changes of the genome."""
+    """The interface of optimizers: turn gradients into changes of a genome."""
 
     updates: int
     """Steps made."""
@@ -25,11 +26,25 @@ class Optimizer(Protocol):
         """Return all that changes, as plain arrays."""
 
     def restore(self, state: State) -> None:
-        """Take up a state that `state` returned."""
+        """Restore a state returned by `state()`."""
 
 
 class Adam:
-    """Adam's step upwards (Kingma & Ba 2015, algorithm 1), on float32 arrays of shape (size,)."""
+    """Adam's step, in ascent, on float32 arrays of shape (size,).
+
+    Parameters
+    ----------
+    size : int
+        Length of a gradient.
+    beta1, beta2 : float, optional
+        Decay of the moving averages of the gradient and of its square.
+    epsilon : float, optional
+        Added to the denominator.
+
+    References
+    ----------
+    Kingma & Ba 2015, "Adam: a method for stochastic optimization", algorithm 1.
+    """
 
     def __init__(
         self, size: int, *, beta1: float = 0.9, beta2: float = 0.999, epsilon: float = 1e-8
@@ -42,15 +57,17 @@ class Adam:
     def step(self, gradient: Genome, rate: float) -> Genome:
         """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""
         self.updates += 1
+        # In place, and in float32 throughout: both averages are as long as the genome.
         self.mean += (1 - self.beta1) * (gradient - self.mean)
         self.square += (1 - self.beta2) * (gradient * gradient - self.square)
+        # Both averages start at zero; the divisions correct their bias in the first steps.
         mean = self.mean / (1 - self.beta1**self.updates)
         square = self.square / (1 - self.beta2**self.updates)
         change: Genome = rate * mean / (np.sqrt(square) + self.epsilon)
         return change
 
     def state(self) -> State:
-        """Return both moving averages and the count."""
+        """Return both moving averages and the number of steps."""
         return {
             "adam_mean": self.mean.copy(),
             "adam_square": self.square.copy(),
@@ -58,25 +75,40 @@ class Adam:
         }
 
     def restore(self, state: State) -> None:
-        """Take up a state that `state` returned."""
+        """Restore a state returned by `state()`."""
         self.mean = state["adam_mean"].astype(np.float32)
         self.square = state["adam_square"].astype(np.float32)
         self.updates = int(state["updates"])
 
 
 class Momentum:
-    """Classical momentum, upwards, on float32 arrays of shape (size,).
+    """Classical momentum, in ascent, on float32 arrays of shape (size,).
 
-    ::
+    Parameters
+    ----------
+    size : int
+        Length of a gradient.
+    momentum : float, optional
+        Share of the last step that is kept, in [0, 1).
 
-        v = momentum * v + rate * gradient;  change by v
+    Raises
+    ------
+    ValueError
+        If `momentum` is out of range.
 
-    Polyak 1964, as written by Sutskever et al. 2013, "On the importance of initialization and
-    momentum in deep learning", equations 1 and 2. Unlike Adam's, a step is as long as the gradient.
+    Notes
+    -----
+    ``v = momentum * v + rate * gradient``; the change is v. Unlike with Adam, the length of a step
+    follows that of the gradient.
+
+    References
+    ----------
+    Polyak 1964; as written by Sutskever et al. 2013, "On the importance of initialization and
+    momentum in deep learning", equations 1 and 2.
     """
 
     def __init__(self, size: int, *, momentum: float = 0.9) -> None:
-        check_momentum(momentum)
+        check_momentum("momentum", momentum)
         self.momentum = momentum
         self.velocity = np.zeros(size, dtype=np.float32)
         self.updates = 0
@@ -86,27 +118,27 @@ class Momentum:
         self.updates += 1
         self.velocity *= np.float32(self.momentum)
         self.velocity += np.float32(rate) * gradient
+        # A copy: the next step changes the velocity in place.
         change: Genome = self.velocity.copy()
         return change
 
     def state(self) -> State:
-        """Return the velocity and the count."""
+        """Return the velocity and the number of steps."""
         return {"velocity": self.velocity.copy(), "updates": np.array(self.updates)}
 
     def restore(self, state: State) -> None:
-        """Take up a state that `state` returned."""
+        """Restore a state returned by `state()`."""
         self.velocity = state["velocity"].astype(np.float32)
         self.updates = int(state["updates"])
 
 
 def new_optimizer(name: str, size: int, *, momentum: float) -> Optimizer:
-    """Return the optimizer of a name in `OPTIMIZERS`; Adam has no `momentum`."""
+    """Return a new optimizer by its name in `OPTIMIZERS`; Adam does not use `momentum`."""
     check_choice("optimizer", name, OPTIMIZERS)
     return Adam(size) if name == "adam" else Momentum(size, momentum=momentum)
 
 
-def check_momentum(momentum: float) -> None:
-    """ValueError unless `momentum` is in [0, 1)."""
-    check_number("momentum", momentum, least=0.0)
-    if momentum >= 1.0:
-        raise ValueError(f"momentum: expected a number below 1, got {momentum}")
+def check_momentum(name: str, momentum: Any) -> None:
+    """Raise ValueError unless `momentum` is in [0, 1)."""
+    if check_number(name, momentum, least=0.0) >= 1.0:
+        raise ValueError(f"{name}: expected a number below 1, got {momentum}")

@@ -1,52 +1,76 @@
-"""What a run starts from: untrained genomes and new learners."""
+"""The learners by name, and how a run starts: new learners and untrained genomes.
+
+To add a learner, write a class with the interface `Learner` and a `LearnerEntry` in a file of its
+own, add its settings as fields of `TrainingSettings`, and add a row to `LEARNERS`.
+"""
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from matrixworld.coevolution.learners.cma_es import CmaEs
-from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy
-from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
-from matrixworld.coevolution.learners.learner import Learner
-from matrixworld.coevolution.learners.noise import NoiseTable
+from matrixworld.coevolution.learners import cma_es, evolution_strategy, genetic_algorithm
+from matrixworld.coevolution.learners.learner import Learner, LearnerEntry
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.settings import RaceSettings, SingleSettings
 from matrixworld.coevolution.types import TEAMS, Genomes, Team
+
+if TYPE_CHECKING:
+    from matrixworld.coevolution.settings import RaceSettings, SingleSettings, TrainingSettings
+
+LEARNERS: dict[str, LearnerEntry] = {
+    "es": evolution_strategy.ENTRY,
+    "ga": genetic_algorithm.ENTRY,
+    "cma": cma_es.ENTRY,
+}
+"""Learners by the name that `TrainingSettings.learner` takes."""
+
+
+def check_learner_settings(settings: TrainingSettings) -> None:
+    """Raise ValueError or TypeError if a setting of any learner is bad.
+
+    Parameters
+    ----------
+    settings : TrainingSettings
+        Settings whose world has been checked already: the network's size follows from it.
+    """
+    # Of all learners, not only of the chosen one: a value out of range is never meant.
+    for entry in LEARNERS.values():
+        for name, check in entry.settings.items():
+            check(name, getattr(settings, name))
+    LEARNERS[settings.learner_name].check(settings)
+
+
+def starting_genomes(settings: TrainingSettings) -> int:
+    """Return the number of genomes from which the learner of the settings starts."""
+    return settings.population if LEARNERS[settings.learner_name].starts_from_population else 1
+
+
+def new_learner(settings: RaceSettings | SingleSettings, team: Team, genomes: Genomes) -> Learner:
+    """Return a new learner of the kind that the settings name.
+
+    Parameters
+    ----------
+    settings : RaceSettings or SingleSettings
+        Settings of the run.
+    team : {"pursuer", "evader"}
+        Team that learns.
+    genomes : ndarray of float32, shape (n, genes)
+        Genomes to start from, ``n = starting_genomes(settings)``.
+
+    Returns
+    -------
+    Learner
+        The learner.
+    """
+    # The table is filled again from the same key when a run resumes, so no checkpoint holds it.
+    rng = keyed_generator(settings.seed, Purpose.NOISE, TEAMS.index(team))
+    return LEARNERS[settings.learner_name].new(settings, team, genomes, rng)
 
 
 def untrained(settings: RaceSettings | SingleSettings, team: Team, count: int) -> Genomes:
     """Return the first `count` untrained genomes (count, genes) of a team of a run."""
     rng = keyed_generator(settings.seed, Purpose.INITIAL, TEAMS.index(team))
     weight, head = settings.initial_weight, settings.initial_head
+    # One after the other from one generator: the first genomes do not depend on `count`.
     return np.stack([settings.network.initial(rng, weight=weight, head=head) for _ in range(count)])
-
-
-def new_learner(
-    settings: RaceSettings | SingleSettings, team: Team, population: Genomes
-) -> Learner:
-    """Return the learner of the settings, starting from `population` (or from its first row)."""
-    if settings.learner_name == "cma":
-        return CmaEs(population[0], sigma=settings.sigma, samples=settings.population)
-    genetic = settings.learner_name == "ga"
-    rng = keyed_generator(settings.seed, Purpose.NOISE, TEAMS.index(team))
-    sigma = settings.mutation if genetic else settings.sigma
-    noise = NoiseTable(population.shape[1], rng, sigma=sigma)
-    if genetic:
-        return GeneticAlgorithm(
-            population,
-            noise,
-            selection=settings.selection,
-            tournament=settings.tournament,
-            truncation=settings.truncation,
-            elites=settings.elites,
-            crossover=settings.crossover,
-        )
-    return EvolutionStrategy(
-        population[0],
-        noise,
-        samples=settings.population,
-        learning_rate=settings.learning_rate,
-        anneal_over=settings.total_epochs(team) if settings.anneal else None,
-        optimizer=settings.optimizer,
-        momentum=settings.momentum,
-    )

@@ -1,4 +1,4 @@
-"""A learner as a DEAP toolbox, in the shape of `deap.algorithms.eaGenerateUpdate`."""
+"""A learner as a DEAP toolbox, as `deap.algorithms.eaGenerateUpdate` takes it."""
 
 from __future__ import annotations
 
@@ -14,19 +14,25 @@ from matrixworld.coevolution.types import Genome, Genomes
 
 
 class Maximize(base.Fitness):  # type: ignore[misc]
-    """DEAP fitness of one value, the more the better."""
+    """DEAP fitness of one value; higher is better."""
 
     weights = (1.0,)
 
     def __init__(self, values: tuple[float, ...] = ()) -> None:
-        # DEAP's own looks at the weights of each new fitness again, which takes longer than the
-        # rest of making an individual.
+        # DEAP's own constructor checks the weights for each new fitness, which takes longer than
+        # all other work of making an individual.
         if values:
             self.values = values
 
 
 class Individual:
-    """A DEAP individual: a genome (genes,) float32 and its fitness."""
+    """A DEAP individual: a genome and its fitness.
+
+    Parameters
+    ----------
+    genome : ndarray of float32, shape (genes,)
+        Weights of the policy network.
+    """
 
     __slots__ = ("fitness", "genome")
 
@@ -36,19 +42,29 @@ class Individual:
 
 
 class Candidates(list[Individual]):
-    """A DEAP population whose individuals are the rows of one array, `genomes` (n, genes)."""
+    """A DEAP population whose individuals are the rows of one array.
+
+    Parameters
+    ----------
+    genomes : ndarray of float32, shape (n, genes)
+        One genome a row; the attribute `genomes` keeps the array, to be evaluated in bulk.
+    """
 
     def __init__(self, genomes: Genomes) -> None:
+        # The genome of an individual is a view of its row, so both always agree.
         super().__init__(Individual(genome) for genome in genomes)
         self.genomes = genomes
 
 
 Evaluate = Callable[[Candidates], ArrayLike]
-"""EpisodeStatistics all candidates at once: returns their fitness, (n,)."""
+"""Function that scores all candidates in one call and returns their fitness (n,)."""
 
 
 def evaluate_all(evaluate: Evaluate, population: Candidates) -> list[tuple[float]]:
-    """DEAP's `map`, in one call: matches are played in bulk, not individual by individual."""
+    """Return the fitness of a population, as DEAP's `map` does, from one call of `evaluate`.
+
+    Matches are played in bulk, not individual by individual.
+    """
     return [(float(value),) for value in np.asarray(evaluate(population))]
 
 
@@ -57,8 +73,15 @@ def learner_toolbox(learner: Learner, generators: Iterator[np.random.Generator])
 
     Parameters
     ----------
-    learner : is asked by `generate` and told by `update`.
-    generators : yields the generator of each epoch in turn.
+    learner : Learner
+        `generate` asks it for candidates, `update` tells it their fitness.
+    generators : iterator of numpy.random.Generator
+        Yields the generator of each epoch in turn.
+
+    Returns
+    -------
+    deap.base.Toolbox
+        ``generate()`` returns `Candidates`; ``update(population)`` reads their fitness.
     """
 
     def generate() -> Candidates:
@@ -76,10 +99,21 @@ def learner_toolbox(learner: Learner, generators: Iterator[np.random.Generator])
 def generate_update_toolbox(
     learner: Learner, evaluate: Evaluate, generators: Iterator[np.random.Generator]
 ) -> base.Toolbox:
-    """Return all that `deap.algorithms.eaGenerateUpdate` needs to drive a learner.
+    """Return a toolbox with which `deap.algorithms.eaGenerateUpdate` drives a learner.
 
-    As `learner_toolbox`, with `evaluate`, which scores all candidates at once, and the `map` that
-    calls it.
+    Parameters
+    ----------
+    learner : Learner
+        The learner.
+    evaluate : callable
+        Scores all candidates in one call: `Candidates` -> fitness (n,).
+    generators : iterator of numpy.random.Generator
+        Yields the generator of each epoch in turn.
+
+    Returns
+    -------
+    deap.base.Toolbox
+        With `generate`, `evaluate`, `map` and `update`.
     """
     toolbox = learner_toolbox(learner, generators)
     toolbox.register("evaluate", evaluate)

@@ -1,43 +1,41 @@
-"""Opponent selection: whom a learning team meets, by one interface.
+"""Opponent samplers: which archived opponents the learning team plays against in an epoch.
 
-A schedule that lets one team learn and one that lets both learn ask alike: there are `available`
-archived opponents, numbered from the oldest; which of them in this epoch? ::
+All schedules use one interface. There are `available` archived opponents, numbered from the oldest;
+the sampler chooses some of them for each epoch::
 
-    selection = opponents.HallOfFame(newest=1, sampled=4)
-    met = selection.choose(available, epoch, rng)       # numbers; the genomes are the caller's
-    selection.tell(met, scores)                         # (n, len(met)): n candidates
+    sampler = opponents.HallOfFame(newest=1, sampled=4)
+    chosen = sampler.sample(available, epoch, rng)      # numbers; the caller holds the genomes
+    sampler.tell(chosen, scores)                        # (n, len(chosen)): n candidates
 
 ================  ================================================================================
-selection         the interface; `Latest`, `Uniform`, `RoundRobin` (the paper's), `HallOfFame`
-prioritized       by win rate (Vinyals et al. 2019): `Prioritized` with `hard` or `even`
-shared_sampling   strong and different ones (Rosin & Belew 1997): `SharedSampling`
-archive           what is kept of both teams, by outcomes alone: the interface of the next three
-maxsolve          `MaxSolve`: the candidates that solve most tests (de Jong 2005)
-ipca              `IPCA`: the candidates that none dominates, and the tests that show it (2004)
-lapca             `LAPCA`: the same in layers, bounded (2007); both use `distinctions`
-generalist        `Generalist`: better against all or not at all (Simione & Nolfi 2021)
-from_archive      `ArchiveSampler`: an archive as a selection
-choices           `SAMPLERS`: all of them by name
+samplers          the interface `OpponentSampler`; `Latest`, `Uniform`, `RoundRobin`, `HallOfFame`
+prioritized       `Prioritized`: by win rate, with `hard` or `even` (Vinyals et al. 2019)
+shared_sampling   `SharedSampling`: strong and different opponents (Rosin & Belew 1997)
+pareto            `Archive`, and the Pareto archives `MaxSolve` (de Jong 2005), `IPCA` (2004) and
+                  `LAPCA` (2007)
+generalist        `Generalist`: better against all opponents or not at all (Simione & Nolfi 2021)
+archive_sampler   `ArchiveSampler`: samples among the opponents that an archive has kept
+registry          `SAMPLERS` by name; `SCHEDULES`, which name a sampler for each team
 ================  ================================================================================
 
-A selection or archive belongs to one team and does not know which: with `swapped` outcomes the
-other team gets the mirror image. What is archived is copied and cannot be written to. Whatever
-changes goes through ``state`` and ``restore`` as plain arrays, and all random numbers come from
-the generator handed in, so that a restored run goes on bit for bit. Nothing here knows a world.
+A sampler or archive belongs to one team and does not know which: with `swapped` payoffs the other
+team gets the mirror image. Archived members are read-only copies. All that changes is saved and
+restored by ``state`` and ``restore`` as plain arrays, and all random numbers come from the
+generator of the caller, so that a restored run continues bit for bit. Nothing here knows a world.
 """
 
 from __future__ import annotations
 
 from matrixworld.coevolution.opponents.archive_sampler import ArchiveSampler
 from matrixworld.coevolution.opponents.generalist import Generalist, maximally_different
-from matrixworld.coevolution.opponents.ipca import IPCA
-from matrixworld.coevolution.opponents.lapca import LAPCA, layers_of
-from matrixworld.coevolution.opponents.maxsolve import MaxSolve
 from matrixworld.coevolution.opponents.pareto import (
+    IPCA,
+    LAPCA,
     Archive,
-    Members,
+    MaxSolve,
     PayoffFunction,
-    protected,
+    layers_of,
+    read_only,
     swapped,
 )
 from matrixworld.coevolution.opponents.prioritized import Prioritized, Weighting, even, hard
@@ -51,7 +49,6 @@ from matrixworld.coevolution.opponents.samplers import (
     Uniform,
 )
 from matrixworld.coevolution.opponents.shared_sampling import SharedSampling, shared_sample
-from matrixworld.coevolution.types import Indices, State
 
 __all__ = [
     "IPCA",
@@ -61,16 +58,13 @@ __all__ = [
     "ArchiveSampler",
     "Generalist",
     "HallOfFame",
-    "Indices",
     "Latest",
     "MaxSolve",
-    "Members",
     "OpponentSampler",
     "PayoffFunction",
     "Prioritized",
     "RoundRobin",
     "SharedSampling",
-    "State",
     "Stateless",
     "Uniform",
     "Weighting",
@@ -78,7 +72,7 @@ __all__ = [
     "hard",
     "layers_of",
     "maximally_different",
-    "protected",
+    "read_only",
     "shared_sample",
     "swapped",
 ]

@@ -1,12 +1,11 @@
-"""TeamPolicy that an archive has kept, by the number of their generation."""
+"""A sampler of the opponents that an archive has kept, by the number of their generation."""
 
 from __future__ import annotations
 
-from typing import Protocol
-
 import numpy as np
 
-from matrixworld.coevolution.opponents.pareto import Members, PayoffFunction
+from matrixworld.coevolution.opponents.generalist import Generalist
+from matrixworld.coevolution.opponents.pareto import Archive, PayoffFunction
 from matrixworld.coevolution.opponents.samplers import (
     HallOfFame,
     Latest,
@@ -15,90 +14,81 @@ from matrixworld.coevolution.opponents.samplers import (
     Uniform,
     check_available,
 )
-from matrixworld.coevolution.types import Indices, State
-
-
-class Keeper(Protocol):
-    """An archive: `MaxSolve`, `IPCA`, `LAPCA` or `Generalist`."""
-
-    @property
-    def candidates(self) -> Members:
-        """The members of the team that are kept."""
-
-    @property
-    def tests(self) -> Members:
-        """The opponents that are kept."""
-
-    @property
-    def graded(self) -> bool:
-        """Whether how clearly a candidate wins makes a difference."""
-
-    @property
-    def anew(self) -> bool:
-        """Whether it wants all tests each time, not the new ones only."""
-
-    def submit(self, candidates: Members, tests: Members, outcome: PayoffFunction) -> object:
-        """Offer new candidates and tests."""
-
-    def state(self) -> State:
-        """Return all that changes, as plain arrays."""
-
-    def restore(self, state: State) -> None:
-        """Take up a state that `state` returned."""
+from matrixworld.coevolution.types import Indices, Members, State
 
 
 class ArchiveSampler(Stateless):
-    """A selection among the tests of an archive whose members are numbers of generations.
+    """A sampler among the tests of an archive whose members are numbers of generations.
 
-    The genomes stay where every generation's are kept, and the archive holds their numbers, shape
-    (m,). Its owner admits what is new before it chooses::
+    The archive holds numbers, shape (m,); the genomes of all generations stay with the caller, who
+    updates the archive before the next sample::
 
-        selection.admit([generation], [generation], outcome)    # outcome looks up the genomes
+        sampler.update([generation], [generation], payoff)    # `payoff` looks up the genomes
 
-    While the archive holds no test, the newest opponent is met.
+    While the archive holds no test, the sample is the newest opponent.
 
     Parameters
     ----------
-    archive : keeps the numbers of generations; is saved and restored with the selection.
-    within : selection among those kept. It takes note of nothing, for places in an archive change
-        hands.
+    archive : Archive or Generalist
+        Keeps numbers of generations; saved and restored with the sampler.
+    sampler : Latest, Uniform, RoundRobin or HallOfFame
+        Samples among the kept tests. It must be stateless: the place of an opponent in the archive
+        changes.
     """
 
-    def __init__(self, archive: Keeper, within: Latest | Uniform | RoundRobin | HallOfFame) -> None:
-        self.archive, self.within = archive, within
+    def __init__(
+        self, archive: Archive | Generalist, sampler: Latest | Uniform | RoundRobin | HallOfFame
+    ) -> None:
+        self.archive, self.sampler = archive, sampler
 
     @property
     def graded(self) -> bool:
-        """Whether how clearly a candidate wins makes a difference to the archive."""
+        """Whether the archive should get graded payoffs, instead of win, draw or loss."""
         return self.archive.graded
 
-    def admit(self, new: Members, opponents: Members, outcome: PayoffFunction) -> None:
-        """Offer the archive new generations (n,) of the team and of its opponents (m,).
+    def update(self, new: Members, opponents: Members, payoff: PayoffFunction) -> None:
+        """Submit new generations to the archive.
 
-        An archive that wants them anew is offered all opponents up to the newest.
+        Parameters
+        ----------
+        new, opponents : ndarray of int, shape (n,) and (m,)
+            New generations of the team and of its opponents. An archive that needs all tests gets
+            all opponents up to the newest one.
+        payoff : callable
+            See `PayoffFunction`.
         """
-        if self.archive.anew and len(opponents):
+        if self.archive.needs_all_tests and len(opponents):
+            # Generations are numbered without gaps.
             opponents = np.arange(opponents.max() + 1)
-        self.archive.submit(new, opponents, outcome)
+        self.archive.submit(new, opponents, payoff)
 
-    def most_pairs(self, candidates: int, tests: int) -> int:
-        """Return the most pairs that admitting compares, of so many generations on each side.
+    def max_pairs(self, candidates: int, tests: int) -> int:
+        """Return the largest number of pairs that an update compares.
 
-        One generation is new on each; all tests, where the archive wants them anew.
+        One generation of each team is new.
+
+        Parameters
+        ----------
+        candidates, tests : int
+            Generations of the team and of its opponents, the new ones included.
         """
-        if self.archive.anew:
+        if self.archive.needs_all_tests:
+            # Generalist computes all payoffs again: of its team and of the new generation.
             return (len(self.archive.candidates) + 1) * tests
+        # A Pareto archive computes the new row and the new column, at most of all generations.
         return candidates + tests
 
-    def choose(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
+    def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return opponents that the archive has kept."""
         check_available(available)
+        # Sorted, so that the sample does not depend on the order inside the archive.
         kept = np.unique(self.archive.tests).astype(np.intp)
+        # MaxSolve and LAPCA may drop all tests.
         if not len(kept):
-            return Latest().choose(available, epoch, rng)
+            return Latest().sample(available, epoch, rng)
         if kept[0] < 0 or kept[-1] >= available:
             raise ValueError(f"archive: expected generations below {available}, got {kept}")
-        chosen: Indices = kept[self.within.choose(len(kept), epoch, rng)]
+        chosen: Indices = kept[self.sampler.sample(len(kept), epoch, rng)]
         return chosen
 
     def state(self) -> State:
@@ -106,5 +96,5 @@ class ArchiveSampler(Stateless):
         return self.archive.state()
 
     def restore(self, state: State) -> None:
-        """Take up a state that `state` returned."""
+        """Restore a state returned by `state()`."""
         self.archive.restore(state)

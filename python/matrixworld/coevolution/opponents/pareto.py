@@ -1,123 +1,337 @@
-"""Archives: what is kept of candidates, and of the tests that tell them apart.
+"""Archives: the candidates to keep, and the tests that tell them apart.
 
-To a team its own members are the candidates and its opponents the tests. Members are rows of
+For a team, its own members are the candidates and its opponents the tests. Members are rows of
 arrays of any dtype: genomes, or numbers that stand for them, such as generations
-(`ArchiveSampler`).
+(`ArchiveSampler`). Archives compare members by their payoffs (n, m) alone: row a *dominates* row b
+if its payoff is nowhere lower and somewhere higher.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.types import FloatArray, Indices, State
+from matrixworld.coevolution.opponents.samplers import check_count
+from matrixworld.coevolution.types import BoolArray, FloatArray, Indices, Members, State
 
-Members = NDArray[Any]
 PayoffFunction = Callable[[Members, Members], ArrayLike]
 """(candidates (n, ...), tests (m, ...)) -> payoffs (n, m) of the candidates, in [0, 1].
 
-A pure function: the same pair has the same payoff whenever it is asked for.
+A pure function: one pair always has the same payoff.
 """
 
-
-def swapped(outcome: PayoffFunction) -> PayoffFunction:
-    """Return the outcome as the other team sees it: ``1 - outcome``, transposed."""
-    return lambda candidates, tests: 1.0 - np.asarray(outcome(tests, candidates)).T
+SOLVED_ABOVE = 0.5
+"""Payoff above which a candidate solves a test; at it neither team wins."""
 
 
-def protected(rows: ArrayLike) -> Members:
-    """Return a copy that nobody can write to."""
+def swapped(payoff: PayoffFunction) -> PayoffFunction:
+    """Return the payoff function of the other team: ``1 - payoff``, transposed."""
+    return lambda candidates, tests: 1.0 - np.asarray(payoff(tests, candidates)).T
+
+
+def read_only(rows: ArrayLike) -> Members:
+    """Return a read-only copy of an array of members; ValueError if it has no axis."""
     members = np.array(rows)
     if members.ndim == 0:
         raise ValueError("members: expected an array of rows, got a single number")
+    # Payoff functions of users get these arrays and could otherwise change the archive.
     members.flags.writeable = False
     return members
 
 
-def payoffs(outcome: PayoffFunction, candidates: Members, tests: Members) -> FloatArray:
-    """Return the payoffs (n, m) of candidates on tests; nothing is asked where there are none."""
+def checked_payoffs(payoff: PayoffFunction, candidates: Members, tests: Members) -> FloatArray:
+    """Return the payoffs (n, m) of candidates on tests; does not call `payoff` for no pairs."""
     shape = (len(candidates), len(tests))
     if 0 in shape:
         return np.zeros(shape)
-    values = np.asarray(outcome(candidates, tests), dtype=np.float64)
+    values = np.asarray(payoff(candidates, tests), dtype=np.float64)
     if values.shape != shape:
-        raise ValueError(f"outcome: expected payoffs of shape {shape}, got {values.shape}")
+        raise ValueError(f"payoff: expected an array of shape {shape}, got {values.shape}")
     if not np.isfinite(values).all():
-        raise ValueError(f"outcome: expected finite numbers, got {values}")
+        raise ValueError(f"payoff: expected finite numbers, got {values}")
     return values
 
 
 class Archive(ABC):
-    """Candidates and tests, and the payoffs of all against all.
+    """Base of the archives: candidates, tests, and the payoffs of all pairs.
 
     ::
 
         submit:  candidates = archived and new ones;  tests = archived and new ones
-                 outcomes = payoffs of all these candidates on all these tests
-                 keep some of both, by what the subclass says of the outcomes alone
+                 payoffs of all these candidates on all these tests
+                 keep some of both, by the rule of the subclass
 
-    New candidates are judged on archived and new tests together, and members are compared by
-    their outcomes, never by what they are. A payoff that is known is not asked for again.
+    Known payoffs are not computed again.
 
     Attributes
     ----------
-    candidates, tests : (n, ...) and (m, ...), copies that cannot be written to, oldest first.
-    outcomes : (n, m) float64 payoffs of the candidates, read-only.
-    graded : whether how clearly a candidate wins makes a difference. To these it should not where
-        payoffs are noisy: then hardly any two are equal, and hardly any dominates another.
-    anew : whether all tests are to be submitted each time, not the new ones only.
+    candidates, tests : ndarray, shape (n, ...) and (m, ...)
+        Members of both kinds, oldest first; read-only copies.
+    payoffs : ndarray of float64, shape (n, m)
+        Payoffs of the candidates on the tests; read-only.
+    graded : bool
+        Whether the archive should get graded payoffs, instead of win, draw or loss (1, 1/2, 0).
+        False here: with noisy graded payoffs hardly any two are equal, and hardly any candidate
+        dominates another one.
+    needs_all_tests : bool
+        Whether each submission must contain all tests, not only the new ones.
     """
 
     graded = False
-    anew = False
+    needs_all_tests = False
 
     def __init__(self) -> None:
-        self.candidates: Members = protected([])
-        self.tests: Members = protected([])
-        self.outcomes: FloatArray = protected(np.zeros((0, 0)))
+        self.candidates: Members = read_only([])
+        self.tests: Members = read_only([])
+        self.payoffs: FloatArray = read_only(np.zeros((0, 0)))
 
     @abstractmethod
-    def select(self, outcomes: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
+    def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
         """Return the candidates and the tests to keep, in ascending order.
 
         Parameters
         ----------
-        outcomes : (n, m) payoffs of archived and new candidates on archived and new tests.
-        archived : how many of the first rows, and of the first columns, are archived.
+        payoffs : ndarray of float64, shape (n, m)
+            Payoffs of archived and new candidates on archived and new tests.
+        archived : tuple of int
+            Number of the first rows, and of the first columns, that are archived.
         """
 
-    def submit(self, candidates: ArrayLike, tests: ArrayLike, outcome: PayoffFunction) -> None:
-        """Offer new candidates (n, ...) and new tests (m, ...); either may be empty."""
-        new_candidates, new_tests = protected(candidates), protected(tests)
-        known, archived = self.outcomes, self.outcomes.shape
+    def submit(self, candidates: ArrayLike, tests: ArrayLike, payoff: PayoffFunction) -> None:
+        """Submit new members; the archive keeps some of these and of its own.
+
+        Parameters
+        ----------
+        candidates, tests : array_like, shape (n, ...) and (m, ...)
+            New candidates and tests; either may be empty.
+        payoff : callable
+            See `PayoffFunction`.
+
+        Raises
+        ------
+        ValueError
+            If members or payoffs have another shape, or a payoff is not finite.
+        """
+        new_candidates, new_tests = read_only(candidates), read_only(tests)
+        archived = self.payoffs.shape
         all_candidates = _joined(self.candidates, new_candidates)
         all_tests = _joined(self.tests, new_tests)
-        beside = payoffs(outcome, self.candidates, new_tests)
-        below = payoffs(outcome, new_candidates, all_tests)
-        union = np.concatenate([np.concatenate([known, beside], axis=1), below])
-        rows, columns = self.select(union, (archived[0], archived[1]))
-        self.candidates = protected(all_candidates[rows])
-        self.tests = protected(all_tests[columns])
-        self.outcomes = protected(union[np.ix_(rows, columns)])
+        # The payoffs of archived candidates on archived tests are known; two blocks are missing.
+        on_new_tests = checked_payoffs(payoff, self.candidates, new_tests)
+        of_new_candidates = checked_payoffs(payoff, new_candidates, all_tests)
+        of_archived = np.concatenate([self.payoffs, on_new_tests], axis=1)
+        union = np.concatenate([of_archived, of_new_candidates])
+        rows, columns = self.keep(union, (archived[0], archived[1]))
+        self.candidates = read_only(all_candidates[rows])
+        self.tests = read_only(all_tests[columns])
+        self.payoffs = read_only(union[np.ix_(rows, columns)])
 
     def state(self) -> State:
-        """Return candidates, tests and outcomes."""
-        return {"candidates": self.candidates, "tests": self.tests, "outcomes": self.outcomes}
+        """Return candidates, tests and payoffs."""
+        return {"candidates": self.candidates, "tests": self.tests, "payoffs": self.payoffs}
 
     def restore(self, state: State) -> None:
-        """Take up a state that `state` returned."""
-        self.candidates = protected(state["candidates"])
-        self.tests = protected(state["tests"])
-        self.outcomes = protected(state["outcomes"])
+        """Restore a state returned by `state()`."""
+        self.candidates = read_only(state["candidates"])
+        self.tests = read_only(state["tests"])
+        self.payoffs = read_only(state["payoffs"])
 
 
 def _joined(archived: Members, new: Members) -> Members:
+    # The dtype and the shape of a row are those of the first members; no archive fixes them before.
     if not len(archived) or not len(new):
         return archived if len(archived) else new
     if archived.shape[1:] != new.shape[1:]:
         raise ValueError(f"members: expected rows {archived.shape[1:]}, got {new.shape[1:]}")
-    return protected(np.concatenate([archived, new]))
+    return read_only(np.concatenate([archived, new]))
+
+
+class MaxSolve(Archive):
+    """Up to `limit` candidates that solve the most tests, and the tests that they solve.
+
+    ::
+
+        C = archived and new candidates;  T = archived and new tests
+        drop candidates that solve no test of T
+        of candidates that solve the same tests of T keep the oldest
+        keep the `limit` candidates that solve the most tests of T; of equals the oldest
+        drop tests that no kept candidate solves
+        of tests that are solved by the same candidates keep the oldest
+
+    Parameters
+    ----------
+    limit : int
+        Largest number of candidates, at least 1.
+
+    References
+    ----------
+    de Jong 2005, "The MaxSolve algorithm for coevolution", GECCO.
+    """
+
+    def __init__(self, limit: int) -> None:
+        check_count("limit", limit)
+        super().__init__()
+        self.limit = limit
+
+    def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
+        """Return the candidates and tests to keep."""
+        solved = payoffs > SOLVED_ABOVE
+        distinct = _first_of_equals(solved)
+        # Stable: of candidates that solve equally many tests the oldest comes first.
+        most_first = distinct[np.argsort(-solved[distinct].sum(axis=1), kind="stable")]
+        rows = np.sort(most_first[: self.limit])
+        # Kept candidates differ on a test that one of them solves, so they differ on kept tests.
+        return rows, _first_of_equals(solved[rows].T)
+
+
+class IPCA(Archive):
+    """The incremental Pareto-coevolution archive.
+
+    It holds the candidates that no other one dominates, and all tests that were ever needed to show
+    this.
+
+    ::
+
+        C = archived and new candidates;  T = archived and new tests
+        F = candidates of C that none dominates on T; of those with equal payoffs the oldest
+        for each c in F and each a, archived or in F, such that c beats a on some test of T:
+            unless an archived test shows it, add a new test that does (as few as the greedy
+            choice finds)
+        candidates = F;  no test is ever dropped
+
+    Notes
+    -----
+    The archive is monotone: for every candidate that it has ever held, some candidate in it does at
+    least as well on every test that was held at the time. It grows without bound; `LAPCA` does not.
+
+    References
+    ----------
+    de Jong 2004, "The incremental Pareto-coevolution archive", GECCO; dominance as in Ficici &
+    Pollack 2001, "Pareto optimality in coevolutionary learning".
+    """
+
+    def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
+        """Return the candidates and tests to keep."""
+        rows = _front(payoffs)
+        # Archived candidates that leave the archive count, too: tests must show why they left.
+        others = np.union1d(rows, np.arange(archived[0]))
+        pairs = (len(rows) * len(others), payoffs.shape[1])
+        shown = _distinctions(payoffs)[np.ix_(rows, others)].reshape(pairs)
+        # Columns up to archived[1] are archived tests, the rest are new ones.
+        known = shown[:, : archived[1]].any(axis=1)
+        added = archived[1] + np.array(_fewest_tests(shown[~known, archived[1] :]), dtype=np.intp)
+        return rows, np.concatenate([np.arange(archived[1]), np.sort(added)])
+
+
+class LAPCA(Archive):
+    """The layered Pareto-coevolution archive.
+
+    It holds the first layers of candidates, and the tests that tell neighbours apart.
+
+    ::
+
+        C = archived and new candidates;  T = archived and new tests
+        of candidates with equal payoffs on T keep the oldest
+        F1 = candidates of C that none dominates on T;  F2 = those of C - F1;  ... up to `layers`
+        candidates = F1 + ... + Fn
+        tests = as few as the greedy choice finds, archived ones first, such that for any two
+                candidates of one layer or of neighbouring layers: if a test of T shows that one
+                beats the other, so does a kept test
+
+    Parameters
+    ----------
+    layers : int
+        Layers of candidates, the best first; at least 1.
+
+    Notes
+    -----
+    Tests are dropped. The archive is therefore bounded in practice, and not strictly monotone; the
+    more layers, the closer it is to `IPCA`.
+
+    References
+    ----------
+    de Jong 2007, "A monotonic archive for Pareto-coevolution", Evolutionary Computation 15(1).
+    """
+
+    def __init__(self, layers: int) -> None:
+        check_count("layers", layers)
+        super().__init__()
+        self.layers = layers
+
+    def keep(self, payoffs: FloatArray, archived: tuple[int, int]) -> tuple[Indices, Indices]:
+        """Return the candidates and tests to keep."""
+        layer = layers_of(payoffs)
+        rows = np.flatnonzero((layer >= 0) & (layer < self.layers))
+        # Both orders of each pair, since either candidate may be the better one on some test.
+        near = np.abs(layer[rows, np.newaxis] - layer[rows]) <= 1
+        shown = _distinctions(payoffs[rows])[near]
+        old = _fewest_tests(shown[:, : archived[1]])
+        # New tests are needed only for pairs that no kept archived test tells apart.
+        left = shown[~shown[:, old].any(axis=1), archived[1] :]
+        new = [archived[1] + test for test in _fewest_tests(left)]
+        return rows, np.sort(np.array(old + new, dtype=np.intp))
+
+
+def layers_of(payoffs: FloatArray) -> Indices:
+    """Return the Pareto layer of each candidate.
+
+    Parameters
+    ----------
+    payoffs : ndarray of float64, shape (n, m)
+        Payoffs of n candidates on m tests.
+
+    Returns
+    -------
+    ndarray of intp, shape (n,)
+        Layer, 0 the best. -1 for a candidate whose payoffs equal those of an earlier one.
+    """
+    layer = np.full(len(payoffs), -1, dtype=np.intp)
+    # `unique` returns the first row of each kind, in the order of the values; sort by age again.
+    left = np.sort(np.unique(payoffs, axis=0, return_index=True)[1])
+    for number in range(len(payoffs)):
+        best = left[_front(payoffs[left])]
+        layer[best] = number
+        left = np.setdiff1d(left, best)
+    return layer
+
+
+def _first_of_equals(solved: BoolArray) -> Indices:
+    """Return the first of each kind of row that is not all False, in ascending order."""
+    # A dict keeps the order of insertion, so the values below are ascending.
+    seen: dict[bytes, int] = {}
+    for i, row in enumerate(solved):
+        seen.setdefault(row.tobytes(), i)
+    return np.array([i for i in seen.values() if solved[i].any()], dtype=np.intp)
+
+
+def _distinctions(payoffs: FloatArray) -> BoolArray:
+    """Return (n, n, m): at [a, b, t] whether test t shows that a beats b."""
+    return payoffs[:, np.newaxis] > payoffs[np.newaxis]
+
+
+def _front(payoffs: FloatArray) -> Indices:
+    """Return the rows that none dominates; of rows with equal payoffs the first."""
+    better = _distinctions(payoffs).any(axis=2)
+    # better[a, b]: a beats b on some test. Neither beats the other: all payoffs are equal.
+    equal = ~better & ~better.T
+    earlier = np.tri(len(payoffs), k=-1, dtype=np.bool_)
+    superfluous = ~better & (better.T | (equal & earlier))
+    return np.flatnonzero(~superfluous.any(axis=1))
+
+
+def _fewest_tests(needed: BoolArray) -> list[int]:
+    """Return few tests such that each pair that some test tells apart is told apart by one of them.
+
+    `needed` is (pairs, m): which tests tell each pair apart. Greedy: while pairs are left, take the
+    test that tells the most of them apart, the first of equals.
+    """
+    chosen: list[int] = []
+    # Pairs that no test tells apart would never leave the loop.
+    left = needed[needed.any(axis=1)]
+    while len(left):
+        chosen.append(int(np.argmax(left.sum(axis=0))))
+        left = left[~left[:, chosen[-1]]]
+    return chosen

@@ -1,4 +1,4 @@
-"""TeamPolicy drawn by how hard they are (Vinyals et al. 2019)."""
+"""Opponents drawn by how hard they are to beat (Vinyals et al. 2019)."""
 
 from __future__ import annotations
 
@@ -11,42 +11,80 @@ from matrixworld.coevolution.opponents.samplers import check_available, check_co
 from matrixworld.coevolution.types import FloatArray, Indices, State
 
 Weighting = Callable[[FloatArray], FloatArray]
-"""Win rates (m,) of the learner -> weights (m,), none negative."""
+"""Win rates (m,) of the learning team -> weights (m,), none negative."""
 
 UNKNOWN = 0.5
-"""The win rate against an opponent that has not been met."""
+"""Assumed win rate against an opponent without games."""
 
 
 def hard(power: float = 2.0) -> Weighting:
-    """Return the weighting ``(1 - x)^power``: most weight on those who are seldom beaten."""
+    """Return the weighting ``(1 - x)^power``: most weight on opponents that are seldom beaten.
+
+    Parameters
+    ----------
+    power : float, optional
+        Above 0; the higher, the more weight on the hardest opponents.
+
+    Returns
+    -------
+    callable
+        The weighting.
+
+    Raises
+    ------
+    ValueError
+        If `power` is out of range.
+    """
     if not 0.0 < power < float("inf"):
         raise ValueError(f"power: expected a number above 0, got {power}")
     return lambda x: np.asarray((1.0 - x) ** power)
 
 
 def even(x: FloatArray) -> FloatArray:
-    """Weight ``x (1 - x)``: most weight on those who are beaten half of the time."""
+    """Weight ``x (1 - x)``: most weight on opponents that are beaten half of the time.
+
+    Parameters
+    ----------
+    x : ndarray of float64, shape (m,)
+        Win rates of the learning team.
+
+    Returns
+    -------
+    ndarray of float64, shape (m,)
+        Weights.
+    """
     return x * (1.0 - x)
 
 
 class Prioritized:
-    """TeamPolicy drawn with probability ~ f(win rate), without replacement.
+    """Opponents drawn with probability ~ f(win rate), without replacement.
 
     ::
 
-        choose:  x[j] = wins[j] / games[j], or 1/2 if j has not been met
+        sample:  x[j] = wins[j] / games[j], or 1/2 without games
                  draw `count` opponents with P(j) = f(x[j]) / sum_i f(x[i])
         tell:    games[j] = decay games[j] + 1;  wins[j] = decay wins[j] + mean score against j
 
-    Source: Vinyals et al. 2019, "Grandmaster level in StarCraft II using multi-agent reinforcement
-    learning", Nature 575, "prioritized fictitious self-play". TeamPolicy of weight 0 are drawn,
-    evenly, only when those of positive weight do not suffice.
+    Opponents of weight 0 are drawn, evenly, only if those of positive weight do not suffice.
 
     Parameters
     ----------
-    weighting : f, such as ``hard(p)`` or `even`.
-    count : opponents an epoch.
-    decay : how much of the past counts at the next meeting, in (0, 1].
+    weighting : callable, optional
+        f, such as ``hard(p)`` or `even`. The default is ``hard()``.
+    count : int, optional
+        Opponents an epoch; all, if fewer are available.
+    decay : float, optional
+        Factor, in (0, 1], on earlier wins and games against an opponent with each new game.
+
+    Raises
+    ------
+    ValueError
+        If `count` or `decay` is out of range.
+
+    References
+    ----------
+    Vinyals et al. 2019, "Grandmaster level in StarCraft II using multi-agent reinforcement
+    learning", Nature 575, "prioritized fictitious self-play".
     """
 
     def __init__(
@@ -60,14 +98,15 @@ class Prioritized:
         self._wins, self._games = np.zeros(0), np.zeros(0)
 
     def win_rates(self, available: int) -> FloatArray:
-        """Return the learner's recent win rate against each opponent, (available,)."""
-        wins, games = _grown(self._wins, available), _grown(self._games, available)
+        """Return the learning team's recent win rate against each opponent, (available,)."""
+        wins, games = _padded(self._wins, available), _padded(self._games, available)
         rates = np.full(available, UNKNOWN)
+        # Where there are no games, `out` keeps the assumed rate.
         np.divide(wins[:available], games[:available], out=rates, where=games[:available] > 0.0)
         return rates
 
     def probabilities(self, available: int) -> FloatArray:
-        """Return the probability (available,) of each opponent; even where all weights are 0."""
+        """Return the probability (available,) of each opponent; even if all weights are 0."""
         check_available(available)
         weights = np.asarray(self.weighting(self.win_rates(available)), dtype=np.float64)
         if weights.shape != (available,) or not (weights >= 0.0).all():
@@ -75,21 +114,23 @@ class Prioritized:
         total = weights.sum()
         return weights / total if total > 0.0 else np.full(available, 1.0 / available)
 
-    def choose(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
+    def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return opponents drawn by their weights, in the order of the draw."""
-        chances = self.probabilities(available)
-        positive = np.flatnonzero(chances)
+        probabilities = self.probabilities(available)
+        positive = np.flatnonzero(probabilities)
         count = min(self.count, available)
+        # `choice` cannot draw more than there are of positive weight; the rest is drawn evenly.
         size = min(count, len(positive))
-        chosen = rng.choice(positive, size=size, replace=False, p=chances[positive])
-        rest = np.flatnonzero(chances == 0.0)
+        chosen = rng.choice(positive, size=size, replace=False, p=probabilities[positive])
+        rest = np.flatnonzero(probabilities == 0.0)
         return np.append(chosen, rng.choice(rest, size=count - size, replace=False))
 
-    def tell(self, met: Indices, scores: ArrayLike) -> None:
-        """Take the mean score (n, c) against each opponent for one game."""
-        index, values = checked_scores(met, scores)
+    def tell(self, opponents: Indices, scores: ArrayLike) -> None:
+        """Count one game against each opponent, won by the mean of its scores (n, c)."""
+        index, values = checked_scores(opponents, scores)
+        # The archive grows during a run, and so do the counts.
         size = int(index.max()) + 1
-        self._wins, self._games = _grown(self._wins, size), _grown(self._games, size)
+        self._wins, self._games = _padded(self._wins, size), _padded(self._games, size)
         self._wins[index] = self.decay * self._wins[index] + values.mean(axis=0)
         self._games[index] = self.decay * self._games[index] + 1.0
 
@@ -98,10 +139,10 @@ class Prioritized:
         return {"wins": self._wins.copy(), "games": self._games.copy()}
 
     def restore(self, state: State) -> None:
-        """Take up a state that `state` returned."""
+        """Restore a state returned by `state()`."""
         self._wins = state["wins"].astype(np.float64)
         self._games = state["games"].astype(np.float64)
 
 
-def _grown(values: FloatArray, size: int) -> FloatArray:
+def _padded(values: FloatArray, size: int) -> FloatArray:
     return np.pad(values, (0, max(0, size - len(values))))

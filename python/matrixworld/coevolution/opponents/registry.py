@@ -1,16 +1,31 @@
-"""Opponent selection by name, for settings and the command line."""
+"""Opponent samplers by name, and the alternating schedules that name one for each team.
+
+`k` is the generation that learns (from 1), `i` the epoch inside it (from 0). The archives begin
+with the untrained `p[0]` and `e[0]`. In each generation the pursuers learn first, then the evaders:
+the opponents of the pursuers of generation `k` are among `e[0..k-1]`, those of the evaders among
+`p[0..k]`. The paper's three schedules (Sun et al. 2023, "MatrixWorld", arXiv:2307.14854):
+
+==========================  =========================  =========================
+schedule                    opponents of the pursuers  opponents of the evaders
+==========================  =========================  =========================
+specialist-specialist       ``e[k - 1]``               ``p[k]``
+generalist-specialist       ``e[i mod k]``             ``p[k]``
+generalist-generalist       ``e[i mod k]``             ``p[i mod (k + 1)]``
+==========================  =========================  =========================
+
+The opponents of specialists are the `Latest`, those of generalists all by `RoundRobin`.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
 from matrixworld.coevolution.opponents.archive_sampler import ArchiveSampler
 from matrixworld.coevolution.opponents.generalist import Generalist
-from matrixworld.coevolution.opponents.ipca import IPCA
-from matrixworld.coevolution.opponents.lapca import LAPCA
-from matrixworld.coevolution.opponents.maxsolve import MaxSolve
+from matrixworld.coevolution.opponents.pareto import IPCA, LAPCA, MaxSolve
 from matrixworld.coevolution.opponents.prioritized import Prioritized, even, hard
 from matrixworld.coevolution.opponents.samplers import (
     HallOfFame,
@@ -20,6 +35,7 @@ from matrixworld.coevolution.opponents.samplers import (
     Uniform,
 )
 from matrixworld.coevolution.opponents.shared_sampling import SharedSampling
+from matrixworld.coevolution.types import Team
 
 SAMPLERS: dict[str, Callable[[int, int], OpponentSampler]] = {
     "latest": lambda count, size: Latest(count),
@@ -33,11 +49,65 @@ SAMPLERS: dict[str, Callable[[int, int], OpponentSampler]] = {
     "ipca": lambda count, size: ArchiveSampler(IPCA(), Uniform(count)),
     "lapca": lambda count, size: ArchiveSampler(LAPCA(size), Uniform(count)),
     "generalist": lambda count, size: ArchiveSampler(
-        Generalist(np.zeros(size, dtype=np.intp), sample=size), Uniform(count)
+        # All members are generation 0 at the start.
+        Generalist(np.zeros(size, dtype=np.intp), sample_size=size),
+        Uniform(count),
     ),
 }
-"""name -> (opponents an epoch, size of an archive) -> a new selection.
+"""Name -> factory: (opponents an epoch, size of an archive) -> a new sampler.
 
-Of `hall-of-fame` half are the newest and half, or one more, drawn from the older ones. The size is
-MaxSolve's candidates, LAPCA's layers, Generalist's team and the opponents that it learns against.
+Half of the opponents of `hall-of-fame` are the newest; the other half, or one more, are drawn from
+the older ones. The size is the candidates of MaxSolve, the layers of LAPCA, and the team and the
+kept opponents of Generalist. To add a sampler, write a class with the interface `OpponentSampler`
+and add a row.
 """
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """An alternating schedule: the sampler of each team.
+
+    Parameters
+    ----------
+    pursuers_meet, evaders_meet : str
+        Names in `SAMPLERS` of the samplers of the pursuers' and of the evaders' opponents.
+    """
+
+    pursuers_meet: str
+    evaders_meet: str
+
+    def sampler_name(self, team: Team) -> str:
+        """Return the name of a team's sampler."""
+        return self.pursuers_meet if team == "pursuer" else self.evaders_meet
+
+    def sampler(self, team: Team) -> OpponentSampler:
+        """Return a new sampler of one opponent an epoch."""
+        # The samplers of schedules have no archive, so the size does not matter.
+        return SAMPLERS[self.sampler_name(team)](1, 1)
+
+
+SCHEDULES: dict[str, Schedule] = {
+    "specialist-specialist": Schedule("latest", "latest"),
+    "generalist-specialist": Schedule("round-robin", "latest"),
+    "generalist-generalist": Schedule("round-robin", "round-robin"),
+}
+"""The paper's schedules by name."""
+ALTERNATING = "alternating"
+"""Name of the alternating schedule whose samplers are given by settings."""
+HALL_OF_FAME = "hall-of-fame"
+"""Name of the schedule in which both teams learn at the same time."""
+
+
+def available(team: Team, k: int) -> int:
+    """Return the number of opponents when `team` learns its generation `k` in alternation.
+
+    Raises
+    ------
+    ValueError
+        If `k` is below 1.
+    """
+    # Generation 0 is untrained.
+    if k < 1:
+        raise ValueError(f"generation: expected at least 1, got {k}")
+    # The pursuers learn first, so the evaders can play against generation k already.
+    return k if team == "pursuer" else k + 1

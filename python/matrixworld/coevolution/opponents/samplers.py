@@ -1,4 +1,4 @@
-"""Whom to meet: the interface, and the rules that look at nothing but the number of opponents."""
+"""Opponent samplers: the interface, and the rules that use only the number of opponents."""
 
 from __future__ import annotations
 
@@ -6,64 +6,69 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.types import Indices, State
+from matrixworld.coevolution.types import FloatArray, Indices, State
 
 
 class OpponentSampler(Protocol):
-    """Names the opponents of one epoch among those that there are.
+    """The interface of opponent samplers: choose the opponents of each epoch.
 
-    TeamPolicy are numbered from the oldest, 0, as they lie in an archive; a selection never sees
-    them. Whoever plays the matches asks once an epoch, so that an opponent is one throughout an
-    episode, and tells what came of it::
+    Opponents are numbered from the oldest, 0, in the order of their archive. A sampler returns
+    numbers; the genomes stay with the caller, who asks once an epoch and then tells the scores::
 
-        met = selection.choose(available, epoch, rng)     # (c,) numbers below `available`
-        scores = ...                                      # (n, c): n candidates against each
-        selection.tell(met, scores)
+        opponents = sampler.sample(available, epoch, rng)    # (c,) numbers below `available`
+        scores = ...                                         # (n, c): n candidates against each
+        sampler.tell(opponents, scores)
 
-    One selection serves one team. It does not know which, so that swapping the teams swaps the
-    result. Random numbers come from the generator given to `choose` and from nothing else: a
-    selection restored from `state` goes on as if it had never stopped.
+    A sampler serves one team and does not know which: if the teams are swapped, so is the result.
+    Random numbers come only from the generator passed to `sample`. A sampler restored from `state`
+    therefore continues as if it had never stopped.
     """
 
-    def choose(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
-        """Return the opponents (c,) of an epoch, all below `available`; none comes twice."""
+    def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
+        """Return the opponents (c,) of an epoch, all below `available`, without repetition."""
 
-    def tell(self, met: Indices, scores: ArrayLike) -> None:
-        """Take note of the scores (n, c) in [0, 1] of the candidates against the opponents met."""
+    def tell(self, opponents: Indices, scores: ArrayLike) -> None:
+        """Record the scores (n, c), in [0, 1], of n candidates against the opponents (c,)."""
 
     def state(self) -> State:
         """Return all that changes, as plain arrays."""
 
     def restore(self, state: State) -> None:
-        """Take up a state that `state` returned."""
+        """Restore a state returned by `state()`."""
 
 
 class Stateless:
-    """What the samplers share that take note of nothing."""
+    """Base of the samplers that do not use scores."""
 
-    def tell(self, met: Indices, scores: ArrayLike) -> None:
-        """Take note of nothing."""
+    def tell(self, opponents: Indices, scores: ArrayLike) -> None:
+        """Ignore the scores."""
 
     def state(self) -> State:
         """Return no arrays: nothing changes."""
         return {}
 
     def restore(self, state: State) -> None:
-        """Have nothing to take up."""
+        """Do nothing: there is no state."""
 
 
 @dataclass(frozen=True)
 class Latest(Stateless):
-    """The `count` newest opponents, or all where there are fewer: ``available - 1, ...``."""
+    """The newest opponents: ``available - 1, available - 2, ...``.
+
+    Parameters
+    ----------
+    count : int, optional
+        Opponents an epoch; all, if fewer are available.
+    """
 
     count: int = 1
 
     def __post_init__(self) -> None:
         check_count("count", self.count)
 
-    def choose(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
+    def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return the newest opponents, the newest first."""
         check_available(available)
         return np.arange(available)[::-1][: self.count]
@@ -71,9 +76,17 @@ class Latest(Stateless):
 
 @dataclass(frozen=True)
 class Uniform(Stateless):
-    """`count` opponents drawn evenly without replacement, or all; None: always all.
+    """Opponents drawn evenly without replacement.
 
-    A best response to all of the past, each with the same weight, is fictitious play (Brown 1951).
+    Parameters
+    ----------
+    count : int or None, optional
+        Opponents an epoch; all, if fewer are available. None: always all. A best response to all
+        past opponents, each with the same weight, is fictitious play.
+
+    References
+    ----------
+    Brown 1951, "Iterative solution of games by fictitious play".
     """
 
     count: int | None = 1
@@ -82,9 +95,10 @@ class Uniform(Stateless):
         if self.count is not None:
             check_count("count", self.count)
 
-    def choose(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
-        """Return opponents drawn evenly, in random order; all of them in their own order."""
+    def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
+        """Return opponents in random order, or all of them in their own order."""
         check_available(available)
+        # Nothing is drawn, so all opponents keep their order.
         if self.count is None:
             return np.arange(available)
         return rng.choice(available, size=min(self.count, available), replace=False)
@@ -92,10 +106,16 @@ class Uniform(Stateless):
 
 @dataclass(frozen=True)
 class RoundRobin(Stateless):
-    """All opponents in turn: ``epoch mod available``, the generalists' rule of the paper.
+    """All opponents in turn: ``epoch mod available``, the rule of the paper's generalists.
 
-    Sun et al. 2023, "MatrixWorld", arXiv:2307.14854, algorithms 2 and 3. With a `count` above 1
-    that many at a time, or all where there are fewer.
+    Parameters
+    ----------
+    count : int, optional
+        Opponents an epoch; all, if fewer are available.
+
+    References
+    ----------
+    Sun et al. 2023, "MatrixWorld", arXiv:2307.14854, algorithms 2 and 3.
     """
 
     count: int = 1
@@ -103,18 +123,28 @@ class RoundRobin(Stateless):
     def __post_init__(self) -> None:
         check_count("count", self.count)
 
-    def choose(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
-        """Return the opponents whose turn it is."""
+    def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
+        """Return the next opponents in the cycle."""
         check_available(available)
+        # No more than are available, or an opponent would come twice in an epoch.
         turns = np.arange(min(self.count, available))
         return np.asarray((epoch * self.count + turns) % available)
 
 
 @dataclass(frozen=True)
 class HallOfFame(Stateless):
-    """The `newest` opponents, and `sampled` older ones drawn evenly (Rosin & Belew 1997).
+    """The newest opponents, and older ones drawn evenly.
 
-    "New methods for competitive coevolution", Evolutionary Computation 5(1).
+    Parameters
+    ----------
+    newest : int, optional
+        Number of the newest opponents.
+    sampled : int, optional
+        Number of older opponents. `newest` and `sampled` are at least 0, their sum at least 1.
+
+    References
+    ----------
+    Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
 
     newest: int = 1
@@ -125,28 +155,35 @@ class HallOfFame(Stateless):
         check_count("sampled", self.sampled, least=0)
         check_count("newest + sampled", self.newest + self.sampled)
 
-    def choose(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
-        """Return the newest opponents, the newest first, and then the sample."""
+    def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
+        """Return the newest opponents, the newest first, and then the older ones."""
         check_available(available)
+        # Opponents 0 .. older - 1 are the older ones.
         older = max(0, available - self.newest)
         newest = np.arange(older, available)[::-1]
         return np.append(newest, rng.choice(older, size=min(self.sampled, older), replace=False))
 
 
 def check_count(name: str, value: int, *, least: int = 1) -> None:
-    """ValueError if a number is below `least`."""
+    """Raise ValueError if a number is below `least`."""
     if value < least:
         raise ValueError(f"{name}: expected at least {least}, got {value}")
 
 
 def check_available(available: int) -> None:
-    """ValueError if there is nobody to meet."""
+    """Raise ValueError if there is no opponent."""
     check_count("available", available)
 
 
-def checked_scores(met: ArrayLike, scores: ArrayLike) -> tuple[Indices, NDArray[np.float64]]:
-    """Return opponents (c,) and scores (n, c); ValueError if shapes or values do not fit."""
-    index, values = np.asarray(met, dtype=np.intp), np.asarray(scores, dtype=np.float64)
+def checked_scores(opponents: ArrayLike, scores: ArrayLike) -> tuple[Indices, FloatArray]:
+    """Return opponents (c,) and scores (n, c) as arrays.
+
+    Raises
+    ------
+    ValueError
+        If the shapes do not fit, there is no score, or a score lies outside [0, 1].
+    """
+    index, values = np.asarray(opponents, dtype=np.intp), np.asarray(scores, dtype=np.float64)
     if values.ndim != 2 or index.shape != values.shape[1:] or not values.size:
         raise ValueError(
             f"scores: expected shape (n, {index.size}), at least one each, got {values.shape}"

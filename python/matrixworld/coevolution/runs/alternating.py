@@ -11,7 +11,7 @@ from matrixworld.analysis import Disengagement, disengagements, summarize
 from matrixworld.analysis.engagement import PATIENCE
 from matrixworld.checks import check_choice
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.coevolution.opponents.schedules import ALTERNATING, SCHEDULES, available
+from matrixworld.coevolution.opponents.registry import ALTERNATING, SCHEDULES, available
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.runs.matchmaking import Matchmaking
 from matrixworld.coevolution.runs.run import Run

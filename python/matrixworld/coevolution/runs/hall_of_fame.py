@@ -10,7 +10,7 @@ from deap import base
 
 from matrixworld.checks import check_choice
 from matrixworld.coevolution.fitness import win_rates
-from matrixworld.coevolution.opponents.schedules import HALL_OF_FAME
+from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.runs.alternating import Race
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
@@ -208,7 +208,7 @@ class HallOfFameRace(Race):
         if not self.settings.hall_sample:
             return {team: np.zeros(0, dtype=np.intp) for team in TEAMS}
         samplers, size = self.matchmaking.samplers, len(self.archive["pursuer"])
-        return {team: samplers[team].choose(size, epoch, rng) for team in TEAMS}
+        return {team: samplers[team].sample(size, epoch, rng) for team in TEAMS}
 
     def _play(
         self,

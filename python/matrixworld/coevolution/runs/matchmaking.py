@@ -7,13 +7,13 @@ from collections.abc import Mapping
 import numpy as np
 
 from matrixworld.coevolution.opponents.archive_sampler import ArchiveSampler
-from matrixworld.coevolution.opponents.pareto import Members, PayoffFunction
+from matrixworld.coevolution.opponents.pareto import PayoffFunction
 from matrixworld.coevolution.opponents.registry import SAMPLERS
 from matrixworld.coevolution.opponents.samplers import OpponentSampler
 from matrixworld.coevolution.runs.training import Training
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.settings.race import RaceSettings
-from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Team, other
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Members, Team, other
 from matrixworld.policy import Population
 from matrixworld.rollout import Matches
 
@@ -67,7 +67,7 @@ class Matchmaking:
         sampler = self.samplers[team]
         if isinstance(sampler, ArchiveSampler):
             payoff = self._payoff_function(team, graded=sampler.graded)
-            sampler.admit(np.array(new), np.array(opponents), payoff)
+            sampler.update(np.array(new), np.array(opponents), payoff)
 
     def max_admission_matches(self, team: Team, new: int, opponents: int) -> int:
         """Return an upper bound of the episodes that `admit` plays in a call.
@@ -82,7 +82,7 @@ class Matchmaking:
         sampler = self.samplers[team]
         if not isinstance(sampler, ArchiveSampler):
             return 0
-        pairs = sampler.most_pairs(new, opponents)
+        pairs = sampler.max_pairs(new, opponents)
         return pairs * self.settings.archive_episodes * self.settings.worlds
 
     def _payoff_function(self, team: Team, *, graded: bool) -> PayoffFunction:

@@ -13,7 +13,7 @@ from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
-from matrixworld.coevolution.learners.registry import new_learner, untrained
+from matrixworld.coevolution.learners.registry import new_learner, starting_genomes, untrained
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.training import Training
@@ -80,7 +80,7 @@ class Run(ABC, Generic[AnySettings]):
         self.network: Network = self.training.network
         self.stage = 0
         self.stage_capture_rates: list[float] = []
-        count = settings.population if settings.learner_name == "ga" else 1
+        count = starting_genomes(settings)
         self.learners = {
             team: new_learner(settings, team, self.first_population(team, count))
             for team in self.learning_teams()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from matrixworld.coevolution.opponents.schedules import HALL_OF_FAME
+from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.alternating import Race
 from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace

@@ -137,7 +137,7 @@ class TeamPhase:
     def _matchup(self, epoch: int) -> Matchup:
         available = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
         rng = self._generator(Purpose.OPPONENTS, epoch)
-        opponents = self.sampler.choose(available, epoch, rng)
+        opponents = self.sampler.sample(available, epoch, rng)
         # Candidates of the same match, such as a mirrored pair, differ in nothing but their genes.
         match = self.learner.match_of_candidate
         seeds = [self._seeds(int(opponent), epoch)[match] for opponent in opponents]

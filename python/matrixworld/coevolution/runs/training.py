@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from matrixworld.coevolution.fitness import fitness, mean_over_met, shared_fitness
+from matrixworld.coevolution.fitness import fitness, mean_over_opponents, shared_fitness
 from matrixworld.coevolution.settings.training import TrainingSettings
 from matrixworld.coevolution.storage.run_log import Row
 from matrixworld.coevolution.types import FloatArray, Genomes, Indices, Seeds, Team
@@ -122,7 +122,7 @@ class Training:
         values = table(measured(overlap_penalty=settings.resolved_overlap_penalty))
         sharing, virulence = settings.sharing, settings.virulence(team)
         if sharing == "none" and virulence is None:
-            return mean_over_met(values)
+            return mean_over_opponents(values)
         # Sharing is of results in [0, 1]; the penalty is subtracted afterwards.
         payoff = table(measured(overlap_penalty=0.0))
         return shared_fitness(values, payoff, sharing=sharing, virulence=virulence)

@@ -5,11 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from matrixworld.checks import check_choice, check_integer, check_number
-from matrixworld.coevolution.fitness import SHARING
-from matrixworld.coevolution.opponents.registry import SAMPLERS
-from matrixworld.coevolution.opponents.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
+from matrixworld.coevolution.fitness import LEAST_VIRULENCE, SHARING
+from matrixworld.coevolution.opponents.registry import (
+    ALTERNATING,
+    HALL_OF_FAME,
+    SAMPLERS,
+    SCHEDULES,
+)
 from matrixworld.coevolution.settings.training import TrainingSettings, option, with_parameters
-from matrixworld.coevolution.sharing import LEAST_VIRULENCE
 from matrixworld.coevolution.types import Team
 
 ALL_SCHEDULES = (*SCHEDULES, ALTERNATING, HALL_OF_FAME)
@@ -102,7 +105,7 @@ class RaceSettings(TrainingSettings):
     def sampler_name(self, team: Team) -> str:
         """Return the name of the opponent sampler of `team`, a key of `SAMPLERS`."""
         if self.schedule in SCHEDULES:
-            return SCHEDULES[self.schedule].meets(team)
+            return SCHEDULES[self.schedule].sampler_name(team)
         return (self.pursuers_meet if team == "pursuer" else self.evaders_meet) or "uniform"
 
     @property

@@ -10,23 +10,16 @@ from typing import Any, TypeVar, get_type_hints
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.checks import check_bool, check_choice, check_integer, check_number
+from matrixworld.checks import check_choice, check_integer, check_number
 from matrixworld.coevolution.fitness import FITNESS
-from matrixworld.coevolution.learners.cma_es import check_genes
-from matrixworld.coevolution.learners.optimizers import OPTIMIZERS, check_momentum
+from matrixworld.coevolution.learners.optimizers import OPTIMIZERS
+from matrixworld.coevolution.learners.registry import LEARNERS, check_learner_settings
 from matrixworld.coevolution.types import Team
 from matrixworld.config import WorldConfig
 from matrixworld.policy import Network
 from matrixworld.rules import VARIANTS, Outcome, Rules, rules_of
 
 Settings = TypeVar("Settings", bound="TrainingSettings")
-
-LEARNERS = {
-    "es": "evolution strategy",
-    "ga": "genetic algorithm",
-    "cma": "CMA-ES, for small networks",
-}
-SELECTIONS = ("tournament", "truncation")
 
 OVERLAP_PENALTY = 0.2
 """Default overlap penalty where teammates may share a cell."""
@@ -104,8 +97,8 @@ class TrainingSettings:
     def __post_init__(self) -> None:
         self._freeze("hidden", tuple(int(size) for size in self.hidden))
         self._check_budget()
-        self._check_learner()
         self._check_world()
+        self._check_learner()
 
     def _freeze(self, name: str, value: Any) -> None:
         # The dataclass is frozen; its own __post_init__ has no other way to set a field.
@@ -123,20 +116,7 @@ class TrainingSettings:
         if self.learner is not None:
             check_choice("learner", self.learner, LEARNERS)
         check_integer("population", self.population, 2)
-        if self.learner_name == "es" and self.population % 2:
-            raise ValueError(f"population: expected an even number for es, got {self.population}")
-        for name in ("sigma", "learning_rate", "mutation"):
-            check_number(name, getattr(self, name), least=0.0, positive=True)
-        check_bool("anneal", self.anneal)
-        check_choice("optimizer", self.optimizer, OPTIMIZERS)
-        check_momentum(self.momentum)
-        check_number("crossover", self.crossover, least=0.0, most=1.0)
-        check_choice("selection", self.selection, SELECTIONS)
-        check_integer("tournament", self.tournament, 1)
-        check_number("truncation", self.truncation, least=0.0, most=1.0, positive=True)
-        check_integer("elites", self.elites, 0)
-        if self.learner_name == "ga" and self.elites >= self.population:
-            raise ValueError(f"elites: expected fewer than {self.population}, got {self.elites}")
+        check_learner_settings(self)
 
     def _check_world(self) -> None:
         check_number("initial_weight", self.initial_weight, least=0.0)
@@ -146,9 +126,8 @@ class TrainingSettings:
         config = self.world(self.train_steps)
         if config.map is not None:
             self._freeze("obstacles", map_as_text(config.map))
-        network = Network.for_config(config, hidden=self.hidden, activation=self.activation)
-        if self.learner_name == "cma":
-            check_genes(network.genome_size)
+        # Only to check the layers and the activation.
+        Network.for_config(config, hidden=self.hidden, activation=self.activation)
 
     @property
     def sharing(self) -> str:
