@@ -143,13 +143,13 @@ def run_with_small_files(kind: str, directory: Path, limit: int, message: Path) 
     """As `start_or_resume`, but no file may exceed `limit` bytes; write the error to `message`."""
     import resource
 
-    with message.open("w") as told:
+    with message.open("w") as file:
         resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY))
         try:
             start_or_resume(kind, directory)
         except OSError as error:
             resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY,) * 2)
-            told.write(str(error))
+            file.write(str(error))
             raise SystemExit(REFUSED) from error
 
 

@@ -195,26 +195,26 @@ def test_bad_generations_and_episodes_are_refused(race):
 
 def test_the_command_prints_and_writes_the_scores(race, tmp_path):
     file = tmp_path / "scores.json"
-    told = matrixworld_command("score", race, "--episodes", 5, "--json", file).stdout
+    output = matrixworld_command("score", race, "--episodes", 5, "--json", file).stdout
     scores = score(open_run(race), episodes=5)
     written = json.loads(file.read_text())
     for team, found in scores.items():
-        assert f"\n{team}s of generation 2: " in told
+        assert f"\n{team}s of generation 2: " in output
         width = max(map(len, found.opponents))
         for name in found.opponents:
-            assert f"  {name:{width}}  {found.against(name)}\n" in told
-        assert f"  {'mean':{width}}  {found.mean()}\n" in told
+            assert f"  {name:{width}}  {found.against(name)}\n" in output
+        assert f"  {'mean':{width}}  {found.mean()}\n" in output
         assert written[f"{team}s"] == found.to_json()
-        [told_mean] = written[f"{team}s"]["mean"]
-        assert told_mean["value"] == pytest.approx(found.rates.mean())
-    assert f"\n{5 * (7 + 6)} matches were played.\n" in told
-    assert "Left out" not in told
+        [written_mean] = written[f"{team}s"]["mean"]
+        assert written_mean["value"] == pytest.approx(found.rates.mean())
+    assert f"\n{5 * (7 + 6)} matches were played.\n" in output
+    assert "Left out" not in output
 
 
 def test_the_command_prints_a_curve(race):
-    told = matrixworld_command("score", race, "--generation", "all", "--episodes", 2).stdout
+    output = matrixworld_command("score", race, "--generation", "all", "--episodes", 2).stdout
     curve = score(open_run(race), generation=None, episodes=2)["pursuer"]
-    lines = told[told.index("pursuers by generation") :].splitlines()
+    lines = output[output.index("pursuers by generation") :].splitlines()
     assert lines[1:4] == [f"  {g:10}  {curve.mean(g)}" for g in range(3)]
 
 
@@ -222,8 +222,8 @@ def test_the_command_says_what_it_left_out(tmp_path):
     run = start(tiny_race(), tmp_path / "run", play=StopAt(2))
     with pytest.raises(KeyboardInterrupt):
         run.run()
-    told = matrixworld_command("score", tmp_path / "run", "--episodes", 2).stdout
-    assert "Left out: no evolved opponents: they have a view of 11 x 11" in told
+    output = matrixworld_command("score", tmp_path / "run", "--episodes", 2).stdout
+    assert "Left out: no evolved opponents: they have a view of 11 x 11" in output
 
 
 @pytest.mark.parametrize(

@@ -317,14 +317,14 @@ def test_read_only_directory(stopped, straight, made):
         if not made:
             for path in directory.iterdir():
                 path.unlink()
-        told = place / "message"
-        told.touch(0o666)
-        os.chmod(told, 0o666)
+        message = place / "message"
+        message.touch(0o666)
+        os.chmod(message, 0o666)
         os.chmod(directory, 0o555)
-        child = killed.process(killed.run_without_rights, "race", directory, told)
+        child = killed.process(killed.run_without_rights, "race", directory, message)
         child.join()
         assert child.exitcode == killed.REFUSED
-        assert f"Permission denied: '{directory}" in told.read_text()
+        assert f"Permission denied: '{directory}" in message.read_text()
         os.chmod(directory, 0o755)
         killed.start_or_resume("race", directory)
         assert results(directory) == results(straight)
