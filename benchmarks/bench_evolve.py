@@ -30,7 +30,6 @@ from matrixworld.coevolution import (
     RaceSettings,
     RunDirectory,
 )
-from matrixworld.coevolution.learners.toolbox import Candidates
 from matrixworld.coevolution.runs import team_phase
 from matrixworld.coevolution.runs.training import Training
 from parts import Functions, Parts
@@ -49,7 +48,6 @@ PARTS: dict[str, Functions] = {
     ],
     "ask: variation": [(EvolutionStrategy, "ask"), (GeneticAlgorithm, "ask")],
     "tell: selection and update": [(EvolutionStrategy, "tell"), (GeneticAlgorithm, "tell")],
-    "DEAP's individuals": [(Candidates, "__init__")],
     "validation": [(Population, "__post_init__")],
     "fitness and log": [(Training, "fitness"), (Training, "record")],
     "checkpoints and disk": [

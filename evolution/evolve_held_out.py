@@ -28,8 +28,8 @@ import matrixworld as mw
 from matrixworld import coevolution
 from matrixworld.coevolution import SingleSettings, SingleTeam, Team
 from matrixworld.coevolution.evaluation.held_out import NETWORK, held_out_scripts
-from matrixworld.coevolution.storage.files import load_arrays, save_arrays
 from matrixworld.coevolution.types import other
+from matrixworld.files import load_arrays, save_arrays
 
 LEARNER = {
     "population": 32,

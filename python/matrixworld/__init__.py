@@ -25,9 +25,8 @@ from matrixworld.rollout import EpisodeStatistics, Matches, match_seed, record, 
 from matrixworld.rules import KINDS, VARIANTS, Action, Rewards, Rules
 from matrixworld.safety import SafetyMonitor, SafetySummary
 from matrixworld.vector import VectorEnv
+from matrixworld.version import __version__ as __version__
 from matrixworld.world import World
-
-__version__ = "0.1.0"
 
 __all__ = [
     "KINDS",

@@ -2,37 +2,22 @@
 
 from __future__ import annotations
 
-import io
 import json
 import os
-import zipfile
-import zlib
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from matrixworld.files import read_arrays, replacing
 
 FORMAT = "matrixworld episode 2"  # marks a saved file; a new layout, a new number
 
 N_ACTIONS = 9  # stay and eight directions
 
-# What reading a damaged npz file raises: AttributeError and TypeError when it is another kind of
-# NumPy file, RuntimeError when a flag of the zip archive is altered.
-_UNREADABLE = (
-    AttributeError,
-    EOFError,
-    KeyError,
-    OSError,
-    RuntimeError,
-    TypeError,
-    ValueError,
-    zipfile.BadZipFile,
-    zlib.error,
-)
 # Shape, in the letters of `Episode` (S is T + 1), and dtype of each array.
 _ARRAYS: dict[str, tuple[str, str]] = {
     "positions": ("S A 2", "int32"),
@@ -143,12 +128,7 @@ class Episode:
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Episode:
         """Read what `save` wrote. Raises ValueError, naming the file, when it is cut or foreign."""
-        content = Path(path).read_bytes()
-        try:
-            with np.load(io.BytesIO(content), allow_pickle=False) as stored:
-                entries = {name: stored[name] for name in stored.files}
-        except _UNREADABLE as error:
-            raise ValueError(f"{path}: cut, altered or not an npz file ({error})") from error
+        entries = read_arrays(Path(path))
         if str(entries.pop("format", "")) != FORMAT:
             raise ValueError(f"{path}: expected a file marked '{FORMAT}'")
         names = {each.name for each in fields(cls)}
@@ -160,19 +140,3 @@ class Episode:
             return cls(n_pursuers=int(entries["n_pursuers"]), config=config, **arrays)
         except (TypeError, ValueError) as error:
             raise ValueError(f"{path}: not an episode ({error})") from error
-
-
-@contextmanager
-def replacing(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
-    """A file to write to that takes its name only when it is complete and on the disk."""
-    target = Path(path)
-    part = target.with_name(f".{target.name}.{os.getpid()}.part")
-    try:
-        with part.open("wb") as file:
-            yield file
-            file.flush()
-            os.fsync(file.fileno())
-        part.replace(target)
-    except BaseException:
-        part.unlink(missing_ok=True)
-        raise

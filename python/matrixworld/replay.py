@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from matrixworld.episode import Episode, replacing
+from matrixworld.episode import Episode
+from matrixworld.files import replacing
 from matrixworld.render import MARK_STEPS, Scene, ansi, rgb
 from matrixworld.render.gif import write_gif
 from matrixworld.render.layout import LARGEST_CELL

@@ -27,6 +27,19 @@ __all__ = [
     "rules_of",
 ]
 
+__all__ = [
+    "KINDS",
+    "VARIANTS",
+    "Action",
+    "Blame",
+    "Capture",
+    "Interaction",
+    "Outcome",
+    "Rewards",
+    "Rules",
+    "rules_of",
+]
+
 KINDS = ("obstacle", "teammate", "adversary")
 """The kinds of collision, in the order of the last axis of ``involved`` and ``fault``."""
 

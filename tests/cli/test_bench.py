@@ -15,7 +15,7 @@ from matrixworld import bench
 from matrixworld.bench import Machine, Measurement
 from matrixworld.cli.bench_report import figures_of, matches_of, print_figures
 from matrixworld.coevolution import RaceSettings, start
-from matrixworld.coevolution.storage.files import load_json
+from matrixworld.files import load_json
 
 WORLD = ["--rows", 7, "--cols", 6, "--pursuers", 2, "--evaders", 3, "--fov", 5]
 QUICK = ["bench", *WORLD, "--seconds", 0.02, "--hidden", "4"]

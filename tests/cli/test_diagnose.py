@@ -11,7 +11,7 @@ import pytest
 from command_line import matrixworld_command
 from matrices import circular, logistic
 from matrixworld.coevolution import start
-from matrixworld.coevolution.storage.files import load_json
+from matrixworld.files import load_json
 from tiny_race import StopAt, tiny_race, tiny_single
 
 

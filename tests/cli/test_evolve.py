@@ -83,7 +83,7 @@ def test_every_setting_is_an_option_of_one_section_with_its_help():
     race, alone = RaceSettings(), SingleSettings()
     assert f"in which the pursuers learn [default: {race.pursuer_epochs}]" in shown
     different = f"[default: {race.population}; with --against {alone.population}]"
-    assert f"candidates an epoch {different}" in shown
+    assert f"candidates per epoch {different}" in shown
     epochs = [f"{SingleSettings(team=team).epochs} for {team}s" for team in TEAMS]
     assert f"epochs of the run [default: {', '.join(epochs)}]" in shown
 

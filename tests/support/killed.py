@@ -1,6 +1,6 @@
-"""Runs in processes of their own, to be killed. The processes are forked, so that they start fast.
+"""Runs in separate processes, to be killed. The processes are forked, so that they start fast.
 
-Everything here is found by name in the server from which they are forked.
+The server from which they are forked imports this module and finds its functions by name.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from pathlib import Path
 from typing import Any
 from unittest import mock
 
-from matrixworld import coevolution
-from matrixworld.coevolution.storage import files, run_log
+from matrixworld import coevolution, files
+from matrixworld.coevolution.storage import run_log
 from matrixworld.rollout import rollout
 from tiny_race import tiny_race, tiny_single
 
@@ -39,8 +39,8 @@ SHORT_RUNS: dict[str, Any] = {
 }
 
 
-def go_on(kind: str, directory: Path, play: Any = rollout) -> None:
-    """Make the run, or go on with it if it has been made; to its end."""
+def start_or_resume(kind: str, directory: Path, play: Any = rollout) -> None:
+    """Start the run, or resume it if it exists, and run it to its end."""
     if (directory / "config.json").exists():
         run = coevolution.resume(directory, threads=1, play=play)
     else:
@@ -50,7 +50,7 @@ def go_on(kind: str, directory: Path, play: Any = rollout) -> None:
 
 @cache
 def start_server() -> None:
-    """Start the server that forks, where it finds all modules: else each process imports anew."""
+    """Start the server that forks. It needs the path of all modules, to import them only once."""
     found = {"PYTHONPATH": os.pathsep.join(sys.path), "OPENBLAS_NUM_THREADS": "1"}
     with mock.patch.dict(os.environ, found):
         forkserver.ensure_running()
@@ -65,19 +65,19 @@ def process(target: Callable[..., None], *args: Any) -> Any:
 
 
 class Events:
-    """Counts what a process does to files, and every call of `rollout`; at one it does `then`."""
+    """Counts file operations and calls of `rollout` in a process; calls `then` at one of them."""
 
     def __init__(self, at: int, then: Callable[[], None]) -> None:
         self.count, self.at, self.then = 0, at, then
 
     def happen(self) -> None:
-        """Count one, and do `then` if it is its turn."""
+        """Count one event, and call `then` if it is the chosen one."""
         if self.count == self.at:
             self.then()
         self.count += 1
 
     def before(self, function: Callable[..., Any]) -> Callable[..., Any]:
-        """Return a function that first counts."""
+        """Return `function` with an event before each call."""
 
         def counted(*args: Any, **options: Any) -> Any:
             self.happen()
@@ -86,14 +86,14 @@ class Events:
         return counted
 
     def open(self, path: Any, mode: str, **options: Any) -> Any:
-        """Open a file that counts when it is written, half of it being there by then."""
+        """Open a file; writing is an event that happens when half of the content is written."""
         self.happen()
-        file = open(path, mode, **options)  # noqa: SIM115, who asked for it closes it
+        file = open(path, mode, **options)  # noqa: SIM115, the caller closes it
         return HalfWritten(file, self) if set(mode) & set("wa") else file
 
 
 class HalfWritten:
-    """A file that writes in two halves, with an event between them."""
+    """A file to which content is written in two halves, with an event between them."""
 
     def __init__(self, file: Any, events: Events) -> None:
         self.file, self.events = file, events
@@ -117,7 +117,7 @@ class HalfWritten:
 
 @contextmanager
 def watched(events: Events) -> Iterator[None]:
-    """Let everything that this process does to files of runs happen to `events`."""
+    """Make every operation of this process on files of runs an event."""
     plain = os.replace, os.fsync, os.truncate
     os.replace, os.fsync, os.truncate = map(events.before, plain)  # type: ignore[assignment]
     files.open = run_log.open = events.open  # type: ignore[attr-defined]
@@ -128,47 +128,47 @@ def watched(events: Events) -> Iterator[None]:
         del files.open, run_log.open  # type: ignore[attr-defined]
 
 
-def go_on_and_die(kind: str, directory: Path, at: int) -> None:
-    """As `go_on`, killed at an event; exit code 0 if there are fewer."""
+def run_until_killed(kind: str, directory: Path, at: int) -> None:
+    """As `start_or_resume`, but killed at an event; exit code 0 if there are fewer events."""
     events = Events(at, lambda: os.kill(os.getpid(), signal.SIGKILL))
     with watched(events):
-        go_on(kind, directory, play=events.before(rollout))
+        start_or_resume(kind, directory, play=events.before(rollout))
 
 
 REFUSED = 3
-"""Exit code of a process that was told why it could not write a file."""
+"""Exit code of a process that could not write a file."""
 
 
-def go_on_with_small_files(kind: str, directory: Path, limit: int, message: Path) -> None:
-    """As `go_on`, where no file may have more than `limit` bytes; writes the error's message."""
+def run_with_small_files(kind: str, directory: Path, limit: int, message: Path) -> None:
+    """As `start_or_resume`, but no file may exceed `limit` bytes; write the error to `message`."""
     import resource
 
-    with message.open("w") as told:
+    with message.open("w") as file:
         resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY))
         try:
-            go_on(kind, directory)
+            start_or_resume(kind, directory)
         except OSError as error:
             resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY,) * 2)
-            told.write(str(error))
+            file.write(str(error))
             raise SystemExit(REFUSED) from error
 
 
 NOBODY = 65534
 
 
-def go_on_without_rights(kind: str, directory: Path, message: Path) -> None:
-    """As `go_on`, by a user who is no administrator; writes the error's message."""
+def run_without_rights(kind: str, directory: Path, message: Path) -> None:
+    """As `start_or_resume`, but as a user without rights; write the error to `message`."""
     if os.getuid() == 0:
         os.setuid(NOBODY)
     try:
-        go_on(kind, directory)
+        start_or_resume(kind, directory)
     except OSError as error:
         message.write_text(str(error))
         raise SystemExit(REFUSED) from error
 
 
 def hold(directory: Path, held: Path) -> None:
-    """Hold the lock of a run until killed; make the file `held` when it is."""
+    """Hold the lock of a run until killed; make the file `held` when the lock is held."""
     with coevolution.RunDirectory.open(directory).lock():
         held.touch()
         signal.pause()

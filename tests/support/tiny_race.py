@@ -1,4 +1,4 @@
-"""Races that take a fraction of a second, and ways to stop them."""
+"""Runs that take a fraction of a second, and a way to interrupt them."""
 
 from __future__ import annotations
 
@@ -33,24 +33,24 @@ RESULTS = ("config.json", "archive.npz", "log.csv", "payoff.npz", "summary.json"
 
 
 def tiny_race(**changes: Any) -> RaceSettings:
-    """Two generations of two and three epochs."""
+    """Return settings of two generations, with 2 pursuer epochs and 3 evader epochs each."""
     epochs = {"generations": 2, "pursuer_epochs": 2, "evader_epochs": 3, "joint_epochs": 2}
     return RaceSettings(**{**TINY, **epochs, **changes})
 
 
 def tiny_single(**changes: Any) -> SingleSettings:
-    """Five epochs, an entry of the archive every two."""
+    """Return settings of five epochs, with an entry of the archive every two."""
     return SingleSettings(**{**TINY, "epochs": 5, "archive_every": 2, **changes})
 
 
 def results(directory: Path) -> dict[str, bytes]:
-    """The bytes of all files that a resumed run must share with one that was never stopped."""
+    """Return all files that must be equal for a resumed run and for one that was never stopped."""
     return {name: (directory / name).read_bytes() for name in RESULTS}
 
 
 @contextmanager
 def directory_in_memory() -> Iterator[Path]:
-    """A temporary directory, in memory where that can be: syncing costs nothing there."""
+    """Yield a temporary directory, in memory if possible, where syncing costs nothing."""
     memory = Path("/dev/shm")
     usable = memory.is_dir() and os.access(memory, os.W_OK)
     with tempfile.TemporaryDirectory(dir=memory if usable else None) as directory:
@@ -58,7 +58,7 @@ def directory_in_memory() -> Iterator[Path]:
 
 
 class StopAt:
-    """Plays matches like `rollout`, but is interrupted at a given call."""
+    """Plays matches like `rollout`, but raises KeyboardInterrupt at a given call."""
 
     def __init__(self, call: int) -> None:
         self.left = call
@@ -71,7 +71,7 @@ class StopAt:
 
 
 def constant_scores(capture_rate: float, shape: tuple[int, int]) -> SimpleNamespace:
-    """EpisodeStatistics of matches (M, worlds) that all ended with the same capture rate."""
+    """Return statistics of matches (M, worlds) that all ended with the same capture rate."""
     rates = np.full(shape, capture_rate, dtype=np.float32)
     kinds = np.zeros((*shape, 2, 3), dtype=np.int32)
     ones = np.ones(shape, dtype=np.int32)

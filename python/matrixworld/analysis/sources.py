@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import os
-import zipfile
-import zlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.analysis.payoff import Rates, check_rates, check_runs
 from matrixworld.analysis.tables import read_table
+from matrixworld.files import read_arrays
 
 Source = ArrayLike | str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
 """An array, a file, or several files of one run each."""
@@ -23,17 +22,6 @@ PER_EPISODE = "capture_rates"
 """The array of an .npz file that holds each episode; run directories write it."""
 MEANS = ("capture_rate", "payoff", "payoffs")
 """Those that hold payoff matrices, if there are several arrays; the first one is taken."""
-
-
-_DAMAGED = (
-    AttributeError,  # another format of NumPy's, which is not closed
-    EOFError,
-    OSError,
-    TypeError,  # the same from Python 3.11 on
-    ValueError,  # objects, which would be unpickled, among others
-    zipfile.BadZipFile,
-    zlib.error,
-)
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,21 +91,9 @@ def _read_file(path: Path, episodes: bool) -> Payoffs:
 
 
 def _read_arrays(path: Path) -> tuple[NDArray[Any], bool]:
-    arrays = _load(path)
+    arrays = read_arrays(path)
     name = _chosen(path, list(arrays))
     return arrays[name], name == PER_EPISODE
-
-
-def _load(path: Path) -> dict[str, NDArray[Any]]:
-    """All arrays of the file; a small one, in which each is read and checked anyway."""
-    try:
-        # Opened here, because a damaged file would stay open in the hands of NumPy.
-        with path.open("rb") as file, np.load(file, allow_pickle=False) as arrays:
-            return {name: arrays[name] for name in arrays.files}
-    except FileNotFoundError:
-        raise
-    except _DAMAGED as error:
-        raise ValueError(f"{path}: expected an .npz of arrays of numbers, got: {error}") from error
 
 
 def _chosen(path: Path, names: list[str]) -> str:

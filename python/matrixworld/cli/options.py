@@ -13,8 +13,8 @@ import click
 from click.core import ParameterSource
 
 from matrixworld.cli.console import note
-from matrixworld.coevolution.settings import MOST_SEED
-from matrixworld.coevolution.storage.files import save_json
+from matrixworld.coevolution.settings.training import MOST_SEED
+from matrixworld.files import save_json
 
 RENAMED = {
     "--overlap-penalty": "--crowding",

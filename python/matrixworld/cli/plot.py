@@ -16,7 +16,7 @@ from matrixworld.cli.arguments import all_of, failures, find_runs
 from matrixworld.cli.jobs import Result, open_result
 from matrixworld.cli.options import force_option, refuse_existing
 from matrixworld.coevolution import HALL_OF_FAME, TEAMS, Payoff, SingleSettings
-from matrixworld.episode import replacing
+from matrixworld.files import replacing
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -12,8 +12,8 @@ from matrixworld.cli.console import TERMS, command, print_table, print_wrapped
 from matrixworld.cli.jobs import Result
 from matrixworld.cli.plot import draw_comparison, draw_run
 from matrixworld.coevolution import SingleSettings
-from matrixworld.coevolution.storage.files import save_json
 from matrixworld.coevolution.types import other
+from matrixworld.files import save_json
 
 CLAIMS = {"specialist-specialist": "cycling", "generalist-generalist": "progress"}
 """What the paper reports of its schedules (Sun et al. 2023)."""

@@ -20,7 +20,7 @@ from matrixworld.cli.options import (
 )
 from matrixworld.cli.plot import save_figure
 from matrixworld.coevolution import Payoff, SavedRun, open_run, tournament
-from matrixworld.coevolution.storage.files import save_arrays
+from matrixworld.files import save_arrays
 from matrixworld.policy import Population
 
 SHORTEST_RACE = 2

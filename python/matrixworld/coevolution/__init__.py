@@ -1,4 +1,4 @@
-"""Co-evolution: learners, schedules, races, and the directories they are kept in.
+"""Co-evolution of pursuers and evaders: races, learners, opponents, evaluation and storage.
 
 A race in a few lines::
 
@@ -8,29 +8,28 @@ A race in a few lines::
     with coevolution.ProgressBar() as bar:
         payoff = coevolution.start(settings, "my-race").run(bar)
 
-``coevolution.resume("my-race").run()`` goes on after an interruption,
-``coevolution.finish(settings, "my-race")`` does whatever is left to do, and
-``coevolution.open_run("my-race").record(pursuer=30, evader=10)`` plays a match again.
+``coevolution.resume("my-race").run()`` continues after an interruption.
+``coevolution.finish(settings, "my-race")`` starts or continues the race, whichever is needed.
+``coevolution.open_run("my-race").record(pursuer=30, evader=10)`` plays an episode again.
 
-=================  ===============================================================================
-settings           what defines a run, with help texts
-runs               start and resume; `saved_run` to look at one
-race               races in which the teams learn in turns, by `schedules`
-hall_of_fame       simultaneous races of two populations
-matchmaking            whom the teams of a race meet, and what their archives compare
-single             one team against opponents that stand still
-tournament         payoff matrices
-held_out           opponents that no run has met; `scoring` of a run against them
-best_response      what can be taken from a champion, by a response evolved against it
-learners           the interface of `evolution_strategy` (with `optimizers`), `genetic_algorithm`
-                   and `cma_es`
-toolbox            learners as DEAP toolboxes
-fitness            from scores to fitness; `sharing` of it where opponents are scarce
-opponents          whom to meet: selection among the past, and archives
-run_directory      the files of a run (`files`, `lock`, `run_log`)
-=================  ===============================================================================
+====================  ============================================================================
+package or module     contents
+====================  ============================================================================
+runs                  races and other runs: training, checkpoints, evaluation at the end
+evaluation            payoff matrices, and scores against held-out opponents
+storage               run directories, to write and to read
+settings              everything that defines a run, with help texts
+learners              evolution strategy, genetic algorithm, CMA-ES; as DEAP toolboxes, too
+opponents             opponent samplers, archives, and the schedules of races
+fitness               from the results of matches to the fitness of candidates
+progress              progress bars
+payoff                `Payoff`: results of two archives against each other
+seeding               seeds of matches and random generators
+types                 teams, and names for arrays
+====================  ============================================================================
 
-Everything is scored through one pure function with the arguments of `matrixworld.rollout`.
+All matches are played by one pure function with the arguments of `matrixworld.rollout`. Each
+package imports only from those below it in the table.
 """
 
 from __future__ import annotations
@@ -84,17 +83,13 @@ from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.runs.start import finish, resume, start
 from matrixworld.coevolution.seeding import evaluation_seed, training_seeds
-from matrixworld.coevolution.settings import (
-    SINGLE_DEFAULTS,
-    RaceSettings,
-    SingleSettings,
-    TrainingSettings,
-)
-from matrixworld.coevolution.storage.files import DamagedFileError, OtherVersionError
-from matrixworld.coevolution.storage.lock import LockedError
-from matrixworld.coevolution.storage.run_directory import RunDirectory
+from matrixworld.coevolution.settings.race import RaceSettings
+from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSettings
+from matrixworld.coevolution.settings.training import TrainingSettings
+from matrixworld.coevolution.storage.run_directory import OtherVersionError, RunDirectory
 from matrixworld.coevolution.storage.saved_run import SavedRun, last_generation, open_run
 from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.files import DamagedFileError, LockedError
 from matrixworld.rollout import Rollout
 
 __all__ = [

@@ -1,4 +1,4 @@
-"""Progress of a run. Silent unless asked: pass a `ProgressBar` as `report`."""
+"""Progress of a run; nothing is shown unless a `ProgressBar` is passed as `report`."""
 
 from __future__ import annotations
 
@@ -8,29 +8,38 @@ from types import TracebackType
 from tqdm import tqdm
 
 SECONDS = 0.5
-"""Time between two drawings of the bar."""
+"""Minimum time between two updates of the bar, in seconds."""
 
 Report = Callable[[str, int, int], None]
-"""Called as report(what is going on, episodes played, episodes in all), often."""
+"""Called often, as ``report(activity, episodes played, total episodes)``."""
 
 
-def silent(what: str, done: int, total: int) -> None:
+def silent(activity: str, done: int, total: int) -> None:
     """Report nothing."""
 
 
 class ProgressBar:
-    """A tqdm bar on the terminal, with rate and time left::
+    """A tqdm bar on the terminal, with rate and remaining time.
 
-    with ProgressBar() as bar:
-        race.run(bar)
+    Parameters
+    ----------
+    unit : str, optional
+        Name of the counted items.
+
+    Examples
+    --------
+    ::
+
+        with ProgressBar() as bar:
+            race.run(bar)
     """
 
     def __init__(self, unit: str = "matches") -> None:
         self._unit = unit
         self._bar: tqdm[None] | None = None
 
-    def __call__(self, what: str, done: int, total: int) -> None:
-        """Show that `done` of `total` episodes have been played."""
+    def __call__(self, activity: str, done: int, total: int) -> None:
+        """Show the activity, and that `done` of `total` episodes have been played."""
         if self._bar is None:
             self._bar = tqdm(
                 total=total,
@@ -39,7 +48,7 @@ class ProgressBar:
                 unit_scale=True,
                 mininterval=SECONDS,
             )
-        self._bar.set_description_str(what, refresh=False)
+        self._bar.set_description_str(activity, refresh=False)
         self._bar.update(done - self._bar.n)
 
     def __enter__(self) -> ProgressBar:

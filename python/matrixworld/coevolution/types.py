@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Any, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,16 @@ Indices = NDArray[np.intp]
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 IntArray = NDArray[np.int64]
+
+
+class Stateful(Protocol):
+    """A part of a run that a checkpoint saves and restores: a learner or an opponent sampler."""
+
+    def state(self) -> State:
+        """Return everything that changes during a run, as plain arrays by name."""
+
+    def restore(self, state: State) -> None:
+        """Restore a state returned by `state()`."""
 
 
 def other(team: Team) -> Team:

@@ -1,4 +1,4 @@
-"""Held-out opponents, and what runs score against them."""
+"""Held-out opponents, and the scores of runs against them."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def test_a_variant_without_shipped_genomes_has_scripts_only(monkeypatch):
     assert left_out == "no evolved opponents: none are shipped for variant X"
 
 
-def test_rules_of_one_s_own_have_scripts_only():
+def test_other_rules_have_scripts_only():
     rules = replace(mw.VARIANTS["SB"], captured_disappear=True, teammate=mw.Outcome.DISAPPEAR)
     assert list(held_out("pursuer", rules)) == [*SCRIPTED["pursuer"], "surrounder"]
     assert list(held_out("evader", rules)) == SCRIPTED["evader"]
@@ -93,8 +93,8 @@ def test_unknown_teams_and_variants_are_refused():
 
 
 @pytest.mark.parametrize("variant", ["R", "O", "TO", "SDB"])
-def test_the_evolved_are_no_random_walkers(variant):
-    """The better one catches far more, or escapes far more often, than a random walk does."""
+def test_evolved_opponents_are_better_than_random_walks(variant):
+    """The better of both captures, or escapes, far more often than a random walk."""
     surround = mw.VARIANTS[variant].capture is mw.Capture.SURROUND
     config = mw.WorldConfig(variant, max_steps=300)
     matches = mw.Matches.of(0, 0, np.uint64(3))
@@ -147,7 +147,7 @@ def test_all_generations_are_a_curve_of_single_ones(race):
         assert one.generations == (generation % 3,)
 
 
-def test_steps_and_seeds_are_heeded(race):
+def test_steps_and_seeds_have_an_effect(race):
     run = open_run(race)
 
     def rates(**changes: Any) -> np.ndarray:
@@ -179,7 +179,8 @@ def test_views_that_do_not_fit_meet_scripts_only(tmp_path):
     found = score(open_run(tmp_path / "run"), episodes=2)["evader"]
     assert found.opponents == tuple(SCRIPTED["pursuer"])
     assert found.left_out == (
-        "no evolved opponents: they see 11 x 11 cells and know 5 actions, here it is 3 x 3 and 5"
+        "no evolved opponents: they have a view of 11 x 11 cells and 5 actions, "
+        "this world has 3 x 3 and 5"
     )
     start(tiny_race(**FITTING, diagonal=True), tmp_path / "diagonal")
     found = score(open_run(tmp_path / "diagonal"), episodes=2)["pursuer"]
@@ -187,12 +188,12 @@ def test_views_that_do_not_fit_meet_scripts_only(tmp_path):
     assert found.left_out.endswith("11 x 11 and 9")
 
 
-def test_what_a_run_has_learnt_against_is_not_held_out(tmp_path):
+def test_the_opponent_of_a_run_is_not_held_out(tmp_path):
     start(tiny_single(team="evader", against="chaser"), tmp_path / "run")
     scores = score(open_run(tmp_path / "run"), episodes=2)
     assert list(scores) == ["evader"]
     assert scores["evader"].opponents == ("random", "clumsy-chaser", "hunter")
-    assert scores["evader"].left_out.startswith("not chaser, which the run has learnt against; no ")
+    assert scores["evader"].left_out.startswith("not chaser: the run trained against it; no ")
 
 
 def test_a_single_team_is_scored_alone(tmp_path, race):
@@ -214,26 +215,26 @@ def test_bad_generations_and_episodes_are_refused(race):
 
 def test_the_command_prints_and_writes_the_scores(race, tmp_path):
     file = tmp_path / "scores.json"
-    told = matrixworld_command("score", race, "--episodes", 5, "--json", file).stdout
+    output = matrixworld_command("score", race, "--episodes", 5, "--json", file).stdout
     scores = score(open_run(race), episodes=5)
     written = json.loads(file.read_text())
     for team, found in scores.items():
-        assert f"\n{team}s of generation 2: " in told
+        assert f"\n{team}s of generation 2: " in output
         width = max(map(len, found.opponents))
         for name in found.opponents:
-            assert f"  {name:{width}}  {found.against(name)}\n" in told
-        assert f"  {'mean':{width}}  {found.mean()}\n" in told
+            assert f"  {name:{width}}  {found.against(name)}\n" in output
+        assert f"  {'mean':{width}}  {found.mean()}\n" in output
         assert written[f"{team}s"] == found.to_json()
-        [told_mean] = written[f"{team}s"]["mean"]
-        assert told_mean["value"] == pytest.approx(found.rates.mean())
-    assert f"\n{5 * (7 + 6)} matches were played.\n" in told
-    assert "Left out" not in told
+        [written_mean] = written[f"{team}s"]["mean"]
+        assert written_mean["value"] == pytest.approx(found.rates.mean())
+    assert f"\n{5 * (7 + 6)} matches were played.\n" in output
+    assert "Left out" not in output
 
 
 def test_the_command_prints_a_curve(race):
-    told = matrixworld_command("score", race, "--generation", "all", "--episodes", 2).stdout
+    output = matrixworld_command("score", race, "--generation", "all", "--episodes", 2).stdout
     curve = score(open_run(race), generation=None, episodes=2)["pursuer"]
-    lines = told[told.index("pursuers by generation") :].splitlines()
+    lines = output[output.index("pursuers by generation") :].splitlines()
     assert lines[1:4] == [f"  {g:10}  {curve.mean(g)}" for g in range(3)]
 
 
@@ -241,8 +242,8 @@ def test_the_command_says_what_it_left_out(tmp_path):
     run = start(tiny_race(), tmp_path / "run", play=StopAt(2))
     with pytest.raises(KeyboardInterrupt):
         run.run()
-    told = matrixworld_command("score", tmp_path / "run", "--episodes", 2).stdout
-    assert "Left out: no evolved opponents: they see 11 x 11" in told
+    output = matrixworld_command("score", tmp_path / "run", "--episodes", 2).stdout
+    assert "Left out: no evolved opponents: they have a view of 11 x 11" in output
 
 
 @pytest.mark.parametrize(

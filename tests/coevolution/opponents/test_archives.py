@@ -19,7 +19,7 @@ from matrixworld.coevolution.opponents import (
     maximally_different,
     swapped,
 )
-from matrixworld.coevolution.storage.files import load_arrays, save_arrays
+from matrixworld.files import load_arrays, save_arrays
 
 ARCHIVES = {
     "MaxSolve": lambda: MaxSolve(3),

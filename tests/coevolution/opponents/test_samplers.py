@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from matrixworld.coevolution import opponents
-from matrixworld.coevolution.storage.files import load_arrays, save_arrays
+from matrixworld.files import load_arrays, save_arrays
 
 SAMPLERS = {
     "latest": lambda: opponents.Latest(2),

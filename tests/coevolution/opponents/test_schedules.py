@@ -87,7 +87,7 @@ def test_overlap_is_penalised_where_teammates_may_share_a_cell():
         ({"learner": "ga", "elites": 48}, ValueError, "elites: expected fewer than 48"),
         ({"learner": "es", "schedule": "hall-of-fame"}, ValueError, "learner: expected ga"),
         ({"contemporaries": 0, "hall_sample": 0}, ValueError, "contemporaries and hall_sample"),
-        ({"pursuers_meet": "latest"}, ValueError, "pursuers_meet: expected alternating or hall-of"),
+        ({"pursuers_meet": "latest"}, ValueError, "pursuers_meet: expected the schedule alter"),
         ({"schedule": "alternating", "evaders_meet": "all"}, ValueError, "evaders_meet: expected"),
         ({"opponents": 2}, ValueError, "opponents: expected 1 for the schedule generalist"),
         ({"opponents": 0}, ValueError, "opponents: expected at least 1, got 0"),
@@ -99,7 +99,7 @@ def test_overlap_is_penalised_where_teammates_may_share_a_cell():
         (
             {"sharing": "competitive", "pursuer_virulence": 0.9},
             ValueError,
-            "pursuer_virulence: expected sharing none beside it",
+            "pursuer_virulence: expected it with sharing .none. only",
         ),
         ({"fitness": "style"}, ValueError, "fitness: expected one of captured-fraction"),
         ({"overlap_penalty": -1.0}, ValueError, "overlap_penalty"),

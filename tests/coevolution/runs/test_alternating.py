@@ -1,4 +1,4 @@
-"""Alternating races: what is played, kept, and the same after an interruption."""
+"""Alternating races: matches, files, and equal results after an interruption."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from matrixworld.coevolution import (
     evaluation_seed,
     open_run,
 )
-from matrixworld.coevolution.settings_json import settings_from_json, settings_to_json
+from matrixworld.coevolution.settings import settings_from_json, settings_to_json
 from matrixworld.policy import Population
 from matrixworld.rollout import Matches, rollout
 from matrixworld.rules import VARIANTS
@@ -28,7 +28,7 @@ from tiny_race import StopAt, constant_scores, results, tiny_race
 
 EPOCHS = 2 * (2 + 3)
 CALLS = EPOCHS + 3
-"""Calls of `rollout` in a tiny race: one an epoch, one a row of the payoff matrix."""
+"""Calls of `rollout` in a tiny race: one per epoch and one per row of the payoff matrix."""
 
 
 @pytest.fixture(scope="module")
@@ -61,7 +61,7 @@ def test_log_has_a_row_per_epoch_and_counts_matches(straight):
     assert straight.training.matches == straight.training_matches() == 4 * EPOCHS
 
 
-def test_learners_score_on_the_matches_that_the_log_says(tmp_path):
+def test_training_matches_are_those_of_the_log(tmp_path):
     played = []
 
     def play(config, pursuers, evaders, matches, **options):
@@ -88,7 +88,7 @@ def test_learners_score_on_the_matches_that_the_log_says(tmp_path):
     assert len(played) == CALLS
 
 
-def test_every_cell_can_be_replayed_on_its_own(straight):
+def test_every_cell_can_be_replayed_alone(straight):
     settings, archive, payoff = straight.settings, straight.files.archive(), straight.payoff()
     assert payoff.capture_rates.shape == (3, 3, 3)
     world = settings.world(settings.eval_steps)
@@ -111,7 +111,7 @@ def test_saved_run_counts_generations_from_both_ends(straight):
         saved.record(0, 3)
 
 
-def test_payoff_file_speaks_for_itself(straight):
+def test_payoff_file_holds_means_and_deviations(straight):
     arrays, payoff = straight.files.payoff(), straight.payoff()
     assert np.allclose(arrays["capture_rate"], payoff.capture_rates.mean(axis=2))
     assert np.allclose(arrays["capture_rate_std"], payoff.capture_rates.std(axis=2), atol=1e-6)
@@ -157,7 +157,7 @@ def test_interrupted_race_ends_as_if_never_stopped(straight, tmp_path, call):
 @pytest.mark.parametrize(
     "changes", [{"learner": "cma"}, {"learner": "ga"}, {"optimizer": "momentum", "anneal": True}]
 )
-def test_every_learner_goes_on_as_if_never_stopped(tmp_path, changes):
+def test_every_learner_continues_as_if_never_stopped(tmp_path, changes):
     settings = tiny_race(**changes)
     coevolution.start(settings, tmp_path / "straight").run()
     with pytest.raises(KeyboardInterrupt):
@@ -177,7 +177,7 @@ def test_race_stopped_again_and_again(straight, tmp_path):
     assert results(tmp_path / "run") == results(straight.files.path)
 
 
-def test_the_same_object_goes_on_after_an_interruption(straight, tmp_path):
+def test_the_same_object_continues_after_an_interruption(straight, tmp_path):
     race = Race(tiny_race(), tmp_path / "run", play=StopAt(6))
     with pytest.raises(KeyboardInterrupt):
         race.run()
@@ -214,7 +214,7 @@ def report(what, done, total):
     sys.stdin.readline()
 resume(sys.argv[1], threads=1).run(report)
 """
-"""Goes on with a race, and waits for a line after each epoch."""
+"""Resumes a race, and waits for a line after each epoch."""
 
 
 def start_child(directory: Path) -> subprocess.Popen[str]:
@@ -243,7 +243,7 @@ def test_killed_race_ends_as_if_never_stopped(straight, tmp_path):
     assert results(directory) == results(straight.files.path)
 
 
-def test_finished_race_is_left_alone(straight):
+def test_finished_race_is_not_changed(straight):
     before = results(straight.files.path)
     calls = StopAt(0)
     payoff = Race.resume(straight.files.path, play=calls).run()
@@ -251,7 +251,7 @@ def test_finished_race_is_left_alone(straight):
     assert results(straight.files.path) == before
 
 
-def test_damaged_checkpoint_costs_one_half_step(straight, tmp_path):
+def test_damaged_checkpoint_costs_one_team_phase(straight, tmp_path):
     race = Race(tiny_race(), tmp_path / "run", play=StopAt(6))
     with pytest.raises(KeyboardInterrupt):
         race.run()
@@ -278,7 +278,7 @@ def test_progress_is_reported_when_asked(tmp_path, capfd):
     assert "tournament: 100%" in capfd.readouterr().err
 
 
-def test_new_race_wants_an_empty_directory(straight):
+def test_new_race_requires_an_empty_directory(straight):
     with pytest.raises(FileExistsError, match="expected a new or empty directory"):
         Race(tiny_race(), straight.files.path)
 
@@ -331,11 +331,11 @@ def _without(values, name):
 
 
 def disengaged(config, pursuers, evaders, matches, *, worlds=1, threads=None):
-    """The pursuers catch everybody, whoever plays."""
+    """Return results in which all evaders are captured."""
     return constant_scores(1.0, (len(matches.seed), worlds))
 
 
-def test_disengagement_is_warned_of_once(tmp_path):
+def test_disengagement_causes_one_warning(tmp_path):
     race = Race(tiny_race(generations=5), tmp_path / "run", play=disengaged)
     with pytest.warns(DisengagementWarning, match="the pursuers win nearly everything") as caught:
         race.run()

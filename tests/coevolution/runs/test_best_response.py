@@ -1,4 +1,4 @@
-"""Fresh best responses to frozen champions."""
+"""Best responses to champions."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def test_what_is_played(race, tmp_path, champion):
 
 
 @pytest.mark.parametrize("call", [0, 4, 9])
-def test_an_interrupted_response_goes_on(race, tmp_path, call):
+def test_an_interrupted_response_continues(race, tmp_path, call):
     run = open_run(race)
     arguments: dict[str, Any] = {"eval_episodes": EPISODES, "archive_every": 2}
     straight = best_response(run, "pursuer", BUDGET, tmp_path / "straight", **arguments)
@@ -82,7 +82,7 @@ def test_an_interrupted_response_goes_on(race, tmp_path, call):
 
 
 def test_a_weak_champion_is_exploited(tmp_path):
-    """An untrained team hardly moves: a response to it learns to catch far more."""
+    """An untrained team hardly moves: its response learns to capture far more."""
     settings = tiny_race(
         fov=5, hidden=(), train_steps=20, eval_steps=20, generations=1, pursuer_epochs=1,
         evader_epochs=1, population=2, sigma=1e-6, learning_rate=1e-6, initial_head=0.01,
@@ -105,9 +105,7 @@ def test_settings_are_the_run_s_world_and_the_budget(race):
     assert (settings.train_steps, settings.eval_steps, settings.seed) == (12, 12, 5)
     changed = response_settings(run, "evader", 1000, population=10, worlds=3, train_steps=4)
     assert (changed.epochs, changed.train_steps) == (33, 4)
-    with pytest.raises(
-        ValueError, match="matches: expected at least 48, those of an epoch, got 47"
-    ):
+    with pytest.raises(ValueError, match=r"matches: expected at least 48 \(one epoch\), got 47"):
         response_settings(run, "evader", 47)
 
 
@@ -181,11 +179,7 @@ def test_words_for_a_gain_and_for_none(race, tmp_path):
     ("options", "code", "message"),
     [
         ([], 2, "Missing option '--champion'"),
-        (
-            ["--champion", "pursuer", "--matches", "47"],
-            2,
-            "expected at least 48, those of an epoch",
-        ),
+        (["--champion", "pursuer", "--matches", "47"], 2, "expected at least 48 (one epoch)"),
         (["--champion", "pursuer", "--output", "{race}"], 2, "expected a single run, got 'race'"),
     ],
 )

@@ -18,18 +18,18 @@ def hall_of_fame(**changes):
     return tiny_race(schedule="hall-of-fame", **{**options, **changes})
 
 
-def test_everybody_meets_the_same_number_of_opponents():
-    met = pairings(5, 3, (1, 2), np.random.default_rng(0))
-    assert len(met.pursuer) == len(met.evader) == len(met.round) == 5 * (3 + 1 + 2)
+def test_all_individuals_have_the_same_number_of_opponents():
+    pairs = pairings(5, 3, (1, 2), np.random.default_rng(0))
+    assert len(pairs.pursuer) == len(pairs.evader) == len(pairs.group) == 5 * (3 + 1 + 2)
     for individual in range(5):
-        opponents = met.evader[met.pursuer == individual]
+        opponents = pairs.evader[pairs.pursuer == individual]
         assert sorted(opponents[opponents >= 5]) == [5, 6]
         assert (opponents < 5).sum() == 3
-        opponents = met.pursuer[met.evader == individual]
+        opponents = pairs.pursuer[pairs.evader == individual]
         assert sorted(opponents[opponents >= 5]) == [5]
         assert (opponents < 5).sum() == 3
-    assert not ((met.pursuer >= 5) & (met.evader >= 5)).any()
-    assert np.array_equal(met.round, np.repeat(np.arange(6), 5))
+    assert not ((pairs.pursuer >= 5) & (pairs.evader >= 5)).any()
+    assert np.array_equal(pairs.group, np.repeat(np.arange(6), 5))
 
 
 def test_matches_as_a_table_of_individuals():

@@ -1,4 +1,4 @@
-"""Runs that are killed or cannot write, again and again, end as if nothing had happened."""
+"""Runs that are killed or cannot write end, when resumed, as if nothing had happened."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from itertools import count
 import pytest
 
 import killed
-from killed import RUNS, SHORT_RUNS, Events, go_on, go_on_and_die, process, watched
+from killed import RUNS, SHORT_RUNS, Events, process, run_until_killed, start_or_resume, watched
 from matrixworld import coevolution
 from matrixworld.coevolution import LockedError, open_run
 from tiny_race import directory_in_memory, results
@@ -26,23 +26,23 @@ KILLS = 16
 
 @pytest.fixture
 def tmp_path():
-    """Thousands of files are synced here."""
+    """A directory for thousands of files, which are all synced."""
     with directory_in_memory() as directory:
         yield directory
 
 
 @cache
 def straight(kind):
-    """What a run leaves that is never disturbed."""
+    """Return the results of a run that is never disturbed."""
     with directory_in_memory() as directory:
-        go_on(kind, directory / "run")
+        start_or_resume(kind, directory / "run")
         return results(directory / "run")
 
 
 def seconds_of(kind, directory):
-    """How long a process takes that is left alone."""
+    """Return the duration of a run that is never disturbed."""
     began = time.monotonic()
-    child = process(go_on, kind, directory)
+    child = process(start_or_resume, kind, directory)
     child.join()
     assert child.exitcode == 0
     return time.monotonic() - began
@@ -52,7 +52,7 @@ def seconds_of(kind, directory):
 def test_killed_at_random(kind, tmp_path):
     """The moments are spread over the whole life of a process: creation, training, the end.
 
-    The waits grow, lest on a machine that has become busy no process ever gets through a stage.
+    The waits grow, so that a process finishes a stage even if the machine has become busy.
     """
     lasts = min(seconds_of(kind, tmp_path / f"alone{i}") for i in range(2))
     waits = random.Random(kind)
@@ -61,7 +61,7 @@ def test_killed_at_random(kind, tmp_path):
         directory = tmp_path / f"run{runs}"
         died = True
         while died:
-            child = process(go_on, kind, directory)
+            child = process(start_or_resume, kind, directory)
             child.join(waits.uniform(0.0, lasts * (1 + kills / KILLS)))
             child.kill()
             child.join()
@@ -74,15 +74,15 @@ def test_killed_at_random(kind, tmp_path):
 
 @pytest.mark.parametrize("kind", SHORT_RUNS)
 def test_killed_at_every_write_and_every_match(kind, tmp_path):
-    """Once at each: the moments that a random one would have to hit."""
+    """Each event is tried, so that none depends on being hit at random."""
     for at in count():
         directory = tmp_path / str(at)
-        child = process(go_on_and_die, kind, directory, at)
+        child = process(run_until_killed, kind, directory, at)
         child.join()
         if child.exitcode == 0:
             break
         assert child.exitcode == DEATHS
-        go_on(kind, directory)
+        start_or_resume(kind, directory)
         assert results(directory) == straight(kind)
         assert not list(directory.glob(".*.tmp"))
     assert at > 25
@@ -90,11 +90,11 @@ def test_killed_at_every_write_and_every_match(kind, tmp_path):
 
 @pytest.mark.parametrize("kind", RUNS)
 def test_killed_again_and_again_at_the_next_write(kind, tmp_path):
-    """A process gets one event further than the one before, if that: many deaths of one run."""
+    """Each process gets at most one event further than the one before: one run, killed often."""
     directory = tmp_path / "run"
     deaths = 0
     for at in range(200):
-        child = process(go_on_and_die, kind, directory, at)
+        child = process(run_until_killed, kind, directory, at)
         child.join()
         if child.exitcode == 0:
             break
@@ -105,10 +105,10 @@ def test_killed_again_and_again_at_the_next_write(kind, tmp_path):
 
 
 def error_of(kind, directory, events):
-    """The system's error that ends a run; None if it comes to its own end."""
+    """Return the system error that stops a run; None if the run finishes."""
     try:
         with watched(events):
-            go_on(kind, directory)
+            start_or_resume(kind, directory)
     except OSError as error:
         return error
     return None
@@ -126,27 +126,27 @@ def test_every_write_that_fails_names_its_file_and_loses_nothing(kind, tmp_path)
             break
         assert raised.errno == errno.ENOSPC
         assert str(directory) in str(raised)
-        go_on(kind, directory)
+        start_or_resume(kind, directory)
         assert results(directory) == straight(kind)
     assert at > 25
 
 
 @pytest.mark.parametrize("kind", RUNS)
 @pytest.mark.parametrize("limit", [100, 1000, 2500])
-def test_a_disk_that_takes_no_more(kind, tmp_path, limit):
-    """The system's own refusal, of files beyond some bytes."""
+def test_files_that_the_system_limits(kind, tmp_path, limit):
+    """The operating system refuses files that exceed some number of bytes."""
     directory = tmp_path / "run"
-    child = process(killed.go_on_with_small_files, kind, directory, limit, tmp_path / "message")
+    child = process(killed.run_with_small_files, kind, directory, limit, tmp_path / "message")
     child.join()
     assert child.exitcode == killed.REFUSED
     message = (tmp_path / "message").read_text()
     assert "File too large" in message
     assert str(directory) in message
-    go_on(kind, directory)
+    start_or_resume(kind, directory)
     assert results(directory) == straight(kind)
 
 
-def test_killed_process_lets_go_of_the_lock(tmp_path):
+def test_killed_process_releases_the_lock(tmp_path):
     directory = tmp_path / "run"
     coevolution.start(RUNS["race"], directory)
     child = process(killed.hold, directory, tmp_path / "held")
@@ -154,7 +154,7 @@ def test_killed_process_lets_go_of_the_lock(tmp_path):
         time.sleep(0.01)
     with pytest.raises(LockedError, match="run: another process is running there"):
         coevolution.resume(directory)
-    open_run(directory)  # whoever only reads may
+    open_run(directory)  # reading needs no lock
     child.kill()
     child.join()
     assert coevolution.resume(directory).stage == 0

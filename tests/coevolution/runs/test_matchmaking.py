@@ -1,4 +1,4 @@
-"""Races whose teams select their opponents, keep archives, and share fitness."""
+"""Races with opponent samplers, archives and fitness sharing."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_stopped_race_ends_as_if_never_stopped(tmp_path, make, name):
 
 @pytest.mark.parametrize("make", [alternating, joint])
 @pytest.mark.parametrize("name", SAMPLERS)
-def test_matches_are_counted_and_foreseen(tmp_path, make, name):
+def test_matches_are_counted_and_predicted(tmp_path, make, name):
     played = 0
 
     def counting(*args, **options):
@@ -54,14 +54,14 @@ def test_matches_are_counted_and_foreseen(tmp_path, make, name):
     training = played - payoff.lengths.size
     assert race.training.matches == race.files.summary()["training_matches"] == training
     assert race.files.log()["matches"][-1] == training
-    foreseen = race.training_matches()
+    predicted = race.training_matches()
     if name in ARCHIVES:
-        assert training <= foreseen
+        assert training <= predicted
     else:
-        assert training == foreseen
+        assert training == predicted
 
 
-def test_finish_does_what_is_left_to_do(tmp_path):
+def test_finish_starts_continues_or_opens_a_run(tmp_path):
     settings, place = alternating("uniform"), tmp_path / "run"
     with pytest.raises(KeyboardInterrupt):
         coevolution.finish(settings, place, play=StopAt(5))
@@ -86,7 +86,7 @@ def test_runs_are_compared_at_equal_budgets(tmp_path):
     assert run.generation_at("evader", 159) == 3
 
 
-def test_candidates_meet_every_opponent_that_was_selected(tmp_path):
+def test_candidates_play_against_every_sampled_opponent(tmp_path):
     settings = alternating("round-robin", opponents=3, learner="ga", worlds=2)
     race = coevolution.start(settings, tmp_path / "run")
     calls = []
@@ -110,7 +110,7 @@ def test_candidates_meet_every_opponent_that_was_selected(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["maxsolve", "ipca", "lapca"])
-def test_archives_hold_what_the_matches_of_a_pair_say(tmp_path, name):
+def test_archives_hold_the_results_of_the_matches(tmp_path, name):
     settings = alternating(name, archive_episodes=2, generations=5, seed=4)
     race = coevolution.start(settings, tmp_path / "run")
     race.run()
@@ -144,15 +144,15 @@ def test_generalist_learns_from_opponents_that_differ(tmp_path):
         assert set(archive.tests) <= set(range(5))
 
 
-def test_opponents_selected_by_results_depend_on_them(tmp_path):
-    """Prioritised selection remembers: the state in the checkpoint is what it was told."""
+def test_prioritized_samplers_remember_results(tmp_path):
+    """The state in the checkpoint holds the results that the sampler was told."""
     race = coevolution.start(alternating("prioritized-hard"), tmp_path / "run")
     race.run()
     state = race.files.restore().state
-    games = state["pursuer.met.games"]
+    games = state["pursuer.sampler.games"]
     assert games.shape == (4,)
     assert (games > 0).all()
-    rates = state["pursuer.met.wins"] / games
+    rates = state["pursuer.sampler.wins"] / games
     assert ((rates >= 0) & (rates <= 1)).all()
     again = coevolution.resume(tmp_path / "run")
     assert np.array_equal(again.matchmaking.samplers["pursuer"].win_rates(4), rates)

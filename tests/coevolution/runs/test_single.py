@@ -1,4 +1,4 @@
-"""Evolution of one team against opponents that stand still."""
+"""Runs in which one team learns against fixed opponents."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_against_a_run(tmp_path, other_run, team):
     assert [saved.record(episode=number).length for number in range(3)] == list(lengths.flat)
 
 
-def test_several_opponents_are_met_in_turn(tmp_path):
+def test_several_opponents_take_turns(tmp_path):
     settings = tiny_single(team="evader")
     genomes = np.stack([settings.network.initial(np.random.default_rng(i)) for i in range(2)])
     opponents = Population(genomes, settings.network)
@@ -153,7 +153,7 @@ def test_start_with_another_network_is_refused(tmp_path, other_run):
         SingleTeam(settings, tmp_path / "run")
 
 
-def test_run_without_genomes_of_a_team_cannot_be_met(tmp_path):
+def test_run_without_genomes_of_a_team_gives_no_opponent(tmp_path):
     SingleTeam(tiny_single(team="pursuer"), tmp_path / "run").run()
     with pytest.raises(ValueError, match="expected a run with genomes of evaders, got none"):
         last_generation(tmp_path / "run", "evader")

@@ -1,4 +1,4 @@
-"""Run directories that somebody has damaged: told of in a line or mended, never a wrong result."""
+"""Damaged run directories: reported in one line or repaired, never a wrong result."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ import pytest
 
 import killed
 from command_line import MAIN_JOB, RACE, matrixworld_command, words
+from matrixworld import files
 from matrixworld.cli import jobs, report
 from matrixworld.coevolution import (
     DamagedFileError,
@@ -22,7 +23,6 @@ from matrixworld.coevolution import (
     open_run,
     resume,
 )
-from matrixworld.coevolution.storage import files
 from tiny_race import RESULTS, StopAt, directory_in_memory, results, tiny_race
 
 PREVIOUS = ("archive.previous.npz", "checkpoint.previous.npz")
@@ -33,19 +33,19 @@ OF_EITHER = [
     for name in (*RESULTS, *PREVIOUS)
     if run == "straight" or name not in AT_THE_END
 ]
-"""The files that a finished run has, and one that was stopped."""
+"""Files of a finished run, and of a run that was stopped."""
 LOCKS = [("straight", ".lock"), ("stopped", ".lock")]
 
 
 @pytest.fixture(autouse=True)
-def undrawn(monkeypatch):
-    """Leave the figures out: they are not what is tested."""
+def no_figures(monkeypatch):
+    """Leave out the figures, which are not tested here."""
     monkeypatch.setattr(report, "draw_run", lambda path: [])
 
 
 @pytest.fixture
 def tmp_path():
-    """Many files are synced here."""
+    """A directory for many files, which are all synced."""
     with directory_in_memory() as directory:
         yield directory
 
@@ -60,7 +60,7 @@ def straight(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def stopped(tmp_path_factory):
-    """The same race, stopped in its last team phase but one."""
+    """The same race, stopped in its second to last team phase."""
     directory = tmp_path_factory.mktemp("stopped") / "run"
     race = Race(tiny_race(), directory, threads=1, play=StopAt(6))
     with pytest.raises(KeyboardInterrupt):
@@ -78,20 +78,20 @@ def foreign(tmp_path_factory):
 
 @pytest.fixture(params=["straight", "stopped"])
 def copy(request, tmp_path):
-    """A copy of either, to be damaged."""
+    """A copy of the finished or of the stopped race, to be damaged."""
     return Path(shutil.copytree(request.getfixturevalue(request.param), tmp_path / "run"))
 
 
 def resumed(directory):
-    """Resume by the command line; returns exit code and what it said."""
+    """Resume by the command line; return exit code and output."""
     try:
         return 0, matrixworld_command("evolve", "--resume", directory).output
     except AssertionError:  # of the exit code
         return 1, matrixworld_command("evolve", "--resume", directory, code=1).stderr
 
 
-def check_that_it_is_told_or_mended(directory, name, straight):
-    """After damage to a file: the true result, or an error that names the directory."""
+def check_reported_or_repaired(directory, name, straight):
+    """After damage to a file, expect the true result or an error that names the file."""
     code, said = resumed(directory)
     if code == 0:
         assert results(directory) == results(straight)
@@ -115,14 +115,14 @@ def replacements(content):
     return [b"{}", b"null", b"PK\x05\x06" + bytes(18), content + content, content + b"\0"]
 
 
-@pytest.mark.filterwarnings("ignore::UserWarning")  # of damage, among what is said
+@pytest.mark.filterwarnings("ignore::UserWarning")  # of damage, which are part of the output
 @pytest.mark.parametrize("damage", [cuts, alterations, replacements])
 @pytest.mark.parametrize(("copy", "name"), OF_EITHER, indirect=["copy"])
 def test_damaged_file(copy, straight, name, damage):
     kept = {path: path.read_bytes() for path in copy.iterdir()}
     for content in damage(kept[copy / name]):
         (copy / name).write_bytes(content)
-        code = check_that_it_is_told_or_mended(copy, name, straight)
+        code = check_reported_or_repaired(copy, name, straight)
         if name in PREVIOUS:
             assert code == 0
         for path in copy.iterdir():
@@ -139,17 +139,17 @@ def test_deleted_file(copy, straight, name):
         again = matrixworld_command("evolve", copy, "--schedule", MAIN_JOB[0], code=2)
         assert "expected a new or empty directory" in again.stderr
     else:
-        code = check_that_it_is_told_or_mended(copy, name, straight)
+        code = check_reported_or_repaired(copy, name, straight)
         assert code == (1 if name == "log.csv" else 0)
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
 @pytest.mark.parametrize("name", RESULTS)
 def test_file_of_another_run(copy, straight, foreign, name):
-    """Whole, and of the right form, but not this run's."""
+    """The file is intact and of the right form, but of another run."""
     shutil.copy(foreign / name, copy / name)
     refused = "checkpoint.npz" if name == "config.json" else name
-    check_that_it_is_told_or_mended(copy, refused, straight)
+    check_reported_or_repaired(copy, refused, straight)
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
@@ -164,10 +164,10 @@ def test_file_of_another_run(copy, straight, foreign, name):
 )
 def test_file_under_another_name(copy, straight, source, name):
     shutil.copy(copy / source, copy / name)
-    check_that_it_is_told_or_mended(copy, name, straight)
+    check_reported_or_repaired(copy, name, straight)
 
 
-def test_readers_take_no_damaged_file(straight, foreign, tmp_path):
+def test_readers_refuse_damaged_files(straight, foreign, tmp_path):
     for name, read in {
         "archive.npz": lambda run: run.files.archive(),
         "payoff.npz": lambda run: run.payoff(),
@@ -186,7 +186,7 @@ def test_readers_take_no_damaged_file(straight, foreign, tmp_path):
 
 
 def rewritten(directory, change):
-    """Change config.json as another version would have written it, with a checksum that fits."""
+    """Change config.json as another version would have written it, with a correct checksum."""
     config = files.load_json(directory / "config.json")
     change(config)
     files.save_json(directory / "config.json", config)
@@ -220,7 +220,7 @@ def test_another_version_s_files(copy, change, message):
 
 
 class Trap:
-    """What would be called if it were unpickled."""
+    """An object that makes a directory if it is unpickled."""
 
     def __reduce__(self):
         return os.mkdir, ("sprung",)
@@ -235,18 +235,18 @@ def test_pickled_objects_are_not_loaded(straight, tmp_path, monkeypatch, name, s
     buffer = io.BytesIO()
     np.savez(buffer, pursuers=np.array([Trap()], dtype=object))
     owner = RunDirectory.open(copy)._owner_of(name)
-    content = files._signed(buffer.getvalue(), owner) if sealed else buffer.getvalue()
+    content = files._sealed(buffer.getvalue(), owner) if sealed else buffer.getvalue()
     (copy / f"{name}.npz").write_bytes(content)
     with pytest.raises(DamagedFileError, match=f"{name}.npz: "):
         files.load_arrays(copy / f"{name}.npz", owner=owner)
-    check_that_it_is_told_or_mended(copy, f"{name}.npz", straight)
+    check_reported_or_repaired(copy, f"{name}.npz", straight)
     assert not (tmp_path / "sprung").exists()
 
 
-# A directory that is not finished, or not ours to write to
+# Directories that are incomplete or cannot be written to:
 
 
-def test_remains_of_a_creation_are_built_upon(straight, tmp_path):
+def test_an_incomplete_new_run_is_replaced(straight, tmp_path):
     directory = tmp_path / "run"
     directory.mkdir()
     for name in (".lock", "archive.npz", "checkpoint.npz"):
@@ -257,7 +257,7 @@ def test_remains_of_a_creation_are_built_upon(straight, tmp_path):
 
 
 @pytest.mark.parametrize("left_over", ["notes.txt", "log.csv", "archive.previous.npz"])
-def test_only_remains_of_a_creation_are_built_upon(straight, tmp_path, left_over):
+def test_other_files_are_not_replaced(straight, tmp_path, left_over):
     directory = tmp_path / "run"
     directory.mkdir()
     for name in (".lock", "archive.npz", left_over):
@@ -265,13 +265,13 @@ def test_only_remains_of_a_creation_are_built_upon(straight, tmp_path, left_over
     with pytest.raises(FileExistsError, match=f"found {left_over}"):
         Race(tiny_race(), directory)
     (directory / left_over).unlink()
-    (directory / ".lock").unlink()  # the archive is somebody's who keeps it here
+    (directory / ".lock").unlink()  # without it, the archive may be the user's own
     with pytest.raises(FileExistsError, match="found archive.npz"):
         Race(tiny_race(), directory)
     assert (directory / "archive.npz").read_bytes() == b"mine"
 
 
-def test_a_command_stopped_while_it_makes_a_run_can_be_given_again(straight, tmp_path, monkeypatch):
+def test_a_command_stopped_while_it_makes_a_run_can_be_repeated(straight, tmp_path, monkeypatch):
     directory = tmp_path / "run"
     command = ["evolve", directory, *words(RACE), "--schedule", MAIN_JOB[1]]
     with monkeypatch.context() as patch:
@@ -283,7 +283,7 @@ def test_a_command_stopped_while_it_makes_a_run_can_be_given_again(straight, tmp
     assert results(directory) == results(straight)
 
 
-def test_a_job_of_which_some_runs_were_made_is_not_taken_for_a_whole_one(tmp_path, monkeypatch):
+def test_an_incomplete_job_is_refused(tmp_path, monkeypatch):
     directory = tmp_path / "job"
     start, left = jobs.start, [1]
 
@@ -311,26 +311,26 @@ def interrupted(*args, **options):
 @pytest.mark.skipif(sys.platform == "win32", reason="needs permissions")
 @pytest.mark.parametrize("made", [False, True])
 def test_read_only_directory(stopped, straight, made):
-    with directory_in_memory() as place:  # of which all may see the parents
+    with directory_in_memory() as place:  # its parents can be read by all users
         os.chmod(place, 0o755)
         directory = Path(shutil.copytree(stopped, place / "run"))
         if not made:
             for path in directory.iterdir():
                 path.unlink()
-        told = place / "message"
-        told.touch(0o666)
-        os.chmod(told, 0o666)
+        message = place / "message"
+        message.touch(0o666)
+        os.chmod(message, 0o666)
         os.chmod(directory, 0o555)
-        child = killed.process(killed.go_on_without_rights, "race", directory, told)
+        child = killed.process(killed.run_without_rights, "race", directory, message)
         child.join()
         assert child.exitcode == killed.REFUSED
-        assert f"Permission denied: '{directory}" in told.read_text()
+        assert f"Permission denied: '{directory}" in message.read_text()
         os.chmod(directory, 0o755)
-        killed.go_on("race", directory)
+        killed.start_or_resume("race", directory)
         assert results(directory) == results(straight)
 
 
-def test_a_full_disk_is_told_of_with_the_way_to_go_on(stopped, straight, tmp_path, monkeypatch):
+def test_a_full_disk_is_reported_with_the_next_command(stopped, straight, tmp_path, monkeypatch):
     copy = Path(shutil.copytree(stopped, tmp_path / "run"))
 
     def full(handle):

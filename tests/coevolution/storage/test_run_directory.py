@@ -1,4 +1,4 @@
-"""Files that are whole or refused, and the directory that they make up."""
+"""Run directories: checkpoints, the log, locks, and files that are damaged."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ import warnings
 import numpy as np
 import pytest
 
+from matrixworld import files
 from matrixworld.coevolution import (
     DamagedFileError,
     LockedError,
     OtherVersionError,
     RunDirectory,
 )
-from matrixworld.coevolution.storage import files
 from matrixworld.coevolution.storage.run_log import COLUMNS, RunLog, read_log
 
 
@@ -51,71 +51,6 @@ def alter(path):
     path.write_bytes(bytes(content))
 
 
-def test_arrays_come_back(tmp_path):
-    arrays = {"a": np.arange(6.0).reshape(2, 3), "text": np.array("abc"), "none": np.zeros((0, 4))}
-    files.save_arrays(tmp_path / "x.npz", arrays)
-    back = files.load_arrays(tmp_path / "x.npz")
-    assert back.keys() == arrays.keys()
-    for name, array in arrays.items():
-        assert back[name].dtype == array.dtype
-        assert np.array_equal(back[name], array)
-    with np.load(tmp_path / "x.npz", allow_pickle=False) as plain:
-        assert np.array_equal(plain["a"], arrays["a"])
-
-
-def test_objects_are_not_pickled(tmp_path):
-    with pytest.raises(TypeError, match="things: expected numbers or text"):
-        files.save_arrays(tmp_path / "x.npz", {"things": np.array([{}])})
-    assert not list(tmp_path.iterdir())
-
-
-def saved_arrays(path):
-    files.save_arrays(path, {"a": np.arange(4.0)})
-    return files.load_arrays
-
-
-def saved_json(path):
-    files.save_json(path, {"a": [1, 2.5], "b": "text"})
-    return files.load_json
-
-
-@pytest.mark.parametrize("save", [saved_arrays, saved_json])
-def test_every_cut_is_refused(tmp_path, save):
-    path = tmp_path / "x"
-    load = save(path)
-    whole = path.read_bytes().rstrip()
-    for length in range(len(whole)):
-        path.write_bytes(whole[:length])
-        with pytest.raises(DamagedFileError, match=r"x: (cut|altered)"):
-            load(path)
-
-
-@pytest.mark.parametrize("save", [saved_arrays, saved_json])
-def test_every_altered_byte_is_refused(tmp_path, save):
-    path = tmp_path / "x"
-    load = save(path)
-    whole = path.read_bytes()
-    for position, byte in enumerate(whole):
-        if byte > ord(" ") or save is saved_arrays:  # white space carries no content in JSON
-            path.write_bytes(whole[:position] + bytes([byte ^ 0x11]) + whole[position + 1 :])
-            with pytest.raises(DamagedFileError, match=r"x: (cut|altered)"):
-                load(path)
-
-
-def test_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
-    path = tmp_path / "x.json"
-    files.save_json(path, {"a": 1})
-
-    def full(handle):
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(os, "fsync", full)
-    with pytest.raises(OSError, match="No space left"):
-        files.save_json(path, {"a": 2})
-    assert files.load_json(path) == {"a": 1}
-    assert [item.name for item in tmp_path.iterdir()] == ["x.json"]
-
-
 def test_new_run_wants_an_empty_directory(tmp_path):
     (tmp_path / "notes.txt").write_text("mine")
     with pytest.raises(FileExistsError, match=r"expected a new or empty directory.*notes.txt"):
@@ -147,7 +82,7 @@ def test_checkpoint_comes_back(run):
 
 @pytest.mark.parametrize("damage", [cut, alter])
 @pytest.mark.parametrize("name", ["checkpoint.npz", "archive.npz", "log.csv"])
-def test_damaged_file_falls_back_to_the_checkpoint_before(run, name, damage):
+def test_the_checkpoint_before_is_used_if_a_file_is_damaged(run, name, damage):
     damage(run.path / name)
     reopened = RunDirectory.open(run.path)
     with pytest.warns(UserWarning, match=f"{name}: (cut|altered)"):
@@ -160,7 +95,7 @@ def test_damaged_file_falls_back_to_the_checkpoint_before(run, name, damage):
 
 
 @pytest.mark.parametrize("name", ["checkpoint", "archive"])
-def test_nothing_is_guessed_when_both_are_damaged(run, name):
+def test_an_error_is_raised_if_both_checkpoints_are_damaged(run, name):
     cut(run.path / f"{name}.npz")
     alter(run.path / f"{name}.previous.npz")
     with pytest.raises(DamagedFileError, match=rf"{name}.npz: cut.*{name}.previous.npz"):
@@ -175,7 +110,7 @@ def test_damaged_archive_is_not_shown_to_readers(run):
 
 @pytest.mark.parametrize("renames", range(1, 5))
 def test_kill_between_two_renames(run, monkeypatch, renames):
-    """Four renames make a save; whichever was the last, a whole checkpoint is found."""
+    """A save consists of four renames; after any of them there is an intact checkpoint."""
     replace, left = os.replace, [renames]
 
     def killed(source, target):
@@ -200,7 +135,7 @@ def test_kill_between_two_renames(run, monkeypatch, renames):
     assert len(run.log()["epoch"]) == stage
 
 
-def test_leftovers_of_killed_writers_are_swept(run):
+def test_temporary_files_of_killed_writers_are_removed(run):
     left = run.path / ".archive.npz.123.tmp"
     left.write_bytes(b"half")
     run.restore()
@@ -215,19 +150,19 @@ def test_one_writer_at_a_time(run):
         assert run.config()["kind"] == "race"
 
 
-def test_log_is_cut_back_to_the_checkpoint(tmp_path):
+def test_log_is_truncated_to_the_checkpoint(tmp_path):
     log = RunLog(tmp_path / "log.csv")
     log.append([row(0), row(1)])
     length, checksum = log.length, log.checksum
     log.append([row(2)])
     again = RunLog(tmp_path / "log.csv")
-    again.cut_back(length, checksum)
+    again.truncate(length, checksum)
     assert read_log(tmp_path / "log.csv", length, checksum)["epoch"].tolist() == [0, 1]
     again.append([row(2)])
     assert (again.length, again.checksum) == (log.length, log.checksum)
 
 
-def test_log_that_is_no_log_is_refused(tmp_path):
+def test_a_file_that_is_not_a_log_is_refused(tmp_path):
     path = tmp_path / "log.csv"
     content = b"generation,team\n1,evader\n"
     path.write_bytes(content)

@@ -1,7 +1,7 @@
-"""TeamPolicy that no run has met: scripts, and genomes that come with the package.
+"""Held-out opponents, which no run trains against: scripts, and genomes from the package.
 
-A race measures its teams against each other: both may get worse together and nobody would see it.
-TeamPolicy that stay the same for every run tell, and make runs comparable.
+A race measures its teams against each other, which does not show it when both get worse together.
+Opponents that are the same for every run show it, and make runs comparable.
 """
 
 from __future__ import annotations
@@ -12,16 +12,15 @@ from importlib.resources import as_file, files
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld import Capture
-from matrixworld.coevolution.storage.files import load_arrays
 from matrixworld.coevolution.types import TEAMS, Genomes, Team, other
 from matrixworld.config import WorldConfig
+from matrixworld.files import load_arrays
 from matrixworld.policy import Network, Population, Script, TeamPolicy
-from matrixworld.rules import VARIANTS, Rules, rules_of
+from matrixworld.rules import VARIANTS, Capture, Rules, rules_of
 
 FILE = "held_out.npz"
 NETWORK = Network()
-"""Of the evolved opponents: views of 11 x 11, 5 actions, one hidden layer of 32."""
+"""Network of the evolved opponents: views of 11 x 11, 5 actions, one hidden layer of 32."""
 
 OCCUPIERS: tuple[Script, ...] = ("random", "clumsy-chaser", "chaser", "hunter")
 SURROUNDERS: tuple[Script, ...] = (*OCCUPIERS, "surrounder")
@@ -29,9 +28,24 @@ ESCAPERS: tuple[Script, ...] = ("random", "still", "clumsy-fleer", "fleer", "dod
 
 
 def held_out_scripts(team: Team, variant: Rules | str) -> tuple[Script, ...]:
-    """Return the scripts that play for `team`, which make sense under these rules.
+    """Return the scripts of a team that make sense under the rules of a variant.
 
-    ValueError for another team or an unknown variant.
+    Parameters
+    ----------
+    team : {"pursuer", "evader"}
+        Team that the scripts play for.
+    variant : Rules or str
+        The variant.
+
+    Returns
+    -------
+    tuple of str
+        Names of scripts.
+
+    Raises
+    ------
+    ValueError
+        If there is no such team or variant.
     """
     rules = rules_of(variant)
     if team not in TEAMS:
@@ -42,10 +56,20 @@ def held_out_scripts(team: Team, variant: Rules | str) -> tuple[Script, ...]:
 
 
 def held_out_genomes(team: Team, variant: Rules | str) -> Genomes:
-    """Return the shipped genomes (n, genes) float32 of `NETWORK`.
+    """Return the evolved genomes of a team that come with the package.
 
-    n is 0 for rules of one's own and for a variant without shipped genomes. They come from
-    ``evolution/evolve_held_out.py`` and are rounded to float16.
+    Parameters
+    ----------
+    team : {"pursuer", "evader"}
+        Team that the genomes play for.
+    variant : Rules or str
+        The variant.
+
+    Returns
+    -------
+    ndarray of float32, shape (n, genes)
+        Genomes of `NETWORK`, from ``evolution/evolve_held_out.py``, rounded to float16. None
+        (n = 0) for rules that are not one of `VARIANTS`, and for a variant without shipped ones.
     """
     genomes = _shipped().get(f"{_variant_name(rules_of(variant))}.{team}s")
     if genomes is None:
@@ -54,10 +78,25 @@ def held_out_genomes(team: Team, variant: Rules | str) -> Genomes:
 
 
 def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
-    """Return the held-out opponents that play for `team`, by name: scripts, then genomes.
+    """Return the held-out opponents of a variant.
 
-    Each genome is a population of one, called ``evolved-1`` and so on. ValueError as in
-    `held_out_scripts`.
+    Parameters
+    ----------
+    team : {"pursuer", "evader"}
+        Team that the opponents play for.
+    variant : Rules or str
+        The variant.
+
+    Returns
+    -------
+    dict of str to Population or str
+        Opponents by name: scripts, then genomes, each a population of one and named
+        ``evolved-1`` and so on.
+
+    Raises
+    ------
+    ValueError
+        If there is no such team or variant.
     """
     opponents: dict[str, TeamPolicy] = {name: name for name in held_out_scripts(team, variant)}
     for number, genome in enumerate(held_out_genomes(team, variant), start=1):
@@ -65,6 +104,7 @@ def held_out(team: Team, variant: Rules | str) -> dict[str, TeamPolicy]:
     return opponents
 
 
+# Read once: scores of many runs need it.
 @cache
 def _shipped() -> dict[str, NDArray[np.float16]]:
     with as_file(files("matrixworld.coevolution.evaluation") / FILE) as path:
@@ -76,19 +116,34 @@ def _variant_name(rules: Rules) -> str | None:
 
 
 def fitting_opponents(team: Team, config: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
-    """Return the held-out opponents of `team` in a world, and which of them it leaves out."""
+    """Return the held-out opponents of a team that fit a world.
+
+    Parameters
+    ----------
+    team : {"pursuer", "evader"}
+        The team that is scored, not that of the opponents.
+    config : WorldConfig
+        The world.
+
+    Returns
+    -------
+    opponents : dict of str to Population or str
+        Opponents by name.
+    left_out : str
+        Which opponents are left out, and why; empty if none is.
+    """
     every = held_out(other(team), config.rules)
     fitting = {name: each for name, each in every.items() if _fits(each, config)}
     name = _variant_name(config.rules)
     if name is None:
-        return fitting, "no evolved opponents: these rules are of one's own"
+        return fitting, "no evolved opponents: they exist for the variants of the package only"
     if f"{name}.{other(team)}s" not in _shipped():
         return fitting, f"no evolved opponents: none are shipped for variant {name}"
     if len(fitting) == len(every):
         return fitting, ""
     return fitting, (
-        f"no evolved opponents: they see {NETWORK.fov} x {NETWORK.fov} cells and know "
-        f"{NETWORK.n_actions} actions, here it is {config.fov} x {config.fov} and "
+        f"no evolved opponents: they have a view of {NETWORK.fov} x {NETWORK.fov} cells and "
+        f"{NETWORK.n_actions} actions, this world has {config.fov} x {config.fov} and "
         f"{config.n_actions}"
     )
 

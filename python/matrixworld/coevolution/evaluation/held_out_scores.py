@@ -1,4 +1,4 @@
-"""What the teams of a run score against opponents that no run has met (see `held_out`)."""
+"""Scores of a run's teams against held-out opponents (see `held_out`)."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from matrixworld.analysis import Estimate, bootstrap_episodes
 from matrixworld.coevolution.evaluation.held_out import fitting_opponents
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.seeding import Phase
-from matrixworld.coevolution.settings import SingleSettings
+from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
@@ -24,15 +24,20 @@ from matrixworld.rollout import Matches, Rollout, match_seed, rollout
 
 @dataclass(frozen=True)
 class HeldOutScores:
-    """What genomes of one team score against held-out opponents.
+    """Scores of one team's genomes against held-out opponents.
 
-    Attributes
+    Parameters
     ----------
-    team : whose genomes these are.
-    generations : (G,) their numbers.
-    opponents : (N,) names.
-    rates : (G, N, episodes) float64, share of evaders captured, or for evaders one minus it.
-    left_out : of the opponents of this variant, and why; empty if all were met.
+    team : {"pursuer", "evader"}
+        Team of the genomes.
+    generations : tuple of int, length G
+        Generations of the genomes.
+    opponents : tuple of str, length N
+        Names of the opponents.
+    rates : ndarray of float64, shape (G, N, episodes)
+        Share of evaders captured, or for evaders 1 minus it.
+    left_out : str, optional
+        Which opponents of the variant are left out, and why; empty if none is.
     """
 
     team: Team
@@ -43,12 +48,12 @@ class HeldOutScores:
 
     @property
     def matches(self) -> int:
-        """The episodes played."""
+        """The number of episodes played."""
         return self.rates.size
 
     @property
     def means(self) -> NDArray[np.float64]:
-        """(G,) mean over the opponents, each counting the same."""
+        """Mean (G,) over the opponents, with equal weights."""
         return np.asarray(self.rates.mean(axis=(1, 2)))
 
     def against(self, opponent: str, row: int = -1) -> Estimate:
@@ -64,7 +69,7 @@ class HeldOutScores:
         return bootstrap_episodes(cells, lambda means: float(means.mean()), bounds=(0.0, 1.0))
 
     def to_json(self) -> dict[str, Any]:
-        """Return all but the single episodes as values that JSON can hold."""
+        """Return everything except the single episodes as values that JSON can hold."""
         rows = range(len(self.generations))
         return {
             "team": self.team,
@@ -100,15 +105,40 @@ def score_population(
 
     Parameters
     ----------
-    config : the world.
-    team, population : who is scored.
-    opponents : by name; default: those of the world's rules that fit its views and actions.
-    generations : what the genomes are called; default: 0, 1, ...
-    episodes : of each pair, at least 2. They depend on `seed` and the opponent's place alone: all
-        genomes, of all runs, meet the same.
-    on_row : called after each opponent with the episodes played so far.
+    config : WorldConfig
+        The world.
+    team : {"pursuer", "evader"}
+        Team that is scored.
+    population : Population
+        Its G genomes.
+    opponents : mapping of str to Population or str, optional
+        N opponents by name. By default the held-out opponents of the world's rules that fit its
+        views and actions.
+    generations : sequence of int, length G, optional
+        Generations of the genomes. The default is 0, 1, ...
+    left_out : str, optional
+        Which opponents are left out, and why, if `opponents` are given.
+    episodes : int, optional
+        Episodes of each pair, at least 2. Their seeds depend only on `seed` and on the position of
+        the opponent, so that all genomes of all runs play the same episodes.
+    seed : int, optional
+        Seed of the episodes.
+    threads : int, optional
+        Threads that `play` may use. By default all cores. Results do not depend on it.
+    play : callable, optional
+        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
+    on_row : callable, optional
+        Called after each opponent with the number of episodes played so far.
 
-    ValueError for fewer episodes and for a network that does not fit the world.
+    Returns
+    -------
+    HeldOutScores
+        Scores of G genomes against N opponents.
+
+    Raises
+    ------
+    ValueError
+        If there are fewer than 2 episodes, or if the network does not fit the world.
     """
     if episodes < 2:
         raise ValueError(f"episodes: expected at least 2, got {episodes}")
@@ -117,6 +147,7 @@ def score_population(
     columns = []
     count = len(population.genomes)
     for number, opponent in enumerate(opponents.values()):
+        # The generation is not part of the key: all genomes play the same episodes.
         key = (TEAMS.index(team), number, int(Phase.HELD_OUT))
         matches = _matches(team, count, match_seed(seed, *key))
         sides = (population, opponent) if team == "pursuer" else (opponent, population)
@@ -150,24 +181,47 @@ def score(
 
     Parameters
     ----------
-    run : what `open_run` returned; it need not be finished.
-    generation : which one, below 0 from the last; None: all. IndexError beyond the archive.
-    episodes : of each pair, at least 2.
-    steps : most steps of an episode; default: as in the run's evaluation.
-    seed : of the episodes; the same for every run unless told otherwise.
-    report : called with the progress, as in `Run.run`.
+    run : SavedRun
+        The run, finished or not.
+    generation : int or None, optional
+        Generation to score; negative numbers count from the end, None means all generations. The
+        default is the last one.
+    episodes : int, optional
+        Episodes of each pair, at least 2.
+    steps : int, optional
+        Maximum steps of an episode. By default as in the run's evaluation.
+    seed : int, optional
+        Seed of the episodes, by default the same for all runs.
+    threads : int, optional
+        Threads that `play` may use. By default all cores. Results do not depend on it.
+    play : callable, optional
+        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
+    report : callable, optional
+        Called with the progress, as in `Run.run`.
 
-    The world is the run's own. A script that a run has learnt against is left out, and so are the
-    evolved opponents where they do not fit; `HeldOutScores.left_out` says it.
+    Returns
+    -------
+    dict of str to HeldOutScores
+        Scores of each team that learned.
+
+    Raises
+    ------
+    IndexError
+        If there is no such generation.
+
+    Notes
+    -----
+    The world is that of the run. A script that the run trained against is left out, and so are
+    evolved opponents that do not fit the world; see `HeldOutScores.left_out`.
     """
     world = run.settings.world(steps or run.settings.eval_steps)
     chosen = {team: _chosen(run, team, generation) for team in _learned(run)}
-    unmet = {team: _unmet(run, team, world) for team in chosen}
-    total = sum(len(chosen[team][1]) * len(unmet[team][0]) * episodes for team in chosen)
+    unseen = {team: _unseen(run, team, world) for team in chosen}
+    total = sum(len(chosen[team][1]) * len(unseen[team][0]) * episodes for team in chosen)
     scores: dict[Team, HeldOutScores] = {}
     played = 0
     for team, (population, generations) in chosen.items():
-        opponents, left_out = unmet[team]
+        opponents, left_out = unseen[team]
         scores[team] = score_population(
             world,
             team,
@@ -196,7 +250,7 @@ def _learned(run: SavedRun) -> tuple[Team, ...]:
 
 def _chosen(run: SavedRun, team: Team, generation: int | None) -> tuple[Population, list[int]]:
     """Return the genomes to score, and their generations."""
-    archive = cast(Population, run.teams[team])  # the team has learned
+    archive = cast(Population, run.teams[team])  # never a script, because the team learned
     numbers = list(range(len(archive.genomes)))
     if generation is not None:
         if not -len(numbers) <= generation < len(numbers):
@@ -207,12 +261,11 @@ def _chosen(run: SavedRun, team: Team, generation: int | None) -> tuple[Populati
     return Population(archive.genomes[numbers], archive.network), numbers
 
 
-def _unmet(run: SavedRun, team: Team, world: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
+def _unseen(run: SavedRun, team: Team, world: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
+    """Return the opponents that the run did not train against, and which are left out."""
     opponents, left_out = fitting_opponents(team, world)
-    met = run.settings.against if isinstance(run.settings, SingleSettings) else None
-    if met not in opponents:
+    seen = run.settings.against if isinstance(run.settings, SingleSettings) else None
+    if seen not in opponents:
         return opponents, left_out
-    unmet = {name: each for name, each in opponents.items() if name != met}
-    return unmet, "; ".join(
-        filter(None, [f"not {met}, which the run has learnt against", left_out])
-    )
+    unseen = {name: each for name, each in opponents.items() if name != seen}
+    return unseen, "; ".join(filter(None, [f"not {seen}: the run trained against it", left_out]))

@@ -1,4 +1,4 @@
-"""All against all: the payoff matrix of two archives."""
+"""Tournaments: the payoff matrix of two archives, each genome against each."""
 
 from __future__ import annotations
 
@@ -27,21 +27,46 @@ def tournament(
     first: tuple[int, int] = (0, 0),
     on_row: Callable[[int], None] = lambda played: None,
 ) -> Payoff:
-    """Play every pursuer against every evader: the master tournament of Floreano & Nolfi 1997.
+    """Play every pursuer against every evader.
 
     Parameters
     ----------
-    config : the world.
-    pursuers, evaders : populations of G and H genomes, or scripted teams (then 1).
-    seed : run seed. A cell's match seed is ``evaluation_seed(seed, pursuer generation, evader
-        generation)`` whatever else is played: it can be replayed on its own.
-    episodes : per cell.
-    first : generations of the first pursuer and the first evader, which enter the seeds.
-    on_row : called after each row with the episodes played so far.
+    config : WorldConfig
+        The world.
+    pursuers, evaders : Population or str
+        Populations of G and H genomes, or names of scripts (then G or H is 1).
+    seed : int
+        Seed of the run.
+    episodes : int
+        Episodes of each pair.
+    threads : int, optional
+        Threads that `play` may use. By default all cores. Results do not depend on it.
+    play : callable, optional
+        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
+    first : tuple of int, optional
+        Generations of the first pursuer and of the first evader, which the seeds depend on.
+    on_row : callable, optional
+        Called after each row of the matrix with the number of episodes played so far.
+
+    Returns
+    -------
+    Payoff
+        Results of G x H pairs.
+
+    Notes
+    -----
+    The seed of a pair is ``evaluation_seed(seed, pursuer generation, evader generation)``. It does
+    not depend on the other pairs, so that each can be replayed alone.
+
+    References
+    ----------
+    Floreano, D. and Nolfi, S. (1997). God save the red queen! Competition in co-evolutionary
+    robotics. Genetic Programming 1997. (The "master tournament".)
     """
     rows = []
     n_evaders = _count(evaders)
     for g in range(_count(pursuers)):
+        # One row at a time, so that the progress can be reported.
         seeds = [evaluation_seed(seed, first[0] + g, first[1] + h) for h in range(n_evaders)]
         matches = Matches.of(g, np.arange(n_evaders), np.array(seeds, dtype=np.uint64))
         rows.append(play(config, pursuers, evaders, matches, worlds=episodes, threads=threads))
@@ -54,6 +79,7 @@ def _count(team: TeamPolicy) -> int:
 
 
 def _payoff(rows: list[EpisodeStatistics]) -> Payoff:
+    # Capture rates and lengths keep single episodes, from which intervals are computed.
     def stacked(name: str) -> NDArray[Any]:
         return np.stack([getattr(row, name) for row in rows])
 

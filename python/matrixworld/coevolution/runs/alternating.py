@@ -1,4 +1,4 @@
-"""An alternating race: one team learns while the other stands still, turn and turn about."""
+"""An alternating race: the teams learn in turns, against archived opponents of the other team."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import warnings
 from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from matrixworld.analysis import Disengagement, disengagements, summarize
 from matrixworld.analysis.engagement import PATIENCE
@@ -15,29 +14,43 @@ from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.opponents.registry import ALTERNATING, SCHEDULES, available
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.runs.matchmaking import Matchmaking
-from matrixworld.coevolution.runs.run import Run, Stateful
+from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.team_phase import TeamPhase
-from matrixworld.coevolution.settings import RaceSettings
-from matrixworld.coevolution.types import TEAMS, Team, other
+from matrixworld.coevolution.settings.race import RaceSettings
+from matrixworld.coevolution.types import TEAMS, FloatArray, Stateful, Team, other
 
 
 class DisengagementWarning(UserWarning):
-    """One team wins nearly everything, so neither has much to learn from."""
+    """One team wins nearly everything, so that neither team has much to learn from."""
 
 
 class Race(Run[RaceSettings]):
-    """Co-evolution in turns: by one of the paper's three schedules, or by samplers of one's own.
+    """Co-evolution in turns, by one of the paper's three schedules or by opponent samplers.
 
     ::
 
         p[0], e[0] untrained
         for k in 1 .. generations:
-            p[k] = p[k-1], improved for some epochs against evaders that its selection names
-            e[k] = e[k-1], improved for some epochs against pursuers that its selection names
+            p[k] = p[k-1], improved for some epochs against evaders that its sampler chooses
+            e[k] = e[k-1], improved for some epochs against pursuers that its sampler chooses
         payoff[g, h] = capture rate of p[g] against e[h]
 
-    Learners keep their state from generation to generation. A stage is a team phase: one team's
-    epochs of one generation. Parameters and attributes as in `Run`.
+    Parameters
+    ----------
+    settings : RaceSettings
+        Settings of the race.
+    directory, threads, play
+        As in `Run`.
+
+    Attributes
+    ----------
+    matchmaking : Matchmaking
+        Opponent samplers of both teams.
+
+    Notes
+    -----
+    A stage is a team phase: one team's epochs of one generation. Learners keep their state from
+    generation to generation. For other attributes see `Run`.
     """
 
     kind: ClassVar[str] = "race"
@@ -49,18 +62,21 @@ class Race(Run[RaceSettings]):
         super().check_settings()
         check_choice("schedule", self.settings.schedule, [*SCHEDULES, ALTERNATING])
 
-    def begin(self) -> None:
-        """Give each team the selection of those whom it meets."""
+    def set_up(self) -> None:
+        """Make the opponent samplers of both teams."""
         self.matchmaking = Matchmaking(self.settings, self.training, self.archive)
 
-    def stateful(self) -> dict[str, Stateful]:
-        """Return learners and samplers."""
-        met = {f"{team}.met": selection for team, selection in self.matchmaking.samplers.items()}
-        return {**super().stateful(), **met}
+    def stateful_parts(self) -> dict[str, Stateful]:
+        """Return learners and opponent samplers."""
+        samplers = self.matchmaking.samplers.items()
+        return {
+            **super().stateful_parts(),
+            **{f"{team}.sampler": sampler for team, sampler in samplers},
+        }
 
     @property
     def n_stages(self) -> int:
-        """The team phases of the run."""
+        """The number of team phases in the run."""
         return self.stages_per_generation * self.settings.generations
 
     def learning_teams(self) -> tuple[Team, ...]:
@@ -68,36 +84,39 @@ class Race(Run[RaceSettings]):
         return TEAMS
 
     def learn(self, stage: int) -> None:
-        """Let one team learn for the epochs of a generation, and archive what it has become."""
+        """Let one team learn for the epochs of a generation, and archive its genome."""
+        # Pursuers in even stages, evaders in odd ones; generation 0 is untrained.
         generation, team = 1 + stage // 2, TEAMS[stage % 2]
-        rivals = available(team, generation)
-        before = available(team, generation - 1) if generation > 1 else 0
-        self.matchmaking.admit(team, range(generation - 1, generation), range(before, rivals))
+        n_opponents = available(team, generation)
+        n_before = available(team, generation - 1) if generation > 1 else 0
+        self.matchmaking.admit(
+            team, range(generation - 1, generation), range(n_before, n_opponents)
+        )
         team_phase = TeamPhase(
             self.training,
             self.learners[team],
             team,
             generation,
             opponents=self.training.population(self.genomes(other(team))),
-            selection=self.matchmaking.samplers[team],
+            sampler=self.matchmaking.samplers[team],
             on_epoch=lambda: self.report(f"generation {generation}: {team}s"),
         )
         team_phase.run(range(self.settings.epochs(team)))
         self.archive[team].append(self.learners[team].genome)
 
     def training_matches(self) -> int:
-        """Return the episodes of the training, or the most that there can be with archives."""
+        """Return the number of training episodes; with archives, an upper bound of it."""
         return sum(
-            self.settings.epochs(team) * self._candidates_matches(team, k)
-            + self.matchmaking.most_admitted(team, k, available(team, k))
+            self.settings.epochs(team) * self._matches_per_epoch(team, k)
+            + self.matchmaking.max_admission_matches(team, k, available(team, k))
             for k in range(1, self.settings.generations + 1)
             for team in TEAMS
         )
 
-    def _candidates_matches(self, team: Team, k: int) -> int:
-        """Return the episodes of an epoch."""
-        met = min(self.settings.met(team), available(team, k))
-        return met * self.settings.population * self.settings.worlds
+    def _matches_per_epoch(self, team: Team, k: int) -> int:
+        """Return the episodes of one epoch in which `team` learns its generation `k`."""
+        opponents = min(self.settings.opponents_per_epoch, available(team, k))
+        return opponents * self.settings.population * self.settings.worlds
 
     def total_matches(self) -> int:
         """Return the episodes of the training and of the payoff matrix."""
@@ -105,7 +124,7 @@ class Race(Run[RaceSettings]):
         return self.training_matches() + cells * self.settings.eval_episodes
 
     def evaluate(self) -> Payoff:
-        """Play every archived generation against every other, the untrained ones included."""
+        """Play every archived generation of one team against every one of the other team."""
         settings, training = self.settings, self.training
         return tournament(
             settings.world(settings.eval_steps),
@@ -118,11 +137,12 @@ class Race(Run[RaceSettings]):
             on_row=lambda played: self.report("tournament", played),
         )
 
-    def after_stage(self) -> None:
-        """Warn when a race has been disengaged for just as long as it takes to count."""
+    def warn(self) -> None:
+        """Warn once of each disengagement, at the generation in which it is long enough."""
         if self.stage % self.stages_per_generation == 0:
             generation = self.stage // self.stages_per_generation
             for stretch in self.disengagements():
+                # Equal, not at least: a longer stretch has been reported before.
                 if stretch.last == generation and len(stretch) == PATIENCE:
                     warnings.warn(str(stretch), DisengagementWarning, stacklevel=4)
 
@@ -130,11 +150,12 @@ class Race(Run[RaceSettings]):
         """Return the stretches of finished generations in which one team won everything."""
         return disengagements(self.phase_rates())
 
-    def phase_rates(self) -> NDArray[np.float64]:
+    def phase_rates(self) -> FloatArray:
         """Return the capture rates (K, 2) of both team phases of the K finished generations."""
         stages = self.stages_per_generation
-        finished = len(self.captures) // stages
-        rates = np.array(self.captures[: finished * stages]).reshape(finished, stages)
+        finished = len(self.stage_capture_rates) // stages
+        rates = np.array(self.stage_capture_rates[: finished * stages]).reshape(finished, stages)
+        # If a stage is a generation (as in `HallOfFameRace`), both phases have its rate.
         return np.broadcast_to(rates, (finished, 2))
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""A fresh best response, evolved against a frozen champion: how much can be taken from it?"""
+"""Best responses: how much a newly evolved opponent gains against a champion."""
 
 from __future__ import annotations
 
@@ -13,18 +13,19 @@ from matrixworld.analysis import ResponseGain, response_gain
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.single import GIVEN, SingleTeam
-from matrixworld.coevolution.settings import SINGLE_DEFAULTS, SingleSettings
-from matrixworld.coevolution.storage.files import save_json
+from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSettings
 from matrixworld.coevolution.storage.run_directory import CONFIG
 from matrixworld.coevolution.storage.saved_run import SavedRun
-from matrixworld.coevolution.types import Team, other
+from matrixworld.coevolution.types import FloatArray, Team, other
+from matrixworld.files import save_json
 from matrixworld.policy import Population, TeamPolicy
 from matrixworld.rollout import Rollout, rollout
 
 RESPONSE = "best_response.json"
 POPULATION = 48
-"""Candidates an epoch: with few matches many small steps learn more than few large ones."""
+"""Candidates per epoch: with few matches, many small steps learn more than few large ones."""
 
+# Settings that a response takes from the run of the champion.
 WORLD = ("variant", "rows", "cols", "pursuers", "evaders", "obstacles", "fov", "diagonal")
 POLICY = ("hidden", "activation")
 EVALUATION = ("eval_steps", "seed")
@@ -32,26 +33,31 @@ EVALUATION = ("eval_steps", "seed")
 
 @dataclass(frozen=True)
 class BestResponse:
-    """What a best response to a champion came to.
+    """Result of a best response to a champion.
 
-    Attributes
+    Parameters
     ----------
-    team : the champion's.
-    before : (episodes,) float64, what the opponent that the champion had scores against it: the
-        capture rate, or for evaders one minus it.
-    after : (episodes',) float64, the same of the response, in episodes that it was not evolved on.
-    gain : difference of their means, with an interval and the budget in matches.
-    directory : of the response's own run.
+    team : {"pursuer", "evader"}
+        Team of the champion.
+    before : ndarray of float64, shape (episodes,)
+        Score of the champion's last opponent in its own run: the capture rate, or for evaders 1
+        minus it.
+    after : ndarray of float64, shape (episodes,)
+        Score of the response, in episodes that were not used in its training.
+    gain : ResponseGain
+        Difference of the two means, with an interval and the budget in matches.
+    directory : Path
+        Run directory of the response.
     """
 
     team: Team
-    before: NDArray[np.float64]
-    after: NDArray[np.float64]
+    before: FloatArray
+    after: FloatArray
     gain: ResponseGain
     directory: Path
 
     def to_json(self) -> dict[str, Any]:
-        """Return the result as values that JSON can hold."""
+        """Return the result as values that JSON can hold, without the single episodes."""
         gain = self.gain.gain
         return {
             "champion": self.team,
@@ -66,23 +72,36 @@ class BestResponse:
 def response_settings(run: SavedRun, team: Team, matches: int, **changes: Any) -> SingleSettings:
     """Return the settings of a response to the champion of `team` in a run.
 
-    World, network, evaluation and seed are the run's; the rest are those of `SingleSettings`, but
-    for `POPULATION` and episodes of training no longer than those of the evaluation. The epochs
-    are as many as `matches` pay for.
+    Parameters
+    ----------
+    run : SavedRun
+        The run of the champion.
+    team : {"pursuer", "evader"}
+        Team of the champion.
+    matches : int
+        Budget of the response.
+    **changes
+        Values of any settings except `epochs`.
 
-    changes: other values of any setting but the epochs
+    Returns
+    -------
+    SingleSettings
+        World, network, evaluation and seed are those of the run, `population` is `POPULATION`,
+        and `epochs` is as large as the budget allows. Training episodes are not longer than
+        evaluation episodes. All other settings have their defaults.
 
-    ValueError if `matches` do not pay for one epoch, or a setting is bad.
+    Raises
+    ------
+    ValueError
+        If the budget is smaller than one epoch, or if a setting is bad.
     """
     learner = other(team)
-    theirs = {name: getattr(run.settings, name) for name in (*WORLD, *POLICY, *EVALUATION)}
-    longest = min(int(SINGLE_DEFAULTS[learner]["train_steps"]), run.settings.eval_steps)
-    chosen = {**theirs, "population": POPULATION, "train_steps": longest, **changes}
+    same = {name: getattr(run.settings, name) for name in (*WORLD, *POLICY, *EVALUATION)}
+    steps = min(int(SINGLE_DEFAULTS[learner]["train_steps"]), run.settings.eval_steps)
+    chosen = {**same, "population": POPULATION, "train_steps": steps, **changes}
     one_epoch = int(chosen["population"]) * int(chosen.get("worlds", 1))
     if matches < one_epoch:
-        raise ValueError(
-            f"matches: expected at least {one_epoch}, those of an epoch, got {matches}"
-        )
+        raise ValueError(f"matches: expected at least {one_epoch} (one epoch), got {matches}")
     return SingleSettings(team=learner, epochs=matches // one_epoch, **chosen)
 
 
@@ -95,10 +114,31 @@ def start_response(
     threads: int | None = None,
     play: Rollout = rollout,
 ) -> SingleTeam:
-    """Return the run of a response to the champion of `team`: a new one, or one to go on with.
+    """Return the run of a response to the champion of `team`: a new one, or one to continue.
 
-    ValueError if the directory holds a run of other settings or against another champion, or if
-    `team` did not learn in `run`.
+    Parameters
+    ----------
+    run : SavedRun
+        The run of the champion.
+    team : {"pursuer", "evader"}
+        Team of the champion.
+    settings : SingleSettings
+        Settings of the response.
+    directory : str or Path
+        Directory of the response.
+    threads, play
+        As in `Run`.
+
+    Returns
+    -------
+    SingleTeam
+        The run.
+
+    Raises
+    ------
+    ValueError
+        If the directory holds a run of other settings or against another champion, or if `team`
+        did not learn in `run`.
     """
     champion = _last(run.teams[team])
     if isinstance(champion, str):
@@ -115,12 +155,13 @@ def _check_same(
     response: SingleTeam, settings: SingleSettings, champion: Population, path: Path
 ) -> None:
     expected = replace(settings, against=GIVEN)
-    for name in (item.name for item in reversed(fields(SingleSettings))):  # its own ones first
+    # Reversed, so that a message names fields of `SingleSettings` itself before inherited ones.
+    for name in (item.name for item in reversed(fields(SingleSettings))):
         found, wanted = getattr(response.settings, name), getattr(expected, name)
         if found != wanted:
             raise ValueError(f"{path}: holds a run with {name} {found!r}, expected {wanted!r}")
-    rivals = response.rivals
-    if isinstance(rivals, str) or not np.array_equal(rivals.genomes, champion.genomes):
+    opponents = response.opponents
+    if isinstance(opponents, str) or not np.array_equal(opponents.genomes, champion.genomes):
         raise ValueError(f"{path}: holds a run against another champion, expected a new directory")
 
 
@@ -135,20 +176,43 @@ def best_response(
     report: Report = silent,
     **changes: Any,
 ) -> BestResponse:
-    """Evolve a response to the last genome of `team` in a run, and say what it gains.
+    """Evolve a response to the last genome of `team` in a run, and measure its gain.
 
-    The response begins untrained and meets nobody but the champion. It is a run of its own in
-    `directory`; with the same arguments an interrupted one goes on, and a finished one is read.
-    What it gains is a lower bound of the champion's exploitability (see `analysis.response_gain`):
-    a longer search may find more.
+    The response starts untrained and plays against the champion only. It is a run of its own in
+    `directory`: called again with the same arguments, the function continues an interrupted
+    response, and only reads a finished one.
 
     Parameters
     ----------
-    matches : the budget; whole epochs are played, the budget that they come to is in the result.
-    report : called with the progress, as in `Run.run`.
-    changes : settings of the response, such as ``population=128``.
+    run : SavedRun
+        The run of the champion.
+    team : {"pursuer", "evader"}
+        Team of the champion.
+    matches : int
+        Budget of the response. Only complete epochs are played; the result holds the budget used.
+    directory : str or Path
+        Directory of the response.
+    threads, play
+        As in `Run`.
+    report : callable, optional
+        Called with the progress, as in `Run.run`.
+    **changes
+        Settings of the response, such as ``population=128``.
 
-    ValueError as in `response_settings` and `start_response`.
+    Returns
+    -------
+    BestResponse
+        Scores and gain.
+
+    Raises
+    ------
+    ValueError
+        As in `response_settings` and `start_response`.
+
+    Notes
+    -----
+    The gain is a lower bound of the champion's exploitability (see `analysis.response_gain`): a
+    longer search may find more.
     """
     settings = response_settings(run, team, matches, **changes)
     response = start_response(run, team, settings, directory, threads=threads, play=play)
@@ -163,7 +227,7 @@ def best_response(
 def _before(
     run: SavedRun, team: Team, settings: SingleSettings, threads: int | None, play: Rollout
 ) -> NDArray[np.float32]:
-    """Play champion and opponent as the run left them, on as many episodes as the response."""
+    """Play the last genomes of both teams of a run, on as many episodes as the response."""
     last = {name: _last(opponents) for name, opponents in run.teams.items()}
     return tournament(
         settings.world(settings.eval_steps),
@@ -177,10 +241,12 @@ def _before(
 
 
 def _last(team: TeamPolicy) -> TeamPolicy:
+    """Return the last genome of a team, or its script."""
     return team if isinstance(team, str) else Population(team.genomes[-1:], team.network)
 
 
-def _score(capture_rates: NDArray[np.float32], champion: Team) -> NDArray[np.float64]:
+def _score(capture_rates: NDArray[np.float32], champion: Team) -> FloatArray:
     """Return the scores (episodes,) of the champion's opponent."""
+    # The opponent of an evader is a pursuer, whose score is the capture rate.
     captured = capture_rates.astype(np.float64).ravel()
     return captured if champion == "evader" else 1.0 - captured

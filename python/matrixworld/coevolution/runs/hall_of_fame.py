@@ -6,35 +6,36 @@ from functools import partial
 from typing import ClassVar, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from deap import base
 
 from matrixworld.checks import check_choice
 from matrixworld.coevolution.fitness import win_rates
-from matrixworld.coevolution.learners.toolbox import Candidates, learner_toolbox
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.runs.alternating import Race
 from matrixworld.coevolution.runs.run import Run
-from matrixworld.coevolution.seeding import (
-    Phase,
-    Purpose,
-    keyed_generator,
-    training_seeds,
-)
+from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.storage.run_log import SEVERAL
-from matrixworld.coevolution.types import TEAMS, Genomes, Indices, Team, other
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Team, other
 from matrixworld.rollout import EpisodeStatistics, Matches
+
+Populations = dict[Team, Genomes]
+"""Genomes (n, genes) float32 of each team."""
 
 
 class Pairings(NamedTuple):
-    """Who meets whom in one epoch, M matches.
+    """The M matches of one epoch between two populations of n individuals.
 
-    Indices below n are individuals of a population, those from n on members of the hall of fame.
-    All matches of one `round` are played on the same seed.
+    Parameters
+    ----------
+    pursuer, evader : ndarray of int, shape (M,)
+        Who plays; numbers below n are individuals, the others members of the hall of fame.
+    group : ndarray of int, shape (M,)
+        Matches of the same group have the same seed.
     """
 
     pursuer: Indices
     evader: Indices
-    round: Indices
+    group: Indices
 
 
 def pairings(
@@ -42,30 +43,55 @@ def pairings(
 ) -> Pairings:
     """Return the matches of two populations of `n` individuals.
 
-    Every individual meets `contemporaries` living opponents, by random permutations (each such
-    match counts for both), and every sampled member of the other team's hall of fame.
+    Every individual plays against `contemporaries` living opponents, paired by random permutations
+    (such a match counts for both), and against every sampled member of the other team's hall of
+    fame.
 
     Parameters
     ----------
-    hall : how many members of the pursuers' and of the evaders' hall of fame were sampled.
+    n : int
+        Individuals of each population.
+    contemporaries : int
+        Living opponents of each individual.
+    hall : tuple of int
+        Sampled members of the pursuers' and of the evaders' hall of fame.
+    rng : numpy.random.Generator
+        Source of the permutations.
+
+    Returns
+    -------
+    Pairings
+        The matches, n of each group.
     """
-    everybody = np.arange(n)
-    rounds = [(everybody, rng.permutation(n)) for _ in range(contemporaries)]
-    rounds += [(everybody, np.full(n, n + member)) for member in range(hall[1])]
-    rounds += [(np.full(n, n + member), everybody) for member in range(hall[0])]
-    pursuers, evaders = zip(*rounds, strict=True)
-    numbers = np.repeat(np.arange(len(rounds)), n)
+    individuals = np.arange(n)
+    groups = [(individuals, rng.permutation(n)) for _ in range(contemporaries)]
+    groups += [(individuals, np.full(n, n + member)) for member in range(hall[1])]
+    groups += [(np.full(n, n + member), individuals) for member in range(hall[0])]
+    pursuers, evaders = zip(*groups, strict=True)
+    numbers = np.repeat(np.arange(len(groups)), n)
     return Pairings(np.concatenate(pursuers), np.concatenate(evaders), numbers)
 
 
 def table_of_individuals(
-    own: Indices, opponents: Indices, n: int, values: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Return values (M,) of matches as (n, m), individuals against opponents; NaN: not met.
+    own: Indices, opponents: Indices, n: int, values: FloatArray
+) -> FloatArray:
+    """Return the values of matches as a table of individuals against opponents.
 
-    Two that met several times get the mean. `own` and `opponents` (M,) name who played; of `own`
-    those from n on belong to the hall.
+    Parameters
+    ----------
+    own, opponents : ndarray of int, shape (M,)
+        Players of each match. In `own`, numbers from n on belong to the hall of fame.
+    n : int
+        Number of individuals.
+    values : ndarray of float64, shape (M,)
+        Value of each match.
+
+    Returns
+    -------
+    ndarray of float64, shape (n, m)
+        Mean over the matches of a pair; NaN for a pair that did not play.
     """
+    # Matches of hall members themselves are not needed: they do not evolve any more.
     living, m = own < n, int(opponents.max()) + 1
     pair = own[living] * m + opponents[living]
     count = np.bincount(pair, minlength=n * m)
@@ -81,14 +107,27 @@ class HallOfFameRace(Race):
 
         in each epoch:
             both populations breed
-            each individual meets some living opponents, and those of the opponents' hall of fame
-            that its team's selection names
-            its fitness is the mean over its matches, or what sharing makes of them
+            each individual plays against some living opponents, and against members of the
+            opponents' hall of fame that its team's sampler chooses
+            its fitness is the mean over its matches, or the result of fitness sharing
         at the end of a generation the champion of each team enters its hall of fame
 
-    Method: Rosin & Belew 1997, "New methods for competitive coevolution".
+    Parameters
+    ----------
+    settings : RaceSettings
+        Settings of the race, with the schedule "hall-of-fame".
+    directory, threads, play
+        As in `Run`.
+
+    Notes
+    -----
     The halls of fame are the archive, so that payoff and analysis are those of `Race`. A stage is
-    a generation. Parameters and attributes as in `Run`.
+    a generation. For attributes see `Race`.
+
+    References
+    ----------
+    Rosin, C. D. and Belew, R. K. (1997). New methods for competitive coevolution. Evolutionary
+    Computation 5(1).
     """
 
     kind: ClassVar[str] = "hall-of-fame"
@@ -96,57 +135,76 @@ class HallOfFameRace(Race):
 
     def check_settings(self) -> None:
         """Raise ValueError unless the schedule is the hall of fame."""
+        # Not that of `Race`, which refuses this schedule.
         Run.check_settings(self)
         check_choice("schedule", self.settings.schedule, [HALL_OF_FAME])
 
     def learn(self, stage: int) -> None:
         """Let both teams evolve for the epochs of a generation, and archive their champions."""
         generation = 1 + stage
-        epochs = range(self.settings.joint_epochs)
         new = range(generation - 1, generation)
         for team in TEAMS:
             self.matchmaking.admit(team, new, new)
-        toolboxes = {
-            team: learner_toolbox(
-                self.learners[team],
-                (self._generator(Purpose.LEARN, generation, epoch, team) for epoch in epochs),
-            )
-            for team in TEAMS
-        }
-        for epoch in epochs:
-            populations = {team: toolboxes[team].generate() for team in TEAMS}
-            self._evaluate(populations, generation, epoch)
-            for team in TEAMS:
-                toolboxes[team].update(populations[team])
+        toolbox = base.Toolbox()
+        toolbox.register("generate", self._generate, generation)
+        toolbox.register("evaluate", self._evaluate, generation)
+        toolbox.register("update", self._update)
+        for epoch in range(self.settings.joint_epochs):
+            populations = toolbox.generate(epoch)
+            fitness = toolbox.evaluate(epoch, populations)
+            toolbox.update(fitness)
             self.report(f"generation {generation}: both")
         for team in TEAMS:
             self.archive[team].append(self.learners[team].genome)
 
-    def _evaluate(self, populations: dict[Team, Candidates], generation: int, epoch: int) -> None:
-        """Play one epoch's matches and give every individual its fitness."""
+    def _generate(self, generation: int, epoch: int) -> Populations:
+        """Return the individuals of both teams in an epoch."""
+        # Both teams draw the same random numbers, from generators with the key of the evaders.
+        return {
+            team: self.learners[team].ask(
+                self._generator(Purpose.LEARN, generation, epoch, "evader")
+            )
+            for team in TEAMS
+        }
+
+    def _evaluate(
+        self, generation: int, epoch: int, populations: Populations
+    ) -> dict[Team, FloatArray]:
+        """Play and log the matches of an epoch; return the fitness (n,) of each team."""
         rng = self._generator(Purpose.OPPONENTS, generation, epoch)
-        met = self._met(epoch, rng)
-        halls = {team: self.genomes(team)[met[other(team)]] for team in TEAMS}
+        sampled = self._sample_halls(epoch, rng)
+        halls = {team: self.genomes(team)[sampled[other(team)]] for team in TEAMS}
         n = self.settings.population
         hall_sizes = (len(halls["pursuer"]), len(halls["evader"]))
-        who = pairings(n, self.settings.contemporaries, hall_sizes, rng)
-        scores = self._play(populations, halls, who, generation, epoch)
-        sides = {"pursuer": who.pursuer, "evader": who.evader}
+        pairs = pairings(n, self.settings.contemporaries, hall_sizes, rng)
+        scores = self._play(populations, halls, pairs, generation, epoch)
+        players = {"pursuer": pairs.pursuer, "evader": pairs.evader}
+        fitness: dict[Team, FloatArray] = {}
         for team in TEAMS:
-            table = partial(table_of_individuals, sides[team], sides[other(team)], n)
-            values = self.training.fitness(scores, team, table)
-            if len(met[team]):
+            table = partial(table_of_individuals, players[team], players[other(team)], n)
+            fitness[team] = self.training.fitness(scores, team, table)
+            if len(sampled[team]):
+                # Columns from n on are the hall of fame.
                 self.matchmaking.samplers[team].tell(
-                    met[team], table(win_rates(scores, team))[:, n:]
+                    sampled[team], table(win_rates(scores, team))[:, n:]
                 )
-            for individual, value in zip(populations[team], values, strict=True):
-                individual.fitness.values = (float(value),)
             self.training.record(
-                scores, values, team=team, generation=generation, epoch=epoch, opponent=SEVERAL
+                scores,
+                fitness[team],
+                team=team,
+                generation=generation,
+                epoch=epoch,
+                opponent=SEVERAL,
             )
+        return fitness
 
-    def _met(self, epoch: int, rng: np.random.Generator) -> dict[Team, Indices]:
-        """Return per team whom of the other's hall of fame it meets."""
+    def _update(self, fitness: dict[Team, FloatArray]) -> None:
+        """Tell the learners the fitness of their individuals."""
+        for team in TEAMS:
+            self.learners[team].tell(fitness[team])
+
+    def _sample_halls(self, epoch: int, rng: np.random.Generator) -> dict[Team, Indices]:
+        """Return for each team its opponents from the other team's hall of fame."""
         if not self.settings.hall_sample:
             return {team: np.zeros(0, dtype=np.intp) for team in TEAMS}
         samplers, size = self.matchmaking.samplers, len(self.archive["pursuer"])
@@ -154,22 +212,22 @@ class HallOfFameRace(Race):
 
     def _play(
         self,
-        populations: dict[Team, Candidates],
-        halls: dict[Team, Genomes],
-        met: Pairings,
+        populations: Populations,
+        halls: Populations,
+        pairs: Pairings,
         generation: int,
         epoch: int,
     ) -> EpisodeStatistics:
         pursuers, evaders = (
-            self.training.population(np.concatenate([populations[team].genomes, halls[team]]))
+            self.training.population(np.concatenate([populations[team], halls[team]]))
             for team in TEAMS
         )
-        rounds = int(met.round.max()) + 1
+        groups = int(pairs.group.max()) + 1
         seeds = training_seeds(
-            self.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch, rounds
+            self.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch, groups
         )
         return self.training.play(
-            pursuers, evaders, Matches.of(met.pursuer, met.evader, seeds[met.round])
+            pursuers, evaders, Matches.of(pairs.pursuer, pairs.evader, seeds[pairs.group])
         )
 
     def _generator(
@@ -178,16 +236,14 @@ class HallOfFameRace(Race):
         return keyed_generator(self.settings.seed, purpose, TEAMS.index(team), generation, epoch)
 
     def training_matches(self) -> int:
-        """Return the episodes of the training, or the most that there can be with archives.
-
-        The halls of fame grow with the generations.
-        """
+        """Return the number of training episodes; with archives, an upper bound of it."""
         settings = self.settings
-        each = settings.joint_epochs * settings.population * settings.worlds
-        rounds = settings.generations * settings.contemporaries
-        admitted = 0
+        per_group = settings.joint_epochs * settings.population * settings.worlds
+        groups = settings.generations * settings.contemporaries
+        admission = 0
+        # The halls of fame grow with the generations.
         for k in range(1, settings.generations + 1):
             for team in TEAMS:
-                rounds += min(settings.met(team), k)
-                admitted += self.matchmaking.most_admitted(team, k, k)
-        return rounds * each + admitted
+                groups += min(settings.opponents_per_epoch, k)
+                admission += self.matchmaking.max_admission_matches(team, k, k)
+        return groups * per_group + admission

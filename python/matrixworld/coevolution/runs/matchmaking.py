@@ -1,4 +1,4 @@
-"""Whom the teams of a race meet: their samplers, and what archives compare."""
+"""Matchmaking of a race: the opponent samplers of both teams, and the matches of archives."""
 
 from __future__ import annotations
 
@@ -12,80 +12,103 @@ from matrixworld.coevolution.opponents.registry import SAMPLERS
 from matrixworld.coevolution.opponents.samplers import OpponentSampler
 from matrixworld.coevolution.runs.training import Training
 from matrixworld.coevolution.seeding import Phase, training_seeds
-from matrixworld.coevolution.settings import RaceSettings
+from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Members, Team, other
 from matrixworld.policy import Population
 from matrixworld.rollout import Matches
 
 EVEN = 0.5
-"""The capture rate at which neither team wins."""
+"""Capture rate at which neither team wins."""
 DECIMALS = 6
-"""Differences of capture rates, which are float32, count up to this one."""
+"""Capture rates are float32: differences beyond this decimal are rounding errors."""
 
 
 class Matchmaking:
-    """The samplers of both teams of a race, each among the other's archived generations.
+    """The opponent samplers of both teams of a race.
 
     Parameters
     ----------
-    settings : name the samplers.
-    training : plays and counts the matches that archives compare.
-    archive : per team the genomes of generations 0, 1, ..., as they grow.
+    settings : RaceSettings
+        Settings of the race, with the names of the samplers.
+    training : Training
+        Plays and counts the matches that archives need to compare candidates.
+    archive : mapping of str to list of ndarray of float32, shape (genes,)
+        Genomes of generations 0, 1, ... of each team. The lists grow during the race.
 
     Attributes
     ----------
-    samplers : per team whom it meets.
+    samplers : dict of str to OpponentSampler
+        Sampler of each team, which chooses among the archived generations of the other team.
     """
 
     def __init__(
         self, settings: RaceSettings, training: Training, archive: Mapping[Team, list[Genome]]
     ) -> None:
         self.settings, self.training, self.archive = settings, training, archive
+        # A hall-of-fame race without sampled opponents has samplers, too, but never asks them.
+        count = max(1, settings.opponents_per_epoch)
         self.samplers: dict[Team, OpponentSampler] = {
-            team: SAMPLERS[settings.meets(team)](max(1, settings.met(team)), settings.archive_size)
+            team: SAMPLERS[settings.sampler_name(team)](count, settings.archive_size)
             for team in TEAMS
         }
 
     def admit(self, team: Team, new: range, opponents: range) -> None:
-        """Let the archive of a team, if it keeps one, compare generations with opponents.
+        """Add new generations to a team's archive, if its sampler keeps one.
 
         Parameters
         ----------
-        new : generations of the team that there are since it was last called.
-        opponents : the same of the other team.
+        team : {"pursuer", "evader"}
+            The team.
+        new : range
+            Generations of the team since the last call.
+        opponents : range
+            Generations of the other team since the last call.
         """
-        selection = self.samplers[team]
-        if isinstance(selection, ArchiveSampler):
-            outcome = self._outcome(team, graded=selection.graded)
-            selection.update(np.array(new), np.array(opponents), outcome)
+        sampler = self.samplers[team]
+        if isinstance(sampler, ArchiveSampler):
+            payoff = self._payoff_function(team, graded=sampler.graded)
+            sampler.update(np.array(new), np.array(opponents), payoff)
 
-    def most_admitted(self, team: Team, new: int, opponents: int) -> int:
-        """Return the most episodes that admitting costs a team of so many generations."""
-        selection = self.samplers[team]
-        if not isinstance(selection, ArchiveSampler):
+    def max_admission_matches(self, team: Team, new: int, opponents: int) -> int:
+        """Return an upper bound of the episodes that `admit` plays in a call.
+
+        Parameters
+        ----------
+        team : {"pursuer", "evader"}
+            The team.
+        new, opponents : int
+            Number of generations of the team and of the other team so far.
+        """
+        sampler = self.samplers[team]
+        if not isinstance(sampler, ArchiveSampler):
             return 0
-        pairs = selection.max_pairs(new, opponents)
+        pairs = sampler.max_pairs(new, opponents)
         return pairs * self.settings.archive_episodes * self.settings.worlds
 
-    def _outcome(self, team: Team, *, graded: bool) -> PayoffFunction:
-        """Return payoffs of generations (n,) against opponents (m,): rates, or who wins."""
+    def _payoff_function(self, team: Team, *, graded: bool) -> PayoffFunction:
+        """Return a function that plays generations (n,) against opponents (m,).
 
-        def outcome(candidates: Members, tests: Members) -> FloatArray:
-            sides = {team: candidates, other(team): tests}
-            captured = self._capture_rates(sides["pursuer"], sides["evader"])
-            payoff = captured if team == "pursuer" else 1.0 - captured.T
-            return payoff if graded else (1.0 + np.sign(np.round(payoff - EVEN, DECIMALS))) / 2.0
+        Its payoffs (n, m) are rates if `graded`, otherwise 1 for a win, 0.5 for a draw and 0.
+        """
 
-        return outcome
+        def payoff(candidates: Members, tests: Members) -> FloatArray:
+            generations = {team: candidates, other(team): tests}
+            captured = self._capture_rates(generations["pursuer"], generations["evader"])
+            # Archives are the same for both teams: rows are candidates, and higher is better.
+            rates = captured if team == "pursuer" else 1.0 - captured.T
+            return rates if graded else (1.0 + np.sign(np.round(rates - EVEN, DECIMALS))) / 2.0
+
+        return payoff
 
     def _capture_rates(self, pursuers: Members, evaders: Members) -> FloatArray:
-        """Return (n, m) mean capture rates; a pair's seeds depend on the pair alone."""
+        """Return mean capture rates (n, m); the seeds of a pair depend on that pair only."""
         episodes, seed = self.settings.archive_episodes, self.settings.seed
         seeds = [
             training_seeds(seed, int(g), int(h), Phase.ARCHIVE, 0, episodes)
             for g in pursuers
             for h in evaders
         ]
+        # Matches in the order of the seeds: all episodes of a pair, then the next pair.
         n, m = len(pursuers), len(evaders)
         g, h = np.repeat(np.arange(n), m * episodes), np.tile(np.arange(m).repeat(episodes), n)
         scores = self.training.play(

@@ -1,15 +1,15 @@
 """A run: stages of learning with a checkpoint after each, then an evaluation.
 
-Subclasses say what a stage is. Everything that a stage changes (learners, archive, counters, log)
-is saved when it ends; a run stopped inside a stage, however roughly, goes back to its beginning
-and ends bit for bit as if it had never been stopped.
+Subclasses define what a stage is. Everything that a stage changes (learners, archive, counters,
+log) is saved at its end. A run that is stopped within a stage, even by a power cut, repeats that
+stage when it is resumed, and ends bit for bit as if it had never been stopped.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from pathlib import Path
-from typing import Any, ClassVar, Generic, Protocol, TypeVar
+from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
@@ -17,23 +17,13 @@ from matrixworld.coevolution.learners.registry import new_learner, starting_geno
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.training import Training
-from matrixworld.coevolution.settings import RaceSettings, SingleSettings
-from matrixworld.coevolution.settings_json import settings_to_json
+from matrixworld.coevolution.settings.race import RaceSettings
+from matrixworld.coevolution.settings.single import SingleSettings
+from matrixworld.coevolution.settings.training import settings_to_json
 from matrixworld.coevolution.storage.run_directory import RunDirectory
-from matrixworld.coevolution.types import TEAMS, Genome, Genomes, State, Team
+from matrixworld.coevolution.types import TEAMS, Genome, Genomes, State, Stateful, Team
 from matrixworld.policy import Network
 from matrixworld.rollout import Rollout, rollout
-
-
-class Stateful(Protocol):
-    """What a checkpoint saves and restores: a learner, or a selection of opponents."""
-
-    def state(self) -> State:
-        """Return all that changes, as plain arrays."""
-
-    def restore(self, state: State) -> None:
-        """Take up a state that `state` returned."""
-
 
 AnySettings = TypeVar("AnySettings", RaceSettings, SingleSettings)
 AnyRun = TypeVar("AnyRun", bound="Run[Any]")
@@ -44,17 +34,32 @@ class Run(ABC, Generic[AnySettings]):
 
     Parameters
     ----------
-    settings : what is run.
-    directory : a new or empty directory; FileExistsError if it holds anything.
-    threads : handed to `play`; None: all cores. Results do not depend on it.
-    play : scores matches; a pure function with the arguments of `matrixworld.rollout`.
+    settings : RaceSettings or SingleSettings
+        Settings of the run.
+    directory : str, Path or RunDirectory
+        A new or empty directory for a new run; a `RunDirectory` to continue the run in it.
+    threads : int, optional
+        Threads that `play` may use. By default all cores. Results do not depend on it.
+    play : callable, optional
+        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
 
     Attributes
     ----------
-    archive : per team the genomes (genes,) float32 of generations 0, 1, ...
-    stage, n_stages : finished stages, and all.
-    captures : mean capture rate in the second half of each finished stage.
-    training : counts episodes and steps.
+    archive : dict of str to list of ndarray of float32, shape (genes,)
+        Genomes of generations 0, 1, ... of each team.
+    stage : int
+        Number of finished stages.
+    stage_capture_rates : list of float
+        Mean capture rate in the second half of each finished stage.
+    training : Training
+        Plays the training matches, and counts matches and steps.
+
+    Raises
+    ------
+    FileExistsError
+        If a directory for a new run is not empty.
+    TypeError, ValueError
+        If this kind of run cannot have these settings.
     """
 
     kind: ClassVar[str]
@@ -68,19 +73,20 @@ class Run(ABC, Generic[AnySettings]):
         threads: int | None = None,
         play: Rollout = rollout,
     ) -> None:
+        # Everything that can be wrong is checked before the directory is made.
         self.settings: AnySettings = settings
         self.check_settings()
         self.training = Training(settings, play, threads)
         self.network: Network = self.training.network
         self.stage = 0
-        self.captures: list[float] = []
+        self.stage_capture_rates: list[float] = []
         count = starting_genomes(settings)
         self.learners = {
             team: new_learner(settings, team, self.first_population(team, count))
             for team in self.learning_teams()
         }
         self.archive: dict[Team, list[Genome]] = self.first_archive()
-        self.begin()
+        self.set_up()
         self._report: Report = silent
         if isinstance(directory, RunDirectory):
             self.files = directory
@@ -88,7 +94,7 @@ class Run(ABC, Generic[AnySettings]):
                 self._restore()
         else:
             config = settings_to_json(self.settings)
-            self.files = RunDirectory.create(directory, self.kind, config, **self.more_config())
+            self.files = RunDirectory.create(directory, self.kind, config, **self.extra_config())
             self._write_new()
 
     @classmethod
@@ -99,9 +105,26 @@ class Run(ABC, Generic[AnySettings]):
         threads: int | None = None,
         play: Rollout = rollout,
     ) -> AnyRun:
-        """Return the run that a directory holds, as of its last checkpoint; `run` goes on.
+        """Return the run in a directory, as of its last checkpoint.
 
-        ValueError if it is of another kind or version, LockedError while another process runs it.
+        Parameters
+        ----------
+        directory : str or Path
+            The run directory.
+        threads, play
+            As for a new run.
+
+        Returns
+        -------
+        Run
+            Its method `run` continues the training.
+
+        Raises
+        ------
+        ValueError
+            If the run is of another kind or version.
+        LockedError
+            If another process runs it.
         """
         files = RunDirectory.open(directory)
         config = files.config()
@@ -109,7 +132,7 @@ class Run(ABC, Generic[AnySettings]):
             raise ValueError(f"{directory}: expected a {cls.kind} run, got {config['kind']!r}")
         return cls(files.settings(), files, threads=threads, play=play)
 
-    # What each kind of run says:
+    # Each kind of run defines the following methods:
 
     @property
     @abstractmethod
@@ -122,33 +145,35 @@ class Run(ABC, Generic[AnySettings]):
 
     @abstractmethod
     def learn(self, stage: int) -> None:
-        """Do one stage: improve learners, extend the archive, record each epoch."""
+        """Run one stage: improve learners, extend the archive, record each epoch."""
 
     @abstractmethod
     def evaluate(self) -> Payoff:
-        """Return what the archive scores."""
+        """Return the payoff of the archive."""
 
     @abstractmethod
     def total_matches(self) -> int:
-        """Return the episodes of the whole run, evaluation included."""
+        """Return the number of episodes in the whole run, including the evaluation."""
+
+    # Each kind of run may replace the following methods:
 
     def first_population(self, team: Team, count: int) -> Genomes:
-        """Return `count` genomes from which a learner starts; the first is generation 0."""
+        """Return `count` genomes from which a learner starts; the first one is generation 0."""
         return untrained(self.settings, team, count)
 
     def first_archive(self) -> dict[Team, list[Genome]]:
-        """Return the archive of a run that has not begun."""
+        """Return the archive of a new run."""
         return {team: [self.learners[team].genome] for team in TEAMS}
 
-    def begin(self) -> None:
-        """Set up what else the run needs, once there are learners and an archive."""
+    def set_up(self) -> None:
+        """Make what else the run needs; called when learners and archive exist."""
 
-    def stateful(self) -> dict[str, Stateful]:
-        """Return all that a checkpoint saves and restores, by name."""
+    def stateful_parts(self) -> dict[str, Stateful]:
+        """Return the parts of the run that a checkpoint saves and restores, by name."""
         return dict(self.learners.items())
 
-    def more_config(self) -> dict[str, Any]:
-        """Return what config.json holds beside the settings."""
+    def extra_config(self) -> dict[str, Any]:
+        """Return the entries of config.json besides the settings."""
         return {}
 
     def check_settings(self) -> None:
@@ -157,27 +182,41 @@ class Run(ABC, Generic[AnySettings]):
             expected, got = self.settings_class.__name__, type(self.settings).__name__
             raise TypeError(f"settings: expected {expected}, got {got}")
 
-    def after_stage(self) -> None:
-        """Look at the run after each stage; may warn."""
+    def warn(self) -> None:
+        """Warn of problems in training; called after each stage."""
 
-    # The run:
+    # The following methods are the same for all kinds:
 
     def run(self, report: Report = silent) -> Payoff:
-        """Go on from the last checkpoint to the end; return (and save) the payoff.
+        """Continue from the last checkpoint to the end; save and return the payoff.
 
-        `report` is called often with the progress (see `ProgressBar`). On KeyboardInterrupt, or
-        any other error, the files hold the last finished stage; `run` or `resume` goes on.
+        Parameters
+        ----------
+        report : callable, optional
+            Called often with the progress (see `ProgressBar`).
+
+        Returns
+        -------
+        Payoff
+            Results of the evaluation.
+
+        Notes
+        -----
+        After KeyboardInterrupt or any other error the files hold the last finished stage, from
+        which `run` or `resume` continues.
         """
         self._report = report
         with self.files.lock():
+            # Also if this object has just been made: an interrupted stage has changed learners, and
+            # another process may have continued the run.
             self._restore()
             while self.stage < self.n_stages:
                 self.learn(self.stage)
                 self._end_stage()
             if not self.files.finished:
-                self._finish()
-            self.files.summary()  # or an error, if it is damaged
-        return self.payoff()
+                return self._finish()
+            self.files.summary()  # only to raise an error if it is damaged
+            return self.payoff()
 
     def payoff(self) -> Payoff:
         """Return the saved payoff; FileNotFoundError before the run has finished."""
@@ -188,12 +227,12 @@ class Run(ABC, Generic[AnySettings]):
         archive = self.archive[team]
         return np.stack(archive) if archive else np.empty((0, self.network.genome_size), np.float32)
 
-    def report(self, what: str, evaluated: int = 0) -> None:
-        """Report the progress: what is going on, and the episodes of the evaluation so far."""
-        self._report(what, self.training.matches + evaluated, self.total_matches())
+    def report(self, activity: str, evaluated: int = 0) -> None:
+        """Report the progress: the current activity, and evaluation episodes played so far."""
+        self._report(activity, self.training.matches + evaluated, self.total_matches())
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
-        """Return the run in a few numbers, as summary.json holds them."""
+        """Return the most important numbers of the run, which summary.json holds."""
         return {
             "training_matches": self.training.matches,
             "training_steps": self.training.steps,
@@ -201,24 +240,26 @@ class Run(ABC, Generic[AnySettings]):
         }
 
     def _end_stage(self) -> None:
+        # In the second half of the epochs the team has mostly adapted to its opponents.
         rows = self.training.rows
         rates = [row["capture_rate"] for row in rows[len(rows) // 2 :]]
-        self.captures.append(float(np.mean(rates)))
+        self.stage_capture_rates.append(float(np.mean(rates)))
         self.stage += 1
         self._save()
-        self.after_stage()
+        self.warn()
 
-    def _finish(self) -> None:
+    def _finish(self) -> Payoff:
         payoff = self.evaluate()
+        # The summary is the last file: a run is finished when it exists.
         self.files.save_payoff(payoff.arrays())
         self.files.save_summary(self.summary(payoff))
-
-    # Its files:
+        return payoff
 
     def _write_new(self) -> None:
         with self.files.lock():
             self.files.clear()
             self._save()
+            # Last: a directory without config.json holds no run, and may be used again.
             self.files.write_config()
 
     def _save(self) -> None:
@@ -226,26 +267,29 @@ class Run(ABC, Generic[AnySettings]):
             "stage": self.stage,
             "matches": self.training.matches,
             "steps": self.training.steps,
-            "captures": np.array(self.captures, dtype=np.float64),
+            "stage_capture_rates": np.array(self.stage_capture_rates, dtype=np.float64),
         }
-        for owner, each in self.stateful().items():
-            state |= {f"{owner}.{name}": value for name, value in each.state().items()}
+        for part, stateful in self.stateful_parts().items():
+            state |= {f"{part}.{name}": value for name, value in stateful.state().items()}
         self.files.save({t: self.genomes(t) for t in TEAMS}, self.training.rows, state)
         self.training.rows = []
 
     def _restore(self) -> None:
-        saved = self.files.restore()
-        state = saved.state
-        self.stage, self.captures = int(state["stage"]), state["captures"].tolist()
+        checkpoint = self.files.restore()
+        state = checkpoint.state
+        self.stage = int(state["stage"])
+        self.stage_capture_rates = state["stage_capture_rates"].tolist()
         self.training.matches, self.training.steps = int(state["matches"]), int(state["steps"])
         self.training.rows = []
-        for team in TEAMS:  # in place: others hold the lists
-            self.archive[team][:] = saved.archive[team]
-        for owner, each in self.stateful().items():
-            each.restore(_of_owner(owner, state))
+        for team in TEAMS:
+            # In place, because other objects hold these lists.
+            self.archive[team][:] = checkpoint.archive[team]
+        for part, stateful in self.stateful_parts().items():
+            stateful.restore(_state_of(part, state))
 
 
-def _of_owner(owner: str, state: dict[str, Any]) -> dict[str, Any]:
-    """Return the state of one owner, without those whose names begin with its own."""
-    split = (key.rpartition(".") for key in state)
-    return {name: state[f"{owner}.{name}"] for prefix, _, name in split if prefix == owner}
+def _state_of(part: str, state: State) -> State:
+    """Return the arrays of one part, by their names in it."""
+    # "pursuer.x" belongs to the part "pursuer", "pursuer.sampler.x" to the part "pursuer.sampler".
+    keys = (key.rpartition(".") for key in state)
+    return {name: state[f"{part}.{name}"] for prefix, _, name in keys if prefix == part}

@@ -1,4 +1,4 @@
-"""One team evolves against opponents that stand still: scripted ones, or genomes."""
+"""One team learns against fixed opponents: scripts, or genomes of another run."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.team_phase import TeamPhase
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.settings import SingleSettings
+from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.run_directory import RunDirectory
 from matrixworld.coevolution.storage.saved_run import archive_network, last_generation, script_of
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team, other
@@ -25,11 +25,11 @@ from matrixworld.policy import SCRIPTS, Network, Population, TeamPolicy
 from matrixworld.rollout import Rollout, rollout
 
 GIVEN = "given as genomes"
-"""What the settings say of opponents or a start that were handed over as arrays."""
+"""Value of the settings `against` and `start` if these were given as arrays."""
 
 
 def check_opponents(network: Network, expected: Network) -> None:
-    """Raise ValueError unless opponents see the same view and know the same actions."""
+    """Raise ValueError unless opponents have the same field of view and the same actions."""
     if (network.fov, network.n_actions) != (expected.fov, expected.n_actions):
         raise ValueError(
             f"opponents: expected genomes for fov {expected.fov} and {expected.n_actions} "
@@ -38,18 +38,32 @@ def check_opponents(network: Network, expected: Network) -> None:
 
 
 class SingleTeam(Run[SingleSettings]):
-    """Evolution of one team against opponents that stand still.
-
-    TeamPolicy are met in turn, one an epoch. The archive holds the learning team's genome at the
-    start and after every `archive_every` epochs, and the opponents' genomes if they have any, so
-    that a run is complete in itself. The payoff is that of the last genome, on fresh episodes.
+    """A run in which one team learns against fixed opponents, one of them in each epoch.
 
     Parameters
     ----------
-    opponents : population to learn against, in place of `settings.against`.
-    start : genome (genes,) to start from, in place of `settings.start`.
+    settings : SingleSettings
+        Settings of the run.
+    directory : str, Path or RunDirectory
+        As in `Run`.
+    opponents : Population, optional
+        Opponents in place of `settings.against`.
+    start : array_like of float32, shape (genes,), optional
+        Genome to start from, in place of `settings.start`.
+    threads, play
+        As in `Run`.
 
-    Other parameters and attributes as in `Run`. A stage is `archive_every` epochs.
+    Attributes
+    ----------
+    opponents : Population or str
+        The opponents, or the name of a script.
+
+    Notes
+    -----
+    A stage is `archive_every` epochs. The archive holds the learning team's genome at the start
+    and after each stage. It also holds the opponents' genomes, if they have any, so that a run
+    does not depend on other directories. The payoff is that of the last genome, on episodes that
+    were not used in training. For other attributes see `Run`.
     """
 
     kind: ClassVar[str] = "single"
@@ -67,11 +81,13 @@ class SingleTeam(Run[SingleSettings]):
     ) -> None:
         self.settings = settings
         self.check_settings()
-        self.rivals: TeamPolicy = "random"
+        self.opponents: TeamPolicy = "random"
         self._start: Genome | None = None
-        if not isinstance(directory, RunDirectory):  # else `_restore` finds them in the archive
-            self.rivals = _opponents(settings, opponents)
+        # In an existing run, `_restore` takes them from the archive.
+        if not isinstance(directory, RunDirectory):
+            self.opponents = _opponents(settings, opponents)
             self._start = _start(settings, start)
+            # The settings in config.json must not name opponents that were not used.
             settings = replace(
                 settings,
                 against=settings.against if opponents is None else GIVEN,
@@ -81,7 +97,7 @@ class SingleTeam(Run[SingleSettings]):
 
     @property
     def n_stages(self) -> int:
-        """The entries that the run adds to the archive."""
+        """The number of entries that the run adds to the archive."""
         return ceil(self.settings.epochs / self.settings.archive_every)
 
     def learning_teams(self) -> tuple[Team, ...]:
@@ -92,6 +108,7 @@ class SingleTeam(Run[SingleSettings]):
         """Return untrained genomes, or the genome to start from and mutants of it."""
         if self._start is None:
             return super().first_population(team, count)
+        # The genome itself stays in the population; only the others are mutated.
         population = np.repeat(self._start[np.newaxis], count, axis=0)
         rng = keyed_generator(self.settings.seed, Purpose.INITIAL, TEAMS.index(team))
         population[1:] = mutate_gaussian(
@@ -102,14 +119,14 @@ class SingleTeam(Run[SingleSettings]):
     def first_archive(self) -> dict[Team, list[Genome]]:
         """Return the genome to start from, and the opponents if they have genomes."""
         team = self.settings.team
-        rivals = [] if isinstance(self.rivals, str) else list(self.rivals.genomes)
-        return {team: [self.learners[team].genome], other(team): rivals}
+        opponents = [] if isinstance(self.opponents, str) else list(self.opponents.genomes)
+        return {team: [self.learners[team].genome], other(team): opponents}
 
-    def more_config(self) -> dict[str, Any]:
+    def extra_config(self) -> dict[str, Any]:
         """Return the network of the opponents, which may differ from the learning team's."""
-        if isinstance(self.rivals, str):
+        if isinstance(self.opponents, str):
             return {"opponent_network": None}
-        network = self.rivals.network
+        network = self.opponents.network
         return {
             "opponent_network": {
                 "hidden": list(network.hidden),
@@ -125,8 +142,8 @@ class SingleTeam(Run[SingleSettings]):
             self.learners[team],
             team,
             generation=1 + stage,
-            opponents=self.rivals,
-            selection=RoundRobin(),
+            opponents=self.opponents,
+            sampler=RoundRobin(),
             on_epoch=lambda: self.report(f"{team}s against {settings.against}"),
         )
         first = stage * settings.archive_every
@@ -136,30 +153,33 @@ class SingleTeam(Run[SingleSettings]):
     def total_matches(self) -> int:
         """Return the episodes of the training and of the evaluation."""
         settings = self.settings
-        opponents = 1 if isinstance(self.rivals, str) else len(self.rivals.genomes)
+        opponents = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
         training = settings.epochs * settings.population * settings.worlds
         return training + opponents * settings.eval_episodes
 
     def evaluate(self) -> Payoff:
-        """Play the last genome against each opponent, on episodes that were not trained on."""
+        """Play the last genome against each opponent, on episodes not used in training."""
         settings, training = self.settings, self.training
         champion = training.population(self.archive[settings.team][-1][np.newaxis])
-        learned = settings.team == "pursuer"
-        pursuers, evaders = (champion, self.rivals) if learned else (self.rivals, champion)
+        sides: dict[Team, TeamPolicy] = {
+            settings.team: champion,
+            other(settings.team): self.opponents,
+        }
+        generations = {settings.team: self.n_stages, other(settings.team): 0}
         return tournament(
             settings.world(settings.eval_steps),
-            pursuers,
-            evaders,
+            sides["pursuer"],
+            sides["evader"],
             seed=settings.seed,
             episodes=settings.eval_episodes,
             threads=training.threads,
             play=training.rollout,
-            first=(self.n_stages, 0) if learned else (0, self.n_stages),
+            first=(generations["pursuer"], generations["evader"]),
             on_row=lambda played: self.report("evaluation", played),
         )
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
-        """Return counts, and mean and deviation over all episodes of the evaluation."""
+        """Return counts, and mean and standard deviation over the evaluation episodes."""
         rates, lengths = payoff.capture_rates.astype(np.float64), payoff.lengths
         return {
             **super().summary(payoff),
@@ -171,14 +191,15 @@ class SingleTeam(Run[SingleSettings]):
 
     def _restore(self) -> None:
         super()._restore()
-        rival = other(self.settings.team)
-        if self.archive[rival]:
-            self.rivals = Population(self.genomes(rival), archive_network(self.files, rival))
+        team = other(self.settings.team)
+        if self.archive[team]:
+            self.opponents = Population(self.genomes(team), archive_network(self.files, team))
         else:
-            self.rivals = script_of(self.settings.against)
+            self.opponents = script_of(self.settings.against)
 
 
 def _opponents(settings: SingleSettings, given: Population | None) -> TeamPolicy:
+    """Return the opponents: those given, a script, or the last generation of a run."""
     if given is None and settings.against in SCRIPTS:
         return script_of(settings.against)
     population = given or last_generation(settings.against, other(settings.team))
@@ -187,6 +208,7 @@ def _opponents(settings: SingleSettings, given: Population | None) -> TeamPolicy
 
 
 def _start(settings: SingleSettings, given: ArrayLike | None) -> Genome | None:
+    """Return the genome to start from: that given, the last one of a run, or None."""
     if given is None and settings.start is None:
         return None
     size = settings.network.genome_size

@@ -1,4 +1,4 @@
-"""Start or take up a run of any kind."""
+"""Start, resume or finish a run of any kind."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.alternating import Race
 from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
 from matrixworld.coevolution.runs.single import SingleTeam
-from matrixworld.coevolution.settings import RaceSettings, SingleSettings
-from matrixworld.coevolution.storage.files import OtherVersionError
-from matrixworld.coevolution.storage.run_directory import CONFIG, RunDirectory
+from matrixworld.coevolution.settings.race import RaceSettings
+from matrixworld.coevolution.settings.single import SingleSettings
+from matrixworld.coevolution.storage.run_directory import CONFIG, OtherVersionError, RunDirectory
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
 from matrixworld.rollout import Rollout, rollout
 
@@ -29,7 +29,29 @@ def start(
     threads: int | None = None,
     play: Rollout = rollout,
 ) -> AnyRun:
-    """Return a new run of the kind that the settings ask for (parameters as in `Run`)."""
+    """Return a new run of the kind that the settings define.
+
+    Parameters
+    ----------
+    settings : RaceSettings or SingleSettings
+        Settings of the run.
+    directory : str or Path
+        A new or empty directory.
+    threads : int, optional
+        Threads that `play` may use. By default all cores. Results do not depend on it.
+    play : callable, optional
+        Plays matches: a pure function with the arguments of `matrixworld.rollout`.
+
+    Returns
+    -------
+    Race, HallOfFameRace or SingleTeam
+        The run; its method `run` trains and evaluates.
+
+    Raises
+    ------
+    FileExistsError
+        If the directory is not empty.
+    """
     if isinstance(settings, SingleSettings):
         return SingleTeam(settings, directory, threads=threads, play=play)
     kind = HallOfFameRace if settings.schedule == HALL_OF_FAME else Race
@@ -44,11 +66,32 @@ def finish(
     play: Rollout = rollout,
     report: Report = silent,
 ) -> SavedRun:
-    """Return the finished run of these settings: new, gone on with, or as it lies there.
+    """Return the finished run of these settings: start it, continue it, or only open it.
 
-    A program that calls it for each of its runs can be interrupted and called again. ValueError if
-    the directory holds a run of other settings; otherwise raises as `start` and `resume` do.
+    A program that calls it for each of its runs can be interrupted and called again.
+
+    Parameters
+    ----------
+    settings, directory, threads, play
+        As in `start`.
+    report : callable, optional
+        Called with the progress, as in `Run.run`.
+
+    Returns
+    -------
+    SavedRun
+        The finished run.
+
+    Raises
+    ------
+    ValueError
+        If the directory holds a run of other settings.
+
+    Notes
+    -----
+    Other errors are those of `start` and `resume`.
     """
+    # Without config.json the directory is empty, or holds a run that was never completely made.
     if (Path(directory) / CONFIG).exists():
         run = resume(directory, threads=threads, play=play)
         if run.settings != settings:
@@ -60,10 +103,30 @@ def finish(
 
 
 def resume(directory: str | Path, *, threads: int | None = None, play: Rollout = rollout) -> AnyRun:
-    """Return the run that a directory holds, as of its last checkpoint; its `run` goes on.
+    """Return the run in a directory, as of its last checkpoint.
 
-    FileNotFoundError if the directory holds no run, DamagedFileError if none of its checkpoints is
-    whole, OtherVersionError if it is of another version, LockedError while another process runs it.
+    Parameters
+    ----------
+    directory : str or Path
+        The run directory.
+    threads, play
+        As in `start`.
+
+    Returns
+    -------
+    Race, HallOfFameRace or SingleTeam
+        The run; its method `run` continues the training.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the directory holds no run.
+    DamagedFileError
+        If no checkpoint is intact.
+    OtherVersionError
+        If the run is of another version of the package.
+    LockedError
+        If another process runs it.
     """
     kind = RunDirectory.open(directory).config()["kind"]
     if kind not in KINDS:

@@ -1,18 +1,16 @@
-"""One team learns for some epochs while its opponents stand still."""
+"""A team phase: epochs in which one team learns against fixed opponents."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from deap import algorithms
-from numpy.typing import NDArray
+from deap import base
 
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import Learner
-from matrixworld.coevolution.learners.toolbox import Candidates, generate_update_toolbox
 from matrixworld.coevolution.opponents.samplers import OpponentSampler, Stateless
 from matrixworld.coevolution.runs.training import Training
 from matrixworld.coevolution.seeding import (
@@ -22,12 +20,22 @@ from matrixworld.coevolution.seeding import (
     training_seeds,
 )
 from matrixworld.coevolution.storage.run_log import SEVERAL
-from matrixworld.coevolution.types import TEAMS, Indices, Seeds, Team
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Seeds, Team
 from matrixworld.policy import TeamPolicy
 
 
 class Matchup(NamedTuple):
-    """Whom the candidates of an epoch meet: some opponents, each candidate on seeds (n, c)."""
+    """The opponents of one epoch, and the seeds of its matches.
+
+    Parameters
+    ----------
+    epoch : int
+        Number of the epoch in its generation.
+    opponents : ndarray of int, shape (c,)
+        Indices of the opponents.
+    seeds : ndarray of uint64, shape (n, c)
+        Match seed of each candidate against each opponent.
+    """
 
     epoch: int
     opponents: Indices
@@ -36,17 +44,24 @@ class Matchup(NamedTuple):
 
 @dataclass(frozen=True)
 class TeamPhase:
-    """Epochs of one team in one generation.
+    """Epochs in which one team learns one generation.
 
     Parameters
     ----------
-    training : plays, counts and logs.
-    learner : of `team`; improved in place.
-    team : that learns.
-    generation : of `team`, the one that is being learned.
-    opponents : all that there are, a population or a script.
-    selection : which of them are met in an epoch.
-    on_epoch : called after each epoch has been scored.
+    training : Training
+        Plays, counts and logs the matches.
+    learner : Learner
+        Learner of the team; improved in place.
+    team : {"pursuer", "evader"}
+        The team that learns.
+    generation : int
+        Generation of the team that is being learned.
+    opponents : Population or str
+        All available opponents, or the name of a script.
+    sampler : OpponentSampler
+        Chooses the opponents of each epoch.
+    on_epoch : callable
+        Called after the matches of each epoch.
     """
 
     training: Training
@@ -54,57 +69,83 @@ class TeamPhase:
     team: Team
     generation: int
     opponents: TeamPolicy
-    selection: OpponentSampler
+    sampler: OpponentSampler
     on_epoch: Callable[[], None]
 
     def run(self, epochs: range) -> None:
-        """Let DEAP's generate-update loop drive the learner through `epochs`."""
-        matchups: Iterator[Matchup] = (self._matchup(epoch) for epoch in epochs)
-        if isinstance(self.selection, Stateless):
-            # All of them now: between matches, which leave nothing of it in the caches, this takes
-            # several times as long.
-            matchups = iter(list(matchups))
-        generators = [self._generator(Purpose.LEARN, epoch) for epoch in epochs]
-        toolbox = generate_update_toolbox(
-            self.learner,
-            lambda candidates: self.score(candidates, next(matchups)),
-            iter(generators),
-        )
-        algorithms.eaGenerateUpdate(toolbox, ngen=len(epochs), verbose=False)
+        """Let the team learn for `epochs`.
 
-    def score(self, candidates: Candidates, meeting: Matchup) -> NDArray[np.float64]:
-        """Return the fitness (n,) of an epoch's candidates against the opponents of that epoch."""
-        met, team = meeting.opponents, self.team
+        Notes
+        -----
+        The loop is that of `deap.algorithms.eaGenerateUpdate`, but fitness is an array (n,) of all
+        candidates instead of one object for each, and each epoch has its own random numbers.
+        """
+        toolbox = base.Toolbox()
+        toolbox.register("generate", self.learner.ask)
+        toolbox.register("evaluate", self.evaluate)
+        toolbox.register("update", self.learner.tell)
+        for matchup in self._matchups(epochs):
+            candidates = toolbox.generate(self._generator(Purpose.LEARN, matchup.epoch))
+            fitness = toolbox.evaluate(candidates, matchup)
+            toolbox.update(fitness)
+
+    def evaluate(self, candidates: Genomes, matchup: Matchup) -> FloatArray:
+        """Play the matches of an epoch, and log them.
+
+        Parameters
+        ----------
+        candidates : ndarray of float32, shape (n, genes)
+            Genomes of the team.
+        matchup : Matchup
+            Opponents and seeds.
+
+        Returns
+        -------
+        ndarray of float64, shape (n,)
+            Fitness of the candidates.
+        """
+        team, opponents = self.team, matchup.opponents
         scores = self.training.play_candidates(
-            team, candidates.genomes, self.opponents, met, meeting.seeds
+            team, candidates, self.opponents, opponents, matchup.seeds
         )
 
-        def table(values: NDArray[np.float64]) -> NDArray[np.float64]:
-            return values.reshape(meeting.seeds.shape)
+        def table(values: FloatArray) -> FloatArray:
+            return values.reshape(matchup.seeds.shape)
 
-        if not isinstance(self.selection, Stateless):
-            self.selection.tell(met, table(win_rates(scores, team)))
-        values = self.training.fitness(scores, team, table)
+        # Win rates, not fitness: samplers expect numbers in [0, 1].
+        if not isinstance(self.sampler, Stateless):
+            self.sampler.tell(opponents, table(win_rates(scores, team)))
+        fitness = self.training.fitness(scores, team, table)
         self.training.record(
             scores,
-            values,
+            fitness,
             team=team,
             generation=self.generation,
-            epoch=meeting.epoch,
-            opponent=int(met[0]) if len(met) == 1 else SEVERAL,
+            epoch=matchup.epoch,
+            opponent=int(opponents[0]) if len(opponents) == 1 else SEVERAL,
         )
         self.on_epoch()
-        return values
+        return fitness
+
+    def _matchups(self, epochs: range) -> Iterable[Matchup]:
+        """Return the matchups of all epochs, in order."""
+        matchups = map(self._matchup, epochs)
+        # A sampler without state can choose for all epochs ahead. Between matches, which fill the
+        # caches with other data, the same work takes several times as long.
+        return list(matchups) if isinstance(self.sampler, Stateless) else matchups
 
     def _matchup(self, epoch: int) -> Matchup:
         available = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
-        met = self.selection.sample(available, epoch, self._generator(Purpose.OPPONENTS, epoch))
+        rng = self._generator(Purpose.OPPONENTS, epoch)
+        opponents = self.sampler.sample(available, epoch, rng)
+        # Candidates of the same match, such as a mirrored pair, differ in nothing but their genes.
         match = self.learner.match_of_candidate
-        seeds = np.stack([self._seeds(int(index), epoch)[match] for index in met], axis=1)
-        return Matchup(epoch, met, seeds)
+        seeds = [self._seeds(int(opponent), epoch)[match] for opponent in opponents]
+        return Matchup(epoch, opponents, np.stack(seeds, axis=1))
 
     def _seeds(self, opponent: int, epoch: int) -> Seeds:
-        """Return the seeds of an epoch's matches with one opponent."""
+        """Return the seeds of an epoch's matches against one opponent."""
+        # Seeds depend on both generations, so that no two phases play the same episodes.
         own, seed = self.generation, self.training.settings.seed
         generations = (own, opponent) if self.team == "pursuer" else (opponent, own)
         count = int(self.learner.match_of_candidate.max()) + 1

@@ -1,4 +1,4 @@
-"""Playing the matches of training, and keeping count of them."""
+"""The training matches of a run: play, count and log them, and compute fitness."""
 
 from __future__ import annotations
 
@@ -6,32 +6,36 @@ from collections.abc import Callable
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from matrixworld.coevolution.fitness import fitness, mean_over_opponents, shared_fitness
-from matrixworld.coevolution.settings import TrainingSettings
+from matrixworld.coevolution.settings.training import TrainingSettings
 from matrixworld.coevolution.storage.run_log import Row
-from matrixworld.coevolution.types import Genomes, Indices, Seeds, Team
+from matrixworld.coevolution.types import FloatArray, Genomes, Indices, Seeds, Team
 from matrixworld.policy import Population, TeamPolicy
 from matrixworld.rollout import EpisodeStatistics, Matches, Rollout
 
-Table = Callable[[NDArray[np.float64]], NDArray[np.float64]]
-"""Lays out one value of each match (M,) as a table (n, m)."""
+Table = Callable[[FloatArray], FloatArray]
+"""Arranges one value of each match (M,) as a table (n, m) of individuals against opponents."""
 
 
 class Training:
-    """EpisodeStatistics candidates in the training world of a run, and logs what it sees.
+    """Plays matches in the training world of a run, and keeps the log of its epochs.
 
     Parameters
     ----------
-    settings : of the run.
-    play : scores matches, with the arguments of `matrixworld.rollout`.
-    threads : handed to `play`.
+    settings : TrainingSettings
+        Settings of the run.
+    play : callable
+        Plays matches, with the arguments of `matrixworld.rollout`.
+    threads : int or None
+        Threads that `play` may use; None: all cores.
 
     Attributes
     ----------
-    matches, steps : episodes and world steps played so far.
-    rows : of the log, one per epoch, since the last checkpoint.
+    matches, steps : int
+        Episodes and world steps played so far.
+    rows : list of dict
+        Rows of the log, one per epoch, since the last checkpoint.
     """
 
     def __init__(self, settings: TrainingSettings, play: Rollout, threads: int | None) -> None:
@@ -50,7 +54,7 @@ class Training:
     def play(
         self, pursuers: TeamPolicy, evaders: TeamPolicy, matches: Matches
     ) -> EpisodeStatistics:
-        """Play and count matches; the scores' arrays are (M, worlds)."""
+        """Play and count M matches; the arrays of the result have shape (M, worlds)."""
         worlds, threads = self.settings.worlds, self.threads
         scores = self.rollout(
             self.world, pursuers, evaders, matches, worlds=worlds, threads=threads
@@ -60,25 +64,58 @@ class Training:
         return scores
 
     def play_candidates(
-        self, team: Team, candidates: Genomes, opponents: TeamPolicy, met: Indices, seeds: Seeds
+        self,
+        team: Team,
+        candidates: Genomes,
+        opponents: TeamPolicy,
+        indices: Indices,
+        seeds: Seeds,
     ) -> EpisodeStatistics:
-        """Play each candidate (n, genes) of `team` against each opponent met (c,).
+        """Play each candidate of a team against each opponent.
 
-        `opponents` are a population that `met` points into, or a scripted team; `seeds` are (n, c).
-        Returns scores of n c matches, those of a candidate side by side.
+        Parameters
+        ----------
+        team : {"pursuer", "evader"}
+            Team of the candidates.
+        candidates : ndarray of float32, shape (n, genes)
+            Their genomes.
+        opponents : Population or str
+            Population of the other team, or the name of a script.
+        indices : ndarray of int, shape (c,)
+            Opponents of the population to play against; ignored for a script.
+        seeds : ndarray of uint64, shape (n, c)
+            Seed of each match.
+
+        Returns
+        -------
+        EpisodeStatistics
+            Of n * c matches, in the order of ``seeds.ravel()``.
         """
+        # The matches of a candidate are adjacent, in the order of its opponents.
         n, c = seeds.shape
         own, learning = np.repeat(np.arange(n), c), self.population(candidates)
-        rivals = 0 if isinstance(opponents, str) else np.tile(met, n)
+        others = 0 if isinstance(opponents, str) else np.tile(indices, n)
         if team == "pursuer":
-            return self.play(learning, opponents, Matches.of(own, rivals, seeds.ravel()))
-        return self.play(opponents, learning, Matches.of(rivals, own, seeds.ravel()))
+            return self.play(learning, opponents, Matches.of(own, others, seeds.ravel()))
+        return self.play(opponents, learning, Matches.of(others, own, seeds.ravel()))
 
-    def fitness(self, scores: EpisodeStatistics, team: Team, table: Table) -> NDArray[np.float64]:
-        """Return the fitness (n,) of a team's individuals, by the run's measure.
+    def fitness(self, scores: EpisodeStatistics, team: Team, table: Table) -> FloatArray:
+        """Return the fitness (n,) of a team's individuals, as the settings define it.
 
-        `table` lays values (M,) of all matches out as (n, m), individuals against opponents, NaN
-        where two did not meet.
+        Parameters
+        ----------
+        scores : EpisodeStatistics
+            Results of M matches.
+        team : {"pursuer", "evader"}
+            The team.
+        table : callable
+            Arranges values (M,) of the matches as a table (n, m) of individuals against opponents,
+            with NaN for pairs that did not play.
+
+        Returns
+        -------
+        ndarray of float64, shape (n,)
+            Fitness, higher is better.
         """
         settings = self.settings
         measured = partial(fitness, scores, team, measure=settings.fitness)
@@ -86,29 +123,41 @@ class Training:
         sharing, virulence = settings.sharing, settings.virulence(team)
         if sharing == "none" and virulence is None:
             return mean_over_opponents(values)
+        # Sharing is of results in [0, 1]; the penalty is subtracted afterwards.
         payoff = table(measured(overlap_penalty=0.0))
         return shared_fitness(values, payoff, sharing=sharing, virulence=virulence)
 
     def record(
         self,
         scores: EpisodeStatistics,
-        values: NDArray[np.float64],
+        fitness: FloatArray,
         *,
         team: Team,
         generation: int,
         epoch: int,
         opponent: int,
     ) -> None:
-        """Log one epoch of one team: its `scores` and the fitness `values` (n,) of candidates."""
+        """Add one epoch of one team to the log.
+
+        Parameters
+        ----------
+        scores : EpisodeStatistics
+            Results of the epoch's matches.
+        fitness : ndarray of float64, shape (n,)
+            Fitness of the candidates.
+        team, generation, epoch, opponent
+            Columns of the log (see `run_log.COLUMNS`).
+        """
+        # (M, worlds, teams, kinds of collision) -> (teams,)
         faults = scores.faults.sum(axis=3).mean(axis=(0, 1))
         row: Row = {
             "generation": generation,
             "team": team,
             "epoch": epoch,
             "opponent": opponent,
-            "fitness_mean": float(values.mean()),
-            "fitness_std": float(values.std()),
-            "fitness_best": float(values.max()),
+            "fitness_mean": float(fitness.mean()),
+            "fitness_std": float(fitness.std()),
+            "fitness_best": float(fitness.max()),
             "capture_rate": float(scores.capture_rate.mean(dtype=np.float64)),
             "length": float(scores.length.mean()),
             "pursuer_faults": float(faults[0]),

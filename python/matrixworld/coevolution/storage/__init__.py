@@ -1,1 +1,30 @@
-"""The files of a run directory."""
+"""Storage: run directories, to write while a run trains and to read afterwards.
+
+=================  ===============================================================================
+module             contents
+=================  ===============================================================================
+run_directory      `RunDirectory`: the files of a run, their checksums, checkpoints and lock
+run_log            `RunLog`, `read_log`: log.csv, one row per epoch
+saved_run          `open_run`: a run to look at, finished or not; `SavedRun`
+=================  ===============================================================================
+
+Atomic writes, checksums and locks of single files are in `matrixworld.files`.
+"""
+
+from __future__ import annotations
+
+from matrixworld.coevolution.storage.run_directory import OtherVersionError, RunDirectory
+from matrixworld.coevolution.storage.run_log import COLUMNS, SEVERAL, RunLog, read_log
+from matrixworld.coevolution.storage.saved_run import SavedRun, last_generation, open_run
+
+__all__ = [
+    "COLUMNS",
+    "SEVERAL",
+    "OtherVersionError",
+    "RunDirectory",
+    "RunLog",
+    "SavedRun",
+    "last_generation",
+    "open_run",
+    "read_log",
+]

@@ -1,18 +1,19 @@
-"""The files of a run, in a directory that another person can open.
+"""The files of a run, in a directory that can be copied and opened elsewhere.
 
 ====================  ==========================================================================
 config.json           format, package version, kind of run, settings
-archive.npz           every generation's genomes, ``pursuers`` and ``evaders`` (n, genes) float32
+archive.npz           genomes of all generations, ``pursuers`` and ``evaders`` (n, genes) float32
 log.csv               one row per epoch (see `run_log.COLUMNS`)
-payoff.npz            what the archives score against each other (see `tournament.Payoff`)
-summary.json          the run in a few numbers
-checkpoint.npz        position and learners, from which the run goes on
-*.previous.npz        the last archive and checkpoint but one
+payoff.npz            results of the archives against each other (see `Payoff`)
+summary.json          the most important numbers of the run
+checkpoint.npz        position in the run, and the state from which training continues
+*.previous.npz        the archive and the checkpoint before the newest ones
 ====================  ==========================================================================
 
-Several processes may read a directory; one writes to it, under its lock. The checksums of all
-files but the log, which the checkpoint knows, go with that of config.json: a file of another run is
-refused. payoff.npz and summary.json follow from the others: deleted, they are made again on resume.
+Several processes may read a directory; one writes to it, under its lock. The checksums of all files
+but the log include that of config.json, so that a file of another run is refused; length and
+checksum of the log are in the checkpoint. payoff.npz and summary.json follow from the other files:
+if they are deleted, resuming the run makes them again.
 """
 
 from __future__ import annotations
@@ -28,48 +29,75 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-import matrixworld
-from matrixworld.coevolution.settings import RaceSettings, SingleSettings
-from matrixworld.coevolution.settings_json import settings_of
-from matrixworld.coevolution.storage.files import (
+from matrixworld.coevolution.settings.race import RaceSettings
+from matrixworld.coevolution.settings.single import SingleSettings
+from matrixworld.coevolution.settings.training import settings_from_json
+from matrixworld.coevolution.storage.run_log import Row, RunLog, read_log
+from matrixworld.coevolution.types import TEAMS, Genomes, Team
+from matrixworld.files import (
     Arrays,
     DamagedFileError,
-    OtherVersionError,
     is_temporary,
     json_digest,
     load_arrays,
     load_json,
+    locked,
     remove_temporary_files,
     save_arrays,
     save_json,
 )
-from matrixworld.coevolution.storage.lock import locked
-from matrixworld.coevolution.storage.run_log import Row, RunLog, read_log
-from matrixworld.coevolution.types import TEAMS, Genomes, Team
+from matrixworld.version import __version__
 
+# Format 3 differs from 2 in the seeds of matches, in the field `overlap_penalty` of the settings
+# and in the names of arrays in the checkpoint.
 FORMAT = 3
 """Version of the directory's layout; another one is refused."""
 
 CONFIG, SUMMARY, LOG, LOCK = "config.json", "summary.json", "log.csv", ".lock"
 ARCHIVE, CHECKPOINT, PAYOFF = "archive", "checkpoint", "payoff"
 
-REMAINS = {LOCK, "archive.npz", "checkpoint.npz"}
-"""What a process that was killed while it made a run may have left, but for temporary files."""
+INCOMPLETE = {LOCK, "archive.npz", "checkpoint.npz"}
+"""Files that a process may leave, besides temporary ones, if it is killed while it makes a run."""
+
+SETTINGS_OF_KIND: dict[str, type[RaceSettings] | type[SingleSettings]] = {
+    "race": RaceSettings,
+    "hall-of-fame": RaceSettings,
+    "single": SingleSettings,
+}
+"""Class of the settings of each kind of run."""
 
 Archive = dict[Team, Genomes]
 Problems = list[FileNotFoundError | DamagedFileError]
 
 
+class OtherVersionError(ValueError):
+    """A file of a run is complete, but of another version of the package."""
+
+
 @dataclass(frozen=True)
-class Saved:
-    """What a checkpoint holds: archives of both teams, and named arrays."""
+class Checkpoint:
+    """A restored checkpoint.
+
+    Parameters
+    ----------
+    archive : dict of str to ndarray of float32, shape (generations, genes)
+        Genomes of each team.
+    state : dict of str to ndarray
+        Arrays that were saved with it.
+    """
 
     archive: Archive
     state: Arrays
 
 
 class RunDirectory:
-    """The files of one run. `create` makes a new one, `open` takes up an existing one."""
+    """The files of one run; made by `create` for a new run and by `open` for an existing one.
+
+    Parameters
+    ----------
+    path : Path
+        The directory.
+    """
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -80,20 +108,30 @@ class RunDirectory:
     def create(
         cls, path: str | Path, kind: str, settings: Mapping[str, Any], **more: Any
     ) -> RunDirectory:
-        """Make an empty directory for a new run; FileExistsError if it holds anything.
+        """Return the directory of a new run, and make it if it does not exist.
 
-        `kind`, `settings` and `more` are what `write_config` will write.
+        Parameters
+        ----------
+        path : str or Path
+            The directory.
+        kind, settings, **more
+            Kind of run, settings and other entries of config.json, which `write_config` writes.
+
+        Raises
+        ------
+        FileExistsError
+            If the directory is not empty.
         """
-        made = cls(Path(path))
-        head = {"format": FORMAT, "matrixworld": matrixworld.__version__, "kind": kind}
-        made._new_config = {**head, "settings": dict(settings), **more}
-        made.path.mkdir(parents=True, exist_ok=True)
-        made.check_empty()
-        return made
+        files = cls(Path(path))
+        head = {"format": FORMAT, "matrixworld": __version__, "kind": kind}
+        files._new_config = {**head, "settings": dict(settings), **more}
+        files.path.mkdir(parents=True, exist_ok=True)
+        files.check_empty()
+        return files
 
     @classmethod
     def open(cls, path: str | Path) -> RunDirectory:
-        """Return an existing run's directory; FileNotFoundError if it holds no run."""
+        """Return the directory of an existing run; FileNotFoundError if it holds no run."""
         path = Path(path)
         if not (path / CONFIG).is_file():
             raise FileNotFoundError(f"{path}: holds no run, expected a file {CONFIG}")
@@ -101,18 +139,23 @@ class RunDirectory:
 
     @cached_property
     def _owner(self) -> str:
-        """Whose the files are: the checksum of config.json."""
+        """Owner of the files in their checksums: the checksum of config.json."""
+        # Runs of other settings, or of another seed, have another one.
         return json_digest(self._new_config or self.config())
 
-    def check_empty(self) -> None:
-        """FileExistsError if the directory holds anything.
+    # Making a new run:
 
-        What a process left that was killed while it made a run does not count: it had learnt
-        nothing, and its lock file says that all this is no one else's.
+    def check_empty(self) -> None:
+        """Raise FileExistsError if the directory is not empty.
+
+        Notes
+        -----
+        Files of a run that was never completely made do not count. Its lock file shows that they
+        are from such a run, and they hold no training yet.
         """
         found = sorted(item.name for item in self.path.iterdir())
         if LOCK in found:
-            found = [name for name in found if name not in REMAINS and not is_temporary(name)]
+            found = [name for name in found if name not in INCOMPLETE and not is_temporary(name)]
         if found:
             raise FileExistsError(
                 f"{self.path}: expected a new or empty directory for a new run, found "
@@ -120,10 +163,11 @@ class RunDirectory:
             )
 
     def clear(self) -> None:
-        """Remove what `check_empty` overlooks. To be called under the lock."""
+        """Remove the files that `check_empty` ignores. To be called under the lock."""
+        # Again, because another process may have made a run before this one got the lock.
         self.check_empty()
         remove_temporary_files(self.path)
-        for name in REMAINS - {LOCK}:
+        for name in INCOMPLETE - {LOCK}:
             (self.path / name).unlink(missing_ok=True)
 
     def lock(self) -> AbstractContextManager[None]:
@@ -131,12 +175,15 @@ class RunDirectory:
         return locked(self.path / LOCK)
 
     def write_config(self) -> None:
-        """Write config.json, which makes the directory a run: the last file of a new one."""
+        """Write config.json: the last file of a new run, with which the directory holds a run."""
         save_json(self.path / CONFIG, self._new_config)
 
+    # Configuration:
+
     def config(self) -> dict[str, Any]:
-        """Return config.json; OtherVersionError if it is of another format."""
+        """Return config.json; OtherVersionError if it has another format."""
         config = load_json(self.path / CONFIG)
+        # Before any other entry is read: another format may not have it.
         if config.get("format") != FORMAT:
             raise OtherVersionError(
                 f"{self.path / CONFIG}: expected format {FORMAT}, got {config.get('format')} "
@@ -145,44 +192,66 @@ class RunDirectory:
         return config
 
     def settings(self) -> RaceSettings | SingleSettings:
-        """Return the settings of the run; OtherVersionError if this version does not know them."""
+        """Return the settings; OtherVersionError if this version cannot read them."""
         config = self.config()
         try:
-            return settings_of(config)
+            return _settings_of(config)
         except (KeyError, TypeError, ValueError) as error:
+            # The checksum was correct, so that the file is not damaged.
             raise OtherVersionError(
                 f"{self.path / CONFIG}: expected settings of matrixworld "
-                f"{matrixworld.__version__}, got those of {config.get('matrixworld', 'unknown')}: "
+                f"{__version__}, got those of {config.get('matrixworld', 'unknown')}: "
                 f"{error}"
             ) from error
 
+    # Checkpoints:
+
     def save(self, archive: Archive, rows: Sequence[Row], state: Mapping[str, Any]) -> None:
-        """Add the archive's and the log's news, then the checkpoint, which makes them count."""
+        """Save the archive, new rows of the log, and a checkpoint.
+
+        Parameters
+        ----------
+        archive : dict of str to ndarray of float32, shape (generations, genes)
+            Genomes of each team.
+        rows : sequence of dict
+            Rows of the log since the last checkpoint.
+        state : mapping of str to array_like
+            What `restore` has to return.
+        """
         self._save(ARCHIVE, {f"{team}s": archive[team] for team in TEAMS})
         if rows:
             self._log.append(rows)
+        # The checkpoint is written last: what archive and log hold beyond its counts is ignored.
         counts = {f"{team}s": len(archive[team]) for team in TEAMS}
-        mark = {"log_length": self._log.length, "log_checksum": self._log.checksum}
-        self._save(CHECKPOINT, {**state, **counts, **mark})
+        log = {"log_length": self._log.length, "log_checksum": self._log.checksum}
+        self._save(CHECKPOINT, {**state, **counts, **log})
 
-    def restore(self) -> Saved:
-        """Return the newest checkpoint that is whole, and cut the log back to it.
+    def restore(self) -> Checkpoint:
+        """Return the newest intact checkpoint, and truncate the log to it.
 
-        A damaged file is warned of, set aside as ``*.damaged``, and the one before it is taken;
-        DamagedFileError if none is whole. To be called under the lock.
+        To be called under the lock. A damaged file is reported by a warning and renamed to
+        ``*.damaged``; the file before it is used instead.
+
+        Raises
+        ------
+        DamagedFileError
+            If no checkpoint is intact.
         """
         remove_temporary_files(self.path)
         problems: Problems = []
-        for state in self._whole(CHECKPOINT, problems):
-            for archive in self._whole(ARCHIVE, problems):
+        # After a crash while saving, the newest archive may belong to no checkpoint, but it holds
+        # the genomes of all checkpoints before it.
+        for state in self._intact(CHECKPOINT, problems):
+            for archive in self._intact(ARCHIVE, problems):
                 if self._fits(archive, state, problems):
                     self._set_aside(problems)
-                    return Saved(_first(archive, state), state)
+                    return Checkpoint(_archive_at(archive, state), state)
+        # Each problem once, although a file is tried with several others.
         reasons = "; ".join(dict.fromkeys(str(problem) for problem in problems))
-        raise DamagedFileError(self.path, f"no whole checkpoint to go on from: {reasons}")
+        raise DamagedFileError(self.path, f"no intact checkpoint to continue from: {reasons}")
 
-    def _whole(self, name: str, problems: Problems) -> Iterator[Arrays]:
-        """Yield the newest file of a name and the one before it, leaving out damaged ones."""
+    def _intact(self, name: str, problems: Problems) -> Iterator[Arrays]:
+        """Yield the newest file of a name and the one before it, without damaged ones."""
         for path in (self._file(name), self._previous(name)):
             arrays = self._loaded(path, name, problems)
             if arrays is not None:
@@ -195,40 +264,38 @@ class RunDirectory:
             problems.append(error)
             return None
 
-    def _fits(
-        self,
-        archive: Arrays,
-        state: Arrays,
-        problems: Problems,
-    ) -> bool:
-        """Whether archive and log hold all that the checkpoint counts."""
+    def _fits(self, archive: Arrays, state: Arrays, problems: Problems) -> bool:
+        """Return whether archive and log hold everything that the checkpoint counts."""
         if any(len(archive[f"{team}s"]) < int(state[f"{team}s"]) for team in TEAMS):
             return False
         try:
-            self._log.cut_back(*_log_mark(state))
+            self._log.truncate(*_log_position(state))
         except DamagedFileError as error:
             problems.append(error)
             return False
         return True
 
     def _set_aside(self, problems: Problems) -> None:
-        """Move damaged archives and checkpoints away, lest they take a good file's place."""
+        """Rename damaged archives and checkpoints, so that no save keeps one as the previous."""
         for problem in {str(problem): problem for problem in problems}.values():
             if isinstance(problem, DamagedFileError):
-                warnings.warn(f"{problem}; going on from the checkpoint before it", stacklevel=4)
+                warnings.warn(f"{problem}; continuing from the checkpoint before it", stacklevel=4)
                 if problem.path.suffix == ".npz" and problem.path.exists():
                     os.replace(problem.path, f"{problem.path}.damaged")
 
+    # Reading:
+
     def archive(self) -> Archive:
-        """Return the genomes (n, genes) of each team, by generation."""
-        path = next((path for path in self._kept(ARCHIVE) if path.exists()), self._file(ARCHIVE))
+        """Return the genomes (generations, genes) float32 of each team."""
+        paths = self._readable(ARCHIVE)
+        path = next((path for path in paths if path.exists()), paths[0])
         arrays = load_arrays(path, owner=self._owner_of(ARCHIVE))
         return {team: arrays[f"{team}s"] for team in TEAMS}
 
     def log(self) -> dict[str, NDArray[Any]]:
         """Return the columns of log.csv as arrays, up to the checkpoint."""
         problems: Problems = []
-        for path in self._kept(CHECKPOINT):
+        for path in self._readable(CHECKPOINT):
             state = self._loaded(path, CHECKPOINT, problems)
             columns = None if state is None else self._logged(state, problems)
             if columns is not None:
@@ -237,15 +304,18 @@ class RunDirectory:
 
     def _logged(self, state: Arrays, problems: Problems) -> dict[str, NDArray[Any]] | None:
         try:
-            return read_log(self.path / LOG, *_log_mark(state))
+            return read_log(self.path / LOG, *_log_position(state))
         except DamagedFileError as error:
             problems.append(error)
             return None
 
-    def _kept(self, name: str) -> list[Path]:
-        """Return the files of a name that count: while a run goes on, one may be being replaced."""
+    def _readable(self, name: str) -> list[Path]:
+        """Return the files of a name that may be read, the newest first."""
         newest = [self._file(name)]
+        # Between the two renames of a save, a run that trains has only the previous file.
         return newest if self.finished else [*newest, self._previous(name)]
+
+    # Results:
 
     def save_payoff(self, arrays: Mapping[str, NDArray[Any]]) -> None:
         """Write payoff.npz."""
@@ -265,7 +335,7 @@ class RunDirectory:
 
     @property
     def finished(self) -> bool:
-        """Whether the run has come to its end."""
+        """Whether the run has its results."""
         return (self.path / SUMMARY).exists() and self._file(PAYOFF).exists()
 
     def _save(self, name: str, arrays: Mapping[str, Any]) -> None:
@@ -282,11 +352,20 @@ class RunDirectory:
         return self.path / f"{name}.previous.npz"
 
 
-def _log_mark(state: Arrays) -> tuple[int, str]:
-    """Return length and checksum of the log that a checkpoint counts."""
+def _log_position(state: Arrays) -> tuple[int, str]:
+    """Return length and checksum of the log at a checkpoint."""
     return int(state["log_length"]), str(state["log_checksum"])
 
 
-def _first(archive: Arrays, state: Arrays) -> Archive:
-    """Leave out genomes that were archived after the checkpoint."""
+def _archive_at(archive: Arrays, state: Arrays) -> Archive:
+    """Return the archive without genomes that were added after the checkpoint."""
     return {team: archive[f"{team}s"][: int(state[f"{team}s"])] for team in TEAMS}
+
+
+def _settings_of(config: dict[str, Any]) -> RaceSettings | SingleSettings:
+    """Return the settings in the config.json of a run; ValueError on an unknown kind of run."""
+    kind = config["kind"]
+    if kind not in SETTINGS_OF_KIND:
+        known = ", ".join(SETTINGS_OF_KIND)
+        raise ValueError(f"kind of run: expected one of {known}, got {kind!r}")
+    return settings_from_json(SETTINGS_OF_KIND[kind], config["settings"])

@@ -1,4 +1,4 @@
-"""log.csv: one row per epoch, appended, and cut back to the checkpoint on resume."""
+"""log.csv: one row per epoch, appended, and truncated to the checkpoint on resume."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.coevolution.storage.files import DamagedFileError, naming
+from matrixworld.files import DamagedFileError, naming
 
 Row = dict[str, Any]
 
@@ -34,18 +34,24 @@ COLUMNS: dict[str, type] = {
 }
 """Columns of the log and their types.
 
-`opponent` is the generation met (-1: several); `fitness_*` are over the epoch's candidates,
-`capture_rate`, `length` and `*_faults` (agent-steps at fault in a collision) means over its
-episodes; `matches` and `steps` are the episodes and world steps played so far in training.
+`opponent` is the opponent's generation (-1: several opponents); `fitness_*` are over the
+candidates of the epoch; `capture_rate`, `length` and `*_faults` (agent-steps at fault in a
+collision) are means over its episodes; `matches` and `steps` are the training episodes and world
+steps played so far in the run.
 """
 
-
 SEVERAL = -1
-"""In the log, the opponent of candidates that met several."""
+"""Value of `opponent` in an epoch with several opponents."""
 
 
 class RunLog:
-    """The log of a run: a CSV file known by its length and the SHA-256 of its content."""
+    """The log of a run: a CSV file identified by its length and the SHA-256 of its content.
+
+    Parameters
+    ----------
+    path : Path
+        The file; it may not exist yet.
+    """
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -54,17 +60,18 @@ class RunLog:
 
     @property
     def length(self) -> int:
-        """Bytes written."""
+        """Number of bytes written."""
         return self._length
 
     @property
     def checksum(self) -> str:
-        """SHA-256 of the bytes written."""
+        """SHA-256 of the bytes written, in hexadecimal."""
         return self._digest.hexdigest()
 
     def append(self, rows: Sequence[Row]) -> None:
-        """Add rows, with the header before the first, and sync them to the disk."""
+        """Append rows, with the header before the first one, and sync the file."""
         text = io.StringIO()
+        # The same line ends on all systems, so that checksums are the same, too.
         writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
         if not self._length:
             writer.writeheader()
@@ -74,11 +81,18 @@ class RunLog:
             file.write(content)
             file.flush()
             os.fsync(file.fileno())
+        # Last: after a failed write, length and checksum are still those of intact rows.
         self._digest.update(content)
         self._length += len(content)
 
-    def cut_back(self, length: int, checksum: str) -> None:
-        """Drop all after `length` bytes; DamagedFileError unless those have `checksum`."""
+    def truncate(self, length: int, checksum: str) -> None:
+        """Remove everything after the first `length` bytes.
+
+        Raises
+        ------
+        DamagedFileError
+            If these bytes are not there or do not have `checksum`.
+        """
         content = _checked(self.path, length, checksum)
         if self.path.exists():
             os.truncate(self.path, length)
@@ -91,19 +105,38 @@ def _checked(path: Path, length: int, checksum: str) -> bytes:
     if len(content) < length:
         raise DamagedFileError(path, f"cut: expected {length} bytes, got {len(content)}")
     if hashlib.sha256(content).hexdigest() != checksum:
-        raise DamagedFileError(path, "altered, its checksum is not the checkpoint's")
+        raise DamagedFileError(path, "altered, its checksum is not the one in the checkpoint")
     return content
 
 
 def _written(value: Any) -> str:
+    # Nine digits identify every float32.
     return f"{value:.9g}" if isinstance(value, float) else str(value)
 
 
 def read_log(path: Path, length: int, checksum: str) -> dict[str, NDArray[Any]]:
     """Return the columns of the first `length` bytes of a log as arrays.
 
-    DamagedFileError unless those have `checksum` and are rows of a log.
+    Parameters
+    ----------
+    path : Path
+        The file.
+    length : int
+        Bytes to read; a run that is still training may have appended more.
+    checksum : str
+        SHA-256 of these bytes, in hexadecimal.
+
+    Returns
+    -------
+    dict of str to ndarray, each of shape (rows,)
+        One array for each of `COLUMNS`.
+
+    Raises
+    ------
+    DamagedFileError
+        If the bytes do not have `checksum` or are not rows of a log.
     """
+    # Bytes that are not text are not refused here, but below, as rows that cannot be read.
     text = _checked(path, length, checksum).decode(errors="replace")
     rows = list(csv.DictReader(io.StringIO(text, newline="")))
     try:

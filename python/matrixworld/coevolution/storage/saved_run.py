@@ -1,4 +1,4 @@
-"""A run on disk, to look at: nothing here writes, and a run may go on meanwhile."""
+"""A saved run, to read: nothing here writes, and the run may still be training."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ import numpy as np
 
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.coevolution.settings import RaceSettings, SingleSettings
+from matrixworld.coevolution.settings.race import RaceSettings
+from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.run_directory import RunDirectory
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.episode import Episode
@@ -20,7 +21,7 @@ from matrixworld.rollout import record
 
 
 def script_of(name: str) -> Script:
-    """Return a name as that of a script; ValueError if it is none."""
+    """Return `name` as the name of a script; ValueError if there is no such script."""
     if name not in SCRIPTS:
         raise ValueError(f"script: expected one of {', '.join(SCRIPTS)}, got {name!r}")
     return name
@@ -29,7 +30,22 @@ def script_of(name: str) -> Script:
 def last_generation(directory: str | Path, team: Team) -> Population:
     """Return the last genome of a team in a run directory, as a population of one.
 
-    ValueError if that team did not learn in that run.
+    Parameters
+    ----------
+    directory : str or Path
+        The run directory.
+    team : {"pursuer", "evader"}
+        The team.
+
+    Returns
+    -------
+    Population
+        One genome and its network.
+
+    Raises
+    ------
+    ValueError
+        If the archive has no genomes of that team.
     """
     files = RunDirectory.open(directory)
     genomes = files.archive()[team]
@@ -43,19 +59,24 @@ def archive_network(files: RunDirectory, team: Team) -> Network:
     settings = files.settings()
     if not isinstance(settings, SingleSettings) or settings.team == team:
         return settings.network
+    # Opponents of a single team may come from a run with other hidden layers.
     world, guest = settings.world(settings.train_steps), files.config()["opponent_network"]
     return Network.for_config(world, hidden=tuple(guest["hidden"]), activation=guest["activation"])
 
 
 @dataclass(frozen=True)
 class SavedRun:
-    """What a run directory holds.
+    """The contents of a run directory.
 
-    Attributes
+    Parameters
     ----------
-    files : the directory; `files.log()` and `files.summary()` read further.
-    settings : of the run.
-    teams : per team its archive as a population, by generation, or the name of a script.
+    files : RunDirectory
+        The directory; its methods `log` and `summary` read further files.
+    settings : RaceSettings or SingleSettings
+        Settings of the run.
+    teams : mapping of str to Population or str
+        For each team its archive as a population, one genome per generation, or the name of a
+        script.
     """
 
     files: RunDirectory
@@ -67,10 +88,23 @@ class SavedRun:
         return Payoff.from_arrays(self.files.payoff())
 
     def generation_at(self, team: Team, matches: int) -> int:
-        """Return the newest generation of `team` once so many training matches were played.
+        """Return the newest generation of `team` after a number of training matches.
 
-        Runs are compared at equal budgets by it: ``teams[team].genomes[generation_at(team, n)]``.
-        Matches of both teams count, and those that archives compare. Generation 0 is untrained.
+        Parameters
+        ----------
+        team : {"pursuer", "evader"}
+            The team.
+        matches : int
+            Matches of both teams, including those that archives play to compare candidates.
+
+        Returns
+        -------
+        int
+            The generation; 0, the untrained one, if no other was finished.
+
+        Notes
+        -----
+        For comparing runs at equal budgets: ``teams[team].genomes[generation_at(team, n)]``.
         """
         log = self.files.log()
         own = log["team"] == team
@@ -80,13 +114,24 @@ class SavedRun:
         return int(np.count_nonzero(ends <= matches))
 
     def record(self, pursuer: int = -1, evader: int = -1, episode: int = 0) -> Episode:
-        """Play one episode of the evaluation again and keep every moment of it.
+        """Play one episode of the evaluation again and record every step.
 
         Parameters
         ----------
-        pursuer, evader : generations; negative ones count from the end. IndexError beyond the
-            archive. The generation of a scripted team is not looked at.
-        episode : of that pair.
+        pursuer, evader : int, optional
+            Generations; negative numbers count from the end. Ignored for a scripted team.
+        episode : int, optional
+            Number of the episode of this pair.
+
+        Returns
+        -------
+        Episode
+            The recorded episode.
+
+        Raises
+        ------
+        IndexError
+            If there is no such generation.
         """
         g, h = self._generation("pursuer", pursuer), self._generation("evader", evader)
         return record(
@@ -110,18 +155,33 @@ class SavedRun:
 
 
 def open_run(directory: str | Path) -> SavedRun:
-    """Return what a run directory holds, finished or not.
+    """Return the contents of a run directory, whether the run is finished or not.
 
-    FileNotFoundError if it holds no run, DamagedFileError if a file is cut or altered,
-    OtherVersionError if it is of another version.
+    Parameters
+    ----------
+    directory : str or Path
+        The run directory.
+
+    Returns
+    -------
+    SavedRun
+        Its settings, teams and files.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the directory holds no run.
+    DamagedFileError
+        If a file is cut or altered.
+    OtherVersionError
+        If the run is of another version of the package.
     """
     files = RunDirectory.open(directory)
-    settings = files.settings()
-    return SavedRun(files, settings, {team: _team(files, settings, team) for team in TEAMS})
+    settings, archive = files.settings(), files.archive()
 
+    def policy(team: Team) -> TeamPolicy:
+        if len(archive[team]):
+            return Population(archive[team], archive_network(files, team))
+        return script_of(cast(SingleSettings, settings).against)
 
-def _team(files: RunDirectory, settings: RaceSettings | SingleSettings, team: Team) -> TeamPolicy:
-    genomes = files.archive()[team]
-    if len(genomes):
-        return Population(genomes, archive_network(files, team))
-    return script_of(cast(SingleSettings, settings).against)
+    return SavedRun(files, settings, {team: policy(team) for team in TEAMS})

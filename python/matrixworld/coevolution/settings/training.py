@@ -1,0 +1,229 @@
+"""Settings that all runs share: world, policy, learner and budget."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields
+from enum import Enum
+from inspect import cleandoc
+from typing import Any, TypeVar, get_type_hints
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld.checks import check_choice, check_integer, check_number
+from matrixworld.coevolution.fitness import FITNESS
+from matrixworld.coevolution.learners.optimizers import OPTIMIZERS
+from matrixworld.coevolution.learners.registry import LEARNERS, check_learner_settings
+from matrixworld.coevolution.types import Team
+from matrixworld.config import WorldConfig
+from matrixworld.policy import Network
+from matrixworld.rules import VARIANTS, Outcome, Rules, rules_of
+
+Settings = TypeVar("Settings", bound="TrainingSettings")
+
+OVERLAP_PENALTY = 0.2
+"""Default overlap penalty where teammates may share a cell."""
+MOST_SEED = 2**63 - 1
+"""Largest seed: the largest integer of 64 bits with a sign."""
+
+
+def option(default: Any, text: str) -> Any:
+    """Return a dataclass field with a default and a help text."""
+    return field(default=default, metadata={"help": text})
+
+
+def with_parameters(cls: type[Settings]) -> type[Settings]:
+    """Add the help texts of the fields to a docstring, as its section of parameters."""
+    lines = [cleandoc(cls.__doc__ or ""), "", "Parameters", "----------"]
+    for item in fields(cls):
+        lines += [f"{item.name} : {item.type}, optional", f"    {item.metadata['help']}"]
+    cls.__doc__ = "\n".join(lines)
+    return cls
+
+
+@with_parameters
+@dataclass(frozen=True)
+class TrainingSettings:
+    """World, policy, learner and budget of a run; ValueError or TypeError on a bad field."""
+
+    variant: str | Rules = option("O", "game variant: a name in VARIANTS, or Rules")  # noqa: RUF009
+    rows: int | None = option(None, "rows of the grid; default: those of the obstacle map, or 40")
+    cols: int | None = option(
+        None, "columns of the grid; default: those of the obstacle map, or 40"
+    )
+    pursuers: int | None = option(None, "number of pursuers; default: depends on the variant")
+    evaders: int | None = option(None, "number of evaders; default: depends on the variant")
+    obstacles: Any = option(  # noqa: RUF009
+        None, "obstacles: a density in [0, 1), rows of text, a bool array or a MovingAI .map file"
+    )
+    fov: int = option(11, "side of an agent's square field of view, in cells; odd")
+    diagonal: bool = option(False, "allow diagonal moves (9 actions instead of 5)")
+
+    hidden: tuple[int, ...] = option((32,), "sizes of the policy's hidden layers")
+    activation: str = option("relu", "activation of the hidden layers: relu or tanh")
+    initial_weight: float = option(0.05, "standard deviation of untrained hidden weights")
+    initial_head: float = option(0.1, "standard deviation of untrained output weights")
+
+    learner: str | None = option(
+        None,
+        "es (evolution strategy), ga (genetic algorithm) or cma (CMA-ES, for at most 1000 genes); "
+        "default: ga for hall-of-fame, else es",
+    )
+    population: int = option(48, "candidates per epoch")
+    sigma: float = option(0.1, "es: standard deviation of the samples; cma: its initial value")
+    optimizer: str = option("adam", f"es: {' or '.join(OPTIMIZERS)}")
+    learning_rate: float = option(0.02, "es: learning rate of the optimizer")
+    momentum: float = option(0.9, "es: coefficient of the optimizer momentum, in [0, 1)")
+    anneal: bool = option(False, "es: reduce the learning rate linearly to a tenth over the run")
+    mutation: float = option(0.05, "ga: standard deviation of a mutation")
+    crossover: float = option(0.0, "ga: probability that a child has two parents")
+    selection: str = option("tournament", "ga: parent selection, tournament or truncation")
+    tournament: int = option(5, "ga: individuals in a tournament")
+    truncation: float = option(0.25, "ga: share of the population that truncation selects from")
+    elites: int = option(2, "ga: fittest individuals kept unchanged")
+
+    fitness: str = option("captured-fraction", f"fitness: {', '.join(FITNESS)}")
+    overlap_penalty: float | None = option(
+        None,
+        "penalty on the fitness of evaders that share a cell; default: 0.2 where teammates may "
+        "share a cell (0.5 for evaders that learn alone from untrained genomes), else 0",
+    )
+    train_steps: int = option(200, "maximum steps of a training episode")
+    worlds: int = option(1, "episodes of each training match")
+    eval_steps: int = option(500, "maximum steps of an evaluation episode")
+    eval_episodes: int = option(10, "evaluation episodes of each pair")
+    seed: int = option(0, "seed of the run")
+
+    def __post_init__(self) -> None:
+        self._freeze("hidden", tuple(int(size) for size in self.hidden))
+        self._check_budget()
+        self._check_world()
+        self._check_learner()
+
+    def _freeze(self, name: str, value: Any) -> None:
+        # The dataclass is frozen; its own __post_init__ has no other way to set a field.
+        object.__setattr__(self, name, value)
+
+    def _check_budget(self) -> None:
+        for name in ("train_steps", "worlds", "eval_steps", "eval_episodes"):
+            check_integer(name, getattr(self, name), 1)
+        check_integer("seed", self.seed, 0, MOST_SEED)
+        check_choice("fitness", self.fitness, FITNESS)
+        if self.overlap_penalty is not None:
+            check_number("overlap_penalty", self.overlap_penalty, least=0.0)
+
+    def _check_learner(self) -> None:
+        if self.learner is not None:
+            check_choice("learner", self.learner, LEARNERS)
+        check_integer("population", self.population, 2)
+        check_learner_settings(self)
+
+    def _check_world(self) -> None:
+        check_number("initial_weight", self.initial_weight, least=0.0)
+        check_number("initial_head", self.initial_head, least=0.0)
+        # A map is kept as text, so that settings can be compared and saved, and do not depend on
+        # the file that it was read from.
+        config = self.world(self.train_steps)
+        if config.map is not None:
+            self._freeze("obstacles", map_as_text(config.map))
+        # Only to check the layers and the activation.
+        Network.for_config(config, hidden=self.hidden, activation=self.activation)
+
+    @property
+    def sharing(self) -> str:
+        """Fitness sharing over several opponents; "none" is the mean."""
+        return "none"
+
+    def virulence(self, team: Team) -> float | None:
+        """Return the reduced virulence of `team`, None for mean fitness."""
+        return None
+
+    def world(self, max_steps: int) -> WorldConfig:
+        """Return the world's configuration, with episodes of at most `max_steps` steps."""
+        if isinstance(self.variant, str):
+            check_choice("variant", self.variant, VARIANTS)
+        return WorldConfig(
+            self.variant,
+            rows=self.rows,
+            cols=self.cols,
+            n_pursuers=self.pursuers,
+            n_evaders=self.evaders,
+            fov=self.fov,
+            diagonal=self.diagonal,
+            # A tuple is a map as text; `WorldConfig` takes a list.
+            obstacles=list(self.obstacles) if isinstance(self.obstacles, tuple) else self.obstacles,
+            max_steps=max_steps,
+        )
+
+    @property
+    def network(self) -> Network:
+        """The policy network of a learning team."""
+        world = self.world(self.train_steps)
+        return Network.for_config(world, hidden=self.hidden, activation=self.activation)
+
+    @property
+    def rules(self) -> Rules:
+        """The rules of the variant."""
+        return rules_of(self.variant)
+
+    @property
+    def learner_name(self) -> str:
+        """Name of the learner, with the default filled in."""
+        return self.learner or "es"
+
+    @property
+    def resolved_overlap_penalty(self) -> float:
+        """The overlap penalty, with the default filled in."""
+        if self.overlap_penalty is not None:
+            return self.overlap_penalty
+        # Without a penalty, evaders that may share a cell gather in one corner.
+        may_share = self.rules.teammate is Outcome.REACH and self.fitness != "rewards"
+        return self.default_overlap_penalty if may_share else 0.0
+
+    @property
+    def default_overlap_penalty(self) -> float:
+        """The overlap penalty where teammates may share a cell."""
+        return OVERLAP_PENALTY
+
+
+def map_as_text(obstacles: NDArray[np.bool_]) -> tuple[str, ...]:
+    """Return an obstacle map (rows, cols) as rows of text, '#' obstacle and '.' free."""
+    return tuple("".join("#" if cell else "." for cell in row) for row in obstacles)
+
+
+def settings_to_json(settings: TrainingSettings) -> dict[str, Any]:
+    """Return the settings as values that JSON can hold."""
+    return {item.name: _plain(getattr(settings, item.name)) for item in fields(settings)}
+
+
+def settings_from_json(kind: type[Settings], values: dict[str, Any]) -> Settings:
+    """Return settings of class `kind`; ValueError names missing and unknown fields."""
+    expected = {item.name for item in fields(kind)}
+    if expected != set(values):
+        missing, unknown = sorted(expected - set(values)), sorted(set(values) - expected)
+        raise ValueError(f"{kind.__name__}: missing fields {missing}, unknown fields {unknown}")
+    return kind(**{name: _restored(name, value) for name, value in values.items()})
+
+
+def _plain(value: Any) -> Any:
+    """Return a value as one that JSON can hold: rules and enums by names."""
+    if isinstance(value, Rules):
+        return {item.name: _plain(getattr(value, item.name)) for item in fields(value)}
+    if isinstance(value, Enum):
+        return value.name
+    if isinstance(value, np.generic):
+        return value.item()
+    return list(value) if isinstance(value, tuple) else value
+
+
+def _restored(name: str, value: Any) -> Any:
+    """Return the value of a field from what `_plain` returned for it."""
+    if name == "variant" and isinstance(value, dict):
+        kinds = get_type_hints(Rules)
+        return Rules(
+            **{
+                key: kinds[key][item] if issubclass(kinds[key], Enum) else item
+                for key, item in value.items()
+            }
+        )
+    return tuple(value) if isinstance(value, list) else value
