@@ -181,6 +181,7 @@ def _check_shape(
         return
     if not isinstance(array, np.ndarray):
         raise TypeError(f"{name}: expected a NumPy array, got {type(array).__name__}")
+    # None in an expected shape stands for any length.
     fits = array.ndim == len(expected) and all(
         want in (None, have) for want, have in zip(expected, array.shape, strict=True)
     )
