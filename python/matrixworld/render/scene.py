@@ -134,7 +134,9 @@ class Scene:
         if isinstance(who, str) and who in names:
             return names.index(who)
         if isinstance(who, str) or not 0 <= who < n_agents:
-            expected = f"0 to {n_agents - 1} or a name such as {names[0]}" if names else "nobody"
+            expected = (
+                f"0 to {n_agents - 1} or a name such as {names[0]}" if names else "no viewers"
+            )
             raise ValueError(f"viewers: expected {expected}, got {who!r}")
         return who
 
