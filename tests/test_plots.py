@@ -1,4 +1,4 @@
-"""Every figure saves without a display and shows the numbers that it was given."""
+"""Every figure can be saved without a display and shows the given numbers."""
 
 from __future__ import annotations
 
@@ -157,7 +157,7 @@ def test_a_smoothed_training_curve_keeps_the_raw_one_behind() -> None:
     saved(figure)
 
 
-def test_the_moving_average_is_a_mean_of_what_there_is() -> None:
+def test_the_moving_average_has_fewer_points_at_the_ends() -> None:
     figure = plots.training_curve([0.0, 0.3, 0.6, 0.9], [0, 0, 1, 1], window=3)
     smooth = np.array(figure.axes[0].collections[1].get_segments())
     np.testing.assert_allclose(smooth[:, 0, 1], [0.15, 0.3, 0.6])

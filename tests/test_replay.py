@@ -1,4 +1,4 @@
-"""Watching an episode: scenes, GIFs, contact sheets, terminal animations."""
+"""Replays of an episode: scenes, GIFs, contact sheets, terminal animations."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ import matrixworld as mw
 from made_up_episode import made_up_episode
 from matrixworld import colors, render
 from matrixworld.episode import Episode
-from matrixworld.render import terminal_animation as terminal_codes
+from matrixworld.render import terminal_animation as term
 from matrixworld.replay import animate_terminal, animation, contact_sheet, save, scene
 
 EPISODE = made_up_episode()
@@ -56,7 +56,7 @@ def test_the_capture_rate_is_of_the_moment_under_surround_only() -> None:
 def tiny(
     before: list[list[int]], after: list[list[int]], alive: list[bool], captured: bool
 ) -> Episode:
-    """One step of a pursuer and an evader on a 3 x 3 grid; the gone are where they went."""
+    """Return one step of a pursuer and an evader on a 3 x 3 grid."""
     last_positions = np.array([before, after], np.int32)
     living = np.array([[True, True], alive])
     ever = np.array([[False], [captured]])
@@ -90,7 +90,7 @@ def test_deaths_without_capture_are_marked_as_such_and_age() -> None:
     assert drawn.deaths.tolist() == [[0, 1, 0], [2, 2, 0]]  # type: ignore[union-attr]
 
 
-def test_a_collision_that_removes_agents_is_marked_where_they_went() -> None:
+def test_a_deadly_collision_is_marked_at_the_last_positions() -> None:
     world = mw.World("D", rows=3, cols=5, n_pursuers=4, n_evaders=1)
     recorder = mw.Recorder(world)
     world.reset(pursuers=[(1, 0), (1, 2), (0, 4), (2, 0)], evaders=[(2, 4)])
@@ -142,7 +142,7 @@ def test_recorded_episodes_are_drawn_and_counted_as_rollouts_count_them(variant:
 
 
 def frames(path: Path) -> Iterator[tuple[np.ndarray, int]]:
-    """Each picture of an animation and how long it is shown, in milliseconds."""
+    """Yield each picture of an animation and its duration in milliseconds."""
     with Image.open(path) as image:
         for index in range(image.n_frames):
             image.seek(index)
@@ -231,9 +231,9 @@ def test_a_film_shows_every_step(tmp_path: Path) -> None:
         "-",
     ]
     decoded = subprocess.run(decode, capture_output=True, check=True)
-    told = decoded.stderr.decode()
+    report = decoded.stderr.decode()
     for fact in ("Video: h264", "yuv420p(tv, bt709", f" {width}x{height}", " 8 fps"):
-        assert fact in told
+        assert fact in report
     shown = np.frombuffer(decoded.stdout, np.uint8).reshape(-1, height, width, 3)
     assert len(shown) == EPISODE.length + 1 + 12
     for step, picture in enumerate(shown[: EPISODE.length + 1]):
@@ -247,7 +247,7 @@ def test_a_film_shows_every_step(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("suffix", ["gif", "mp4"])
-def test_what_breaks_off_leaves_the_old_file(
+def test_an_error_while_drawing_keeps_the_old_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, suffix: str
 ) -> None:
     path = tmp_path / f"old.{suffix}"
@@ -288,7 +288,7 @@ def test_a_field_of_view_is_as_large_as_the_world_says(tmp_path: Path) -> None:
     assert own == five != seven
 
 
-def test_what_save_refuses(tmp_path: Path) -> None:
+def test_save_refuses(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"ends in .gif, .mp4 or .png, got episode.avi"):
         save(EPISODE, "episode.avi")
     with pytest.raises(ValueError, match="a name such as pursuer_0, got 'evader_7'"):
@@ -345,7 +345,7 @@ class Terminal(io.StringIO):
 
 @pytest.fixture
 def naps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    """Collects the pauses, which are not taken; a terminal of 100 columns and 50 lines."""
+    """Collect the pauses instead of taking them; the terminal has 100 columns and 50 lines."""
     taken: list[float] = []
     monkeypatch.setattr("time.sleep", taken.append)
     for name, value in {"COLUMNS": "100", "LINES": "50", "COLORTERM": "", "TERM": "xterm"}.items():
@@ -357,10 +357,8 @@ def naps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
 def test_animation_in_a_terminal(naps: list[float]) -> None:
     out = Terminal()
     animate_terminal(EPISODE, out, fps=20)
-    pictures = out.getvalue().split(terminal_codes.HOME)
-    assert (
-        pictures[0] == terminal_codes.HIDE_CURSOR + terminal_codes.WRAP_OFF + terminal_codes.CLEAR
-    )
+    pictures = out.getvalue().split(term.HOME)
+    assert pictures[0] == term.HIDE_CURSOR + term.WRAP_OFF + term.CLEAR
     assert len(pictures) - 1 == len(naps) == EPISODE.length + 1
     assert all(0 <= nap <= 0.05 * (i + 1) for i, nap in enumerate(naps))
     for step, picture in enumerate(pictures[1:]):
@@ -368,17 +366,17 @@ def test_animation_in_a_terminal(naps: list[float]) -> None:
         assert bare[0].startswith(f"step {step} of 30")
         assert len(bare) == 1 + 12
         assert {len(line) for line in bare[1:]} == {2 * 16}
-    assert out.getvalue().endswith(terminal_codes.WRAP_ON + terminal_codes.SHOW_CURSOR + "\n")
+    assert out.getvalue().endswith(term.WRAP_ON + term.SHOW_CURSOR + "\n")
 
 
 def test_every_picture_of_the_animation_is_the_drawing_of_its_moment(naps: list[float]) -> None:
     out = Terminal()
     animate_terminal(EPISODE, out, every=10)
-    pictures = out.getvalue().split(terminal_codes.HOME)[1:]
+    pictures = out.getvalue().split(term.HOME)[1:]
     assert len(pictures) == len(naps) == 4
     for step, picture in zip((0, 10, 20, 30), pictures, strict=True):
         drawn = render.ansi(scene(EPISODE, step), color="256")
-        assert picture.startswith(drawn.replace("\n", terminal_codes.CLEAR_LINE + "\n"))
+        assert picture.startswith(drawn.replace("\n", term.CLEAR_LINE + "\n"))
 
 
 def test_ctrl_c_ends_cleanly(naps: list[float], monkeypatch: pytest.MonkeyPatch) -> None:
@@ -390,8 +388,8 @@ def test_ctrl_c_ends_cleanly(naps: list[float], monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setattr("time.sleep", interrupted)
     out = Terminal()
     animate_terminal(EPISODE, out)
-    assert out.getvalue().count(terminal_codes.HOME) == 3
-    assert out.getvalue().endswith(terminal_codes.WRAP_ON + terminal_codes.SHOW_CURSOR + "\n")
+    assert out.getvalue().count(term.HOME) == 3
+    assert out.getvalue().endswith(term.WRAP_ON + term.SHOW_CURSOR + "\n")
 
 
 def test_the_cursor_comes_back_after_an_error(
@@ -404,7 +402,7 @@ def test_the_cursor_comes_back_after_an_error(
     out = Terminal()
     with pytest.raises(OSError, match="gone"):
         animate_terminal(EPISODE, out)
-    assert out.getvalue().endswith(terminal_codes.SHOW_CURSOR + "\n")
+    assert out.getvalue().endswith(term.SHOW_CURSOR + "\n")
 
 
 def test_a_small_terminal_gets_half_blocks_cut_to_its_height(
@@ -414,7 +412,7 @@ def test_a_small_terminal_gets_half_blocks_cut_to_its_height(
     monkeypatch.setenv("LINES", "6")
     out = Terminal()
     animate_terminal(EPISODE, out, every=30)
-    last = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", out.getvalue().split(terminal_codes.HOME)[-1])
+    last = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", out.getvalue().split(term.HOME)[-1])
     assert last.rstrip("\n").split("\n")[1:] == ["▀" * 16] * 4
     assert len(naps) == 2
 
@@ -431,15 +429,13 @@ def test_no_terminal_gets_the_last_moment_as_plain_text(capsys: pytest.CaptureFi
 
 def test_which_colours_a_stream_may_have() -> None:
     terminal = Terminal()
-    assert terminal_codes.color_mode(terminal, {}) == "256"
-    assert terminal_codes.color_mode(terminal, {"COLORTERM": "truecolor"}) == "true"
-    assert (
-        terminal_codes.color_mode(terminal, {"COLORTERM": "truecolor", "NO_COLOR": "1"}) == "none"
-    )
-    assert terminal_codes.color_mode(terminal, {"TERM": "dumb"}) == "none"
-    assert terminal_codes.color_mode(io.StringIO(), {"COLORTERM": "truecolor"}) == "none"
+    assert term.color_mode(terminal, {}) == "256"
+    assert term.color_mode(terminal, {"COLORTERM": "truecolor"}) == "true"
+    assert term.color_mode(terminal, {"COLORTERM": "truecolor", "NO_COLOR": "1"}) == "none"
+    assert term.color_mode(terminal, {"TERM": "dumb"}) == "none"
+    assert term.color_mode(io.StringIO(), {"COLORTERM": "truecolor"}) == "none"
     terminal.encoding = "ascii"
-    assert terminal_codes.color_mode(terminal, {}) == "none"
+    assert term.color_mode(terminal, {}) == "none"
 
 
 @pytest.mark.parametrize(

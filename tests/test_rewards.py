@@ -1,4 +1,4 @@
-"""Presets of rewards, fines by kind, and who pays them."""
+"""Presets of rewards, penalties by kind of collision, and the agents that pay them."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ def step_rewards(world: mw.World, actions: list[int]) -> list[float]:
     return [round(float(value), 4) for value in world.step(actions)]
 
 
-def fines(**changes: object) -> mw.Rewards:
+def penalties_only(**changes: object) -> mw.Rewards:
     names = ("capture", "neighbor", "step")
-    silent = {f"{team}_{name}": 0.0 for team in ("pursuer", "evader") for name in names}
-    return mw.Rewards(**(silent | changes))
+    zero = {f"{team}_{name}": 0.0 for team in ("pursuer", "evader") for name in names}
+    return mw.Rewards(**(zero | changes))
 
 
 def test_presets() -> None:
@@ -27,21 +27,21 @@ def test_presets() -> None:
     assert mw.Rewards(evader_step=0.05, capture_repeats=True) == published
 
 
-def test_fines_by_kind() -> None:
-    rewards = fines(pursuer_collide=(-1, -20, -300), evader_collide=[-4, -50, -600])
+def test_penalties_by_kind() -> None:
+    rewards = penalties_only(pursuer_collide=(-1, -20, -300), evader_collide=[-4, -50, -600])
     config = mw.WorldConfig("SB", rows=2, cols=6, n_pursuers=3, n_evaders=1, rewards=rewards)
     world = mw.World(config)
-    # The first runs into the border; the second and third contest a cell; the evader is met.
+    # The first pursuer runs into the border, the second and third head for the same cell.
     world.reset(0, pursuers=[[0, 0], [1, 0], [1, 2]], evaders=[[0, 4]])
     assert step_rewards(world, [1, 2, 4, 0]) == [-1.0, -20.0, -20.0, 0.0]
     world.reset(0, pursuers=[[0, 3], [1, 0], [1, 2]], evaders=[[0, 4]])
-    assert step_rewards(world, [2, 0, 0, 2]) == [0.0] * 4  # it follows
+    assert step_rewards(world, [2, 0, 0, 2]) == [0.0] * 4  # the pursuer follows the evader
     assert step_rewards(world, [2, 0, 0, 2]) == [-300.0, 0.0, 0.0, -4.0]  # at the border both wait
 
 
-def test_who_is_involved_pays_where_told_so() -> None:
-    rewards = fines(pursuer_collide=-7, evader_collide=-7)
-    shared = fines(pursuer_collide=-7, evader_collide=-7, blame=mw.Blame.INVOLVED)
+def test_involved_agents_pay_if_the_rewards_say_so() -> None:
+    rewards = penalties_only(pursuer_collide=-7, evader_collide=-7)
+    shared = penalties_only(pursuer_collide=-7, evader_collide=-7, blame=mw.Blame.INVOLVED)
     paid = []
     for each in (rewards, shared):
         world = mw.World("S", rows=1, cols=4, n_pursuers=1, n_evaders=1, rewards=each)
@@ -52,9 +52,11 @@ def test_who_is_involved_pays_where_told_so() -> None:
 
 @pytest.mark.parametrize("name", ["D", "SDB", "swarm-S", "agents-R"])
 @pytest.mark.parametrize("blame", list(mw.Blame))
-def test_fines_follow_the_report(name: str, blame: mw.Blame) -> None:
+def test_penalties_agree_with_the_reported_fault_and_involvement(
+    name: str, blame: mw.Blame
+) -> None:
     by_kind = {"pursuer_collide": (-1, -20, -300), "evader_collide": (-2, -40, -600)}
-    config = config_of(name, obstacles=0.1, rewards=fines(**by_kind, blame=blame))
+    config = config_of(name, obstacles=0.1, rewards=penalties_only(**by_kind, blame=blame))
     world = mw.World(config)
     pursuers = np.arange(config.n_agents)[:, None] < config.n_pursuers
     tariff = np.where(pursuers, *by_kind.values())

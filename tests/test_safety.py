@@ -1,4 +1,4 @@
-"""Collisions over many episodes, against counts by hand and by plain loops."""
+"""Collisions over many episodes, compared with counts by hand and by plain loops."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def rows_of(config: mw.WorldConfig, number: int) -> np.ndarray:
 
 
 def counted(config: mw.WorldConfig, seeds: range) -> dict[str, Any]:
-    """Plain loops over worlds, agent by agent."""
+    """Count with plain loops over worlds and agents."""
     steps, faults, capture = np.zeros((2, len(seeds))), np.zeros((len(seeds), 2, 3)), []
     involved = np.zeros((2, 3))
     for n, seed in enumerate(seeds):
@@ -91,7 +91,7 @@ def test_all_sources_agree_with_plain_counts(name: str, max_steps: int) -> None:
 
 
 def follow_turns(monitor: mw.SafetyMonitor, config: mw.WorldConfig, seed: int) -> None:
-    """The same episode in the AEC environment, with a look after every call."""
+    """Play the same episode in the AEC environment, observed after every call."""
     env = mw.aec_env(config)
     env.reset(seed=seed)
     rows, taken = rows_of(config, seed), dict.fromkeys(env.possible_agents, 0)
@@ -134,10 +134,10 @@ def test_vector_environments_agree_with_recordings(mode: str) -> None:
 
 @pytest.mark.parametrize(
     ("left_after", "seeds", "at_once"),
-    # Without a look at once, the first step of an episode played again looks like the one before.
+    # Without an observation at once, the first step of a repeated episode looks like the last one.
     [(1, (0, 0), True), (2, (0, 0), False), (1, (0, 1), False), (1, (0, None), False)],
 )
-def test_an_episode_that_was_left_is_forgotten(
+def test_an_unfinished_episode_is_forgotten(
     left_after: int, seeds: tuple[int, int | None], at_once: bool
 ) -> None:
     config, east = config_of("R", max_steps=3), 2
@@ -191,7 +191,7 @@ def test_intervals() -> None:
     ):
         assert (ends[..., 0] <= rate).all()
         assert (rate <= ends[..., 1]).all()
-    # As wide as the normal approximation of a ratio has it.
+    # The interval is as wide as in the normal approximation of a ratio.
     faults, steps = scores.faults[:, 0, 0, 1], scores.agent_steps[:, 0, 0]
     ratio = faults.sum() / steps.sum()
     deviation = np.std(faults - ratio * steps, ddof=1) / np.sqrt(200) / steps.mean()

@@ -74,7 +74,7 @@ def test_without_a_seed_the_next_episode_follows() -> None:
     np.testing.assert_array_equal(world.positions, other.positions)
 
 
-def test_a_refused_reset_does_not_use_up_an_episode() -> None:
+def test_a_refused_reset_does_not_advance_the_episode() -> None:
     world, other = small(), small()
     with pytest.raises(ValueError, match="distinct"):
         world.reset(pursuers=[[0, 0], [0, 0]])
@@ -146,7 +146,7 @@ def test_one_team_given_the_other_drawn() -> None:
 
 
 def test_given_positions_and_a_density() -> None:
-    """Obstacles are drawn around the agents that were put somewhere."""
+    """Obstacles are drawn on the cells that the given agents leave free."""
     world = small(obstacles=0.75)
     for seed in range(20):
         world.reset(seed, pursuers=[[0, 0], [1, 1]], evaders=[[2, 3]])
@@ -173,7 +173,7 @@ def test_a_free_map_for_one_episode_of_a_density() -> None:
     assert world.map.sum() == 6
 
 
-# ---- What a world tells ----------------------------------------------------------------------
+# ---- Text, arrays, conflicts ------------------------------------------------------------------
 
 
 def test_text() -> None:
@@ -222,7 +222,7 @@ def test_arrays_are_as_specified() -> None:
         assert value.dtype == dtype or not shape
 
 
-def test_conflicts_need_to_be_asked_for() -> None:
+def test_conflicts_are_kept_only_with_explain() -> None:
     world = small()
     with pytest.raises(RuntimeError, match="explain=True"):
         _ = world.conflicts
@@ -260,7 +260,7 @@ def test_conflicts_in_words() -> None:
     )
 
 
-def test_asking_for_conflicts_changes_nothing() -> None:
+def test_explaining_conflicts_changes_nothing_else() -> None:
     one, other = (mw.World(config_of("SDB", obstacles=0.1)) for _ in range(2))
     for actions in random_actions(4, 5, 10, one.config.n_agents):
         one.step(actions)
@@ -290,7 +290,7 @@ def test_the_smallest_world(name: str, shape: tuple[int, int]) -> None:
         assert world.terminated or world.truncated
 
 
-def test_two_who_swap_in_the_smallest_world() -> None:
+def test_a_swap_in_the_smallest_world() -> None:
     world = mw.World("O", rows=1, cols=2, n_pursuers=1, n_evaders=1)
     world.reset(pursuers=[[0, 0]], evaders=[[0, 1]])
     rewards = world.step([mw.Action.EAST, mw.Action.WEST], explain=True)
@@ -418,7 +418,7 @@ def test_json(config: mw.WorldConfig) -> None:
     assert again.to_json() == config.to_json()
 
 
-def test_rows_that_capture_nobody_warn() -> None:
+def test_rules_that_can_never_capture_warn() -> None:
     d, r, b = mw.Outcome.DISAPPEAR, mw.Outcome.REACH, mw.Outcome.BOUNCE
     occupation = [(e, p) for e in (d, r, b) for p in (d, r, b)]
     warned = set()

@@ -12,7 +12,7 @@ from matrixworld.render import ansi, rgb
 
 
 def jam() -> mw.World:
-    """A world in which two pursuers have just bounced, and an evader has gone."""
+    """Return a world in which two pursuers have just bounced."""
     world = mw.World("B", rows=3, cols=5, n_pursuers=3, n_evaders=2, obstacles=["....#"] * 3)
     world.reset(pursuers=[(0, 0), (0, 2), (2, 2)], evaders=[(2, 3), (1, 0)])
     world.step([2, 4, 2, 0, 0])

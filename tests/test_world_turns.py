@@ -1,4 +1,4 @@
-"""Rounds played turn by turn, and copies of a world in the midst of them."""
+"""Rounds played turn by turn, and copies of a world in the middle of a round."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_a_round_by_turns_is_a_step(name: str) -> None:
         assert whole.conflicts == by_turns.conflicts
 
 
-def test_only_the_actors_actions_are_looked_at() -> None:
+def test_only_the_actions_of_actors_are_read() -> None:
     world = mw.World(config_of("TO"))
     actions = np.full(world.config.n_agents, 99)
     actions[0] = 0
@@ -87,7 +87,7 @@ def test_an_ended_world_takes_no_turn(interaction: mw.Interaction) -> None:
 
 @pytest.mark.parametrize("copied", [copy.deepcopy, lambda w: pickle.loads(pickle.dumps(w))])  # noqa: S301
 @pytest.mark.parametrize("name", NAMES)
-def test_a_copy_goes_on_alike_and_apart(name: str, copied: object) -> None:
+def test_a_copy_continues_independently_and_identically(name: str, copied: object) -> None:
     config = config_of(name, obstacles=0.15, max_steps=40)
     world = mw.World(config)
     world.reset(11, episode=4)
@@ -118,6 +118,6 @@ def test_a_copy_keeps_the_map_of_its_episode() -> None:
     assert not twin.map.any()
 
 
-def test_reading_what_is_not_there() -> None:
+def test_reading_an_unknown_array() -> None:
     with pytest.raises(ValueError, match="expected some of .*'positions'.*got \\['place'\\]"):
         mw.World().read("positions", "place")

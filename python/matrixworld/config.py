@@ -27,7 +27,7 @@ _TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}
 def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
     if given is None:
         return 0.0
-    if isinstance(given, bool):
+    if isinstance(given, bool):  # Python takes it for a number, and True for a share of 1
         raise TypeError(f"obstacles: expected a number in [0, 1) or a map, got {given!r}")
     if isinstance(given, int | float | np.floating):
         return float(given)
@@ -113,6 +113,7 @@ class WorldConfig:
         obstacles: Obstacles = None,
         rewards: Rewards | None = None,
     ) -> None:
+        # Written out, not generated: defaults follow from the rules and the map.
         row = rules_of(rules)
         terrain = _obstacles(obstacles)
         height, width = terrain.shape if isinstance(terrain, np.ndarray) else (_SIDE, _SIDE)
@@ -216,6 +217,7 @@ class WorldConfig:
         """Return the fields; the engine's form of them is built again on demand."""
         return {item.name: getattr(self, item.name) for item in fields(self)}
 
+    # Kept, because worlds, batches and rollouts of this config all start from it.
     @cached_property
     def setup(self) -> _core.Setup:
         """The engine's form of the settings."""

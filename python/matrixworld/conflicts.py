@@ -70,6 +70,7 @@ def conflict_of(record: tuple[Any, ...], config: WorldConfig) -> Conflict:
     """
     turn, kind, form, first, second, cell, *bits = record
     agents = (first,) if second < 0 else (first, second)
+    # Bit 0 of each number stands for the first agent, bit 1 for the second.
     at_fault, held, doomed = (
         tuple(agent for side, agent in enumerate(agents) if bit >> side & 1) for bit in bits
     )

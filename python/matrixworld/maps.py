@@ -68,7 +68,7 @@ def _from_array(array: NDArray[np.bool_]) -> NDArray[np.bool_]:
         raise TypeError(f"map: expected dtype bool, got {array.dtype}")
     if array.ndim != 2 or array.size == 0:
         raise ValueError(f"map: expected shape (rows, cols), got {array.shape}")
-    return np.array(array, np.bool_)
+    return np.array(array, np.bool_)  # a copy: the caller may change its array later
 
 
 def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:

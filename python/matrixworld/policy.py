@@ -227,6 +227,7 @@ class Network:
             weights[:] = scale * rng.standard_normal(weights.shape, dtype=np.float32)
         return genome
 
+    # Networks are compared and hashed by their fields, so the engine's form is not one of them.
     @cached_property
     def core(self) -> _core.Network:
         """The engine's form of this network."""
@@ -278,6 +279,7 @@ class Population:
                 f"genomes: expected finite numbers, got {genomes[genome, gene]} "
                 f"(genome {genome}, number {gene})"
             )
+        # The engine reads the genomes from one block of memory, without copying them.
         object.__setattr__(self, "genomes", np.ascontiguousarray(genomes))
 
 

@@ -259,6 +259,7 @@ def animation(
     ValueError
         If a value is out of range.
     """
+    # A notebook keeps the animation in its file, so both frames and pixels are limited.
     if every is None:
         every = -(-episode.length // FRAMES) or 1
     if cell is None:
@@ -353,6 +354,7 @@ def _marks(episode: Episode, now: int) -> tuple[NDArray[np.int64], NDArray[np.in
     deaths: list[tuple[int, int, int]] = []
     for step in range(max(1, now - MARK_STEPS + 1), now + 1):
         caught = _newly_captured(episode, step)
+        # An evader that disappears in its capture is marked as captured, not as dead.
         gone = episode.alive[step - 1] & ~episode.alive[step]
         for marks, agents in ((captures, caught), (deaths, gone & ~caught)):
             last_positions = episode.last_positions[step, agents].tolist()

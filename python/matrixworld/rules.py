@@ -153,6 +153,7 @@ def _variants() -> dict[str, Rules]:
     }
 
 
+# Read-only: another row under a known name would make results incomparable.
 VARIANTS: Mapping[str, Rules] = MappingProxyType(_variants())
 """The nine variants of Sun et al. (2023), Table "Task definition", by their letters."""
 

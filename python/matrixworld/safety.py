@@ -261,7 +261,7 @@ class SafetyMonitor:
         if steps not in (current.steps, current.steps + 1):
             raise ValueError(f"status: expected step {current.steps + 1}, got step {steps}")
         self._current = current
-        if steps == current.steps:
+        if steps == current.steps:  # the AEC API calls several times per round
             return
         current.follow(status)
         if status.terminated or status.truncated:
@@ -329,7 +329,7 @@ class _Current:
 
     def follow(self, status: StepStatus) -> None:
         self.steps += 1
-        self.agent_steps += self.alive
+        self.agent_steps += self.alive  # as the step began
         self.involved += status.involved
         self.fault += status.fault
         self.alive = status.alive
@@ -356,6 +356,7 @@ def _by_team(by_agent: NDArray[Any], n_pursuers: int) -> NDArray[Any]:
 
 def _rate(counts: NDArray[Any], agent_steps: NDArray[Any]) -> NDArray[np.float64]:
     """Return counts per 1000 agent-steps, ``(..., 2, 3)`` from ``(..., 2, 3)`` and ``(..., 2)``."""
+    # A team without agent-steps has no collisions either: its rate is 0 and not NaN.
     return np.asarray(1000 * counts / np.maximum(agent_steps, 1)[..., np.newaxis])
 
 

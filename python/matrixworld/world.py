@@ -255,5 +255,6 @@ class World(WorldState):
         self.config = state["config"]
         self._specs = array_specs(self.config)
         self._core = _core.World(self.config.setup)
+        # The engine's world starts anew with the same settings and is then set to the moment.
         self._core.restore(state["moment"])
         self._explained = False

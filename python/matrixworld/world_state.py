@@ -164,7 +164,7 @@ class WorldState:
     @property
     def map(self) -> NDArray[np.bool_]:
         """Obstacles of this episode, bool of shape (rows, cols)."""
-        return np.asarray(self.state()[2], np.bool_)
+        return np.asarray(self.state()[2], np.bool_)  # after evaders and pursuers
 
     def views(self) -> NDArray[np.uint8]:
         """Return what each agent sees.
@@ -216,6 +216,7 @@ class WorldState:
         counts = np.zeros((2, self.config.rows, self.config.cols), int)
         team = np.arange(self.config.n_agents) >= self.config.n_pursuers
         alive = self.alive
+        # Unlike an indexed +=, this counts every agent of a shared cell.
         np.add.at(counts, (team[alive].astype(int), *self.positions[alive].T), 1)
         picture = np.where(self.map, "#", ".")
         picture[counts[0] > 0] = "P"

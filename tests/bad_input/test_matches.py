@@ -1,4 +1,4 @@
-"""Bad networks, populations and matches: what is raised, and what it says."""
+"""Bad networks, populations and matches: the exceptions and their messages."""
 
 from __future__ import annotations
 

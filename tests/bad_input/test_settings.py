@@ -1,4 +1,4 @@
-"""Bad settings and maps: what is raised, and what it says."""
+"""Bad settings and maps: the exceptions and their messages."""
 
 from __future__ import annotations
 

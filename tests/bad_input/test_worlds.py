@@ -1,4 +1,4 @@
-"""Bad calls of a world or a batch: what is raised, what it says, and that nothing has changed."""
+"""Bad calls of a world or a batch raise, state what was expected, and change nothing."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ WORLD_CALLS = [
     value("a negative action", lambda w: w.step([0, -1, 0]), "0 to 4 | got -1 (world 0, agent 1)"),
     value("too large an action", lambda w: w.step([0, 0, 5]), "0 to 4 | got 5 (world 0, agent 2)"),
     value("an action beyond bytes", lambda w: w.step([256, 0, 0]), "0 to 4 | got 256"),
-    value("an action beyond words", lambda w: w.step(HUGE), "0 to 4 | got 9223372036854775807"),
+    value("an action beyond 64 bits", lambda w: w.step(HUGE), "0 to 4 | got 9223372036854775807"),
     value("a negative seed", lambda w: w.reset(-1), "0 to 18446744073709551615 | got -1"),
     value("a huge seed", lambda w: w.reset(2**64), "0 to 1844 | got 18446744073709551616"),
     kind("a float seed", lambda w: w.reset(1.0), "an integer | got 1.0"),
@@ -82,7 +82,7 @@ WORLD_CALLS = [
         lambda w: w.reset(obstacles=np.zeros((3, 4), int)),
         "dtype bool | got int64",
     ),
-    kind("a map of what?", lambda w: w.reset(obstacles=0.5), "a bool array | got 0.5"),
+    kind("a number as a map", lambda w: w.reset(obstacles=0.5), "a bool array | got 0.5"),
 ]
 
 
@@ -107,7 +107,7 @@ def test_a_world_refuses_and_stays_as_it_was(call: Any, error: type[Exception], 
     np.testing.assert_array_equal(world.positions, twin.positions)
 
 
-def test_actions_of_the_gone_are_not_looked_at() -> None:
+def test_actions_of_gone_agents_are_ignored() -> None:
     world = mw.World("D", rows=3, cols=4, n_pursuers=2, n_evaders=2)
     world.reset(pursuers=[[0, 0], [2, 3]], evaders=[[0, 3], [2, 0]])
     world.step([mw.Action.NORTH, 0, mw.Action.NORTH, 0])

@@ -1,4 +1,4 @@
-"""The AEC environment: turns are played when those who act in them have committed."""
+"""The AEC environment: a turn is played when all its agents have chosen an action."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NAMES = [*mw.VARIANTS, *CUSTOM]
 
 
 def play(env: Any, rows: np.ndarray) -> tuple[dict[str, float], list[str]]:
-    """Whole episode: row t holds the t-th action of each agent. Returns and order of acting."""
+    """Play an episode; row t holds the t-th action of each agent. Return returns and order."""
     returns = dict.fromkeys(env.possible_agents, 0.0)
     taken = dict.fromkeys(env.possible_agents, 0)
     order = []
@@ -33,7 +33,7 @@ def play(env: Any, rows: np.ndarray) -> tuple[dict[str, float], list[str]]:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_an_episode_is_the_world_s(name: str) -> None:
+def test_an_episode_agrees_with_the_world(name: str) -> None:
     config = config_of(name, obstacles=0.1)
     env, world = mw.aec_env(config), mw.World(config)
     rows = random_actions(5, config.n_actions, config.max_steps, config.n_agents)
@@ -52,7 +52,7 @@ def test_an_episode_is_the_world_s(name: str) -> None:
 
 
 def test_agents_see_what_was_done_before_their_turn() -> None:
-    """Cops and robbers, hand-driven: every action is a turn."""
+    """Cops and robbers: every action is a turn."""
     config = config_of("TO", obstacles=0.1, max_steps=30)
     env, world = raw_aec_env(config), mw.World(config)
     env.reset(seed=2)
@@ -66,7 +66,7 @@ def test_agents_see_what_was_done_before_their_turn() -> None:
         if env.terminations[agent] or env.truncations[agent]:
             env.step(None)
             continue
-        while world.actors[0] != number:  # the gone
+        while world.actors[0] != number:  # agents that are gone
             world.play_turn(np.zeros(config.n_agents, int))
         action = int(rng.integers(5))
         env.step(action)
@@ -78,7 +78,7 @@ def test_agents_see_what_was_done_before_their_turn() -> None:
     assert seen_in_midround > 5
 
 
-def test_swarms_commit_one_by_one_and_move_at_once() -> None:
+def test_agents_of_a_team_choose_one_by_one_and_move_at_once() -> None:
     config = config_of("swarm-S")
     env = raw_aec_env(config)
     env.reset(seed=1)
@@ -97,7 +97,7 @@ def test_swarms_commit_one_by_one_and_move_at_once() -> None:
     np.testing.assert_array_equal(env.observe("evader_0"), world.views()[config.n_pursuers])
 
 
-def test_together_everybody_sees_the_start_of_the_round() -> None:
+def test_all_agents_observe_the_start_of_a_simultaneous_round() -> None:
     env = raw_aec_env(config_of("R"))
     env.reset(seed=1)
     start = {agent: env.observe(agent) for agent in env.agents}
@@ -148,7 +148,7 @@ def test_an_evader_caught_in_a_turn_does_not_act() -> None:
 
 @pytest.mark.parametrize("make", [raw_aec_env, mw.aec_env])
 @pytest.mark.parametrize("name", ["O", "TO", "swarm-D"])
-def test_a_copy_in_the_midst_of_a_round(name: str, make: Any) -> None:
+def test_a_copy_in_the_middle_of_a_round(name: str, make: Any) -> None:
     env = make(config_of(name))
     env.reset(seed=3)
     config = env.unwrapped.config

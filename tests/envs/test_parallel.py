@@ -1,4 +1,4 @@
-"""The parallel environment against the world that it plays in."""
+"""The parallel environment agrees with the world that it plays."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def test_infos() -> None:
     _, infos = env.reset(seed=0, options=where)
     assert {tuple(info) for info in infos.values()} == {INFO_KEYS}
     assert infos["pursuer_0"]["step"] == 0
-    # pursuer_0 heads for pursuer_1, who heads for the evader, who stays.
+    # pursuer_0 heads for pursuer_1, which heads for the evader, which stays.
     *_, infos = env.step({"pursuer_0": 2, "pursuer_1": 2, "evader_0": 0})
     first, second, evader = infos.values()
     assert not first["involved_adversary"]
@@ -98,7 +98,7 @@ def test_infos() -> None:
 
 
 @pytest.mark.parametrize("name", ["D", "SDB", "TO"])
-def test_status_never_shifts(name: str) -> None:
+def test_status_keeps_the_index_of_an_agent(name: str) -> None:
     config = config_of(name)
     env, world = mw.parallel_env(config), mw.World(config)
     env.reset(seed=2)
@@ -148,7 +148,7 @@ def test_options() -> None:
 
 @pytest.mark.parametrize("copied", [copy.deepcopy, lambda e: pickle.loads(pickle.dumps(e))])  # noqa: S301
 @pytest.mark.parametrize("name", ["O", "SB", "swarm-D", "TO"])
-def test_copies_go_on_alike_and_apart(name: str, copied: Any) -> None:
+def test_copies_continue_independently_and_identically(name: str, copied: Any) -> None:
     env = mw.parallel_env(config_of(name), record=True)
     env.reset(seed=1)
     rows = random_actions(3, 5, 20, env.config.n_agents)

@@ -1,4 +1,4 @@
-"""Drawings: what is where, in which colour, and that nobody is missing."""
+"""Drawings: every agent is there, at its place and in its colour."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ def scene(**changes: object) -> Scene:
 
 
 def pixel(picture: NDArray[np.uint8], drawn: Scene, row: float, col: float) -> tuple[int, ...]:
-    """The colour at the centre of a cell; fractions move away from it."""
+    """Return the colour at the centre of a cell, or beside it for fractions of a cell."""
     x, y = Layout.of(drawn.shape).centre(row, col)  # type: ignore[arg-type]
     return tuple(picture[int(y), int(x)].tolist())
 
 
 def count(picture: NDArray[np.uint8], colour: str) -> int:
-    """How many pixels have exactly a colour, below the title."""
+    """Return how many pixels below the title have exactly this colour."""
     below = picture[Layout.header :]
     return int((below == np.array(ImageColor.getrgb(colour))).all(axis=2).sum())
 
@@ -80,7 +80,7 @@ def test_any_grid_is_drawn_at_a_fitting_size(grid: tuple[int, int]) -> None:
     assert pixel(picture, drawn, grid[0] - 1, grid[1] - 1) == ImageColor.getrgb(colors.EVADER)
 
 
-def test_a_scene_is_told_in_short() -> None:
+def test_the_short_description_of_a_scene() -> None:
     assert repr(scene()) == "<Scene: 4 x 6 cells, 2 pursuers, 2 evaders>"
 
 
@@ -109,7 +109,7 @@ def test_several_on_one_cell_carry_their_number() -> None:
 
 
 def test_the_number_is_readable_in_the_picture() -> None:
-    def crowd(size: int) -> NDArray[np.uint8]:
+    def pursuers_on_one_cell(size: int) -> NDArray[np.uint8]:
         return rgb(
             Scene(
                 positions=np.zeros((size, 2), int),
@@ -120,8 +120,8 @@ def test_the_number_is_readable_in_the_picture() -> None:
             )
         )[Layout.header :]
 
-    assert (crowd(2) != crowd(3)).any()
-    assert (crowd(10) == crowd(11)).all()  # from ten on, a plus
+    assert (pursuers_on_one_cell(2) != pursuers_on_one_cell(3)).any()
+    assert (pursuers_on_one_cell(10) == pursuers_on_one_cell(11)).all()  # from ten on, a plus
 
 
 def test_both_teams_on_one_cell_are_both_seen() -> None:
@@ -146,7 +146,7 @@ def test_captures_and_deaths_are_marked_where_they_happened_and_fade() -> None:
         assert (rgb(scene(**{name: np.array([[2, 1, 9]])})) == rgb(scene())).all()
 
 
-def test_agents_at_fault_wear_a_ring_and_others_a_fainter_one() -> None:
+def test_agents_at_fault_have_a_ring_and_others_a_fainter_one() -> None:
     none, bump = np.zeros((5, 3), bool), np.zeros((5, 3), bool)
     bump[1, 0] = True
     assert count(rgb(scene(fault=bump, involved=bump)), colors.COLLISION) > 50
@@ -157,7 +157,7 @@ def test_agents_at_fault_wear_a_ring_and_others_a_fainter_one() -> None:
     assert (rgb(scene(fault=none, involved=contact)) == rgb(scene())).all()
 
 
-def test_a_collision_is_marked_where_agents_went_in_it() -> None:
+def test_a_deadly_collision_is_marked_at_the_last_position() -> None:
     bump = np.zeros((5, 3), bool)
     bump[4, 1] = True  # the agent that is gone
     for where, rings in (([3, 4], {(3, 4)}), ([-1, -1], set())):
@@ -217,7 +217,7 @@ def test_plain_text() -> None:
     ]
 
 
-def test_plain_text_of_crowds_captures_and_crashes() -> None:
+def test_plain_text_of_several_agents_captures_and_deaths() -> None:
     drawn = Scene(
         positions=np.array([[0, 0], [0, 0], [0, 1], [0, 1], [0, 2], [0, 3], [0, 2], [0, 4]]),
         alive=np.array([True] * 7 + [False]),
@@ -237,7 +237,7 @@ def test_plain_text_of_crowds_captures_and_crashes() -> None:
     assert ansi(gone, color="none").split("\n")[1] == "P e . . . "
 
 
-def test_three_of_both_teams_on_a_cell_show_how_many_they_are() -> None:
+def test_three_agents_of_both_teams_on_a_cell_show_their_number() -> None:
     drawn = scene(positions=np.array([[1, 4], [1, 4], [1, 4], [3, 0], [-1, -1]]))
     assert ansi(drawn, color="none").split("\n")[2] == ". . ##. X3. "
     assert "2" in ansi(drawn, color="true").split("\n")[2]

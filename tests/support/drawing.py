@@ -1,9 +1,9 @@
-"""Worlds drawn as text, so that a case of the rules reads at a glance.
+"""Worlds drawn as text, so that a case of the rules can be read at a glance.
 
 A drawing has its rows on lines or between slashes and its cells between spaces: ``.`` free,
 ``#`` obstacle, a letter for an agent.  ``A B C`` are pursuers 0, 1, 2 and ``a b c`` evaders
 0, 1, 2; several on one cell are written together (``AB``, ``Aa``, ``#A``), and an agent that
-is missing is gone.  Moves are ``"A> b^"``, or ``A↗`` on a diagonal; who is not named stays.
+is missing is gone.  Moves are ``"A> b^"``, or ``A↗`` on a diagonal; agents not named stay.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ INTERACTIONS = {
     "agent turns": mw.Interaction.AGENT_TURNS,
 }
 ARROWS = {"^": 1, ">": 2, "v": 3, "<": 4, "↗": 5, "↘": 6, "↙": 7, "↖": 8}
-# No two sums of a few of these are equal.
+# Numbers chosen so that sums of a few of them differ: a wrong sum shows which part is wrong.
 UNITS = mw.Rewards(
     pursuer_capture=1000,
     evader_capture=-2000,
@@ -56,7 +56,7 @@ def rules(
     capture: str = "surround",
     disappear: bool = False,
 ) -> mw.Rules:
-    """One row of rules; ``adversary`` is the evader's outcome, then the pursuer's."""
+    """Return a row of rules; ``adversary`` is the evader's outcome, then the pursuer's."""
     return mw.Rules(
         interaction=INTERACTIONS[interaction],
         obstacle=OUTCOMES[obstacle],
@@ -69,7 +69,7 @@ def rules(
 
 
 def quiet_config(**fields: Any) -> mw.WorldConfig:
-    """A config that does not warn when its rules can capture nobody, with ``UNITS`` as rewards."""
+    """Return a config with ``UNITS`` as rewards, without a warning if it cannot capture."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         return mw.WorldConfig(**{"rewards": UNITS, **fields})
@@ -85,18 +85,18 @@ def conflict(
     fault: str = "",
     turn: int = 0,
 ) -> tuple:
-    """An expected conflict; ``kind_and_form`` is like ``"teammate vertex"``."""
+    """Return an expected conflict; ``kind_and_form`` is like ``"teammate vertex"``."""
     kind, form = kind_and_form.split()
     return turn, kind, form, agents, cell, fault, held, doomed
 
 
 @dataclass(frozen=True)
 class Play:
-    """One step and what must come of it; ``None`` is not looked at.
+    """One step and its expected results; ``None`` is not checked.
 
     ``fault`` and ``involved`` are like ``"obstacle A; teammate AB"``, ``paid`` is like
     ``"A: capture step; a: step"`` (agents left out earn nothing), ``captors`` like ``"a2 b1"``.
-    ``ever`` is by default everybody captured in the plays so far.
+    ``ever`` is by default all evaders captured in the plays so far.
     """
 
     moves: str
@@ -113,7 +113,7 @@ class Play:
 
 @dataclass(frozen=True)
 class Case:
-    """A named start and the plays from it."""
+    """A named start and the steps from it."""
 
     name: str
     rules: mw.Rules | str
@@ -123,17 +123,17 @@ class Case:
 
 
 def case(name: str, rules: mw.Rules | str, before: str, *plays: Play, **changes: Any) -> Case:
-    """A case; ``changes`` are fields of ``mw.WorldConfig``."""
+    """Return a case; ``changes`` are fields of ``mw.WorldConfig``."""
     return Case(name, rules, before, plays, changes)
 
 
 def table(*cases: Case) -> pytest.MarkDecorator:
-    """Parametrises a test with cases."""
+    """Parametrise a test with cases."""
     return pytest.mark.parametrize("case", [pytest.param(c, id=c.name) for c in cases])
 
 
 class Drawing:
-    """A drawing that was read: ``obstacles`` and the cell of each letter."""
+    """A parsed drawing: ``obstacles`` and the cell of each letter."""
 
     def __init__(self, text: str) -> None:
         lines = text.replace("/", "\n").strip().splitlines()
@@ -146,7 +146,7 @@ class Drawing:
             for letter in token
             if letter.isalpha()
         }
-        # capital letters come first, as pursuers do
+        # capital letters sort first, as pursuers come first
         self.letters = "".join(sorted(self.cells))
         self.pursuers = [self.cells[a] for a in self.letters if a.isupper()]
         self.evaders = [self.cells[a] for a in self.letters if a.islower()]
@@ -156,7 +156,7 @@ class Drawing:
 
 
 def draw(cells: dict[str, Cell], obstacles: np.ndarray) -> str:
-    """The one way to write a drawing."""
+    """Return the drawing of letters and obstacles, always in the same form."""
     rows = []
     for r, row in enumerate(obstacles):
         here = ["".join(sorted(a for a in cells if cells[a] == (r, c))) for c in range(len(row))]
@@ -166,14 +166,14 @@ def draw(cells: dict[str, Cell], obstacles: np.ndarray) -> str:
 
 
 def actions_of(moves: str, letters: str) -> list[int]:
-    """Actions of ``"A> b^"`` for all agents."""
+    """Return the actions of ``"A> b^"`` for all agents."""
     chosen = {move[0]: ARROWS[move[1:]] for move in moves.split()}
     assert set(chosen) <= set(letters), f"{moves} names an agent that is not in {letters}"
     return [chosen.get(letter, 0) for letter in letters]
 
 
 def begin(start: Start, case: Case) -> tuple[World, str]:
-    """The world of a case, and the letters of its agents."""
+    """Return the world of a case, and the letters of its agents."""
     drawing = Drawing(case.before)
     config = quiet_config(
         rules=case.rules,
@@ -188,7 +188,7 @@ def begin(start: Start, case: Case) -> tuple[World, str]:
 
 
 def check(start: Start, case: Case) -> None:
-    """Plays a case and compares all that its plays say."""
+    """Play a case and compare the results with all that its plays state."""
     world, letters = begin(start, case)
     ever = ""
     for play in case.plays:
@@ -205,7 +205,7 @@ def check(start: Start, case: Case) -> None:
 
 
 def expectation(play: Play, letters: str, ever: str) -> dict[str, Any]:
-    """What a play says, in the form that ``look`` gives."""
+    """Return what a play states, in the form of ``look``."""
     pictured = Drawing(play.after)
     wanted = {
         "after": str(pictured),
@@ -223,7 +223,7 @@ def expectation(play: Play, letters: str, ever: str) -> dict[str, Any]:
 
 
 def look(world: World, letters: str) -> dict[str, Any]:
-    """All that a play can speak of, as the world reports it."""
+    """Return all that a play can state, as the world reports it."""
     evaders = [letter for letter in letters if letter.islower()]
     cells = dict(zip(letters, map(tuple, np.asarray(world.positions).tolist()), strict=True))
     captors = zip(evaders, np.asarray(world.captors).tolist(), strict=True)
@@ -246,7 +246,7 @@ def pick(letters: str | list[str], chosen: np.ndarray) -> str:
 
 
 def marks(letters: str, table: np.ndarray) -> dict[str, str]:
-    """Kind -> letters, without the kinds of nobody."""
+    """Return the letters of each kind, without kinds that have none."""
     found = {kind: pick(letters, np.asarray(table)[:, k]) for k, kind in enumerate(KINDS)}
     return {kind: who for kind, who in found.items() if who}
 
@@ -267,7 +267,7 @@ def read_paid(text: str | None, letters: str) -> dict[str, float] | None:
 
 
 def spell(record: tuple, letters: str) -> tuple:
-    """A record of a conflict with letters for agents."""
+    """Return a record of a conflict with letters for agents."""
     turn, kind, form, agents, cell, *groups = record
     named = ("".join(letters[a] for a in group) for group in (agents, *groups))
     return turn, kind, form, next(named), cell, *named

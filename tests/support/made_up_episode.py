@@ -1,4 +1,4 @@
-"""An episode that no engine played: random walks, captures by touching, bumps into obstacles."""
+"""An episode made without the engine: random walks, captures by contact, collisions with walls."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def made_up_episode(
     steps: int = 30,
     seed: int = 0,
 ) -> Episode:
-    """Everybody walks at random; an evader that a pursuer touches is captured and gone."""
+    """Return random walks in which an evader disappears when a pursuer shares its cell."""
     rng = np.random.default_rng(seed)
     world = rng.random((rows, cols)) < 0.1
     agents = pursuers + evaders
@@ -58,7 +58,7 @@ def made_up_episode(
 def _walk(
     start: NDArray[np.int32], actions: NDArray[np.int8], world: NDArray[np.bool_]
 ) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
-    """Where each agent ends, and whether it was stopped; the gone walk about at (-1, -1)."""
+    """Return where each agent ends, and whether it was stopped; gone agents start at (-1, -1)."""
     wanted = start + np.array(MOVES)[actions]
     clipped = wanted.clip(0, np.array(world.shape) - 1)
     stopped = (wanted != clipped).any(axis=1) | world[tuple(clipped.T)]

@@ -1,7 +1,7 @@
-"""The world, read from its rules in the most obvious way; the engine is compared with it.
+"""A slow and obvious implementation of the rules, with which the engine is compared.
 
-Every pair of agents is looked at, in sets and dictionaries, with one short function for each
-sentence of the rules; nothing is fast.  Stages 1 to 4 are in ``reference_stages.py``.
+It checks every pair of agents, with sets and dictionaries, and has one short function for each
+sentence of the rules.  Stages 1 to 4 are in ``reference_stages.py``.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ GONE = (-1, -1)
 
 
 def add(cell: Cell, move: Cell) -> Cell:
-    """The cell one move away."""
+    """Return the cell one move away."""
     return cell[0] + move[0], cell[1] + move[1]
 
 
 def records(conflicts: Iterable[Clash | mw.Conflict]) -> list[tuple]:
-    """Conflicts of either world as plain tuples, in an order that does not matter."""
+    """Return the conflicts of either world as sorted tuples."""
     return sorted(
         (
             c.turn,
@@ -54,16 +54,16 @@ class ReferenceWorld:
         evaders: Sequence[Sequence[int]],
         map: np.ndarray | None = None,
     ) -> None:
-        """Begin an episode from given cells and obstacles (``(rows, cols)`` bool)."""
+        """Begin an episode with given cells and obstacles (bool of shape (rows, cols))."""
         shape = (self.config.rows, self.config.cols)
         self.map = np.zeros(shape, bool) if map is None else np.array(map, bool)
         self.setting = Setting(self.rules, self.map, len(pursuers))
         cells = [(int(row), int(col)) for row, col in [*pursuers, *evaders]]
         self.where: dict[int, Cell] = dict(enumerate(cells))
-        self.been = dict(self.where)  # and of the gone, where they went
+        self.been = dict(self.where)  # last positions: also of agents that are gone
         self.agents, self.evaders = range(len(cells)), range(len(pursuers), len(cells))
         self.ever: set[int] = set()
-        self.taken: set[int] = set()  # evaders that were captured when they went
+        self.taken: set[int] = set()  # evaders that disappeared in a capture
         self.steps, self.terminated = 0, False
         self.begin_round()
 
@@ -72,12 +72,12 @@ class ReferenceWorld:
     def begin_round(self) -> None:
         self.now: dict[int, set[int]] = {}  # captured evader -> its captors
         self.paid: set[int] = set()  # evaders whose capture was paid in this round
-        self.last: dict[int, set[int]] = {}  # the captors of evaders that went in this round
+        self.last: dict[int, set[int]] = {}  # captors of the evaders that disappeared in this round
         self.conflicts: list[Clash] = []
         self.rewards = np.zeros(len(self.agents))
 
     def step(self, actions: Sequence[int], *, explain: bool = True) -> np.ndarray:
-        """Play one round; the conflicts are kept whatever ``explain`` says."""
+        """Play one round; the conflicts are always kept."""
         if self.terminated or self.truncated:
             raise RuntimeError("the episode has ended")
         for a in sorted(self.where):
@@ -102,7 +102,7 @@ class ReferenceWorld:
             yield from ((a, [a]) for a in self.agents)
 
     def play(self, number: int, acting: set[int], actions: Sequence[int]) -> None:
-        """One turn: intentions, then the five stages."""
+        """Play one turn: intentions, then the five stages."""
         p = dict(self.where)
         q = {a: add(cell, MOVES[actions[a]]) if a in acting else cell for a, cell in p.items()}
         turn = Turn(self.setting, number, acting, p, q)
@@ -126,7 +126,7 @@ class ReferenceWorld:
         self.terminated = self.has_ended()
 
     def captures(self, turn: Turn) -> dict[int, set[int]]:
-        """The captors of every evader that is captured in this turn."""
+        """Return the captors of every evader that is captured in this turn."""
         surround = self.rules.capture == Capture.SURROUND
         found = {
             e: self.surrounding(e) if surround else self.occupying(turn, e) for e in self.evaders
@@ -160,24 +160,24 @@ class ReferenceWorld:
 
     # -- rewards ---------------------------------------------------------------------------
 
-    def worth(self, what: str, a: int) -> float:
+    def reward_of(self, name: str, a: int) -> float:
         team = "evader" if a in self.evaders else "pursuer"
-        return float(getattr(self.config.rewards, f"{team}_{what}"))
+        return float(getattr(self.config.rewards, f"{team}_{name}"))
 
     def pay_captures(self) -> None:
-        """Once per evader and episode, or once per round if captures repeat."""
+        """Pay captures once per evader and episode, or once per round if captures repeat."""
         already = self.paid if self.config.rewards.capture_repeats else self.ever
         for e in set(self.now) - already:
             for a in {e} | self.now[e]:
-                self.rewards[a] += self.worth("capture", a)
+                self.rewards[a] += self.reward_of("capture", a)
         self.paid |= set(self.now)
 
     def pay_turn(self, turn: Turn) -> None:
-        """What the agents of this turn earn for acting and for adversaries beside them."""
+        """Pay the agents of this turn for acting, and for adversaries beside them."""
         for a in turn.acting:
-            self.rewards[a] += self.worth("step", a)
+            self.rewards[a] += self.reward_of("step", a)
             if a in self.where and self.adversary_beside(a):
-                self.rewards[a] += self.worth("neighbor", a)
+                self.rewards[a] += self.reward_of("neighbor", a)
 
     def adversary_beside(self, a: int) -> bool:
         beside = [add(self.where[a], move) for move in AXIAL]
@@ -187,9 +187,9 @@ class ReferenceWorld:
 
     def pay_collisions(self) -> None:
         for a in self.agents:
-            self.rewards[a] += self.worth("collide", a) * self.fault[a].sum()
+            self.rewards[a] += self.reward_of("collide", a) * self.fault[a].sum()
 
-    # -- what a caller sees ----------------------------------------------------------------
+    # -- results ---------------------------------------------------------------------------
 
     @property
     def truncated(self) -> bool:
@@ -209,7 +209,7 @@ class ReferenceWorld:
 
     @property
     def captured(self) -> np.ndarray:
-        """At this moment, or when it went."""
+        """Whether each evader is captured now, or was when it disappeared."""
         return np.array([e in self.now or e in self.taken for e in self.evaders])
 
     @property
@@ -218,7 +218,7 @@ class ReferenceWorld:
 
     @property
     def captors(self) -> np.ndarray:
-        """Captors at this moment, or when it went in this round."""
+        """Number of captors now, or when the evader disappeared in this round."""
         return np.array([len((self.last | self.now).get(e, ())) for e in self.evaders])
 
     @property
@@ -233,7 +233,7 @@ class ReferenceWorld:
         return np.array([[(a, kind) in pairs for kind in KINDS] for a in self.agents])
 
     def state(self) -> np.ndarray:
-        """The channels evaders, pursuers, obstacles of the whole world."""
+        """Return the whole world in the channels evaders, pursuers, obstacles."""
         seen = np.zeros((3, self.config.rows, self.config.cols), np.uint8)
         seen[2] = self.map
         for a, cell in self.where.items():
@@ -244,7 +244,7 @@ class ReferenceWorld:
         return np.array([self.view(a) for a in self.agents])
 
     def view(self, a: int) -> np.ndarray:
-        """What one agent sees: a window with the agent in the middle, without itself."""
+        """Return what one agent sees: a window around it, without itself."""
         fov = self.config.fov
         seen = np.zeros((3, fov, fov), np.uint8)
         if a not in self.where:

@@ -1,6 +1,6 @@
-"""Stages 1 to 4 of one turn: who is held, who is doomed, and which conflicts say so.
+"""Stages 1 to 4 of one turn: which agents are held or doomed, and by which conflicts.
 
-Every pair of agents is looked at; nothing is fast.  ``p`` is where an agent stands, ``q``
+Every pair of agents is checked; nothing is fast.  ``p`` is where an agent stands, ``q``
 where it intends to go.  The rest of the world is in ``reference.py``.
 """
 
@@ -21,7 +21,7 @@ OBSTACLE, TEAMMATE, ADVERSARY = KINDS = ("obstacle", "teammate", "adversary")
 
 @dataclass(frozen=True)
 class Clash:
-    """One conflict: a chain names first the agent that enters, the others the lower index."""
+    """One conflict. In a chain the first agent is the one that enters, else the lower index."""
 
     turn: int
     kind: str
@@ -35,7 +35,7 @@ class Clash:
 
 @dataclass
 class Setting:
-    """What stays the same during an episode: rules, obstacles, who is in which team."""
+    """What stays the same during an episode: rules, obstacles and teams."""
 
     rules: mw.Rules
     map: np.ndarray
@@ -48,7 +48,7 @@ class Setting:
         return self.is_pursuer(a) == self.is_pursuer(b)
 
     def outcome(self, a: int) -> Outcome:
-        """What ``a`` suffers from a collision with an adversary."""
+        """Return the outcome of a collision with an adversary for ``a``."""
         return self.rules.pursuer if self.is_pursuer(a) else self.rules.evader
 
     def inside(self, cell: Cell) -> bool:
@@ -61,7 +61,7 @@ class Setting:
 
 @dataclass
 class Turn:
-    """The living agents of one turn; ``judge`` leaves the final ``q`` and the ``doomed``."""
+    """The living agents of one turn; ``judge`` computes the final ``q`` and ``doomed``."""
 
     setting: Setting
     number: int
@@ -76,7 +76,7 @@ class Turn:
         self.teammates()
         self.chains(links=self.adversaries())
 
-    # -- the words of the rules ------------------------------------------------------------
+    # -- terms of the rules ----------------------------------------------------------------
 
     def moving(self, a: int) -> bool:
         return self.q[a] != self.p[a]
@@ -86,7 +86,7 @@ class Turn:
             self.q[a] = self.p[a]
 
     def form(self, a: int, b: int) -> str | None:
-        """How two agents are in conflict on the present intentions, if they are."""
+        """Return the form of the conflict of two agents on their present intentions, or None."""
         if not {a, b} & self.acting:
             return None
         if self.q[a] == self.q[b]:
@@ -96,7 +96,7 @@ class Turn:
         return None
 
     def conflicts(self, *, same_team: bool) -> list[tuple[int, int, str]]:
-        """The pairs in conflict on the present intentions, the lower index first."""
+        """Return the pairs in conflict on the present intentions, the lower index first."""
         return [
             (a, b, form)
             for a, b in combinations(sorted(self.q), 2)
@@ -104,7 +104,7 @@ class Turn:
         ]
 
     def entering(self, stopped: set[int]) -> list[tuple[int, int]]:
-        """Pairs of one that means to enter a cell and a stopped agent that stands there."""
+        """Return the pairs of an agent and the stopped agent whose cell it intends to enter."""
         return [
             (a, b)
             for a in sorted(self.q)
@@ -121,7 +121,7 @@ class Turn:
         held: set[int],
         doomed: set[int],
     ) -> None:
-        """Note one conflict; its cell is the one that the first agent was headed for."""
+        """Record one conflict; its cell is the one that the first agent headed for."""
         sets = (tuple(sorted(group)) for group in (fault, held, doomed))
         self.clashes.append(Clash(self.number, kind, form, agents, self.q[agents[0]], *sets))
         self.doomed |= doomed
@@ -157,7 +157,7 @@ class Turn:
             self.hold(stopped)
 
     def meet_teammate(self, form: str, a: int, b: int, could_be_held: set[int]) -> set[int]:
-        """Returns whom this conflict by itself holds."""
+        """Return the agents that this conflict by itself holds."""
         outcome = self.setting.rules.teammate
         held = {x for x in could_be_held if outcome == Outcome.BOUNCE and self.moving(x)}
         doomed = {a, b} if outcome == Outcome.DISAPPEAR else set()
@@ -167,7 +167,7 @@ class Turn:
     # -- stage 3 ---------------------------------------------------------------------------
 
     def adversaries(self) -> set[int]:
-        """Returns those who were held."""
+        """Return the agents that were held."""
         stopped: set[int] = set()
         for a, b, form in self.conflicts(same_team=False):
             stopped |= self.meet_adversary(form, a, b, standing=set())
@@ -175,7 +175,7 @@ class Turn:
         return stopped
 
     def meet_adversary(self, form: str, a: int, b: int, standing: set[int]) -> set[int]:
-        """Returns whom this conflict by itself holds; those ``standing`` count as still."""
+        """Return the agents that this conflict by itself holds; ``standing`` agents do not move."""
         moving = {x for x in (a, b) if self.moving(x)} - standing
         held = {x for x, y in ((a, b), (b, a)) if x in moving and self.kept_from(x, y)}
         doomed = {x for x in (a, b) if self.setting.outcome(x) == Outcome.DISAPPEAR}
@@ -184,7 +184,7 @@ class Turn:
         return held
 
     def kept_from(self, a: int, b: int) -> bool:
-        """Whether meeting the adversary ``b`` cancels a move of ``a``."""
+        """Return whether meeting the adversary ``b`` cancels a move of ``a``."""
         mine, other = self.setting.outcome(a), self.setting.outcome(b)
         if mine == Outcome.REACH:
             return other == Outcome.BOUNCE and self.p[b] == self.q[a]
@@ -193,7 +193,7 @@ class Turn:
     # -- stage 4 ---------------------------------------------------------------------------
 
     def chains(self, links: set[int]) -> None:
-        """The intentions stay as stage 3 left them until all links are known."""
+        """Find all links first; until then the intentions stay as stage 3 left them."""
         judged = {frozenset(clash.agents) for clash in self.clashes}
         links = set(links)
         while pairs := [ab for ab in self.entering(links) if frozenset(ab) not in judged]:
@@ -203,7 +203,7 @@ class Turn:
         self.hold(links)
 
     def meet_link(self, a: int, b: int) -> set[int]:
-        """``a`` means to enter the cell of the link ``b``; returns whom that holds."""
+        """Return the agents held because ``a`` intends to enter the cell of the link ``b``."""
         if self.setting.same_team(a, b):
             return self.meet_teammate("chain", a, b, could_be_held={a})
         return self.meet_adversary("chain", a, b, standing={b})

@@ -1,4 +1,4 @@
-"""Tables of bad input: who is asked, what is raised, and what the message says."""
+"""Tables of bad input: the call, the exception, and the message."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ GENOME = random_genome(NETWORK, 0)
 
 
 def value(name: str, call: Any, says: str) -> Any:
-    """A case of a wrong value; ``says`` is what was expected ``|`` what came."""
+    """Return a case of a wrong value; ``says`` is ``"expected part | got part"`` of the message."""
     return pytest.param(call, ValueError, says, id=name)
 
 
 def kind(name: str, call: Any, says: str) -> Any:
-    """A case of a value of a wrong type."""
+    """Return a case of a value of a wrong type."""
     return pytest.param(call, TypeError, says, id=name)
 
 
@@ -31,7 +31,7 @@ def table(cases: list[Any]) -> pytest.MarkDecorator:
 
 
 def assert_refuses(call: Callable[[], Any], error: type[Exception], says: str) -> None:
-    """The very exception, with ``expected ...`` and what came in its message."""
+    """Check the type of the exception, and both parts of its message."""
     expected, received = says.split(" | ")
     with pytest.raises(error) as caught:
         call()

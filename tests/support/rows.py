@@ -1,4 +1,4 @@
-"""Worlds that several tests play in: the nine variants, and rows of rules that are none of them."""
+"""Worlds that several tests play in: all variants, and other rows of rules."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ CUSTOM = {
 
 
 def config_of(name: str, **changes: Any) -> mw.WorldConfig:
-    """A small, crowded world of a variant or of a row above."""
+    """Return the settings of a small, dense world with a variant or a row above."""
     surround = (CUSTOM | dict(mw.VARIANTS))[name].capture is SURROUND
     small = {
         "rows": 7,
@@ -44,22 +44,22 @@ def config_of(name: str, **changes: Any) -> mw.WorldConfig:
         "max_steps": 20,
     }
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # "nobody" is told that it can capture nobody
+        warnings.simplefilter("ignore")  # the row "nobody" can never capture an evader
         return mw.WorldConfig(CUSTOM.get(name, name), **(small | changes))
 
 
 def raw_numbers(seed: int, *shape: int) -> np.ndarray:
-    """Random 64-bit numbers that no version of NumPy changes, as those of a Generator may."""
+    """Return random 64-bit numbers; unlike those of a Generator they never change with NumPy."""
     raw = np.random.Philox(key=[seed, 0]).random_raw(int(np.prod(shape)))
     return np.asarray(raw, np.uint64).reshape(shape)
 
 
 def random_actions(seed: int, n_actions: int, *shape: int) -> np.ndarray:
-    """Random actions, the same with every version of NumPy."""
+    """Return random actions, the same with every version of NumPy."""
     return (raw_numbers(seed, *shape) >> np.uint64(32)).astype(np.int64) % n_actions
 
 
 def random_genome(network: mw.Network, seed: int, scale: float = 0.3) -> np.ndarray:
-    """Uniform numbers in [-scale, scale), the same with every version of NumPy."""
+    """Return uniform numbers in [-scale, scale), the same with every version of NumPy."""
     units = (raw_numbers(seed, network.genome_size) >> np.uint64(40)).astype(np.float32) / 2**24
     return (scale * (2 * units - 1)).astype(np.float32)

@@ -1,4 +1,4 @@
-"""Small crowded worlds with the actions of a few steps, for random tests."""
+"""Small dense worlds with the actions of a few steps, for random tests."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ TOGETHER = ["simultaneous", "swarm turns"]
 
 @dataclass(frozen=True)
 class Scene:
-    """A start, and the actions of all agents for each step."""
+    """A start, and the actions of all agents in each step."""
 
     fields: dict[str, Any]
     config: mw.WorldConfig
@@ -38,19 +38,19 @@ class Scene:
     actions: list[list[int]]
 
     def reference(self) -> ReferenceWorld:
-        """The slow world at the start of the scene."""
+        """Return the reference world at the start of the scene."""
         world = ReferenceWorld(self.config)
         world.place(self.pursuers, self.evaders, self.obstacles)
         return world
 
     def engine(self) -> mw.World:
-        """The compiled world at the start of the scene."""
+        """Return the engine's world at the start of the scene."""
         world = mw.World(self.config)
         world.reset(seed=0, pursuers=self.pursuers, evaders=self.evaders, obstacles=self.obstacles)
         return world
 
     def __str__(self) -> str:
-        """In the words of a hand-written case."""
+        """Return the scene in the form of a hand-written case."""
         letters = [*string.ascii_uppercase[: len(self.pursuers)]]
         letters += string.ascii_lowercase[: len(self.evaders)]
         cells = dict(zip(letters, [*self.pursuers, *self.evaders], strict=True))
@@ -72,7 +72,7 @@ def scene(
     actions: list[list[int]],
     **changes: Any,
 ) -> Scene:
-    """The first of the shuffled cells are for agents, the next for obstacles."""
+    """Return a scene; the first of the shuffled cells are for agents, the next for obstacles."""
     obstacles = np.zeros(shape, bool)
     for cell in cells[n_agents : n_agents + n_obstacles]:
         obstacles[cell] = True
@@ -89,7 +89,7 @@ def scene(
 
 
 def any_rules(**limits: list[Any]) -> st.SearchStrategy[dict[str, Any]]:
-    """Any row of rules, as far as ``limits`` allow."""
+    """Return a strategy for rows of rules within ``limits``."""
     return st.fixed_dictionaries(
         {name: st.sampled_from(values) for name, values in {**FIELDS, **limits}.items()}
     )
@@ -97,7 +97,7 @@ def any_rules(**limits: list[Any]) -> st.SearchStrategy[dict[str, Any]]:
 
 @st.composite
 def scenes(pick: Callable[..., Any], **limits: list[Any]) -> Scene:
-    """Any scene on a grid of 1 x 2 to 6 x 6, with rules as far as ``limits`` allow."""
+    """Draw a scene on a grid of 1 x 2 to 6 x 6, with rules within ``limits``."""
     rows = pick(st.integers(1, MAX_SIDE))
     cols = pick(st.integers(2 if rows == 1 else 1, MAX_SIDE))
     cells = pick(st.permutations(list(np.ndindex(rows, cols))))
@@ -121,7 +121,7 @@ def scenes(pick: Callable[..., Any], **limits: list[Any]) -> Scene:
 
 
 def random_scene(fields: dict[str, Any], rng: np.random.Generator) -> Scene:
-    """A scene of given rules that is often nearly full, without hypothesis."""
+    """Return a scene of given rules that is often nearly full, without Hypothesis."""
     rows, cols = (int(side) for side in rng.integers(1, 5, size=2))
     rows += rows * cols == 1
     n_cells = rows * cols

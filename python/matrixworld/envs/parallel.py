@@ -107,6 +107,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         terminations = self._by_agent(acting, status.terminations.tolist())
         truncations = self._by_agent(acting, status.truncations.tolist())
         infos = self._by_agent(acting, status.infos())
+        # All that acted get their last results; agents that ended leave only now.
         self.agents = [a for a in acting if not (terminations[a] or truncations[a])]
         return observations, rewards, terminations, truncations, infos
 

@@ -159,6 +159,7 @@ def comparison(payoffs: Mapping[str, ArrayLike], *, title: str | None = None) ->
     ]
     figure.colorbar(images[0], ax=list(grid[0]), label=_SCALE, shrink=0.9)
     legend_below(figure, *grid[2, 0].get_legend_handles_labels())
+    # The scales are shared, so one label per row is enough.
     for axes in grid[:, 1:].flat:
         axes.set_ylabel("")
     if title:

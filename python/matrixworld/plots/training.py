@@ -169,6 +169,7 @@ def _moving_average(values: NDArray[np.float64], window: int) -> NDArray[np.floa
         raise ValueError(f"expected a window of at least 1 point, got {window}")
     window = min(window, len(values))
     kernel = np.ones(window)
+    # Dividing by the points inside the window keeps both ends from being drawn towards 0.
     counts = np.convolve(np.ones(len(values)), kernel, mode="same")
     average: NDArray[np.float64] = np.convolve(values, kernel, mode="same") / counts
     return average

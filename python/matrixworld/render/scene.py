@@ -134,7 +134,9 @@ class Scene:
         if isinstance(who, str) and who in names:
             return names.index(who)
         if isinstance(who, str) or not 0 <= who < n_agents:
-            expected = f"0 to {n_agents - 1} or a name such as {names[0]}" if names else "nobody"
+            expected = (
+                f"0 to {n_agents - 1} or a name such as {names[0]}" if names else "no viewers"
+            )
             raise ValueError(f"viewers: expected {expected}, got {who!r}")
         return who
 
@@ -181,6 +183,7 @@ def _check_shape(
         return
     if not isinstance(array, np.ndarray):
         raise TypeError(f"{name}: expected a NumPy array, got {type(array).__name__}")
+    # None in an expected shape stands for any length.
     fits = array.ndim == len(expected) and all(
         want in (None, have) for want, have in zip(expected, array.shape, strict=True)
     )

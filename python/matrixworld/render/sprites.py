@@ -12,7 +12,7 @@ from functools import lru_cache
 
 from PIL import Image, ImageDraw, ImageFont
 
-OVERSAMPLING = 8
+OVERSAMPLING = 8  # Pillow draws without smooth edges; reducing a large drawing makes them
 Point = tuple[float, float]
 
 
@@ -66,6 +66,7 @@ def _triangle(draw: ImageDraw.ImageDraw, size: int) -> None:
 
 
 def _rounded_polygon(draw: ImageDraw.ImageDraw, corners: list[Point], radius: float) -> None:
+    # Pillow has no round corners: thick lines along the sides end in discs.
     draw.polygon(corners, fill=255)
     draw.line([*corners, corners[0]], fill=255, width=round(2 * radius))
     for x, y in corners:
