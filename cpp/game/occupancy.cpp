@@ -23,7 +23,7 @@ Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int fov, bo
       words_(static_cast<std::size_t>(grid.n_cells()), 0),
       reservations_(words_.data()),
       lists_(grid, n_agents),
-      positions_table_(n_pursuers, n_agents, fov),
+      position_table_(n_pursuers, n_agents, fov),
       bitboards_{Bitboard(grid, fov / 2), Bitboard(grid, fov / 2)} {}
 
 void Occupancy::add(int agent, int cell) {
@@ -89,16 +89,16 @@ void Occupancy::unlist() {
 void Occupancy::show(int agent, int cell) {
     const int row = grid_.row(cell);
     const int col = grid_.col(cell);
-    positions_table_.put(agent, row, col, reservations_.at(cell, team(agent)).several());
+    position_table_.set(agent, row, col, reservations_.at(cell, team(agent)).several());
     if (keeps_bitboards()) bitboards_[static_cast<int>(team(agent))].set(row, col);
 }
 
 void Occupancy::hide(int agent) {
     if (keeps_bitboards()) {
-        bitboards_[static_cast<int>(team(agent))].clear(positions_table_.row(agent),
-                                                        positions_table_.col(agent));
+        bitboards_[static_cast<int>(team(agent))].clear(position_table_.row(agent),
+                                                        position_table_.col(agent));
     }
-    positions_table_.take(agent);
+    position_table_.remove(agent);
 }
 
 }  // namespace matrixworld

@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "game/position_table.hpp"
 #include "grid/bitboard.hpp"
 #include "grid/cell_lists.hpp"
 #include "grid/grid.hpp"
+#include "grid/position_table.hpp"
 
 namespace matrixworld {
 
@@ -141,7 +141,7 @@ class Occupancy {
 
     // For networks: who is where, and the boards of the teams where there are more agents than
     // kMaxPositions.
-    const PositionTable& places() const { return positions_table_; }
+    const PositionTable& position_table() const { return position_table_; }
     const Bitboard& bitboard(Team team) const { return bitboards_[static_cast<int>(team)]; }
 
     Team team(int agent) const { return agent < n_pursuers_ ? Team::Pursuer : Team::Evader; }
@@ -161,7 +161,7 @@ class Occupancy {
     ReservationTable reservations_;
     CellLists lists_;
     std::vector<int> listed_;  // cells with a list that was made for this turn
-    PositionTable positions_table_;
+    PositionTable position_table_;
     Bitboard bitboards_[kTeams];
 };
 

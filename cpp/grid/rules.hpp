@@ -25,6 +25,10 @@ inline Team opponent(Team team) { return team == Team::Pursuer ? Team::Evader : 
 enum class Kind : std::uint8_t { Obstacle, Teammate, Adversary };
 enum class Form : std::uint8_t { Vertex, Edge, Chain };
 
+// The layers of a view and of the state, in this order.
+enum Channel : int { kEvaders = 0, kPursuers = 1, kObstacles = 2, kChannels = 3 };
+inline int channel(Team team) { return team == Team::Pursuer ? kPursuers : kEvaders; }
+
 constexpr int kTeams = 2;
 constexpr int kKinds = 3;
 constexpr int kMaxSide = 4096;             // cells along one side of the grid

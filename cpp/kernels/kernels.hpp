@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "grid/positions.hpp"
+
 namespace matrixworld {
 
 enum class Activation : std::uint8_t { None, Relu, Tanh };
@@ -13,35 +15,17 @@ constexpr int kPad = 16;  // widths of layers in memory are multiples of this ma
 
 constexpr int kRowPad = 8;  // and rows of layers are added up so many at a time
 
-constexpr int kPositionPad = 64;                 // agents that are looked at together
-constexpr int kMaxPositions = 2 * kPositionPad;  // agents of whom the place of each is looked at
-constexpr std::int16_t kFarOff = -16384;  // a row or column out of every view of the largest grid
-
 inline int padded(int n) { return (n + kPad - 1) / kPad * kPad; }
-
-// Where the agents of one world are, for those who look around.
-struct Positions {
-    int n_agents;
-    int fov;
-    // By agent, far off when gone, with room for a multiple of kPositionPad.
-    const std::int16_t* rows;
-    const std::int16_t* cols;
-    // By agent: channel * fov * fov + row * fov + col. From this less (top * fov + left) one has the
-    // cell that it sets in a view (3, fov, fov) that begins at row `top` and column `left`.
-    const std::int32_t* cells;
-    // A bit by agent, in words of kPositionPad: may a teammate stand on its cell?
-    const std::uint64_t* shared;
-};
 
 struct Kernels {
     const char* level;
 
     // Writes the views of all agents, 0 or 1: evaders, pursuers, obstacles. What an agent sees of
     // obstacles is at obstacles[agent], fov rows of fov bytes, `stride` bytes apart.
-    void (*draw_bytes)(const Positions& positions, const std::uint8_t* const* obstacles, int stride,
-                       std::uint8_t* views);
-    void (*draw_floats)(const Positions& positions, const std::uint8_t* const* obstacles,
-                        int stride, float* views);
+    void (*write_byte_views)(const Positions& positions, const std::uint8_t* const* obstacles,
+                             int stride, std::uint8_t* views);
+    void (*write_float_views)(const Positions& positions, const std::uint8_t* const* obstacles,
+                              int stride, float* views);
 
     // out[i, 0..width) = activation(bases[i] + the sum of the rows of `weights` for the cells that
     // other agents set in the view of agents[i]), for i < n; each cell once, in the order of the

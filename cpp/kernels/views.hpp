@@ -72,7 +72,7 @@ void draw_views(const Positions& positions, const std::uint8_t* const* obstacles
     clear(reinterpret_cast<std::uint8_t*>(views),
           static_cast<long>(sizeof(Number)) * size * positions.n_agents);
     for (int a = 0; a < positions.n_agents; ++a) {
-        if (positions.rows[a] == kFarOff) continue;
+        if (positions.rows[a] == kOutOfView) continue;
         Number* const view = views + static_cast<long>(a) * size;
         Number* const channel = view + 2 * fov * fov;
         mark_others(positions, a, fov, view);

@@ -57,7 +57,7 @@ constexpr int kLargestBorder = 15;  // of a view, for which all that is seen of 
 
 Observer::Observer(const Setup& setup)
     : fov_(setup.config.fov),
-      positions_table_(setup.config.n_pursuers, setup.config.n_agents(), fov_),
+      position_table_(setup.config.n_pursuers, setup.config.n_agents(), fov_),
       obstacles_(static_cast<std::size_t>(setup.config.n_agents())),
       cases_(setup.grid, fov_),
       planes_{Plane(setup.grid, fov_ / 2, 0), Plane(setup.grid, fov_ / 2, 0)} {
@@ -104,10 +104,10 @@ namespace {
 using Obstacles = const std::uint8_t* const*;
 
 void draw_scene(const Positions& positions, Obstacles obstacles, int stride, std::uint8_t* out) {
-    kernels().draw_bytes(positions, obstacles, stride, out);
+    kernels().write_byte_views(positions, obstacles, stride, out);
 }
 void draw_scene(const Positions& positions, Obstacles obstacles, int stride, float* out) {
-    kernels().draw_floats(positions, obstacles, stride, out);
+    kernels().write_float_views(positions, obstacles, stride, out);
 }
 
 }  // namespace
@@ -117,16 +117,16 @@ void Observer::draw(const World& world, Number* out) {
     const Grid grid = world.grid();
     const Plane& closed = world.terrain().closed;
     const bool only_border = !world.terrain().has_obstacles && !border_.empty();
-    positions_table_.take_all();
+    position_table_.remove_all();
     for (int a : world.living()) {
         const int row = grid.row(world.cell(a));
         const int col = grid.col(world.cell(a));
-        positions_table_.put(a, row, col, false);
+        position_table_.set(a, row, col, false);
         obstacles_[a] =
             only_border ? border(row, col) : closed.window(row - fov_ / 2, col - fov_ / 2);
     }
-    draw_scene(positions_table_.positions(), obstacles_.data(),
-               only_border ? fov_ : closed.stride(), out);
+    draw_scene(position_table_.positions(), obstacles_.data(), only_border ? fov_ : closed.stride(),
+               out);
 }
 
 namespace {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "game/occupancy.hpp"
-#include "game/position_table.hpp"
 #include "game/world.hpp"
 #include "grid/border.hpp"
 #include "grid/plane.hpp"
+#include "grid/position_table.hpp"
 
 namespace matrixworld {
 
@@ -36,7 +36,7 @@ class Observer {
     void mark(const World& world, std::uint8_t value);
 
     int fov_;
-    PositionTable positions_table_;
+    PositionTable position_table_;
     std::vector<const std::uint8_t*> obstacles_;  // by agent: what it sees of them
     BorderCases cases_;
     std::vector<std::uint8_t> border_;  // (n cases, fov, fov); none where views are large
