@@ -47,44 +47,9 @@ void require_count(const char* team, std::size_t flat, int n) {
 
 // ---- What worlds share ------------------------------------------------------------------------
 
-Terrain::Terrain(const Grid& grid, int margin)
-    : kind(ByteArray::Constant(grid.n_cells(), kBorder)),
-      walls(grid, margin),
-      closed(grid, margin, 1) {
-    clear_obstacles(grid);
-}
-
-void Terrain::set_obstacle(const Grid& grid, int cell) {
-    kind[cell] = kObstacle;
-    walls.set(grid.row(cell), grid.col(cell));
-    closed.at(grid.row(cell), grid.col(cell)) = 1;
-    has_obstacles = true;
-}
-
-void Terrain::clear_obstacles(const Grid& grid) {
-    for (int row = 0; row < grid.rows(); ++row) {
-        kind.segment(grid.cell(row, 0), grid.cols()).setConstant(kFree);
-        std::fill_n(&closed.at(row, 0), grid.cols(), std::uint8_t{0});
-    }
-    walls.clear_all();
-    has_obstacles = false;
-}
-
-namespace {
-
-void set_map(Terrain& terrain, const Grid& grid, const ByteArray& map) {
-    for (int i = 0; i < map.size(); ++i) {
-        if (map[i]) terrain.set_obstacle(grid, grid.cell(i / grid.cols(), i % grid.cols()));
-    }
-}
-
-}  // namespace
-
 Setup::Setup(Config given) : config(std::move(given)), grid(config.rows, config.cols) {
     config.validate();
-    auto base = std::make_shared<Terrain>(grid, config.fov / 2);
-    set_map(*base, grid, config.map);
-    terrain = std::move(base);
+    terrain = std::make_shared<const Terrain>(grid, config.fov / 2, config.map);
     for (int team = 0; team < kTeams; ++team) {
         for (int kinds = 0; kinds < 1 << kKinds; ++kinds) {
             penalties[team][kinds] = 0;
@@ -195,7 +160,7 @@ void World::reset(EpisodeKey key, Scratch& scratch, const Placement& placement) 
     if (!own_map && config().n_random_obstacles() > 0) {
         auto terrain = std::make_shared<Terrain>(*setup_->terrain);
         for (int i = 0; i < config().n_random_obstacles(); ++i) {
-            terrain->set_obstacle(grid(), free_cell());
+            terrain->set_obstacle(free_cell());
         }
         terrain_ = std::move(terrain);
     }
@@ -230,9 +195,7 @@ void World::begin_episode(EpisodeKey key) {
 void World::lay_terrain(const ByteArray& map) {
     terrain_ = setup_->terrain;
     if (map.size() == 0) return;
-    auto terrain = std::make_shared<Terrain>(grid(), config().fov / 2);
-    set_map(*terrain, grid(), map);
-    terrain_ = std::move(terrain);
+    terrain_ = std::make_shared<const Terrain>(grid(), config().fov / 2, map);
 }
 
 void World::place(int agent, int cell, Scratch& scratch) {

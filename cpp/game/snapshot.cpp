@@ -31,9 +31,7 @@ Snapshot World::snapshot(const Scratch& scratch) const {
     Snapshot s;
     s.key = key_;
     s.map.resize(config().rows * config().cols);
-    for (int i = 0; i < s.map.size(); ++i) {
-        s.map[i] = terrain_->kind[grid().cell(i / config().cols, i % config().cols)] == kObstacle;
-    }
+    terrain_->write_map(s.map.data());
     const auto index = [&](int cell) {
         return cell == kGone ? kGone : grid().row(cell) * config().cols + grid().col(cell);
     };

@@ -9,9 +9,8 @@
 
 #include "game/occupancy.hpp"
 #include "game/resolve.hpp"
-#include "grid/bitboard.hpp"
+#include "game/terrain.hpp"
 #include "grid/grid.hpp"
-#include "grid/plane.hpp"
 #include "grid/random.hpp"
 #include "grid/rules.hpp"
 
@@ -22,19 +21,6 @@ struct Placement {
     std::vector<int> pursuers;  // (row, col) pairs, flat
     std::vector<int> evaders;   // (row, col) pairs, flat
     ByteArray map;              // (rows * cols)
-};
-
-// What the cells are made of, as a table and as a bitmap of the obstacles inside the border.
-struct Terrain {
-    Terrain(const Grid& grid, int margin);
-
-    void set_obstacle(const Grid& grid, int cell);
-    void clear_obstacles(const Grid& grid);
-
-    ByteArray kind;  // by cell
-    Bitboard walls;  // obstacles
-    Plane closed;    // obstacles and whatever is outside
-    bool has_obstacles = false;
 };
 
 // Where a world is, between two turns: all that the turns to come depend on, and what is reported of

@@ -75,8 +75,8 @@ void Observer::make_border(const Grid& grid) {
             if (known[number]) continue;
             known[number] = true;
             std::uint8_t* seen = &border_[static_cast<std::size_t>(number) * area];
-            const std::uint8_t* window = empty.closed.window(row - fov_ / 2, col - fov_ / 2);
-            for (int r = 0; r < fov_; ++r, window += empty.closed.stride()) {
+            const std::uint8_t* window = empty.blocked.window(row - fov_ / 2, col - fov_ / 2);
+            for (int r = 0; r < fov_; ++r, window += empty.blocked.stride()) {
                 std::copy_n(window, fov_, seen + r * fov_);
             }
         }
@@ -115,7 +115,7 @@ void draw_scene(const Positions& positions, Obstacles obstacles, int stride, flo
 template <typename Number>
 void Observer::draw(const World& world, Number* out) {
     const Grid grid = world.grid();
-    const Plane& closed = world.terrain().closed;
+    const Plane& blocked = world.terrain().blocked;
     const bool only_border = !world.terrain().has_obstacles && !border_.empty();
     position_table_.remove_all();
     for (int a : world.living()) {
@@ -123,10 +123,10 @@ void Observer::draw(const World& world, Number* out) {
         const int col = grid.col(world.cell(a));
         position_table_.set(a, row, col, false);
         obstacles_[a] =
-            only_border ? border(row, col) : closed.window(row - fov_ / 2, col - fov_ / 2);
+            only_border ? border(row, col) : blocked.window(row - fov_ / 2, col - fov_ / 2);
     }
-    draw_scene(position_table_.positions(), obstacles_.data(), only_border ? fov_ : closed.stride(),
-               out);
+    draw_scene(position_table_.positions(), obstacles_.data(),
+               only_border ? fov_ : blocked.stride(), out);
 }
 
 namespace {
@@ -163,12 +163,12 @@ Number* copy_window(const Plane& plane, const Window& window, Number* out, const
 
 // The channels evaders, pursuers, obstacles.
 template <int kFov, typename Number>
-void copy_channels(const Plane (&teams)[kTeams], const Plane& walls, const Window& window,
+void copy_channels(const Plane (&teams)[kTeams], const Plane& blocked, const Window& window,
                    Number* out) {
     const Number* end = out + kChannels * window.fov * window.fov;
     out = copy_window<kFov>(teams[static_cast<int>(Team::Evader)], window, out, end);
     out = copy_window<kFov>(teams[static_cast<int>(Team::Pursuer)], window, out, end);
-    copy_window<kFov>(walls, window, out, end);
+    copy_window<kFov>(blocked, window, out, end);
 }
 
 }  // namespace
@@ -186,7 +186,7 @@ void Observer::copy(const World& world, const Occupancy& occupancy, Number* out)
         const Window window(world, world.cell(a));
         const auto channels =
             fov_ == kUsual ? copy_channels<kUsual, Number> : copy_channels<0, Number>;
-        channels(planes_, world.terrain().closed, window, out);
+        channels(planes_, world.terrain().blocked, window, out);
         if (alone(world, occupancy, a)) out[own_centre(world, a)] = 0;
     }
     mark(world, 0);
@@ -286,7 +286,7 @@ int list_obstacles(const World& world, int cell, int* out) {
     if (!world.terrain().has_obstacles) return 0;
     const Window window(world, cell);
     const int first = kObstacles * window.fov * window.fov;
-    return static_cast<int>(list_board(world.terrain().walls, window, first, false, out) - out);
+    return static_cast<int>(list_board(world.terrain().obstacles, window, first, false, out) - out);
 }
 
 void write_state(const World& world, std::uint8_t* out) {
@@ -298,10 +298,7 @@ void write_state(const World& world, std::uint8_t* out) {
         const int cell = world.cell(a);
         out[channel(world.team(a)) * area + grid.row(cell) * config.cols + grid.col(cell)] = 1;
     }
-    for (int i = 0; i < area; ++i) {
-        out[kObstacles * area + i] =
-            world.terrain().kind[grid.cell(i / config.cols, i % config.cols)] == kObstacle;
-    }
+    world.terrain().write_map(out + kObstacles * area);
 }
 
 }  // namespace matrixworld

@@ -28,10 +28,7 @@ void check_placement(const SharedSetup& setup, const World& world) {
     Placement placement{pairs(world, 0, config.n_pursuers),
                         pairs(world, config.n_pursuers, config.n_agents()),
                         ByteArray::Zero(config.rows * config.cols)};
-    for (int i = 0; i < placement.map.size(); ++i) {
-        const int cell = world.grid().cell(i / config.cols, i % config.cols);
-        placement.map[i] = world.terrain().kind[cell] == kObstacle;
-    }
+    world.terrain().write_map(placement.map.data());
     Scratch scratch(*setup);
     World copy(setup);
     copy.reset({1, 1}, scratch, placement);
@@ -122,7 +119,7 @@ struct Memory {
         const std::size_t view = static_cast<std::size_t>(kChannels) * config.fov * config.fov;
         const std::size_t area = static_cast<std::size_t>(config.rows) * config.cols;
         take(buffers.positions, 2 * a);
-        take(buffers.places, 2 * a);
+        take(buffers.last_positions, 2 * a);
         take(buffers.alive, a);
         take(buffers.captured, e);
         take(buffers.ever_captured, e);
