@@ -16,7 +16,7 @@ void World::set_captured(int evader, bool captured) {
     ever_captured_[evader] |= captured;
     const int change = static_cast<int>(counts_as_captured(evader)) - static_cast<int>(counted);
     n_captured_ += change;
-    if (alive(evader_agent(evader))) n_at_large_ -= change;
+    if (alive(evader_agent(evader))) n_uncaptured_ -= change;
 }
 
 void World::release(int evader) {
@@ -39,9 +39,9 @@ void World::choose_judged(const Turn& turn, const Scratch& scratch) {
         config().rules.capture == Capture::Surround || config().rules.evader == Outcome::Reach;
     if (!captured_live_on) return;  // no living evader is captured
     const bool surround = config().rules.capture == Capture::Surround;
-    const bool all_at_large = n_at_large_ == n_living(Team::Evader);
-    if (surround && all_at_large && !teams_touch_) return;  // and none is going to be
-    if (fresh_round_ || !one_by_one()) {
+    const bool none_captured = n_uncaptured_ == n_living(Team::Evader);
+    if (surround && none_captured && !teams_touch_) return;  // and none is going to be
+    if (first_turn_ || !one_by_one()) {
         for (int a : living_) choose_evader(a);
         return;
     }

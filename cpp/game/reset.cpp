@@ -137,7 +137,7 @@ void World::check(const Placement& placement) const {
 void World::reset(EpisodeKey key, Scratch& scratch, const Placement& placement) {
     check(placement);
     begin_episode(key);
-    lay_terrain(placement.map);
+    set_terrain(placement.map);
 
     const auto place_given = [&](const std::vector<int>& positions, int first) {
         for (std::size_t i = 0; i < positions.size(); i += 2) {
@@ -180,7 +180,7 @@ void World::begin_episode(EpisodeKey key) {
     n_living_[static_cast<int>(Team::Pursuer)] = config().n_pursuers;
     n_living_[static_cast<int>(Team::Evader)] = config().n_evaders;
     n_captured_ = 0;
-    n_at_large_ = config().n_evaders;
+    n_uncaptured_ = config().n_evaders;
     captured_.setZero();
     ever_captured_.setZero();
     capture_paid_.setZero();
@@ -192,7 +192,7 @@ void World::begin_episode(EpisodeKey key) {
     truncated_ = false;
 }
 
-void World::lay_terrain(const ByteArray& map) {
+void World::set_terrain(const ByteArray& map) {
     terrain_ = setup_->terrain;
     if (map.size() == 0) return;
     terrain_ = std::make_shared<const Terrain>(grid(), config().fov / 2, map);

@@ -53,7 +53,7 @@ void World::begin_round() {
     report_.setZero();
     captors_.setZero();
     if (config().rewards.capture_repeats) capture_paid_.setZero();
-    fresh_round_ = true;
+    first_turn_ = true;
 }
 
 void World::play_turn(int number, const std::uint8_t* actions, Scratch& scratch,
@@ -80,7 +80,7 @@ void World::play_turn(int number, const std::uint8_t* actions, Scratch& scratch,
     scratch.occupancy.unlist();
     drop_gone();
     judge_end();
-    fresh_round_ = false;
+    first_turn_ = false;
 }
 
 void World::end_round() {
@@ -141,7 +141,7 @@ void World::remove(int agent, int at) {
     cell_[agent] = kGone;
     last_cell_[agent] = at;
     --n_living_[static_cast<int>(team(agent))];
-    if (team(agent) == Team::Evader && !counts_as_captured(evader_number(agent))) --n_at_large_;
+    if (team(agent) == Team::Evader && !counts_as_captured(evader_number(agent))) --n_uncaptured_;
 }
 
 void World::drop_gone() {
@@ -197,7 +197,7 @@ void World::report_and_penalize(const Scratch& scratch) {
 }
 
 void World::judge_end() {
-    terminated_ = n_at_large_ == 0 || n_living_[0] == 0 || n_living_[1] == 0;
+    terminated_ = n_uncaptured_ == 0 || n_living_[0] == 0 || n_living_[1] == 0;
 }
 
 }  // namespace matrixworld

@@ -9,6 +9,7 @@
 
 #include "game/occupancy.hpp"
 #include "game/resolve.hpp"
+#include "game/snapshot.hpp"
 #include "game/terrain.hpp"
 #include "grid/grid.hpp"
 #include "grid/random.hpp"
@@ -21,24 +22,6 @@ struct Placement {
     std::vector<int> pursuers;  // (row, col) pairs, flat
     std::vector<int> evaders;   // (row, col) pairs, flat
     ByteArray map;              // (rows * cols)
-};
-
-// Where a world is, between two turns: all that the turns to come depend on, and what is reported of
-// the last one.
-struct Snapshot {
-    EpisodeKey key;
-    ByteArray map;        // (rows * cols)
-    IntArray cell;        // by agent, an index into the rows * cols cells; kGone when gone
-    IntArray last_cells;  // by agent that is gone, the same
-    ByteArray captured, ever_captured, capture_paid;  // by evader
-    IntArray captors;                                 // by evader
-    FloatArray rewards;                               // by agent
-    IntArray report;                                  // by agent
-    std::vector<int> participants;                    // the agents of the last turn
-    int steps = 0;
-    bool fresh_round = false;
-    bool terminated = false;
-    bool truncated = false;
 };
 
 // A configuration with what all worlds of it share.
@@ -137,8 +120,11 @@ class World {
 
   private:
     void check(const Snapshot& snapshot) const;
+    template <typename AnyWorld, typename AnySnapshot, typename Copy>
+    static void copy_members(AnyWorld& world, AnySnapshot& snapshot, Copy copy);
+    void place_living(const IntArray& cells, Scratch& scratch);
     void begin_episode(EpisodeKey key);
-    void lay_terrain(const ByteArray& map);
+    void set_terrain(const ByteArray& map);
     void count_captures();
     void place(int agent, int cell, Scratch& scratch);
 
@@ -180,8 +166,8 @@ class World {
     IntArray last_cell_;       // by agent that is gone: the cell where it went
     std::vector<int> living_;  // agents, ascending
     int n_living_[kTeams] = {0, 0};
-    int n_captured_ = 0;  // evaders that count as captured
-    int n_at_large_ = 0;  // living evaders that do not
+    int n_captured_ = 0;    // evaders that count as captured
+    int n_uncaptured_ = 0;  // living evaders that do not
 
     ByteArray captured_;                       // by evader
     ByteArray ever_captured_;                  // by evader
@@ -190,7 +176,7 @@ class World {
     std::vector<std::pair<int, int>> unpaid_;  // (evader, captor) judged in this turn
     std::vector<int> judged_;                  // living evaders to judge in this turn
     ByteArray is_judged_;                      // by evader
-    bool fresh_round_ = false;                 // no turn of this round has been played yet
+    bool first_turn_ = false;                  // no turn of this round has been played yet
     bool teams_touch_ = false;                 // in this turn; else nobody is beside an adversary
 
     FloatArray rewards_;

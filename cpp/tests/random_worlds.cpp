@@ -102,7 +102,7 @@ void play_snapshots(const Rules& rules, Random& random) {
         check_occupancy(copy, other.occupancy, true);
     }
     Snapshot wrong = world.snapshot(scratch);
-    wrong.cell[0] = setup->config.rows * setup->config.cols;
+    wrong.cells[0] = setup->config.rows * setup->config.cols;
     World kept(setup);
     Scratch empty(*setup);
     require(refused([&] { kept.restore(wrong, empty); }), "a snapshot from elsewhere");
