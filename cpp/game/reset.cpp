@@ -1,4 +1,5 @@
-// How worlds are set up, and how an episode begins.
+// How worlds are set up, and how an episode begins. A reset depends on its key and placement alone,
+// never on what the world or the thread played before.
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -9,7 +10,9 @@ namespace matrixworld {
 
 namespace {
 
-// Deals the cells of the world in random order, one by one, and restores the pack at the end.
+// Samples cells without replacement: a Fisher-Yates shuffle of `order` that stops when no more cells
+// are needed. The destructor undoes the swaps, so that the next reset begins with the same order, and a
+// reset costs O(cells drawn), not O(cells of the grid).
 class CellSampler {
   public:
     CellSampler(Scratch& scratch, Stream& stream)
@@ -24,11 +27,11 @@ class CellSampler {
     CellSampler& operator=(const CellSampler&) = delete;
 
     int next() {
-        const int dealt = static_cast<int>(swaps_.size());
-        const int pick = dealt + below(stream_.next(), static_cast<int>(order_.size()) - dealt);
+        const int n_drawn = static_cast<int>(swaps_.size());
+        const int pick = n_drawn + below(stream_.next(), static_cast<int>(order_.size()) - n_drawn);
         swaps_.push_back(pick);
-        std::swap(order_[dealt], order_[pick]);
-        return order_[dealt];
+        std::swap(order_[n_drawn], order_[pick]);
+        return order_[n_drawn];
     }
 
   private:
@@ -50,6 +53,7 @@ void require_count(const char* team, std::size_t flat, int n) {
 Setup::Setup(Config given) : config(std::move(given)), grid(config.rows, config.cols) {
     config.validate();
     terrain = std::make_shared<const Terrain>(grid, config.fov / 2, config.map);
+    // A table of the eight sums replaces three branches for every agent that collides.
     for (int team = 0; team < kTeams; ++team) {
         for (int kinds = 0; kinds < 1 << kKinds; ++kinds) {
             penalties[team][kinds] = 0;
@@ -83,11 +87,11 @@ World::World(std::shared_ptr<const Setup> setup)
       ever_captured_(ByteArray::Zero(config().n_evaders)),
       capture_paid_(ByteArray::Zero(config().n_evaders)),
       captors_(IntArray::Zero(config().n_evaders)),
-      is_judged_(ByteArray::Zero(config().n_evaders)),
+      is_affected_(ByteArray::Zero(config().n_evaders)),
       rewards_(FloatArray::Zero(config().n_agents())),
       report_(decltype(report_)::Zero(config().n_agents())) {
     living_.reserve(config().n_agents());
-    judged_.reserve(config().n_evaders);
+    affected_.reserve(config().n_evaders);
 }
 
 void World::check(const Placement& placement) const {
@@ -106,6 +110,7 @@ void World::check(const Placement& placement) const {
                                     std::to_string(config().n_agents()) + " free cells, got " +
                                     std::to_string(area - blocked));
     }
+    // Two agents on one cell are found by sorting, in O(agents log agents).
     std::vector<int> taken;
     for (const auto* positions : {&placement.pursuers, &placement.evaders}) {
         for (std::size_t i = 0; i < positions->size(); i += 2) {
@@ -156,8 +161,11 @@ void World::reset(EpisodeKey key, Scratch& scratch, const Placement& placement) 
             cell = cell_sampler.next();
         return cell;
     };
+    // Obstacles are drawn first, then evaders, then pursuers: the order fixes which random number
+    // places what.
     const bool own_map = placement.map.size() != 0 || config().map.size() != 0;
     if (!own_map && config().n_random_obstacles() > 0) {
+        // The shared terrain stays as it is; this episode has a copy of its own.
         auto terrain = std::make_shared<Terrain>(*setup_->terrain);
         for (int i = 0; i < config().n_random_obstacles(); ++i) {
             terrain->set_obstacle(free_cell());

@@ -8,7 +8,6 @@
 
 #include "grid/bitboard.hpp"
 #include "grid/grid.hpp"
-#include "grid/plane.hpp"
 #include "grid/rules.hpp"
 
 namespace matrixworld {

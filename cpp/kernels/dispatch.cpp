@@ -1,3 +1,4 @@
+// Chooses the level of the kernels once, when they are first used.
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -21,6 +22,7 @@ struct Level {
     const Kernels& (*kernels)();
 };
 
+// Best first. Each level needs every feature that the compiler may use for it.
 std::vector<Level> levels() {
     std::vector<Level> all;
 #ifdef MATRIXWORLD_X86_LEVELS
@@ -35,7 +37,7 @@ std::vector<Level> levels() {
     return all;
 }
 
-const Kernels& choose() {
+const Kernels& select() {
     const char* wanted = std::getenv("MATRIXWORLD_KERNELS");
     for (const Level& level : levels()) {
         if (level.runs && (!wanted || level.name == std::string(wanted))) return level.kernels();
@@ -49,8 +51,8 @@ const Kernels& choose() {
 }  // namespace
 
 const Kernels& kernels() {
-    static const Kernels& chosen = choose();
-    return chosen;
+    static const Kernels& selected = select();
+    return selected;
 }
 
 }  // namespace matrixworld
