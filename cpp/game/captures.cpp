@@ -1,5 +1,5 @@
-// Captures: which evaders are captured after a turn, and by which pursuers. All are judged before any
-// captured evader is removed, so that the order of evaders does not matter.
+// Captures: which evaders are captured after a turn, and by which pursuers. All are judged before
+// any captured evader is removed, so that the order of evaders does not matter.
 #include <algorithm>
 
 #include "game/world.hpp"
@@ -33,8 +33,8 @@ void World::add_captor(int evader, int pursuer) {
 }
 
 // Collects the evaders whose capture this turn can change. Under agent turns these are few: the
-// evaders among the participants, those of the turn before (their contact is over), and those beside
-// the cells that the actor left and entered. Judging all evaders in every turn would cost
+// evaders among the participants, those of the turn before (their contact is over), and those
+// beside the cells that the actor left and entered. Judging all evaders in every turn would cost
 // O(agents * evaders) a round. The first turn of a round judges every evader.
 void World::find_affected_evaders(const Turn& turn, const Scratch& scratch) {
     affected_.clear();
@@ -96,9 +96,9 @@ void World::judge_contacts(const Turn& turn, Scratch& scratch) {
     }
 }
 
-// Under (Reach, Reach) an evader is captured as long as it shares its cell with a pursuer. Pursuers in
-// conflict with it in this turn have been added; this adds those that are on its cell and, like the
-// evader, did not act.
+// Under (Reach, Reach) an evader is captured as long as it shares its cell with a pursuer. Pursuers
+// in conflict with it in this turn have been added; this adds those that are on its cell and, like
+// the evader, did not act.
 void World::add_captors_on_cell(int evader, const Turn& turn, Scratch& scratch) {
     const int agent = evader_agent(evader);
     if (turn.acts(agent)) return;
@@ -110,8 +110,8 @@ void World::add_captors_on_cell(int evader, const Turn& turn, Scratch& scratch) 
     }
 }
 
-// Most evaders have a free cell beside them: the first pass, which reads counts only, returns at once.
-// The lists of agents are made only when the captors must be named.
+// Most evaders have a free cell beside them: the first pass, which reads counts only, returns at
+// once. The lists of agents are made only when the captors must be named.
 void World::judge_surround(int evader, Scratch& scratch) {
     Occupancy& occupancy = scratch.occupancy;
     const int cell = cell_[evader_agent(evader)];

@@ -10,9 +10,9 @@ namespace matrixworld {
 
 namespace {
 
-// Samples cells without replacement: a Fisher-Yates shuffle of `order` that stops when no more cells
-// are needed. The destructor undoes the swaps, so that the next reset begins with the same order, and a
-// reset costs O(cells drawn), not O(cells of the grid).
+// Samples cells without replacement: a Fisher-Yates shuffle of `order` that stops when no more
+// cells are needed. The destructor undoes the swaps, so that the next reset begins with the same
+// order, and a reset costs O(cells drawn), not O(cells of the grid).
 class CellSampler {
   public:
     CellSampler(Scratch& scratch, Stream& stream)

@@ -21,8 +21,9 @@ bool holds(const Contact& contact, Outcome own, Outcome other) {
            (own == Outcome::Reach && other == Outcome::Bounce && contact.other_on_target);
 }
 
-// Is the agent at fault in a conflict of adversaries? An agent that is held is. Where neither is held:
-// under surround, an agent that moves; under occupation neither, since contact is the aim of the game.
+// Is the agent at fault in a conflict of adversaries? An agent that is held is. Where neither is
+// held: under surround, an agent that moves; under occupation neither, since contact is the aim of
+// the game.
 bool blames(const Contact& contact, Outcome own, Outcome other, Capture capture) {
     if (holds(contact, own, other)) return true;
     return capture == Capture::Surround && contact.moves && !holds(contact.reversed(), other, own);
@@ -119,7 +120,7 @@ bool Resolver::survives_obstacle(int a) {
     return outcome != Outcome::Disappear;
 }
 
-// ---- Candidates for conflicts -------------------------------------------------------------------------
+// ---- Candidates for conflicts -------------------------------------------------------------------
 
 void Resolver::list_present() {
     present_.clear();
@@ -137,8 +138,8 @@ void Resolver::find_conflict_candidates() {
     }
 }
 
-// The agents that have reserved a cell, one by one. The lists are made at the first call of a stage,
-// and only if a reserved cell is asked for; targets must not change until they are cleared.
+// The agents that have reserved a cell, one by one. The lists are made at the first call of a
+// stage, and only if a reserved cell is asked for; targets must not change until they are cleared.
 CellLists::Range Resolver::reserving(int cell) {
     if (!reservations_.empty(cell) && !listed_) {
         for (int a : present_) by_target_.add(a, target_[a]);
@@ -228,8 +229,8 @@ void Resolver::adversaries() {
     for (int a : candidates_) judge_adversaries(a);
 }
 
-// An agent can be in several conflicts at once (with adversaries that stand on, come to, or leave its
-// target); what any of them does to it counts.
+// An agent can be in several conflicts at once (with adversaries that stand on, come to, or leave
+// its target); what any of them does to it counts.
 void Resolver::judge_adversaries(int a) {
     const Team other_team = opponent(team(a));
     const bool moves = move_[a] != 0;
@@ -278,9 +279,9 @@ void Resolver::add_captors(int evader) {
 
 // ---- Stage 4 ------------------------------------------------------------------------------
 
-// `held_now_` are the links; those made here are appended and followed up in their turn. Agents held
-// in earlier stages are barred: they enter no cell any more. A link made here is still judged on the
-// target that it had when the stage began.
+// `held_now_` are the links; those made here are appended and followed up in their turn. Agents
+// held in earlier stages are barred: they enter no cell any more. A link made here is still judged
+// on the target that it had when the stage began.
 void Resolver::chains() {
     for (std::size_t i = 0; i < held_now_.size(); ++i) {
         const int link = held_now_[i];
@@ -320,8 +321,8 @@ void Resolver::enter_link(int a, int link) {
 
 // ---- Outcomes -----------------------------------------------------------------------------
 
-// Moves the reservations of agents that disappear or return to where they belong, and sets the final
-// targets. Only agents with flags can be concerned.
+// Moves the reservations of agents that disappear or return to where they belong, and sets the
+// final targets. Only agents with flags can be concerned.
 void Resolver::apply_outcomes() {
     for (int a : flagged_) {
         const bool gone = flags_[a] & (kCrashed | kDoomed);

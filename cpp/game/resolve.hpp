@@ -6,8 +6,8 @@
 //
 // The reservation table tells by which moves each cell is reserved. Whether an agent is in conflict
 // is then a look at two cells, the one it enters and the one it leaves. Nearly all agents are in no
-// conflict, and nothing more is done for them. The work is O(agents), plus the pairs of a chain or a
-// capture where several agents share a cell.
+// conflict, and nothing more is done for them. The work is O(agents), plus the pairs of a chain or
+// a capture where several agents share a cell.
 //
 //     resolver.resolve(turn, occupancy.reservations(), nullptr);
 //     for (int a : turn.participants) cell[a] = resolver.target(a);

@@ -1,9 +1,9 @@
 // A world written down between two turns: everything that the turns to come depend on, and what is
 // reported of the last one. Pickling, deep copies and worlds read out of a batch go through it.
 //
-// `for_each_field` is the only list of the fields: the check of a snapshot and its conversion to and
-// from a Python dict are loops over it. A new field needs a member and a row here, and a line in
-// snapshot.cpp that copies it.
+// `for_each_field` is the only list of the fields: the check of a snapshot and its conversion to
+// and from a Python dict are loops over it. A new field needs a member and a row here, and a line
+// in snapshot.cpp that copies it.
 #pragma once
 
 #include <optional>

@@ -69,7 +69,9 @@ void World::play_turn(int number, const std::uint8_t* actions, Scratch& scratch,
         one_by_one() ? choose_participants(first, actions[first], scratch) : living_;
     const Turn turn = make_turn(participants, actions, first, last, number);
     scratch.occupancy.release(participants, cell_);
+    // Stages 1 to 4: obstacles, teammates, adversaries, chains.
     scratch.resolver.resolve(turn, scratch.occupancy.reservations(), log);
+    // Stage 5.
     settle(turn, scratch);
     scratch.occupancy.occupy(participants, cell_);
     teams_adjacent_ = one_by_one() || teams_are_adjacent(turn, scratch);
@@ -90,8 +92,9 @@ void World::end_round() {
     truncated_ = steps_ >= config().max_steps;
 }
 
-// The participants of a single agent's turn: the actor and the agents on the cell it leaves and on the
-// cell it enters. No other agent can be in conflict with it, so a turn costs O(1), not O(agents).
+// The participants of a single agent's turn: the actor and the agents on the cell it leaves and on
+// the cell it enters. No other agent can be in conflict with it, so a turn costs O(1), not
+// O(agents).
 const std::vector<int>& World::choose_participants(int actor, int action, Scratch& scratch) const {
     std::swap(scratch.participants, scratch.last_participants);
     scratch.participants.clear();
@@ -141,9 +144,9 @@ void World::settle(const Turn& turn, Scratch& scratch) {
     }
 }
 
-void World::remove(int agent, int at) {
+void World::remove(int agent, int cell) {
     cell_[agent] = kGone;
-    last_cell_[agent] = at;
+    last_cell_[agent] = cell;
     --n_living_[static_cast<int>(team(agent))];
     if (team(agent) == Team::Evader && !counts_as_captured(evader_number(agent))) --n_uncaptured_;
 }

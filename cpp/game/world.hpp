@@ -1,7 +1,7 @@
 // One world: a reset, then rounds. Under simultaneous play a round is one turn in which all agents
-// act; under swarm turns it is the pursuers' turn and then the evaders' turn; under agent turns every
-// agent has its own. A turn runs the five stages of a step: the resolver's four, then `settle`, the
-// captures, the rewards and the end of the episode.
+// act; under swarm turns it is the pursuers' turn and then the evaders' turn; under agent turns
+// every agent has its own. A turn runs the five stages of a step: the resolver's four, then
+// `settle`, the captures, the rewards and the end of the episode.
 //
 //     const auto setup = std::make_shared<const Setup>(config);   // shared by all worlds
 //     Scratch scratch(*setup);                                     // one for each thread
@@ -42,8 +42,8 @@ struct Setup {
     float penalties[kTeams][1 << kKinds];    // summed, by set of kinds as bits
 };
 
-// Memory that a world needs while it is played: one for each thread serves any number of worlds of one
-// configuration, so that a world itself stays small.
+// Memory that a world needs while it is played: one for each thread serves any number of worlds of
+// one configuration, so that a world itself stays small.
 struct Scratch {
     explicit Scratch(const Setup& setup, bool for_networks = true);
 
@@ -73,8 +73,8 @@ class World {
     Snapshot snapshot(const Scratch& scratch) const;
     void restore(const Snapshot& snapshot, Scratch& scratch);
 
-    // Enters the agents into the occupancy of the scratch, or removes them from it. A world is played
-    // and observed between the two.
+    // Enters the agents into the occupancy of the scratch, or removes them from it. A world is
+    // played and observed between the two.
     void enter(Scratch& scratch) const;
     void leave(Scratch& scratch) const;
 
@@ -82,7 +82,8 @@ class World {
     // reservations anew: then a world may be played without entering, and has entered afterwards.
     bool one_by_one() const { return config().rules.interaction == Interaction::AgentTurns; }
 
-    // Plays one round with the actions that all agents have committed. `log` collects the conflicts.
+    // Plays one round with the actions that all agents have committed. `log` collects the
+    // conflicts.
     void step(const std::uint8_t* actions, Scratch& scratch, std::vector<Conflict>* log = nullptr);
 
     // The same, turn by turn, for policies that observe before their own turn.
@@ -108,8 +109,8 @@ class World {
     const Terrain& terrain() const { return *terrain_; }
     const std::shared_ptr<const Terrain>& shared_terrain() const { return terrain_; }
 
-    // By evader. The captors of an evader that was removed are counted in the step of its capture and
-    // are 0 afterwards.
+    // By evader. The captors of an evader that was removed are counted in the step of its capture
+    // and are 0 afterwards.
     const ByteArray& captured() const { return captured_; }
     const ByteArray& ever_captured() const { return ever_captured_; }
     const IntArray& captors() const { return captors_; }
@@ -143,7 +144,7 @@ class World {
     Turn make_turn(const std::vector<int>& participants, const std::uint8_t* actions, int first,
                    int last, int number) const;
     void settle(const Turn& turn, Scratch& scratch);
-    void remove(int agent, int at);
+    void remove(int agent, int cell);
     void update_living();
     void judge_captures(const Turn& turn, Scratch& scratch);
     void judge_contacts(const Turn& turn, Scratch& scratch);
@@ -174,7 +175,7 @@ class World {
     EpisodeKey key_;
 
     IntArray cell_;            // by agent; kGone when gone
-    IntArray last_cell_;       // by agent: where it disappeared: the cell where it went
+    IntArray last_cell_;       // by agent: the cell where it disappeared
     std::vector<int> living_;  // agents, ascending
     int n_living_[kTeams] = {0, 0};
     int n_captured_ = 0;    // evaders that count as captured

@@ -94,7 +94,8 @@ class CellLists {
         if (after != kEnd) previous_[after] = before;
     }
 
-    // Forgets the list of one cell; the links of its agents need no cleaning, `add` overwrites them.
+    // Forgets the list of one cell; the links of its agents need no cleaning, `add` overwrites
+    // them.
     void clear(int cell) { first_[cell] = kEnd; }
 
   private:

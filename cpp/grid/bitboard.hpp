@@ -1,6 +1,6 @@
 // Two maps of the grid from which windows (the square views of agents) are read quickly: `Bitboard`
-// keeps one bit a cell, `Plane` one byte. Both have a margin of half a window on every side, so that
-// a window around any cell is read without a test for the border.
+// keeps one bit a cell, `Plane` one byte. Both have a margin of half a window on every side, so
+// that a window around any cell is read without a test for the border.
 //
 //     Bitboard pursuers(grid, fov / 2);
 //     pursuers.set(row, col);

@@ -1,7 +1,7 @@
 // Counter-based random numbers: Philox4x64-10 (Salmon et al. 2011, "Parallel random numbers: as
 // easy as 1, 2, 3"), the generator that NumPy offers as numpy.random.Philox. A number depends on
-// its key and counter alone, so neither threads nor the order of work can change it, and nothing has
-// to be saved to draw it again.
+// its key and counter alone, so neither threads nor the order of work can change it, and nothing
+// has to be saved to draw it again.
 //
 //   key      (seed, episode)
 //   counter  (block, step, purpose, 0)
@@ -56,8 +56,8 @@ struct EpisodeKey {
 };
 
 // An integer in [0, n) from 32 or 64 random bits: the upper half of the product bits * n (Lemire
-// 2019, "Fast random integer generation in an interval"). Without Lemire's rejection step every call
-// takes the same number of bits; the bias is below n / 2^32 or n / 2^64.
+// 2019, "Fast random integer generation in an interval"). Without Lemire's rejection step every
+// call takes the same number of bits; the bias is below n / 2^32 or n / 2^64.
 inline int below(std::uint32_t bits, int n) {
     return static_cast<int>((static_cast<std::uint64_t>(bits) * static_cast<unsigned>(n)) >> 32);
 }

@@ -1,8 +1,8 @@
 // The inner loops of networks and views, compiled once for each instruction set (kernels.cpp) and
 // chosen when the program runs. Every level gives the same bits, so results do not depend on the
-// processor: every sum has one fixed order and its own vector lane (adding across lanes would depend
-// on their number), each product is added by a fused multiply-add (rounded once, also where it takes
-// a library call), and the exponential is our own (libraries differ in the last bit).
+// processor: every sum has one fixed order and its own vector lane (adding across lanes would
+// depend on their number), each product is added by a fused multiply-add (rounded once, also where
+// it takes a library call), and the exponential is our own (libraries differ in the last bit).
 //
 //     kernels().dense(in, in_stride, n, n_in, weights, bias, width, n_out, Activation::Relu, out);
 #pragma once
@@ -15,8 +15,8 @@ namespace matrixworld {
 
 enum class Activation : std::uint8_t { None, Relu, Tanh };
 
-// Layers are padded in memory to a multiple of this many floats: the widest vector. Rows (agents) are
-// padded to a multiple of kRowPad. So kernels need no code for the rest of a layer.
+// Layers are padded in memory to a multiple of this many floats: the widest vector. Rows (agents)
+// are padded to a multiple of kRowPad. So kernels need no code for the rest of a layer.
 constexpr int kPad = 16;
 constexpr int kRowPad = 8;
 

@@ -1,5 +1,5 @@
-// Which agents see which: all positions are compared with the window of one agent, 64 at a time, and the
-// answer is a word of bits. Included by kernels.cpp alone.
+// Which agents see which: all positions are compared with the window of one agent, 64 at a time,
+// and the answer is a word of bits. Included by kernels.cpp alone.
 #pragma once
 
 #include "kernels/vector.hpp"

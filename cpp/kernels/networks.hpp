@@ -1,5 +1,5 @@
-// Layers of networks, and the sampling of actions. Sums stay in registers: a block of columns is added
-// up completely before the next one begins. Included by kernels.cpp alone.
+// Layers of networks, and the sampling of actions. Sums stay in registers: a block of columns is
+// added up completely before the next one begins. Included by kernels.cpp alone.
 #pragma once
 
 #include "kernels/look.hpp"
@@ -69,8 +69,8 @@ void sum_seen(const Positions& positions, const int* agents, int n, const float*
     }
 }
 
-// A tile of kRows inputs by kVecs vectors of outputs. Each weight that is loaded serves kRows inputs,
-// and the sums in a tile do not wait for each other.
+// A tile of kRows inputs by kVecs vectors of outputs. Each weight that is loaded serves kRows
+// inputs, and the sums in a tile do not wait for each other.
 template <typename V, int kRows, int kVecs>
 inline void dense_tile(const float* in, int in_stride, int n_in, const float* weights,
                        const float* bias, int width, Activation activation, float* out) {
@@ -123,9 +123,9 @@ void dense(const float* in, int in_stride, int n, int n_in, const float* weights
 
 constexpr int kMaxActions = 9;
 
-// Samples an action for each lane's agent by inverting the distribution: the action is the number of
-// cumulated weights that do not exceed unit * total. The largest logit is subtracted first, so that no
-// exponential overflows.
+// Samples an action for each lane's agent by inverting the distribution: the action is the number
+// of cumulated weights that do not exceed unit * total. The largest logit is subtracted first, so
+// that no exponential overflows.
 template <typename V>
 inline void sample_lanes(const float* logits, int stride, int n, int n_actions, const float* units,
                          std::uint8_t* actions) {

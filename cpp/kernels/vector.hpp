@@ -1,5 +1,5 @@
-// Vectors of floats and the activation functions on them, by the compiler's vector extension, so that
-// one source serves all instruction sets. Included by kernels.cpp alone.
+// Vectors of floats and the activation functions on them, by the compiler's vector extension, so
+// that one source serves all instruction sets. Included by kernels.cpp alone.
 #pragma once
 
 #if defined(__SSE2__)
@@ -21,8 +21,8 @@ constexpr int kLanes = 4;
 #endif
 
 typedef float Vec __attribute__((vector_size(4 * kLanes)));
-// Half of the widest vector: for a layer with few outputs (the actions), or few agents, where a whole
-// one would mostly compute padding.
+// Half of the widest vector: for a layer with few outputs (the actions), or few agents, where a
+// whole one would mostly compute padding.
 typedef float Half __attribute__((vector_size(kLanes > 8 ? 32 : 4 * kLanes)));
 
 template <typename V>
@@ -69,8 +69,8 @@ inline Vec madd(Vec a, Vec b, Vec c) {
 // e^x for x <= 0, to about 1e-7; 0 below -87, where e^x leaves the range of normal floats.
 //
 // x = n ln 2 + r with an integer n, so e^x = 2^n e^r with |r| <= ln(2) / 2, and e^r is a polynomial
-// (coefficients of the Cephes library's expf). ln 2 is subtracted in two parts, since one float would
-// lose digits of r.
+// (coefficients of the Cephes library's expf). ln 2 is subtracted in two parts, since one float
+// would lose digits of r.
 template <typename V>
 inline V exp_negative(V x) {
     const auto number = [](float value) { return splat<V>(value); };
@@ -95,7 +95,8 @@ inline V exp_negative(V x) {
     return tiny ? V{} : scaled;
 }
 
-// tanh |x| = (1 - e^(-2|x|)) / (1 + e^(-2|x|)), whose exponential never overflows; then the sign of x.
+// tanh |x| = (1 - e^(-2|x|)) / (1 + e^(-2|x|)), whose exponential never overflows; then the sign of
+// x.
 template <typename V>
 inline V tanh_of(V x) {
     const Mask<V> sign = (Mask<V>)x & static_cast<std::int32_t>(0x80000000u);

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kPiece = 4 * kLanes;  // bytes
 
-// Copies n >= kBytes bytes in pieces of a fixed size, which compile to plain loads and stores; the last
-// piece overlaps the one before.
+// Copies n >= kBytes bytes in pieces of a fixed size, which compile to plain loads and stores; the
+// last piece overlaps the one before.
 template <int kBytes>
 inline void copy_pieces(const std::uint8_t* from, std::uint8_t* to, int n) {
     int i = 0;
@@ -33,8 +33,8 @@ inline void copy(const std::uint8_t* from, float* to, int n) {
     for (int i = 0; i < n; ++i) to[i] = from[i];
 }
 
-// Sets n bytes to 0 in whole pieces: aligned ones but for the first and the last, which overlap their
-// neighbours.
+// Sets n bytes to 0 in whole pieces: aligned ones but for the first and the last, which overlap
+// their neighbours.
 inline void clear(std::uint8_t* to, long n) {
     const Vec zero{};
     if (n < 2 * kPiece) {
@@ -47,9 +47,9 @@ inline void clear(std::uint8_t* to, long n) {
     store(reinterpret_cast<float*>(to + n - kPiece), zero);
 }
 
-// Sets the cell of every agent that one agent sees. How many these are differs from view to view, so a
-// loop's end is predicted badly: the first kMost are set without a branch. Where there are fewer, a
-// cell of the obstacle channel is set instead, which is written afterwards in any case.
+// Sets the cell of every agent that one agent sees. How many these are differs from view to view,
+// so a loop's end is predicted badly: the first kMost are set without a branch. Where there are
+// fewer, a cell of the obstacle channel is set instead, which is written afterwards in any case.
 template <typename Number>
 inline void mark_others(const Positions& positions, int agent, int fov, Number* view) {
     constexpr int kMost = 2;

@@ -24,8 +24,8 @@ struct Window {
     int left;
 };
 
-// Is the agent the only one of its team on its cell? An agent is not in its own view, but the planes
-// and bitboards of its team include it: then the centre of its own channel must be cleared.
+// Is the agent the only one of its team on its cell? An agent is not in its own view, but the
+// planes and bitboards of its team include it: then the centre of its own channel must be cleared.
 bool only_one(const World& world, const Occupancy& occupancy, int agent) {
     return occupancy.count(world.cell(agent), world.team(agent)) == 1;
 }
@@ -67,8 +67,8 @@ Observer::Observer(const Setup& setup)
     if (fov_ <= kLargestBorder) make_border(setup.grid);
 }
 
-// For every case of what is seen of the border, the obstacle channel of a world without obstacles. A
-// window of it is contiguous, so it is copied at once instead of row by row.
+// For every case of what is seen of the border, the obstacle channel of a world without obstacles.
+// A window of it is contiguous, so it is copied at once instead of row by row.
 void Observer::make_border(const Grid& grid) {
     const int area = fov_ * fov_;
     border_.resize(static_cast<std::size_t>(cases_.n_cases()) * area);
@@ -147,8 +147,8 @@ void copy_piece(const std::uint8_t* from, float* to) {
     for (std::size_t i = 0; i < piece.size(); ++i) to[i] = piece[i];
 }
 
-// Appends a window row by row and returns its end. Rows are copied in whole pieces as long as there is
-// room before `end`: a piece is faster than its cells, and what it writes beyond its row is
+// Appends a window row by row and returns its end. Rows are copied in whole pieces as long as there
+// is room before `end`: a piece is faster than its cells, and what it writes beyond its row is
 // overwritten by the next row.
 template <int kFov, typename Number>
 Number* copy_window(const Plane& plane, const Window& window, Number* out, const Number* end) {
@@ -198,8 +198,8 @@ void Observer::write_from_planes(const World& world, const Occupancy& occupancy,
     mark(world, 0);
 }
 
-// Sets or clears the living agents' cells on the planes, which are empty between two calls: clearing
-// them costs O(agents), clearing whole planes O(cells).
+// Sets or clears the living agents' cells on the planes, which are empty between two calls:
+// clearing them costs O(agents), clearing whole planes O(cells).
 void Observer::mark(const World& world, std::uint8_t value) {
     for (int a : world.living()) {
         const int cell = world.cell(a);
@@ -208,13 +208,13 @@ void Observer::mark(const World& world, std::uint8_t value) {
     }
 }
 
-// ---- Views as lists ------------------------------------------------------------------------------------
+// ---- Views as lists -----------------------------------------------------------------------------
 
 namespace {
 
 // Appends the cells that are set in the window of one bitboard, numbered from `first`, without the
-// centre if `hide_centre`, and returns the end. Several rows share a word, so that a window of 11 x 11
-// takes three loops over bits instead of eleven.
+// centre if `hide_centre`, and returns the end. Several rows share a word, so that a window of 11 x
+// 11 takes three loops over bits instead of eleven.
 template <int kFov>
 int* list_packed(const Bitboard& bitboard, const Window& window, int first, bool hide_centre,
                  int* out) {

@@ -1,7 +1,8 @@
-// Observations. The view of an agent is a square window of `fov` x `fov` cells centred on it, in the
-// channels evaders, pursuers, obstacles. Cells outside the grid are obstacles; the agent itself is not
-// in its view, a teammate on its cell is; a gone agent sees zeros. Views have two forms: numbers, for
-// callers, and the list of the cells that are set, for networks, which add one row of weights for each.
+// Observations. The view of an agent is a square window of `fov` x `fov` cells centred on it, in
+// the channels evaders, pursuers, obstacles. Cells outside the grid are obstacles; the agent itself
+// is not in its view, a teammate on its cell is; a gone agent sees zeros. Views have two forms:
+// numbers, for callers, and the list of the cells that are set, for networks, which add one row of
+// weights for each.
 //
 //     Observer observer(setup);                            // one for each thread
 //     std::vector<float> views(n_agents * 3 * fov * fov);
@@ -19,8 +20,8 @@
 
 namespace matrixworld {
 
-// Writes views as numbers. Holds memory of its own, so each thread needs one; it serves all worlds of
-// one configuration.
+// Writes views as numbers. Holds memory of its own, so each thread needs one; it serves all worlds
+// of one configuration.
 class Observer {
   public:
     explicit Observer(const Setup& setup);
@@ -51,9 +52,9 @@ class Observer {
     Plane planes_[kTeams];  // empty between two calls
 };
 
-// List the cells that are set in the view of a living agent as indices into the flattened
-// (3, fov, fov) view, each once: those of agents, and those of obstacles without the border. Return how
-// many there are. Preconditions: `out` has room for 3 * fov * fov; the world has entered the occupancy.
+// List the cells that are set in the view of a living agent as indices into the flattened (3, fov,
+// fov) view, each once: those of agents, and those of obstacles without the border. Return how many
+// there are. Preconditions: `out` has room for 3 * fov * fov; the world has entered the occupancy.
 int list_agents(const World& world, const Occupancy& occupancy, int agent, int* out);
 int list_obstacles(const World& world, int cell, int* out);
 

@@ -1,6 +1,6 @@
-// Drives random worlds, batches and rollouts through the engine, for a build with sanitizers and
-// assertions that throw. Checks what must hold of every one of them; exits with 1 if something
-// does not.
+// Plays random worlds, batches and rollouts under every combination of the rules, for a build with
+// sanitizers and with assertions that throw (MATRIXWORLD_SANITIZE). Checks the invariants of each;
+// prints those that fail and exits with 1 if any does.
 #include <cstdio>
 
 #include "invariants.hpp"
@@ -22,7 +22,8 @@ std::vector<int> pairs(const World& world, int first, int last) {
     return flat;
 }
 
-// A world laid out by hand as another one was by chance.
+// A world whose placement is given equals the one that was drawn with the same placement. A wrong
+// placement is refused and changes nothing.
 void check_placement(const SharedSetup& setup, const World& world) {
     const Config& config = setup->config;
     Placement placement{pairs(world, 0, config.n_pursuers),
@@ -76,7 +77,7 @@ void play_world(const Rules& rules, Random& random) {
     check_occupancy(world, scratch.occupancy, false);
 }
 
-// A world written down between two turns goes on as the world itself does.
+// A world restored from a snapshot between two turns goes on as the original does.
 void play_snapshots(const Rules& rules, Random& random) {
     const auto setup = std::make_shared<const Setup>(random_config(rules, random));
     Scratch scratch(*setup);
@@ -105,12 +106,13 @@ void play_snapshots(const Rules& rules, Random& random) {
     wrong.cells[0] = setup->config.rows * setup->config.cols;
     World kept(setup);
     Scratch empty(*setup);
-    require(refused([&] { kept.restore(wrong, empty); }), "a snapshot from elsewhere");
+    require(refused([&] { kept.restore(wrong, empty); }), "a cell outside the grid in a snapshot");
 }
 
 // ---- Batches ---------------------------------------------------------------------------------
 
-// Memory of exactly the sizes that are promised to be written, once for everything.
+// Arrays of exactly the documented sizes, so that the address sanitizer finds a write beyond one.
+// They are filled with 0xEE, so that a comparison finds an entry that was not written.
 struct Memory {
     Memory(const Config& config, int n_worlds)
         : bytes(static_cast<std::size_t>(kArrays)), n_worlds(n_worlds) {
@@ -169,7 +171,7 @@ struct Memory {
     int taken = 0;
 };
 
-// The same worlds, one after the other.
+// The worlds of a batch played one by one by the single-world interface: what a batch must equal.
 class SingleWorlds {
   public:
     SingleWorlds(const SharedSetup& setup, int n_worlds, Autoreset autoreset)
@@ -177,7 +179,7 @@ class SingleWorlds {
           worlds_(static_cast<std::size_t>(n_worlds), World(setup)),
           statistics_(worlds_.size(), StatisticsAccumulator(setup->config)),
           scratch_(*setup),
-          lens_(*setup) {}
+          observer_(*setup) {}
 
     void reset(const std::vector<std::uint64_t>& seeds, std::uint64_t episode, Memory& memory) {
         for (std::size_t w = 0; w < worlds_.size(); ++w) {
@@ -230,14 +232,14 @@ class SingleWorlds {
         if (world.over()) {
             buffers.ended[w] = 1;
             write_score(statistics_[w].total(world), w, buffers);
-            write_final_views(world, scratch_.occupancy, lens_, w, buffers);
+            write_final_views(world, scratch_.occupancy, observer_, w, buffers);
         }
         world.leave(scratch_);
     }
 
     void look(std::size_t w, const Buffers& buffers) {
         worlds_[w].enter(scratch_);
-        write_moment(worlds_[w], scratch_.occupancy, lens_, w, buffers);
+        write_moment(worlds_[w], scratch_.occupancy, observer_, w, buffers);
         worlds_[w].leave(scratch_);
     }
 
@@ -245,7 +247,7 @@ class SingleWorlds {
     std::vector<World> worlds_;
     std::vector<StatisticsAccumulator> statistics_;
     Scratch scratch_;
-    Observer lens_;
+    Observer observer_;
 };
 
 void play_batch(const Rules& rules, Random& random) {
@@ -308,7 +310,7 @@ void play_rollout(const Rules& rules, Random& random) {
         watch_match(setup, pursuers->candidates, evaders->candidates, matches[m],
                     static_cast<std::uint64_t>(episode),
                     [&](const World& world, const std::vector<std::uint8_t>*) {
-                        check_places(world);
+                        check_cells(world);
                         check_counters(world);
                         ++moments;
                     });
@@ -349,7 +351,7 @@ void check_limits() {
     require(refused([] { Network(11, {0}, 5, Activation::Relu, true); }), "an empty layer");
 }
 
-// The largest grid, with agents in its corners, and views that reach beyond it.
+// The largest grid and the widest views: where indices are largest.
 void check_large(Random& random) {
     Config config;
     config.rows = kMaxSide;
@@ -367,7 +369,7 @@ void check_large(Random& random) {
         world.step(actions.data(), scratch);
         check_moves(before, world, actions);
     }
-    check_places(world);
+    check_cells(world);
     check_counters(world);
     check_view(world, scratch.occupancy, world.living().back());
 }
