@@ -79,8 +79,8 @@ void Resolver::obstacles() {
 
 template <Team kTeam, bool kAllAct>
 void Resolver::reserve_targets() {
-    const Turn turn =
-        *turn_;  // copies, which the compiler knows that the writes below do not change
+    // Copies, which the compiler knows that the writes below do not change.
+    const Turn turn = *turn_;
     const ReservationTable reservations = reservations_;
     short* const moves = move_.data();
     int* const targets = target_.data();

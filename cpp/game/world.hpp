@@ -138,6 +138,8 @@ class World {
     void begin_episode(EpisodeKey key);
     void set_terrain(const ByteArray& map);
     void count_captures();
+    void place_given(const std::vector<int>& positions, int first, Scratch& scratch);
+    void place_at_random(const Placement& given, Scratch& scratch);
     void place(int agent, int cell, Scratch& scratch);
 
     const std::vector<int>& choose_participants(int actor, int action, Scratch& scratch) const;

@@ -10,7 +10,8 @@ namespace matrixworld {
 
 namespace {
 
-constexpr int kChunk = Bitboard::kMaxWidth;  // cells of a window's row that one word holds
+// The default of `Config`: loops over windows are compiled for it as a constant, too.
+constexpr int kUsualFov = 11;
 
 // The square that an agent sees, by its first cell.
 struct Window {
@@ -35,26 +36,15 @@ int own_centre(const World& world, int agent) {
     return (channel(world.team(agent)) * fov + fov / 2) * fov + fov / 2;
 }
 
-// Calls visit(index of the first cell, bits) for the windows of a bitboard, row by row.
-template <typename Visit>
-void for_each_chunk(const Bitboard& bitboard, const Window& window, Visit visit) {
-    for (int r = 0; r < window.fov; ++r) {
-        for (int c = 0; c < window.fov; c += kChunk) {
-            const int width = std::min(kChunk, window.fov - c);
-            const Bitboard::Reader reader = bitboard.window(window.top + r, window.left + c);
-            visit(r * window.fov + c, reader.row(0, width));
-        }
-    }
-}
-
 }  // namespace
 
 // ---- Views as numbers ---------------------------------------------------------------------------
 
 namespace {
 
-constexpr int kLargestBorder =
-    15;  // fov: wider views would make the table of visible borders large
+// The widest view for which the visible borders are kept: their number and the size of each grow
+// with fov^2.
+constexpr int kLargestBorder = 15;
 
 }  // namespace
 
@@ -141,8 +131,8 @@ void copy_piece(const std::uint8_t* from, std::uint8_t* to) {
 }
 
 void copy_piece(const std::uint8_t* from, float* to) {
-    std::array<std::uint8_t, Plane::kPiece>
-        piece;  // a copy, so that the compiler knows `to` does not overlap it
+    // A copy, so that the compiler knows that `to` does not overlap it.
+    std::array<std::uint8_t, Plane::kPiece> piece;
     std::memcpy(piece.data(), from, piece.size());
     for (std::size_t i = 0; i < piece.size(); ++i) to[i] = piece[i];
 }
@@ -181,7 +171,6 @@ void copy_channels(const Plane (&teams)[kTeams], const Plane& blocked, const Win
 
 template <typename Number>
 void Observer::write_from_planes(const World& world, const Occupancy& occupancy, Number* out) {
-    constexpr int kUsual = 11;  // the default of `Config`
     mark(world, 1);
     const int size = kChannels * fov_ * fov_;
     for (int a = 0; a < world.config().n_agents(); ++a, out += size) {
@@ -191,7 +180,7 @@ void Observer::write_from_planes(const World& world, const Occupancy& occupancy,
         }
         const Window window(world, world.cell(a));
         const auto channels =
-            fov_ == kUsual ? copy_channels<kUsual, Number> : copy_channels<0, Number>;
+            fov_ == kUsualFov ? copy_channels<kUsualFov, Number> : copy_channels<0, Number>;
         channels(planes_, world.terrain().blocked, window, out);
         if (only_one(world, occupancy, a)) out[own_centre(world, a)] = 0;
     }
@@ -234,25 +223,31 @@ int* list_packed(const Bitboard& bitboard, const Window& window, int first, bool
     return out;
 }
 
-// The same for views that are wider than one read of a bitboard, chunk by chunk.
-int* list_chunks(const Bitboard& bitboard, const Window& window, int first, bool hide_centre,
-                 int* out) {
-    const int centre = window.fov * window.fov / 2;
-    for_each_chunk(bitboard, window, [&](int index, std::uint64_t bits) {
-        for (; bits; bits &= bits - 1) {
-            const int cell = index + __builtin_ctzll(bits);
-            if (!(hide_centre && cell == centre)) *out++ = first + cell;
+// The same for views that are wider than one read of a bitboard: rows are read in several parts.
+int* list_parts(const Bitboard& bitboard, const Window& window, int first, bool hide_centre,
+                int* out) {
+    const int centre = window.fov / 2;
+    for (int r = 0; r < window.fov; ++r) {
+        for (int c = 0; c < window.fov; c += Bitboard::kMaxWidth) {
+            const auto reader = bitboard.window(window.top + r, window.left + c);
+            Bitboard::Word bits = reader.row(0, std::min(Bitboard::kMaxWidth, window.fov - c));
+            for (; bits; bits &= bits - 1) {
+                const int col = c + __builtin_ctzll(bits);
+                const bool hidden = hide_centre && r == centre && col == centre;
+                if (!hidden) *out++ = first + r * window.fov + col;
+            }
         }
-    });
+    }
     return out;
 }
 
 int* list_window(const Bitboard& bitboard, const Window& window, int first, bool hide_centre,
                  int* out) {
-    constexpr int kUsual = 11;
-    if (window.fov == kUsual) return list_packed<kUsual>(bitboard, window, first, hide_centre, out);
-    if (window.fov <= kChunk) return list_packed<0>(bitboard, window, first, hide_centre, out);
-    return list_chunks(bitboard, window, first, hide_centre, out);
+    if (window.fov == kUsualFov)
+        return list_packed<kUsualFov>(bitboard, window, first, hide_centre, out);
+    if (window.fov <= Bitboard::kMaxWidth)
+        return list_packed<0>(bitboard, window, first, hide_centre, out);
+    return list_parts(bitboard, window, first, hide_centre, out);
 }
 
 // Up to kMaxPositions agents: each of them is compared with the window.
