@@ -216,7 +216,12 @@ class Recorder {
 py::array_t<std::uint8_t> map_of(const World& world) {
     const Config& config = world.config();
     py::array_t<std::uint8_t> map({config.rows, config.cols});
-    world.terrain().write_map(map.mutable_data());
+    for (int row = 0; row < config.rows; ++row) {
+        for (int col = 0; col < config.cols; ++col) {
+            const int cell = world.grid().cell(row, col);
+            map.mutable_at(row, col) = world.terrain().kind[cell] == kObstacle;
+        }
+    }
     return map;
 }
 

@@ -8,6 +8,7 @@
 
 namespace matrixworld {
 
+// One function for each time that kernels.cpp is compiled; CMakeLists.txt names them.
 const Kernels& kernels_base();
 #ifdef MATRIXWORLD_X86_LEVELS
 const Kernels& kernels_v3();
@@ -51,6 +52,7 @@ const Kernels& select() {
 }  // namespace
 
 const Kernels& kernels() {
+    // Selected once, at the first call; the language makes that safe among threads.
     static const Kernels& selected = select();
     return selected;
 }

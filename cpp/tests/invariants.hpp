@@ -19,7 +19,7 @@ inline bool counts_as_captured(const World& world, int evader) {
                                                              : world.ever_captured()[evader];
 }
 
-inline void check_cells(const World& world) {
+inline void check_places(const World& world) {
     for (int a = 0; a < world.config().n_agents(); ++a) {
         if (!world.alive(a)) continue;
         require(inside(world, world.cell(a)), "every living agent is on the grid");
@@ -53,6 +53,7 @@ inline void check_counters(const World& world) {
     require(world.n_living(Team::Evader) == n_living[1], "the number of living evaders");
     require(world.n_captured() == n_captured, "the number of captured evaders");
     const bool ended = n_at_large == 0 || n_living[0] == 0 || n_living[1] == 0;
+    // A reset does not judge the end: an episode has at least one step.
     require(world.steps() == 0 || world.terminated() == ended, "terminated");
     require(world.truncated() == (world.steps() >= config.max_steps), "truncated");
 }
@@ -71,6 +72,7 @@ inline void check_occupancy(const World& world, const Occupancy& occupancy, bool
         }
         require(counted == expected[t], "the number of agents on each cell");
     }
+    // Only under agent turns are the lists of agents by cell kept between turns.
     if (world.config().rules.interaction != Interaction::AgentTurns) return;
     std::multiset<int> listed;
     for (int cell = 0; cell < world.grid().n_cells(); ++cell) {
@@ -129,7 +131,7 @@ inline void check_view(const World& world, const Occupancy& occupancy, int agent
 }
 
 inline void check_moment(const World& world, const Scratch& scratch, Random& random) {
-    check_cells(world);
+    check_places(world);
     check_counters(world);
     check_occupancy(world, scratch.occupancy, true);
     if (world.living().empty()) return;
@@ -147,6 +149,7 @@ inline void check_moves(const World& before, const World& after,
         require((after.report(a) >> kKinds & ~after.report(a) & ((1 << kKinds) - 1)) == 0,
                 "an agent at fault is involved");
         if (!after.alive(a)) continue;
+        // Whatever the rules: a turn moves an agent by its own action or not at all.
         const int step = after.cell(a) - before.cell(a);
         require(step == 0 || step == after.grid().delta(actions[a]),
                 "an agent moves by its action or stays");

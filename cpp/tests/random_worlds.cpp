@@ -111,8 +111,7 @@ void play_snapshots(const Rules& rules, Random& random) {
 
 // ---- Batches ---------------------------------------------------------------------------------
 
-// Arrays of exactly the documented sizes, so that the address sanitizer finds a write beyond one.
-// They are filled with 0xEE, so that a comparison finds an entry that was not written.
+// Memory of exactly the sizes that are promised to be written, once for everything.
 struct Memory {
     Memory(const Config& config, int n_worlds)
         : bytes(static_cast<std::size_t>(kArrays)), n_worlds(n_worlds) {
@@ -171,7 +170,7 @@ struct Memory {
     int taken = 0;
 };
 
-// The worlds of a batch played one by one by the single-world interface: what a batch must equal.
+// The same worlds, one after the other.
 class SingleWorlds {
   public:
     SingleWorlds(const SharedSetup& setup, int n_worlds, Autoreset autoreset)
@@ -179,7 +178,7 @@ class SingleWorlds {
           worlds_(static_cast<std::size_t>(n_worlds), World(setup)),
           statistics_(worlds_.size(), StatisticsAccumulator(setup->config)),
           scratch_(*setup),
-          observer_(*setup) {}
+          lens_(*setup) {}
 
     void reset(const std::vector<std::uint64_t>& seeds, std::uint64_t episode, Memory& memory) {
         for (std::size_t w = 0; w < worlds_.size(); ++w) {
@@ -232,14 +231,14 @@ class SingleWorlds {
         if (world.over()) {
             buffers.ended[w] = 1;
             write_score(statistics_[w].total(world), w, buffers);
-            write_final_views(world, scratch_.occupancy, observer_, w, buffers);
+            write_final_views(world, scratch_.occupancy, lens_, w, buffers);
         }
         world.leave(scratch_);
     }
 
     void look(std::size_t w, const Buffers& buffers) {
         worlds_[w].enter(scratch_);
-        write_moment(worlds_[w], scratch_.occupancy, observer_, w, buffers);
+        write_moment(worlds_[w], scratch_.occupancy, lens_, w, buffers);
         worlds_[w].leave(scratch_);
     }
 
@@ -247,7 +246,7 @@ class SingleWorlds {
     std::vector<World> worlds_;
     std::vector<StatisticsAccumulator> statistics_;
     Scratch scratch_;
-    Observer observer_;
+    Observer lens_;
 };
 
 void play_batch(const Rules& rules, Random& random) {
@@ -310,7 +309,7 @@ void play_rollout(const Rules& rules, Random& random) {
         watch_match(setup, pursuers->candidates, evaders->candidates, matches[m],
                     static_cast<std::uint64_t>(episode),
                     [&](const World& world, const std::vector<std::uint8_t>*) {
-                        check_cells(world);
+                        check_places(world);
                         check_counters(world);
                         ++moments;
                     });
@@ -369,7 +368,7 @@ void check_large(Random& random) {
         world.step(actions.data(), scratch);
         check_moves(before, world, actions);
     }
-    check_cells(world);
+    check_places(world);
     check_counters(world);
     check_view(world, scratch.occupancy, world.living().back());
 }

@@ -101,10 +101,12 @@ inline Config random_config(const Rules& rules, Random& random) {
         config.map = {};
         free = config.rows * config.cols;
     }
+    // Up to 12, 40 and 200 agents: below and above kMaxPositions, where views take another path.
     const int most = random.one_of({12, 12, 12, 40, 200});
     const int total = random.between(2, std::min(free, most));
     config.n_pursuers = random.between(1, total - 1);
     config.n_evaders = total - config.n_pursuers;
+    // 55 and 57 lie on either side of what one read of a bitboard holds.
     config.fov = random.chance(90) ? random.one_of({1, 3, 5, 7, 11, 15, 21})
                                    : random.one_of({55, 57, 61, 113});
     config.diagonal = random.chance(40);
