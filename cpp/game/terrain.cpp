@@ -9,8 +9,8 @@ Terrain::Terrain(const Grid& grid, int margin, const ByteArray& map)
       kind(ByteArray::Constant(grid.n_cells(), kBorder)),
       obstacles(grid, margin),
       blocked(grid, margin, 1) {
-    // Everything begins as border, the margin of `blocked` included; the cells of the grid are opened
-    // row by row, in which they are contiguous.
+    // Everything begins as border, the margin of `blocked` included; the cells of the grid are
+    // opened row by row, in which they are contiguous.
     for (int row = 0; row < grid.rows(); ++row) {
         kind.segment(grid.cell(row, 0), grid.cols()).setConstant(kFree);
         std::fill_n(&blocked.at(row, 0), grid.cols(), std::uint8_t{0});
