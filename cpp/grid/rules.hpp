@@ -38,12 +38,11 @@ inline int channel(Team team) { return team == Team::Pursuer ? kPursuers : kEvad
 
 constexpr int kTeams = 2;
 constexpr int kKinds = 3;
-constexpr int kMaxSide = 4096;        // cells along one side of the grid; fits 16 bits
-constexpr int kMaxFieldOfView = 255;  // cells along one side of a view
-constexpr long kMaxTeam =
-    (1L << 22) - 1;               // agents, which may all be on one cell: `Reservation` counts them
-constexpr int kCompassMoves = 5;  // stay, north, east, south, west
-constexpr int kDiagonalMoves = 9;  // the same, then NE, SE, SW, NW
+constexpr int kMaxSide = 4096;             // cells along one side of the grid; fits 16 bits
+constexpr int kMaxFieldOfView = 255;       // cells along one side of a view
+constexpr long kMaxTeam = (1L << 22) - 1;  // agents; what a `Reservation` can count
+constexpr int kCompassMoves = 5;           // stay, north, east, south, west
+constexpr int kDiagonalMoves = 9;          // the same, then NE, SE, SW, NW
 
 using ByteArray = Eigen::Array<std::uint8_t, Eigen::Dynamic, 1>;
 using IntArray = Eigen::ArrayXi;
@@ -94,11 +93,11 @@ struct Config {
     int cols = 40;
     int n_pursuers = 8;
     int n_evaders = 30;
-    int fov = 11;
-    bool diagonal = false;
-    int max_steps = 500;
-    double density = 0.0;  // share of the cells that become obstacles at every reset
-    ByteArray map;         // (rows * cols) 1 where an obstacle is; empty when there is none
+    int fov = 11;           // cells along one side of a view, odd
+    bool diagonal = false;  // 9 moves and 8 neighbours instead of 5 and 4
+    int max_steps = 500;    // rounds until an episode is truncated
+    double density = 0.0;   // share of the cells that become obstacles at every reset
+    ByteArray map;          // (rows * cols) 1 where an obstacle is; empty when there is none
 
     int n_agents() const { return n_pursuers + n_evaders; }
     int n_actions() const { return diagonal ? kDiagonalMoves : kCompassMoves; }

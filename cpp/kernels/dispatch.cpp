@@ -1,4 +1,4 @@
-// Chooses the level of the kernels once, when they are first used.
+// Selects the level of the kernels once, when they are first used.
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
