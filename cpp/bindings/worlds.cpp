@@ -2,7 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <string>
-#include <tuple>
+#include <type_traits>
 
 #include "bindings/bindings.hpp"
 #include "bindings/numpy_arrays.hpp"
@@ -22,56 +22,47 @@ std::vector<int> to_positions(const py::object& positions) {
     return std::vector<int>(array.data(), array.data() + array.size());
 }
 
-template <typename Values>
-auto to_array(const Values& values) {
-    py::array_t<typename Values::Scalar> array(values.size());
-    std::copy_n(values.data(), values.size(), array.mutable_data());
-    return array;
+// One field of a snapshot for Python: a number, or an array for a list of numbers.
+template <typename Value>
+py::object to_python(const Value& value) {
+    if constexpr (std::is_arithmetic_v<Value>) {
+        return py::cast(value);
+    } else {
+        return py::array_t<typename Value::value_type>(value.size(), value.data());
+    }
 }
 
-template <typename T>
-Eigen::Array<T, Eigen::Dynamic, 1> to_values(const py::object& given) {
-    const auto array = given.cast<Array<T>>();
-    return Eigen::Map<const Eigen::Array<T, Eigen::Dynamic, 1>>(array.data(), array.size());
+template <typename Value>
+void from_python(const py::object& given, Value& value) {
+    if constexpr (std::is_arithmetic_v<Value>) {
+        value = given.cast<Value>();
+    } else {
+        const auto array = given.cast<Array<typename Value::value_type>>();
+        value.resize(array.size());
+        std::copy_n(array.data(), array.size(), value.data());
+    }
 }
 
-py::dict to_dict(const Snapshot& s, int turn) {
+py::dict to_dict(const Snapshot& snapshot, const Config& config, int turn) {
     py::dict out;
-    out["key"] = std::make_pair(s.key.seed, s.key.episode);
     out["turn"] = turn;
-    out["steps"] = s.steps;
-    out["flags"] = std::make_tuple(s.fresh_round, s.terminated, s.truncated);
-    out["map"] = to_array(s.map);
-    out["cell"] = to_array(s.cell);
-    out["last_cells"] = to_array(s.last_cells);
-    out["captured"] = to_array(s.captured);
-    out["ever_captured"] = to_array(s.ever_captured);
-    out["capture_paid"] = to_array(s.capture_paid);
-    out["captors"] = to_array(s.captors);
-    out["rewards"] = to_array(s.rewards);
-    out["report"] = to_array(s.report);
-    out["participants"] = s.participants;
+    for_each_field(snapshot, config, [&](const SnapshotField& field, const auto& value) {
+        out[field.name] = to_python(value);
+    });
     return out;
 }
 
-Snapshot to_snapshot(const py::dict& from) {
-    Snapshot s;
-    std::tie(s.key.seed, s.key.episode) =
-        from["key"].cast<std::pair<std::uint64_t, std::uint64_t>>();
-    std::tie(s.fresh_round, s.terminated, s.truncated) =
-        from["flags"].cast<std::tuple<bool, bool, bool>>();
-    s.steps = from["steps"].cast<int>();
-    s.map = to_values<std::uint8_t>(from["map"]);
-    s.cell = to_values<int>(from["cell"]);
-    s.last_cells = to_values<int>(from["last_cells"]);
-    s.captured = to_values<std::uint8_t>(from["captured"]);
-    s.ever_captured = to_values<std::uint8_t>(from["ever_captured"]);
-    s.capture_paid = to_values<std::uint8_t>(from["capture_paid"]);
-    s.captors = to_values<int>(from["captors"]);
-    s.rewards = to_values<float>(from["rewards"]);
-    s.report = to_values<int>(from["report"]);
-    s.participants = from["participants"].cast<std::vector<int>>();
-    return s;
+py::object entry(const py::dict& from, const char* name) {
+    if (from.contains(name)) return from[name];
+    throw py::value_error("snapshot, " + std::string(name) + ": expected an entry, got none");
+}
+
+Snapshot to_snapshot(const py::dict& from, const Config& config) {
+    Snapshot snapshot;
+    for_each_field(snapshot, config, [&](const SnapshotField& field, auto& value) {
+        from_python(entry(from, field.name), value);
+    });
+    return snapshot;
 }
 
 class SingleWorld {
@@ -116,11 +107,11 @@ class SingleWorld {
         return {first, last};
     }
 
-    py::dict snapshot() const { return to_dict(world_.snapshot(scratch_), turn_); }
+    py::dict snapshot() const { return to_dict(world_.snapshot(scratch_), setup_->config, turn_); }
 
     void restore(const py::dict& from) {
-        const Snapshot s = to_snapshot(from);
-        const int turn = from["turn"].cast<int>();
+        const Snapshot s = to_snapshot(from, setup_->config);
+        const int turn = entry(from, "turn").cast<int>();
         if (turn < 0 || turn >= world_.n_turns()) {
             throw py::value_error("snapshot, turn: expected 0 to " +
                                   std::to_string(world_.n_turns() - 1) + ", got " +
@@ -250,7 +241,7 @@ class BufferedBatch {
         });
     }
 
-    py::dict snapshot(int w) const { return to_dict(batch_.snapshot(w), 0); }
+    py::dict snapshot(int w) const { return to_dict(batch_.snapshot(w), batch_.setup().config, 0); }
 
   private:
     HeldBuffers buffers_;

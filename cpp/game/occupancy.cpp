@@ -4,8 +4,9 @@ namespace matrixworld {
 
 namespace {
 
+// The same bits for both teams.
 constexpr std::uint64_t both(std::uint64_t bits) { return bits | bits << Reservation::kBits; }
-constexpr std::uint64_t opposite(int way) { return both(std::uint64_t{1} << kOpposite[way]); }
+constexpr std::uint64_t opposite(int move) { return both(std::uint64_t{1} << kOpposite[move]); }
 
 }  // namespace
 
@@ -23,18 +24,19 @@ Occupancy::Occupancy(const Grid& grid, int n_pursuers, int n_agents, int fov, bo
       words_(static_cast<std::size_t>(grid.n_cells()), 0),
       reservations_(words_.data()),
       lists_(grid, n_agents),
-      positions_table_(n_pursuers, n_agents, fov),
+      position_table_(n_pursuers, n_agents, fov),
       bitboards_{Bitboard(grid, fov / 2), Bitboard(grid, fov / 2)} {}
 
 void Occupancy::add(int agent, int cell) {
-    anybody_ = true;
-    reservations_.reserve(cell, team(agent), Reservation::by(0, false));
+    in_use_ = true;
+    reservations_.reserve(cell, team(agent), Reservation::of(0, false));
 }
 
 void Occupancy::remove(int agent, int cell) {
     reservations_.release(cell, team(agent), 0);
     if (keeps_lists_) lists_.remove(agent, cell);
-    if (for_networks_) hide(agent);
+    if (for_networks_) clear_position(agent);
+    // The cell's bit is shared: it is set again for a teammate that stays there.
     if (for_networks_ && keeps_bitboards() && count(cell, team(agent)) > 0) {
         bitboards_[static_cast<int>(team(agent))].set(grid_.row(cell), grid_.col(cell));
     }
@@ -42,11 +44,12 @@ void Occupancy::remove(int agent, int cell) {
 
 void Occupancy::clear(const std::vector<int>& living, const IntArray& cell) {
     release(living, cell);
-    anybody_ = false;
+    in_use_ = false;
 }
 
 void Occupancy::release(const std::vector<int>& participants, const IntArray& cell) {
-    if (!anybody_) return;
+    if (!in_use_) return;
+    // Copies, which the compiler knows that the writes below do not change.
     const ReservationTable reservations = reservations_;
     const int* const cells = cell.data();
     for (int a : participants) reservations.clear(cells[a]);
@@ -54,12 +57,12 @@ void Occupancy::release(const std::vector<int>& participants, const IntArray& ce
         for (int a : participants) lists_.remove(a, cell[a]);
     }
     if (for_networks_) {
-        for (int a : participants) hide(a);
+        for (int a : participants) clear_position(a);
     }
 }
 
 void Occupancy::occupy(const std::vector<int>& participants, const IntArray& cell) {
-    anybody_ = true;
+    in_use_ = true;
     if (keeps_lists_) {
         for (int a : participants) {
             if (cell[a] != kGone) lists_.add(a, cell[a]);
@@ -67,12 +70,12 @@ void Occupancy::occupy(const std::vector<int>& participants, const IntArray& cel
     }
     if (for_networks_) {
         for (int a : participants) {
-            if (cell[a] != kGone) show(a, cell[a]);
+            if (cell[a] != kGone) set_position(a, cell[a]);
         }
     }
 }
 
-void Occupancy::list(const std::vector<int>& living, const IntArray& cell) {
+void Occupancy::make_lists(const std::vector<int>& living, const IntArray& cell) {
     if (keeps_lists_ || !listed_.empty()) return;
     for (int a : living) {
         if (cell[a] == kGone) continue;
@@ -81,24 +84,24 @@ void Occupancy::list(const std::vector<int>& living, const IntArray& cell) {
     }
 }
 
-void Occupancy::unlist() {
+void Occupancy::clear_lists() {
     for (int cell : listed_) lists_.clear(cell);
     listed_.clear();
 }
 
-void Occupancy::show(int agent, int cell) {
+void Occupancy::set_position(int agent, int cell) {
     const int row = grid_.row(cell);
     const int col = grid_.col(cell);
-    positions_table_.put(agent, row, col, reservations_.at(cell, team(agent)).several());
+    position_table_.set(agent, row, col, reservations_.at(cell, team(agent)).several());
     if (keeps_bitboards()) bitboards_[static_cast<int>(team(agent))].set(row, col);
 }
 
-void Occupancy::hide(int agent) {
+void Occupancy::clear_position(int agent) {
     if (keeps_bitboards()) {
-        bitboards_[static_cast<int>(team(agent))].clear(positions_table_.row(agent),
-                                                        positions_table_.col(agent));
+        bitboards_[static_cast<int>(team(agent))].clear(position_table_.row(agent),
+                                                        position_table_.col(agent));
     }
-    positions_table_.take(agent);
+    position_table_.remove(agent);
 }
 
 }  // namespace matrixworld

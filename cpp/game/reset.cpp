@@ -1,4 +1,5 @@
-// How worlds are set up, and how an episode begins.
+// How worlds are set up, and how an episode begins. A reset depends on its key and placement alone,
+// never on what the world or the thread played before.
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -9,7 +10,9 @@ namespace matrixworld {
 
 namespace {
 
-// Deals the cells of the world in random order, one by one, and restores the pack at the end.
+// Samples cells without replacement: a Fisher-Yates shuffle of `order` that stops when no more
+// cells are needed. The destructor undoes the swaps, so that the next reset begins with the same
+// order, and a reset costs O(cells drawn), not O(cells of the grid).
 class CellSampler {
   public:
     CellSampler(Scratch& scratch, Stream& stream)
@@ -24,11 +27,11 @@ class CellSampler {
     CellSampler& operator=(const CellSampler&) = delete;
 
     int next() {
-        const int dealt = static_cast<int>(swaps_.size());
-        const int pick = dealt + below(stream_.next(), static_cast<int>(order_.size()) - dealt);
+        const int n_drawn = static_cast<int>(swaps_.size());
+        const int pick = n_drawn + below(stream_.next(), static_cast<int>(order_.size()) - n_drawn);
         swaps_.push_back(pick);
-        std::swap(order_[dealt], order_[pick]);
-        return order_[dealt];
+        std::swap(order_[n_drawn], order_[pick]);
+        return order_[n_drawn];
     }
 
   private:
@@ -43,48 +46,48 @@ void require_count(const char* team, std::size_t flat, int n) {
                                 " (row, col) pairs, got " + std::to_string(flat / 2));
 }
 
+void require_room(const Config& config, const ByteArray& map) {
+    const int area = config.rows * config.cols;
+    if (map.size() != 0 && map.size() != area) {
+        throw std::invalid_argument("obstacle map: expected " + std::to_string(area) +
+                                    " cells, got " + std::to_string(map.size()));
+    }
+    const int blocked =
+        map.size() ? static_cast<int>(map.cast<int>().sum()) : config.n_random_obstacles();
+    if (config.n_agents() > area - blocked) {
+        throw std::invalid_argument("obstacle map: expected at least " +
+                                    std::to_string(config.n_agents()) + " free cells, got " +
+                                    std::to_string(area - blocked));
+    }
+}
+
+std::string text(int row, int col) {
+    return "(" + std::to_string(row) + ", " + std::to_string(col) + ")";
+}
+
+// The index into the map of a given position. Throws where that is not a free cell.
+int free_index(const Config& config, const ByteArray& map, int row, int col) {
+    if (row < 0 || row >= config.rows || col < 0 || col >= config.cols) {
+        throw std::invalid_argument("position " + text(row, col) + ": expected a cell of the " +
+                                    std::to_string(config.rows) + " x " +
+                                    std::to_string(config.cols) + " grid");
+    }
+    const int index = row * config.cols + col;
+    if (map.size() && map[index]) {
+        throw std::invalid_argument("position " + text(row, col) +
+                                    ": expected a free cell, got an obstacle");
+    }
+    return index;
+}
+
 }  // namespace
 
 // ---- What worlds share ------------------------------------------------------------------------
 
-Terrain::Terrain(const Grid& grid, int margin)
-    : kind(ByteArray::Constant(grid.n_cells(), kBorder)),
-      walls(grid, margin),
-      closed(grid, margin, 1) {
-    clear_obstacles(grid);
-}
-
-void Terrain::set_obstacle(const Grid& grid, int cell) {
-    kind[cell] = kObstacle;
-    walls.set(grid.row(cell), grid.col(cell));
-    closed.at(grid.row(cell), grid.col(cell)) = 1;
-    has_obstacles = true;
-}
-
-void Terrain::clear_obstacles(const Grid& grid) {
-    for (int row = 0; row < grid.rows(); ++row) {
-        kind.segment(grid.cell(row, 0), grid.cols()).setConstant(kFree);
-        std::fill_n(&closed.at(row, 0), grid.cols(), std::uint8_t{0});
-    }
-    walls.clear_all();
-    has_obstacles = false;
-}
-
-namespace {
-
-void set_map(Terrain& terrain, const Grid& grid, const ByteArray& map) {
-    for (int i = 0; i < map.size(); ++i) {
-        if (map[i]) terrain.set_obstacle(grid, grid.cell(i / grid.cols(), i % grid.cols()));
-    }
-}
-
-}  // namespace
-
 Setup::Setup(Config given) : config(std::move(given)), grid(config.rows, config.cols) {
     config.validate();
-    auto base = std::make_shared<Terrain>(grid, config.fov / 2);
-    set_map(*base, grid, config.map);
-    terrain = std::move(base);
+    terrain = std::make_shared<const Terrain>(grid, config.fov / 2, config.map);
+    // A table of the eight sums replaces three branches for every agent that collides.
     for (int team = 0; team < kTeams; ++team) {
         for (int kinds = 0; kinds < 1 << kKinds; ++kinds) {
             penalties[team][kinds] = 0;
@@ -118,94 +121,76 @@ World::World(std::shared_ptr<const Setup> setup)
       ever_captured_(ByteArray::Zero(config().n_evaders)),
       capture_paid_(ByteArray::Zero(config().n_evaders)),
       captors_(IntArray::Zero(config().n_evaders)),
-      is_judged_(ByteArray::Zero(config().n_evaders)),
+      is_affected_(ByteArray::Zero(config().n_evaders)),
       rewards_(FloatArray::Zero(config().n_agents())),
       report_(decltype(report_)::Zero(config().n_agents())) {
     living_.reserve(config().n_agents());
-    judged_.reserve(config().n_evaders);
+    affected_.reserve(config().n_evaders);
 }
 
 void World::check(const Placement& placement) const {
     require_count("pursuer", placement.pursuers.size(), config().n_pursuers);
     require_count("evader", placement.evaders.size(), config().n_evaders);
     const ByteArray& map = placement.map.size() ? placement.map : config().map;
-    const int area = config().rows * config().cols;
-    if (map.size() != 0 && map.size() != area) {
-        throw std::invalid_argument("obstacle map: expected " + std::to_string(area) +
-                                    " cells, got " + std::to_string(map.size()));
-    }
-    const int blocked =
-        map.size() ? static_cast<int>(map.cast<int>().sum()) : config().n_random_obstacles();
-    if (config().n_agents() > area - blocked) {
-        throw std::invalid_argument("obstacle map: expected at least " +
-                                    std::to_string(config().n_agents()) + " free cells, got " +
-                                    std::to_string(area - blocked));
-    }
-    std::vector<int> taken;
+    require_room(config(), map);
+    // Two agents on one cell are found by sorting, in O(agents log agents).
+    std::vector<int> indices;
     for (const auto* positions : {&placement.pursuers, &placement.evaders}) {
         for (std::size_t i = 0; i < positions->size(); i += 2) {
-            const int row = (*positions)[i];
-            const int col = (*positions)[i + 1];
-            const std::string where = "(" + std::to_string(row) + ", " + std::to_string(col) + ")";
-            if (row < 0 || row >= config().rows || col < 0 || col >= config().cols) {
-                throw std::invalid_argument("position " + where + ": expected a cell of the " +
-                                            std::to_string(config().rows) + " x " +
-                                            std::to_string(config().cols) + " grid");
-            }
-            const int index = row * config().cols + col;
-            if (map.size() && map[index]) {
-                throw std::invalid_argument("position " + where +
-                                            ": expected a free cell, got an obstacle");
-            }
-            taken.push_back(index);
+            indices.push_back(free_index(config(), map, (*positions)[i], (*positions)[i + 1]));
         }
     }
-    std::sort(taken.begin(), taken.end());
-    const auto twice = std::adjacent_find(taken.begin(), taken.end());
-    if (twice != taken.end()) {
-        throw std::invalid_argument("positions: expected distinct cells, got two agents on (" +
-                                    std::to_string(*twice / config().cols) + ", " +
-                                    std::to_string(*twice % config().cols) + ")");
-    }
+    std::sort(indices.begin(), indices.end());
+    const auto twice = std::adjacent_find(indices.begin(), indices.end());
+    if (twice == indices.end()) return;
+    throw std::invalid_argument("positions: expected distinct cells, got two agents on " +
+                                text(*twice / config().cols, *twice % config().cols));
 }
 
 void World::reset(EpisodeKey key, Scratch& scratch, const Placement& placement) {
     check(placement);
     begin_episode(key);
-    lay_terrain(placement.map);
+    set_terrain(placement.map);
+    place_given(placement.pursuers, 0, scratch);
+    place_given(placement.evaders, config().n_pursuers, scratch);
+    place_at_random(placement, scratch);
+    scratch.occupancy.occupy(living_, cell_);
+}
 
-    const auto place_given = [&](const std::vector<int>& positions, int first) {
-        for (std::size_t i = 0; i < positions.size(); i += 2) {
-            place(first + static_cast<int>(i / 2), grid().cell(positions[i], positions[i + 1]),
-                  scratch);
-        }
-    };
-    place_given(placement.pursuers, 0);
-    place_given(placement.evaders, config().n_pursuers);
+void World::place_given(const std::vector<int>& positions, int first, Scratch& scratch) {
+    for (std::size_t i = 0; i < positions.size(); i += 2) {
+        const int agent = first + static_cast<int>(i / 2);
+        place(agent, grid().cell(positions[i], positions[i + 1]), scratch);
+    }
+}
 
-    Stream stream(key, Purpose::Reset);
+// Draws what a placement leaves open. The order (obstacles, evaders, pursuers) fixes which random
+// number places what.
+void World::place_at_random(const Placement& given, Scratch& scratch) {
+    Stream stream(key_, Purpose::Reset);
     CellSampler cell_sampler(scratch, stream);
     const auto free_cell = [&] {
         int cell = cell_sampler.next();
-        while (terrain_->kind[cell] != kFree || !scratch.occupancy.empty(cell))
+        while (terrain_->kind[cell] != kFree || !scratch.occupancy.empty(cell)) {
             cell = cell_sampler.next();
+        }
         return cell;
     };
-    const bool own_map = placement.map.size() != 0 || config().map.size() != 0;
-    if (!own_map && config().n_random_obstacles() > 0) {
+    const bool has_map = given.map.size() != 0 || config().map.size() != 0;
+    const int n_obstacles = has_map ? 0 : config().n_random_obstacles();
+    if (n_obstacles > 0) {
+        // The shared terrain stays as it is; this episode has a copy of its own.
         auto terrain = std::make_shared<Terrain>(*setup_->terrain);
-        for (int i = 0; i < config().n_random_obstacles(); ++i) {
-            terrain->set_obstacle(grid(), free_cell());
-        }
+        for (int i = 0; i < n_obstacles; ++i) terrain->set_obstacle(free_cell());
         terrain_ = std::move(terrain);
     }
-    if (placement.evaders.empty()) {
-        for (int e = 0; e < config().n_evaders; ++e) place(evader_agent(e), free_cell(), scratch);
+    const int first_evader = config().n_pursuers;
+    for (int a = first_evader; given.evaders.empty() && a < config().n_agents(); ++a) {
+        place(a, free_cell(), scratch);
     }
-    if (placement.pursuers.empty()) {
-        for (int p = 0; p < config().n_pursuers; ++p) place(p, free_cell(), scratch);
+    for (int a = 0; given.pursuers.empty() && a < first_evader; ++a) {
+        place(a, free_cell(), scratch);
     }
-    scratch.occupancy.occupy(living_, cell_);
 }
 
 void World::begin_episode(EpisodeKey key) {
@@ -215,7 +200,7 @@ void World::begin_episode(EpisodeKey key) {
     n_living_[static_cast<int>(Team::Pursuer)] = config().n_pursuers;
     n_living_[static_cast<int>(Team::Evader)] = config().n_evaders;
     n_captured_ = 0;
-    n_at_large_ = config().n_evaders;
+    n_uncaptured_ = config().n_evaders;
     captured_.setZero();
     ever_captured_.setZero();
     capture_paid_.setZero();
@@ -227,12 +212,10 @@ void World::begin_episode(EpisodeKey key) {
     truncated_ = false;
 }
 
-void World::lay_terrain(const ByteArray& map) {
+void World::set_terrain(const ByteArray& map) {
     terrain_ = setup_->terrain;
     if (map.size() == 0) return;
-    auto terrain = std::make_shared<Terrain>(grid(), config().fov / 2);
-    set_map(*terrain, grid(), map);
-    terrain_ = std::move(terrain);
+    terrain_ = std::make_shared<const Terrain>(grid(), config().fov / 2, map);
 }
 
 void World::place(int agent, int cell, Scratch& scratch) {

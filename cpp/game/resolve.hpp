@@ -1,11 +1,17 @@
 // Intents and rules -> outcomes, for one turn. Pure: no random number, no reward, no clock. The
-// four methods that `resolve` calls are the first four stages of a step; each judges all agents
-// at once from the state that it found, so the numbering of agents cannot matter.
+// four methods that `resolve` calls are the first four stages of a step. Each stage judges all
+// agents at once from the state that the stage found: an agent that was judged does not change what
+// the next one is judged on, so renumbering the agents renumbers the outcomes and changes nothing
+// else.
 //
-// ReservationTable tell for each cell who heads for it, and by which ways. Whether an agent is in
-// conflict is then a look at two cells, the one it heads for and the one it leaves. Nearly all
-// agents are in none, and nothing more is asked of them. The work is O(agents), plus the pairs of a
-// chain or a capture where several share a cell.
+// The reservation table tells by which moves each cell is reserved. Whether an agent is in conflict
+// is then a look at two cells, the one it enters and the one it leaves. Nearly all agents are in no
+// conflict, and nothing more is done for them. The work is O(agents), plus the pairs of a chain or
+// a capture where several agents share a cell.
+//
+//     resolver.resolve(turn, occupancy.reservations(), nullptr);
+//     for (int a : turn.participants) cell[a] = resolver.target(a);
+//     for (int a : resolver.flagged()) { if (resolver.flags(a) & kDoomed) ... }
 #pragma once
 
 #include <cstdint>
@@ -13,37 +19,37 @@
 #include <vector>
 
 #include "game/occupancy.hpp"
-#include "grid/agent_list.hpp"
-#include "grid/cell_lists.hpp"
+#include "grid/agent_lists.hpp"
 #include "grid/grid.hpp"
 #include "grid/rules.hpp"
 
 namespace matrixworld {
 
-// What became of one agent, as bits.
+// What happened to one agent in a turn, as bits.
 using Flags = std::uint16_t;
 constexpr Flags involved(Kind kind) { return Flags(1 << static_cast<int>(kind)); }
 constexpr Flags at_fault(Kind kind) { return Flags(1 << (kKinds + static_cast<int>(kind))); }
 constexpr Flags kReportMask = (1 << (2 * kKinds)) - 1;  // the bits of involved and at_fault
-constexpr Flags kHeld = 1 << 6;                         // its move is cancelled
+constexpr Flags kHeld = 1 << 6;                         // its move is cancelled: it stays
 constexpr Flags kCrashed = 1 << 7;                      // gone in stage 1
 constexpr Flags kDoomed = 1 << 8;                       // gone in stage 5
-constexpr Flags kBarred = 1 << 9;  // held before stage 4: it heads nowhere any more
+constexpr Flags kBarred = 1 << 9;  // held before stage 4: its former target counts no more
 
-// One conflict, as a reader wants to hear of it. Sides: bit 0 the first agent, bit 1 the second.
+// One conflict, for the list that explains a step. In the last three members bit 0 stands for the
+// first agent and bit 1 for the second.
 struct Conflict {
     int turn;
     Kind kind;
     Form form;
     int first;
     int second;  // -1 where the other side is an obstacle
-    int cell;    // the common target; for an edge and a chain, where `first` headed
+    int cell;    // the common target; for an edge and a chain, the target of `first`
     std::uint8_t at_fault;
     std::uint8_t held;
     std::uint8_t doomed;
 };
 
-// Some agents, one after the other.
+// A range of agents.
 struct Agents {
     const int* first;
     const int* last;
@@ -52,8 +58,8 @@ struct Agents {
     const int* end() const { return last; }
 };
 
-// The agents that may meet in this turn and what they set out to do. Those with first_actor <=
-// agent < last_actor act; the others stay where they are.
+// What a turn is resolved from: the participants (the agents that the turn can affect) and their
+// actions. Agents with first_actor <= agent < last_actor act; the others intend to stay.
 struct Turn {
     Agents participants;          // living agents, pursuers first
     const int* first_evader;      // of the participants
@@ -80,16 +86,16 @@ class Resolver {
   public:
     Resolver(const Grid& grid, const Rules& rules, int n_pursuers, int n_agents);
 
-    // Finds nobody of the participants posted, and leaves everybody posted where it ends up, but for those
-    // who disappear. Appends each conflict to `log` where one is given; that costs the
-    // number of conflicts.
+    // Resolves one turn. Precondition: no participant holds a reservation. Postcondition: every
+    // survivor has reserved its final cell, and no agent that disappears holds a reservation.
+    // Appends each conflict to `log` where one is given; that costs the number of conflicts.
     void resolve(const Turn& turn, ReservationTable reservations, std::vector<Conflict>* log);
 
     Flags flags(int agent) const { return flags_[agent]; }
-    // The cell where an agent of the participants ends up, or where it disappears.
+    // The final cell of a participant; for one that disappears, the cell where it does.
     int target(int agent) const { return target_[agent]; }
-    // Agents with any flag at all; each once.
-    const AgentList& eventful() const { return eventful_; }
+    // The agents with any flag; each once.
+    const AgentList& flagged() const { return flagged_; }
     // (evader, pursuer) for every contact that captures; each pair once.
     const std::vector<std::pair<int, int>>& captures() const { return captures_; }
 
@@ -98,18 +104,18 @@ class Resolver {
     void teammates();
     void adversaries();
     void chains();
-    void end_up();
+    void apply_outcomes();
 
     template <Team kTeam, bool kAllAct>
-    void set_out();
-    bool enters_obstacle(int agent);
+    void reserve_targets();
+    bool survives_obstacle(int agent);
     void list_present();
-    void find_company();
+    void find_conflict_candidates();
     CellLists::Range reserving(int cell);
-    void unlist_targets();
+    void clear_target_lists();
     void hold(int agent);
     void spread_bounce();
-    void note_captors(int evader);
+    void add_captors(int evader);
     void enter_link(int entrant, int link);
     bool swap(int a, int b) const;
     bool meets_teammate(int agent) const;
@@ -120,9 +126,10 @@ class Resolver {
     void log_pair(Form form, int a, int b, int cell);
 
     Team team(int agent) const { return agent < n_pursuers_ ? Team::Pursuer : Team::Evader; }
-    void raise(int agent, Flags news) {
-        if (flags_[agent] == 0) eventful_.add(agent);
-        flags_[agent] |= news;
+    // Flags are added, never taken back, during a turn.
+    void set_flags(int agent, Flags added) {
+        if (flags_[agent] == 0) flagged_.add(agent);
+        flags_[agent] |= added;
     }
 
     const Grid grid_;
@@ -132,18 +139,18 @@ class Resolver {
     const Turn* turn_ = nullptr;
     ReservationTable reservations_{nullptr};
     std::vector<Conflict>* log_ = nullptr;
-    bool somebody_meets_ = false;  // else there is no conflict but with obstacles
-    AgentList present_;            // the participants without the crashed
-    AgentList company_;            // those of them who may be in conflict
-    AgentList held_now_;           // held during this stage, not yet followed up
-    AgentList eventful_;
+    bool may_conflict_ = false;  // false: the only conflicts of this turn are with obstacles
+    AgentList present_;          // the participants that did not crash
+    AgentList candidates_;       // those of them that may be in conflict with an agent
+    AgentList held_now_;         // held during this stage, their followers not yet judged
+    AgentList flagged_;
     std::vector<std::pair<int, int>> captures_;
 
     Eigen::Array<Flags, Eigen::Dynamic, 1> flags_;  // by agent
-    Eigen::Array<short, Eigen::Dynamic, 1> way_;    // by agent: the move that it still intends
-    IntArray target_;                               // by agent: the cell that it heads for
+    Eigen::Array<short, Eigen::Dynamic, 1> move_;   // by agent: the move that it still intends
+    IntArray target_;                               // by agent: the cell that it intends to be on
 
-    CellLists by_target_;
+    CellLists by_target_;  // the present agents by target, made where a stage needs single agents
     bool listed_ = false;
 };
 

@@ -1,7 +1,8 @@
-// A world written down between two turns, and taken up again.
-#include <algorithm>
+#include "game/snapshot.hpp"
+
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include "game/world.hpp"
 
@@ -9,104 +10,103 @@ namespace matrixworld {
 
 namespace {
 
-void require_size(const char* name, long size, long expected) {
-    if (size == expected) return;
-    throw std::invalid_argument(std::string("snapshot, ") + name + ": expected " +
-                                std::to_string(expected) + " entries, got " + std::to_string(size));
+void refuse(const SnapshotField& field, const std::string& expected, long given) {
+    throw std::invalid_argument("snapshot, " + std::string(field.name) + ": expected " + expected +
+                                ", got " + std::to_string(given));
 }
 
-template <typename Values>
-void require_below(const char* name, const Values& values, int low, int high) {
-    for (const int value : values) {
-        if (value >= low && value < high) continue;
-        throw std::invalid_argument(std::string("snapshot, ") + name + ": expected " +
-                                    std::to_string(low) + " to " + std::to_string(high - 1) +
-                                    ", got " + std::to_string(value));
+void require_limits(const SnapshotField& field, int value) {
+    const Limits limits = *field.limits;
+    if (value >= limits.low && value <= limits.high) return;
+    refuse(field, std::to_string(limits.low) + " to " + std::to_string(limits.high), value);
+}
+
+template <typename Value>
+void check_field(const SnapshotField& field, const Value& value) {
+    if constexpr (std::is_arithmetic_v<Value>) {
+        if (field.limits) require_limits(field, static_cast<int>(value));
+    } else {
+        const long size = static_cast<long>(value.size());
+        if (field.size != kAnySize && size != field.size) {
+            refuse(field, std::to_string(field.size) + " entries", size);
+        }
+        if (!field.limits) return;
+        for (const auto entry : value) require_limits(field, static_cast<int>(entry));
     }
 }
 
 }  // namespace
 
+// The members of a world that a snapshot holds unchanged, each beside its field.
+template <typename AnyWorld, typename AnySnapshot, typename Copy>
+void World::copy_members(AnyWorld& world, AnySnapshot& s, Copy copy) {
+    copy(world.captured_, s.captured);
+    copy(world.ever_captured_, s.ever_captured);
+    copy(world.capture_paid_, s.capture_paid);
+    copy(world.captors_, s.captors);
+    copy(world.rewards_, s.rewards);
+    copy(world.steps_, s.steps);
+    copy(world.first_turn_, s.first_turn);
+    copy(world.terminated_, s.terminated);
+    copy(world.truncated_, s.truncated);
+}
+
 Snapshot World::snapshot(const Scratch& scratch) const {
     Snapshot s;
+    copy_members(*this, s, [](const auto& own, auto& saved) { saved = own; });
     s.key = key_;
     s.map.resize(config().rows * config().cols);
-    for (int i = 0; i < s.map.size(); ++i) {
-        s.map[i] = terrain_->kind[grid().cell(i / config().cols, i % config().cols)] == kObstacle;
-    }
+    terrain_->write_map(s.map.data());
+    // Cells are written without the border's ring, so that a reader needs rows and cols alone.
     const auto index = [&](int cell) {
         return cell == kGone ? kGone : grid().row(cell) * config().cols + grid().col(cell);
     };
-    s.cell = cell_.unaryExpr(index);
+    s.cells = cell_.unaryExpr(index);
     s.last_cells = last_cell_.unaryExpr(index);
-    s.captured = captured_;
-    s.ever_captured = ever_captured_;
-    s.capture_paid = capture_paid_;
-    s.captors = captors_;
-    s.rewards = rewards_;
     s.report = report_.cast<int>();
     s.participants = scratch.participants;
-    s.steps = steps_;
-    s.fresh_round = fresh_round_;
-    s.terminated = terminated_;
-    s.truncated = truncated_;
     return s;
 }
 
 void World::check(const Snapshot& s) const {
-    const int area = config().rows * config().cols;
-    const int n_agents = config().n_agents();
-    require_size("map", s.map.size(), area);
-    require_size("cell", s.cell.size(), n_agents);
-    require_size("last_cells", s.last_cells.size(), n_agents);
-    require_size("rewards", s.rewards.size(), n_agents);
-    require_size("report", s.report.size(), n_agents);
-    require_size("captured", s.captured.size(), config().n_evaders);
-    require_size("ever_captured", s.ever_captured.size(), config().n_evaders);
-    require_size("capture_paid", s.capture_paid.size(), config().n_evaders);
-    require_size("captors", s.captors.size(), config().n_evaders);
-    require_below("cell", s.cell, kGone, area);
-    require_below("last_cells", s.last_cells, kGone, area);
-    require_below("participants", s.participants, 0, n_agents);
+    for_each_field(s, config(), [](const SnapshotField& field, const auto& value) {
+        check_field(field, value);
+    });
 }
 
 void World::restore(const Snapshot& s, Scratch& scratch) {
     check(s);
     begin_episode(s.key);
-    lay_terrain(s.map);
+    set_terrain(s.map);
+    copy_members(*this, s, [](auto& own, const auto& saved) { own = saved; });
+    report_ = s.report.cast<Flags>();
     const auto cell = [&](int index) {
         return index == kGone ? kGone : grid().cell(index / config().cols, index % config().cols);
     };
     last_cell_ = s.last_cells.unaryExpr(cell);
-    living_.clear();
-    n_living_[0] = n_living_[1] = 0;
-    for (int a = 0; a < config().n_agents(); ++a) {
-        cell_[a] = kGone;
-        if (s.cell[a] == kGone) continue;
-        living_.push_back(a);
-        ++n_living_[static_cast<int>(team(a))];
-        place(a, cell(s.cell[a]), scratch);
-    }
-    scratch.occupancy.occupy(living_, cell_);
-    captured_ = s.captured;
-    ever_captured_ = s.ever_captured;
-    capture_paid_ = s.capture_paid;
-    captors_ = s.captors;
-    rewards_ = s.rewards;
-    report_ = s.report.cast<Flags>();
+    place_living(s.cells.unaryExpr(cell), scratch);
     count_captures();
     scratch.participants = s.participants;
-    steps_ = s.steps;
-    fresh_round_ = s.fresh_round;
-    terminated_ = s.terminated;
-    truncated_ = s.truncated;
+}
+
+void World::place_living(const IntArray& cells, Scratch& scratch) {
+    living_.clear();
+    n_living_[0] = n_living_[1] = 0;
+    cell_.setConstant(kGone);
+    for (int a = 0; a < config().n_agents(); ++a) {
+        if (cells[a] == kGone) continue;
+        living_.push_back(a);
+        ++n_living_[static_cast<int>(team(a))];
+        place(a, cells[a], scratch);
+    }
+    scratch.occupancy.occupy(living_, cell_);
 }
 
 void World::count_captures() {
-    n_captured_ = n_at_large_ = 0;
+    n_captured_ = n_uncaptured_ = 0;
     for (int e = 0; e < config().n_evaders; ++e) {
         n_captured_ += counts_as_captured(e);
-        n_at_large_ += alive(evader_agent(e)) && !counts_as_captured(e);
+        n_uncaptured_ += alive(evader_agent(e)) && !counts_as_captured(e);
     }
 }
 

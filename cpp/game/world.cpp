@@ -53,7 +53,7 @@ void World::begin_round() {
     report_.setZero();
     captors_.setZero();
     if (config().rewards.capture_repeats) capture_paid_.setZero();
-    fresh_round_ = true;
+    first_turn_ = true;
 }
 
 void World::play_turn(int number, const std::uint8_t* actions, Scratch& scratch,
@@ -61,53 +61,59 @@ void World::play_turn(int number, const std::uint8_t* actions, Scratch& scratch,
     int first = 0;
     int last = 0;
     actors(number, first, last);
-    const bool nobody = last - first == 1 ? !alive(first) : n_living(team(first)) == 0;
-    if (terminated_ || nobody) return;
+    // A turn whose agents are gone, or that comes after the end, is skipped.
+    const bool no_actor = last - first == 1 ? !alive(first) : n_living(team(first)) == 0;
+    if (terminated_ || no_actor) return;
 
     const std::vector<int>& participants =
         one_by_one() ? choose_participants(first, actions[first], scratch) : living_;
     const Turn turn = make_turn(participants, actions, first, last, number);
     scratch.occupancy.release(participants, cell_);
+    // Stages 1 to 4: obstacles, teammates, adversaries, chains.
     scratch.resolver.resolve(turn, scratch.occupancy.reservations(), log);
+    // Stage 5.
     settle(turn, scratch);
     scratch.occupancy.occupy(participants, cell_);
-    teams_touch_ = one_by_one() || find_touch(turn, scratch);
+    teams_adjacent_ = one_by_one() || teams_are_adjacent(turn, scratch);
     judge_captures(turn, scratch);
     pay_captures();
     remove_captured(scratch);
     pay_actors(turn, scratch);
     report_and_penalize(scratch);
-    scratch.occupancy.unlist();
-    drop_gone();
+    scratch.occupancy.clear_lists();
+    update_living();
     judge_end();
-    fresh_round_ = false;
+    first_turn_ = false;
 }
 
+// The round counts even where the episode ended in the middle of it.
 void World::end_round() {
     ++steps_;
     truncated_ = steps_ >= config().max_steps;
 }
 
-// Where a single agent acts: it and those on the cell it leaves or heads for. Nobody else can meet
-// it.
+// The participants of a single agent's turn: the actor and the agents on the cell it leaves and on
+// the cell it enters. No other agent can be in conflict with it, so a turn costs O(1), not
+// O(agents).
 const std::vector<int>& World::choose_participants(int actor, int action, Scratch& scratch) const {
     std::swap(scratch.participants, scratch.last_participants);
     scratch.participants.clear();
-    scratch.here = cell_[actor];
-    scratch.there = scratch.here + grid().delta(action);
+    scratch.actor_cell = cell_[actor];
+    scratch.actor_target = scratch.actor_cell + grid().delta(action);
     const CellLists& lists = scratch.occupancy.lists();
     for (Team wanted : {Team::Pursuer, Team::Evader}) {
-        const auto call = [&](int cell) {
+        const auto add = [&](int cell) {
             for (int a : lists.at(cell)) {
                 if (team(a) == wanted) scratch.participants.push_back(a);
             }
         };
-        call(scratch.here);
-        if (scratch.there != scratch.here) call(scratch.there);
+        add(scratch.actor_cell);
+        if (scratch.actor_target != scratch.actor_cell) add(scratch.actor_target);
     }
     return scratch.participants;
 }
 
+// Participants list the pursuers first, so each team and the actors are ranges of them.
 Turn World::make_turn(const std::vector<int>& participants, const std::uint8_t* actions, int first,
                       int last, int number) const {
     const Agents all{participants.data(), participants.data() + participants.size()};
@@ -130,21 +136,24 @@ Turn World::make_turn(const std::vector<int>& participants, const std::uint8_t* 
 void World::settle(const Turn& turn, Scratch& scratch) {
     const Resolver& resolver = scratch.resolver;
     for (int a : turn.participants) cell_[a] = resolver.target(a);
-    for (int a : resolver.eventful()) {
+    for (int a : resolver.flagged()) {
         if (!(resolver.flags(a) & (kCrashed | kDoomed))) continue;
-        if (team(a) == Team::Evader) release(evader_number(a));  // until judged
+        // An evader that disappears is captured only if this turn's judgement says so.
+        if (team(a) == Team::Evader) clear_capture(evader_number(a));
         remove(a, cell_[a]);
     }
 }
 
-void World::remove(int agent, int at) {
+void World::remove(int agent, int cell) {
     cell_[agent] = kGone;
-    last_cell_[agent] = at;
+    last_cell_[agent] = cell;
     --n_living_[static_cast<int>(team(agent))];
-    if (team(agent) == Team::Evader && !counts_as_captured(evader_number(agent))) --n_at_large_;
+    if (team(agent) == Team::Evader && !counts_as_captured(evader_number(agent))) --n_uncaptured_;
 }
 
-void World::drop_gone() {
+// Gone agents stay in `living_` during a turn, since its loops run over the list; they are erased
+// once at the end.
+void World::update_living() {
     if (n_living_[0] + n_living_[1] == static_cast<int>(living_.size())) return;
     living_.erase(std::remove_if(living_.begin(), living_.end(), [&](int a) { return !alive(a); }),
                   living_.end());
@@ -152,9 +161,10 @@ void World::drop_gone() {
 
 // ---- Rewards and the end ------------------------------------------------------------------------
 
+// Each captor is paid for each evader; the evader pays once, whatever the number of its captors.
 void World::pay_captures() {
     const auto& capture = config().rewards.capture;
-    for (const auto& [evader, pursuer] : unpaid_) {
+    for (const auto& [evader, pursuer] : payable_captures_) {
         rewards_[pursuer] += pay(capture, pursuer);
         if (capture_paid_[evader]) continue;
         capture_paid_[evader] = 1;
@@ -166,38 +176,42 @@ void World::pay_actors(const Turn& turn, const Scratch& scratch) {
     const Rewards& rewards = config().rewards;
     const ReservationTable reservations = scratch.occupancy.reservations();
     for (int a : turn.actors) rewards_[a] += pay(rewards.step, a);
-    if (!teams_touch_) return;
+    if (!teams_adjacent_) return;
     for (int a : turn.actors) {
-        if (alive(a) && reservations.beside(cell_[a], opponent(team(a)), grid(), false)) {
+        if (alive(a) && reservations.any_beside(cell_[a], opponent(team(a)), grid(), false)) {
             rewards_[a] += pay(rewards.neighbor, a);
         }
     }
 }
 
-// Of each pair that is side by side one is of the smaller team.
-bool World::find_touch(const Turn& turn, const Scratch& scratch) const {
+// Is any agent beside an adversary? Every such pair has a member in the smaller team, so only that
+// team is looked at. Where the answer is no, which is common, captures by surround and rewards for
+// neighbours need no further work.
+bool World::teams_are_adjacent(const Turn& turn, const Scratch& scratch) const {
     const ReservationTable reservations = scratch.occupancy.reservations();
     const bool fewer = n_living(Team::Pursuer) <= n_living(Team::Evader);
     const Team team = fewer ? Team::Pursuer : Team::Evader;
     const bool diagonal = config().diagonal;
-    bool touch = false;
+    bool adjacent = false;
     for (int a : turn.of(team)) {
-        if (alive(a)) touch |= reservations.beside(cell_[a], opponent(team), grid(), diagonal);
+        if (alive(a))
+            adjacent |= reservations.any_beside(cell_[a], opponent(team), grid(), diagonal);
     }
-    return touch;
+    return adjacent;
 }
 
 void World::report_and_penalize(const Scratch& scratch) {
-    for (int a : scratch.resolver.eventful()) {
-        const Flags news = scratch.resolver.flags(a) & kReportMask & ~report_[a];
-        report_[a] |= news;
-        const int blamed = config().rewards.blame == Blame::Fault ? news >> kKinds : news;
+    for (int a : scratch.resolver.flagged()) {
+        // Each kind is reported, and its penalty paid, once a round, however many turns it has.
+        const Flags added = scratch.resolver.flags(a) & kReportMask & ~report_[a];
+        report_[a] |= added;
+        const int blamed = config().rewards.blame == Blame::Fault ? added >> kKinds : added;
         rewards_[a] += setup_->penalties[static_cast<int>(team(a))][blamed & ((1 << kKinds) - 1)];
     }
 }
 
 void World::judge_end() {
-    terminated_ = n_at_large_ == 0 || n_living_[0] == 0 || n_living_[1] == 0;
+    terminated_ = n_uncaptured_ == 0 || n_living_[0] == 0 || n_living_[1] == 0;
 }
 
 }  // namespace matrixworld

@@ -1,6 +1,14 @@
-// One world: reset, then rounds of play. Under simultaneous play a round is one turn of
-// everybody; under swarm turns the pursuers' turn and then the evaders'; under agent turns one
-// turn each. A turn is the five stages: the resolver's four, then `settle` and what follows.
+// One world: a reset, then rounds. Under simultaneous play a round is one turn in which all agents
+// act; under swarm turns it is the pursuers' turn and then the evaders' turn; under agent turns
+// every agent has its own. A turn runs the five stages of a step: the resolver's four, then
+// `settle`, the captures, the rewards and the end of the episode.
+//
+//     const auto setup = std::make_shared<const Setup>(config);   // shared by all worlds
+//     Scratch scratch(*setup);                                     // one for each thread
+//     World world(setup);
+//     world.reset({seed, episode}, scratch);
+//     while (!world.over()) world.step(actions, scratch);
+//     world.leave(scratch);                                        // free for another world
 #pragma once
 
 #include <cstdint>
@@ -9,108 +17,79 @@
 
 #include "game/occupancy.hpp"
 #include "game/resolve.hpp"
-#include "grid/bitboard.hpp"
+#include "game/snapshot.hpp"
+#include "game/terrain.hpp"
 #include "grid/grid.hpp"
-#include "grid/plane.hpp"
 #include "grid/random.hpp"
 #include "grid/rules.hpp"
 
 namespace matrixworld {
 
-// What the caller fixes at a reset; whatever is empty is drawn at random.
+// What the caller fixes at a reset. What is left empty is drawn at random.
 struct Placement {
     std::vector<int> pursuers;  // (row, col) pairs, flat
     std::vector<int> evaders;   // (row, col) pairs, flat
     ByteArray map;              // (rows * cols)
 };
 
-// What the cells are made of, as a table and as a bitmap of the obstacles inside the border.
-struct Terrain {
-    Terrain(const Grid& grid, int margin);
-
-    void set_obstacle(const Grid& grid, int cell);
-    void clear_obstacles(const Grid& grid);
-
-    ByteArray kind;  // by cell
-    Bitboard walls;  // obstacles
-    Plane closed;    // obstacles and whatever is outside
-    bool has_obstacles = false;
-};
-
-// Where a world is, between two turns: all that the turns to come depend on, and what is reported of
-// the last one.
-struct Snapshot {
-    EpisodeKey key;
-    ByteArray map;        // (rows * cols)
-    IntArray cell;        // by agent, an index into the rows * cols cells; kGone when gone
-    IntArray last_cells;  // by agent that is gone, the same
-    ByteArray captured, ever_captured, capture_paid;  // by evader
-    IntArray captors;                                 // by evader
-    FloatArray rewards;                               // by agent
-    IntArray report;                                  // by agent
-    std::vector<int> participants;                    // the agents of the last turn
-    int steps = 0;
-    bool fresh_round = false;
-    bool terminated = false;
-    bool truncated = false;
-};
-
-// A configuration with what all worlds of it share.
+// A configuration, with what all its worlds share.
 struct Setup {
     explicit Setup(Config config);
 
     Config config;
     Grid grid;
     std::shared_ptr<const Terrain> terrain;  // with the obstacles of the configured map
-    float penalties[kTeams][1 << kKinds];    // by the set of kinds that an agent pays for
+    float penalties[kTeams][1 << kKinds];    // summed, by set of kinds as bits
 };
 
-// The scratch memory of one thread, for any number of worlds of one configuration.
+// Memory that a world needs while it is played: one for each thread serves any number of worlds of
+// one configuration, so that a world itself stays small.
 struct Scratch {
     explicit Scratch(const Setup& setup, bool for_networks = true);
 
     Occupancy occupancy;
     Resolver resolver;
-    IntArray order;          // every cell of the world once; a reset shuffles and restores it
-    std::vector<int> swaps;  // how to restore it
-    // Of turns of one agent: those that take part, in this turn and in the one before within the
-    // round; where the actor stands and where it heads for.
+    IntArray order;  // every cell once; a reset shuffles the cells it needs and restores them
+    std::vector<int> swaps;  // what that reset swapped
+    // Under agent turns: the participants of this turn and of the last one, the actor's cell and
+    // its target.
     std::vector<int> participants;
     std::vector<int> last_participants;
-    int here = 0;
-    int there = 0;
+    int actor_cell = 0;
+    int actor_target = 0;
 };
 
 class World {
   public:
     explicit World(std::shared_ptr<const Setup> setup);
 
-    // Starts episode `key` and leaves the agents in the scratch, from which they must have been
-    // taken out before. Throws std::invalid_argument for a placement that does not fit, before
-    // anything is changed.
+    // Starts episode `key` and enters the agents. Precondition: no world has entered the scratch.
+    // Throws std::invalid_argument for a placement that does not fit, before anything is changed.
     void reset(EpisodeKey key, Scratch& scratch, const Placement& placement = {});
 
-    // Writes down where the world is, and goes back there: a restored world goes on as the one that
-    // was written down, and leaves its agents in the scratch as a reset does. Throws
-    // std::invalid_argument, before anything is changed, for a snapshot of another configuration.
+    // Returns a snapshot, or restores one and enters the agents as a reset does. A restored world
+    // goes on as the original does. Throws std::invalid_argument, before anything is changed, for a
+    // snapshot with entries of other sizes or values than this configuration has.
     Snapshot snapshot(const Scratch& scratch) const;
     void restore(const Snapshot& snapshot, Scratch& scratch);
 
-    // Puts the agents into the scratch, or takes them out. A world is played between the two.
+    // Enters the agents into the occupancy of the scratch, or removes them from it. A world is
+    // played and observed between the two.
     void enter(Scratch& scratch) const;
     void leave(Scratch& scratch) const;
 
-    // Do agents act one at a time? Else every turn lifts and posts all agents, so that a world may
-    // be played without being put into the scratch before; it is in it afterwards.
+    // Do agents act one at a time? Otherwise every turn affects all agents and makes all
+    // reservations anew: then a world may be played without entering, and has entered afterwards.
     bool one_by_one() const { return config().rules.interaction == Interaction::AgentTurns; }
 
-    // One round with the actions committed by all agents. `log` collects the conflicts.
+    // Plays one round with the actions that all agents have committed. `log` collects the
+    // conflicts.
     void step(const std::uint8_t* actions, Scratch& scratch, std::vector<Conflict>* log = nullptr);
 
-    // The same, turn by turn, for players that look before their own turn.
+    // The same, turn by turn, for policies that observe before their own turn.
     int n_turns() const;
     void begin_round();
-    // Agents [first, last) act in turn `turn`.
+    // Sets the range [first, last) of the agents that act in a turn.
     void actors(int turn, int& first, int& last) const;
     void play_turn(int turn, const std::uint8_t* actions, Scratch& scratch,
                    std::vector<Conflict>* log = nullptr);
@@ -124,17 +103,19 @@ class World {
     bool alive(int agent) const { return cell_[agent] != kGone; }
     int cell(int agent) const { return cell_[agent]; }
     const IntArray& cells() const { return cell_; }             // by agent
-    const IntArray& last_cells() const { return last_cell_; }   // by agent that is gone
-    const std::vector<int>& living() const { return living_; }  // in the order of their numbers
+    const IntArray& last_cells() const { return last_cell_; }   // by agent: where it disappeared
+    const std::vector<int>& living() const { return living_; }  // agents, ascending
     int n_living(Team team) const { return n_living_[static_cast<int>(team)]; }
     const Terrain& terrain() const { return *terrain_; }
     const std::shared_ptr<const Terrain>& shared_terrain() const { return terrain_; }
 
-    // By evader; `captors` is 0 once the step of the capture is over and the evader gone.
+    // By evader. The captors of an evader that was removed are counted in the step of its capture
+    // and are 0 afterwards.
     const ByteArray& captured() const { return captured_; }
     const ByteArray& ever_captured() const { return ever_captured_; }
     const IntArray& captors() const { return captors_; }
-    // Evaders that count as captured: ever under occupation, at this moment under surround.
+    // Evaders that count as captured: under occupation those captured at any time, under surround
+    // those captured at this moment.
     int n_captured() const { return n_captured_; }
     int n_ever_captured() const { return static_cast<int>(ever_captured_.cast<int>().sum()); }
 
@@ -151,32 +132,37 @@ class World {
 
   private:
     void check(const Snapshot& snapshot) const;
+    template <typename AnyWorld, typename AnySnapshot, typename Copy>
+    static void copy_members(AnyWorld& world, AnySnapshot& snapshot, Copy copy);
+    void place_living(const IntArray& cells, Scratch& scratch);
     void begin_episode(EpisodeKey key);
-    void lay_terrain(const ByteArray& map);
+    void set_terrain(const ByteArray& map);
     void count_captures();
+    void place_given(const std::vector<int>& positions, int first, Scratch& scratch);
+    void place_at_random(const Placement& given, Scratch& scratch);
     void place(int agent, int cell, Scratch& scratch);
 
     const std::vector<int>& choose_participants(int actor, int action, Scratch& scratch) const;
     Turn make_turn(const std::vector<int>& participants, const std::uint8_t* actions, int first,
                    int last, int number) const;
     void settle(const Turn& turn, Scratch& scratch);
-    void remove(int agent, int at);
-    void drop_gone();
+    void remove(int agent, int cell);
+    void update_living();
     void judge_captures(const Turn& turn, Scratch& scratch);
     void judge_contacts(const Turn& turn, Scratch& scratch);
-    void add_companions(int evader, const Turn& turn, Scratch& scratch);
+    void add_captors_on_cell(int evader, const Turn& turn, Scratch& scratch);
     void judge_surround(int evader, Scratch& scratch);
-    void choose_judged(const Turn& turn, const Scratch& scratch);
-    void choose_near(int cell, const Scratch& scratch);
-    void choose_evader(int agent);
+    void find_affected_evaders(const Turn& turn, const Scratch& scratch);
+    void add_affected_beside(int cell, const Scratch& scratch);
+    void add_affected(int agent);
     void add_captor(int evader, int pursuer);
     void set_captured(int evader, bool captured);
-    void release(int evader);
+    void clear_capture(int evader);
     bool counts_as_captured(int evader) const;
     void pay_captures();
     void remove_captured(Scratch& scratch);
     void pay_actors(const Turn& turn, const Scratch& scratch);
-    bool find_touch(const Turn& turn, const Scratch& scratch) const;
+    bool teams_are_adjacent(const Turn& turn, const Scratch& scratch) const;
     void report_and_penalize(const Scratch& scratch);
     void judge_end();
 
@@ -191,21 +177,21 @@ class World {
     EpisodeKey key_;
 
     IntArray cell_;            // by agent; kGone when gone
-    IntArray last_cell_;       // by agent that is gone: the cell where it went
+    IntArray last_cell_;       // by agent: the cell where it disappeared
     std::vector<int> living_;  // agents, ascending
     int n_living_[kTeams] = {0, 0};
-    int n_captured_ = 0;  // evaders that count as captured
-    int n_at_large_ = 0;  // living evaders that do not
+    int n_captured_ = 0;    // evaders that count as captured
+    int n_uncaptured_ = 0;  // living evaders that do not; at 0 the episode ends
 
-    ByteArray captured_;                       // by evader
-    ByteArray ever_captured_;                  // by evader
-    ByteArray capture_paid_;                   // by evader
-    IntArray captors_;                         // by evader
-    std::vector<std::pair<int, int>> unpaid_;  // (evader, captor) judged in this turn
-    std::vector<int> judged_;                  // living evaders to judge in this turn
-    ByteArray is_judged_;                      // by evader
-    bool fresh_round_ = false;                 // no turn of this round has been played yet
-    bool teams_touch_ = false;                 // in this turn; else nobody is beside an adversary
+    ByteArray captured_;                                 // by evader
+    ByteArray ever_captured_;                            // by evader
+    ByteArray capture_paid_;                             // by evader
+    IntArray captors_;                                   // by evader
+    std::vector<std::pair<int, int>> payable_captures_;  // (evader, captor) of this turn
+    std::vector<int> affected_;    // evaders whose capture this turn can change
+    ByteArray is_affected_;        // by evader
+    bool first_turn_ = false;      // no turn of this round has been played
+    bool teams_adjacent_ = false;  // false: after this turn no agent is beside an adversary
 
     FloatArray rewards_;
     Eigen::Array<Flags, Eigen::Dynamic, 1> report_;

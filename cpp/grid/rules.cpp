@@ -34,6 +34,7 @@ void Config::validate() const {
         throw std::invalid_argument("fov: expected an odd number, got " + std::to_string(fov));
     }
     require_range("max_steps", max_steps, 1, 1L << 30);
+    // Written so that NaN is refused, too.
     if (!(density >= 0.0 && density < 1.0)) {
         throw std::invalid_argument("obstacle density: expected a number in [0, 1), got " +
                                     std::to_string(density));

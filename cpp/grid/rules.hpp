@@ -1,12 +1,16 @@
 // The rules of a world as data. A game variant is one row of `Rules`; nothing in the engine is
 // written for a particular variant.
 //
-//   interaction         who moves together: everybody, one team at a time, one agent at a time
-//   obstacle            outcome of an agent that runs into an obstacle or the border
+//   interaction         which agents act together: all, one team, or a single agent
+//   obstacle            outcome of an agent that moves into an obstacle or the border
 //   teammate            outcome, for both, of a collision of two agents of one team
 //   evader, pursuer     outcomes of the two sides of a collision of adversaries
-//   capture             an evader is captured by being reached, or by being surrounded
+//   capture             whether contact captures an evader, or being surrounded
 //   captured_disappear  whether a surrounded evader is removed (read under SURROUND only)
+//
+//     Config config;
+//     config.rules.teammate = Outcome::Bounce;
+//     config.validate();
 #pragma once
 
 #include <Eigen/Core>
@@ -14,22 +18,29 @@
 
 namespace matrixworld {
 
+// Disappear: the agent moves and is removed. Reach: it moves and lives. Bounce: it stays and lives.
 enum class Outcome : std::uint8_t { Disappear, Reach, Bounce };
 enum class Interaction : std::uint8_t { Simultaneous, SwarmTurns, AgentTurns };
 enum class Capture : std::uint8_t { Occupation, Surround };
-enum class Blame : std::uint8_t { Fault, Involved };  // who pays for a collision
+enum class Blame : std::uint8_t { Fault, Involved };  // which agents pay a penalty
 
 enum class Team : std::uint8_t { Pursuer, Evader };
 inline Team opponent(Team team) { return team == Team::Pursuer ? Team::Evader : Team::Pursuer; }
 
+// The kinds of conflict, by what an agent collides with, and their forms: two agents enter one cell
+// (vertex), swap their cells (edge), or one enters the cell of an agent that was held (chain).
 enum class Kind : std::uint8_t { Obstacle, Teammate, Adversary };
 enum class Form : std::uint8_t { Vertex, Edge, Chain };
 
+// The layers of a view and of the state, in this order.
+enum Channel : int { kEvaders = 0, kPursuers = 1, kObstacles = 2, kChannels = 3 };
+inline int channel(Team team) { return team == Team::Pursuer ? kPursuers : kEvaders; }
+
 constexpr int kTeams = 2;
 constexpr int kKinds = 3;
-constexpr int kMaxSide = 4096;             // cells along one side of the grid
+constexpr int kMaxSide = 4096;             // cells along one side of the grid; fits 16 bits
 constexpr int kMaxFieldOfView = 255;       // cells along one side of a view
-constexpr long kMaxTeam = (1L << 22) - 1;  // agents, all of whom may stand on one cell
+constexpr long kMaxTeam = (1L << 22) - 1;  // agents; what a `Reservation` can count
 constexpr int kCompassMoves = 5;           // stay, north, east, south, west
 constexpr int kDiagonalMoves = 9;          // the same, then NE, SE, SW, NW
 
@@ -48,7 +59,8 @@ struct Rules {
 
     Outcome adversary(Team team) const { return team == Team::Pursuer ? pursuer : evader; }
 
-    // Under occupation these are the adversary pairs that capture at all.
+    // Does a conflict of adversaries capture the evader? With any other pair of outcomes occupation
+    // captures no evader.
     bool contact_captures() const {
         return capture == Capture::Occupation &&
                (evader == Outcome::Disappear ||
@@ -56,7 +68,14 @@ struct Rules {
     }
 };
 
-// What is paid, indexed by team (pursuer, evader).
+// The rewards, indexed by team (pursuer, evader). The defaults are those of the paper.
+//
+//   capture          to each captor for each evader, and to the captured evader
+//   neighbor         when an adversary is on an axially adjacent cell
+//   collide          the penalty for each kind of collision
+//   step             for each round, or for the agent's turn where turns are taken
+//   blame            whether the agents at fault pay a penalty, or all that are involved
+//   capture_repeats  whether a capture that lasts is paid at every step
 struct Rewards {
     float capture[kTeams] = {10.0f, -10.0f};
     float neighbor[kTeams] = {0.1f, -0.1f};
@@ -74,11 +93,11 @@ struct Config {
     int cols = 40;
     int n_pursuers = 8;
     int n_evaders = 30;
-    int fov = 11;
-    bool diagonal = false;
-    int max_steps = 500;
-    double density = 0.0;  // share of the cells that become obstacles at every reset
-    ByteArray map;         // (rows * cols) 1 where an obstacle is; empty when there is none
+    int fov = 11;           // cells along one side of a view, odd
+    bool diagonal = false;  // 9 moves and 8 neighbours instead of 5 and 4
+    int max_steps = 500;    // rounds until an episode is truncated
+    double density = 0.0;   // share of the cells that become obstacles at every reset
+    ByteArray map;          // (rows * cols) 1 where an obstacle is; empty when there is none
 
     int n_agents() const { return n_pursuers + n_evaders; }
     int n_actions() const { return diagonal ? kDiagonalMoves : kCompassMoves; }

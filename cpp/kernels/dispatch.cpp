@@ -1,3 +1,4 @@
+// Selects the level of the kernels once, when they are first used.
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -7,6 +8,7 @@
 
 namespace matrixworld {
 
+// One function for each time that kernels.cpp is compiled; CMakeLists.txt names them.
 const Kernels& kernels_base();
 #ifdef MATRIXWORLD_X86_LEVELS
 const Kernels& kernels_v3();
@@ -21,6 +23,7 @@ struct Level {
     const Kernels& (*kernels)();
 };
 
+// Best first. Each level needs every feature that the compiler may use for it.
 std::vector<Level> levels() {
     std::vector<Level> all;
 #ifdef MATRIXWORLD_X86_LEVELS
@@ -35,7 +38,7 @@ std::vector<Level> levels() {
     return all;
 }
 
-const Kernels& choose() {
+const Kernels& select() {
     const char* wanted = std::getenv("MATRIXWORLD_KERNELS");
     for (const Level& level : levels()) {
         if (level.runs && (!wanted || level.name == std::string(wanted))) return level.kernels();
@@ -49,8 +52,9 @@ const Kernels& choose() {
 }  // namespace
 
 const Kernels& kernels() {
-    static const Kernels& chosen = choose();
-    return chosen;
+    // Selected once, at the first call; the language makes that safe among threads.
+    static const Kernels& selected = select();
+    return selected;
 }
 
 }  // namespace matrixworld

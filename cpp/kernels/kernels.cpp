@@ -1,6 +1,10 @@
-// One level of the kernels: this file is compiled several times, with MATRIXWORLD_LEVEL naming the
-// function that returns them. It includes nothing with inline code that others include: such code,
-// compiled here for a newer processor, could be linked into the rest of the program.
+// The kernels of one instruction set. This file is compiled several times, each time with other
+// compiler options and with MATRIXWORLD_LEVEL naming the function that returns the kernels.
+//
+// It includes no header with inline functions that other files include, too. The linker keeps one
+// copy of an inline function; it could be the one compiled here for a newer processor, and the
+// program would crash on an older one. For the same reason the three headers below, which only this
+// file includes, define everything in an unnamed namespace.
 #include "kernels/kernels.hpp"
 
 #include "kernels/networks.hpp"
@@ -13,8 +17,8 @@ namespace matrixworld {
 
 const Kernels& MATRIXWORLD_LEVEL() {
     static constexpr Kernels level{MATRIXWORLD_NAME(MATRIXWORLD_LEVEL),
-                                   draw<std::uint8_t>,
-                                   draw<float>,
+                                   write<std::uint8_t>,
+                                   write<float>,
                                    sum_seen,
                                    sum_rows,
                                    dense,

@@ -1,63 +1,54 @@
-// The arithmetic of the networks, compiled once for each instruction set (kernels.cpp) and chosen
-// when the program runs. Every level gives the same bits: sums run in one fixed order, every
-// output in its own lane, products are added by fused multiply-add, and the exponential is ours.
+// The inner loops of networks and views, compiled once for each instruction set (kernels.cpp) and
+// chosen when the program runs. Every level gives the same bits, so results do not depend on the
+// processor: every sum has one fixed order and its own vector lane (adding across lanes would
+// depend on their number), each product is added by a fused multiply-add (rounded once, also where
+// it takes a library call), and the exponential is our own (libraries differ in the last bit).
+//
+//     kernels().dense(in, in_stride, n, n_in, weights, bias, width, n_out, Activation::Relu, out);
 #pragma once
 
 #include <cstdint>
+
+#include "grid/positions.hpp"
 
 namespace matrixworld {
 
 enum class Activation : std::uint8_t { None, Relu, Tanh };
 
-constexpr int kPad = 16;  // widths of layers in memory are multiples of this many floats
-
-constexpr int kRowPad = 8;  // and rows of layers are added up so many at a time
-
-constexpr int kPositionPad = 64;                 // agents that are looked at together
-constexpr int kMaxPositions = 2 * kPositionPad;  // agents of whom the place of each is looked at
-constexpr std::int16_t kFarOff = -16384;  // a row or column out of every view of the largest grid
+// Layers are padded in memory to a multiple of this many floats: the widest vector. Rows (agents)
+// are padded to a multiple of kRowPad. So kernels need no code for the rest of a layer.
+constexpr int kPad = 16;
+constexpr int kRowPad = 8;
 
 inline int padded(int n) { return (n + kPad - 1) / kPad * kPad; }
 
-// Where the agents of one world are, for those who look around.
-struct Positions {
-    int n_agents;
-    int fov;
-    // By agent, far off when gone, with room for a multiple of kPositionPad.
-    const std::int16_t* rows;
-    const std::int16_t* cols;
-    // By agent: channel * fov * fov + row * fov + col. From this less (top * fov + left) one has the
-    // cell that it sets in a view (3, fov, fov) that begins at row `top` and column `left`.
-    const std::int32_t* cells;
-    // A bit by agent, in words of kPositionPad: may a teammate stand on its cell?
-    const std::uint64_t* shared;
-};
-
 struct Kernels {
-    const char* level;
+    const char* level;  // the name of the instruction set
 
-    // Writes the views of all agents, 0 or 1: evaders, pursuers, obstacles. What an agent sees of
-    // obstacles is at obstacles[agent], fov rows of fov bytes, `stride` bytes apart.
-    void (*draw_bytes)(const Positions& positions, const std::uint8_t* const* obstacles, int stride,
-                       std::uint8_t* views);
-    void (*draw_floats)(const Positions& positions, const std::uint8_t* const* obstacles,
-                        int stride, float* views);
+    // Write the views of all agents, (n_agents, 3, fov, fov), 0 or 1, channels evaders, pursuers,
+    // obstacles. The obstacle channel is copied from obstacles[agent]: fov rows of fov bytes,
+    // `stride` bytes apart.
+    void (*write_byte_views)(const Positions& positions, const std::uint8_t* const* obstacles,
+                             int stride, std::uint8_t* views);
+    void (*write_float_views)(const Positions& positions, const std::uint8_t* const* obstacles,
+                              int stride, float* views);
 
+    // The first layer of a network, whose input (a view) is nearly all zeros:
     // out[i, 0..width) = activation(bases[i] + the sum of the rows of `weights` for the cells that
-    // other agents set in the view of agents[i]), for i < n; each cell once, in the order of the
-    // numbers of the agents. Of at most kMaxPositions agents; width a multiple of kPad.
+    // other agents set in the view of agents[i]), for i < n. Each cell is added once, in ascending
+    // order of the agents. Preconditions: at most kMaxPositions agents; width a multiple of kPad.
     void (*sum_seen)(const Positions& positions, const int* agents, int n,
                      const float* const* bases, const float* weights, int width,
                      Activation activation, float* out);
 
-    // out[0, width) = activation(base + the sum of the named rows of `weights`), width a multiple
-    // of kPad.
+    // out[0..width) = activation(base + the sum of the given rows of `weights`, in their order).
+    // Precondition: width is a multiple of kPad.
     void (*sum_rows)(const float* base, const float* weights, int stride, const int* rows, int n,
                      int width, Activation activation, float* out);
 
     // out[i, 0..width) = activation(bias + in[i, :] weights) for i < n; `weights` is
     // (n_in, width), `in` has `in_stride` and `out` `width` floats a row, and both have room for a
-    // multiple of kRowPad rows. Of `out` the first n_out of each row are valid.
+    // multiple of kRowPad rows. Only the first n_out of each row of `out` are valid.
     void (*dense)(const float* in, int in_stride, int n, int n_in, const float* weights,
                   const float* bias, int width, int n_out, Activation activation, float* out);
 
@@ -67,8 +58,9 @@ struct Kernels {
                    std::uint8_t* actions);
 };
 
-// The best level that this processor runs; the environment variable MATRIXWORLD_KERNELS (base,
-// x86-64-v3, x86-64-v4) asks for a lower one. Throws std::invalid_argument for any other name.
+// The best level that this processor runs. The environment variable MATRIXWORLD_KERNELS (base,
+// x86-64-v3, x86-64-v4) selects another. Throws std::invalid_argument for a name that is not one of
+// these, or that this processor cannot run.
 const Kernels& kernels();
 
 }  // namespace matrixworld

@@ -1,5 +1,5 @@
-// Layers of networks, and the choice of actions. Included by kernels.cpp alone, like
-// kernel_vector.hpp.
+// Layers of networks, and the sampling of actions. Sums stay in registers: a block of columns is
+// added up completely before the next one begins. Included by kernels.cpp alone.
 #pragma once
 
 #include "kernels/look.hpp"
@@ -8,7 +8,7 @@ namespace matrixworld {
 
 namespace {
 
-// kVecs vectors of the sum, in registers.
+// A block of kVecs vectors of the sum; the compiler unrolls the loops over v.
 template <int kVecs>
 inline void sum_columns(const float* base, const float* weights, int stride, const int* rows, int n,
                         Activation activation, float* out) {
@@ -32,6 +32,7 @@ void sum_rows(const float* base, const float* weights, int stride, const int* ro
     }
 }
 
+// The same where the rows are the cells of the seen agents, bit by bit from the lowest.
 template <int kVecs>
 inline void sum_seen_columns(const Seen& seen, const std::int32_t* cells, const float* base,
                              const float* weights, int width, Activation activation, float* out) {
@@ -52,9 +53,10 @@ void sum_seen(const Positions& positions, const int* agents, int n, const float*
     constexpr int kWide = 2 * kPad;
     for (int i = 0; i < n; ++i, out += width) {
         Seen seen = look(positions, agents[i], positions.fov);
+        // Duplicates are possible only among agents on shared cells; most views hold none.
         std::uint64_t shared = 0;
         for (int w = 0; w < seen.n_words; ++w) shared |= seen.words[w] & positions.shared[w];
-        if (shared) drop_doubles(positions, seen);
+        if (shared) drop_duplicates(positions, seen);
         int c = 0;
         for (; c + kWide <= width; c += kWide) {
             sum_seen_columns<kWide / kLanes>(seen, positions.cells, bases[i] + c, weights + c,
@@ -67,7 +69,8 @@ void sum_seen(const Positions& positions, const int* agents, int n, const float*
     }
 }
 
-// A tile of kRows inputs by kVecs vectors of outputs, in registers.
+// A tile of kRows inputs by kVecs vectors of outputs. Each weight that is loaded serves kRows
+// inputs, and the sums in a tile do not wait for each other.
 template <typename V, int kRows, int kVecs>
 inline void dense_tile(const float* in, int in_stride, int n_in, const float* weights,
                        const float* bias, int width, Activation activation, float* out) {
@@ -102,12 +105,13 @@ inline void dense_rows(const float* in, int in_stride, int n_in, const float* we
                                   activation, out + column);
     }
     if (column >= n_out) return;
+    // The rest: half a vector where that is enough.
     const bool few = n_out - column <= kLanesOf<Half>;
     const auto tile = few ? dense_tile<Half, kRows, 1> : dense_tile<Vec, kRows, 1>;
     tile(in, in_stride, n_in, weights + column, bias + column, width, activation, out + column);
 }
 
-// Rows eight by eight; what is left, with rows that nobody asked for.
+// Eight rows at a time, the last ones possibly four. Rows beyond n are computed and never read.
 void dense(const float* in, int in_stride, int n, int n_in, const float* weights, const float* bias,
            int width, int n_out, Activation activation, float* out) {
     for (int i = 0; i < n; i += kRowPad) {
@@ -119,7 +123,9 @@ void dense(const float* in, int in_stride, int n, int n_in, const float* weights
 
 constexpr int kMaxActions = 9;
 
-// One agent a lane.
+// Samples an action for each lane's agent by inverting the distribution: the action is the number
+// of cumulated weights that do not exceed unit * total. The largest logit is subtracted first, so
+// that no exponential overflows.
 template <typename V>
 inline void sample_lanes(const float* logits, int stride, int n, int n_actions, const float* units,
                          std::uint8_t* actions) {
@@ -127,7 +133,7 @@ inline void sample_lanes(const float* logits, int stride, int n, int n_actions, 
     float by_action[kMaxActions][kN];
     float by_lane[kN];
     for (int lane = 0; lane < kN; ++lane) {
-        const int i = lane < n ? lane : n - 1;
+        const int i = lane < n ? lane : n - 1;  // lanes beyond the last agent repeat it
         by_lane[lane] = units[i];
         for (int a = 0; a < n_actions; ++a) {
             by_action[a][lane] = logits[static_cast<long>(i) * stride + a];
@@ -136,15 +142,16 @@ inline void sample_lanes(const float* logits, int stride, int n, int n_actions, 
     const V unit = load<V>(by_lane);
     V logit[kMaxActions];
     for (int a = 0; a < n_actions; ++a) logit[a] = load<V>(by_action[a]);
-    V most = logit[0];
-    for (int a = 1; a < n_actions; ++a) most = larger(logit[a], most);
+    V largest = logit[0];
+    for (int a = 1; a < n_actions; ++a) largest = larger(logit[a], largest);
     V cumulated[kMaxActions];
     V total{};
     for (int a = 0; a < n_actions; ++a) {
-        total += exp_negative(logit[a] - most);
+        total += exp_negative(logit[a] - largest);
         cumulated[a] = total;
     }
     const V threshold = unit * total;
+    // A comparison is -1 where it holds, so subtracting counts. The last action needs none.
     Mask<V> chosen{};
     for (int a = 0; a + 1 < n_actions; ++a) chosen -= cumulated[a] <= threshold;
     for (int lane = 0; lane < kN && lane < n; ++lane) {

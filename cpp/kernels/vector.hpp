@@ -1,5 +1,5 @@
-// Vectors of floats, and the functions of networks on them. Included by kernels.cpp alone, once for
-// each instruction set; all that it defines stays in the file that includes it.
+// Vectors of floats and the activation functions on them, by the compiler's vector extension, so
+// that one source serves all instruction sets. Included by kernels.cpp alone.
 #pragma once
 
 #if defined(__SSE2__)
@@ -21,15 +21,17 @@ constexpr int kLanes = 4;
 #endif
 
 typedef float Vec __attribute__((vector_size(4 * kLanes)));
-// For few outputs, or few agents: where vectors are wide, half of one.
+// Half of the widest vector: for a layer with few outputs (the actions), or few agents, where a
+// whole one would mostly compute padding.
 typedef float Half __attribute__((vector_size(kLanes > 8 ? 32 : 4 * kLanes)));
 
 template <typename V>
 constexpr int kLanesOf = sizeof(V) / sizeof(float);
-// The integers of the same size, as which comparisons come out.
+// The type of a comparison: integers of the same size, -1 where it holds and 0 elsewhere.
 template <typename V>
 using Mask = decltype(V{} < V{});
 
+// A memcpy of this size is one unaligned load or store.
 template <typename V>
 inline V load(const float* at) {
     V value;
@@ -49,7 +51,8 @@ inline V larger(V a, V b) {
     return a > b ? a : b;
 }
 
-// a * b + c, rounded once.
+// a * b + c, rounded once ("multiply-add"). The base level calls the library's fma lane by lane:
+// slow, but with the same bits.
 #if defined(__AVX512F__)
 inline Vec madd(Vec a, Vec b, Vec c) { return _mm512_fmadd_ps(a, b, c); }
 inline Half madd(Half a, Half b, Half c) { return _mm256_fmadd_ps(a, b, c); }
@@ -63,11 +66,16 @@ inline Vec madd(Vec a, Vec b, Vec c) {
 }
 #endif
 
-// e^x for x <= 0, to about 1e-7 (coefficients of the Cephes library's expf); 0 below -87.
+// e^x for x <= 0, to about 1e-7; 0 below -87, where e^x leaves the range of normal floats.
+//
+// x = n ln 2 + r with an integer n, so e^x = 2^n e^r with |r| <= ln(2) / 2, and e^r is a polynomial
+// (coefficients of the Cephes library's expf). ln 2 is subtracted in two parts, since one float
+// would lose digits of r.
 template <typename V>
 inline V exp_negative(V x) {
     const auto number = [](float value) { return splat<V>(value); };
-    const V shifter = number(12582912.0f);  // 1.5 * 2^23: adding it rounds to an integer
+    // 1.5 * 2^23: adding it rounds to an integer and leaves that integer in the lowest bits.
+    const V shifter = number(12582912.0f);
     const V low = number(-87.0f);
     const Mask<V> tiny = x < low;
     x = larger(x, low);
@@ -82,10 +90,13 @@ inline V exp_negative(V x) {
     p = madd(p, r, number(1.6666665459e-1f));
     p = madd(p, r, number(5.0000001201e-1f));
     const V value = madd(p * r, r, r) + number(1.0f);
+    // 2^n: n is added to the exponent's bits.
     const V scaled = (V)((Mask<V>)value + ((Mask<V>)shifted << 23));
     return tiny ? V{} : scaled;
 }
 
+// tanh |x| = (1 - e^(-2|x|)) / (1 + e^(-2|x|)), whose exponential never overflows; then the sign of
+// x.
 template <typename V>
 inline V tanh_of(V x) {
     const Mask<V> sign = (Mask<V>)x & static_cast<std::int32_t>(0x80000000u);

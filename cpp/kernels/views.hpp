@@ -1,4 +1,5 @@
-// Views as numbers. Included by kernels.cpp alone, like kernel_vector.hpp.
+// Views as numbers: cleared at once, then the few cells that other agents set, then the obstacle
+// channel, which is copied. Included by kernels.cpp alone.
 #pragma once
 
 #include "kernels/look.hpp"
@@ -9,7 +10,8 @@ namespace {
 
 constexpr int kPiece = 4 * kLanes;  // bytes
 
-// Copies n bytes piece by piece; the last piece overlaps the one before.
+// Copies n >= kBytes bytes in pieces of a fixed size, which compile to plain loads and stores; the
+// last piece overlaps the one before.
 template <int kBytes>
 inline void copy_pieces(const std::uint8_t* from, std::uint8_t* to, int n) {
     int i = 0;
@@ -31,7 +33,8 @@ inline void copy(const std::uint8_t* from, float* to, int n) {
     for (int i = 0; i < n; ++i) to[i] = from[i];
 }
 
-// Sets n bytes to 0; whole aligned pieces but at the ends, where the last overlaps the one before.
+// Sets n bytes to 0 in whole pieces: aligned ones but for the first and the last, which overlap
+// their neighbours.
 inline void clear(std::uint8_t* to, long n) {
     const Vec zero{};
     if (n < 2 * kPiece) {
@@ -44,8 +47,9 @@ inline void clear(std::uint8_t* to, long n) {
     store(reinterpret_cast<float*>(to + n - kPiece), zero);
 }
 
-// The others that an agent sees, each one set cell. Most see a few: so many are marked without a
-// branch, those that are not there in a cell of the obstacles, which are drawn afterwards.
+// Sets the cell of every agent that one agent sees. How many these are differs from view to view,
+// so a loop's end is predicted badly: the first kMost are set without a branch. Where there are
+// fewer, a cell of the obstacle channel is set instead, which is written afterwards in any case.
 template <typename Number>
 inline void mark_others(const Positions& positions, int agent, int fov, Number* view) {
     constexpr int kMost = 2;
@@ -56,23 +60,23 @@ inline void mark_others(const Positions& positions, int agent, int fov, Number* 
         std::uint64_t bits = seen.words[i];
         for (int k = 0; k < kMost; ++k, bits &= bits - 1) {
             const int cell = cells[__builtin_ctzll(bits | std::uint64_t{1} << 63)] - seen.corner;
-            int there = -static_cast<int>(bits != 0);
-            __asm__("" : "+r"(there));  // or the compiler makes a branch of it
-            view[unused + ((cell - unused) & there)] = 1;
+            int mask = -static_cast<int>(bits != 0);
+            __asm__("" : "+r"(mask));  // otherwise the compiler makes a branch of it
+            view[unused + ((cell - unused) & mask)] = 1;
         }
         for (; bits; bits &= bits - 1) view[cells[__builtin_ctzll(bits)] - seen.corner] = 1;
     }
 }
 
 template <int kFov, typename Number>
-void draw_views(const Positions& positions, const std::uint8_t* const* obstacles, int stride,
-                Number* views) {
-    const int fov = kFov ? kFov : positions.fov;  // kFov where the compiler is to know it
+void write_views(const Positions& positions, const std::uint8_t* const* obstacles, int stride,
+                 Number* views) {
+    const int fov = kFov ? kFov : positions.fov;  // a constant lets the compiler unroll the copies
     const int size = 3 * fov * fov;
     clear(reinterpret_cast<std::uint8_t*>(views),
           static_cast<long>(sizeof(Number)) * size * positions.n_agents);
     for (int a = 0; a < positions.n_agents; ++a) {
-        if (positions.rows[a] == kFarOff) continue;
+        if (positions.rows[a] == kOutOfView) continue;
         Number* const view = views + static_cast<long>(a) * size;
         Number* const channel = view + 2 * fov * fov;
         mark_others(positions, a, fov, view);
@@ -86,15 +90,15 @@ void draw_views(const Positions& positions, const std::uint8_t* const* obstacles
     }
 }
 
-constexpr int kUsualFov = 11;
+constexpr int kUsualFov = 11;  // the default of `Config`
 
 template <typename Number>
-void draw(const Positions& positions, const std::uint8_t* const* obstacles, int stride,
-          Number* views) {
+void write(const Positions& positions, const std::uint8_t* const* obstacles, int stride,
+           Number* views) {
     if (positions.fov == kUsualFov) {
-        draw_views<kUsualFov>(positions, obstacles, stride, views);
+        write_views<kUsualFov>(positions, obstacles, stride, views);
     } else {
-        draw_views<0>(positions, obstacles, stride, views);
+        write_views<0>(positions, obstacles, stride, views);
     }
 }
 

@@ -10,8 +10,10 @@ namespace matrixworld {
 
 namespace {
 
-constexpr int kChunk = Bitboard::kMaxWidth;  // cells of a row that are read at once
+// The default of `Config`: loops over windows are compiled for it as a constant, too.
+constexpr int kUsualFov = 11;
 
+// The square that an agent sees, by its first cell.
 struct Window {
     Window(const World& world, int cell)
         : fov(world.config().fov),
@@ -23,8 +25,9 @@ struct Window {
     int left;
 };
 
-// Is the agent alone of its team on its cell? Then the centre of its own channel stays empty.
-bool alone(const World& world, const Occupancy& occupancy, int agent) {
+// Is the agent the only one of its team on its cell? An agent is not in its own view, but the
+// planes and bitboards of its team include it: then the centre of its own channel must be cleared.
+bool only_one(const World& world, const Occupancy& occupancy, int agent) {
     return occupancy.count(world.cell(agent), world.team(agent)) == 1;
 }
 
@@ -33,37 +36,29 @@ int own_centre(const World& world, int agent) {
     return (channel(world.team(agent)) * fov + fov / 2) * fov + fov / 2;
 }
 
-// Calls visit(index of the first cell, bits) for the windows of a bitboard, row by row.
-template <typename Visit>
-void for_each_chunk(const Bitboard& bitboard, const Window& window, Visit visit) {
-    for (int r = 0; r < window.fov; ++r) {
-        for (int c = 0; c < window.fov; c += kChunk) {
-            const int width = std::min(kChunk, window.fov - c);
-            const Bitboard::Reader reader = bitboard.window(window.top + r, window.left + c);
-            visit(r * window.fov + c, reader.row(0, width));
-        }
-    }
-}
-
 }  // namespace
 
-// ---- Bytes and floats ---------------------------------------------------------------------------
+// ---- Views as numbers ---------------------------------------------------------------------------
 
 namespace {
 
-constexpr int kLargestBorder = 15;  // of a view, for which all that is seen of the border is kept
+// The widest view for which the visible borders are kept: their number and the size of each grow
+// with fov^2.
+constexpr int kLargestBorder = 15;
 
 }  // namespace
 
 Observer::Observer(const Setup& setup)
     : fov_(setup.config.fov),
-      positions_table_(setup.config.n_pursuers, setup.config.n_agents(), fov_),
+      position_table_(setup.config.n_pursuers, setup.config.n_agents(), fov_),
       obstacles_(static_cast<std::size_t>(setup.config.n_agents())),
       cases_(setup.grid, fov_),
       planes_{Plane(setup.grid, fov_ / 2, 0), Plane(setup.grid, fov_ / 2, 0)} {
     if (fov_ <= kLargestBorder) make_border(setup.grid);
 }
 
+// For every case of what is seen of the border, the obstacle channel of a world without obstacles.
+// A window of it is contiguous, so it is copied at once instead of row by row.
 void Observer::make_border(const Grid& grid) {
     const int area = fov_ * fov_;
     border_.resize(static_cast<std::size_t>(cases_.n_cases()) * area);
@@ -75,8 +70,8 @@ void Observer::make_border(const Grid& grid) {
             if (known[number]) continue;
             known[number] = true;
             std::uint8_t* seen = &border_[static_cast<std::size_t>(number) * area];
-            const std::uint8_t* window = empty.closed.window(row - fov_ / 2, col - fov_ / 2);
-            for (int r = 0; r < fov_; ++r, window += empty.closed.stride()) {
+            const std::uint8_t* window = empty.blocked.window(row - fov_ / 2, col - fov_ / 2);
+            for (int r = 0; r < fov_; ++r, window += empty.blocked.stride()) {
                 std::copy_n(window, fov_, seen + r * fov_);
             }
         }
@@ -90,9 +85,9 @@ const std::uint8_t* Observer::border(int row, int col) const {
 template <typename Number>
 void Observer::write(const World& world, const Occupancy& occupancy, Number* out) {
     if (world.config().n_agents() <= kMaxPositions) {
-        draw(world, out);
+        write_from_positions(world, out);
     } else {
-        copy(world, occupancy, out);
+        write_from_planes(world, occupancy, out);
     }
 }
 
@@ -103,30 +98,30 @@ namespace {
 
 using Obstacles = const std::uint8_t* const*;
 
-void draw_scene(const Positions& positions, Obstacles obstacles, int stride, std::uint8_t* out) {
-    kernels().draw_bytes(positions, obstacles, stride, out);
+void write_views(const Positions& positions, Obstacles obstacles, int stride, std::uint8_t* out) {
+    kernels().write_byte_views(positions, obstacles, stride, out);
 }
-void draw_scene(const Positions& positions, Obstacles obstacles, int stride, float* out) {
-    kernels().draw_floats(positions, obstacles, stride, out);
+void write_views(const Positions& positions, Obstacles obstacles, int stride, float* out) {
+    kernels().write_float_views(positions, obstacles, stride, out);
 }
 
 }  // namespace
 
 template <typename Number>
-void Observer::draw(const World& world, Number* out) {
+void Observer::write_from_positions(const World& world, Number* out) {
     const Grid grid = world.grid();
-    const Plane& closed = world.terrain().closed;
+    const Plane& blocked = world.terrain().blocked;
     const bool only_border = !world.terrain().has_obstacles && !border_.empty();
-    positions_table_.take_all();
+    position_table_.remove_all();
     for (int a : world.living()) {
         const int row = grid.row(world.cell(a));
         const int col = grid.col(world.cell(a));
-        positions_table_.put(a, row, col, false);
+        position_table_.set(a, row, col, false);
         obstacles_[a] =
-            only_border ? border(row, col) : closed.window(row - fov_ / 2, col - fov_ / 2);
+            only_border ? border(row, col) : blocked.window(row - fov_ / 2, col - fov_ / 2);
     }
-    draw_scene(positions_table_.positions(), obstacles_.data(),
-               only_border ? fov_ : closed.stride(), out);
+    write_views(position_table_.positions(), obstacles_.data(),
+                only_border ? fov_ : blocked.stride(), out);
 }
 
 namespace {
@@ -136,18 +131,19 @@ void copy_piece(const std::uint8_t* from, std::uint8_t* to) {
 }
 
 void copy_piece(const std::uint8_t* from, float* to) {
-    std::array<std::uint8_t, Plane::kPiece>
-        piece;  // so that the compiler sees that `to` is elsewhere
+    // A copy, so that the compiler knows that `to` does not overlap it.
+    std::array<std::uint8_t, Plane::kPiece> piece;
     std::memcpy(piece.data(), from, piece.size());
     for (std::size_t i = 0; i < piece.size(); ++i) to[i] = piece[i];
 }
 
-// Appends a window row by row, in whole pieces as long as there is room before `end`: what a piece
-// has too much, the next row writes over.
+// Appends a window row by row and returns its end. Rows are copied in whole pieces as long as there
+// is room before `end`: a piece is faster than its cells, and what it writes beyond its row is
+// overwritten by the next row.
 template <int kFov, typename Number>
 Number* copy_window(const Plane& plane, const Window& window, Number* out, const Number* end) {
     constexpr int kPiece = Plane::kPiece;
-    const int fov = kFov ? kFov : window.fov;  // kFov where the compiler is to know it
+    const int fov = kFov ? kFov : window.fov;  // a constant lets the compiler unroll the loops
     const std::uint8_t* row = plane.window(window.top, window.left);
     for (int r = 0; r < fov; ++r, row += plane.stride(), out += fov) {
         for (int c = 0; c < fov; c += kPiece) {
@@ -161,21 +157,20 @@ Number* copy_window(const Plane& plane, const Window& window, Number* out, const
     return out;
 }
 
-// The channels evaders, pursuers, obstacles.
+// All three channels, one after the other.
 template <int kFov, typename Number>
-void copy_channels(const Plane (&teams)[kTeams], const Plane& walls, const Window& window,
+void copy_channels(const Plane (&teams)[kTeams], const Plane& blocked, const Window& window,
                    Number* out) {
     const Number* end = out + kChannels * window.fov * window.fov;
     out = copy_window<kFov>(teams[static_cast<int>(Team::Evader)], window, out, end);
     out = copy_window<kFov>(teams[static_cast<int>(Team::Pursuer)], window, out, end);
-    copy_window<kFov>(walls, window, out, end);
+    copy_window<kFov>(blocked, window, out, end);
 }
 
 }  // namespace
 
 template <typename Number>
-void Observer::copy(const World& world, const Occupancy& occupancy, Number* out) {
-    constexpr int kUsual = 11;
+void Observer::write_from_planes(const World& world, const Occupancy& occupancy, Number* out) {
     mark(world, 1);
     const int size = kChannels * fov_ * fov_;
     for (int a = 0; a < world.config().n_agents(); ++a, out += size) {
@@ -185,13 +180,15 @@ void Observer::copy(const World& world, const Occupancy& occupancy, Number* out)
         }
         const Window window(world, world.cell(a));
         const auto channels =
-            fov_ == kUsual ? copy_channels<kUsual, Number> : copy_channels<0, Number>;
-        channels(planes_, world.terrain().closed, window, out);
-        if (alone(world, occupancy, a)) out[own_centre(world, a)] = 0;
+            fov_ == kUsualFov ? copy_channels<kUsualFov, Number> : copy_channels<0, Number>;
+        channels(planes_, world.terrain().blocked, window, out);
+        if (only_one(world, occupancy, a)) out[own_centre(world, a)] = 0;
     }
     mark(world, 0);
 }
 
+// Sets or clears the living agents' cells on the planes, which are empty between two calls:
+// clearing them costs O(agents), clearing whole planes O(cells).
 void Observer::mark(const World& world, std::uint8_t value) {
     for (int a : world.living()) {
         const int cell = world.cell(a);
@@ -200,16 +197,17 @@ void Observer::mark(const World& world, std::uint8_t value) {
     }
 }
 
-// ---- Lists ------------------------------------------------------------------------------------
+// ---- Views as lists -----------------------------------------------------------------------------
 
 namespace {
 
-// Lists the cells that are set in the window of one bitboard, numbered from `first`. The centre is
-// left out where `hide_centre`; several rows are read to a word.
+// Appends the cells that are set in the window of one bitboard, numbered from `first`, without the
+// centre if `hide_centre`, and returns the end. Several rows share a word, so that a window of 11 x
+// 11 takes three loops over bits instead of eleven.
 template <int kFov>
-int* list_narrow(const Bitboard& bitboard, const Window& window, int first, bool hide_centre,
+int* list_packed(const Bitboard& bitboard, const Window& window, int first, bool hide_centre,
                  int* out) {
-    const int fov = kFov ? kFov : window.fov;  // kFov where the compiler is to know it
+    const int fov = kFov ? kFov : window.fov;  // a constant lets the compiler unroll the loops
     const int rows_a_word = 64 / fov;
     const Bitboard::Reader reader = bitboard.window(window.top, window.left);
     for (int r = 0; r < fov; r += rows_a_word) {
@@ -225,28 +223,35 @@ int* list_narrow(const Bitboard& bitboard, const Window& window, int first, bool
     return out;
 }
 
-int* list_wide(const Bitboard& bitboard, const Window& window, int first, bool hide_centre,
-               int* out) {
-    const int centre = window.fov * window.fov / 2;
-    for_each_chunk(bitboard, window, [&](int index, std::uint64_t bits) {
-        for (; bits; bits &= bits - 1) {
-            const int place = index + __builtin_ctzll(bits);
-            if (!(hide_centre && place == centre)) *out++ = first + place;
+// The same for views that are wider than one read of a bitboard: rows are read in several parts.
+int* list_parts(const Bitboard& bitboard, const Window& window, int first, bool hide_centre,
+                int* out) {
+    const int centre = window.fov / 2;
+    for (int r = 0; r < window.fov; ++r) {
+        for (int c = 0; c < window.fov; c += Bitboard::kMaxWidth) {
+            const auto reader = bitboard.window(window.top + r, window.left + c);
+            Bitboard::Word bits = reader.row(0, std::min(Bitboard::kMaxWidth, window.fov - c));
+            for (; bits; bits &= bits - 1) {
+                const int col = c + __builtin_ctzll(bits);
+                const bool hidden = hide_centre && r == centre && col == centre;
+                if (!hidden) *out++ = first + r * window.fov + col;
+            }
         }
-    });
+    }
     return out;
 }
 
-int* list_board(const Bitboard& bitboard, const Window& window, int first, bool hide_centre,
-                int* out) {
-    constexpr int kUsual = 11;
-    if (window.fov == kUsual) return list_narrow<kUsual>(bitboard, window, first, hide_centre, out);
-    if (window.fov <= kChunk) return list_narrow<0>(bitboard, window, first, hide_centre, out);
-    return list_wide(bitboard, window, first, hide_centre, out);
+int* list_window(const Bitboard& bitboard, const Window& window, int first, bool hide_centre,
+                 int* out) {
+    if (window.fov == kUsualFov)
+        return list_packed<kUsualFov>(bitboard, window, first, hide_centre, out);
+    if (window.fov <= Bitboard::kMaxWidth)
+        return list_packed<0>(bitboard, window, first, hide_centre, out);
+    return list_parts(bitboard, window, first, hide_centre, out);
 }
 
-// Agent by agent.
-int* list_places(const World& world, const Occupancy& occupancy, int agent, int* out) {
+// Up to kMaxPositions agents: each of them is compared with the window.
+int* list_by_positions(const World& world, const Occupancy& occupancy, int agent, int* out) {
     const Window window(world, world.cell(agent));
     const auto within = [&](int offset) { return offset >= 0 && offset < window.fov; };
     int* const begin = out;
@@ -256,29 +261,30 @@ int* list_places(const World& world, const Occupancy& occupancy, int agent, int*
         if (other == agent || !within(down) || !within(right)) continue;
         const int input = (channel(world.team(other)) * window.fov + down) * window.fov + right;
         const bool several = occupancy.count(world.cell(other), world.team(other)) > 1;
-        if (several && std::find(begin, out, input) != out) continue;  // one bit for all of them
+        if (several && std::find(begin, out, input) != out) continue;  // listed already
         *out++ = input;
     }
     return out;
 }
 
-int* list_boards(const World& world, const Occupancy& occupancy, int agent, int* out) {
+// More agents: the bits of the window are read from the bitboard of each team.
+int* list_by_bitboards(const World& world, const Occupancy& occupancy, int agent, int* out) {
     const Window window(world, world.cell(agent));
     const int area = window.fov * window.fov;
-    const bool hide = alone(world, occupancy, agent);
+    const bool hide = only_one(world, occupancy, agent);
     const bool pursuer = world.team(agent) == Team::Pursuer;
-    out = list_board(occupancy.bitboard(Team::Evader), window, kEvaders * area, hide && !pursuer,
-                     out);
-    return list_board(occupancy.bitboard(Team::Pursuer), window, kPursuers * area, hide && pursuer,
+    out = list_window(occupancy.bitboard(Team::Evader), window, kEvaders * area, hide && !pursuer,
                       out);
+    return list_window(occupancy.bitboard(Team::Pursuer), window, kPursuers * area, hide && pursuer,
+                       out);
 }
 
 }  // namespace
 
 int list_agents(const World& world, const Occupancy& occupancy, int agent, int* out) {
     const bool few = world.config().n_agents() <= kMaxPositions;
-    int* const end =
-        few ? list_places(world, occupancy, agent, out) : list_boards(world, occupancy, agent, out);
+    int* const end = few ? list_by_positions(world, occupancy, agent, out)
+                         : list_by_bitboards(world, occupancy, agent, out);
     return static_cast<int>(end - out);
 }
 
@@ -286,7 +292,8 @@ int list_obstacles(const World& world, int cell, int* out) {
     if (!world.terrain().has_obstacles) return 0;
     const Window window(world, cell);
     const int first = kObstacles * window.fov * window.fov;
-    return static_cast<int>(list_board(world.terrain().walls, window, first, false, out) - out);
+    return static_cast<int>(list_window(world.terrain().obstacles, window, first, false, out) -
+                            out);
 }
 
 void write_state(const World& world, std::uint8_t* out) {
@@ -298,10 +305,7 @@ void write_state(const World& world, std::uint8_t* out) {
         const int cell = world.cell(a);
         out[channel(world.team(a)) * area + grid.row(cell) * config.cols + grid.col(cell)] = 1;
     }
-    for (int i = 0; i < area; ++i) {
-        out[kObstacles * area + i] =
-            world.terrain().kind[grid.cell(i / config.cols, i % config.cols)] == kObstacle;
-    }
+    world.terrain().write_map(out + kObstacles * area);
 }
 
 }  // namespace matrixworld

@@ -1,56 +1,64 @@
-// What one agent sees: a square window of `fov` x `fov` cells centred on it, in three channels,
-// evaders, pursuers, obstacles. Outside the grid is obstacle; the agent itself is not drawn, a
-// teammate on its cell is. Two forms: numbers for a caller, and the list of the cells that are set.
+// Observations. The view of an agent is a square window of `fov` x `fov` cells centred on it, in
+// the channels evaders, pursuers, obstacles. Cells outside the grid are obstacles; the agent itself
+// is not in its view, a teammate on its cell is; a gone agent sees zeros. Views have two forms:
+// numbers, for callers, and the list of the cells that are set, for networks, which add one row of
+// weights for each.
+//
+//     Observer observer(setup);                            // one for each thread
+//     std::vector<float> views(n_agents * 3 * fov * fov);
+//     observer.write(world, scratch.occupancy, views.data());
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "game/occupancy.hpp"
-#include "game/position_table.hpp"
 #include "game/world.hpp"
-#include "grid/border.hpp"
-#include "grid/plane.hpp"
+#include "grid/bitboard.hpp"
+#include "grid/grid.hpp"
+#include "grid/position_table.hpp"
 
 namespace matrixworld {
 
-// Writes views as numbers; scratch memory of one thread, for worlds of one configuration.
+// Writes views as numbers. Holds memory of its own, so each thread needs one; it serves all worlds
+// of one configuration.
 class Observer {
   public:
     explicit Observer(const Setup& setup);
 
-    // The views of all agents, (A, 3, fov, fov) bytes or floats, 0 or 1; a gone agent sees zeros.
+    // Writes the views of all agents, (A, 3, fov, fov) bytes or floats, 0 or 1. Precondition: the
+    // world has entered the occupancy.
     template <typename Number>
     void write(const World& world, const Occupancy& occupancy, Number* out);
 
   private:
-    // Few agents: who sees whom is found by their places.
+    // Up to kMaxPositions agents: their positions are compared with each window.
     template <typename Number>
-    void draw(const World& world, Number* out);
+    void write_from_positions(const World& world, Number* out);
     void make_border(const Grid& grid);
     const std::uint8_t* border(int row, int col) const;
 
-    // Many: the agents are put on planes, of which windows are copied.
+    // More agents: they are marked on a plane for each team, and windows of the planes are copied.
     template <typename Number>
-    void copy(const World& world, const Occupancy& occupancy, Number* out);
+    void write_from_planes(const World& world, const Occupancy& occupancy, Number* out);
     void mark(const World& world, std::uint8_t value);
 
     int fov_;
-    PositionTable positions_table_;
-    std::vector<const std::uint8_t*> obstacles_;  // by agent: what it sees of them
+    PositionTable position_table_;
+    std::vector<const std::uint8_t*> obstacles_;  // by agent: the first cell of its window
     BorderCases cases_;
-    std::vector<std::uint8_t> border_;  // (n cases, fov, fov); none where views are large
+    std::vector<std::uint8_t> border_;  // (n cases, fov, fov) visible border; empty for large views
 
     Plane planes_[kTeams];  // empty between two calls
 };
 
-// Writes the inputs that are set in the view of a living agent, each as an index into the
-// flattened (3, fov, fov) view, each once; of agents, and of obstacles without the border. Returns
-// how many. `out` has room for 3 * fov * fov.
+// List the cells that are set in the view of a living agent as indices into the flattened (3, fov,
+// fov) view, each once: those of agents, and those of obstacles without the border. Return how many
+// there are. Preconditions: `out` has room for 3 * fov * fov; the world has entered the occupancy.
 int list_agents(const World& world, const Occupancy& occupancy, int agent, int* out);
 int list_obstacles(const World& world, int cell, int* out);
 
-// Writes the whole world, (3, rows, cols) bytes.
+// Writes the whole world, (3, rows, cols) bytes, 0 or 1, in the channels of the views.
 void write_state(const World& world, std::uint8_t* out);
 
 }  // namespace matrixworld

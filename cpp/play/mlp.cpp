@@ -171,7 +171,7 @@ void Mlp::act(const World& world, const Occupancy& occupancy, const std::vector<
 void Mlp::first_layer(const World& world, const Occupancy& occupancy,
                       const std::vector<int>& agents) {
     bases_.resize(agents.size());
-    const PositionTable& places = occupancy.places();
+    const PositionTable& places = occupancy.position_table();
     const Eigen::Index width = layers_.front().width;
     const bool obstacles = world.terrain().has_obstacles;
     const bool kept = grid_.n_cells() * width <= kMostKept;
@@ -196,7 +196,7 @@ void Mlp::sum_seen(const World& world, const Occupancy& occupancy, const std::ve
     const Layer& first = layers_.front();
     float* out = activations_.front().data();
     if (world.config().n_agents() <= kMaxPositions) {
-        kernels().sum_seen(occupancy.places().positions(), agents.data(),
+        kernels().sum_seen(occupancy.position_table().positions(), agents.data(),
                            static_cast<int>(agents.size()), bases_.data(), first.weights,
                            first.width, first.activation, out);
         return;

@@ -8,7 +8,6 @@
 #include <memory>
 #include <vector>
 
-#include "grid/border.hpp"
 #include "grid/grid.hpp"
 #include "kernels/kernels.hpp"
 #include "observe/observe.hpp"

@@ -1,5 +1,6 @@
-// What must hold of a world at every moment and after every round, counted once more from the
-// agents' cells alone.
+// Invariants of a world: conditions that hold at every moment and after every round, checked by
+// slow, obvious code that reads the agents' cells and nothing that the engine has derived from
+// them.
 #pragma once
 
 #include <map>
@@ -21,10 +22,10 @@ inline bool counts_as_captured(const World& world, int evader) {
 inline void check_places(const World& world) {
     for (int a = 0; a < world.config().n_agents(); ++a) {
         if (!world.alive(a)) continue;
-        require(inside(world, world.cell(a)), "every agent is on the grid");
+        require(inside(world, world.cell(a)), "every living agent is on the grid");
         const bool on_obstacle = world.terrain().kind[world.cell(a)] == kObstacle;
         require(!on_obstacle || world.config().rules.obstacle == Outcome::Reach,
-                "an agent is on an obstacle only where the rules let it");
+                "an agent is on an obstacle only under the outcome Reach");
     }
 }
 
@@ -43,19 +44,21 @@ inline void check_counters(const World& world) {
         const bool captured = counts_as_captured(world, e);
         n_captured += captured;
         n_at_large += world.alive(config.n_pursuers + e) && !captured;
-        require(!world.captured()[e] || world.ever_captured()[e], "captured now is captured ever");
-        require(!world.captors()[e] || world.captured()[e], "captors have a captive");
+        require(!world.captured()[e] || world.ever_captured()[e],
+                "an evader captured now is captured ever");
+        require(!world.captors()[e] || world.captured()[e], "only a captured evader has captors");
     }
-    require(world.living() == living, "the list of the living");
+    require(world.living() == living, "the list of living agents");
     require(world.n_living(Team::Pursuer) == n_living[0], "the number of living pursuers");
     require(world.n_living(Team::Evader) == n_living[1], "the number of living evaders");
     require(world.n_captured() == n_captured, "the number of captured evaders");
     const bool ended = n_at_large == 0 || n_living[0] == 0 || n_living[1] == 0;
+    // A reset does not judge the end: an episode has at least one step.
     require(world.steps() == 0 || world.terminated() == ended, "terminated");
     require(world.truncated() == (world.steps() >= config.max_steps), "truncated");
 }
 
-// The occupancy says what the agents' cells say, or that nobody is there.
+// The occupancy agrees with the agents' cells, or is empty where the world has not entered.
 inline void check_occupancy(const World& world, const Occupancy& occupancy, bool entered) {
     std::map<int, int> expected[kTeams];  // agents by cell
     for (int a : world.living()) {
@@ -69,6 +72,7 @@ inline void check_occupancy(const World& world, const Occupancy& occupancy, bool
         }
         require(counted == expected[t], "the number of agents on each cell");
     }
+    // Only under agent turns are the lists of agents by cell kept between turns.
     if (world.config().rules.interaction != Interaction::AgentTurns) return;
     std::multiset<int> listed;
     for (int cell = 0; cell < world.grid().n_cells(); ++cell) {
@@ -81,10 +85,10 @@ inline void check_occupancy(const World& world, const Occupancy& occupancy, bool
     const std::vector<int>& living = world.living();
     require(listed ==
                 (entered ? std::multiset<int>(living.begin(), living.end()) : std::multiset<int>()),
-            "everybody is listed once");
+            "every living agent is listed once");
 }
 
-// One agent's view, cell by cell from the state.
+// One agent's view as numbers and as a list, compared cell by cell with the state.
 inline void check_view(const World& world, const Occupancy& occupancy, int agent) {
     const Config& config = world.config();
     const int fov = config.fov;
@@ -101,9 +105,9 @@ inline void check_view(const World& world, const Occupancy& occupancy, int agent
     n_listed += list_obstacles(world, world.cell(agent), listed.data() + n_listed);
     listed.resize(static_cast<std::size_t>(n_listed));
 
-    int company = 0;
+    int n_mates = 0;
     for (int a : world.living()) {
-        company +=
+        n_mates +=
             a != agent && world.team(a) == world.team(agent) && world.cell(a) == world.cell(agent);
     }
     const int own_channel = world.team(agent) == Team::Pursuer ? kPursuers : kEvaders;
@@ -111,11 +115,11 @@ inline void check_view(const World& world, const Occupancy& occupancy, int agent
     bool agrees = true;
     for (int i = 0; i < static_cast<int>(view.size()); ++i) {
         const int channel = i / (fov * fov);
-        const int place = i % (fov * fov);
-        const int row = world.grid().row(world.cell(agent)) + place / fov - fov / 2;
-        const int col = world.grid().col(world.cell(agent)) + place % fov - fov / 2;
+        const int at = i % (fov * fov);
+        const int row = world.grid().row(world.cell(agent)) + at / fov - fov / 2;
+        const int col = world.grid().col(world.cell(agent)) + at % fov - fov / 2;
         const bool outside = row < 0 || row >= config.rows || col < 0 || col >= config.cols;
-        const bool self = channel == own_channel && place == fov * fov / 2 && company == 0;
+        const bool self = channel == own_channel && at == fov * fov / 2 && n_mates == 0;
         const bool set = outside ? channel == kObstacles
                                  : state[channel * area + row * config.cols + col] && !self;
         agrees &= view[i] == set;
@@ -139,17 +143,20 @@ inline void check_moment(const World& world, const Scratch& scratch, Random& ran
 inline void check_moves(const World& before, const World& after,
                         const std::vector<std::uint8_t>& actions) {
     for (int a = 0; a < after.config().n_agents(); ++a) {
-        const bool quiet = after.report(a) == 0 && after.rewards()[a] == 0;
-        require(before.alive(a) || (!after.alive(a) && quiet), "the gone stay gone and silent");
+        const bool silent = after.report(a) == 0 && after.rewards()[a] == 0;
+        require(before.alive(a) || (!after.alive(a) && silent),
+                "a gone agent stays gone, without reward or report");
         require((after.report(a) >> kKinds & ~after.report(a) & ((1 << kKinds) - 1)) == 0,
-                "who is at fault is involved");
+                "an agent at fault is involved");
         if (!after.alive(a)) continue;
+        // Whatever the rules: a turn moves an agent by its own action or not at all.
         const int step = after.cell(a) - before.cell(a);
-        require(step == 0 || step == after.grid().delta(actions[a]), "an agent moves as it meant");
+        require(step == 0 || step == after.grid().delta(actions[a]),
+                "an agent moves by its action or stays");
     }
 }
 
-// No two who must not share a cell do, nor have swapped.
+// Agents that the rules keep apart neither share a cell nor have swapped.
 inline void check_apart(const World& before, const World& after) {
     const Rules& rules = after.config().rules;
     const bool adversaries_pass = rules.evader == Outcome::Reach && rules.pursuer == Outcome::Reach;
@@ -158,9 +165,10 @@ inline void check_apart(const World& before, const World& after) {
             const bool mates = after.team(a) == after.team(b);
             const bool apart = mates ? rules.teammate == Outcome::Bounce : !adversaries_pass;
             if (b <= a || !apart) continue;
-            require(after.cell(a) != after.cell(b), "two who must not share a cell");
+            require(after.cell(a) != after.cell(b),
+                    "agents kept apart by the rules do not share a cell");
             require(after.cell(a) != before.cell(b) || after.cell(b) != before.cell(a),
-                    "two who must not swap");
+                    "agents kept apart by the rules do not swap");
         }
     }
 }
@@ -174,17 +182,18 @@ inline void check_conflict(const World& before, const World& after, const Confli
         const int agent = side == 0 ? conflict.first : conflict.second;
         const auto bit = [&](std::uint8_t bits) { return (bits >> side & 1) != 0; };
         require(before.alive(agent), "agents in conflict are alive");
-        require(after.report(agent) & involved(conflict.kind), "and reported as involved");
+        require(after.report(agent) & involved(conflict.kind),
+                "agents in conflict are reported as involved");
         require(!bit(conflict.at_fault) || after.report(agent) & at_fault(conflict.kind),
-                "those to blame are reported");
-        require(!bit(conflict.doomed) || !after.alive(agent), "the doomed are gone");
+                "agents at fault are reported");
+        require(!bit(conflict.doomed) || !after.alive(agent), "doomed agents are gone");
         require(
             !bit(conflict.held) || !after.alive(agent) || after.cell(agent) == before.cell(agent),
-            "the held stay");
+            "held agents stay");
     }
 }
 
-// The same world, told apart by nothing that can be asked.
+// Two worlds agree in everything that a caller can read.
 inline void check_equal(const World& a, const World& b) {
     for (int i = 0; i < a.config().n_agents(); ++i) {
         require(a.cell(i) == b.cell(i), "the same cells");
@@ -194,7 +203,8 @@ inline void check_equal(const World& a, const World& b) {
     require((a.captured() == b.captured()).all(), "the same captures");
     require((a.ever_captured() == b.ever_captured()).all(), "the same captures so far");
     require((a.captors() == b.captors()).all(), "the same captors");
-    require(a.steps() == b.steps() && a.terminated() == b.terminated(), "the same clock");
+    require(a.steps() == b.steps() && a.terminated() == b.terminated(),
+            "the same number of steps and the same end");
 }
 
 }  // namespace matrixworld::tests

@@ -1,6 +1,6 @@
-// Drives random worlds, batches and rollouts through the engine, for a build with sanitizers and
-// assertions that throw. Checks what must hold of every one of them; exits with 1 if something
-// does not.
+// Plays random worlds, batches and rollouts under every combination of the rules, for a build with
+// sanitizers and with assertions that throw (MATRIXWORLD_SANITIZE). Checks the invariants of each;
+// prints those that fail and exits with 1 if any does.
 #include <cstdio>
 
 #include "invariants.hpp"
@@ -22,16 +22,14 @@ std::vector<int> pairs(const World& world, int first, int last) {
     return flat;
 }
 
-// A world laid out by hand as another one was by chance.
+// A world whose placement is given equals the one that was drawn with the same placement. A wrong
+// placement is refused and changes nothing.
 void check_placement(const SharedSetup& setup, const World& world) {
     const Config& config = setup->config;
     Placement placement{pairs(world, 0, config.n_pursuers),
                         pairs(world, config.n_pursuers, config.n_agents()),
                         ByteArray::Zero(config.rows * config.cols)};
-    for (int i = 0; i < placement.map.size(); ++i) {
-        const int cell = world.grid().cell(i / config.cols, i % config.cols);
-        placement.map[i] = world.terrain().kind[cell] == kObstacle;
-    }
+    world.terrain().write_map(placement.map.data());
     Scratch scratch(*setup);
     World copy(setup);
     copy.reset({1, 1}, scratch, placement);
@@ -79,7 +77,7 @@ void play_world(const Rules& rules, Random& random) {
     check_occupancy(world, scratch.occupancy, false);
 }
 
-// A world written down between two turns goes on as the world itself does.
+// A world restored from a snapshot between two turns goes on as the original does.
 void play_snapshots(const Rules& rules, Random& random) {
     const auto setup = std::make_shared<const Setup>(random_config(rules, random));
     Scratch scratch(*setup);
@@ -105,10 +103,10 @@ void play_snapshots(const Rules& rules, Random& random) {
         check_occupancy(copy, other.occupancy, true);
     }
     Snapshot wrong = world.snapshot(scratch);
-    wrong.cell[0] = setup->config.rows * setup->config.cols;
+    wrong.cells[0] = setup->config.rows * setup->config.cols;
     World kept(setup);
     Scratch empty(*setup);
-    require(refused([&] { kept.restore(wrong, empty); }), "a snapshot from elsewhere");
+    require(refused([&] { kept.restore(wrong, empty); }), "a cell outside the grid in a snapshot");
 }
 
 // ---- Batches ---------------------------------------------------------------------------------
@@ -122,7 +120,7 @@ struct Memory {
         const std::size_t view = static_cast<std::size_t>(kChannels) * config.fov * config.fov;
         const std::size_t area = static_cast<std::size_t>(config.rows) * config.cols;
         take(buffers.positions, 2 * a);
-        take(buffers.places, 2 * a);
+        take(buffers.last_positions, 2 * a);
         take(buffers.alive, a);
         take(buffers.captured, e);
         take(buffers.ever_captured, e);
@@ -352,7 +350,7 @@ void check_limits() {
     require(refused([] { Network(11, {0}, 5, Activation::Relu, true); }), "an empty layer");
 }
 
-// The largest grid, with agents in its corners, and views that reach beyond it.
+// The largest grid and the widest views: where indices are largest.
 void check_large(Random& random) {
     Config config;
     config.rows = kMaxSide;

@@ -1,4 +1,5 @@
-// What the random tests are made of: a counted check, a generator, random settings, networks.
+// Building blocks of the random tests: counted checks, a generator, random configurations and
+// policies.
 #pragma once
 
 #include <algorithm>
@@ -56,7 +57,7 @@ class Random {
     std::mt19937_64 engine_;
 };
 
-// Every combination of the fields.
+// Every combination of the fields of `Rules`.
 inline std::vector<Rules> all_rules() {
     const Outcome outcomes[] = {Outcome::Disappear, Outcome::Reach, Outcome::Bounce};
     const Interaction interactions[] = {Interaction::Simultaneous, Interaction::SwarmTurns,
@@ -74,7 +75,7 @@ inline std::vector<Rules> all_rules() {
     return rows;
 }
 
-// Lays out obstacles and says how many cells stay free.
+// Chooses the obstacles of a configuration and returns the number of cells that stay free.
 inline int lay_obstacles(Config& config, Random& random) {
     const int area = config.rows * config.cols;
     if (random.chance(30)) {
@@ -87,7 +88,8 @@ inline int lay_obstacles(Config& config, Random& random) {
     return area - config.map.cast<int>().sum();
 }
 
-// Mostly small and overlapping, sometimes wide; fields of view below and above the size of the grid.
+// Mostly small grids, in which agents meet often, and sometimes wide ones; fields of view below and
+// above the size of the grid.
 inline Config random_config(const Rules& rules, Random& random) {
     Config config;
     config.rules = rules;
@@ -99,10 +101,12 @@ inline Config random_config(const Rules& rules, Random& random) {
         config.map = {};
         free = config.rows * config.cols;
     }
-    const int crowd = random.one_of({12, 12, 12, 40, 200});
-    const int total = random.between(2, std::min(free, crowd));
+    // Up to 12, 40 and 200 agents: below and above kMaxPositions, where views take another path.
+    const int most = random.one_of({12, 12, 12, 40, 200});
+    const int total = random.between(2, std::min(free, most));
     config.n_pursuers = random.between(1, total - 1);
     config.n_evaders = total - config.n_pursuers;
+    // 55 and 57 lie on either side of what one read of a bitboard holds.
     config.fov = random.chance(90) ? random.one_of({1, 3, 5, 7, 11, 15, 21})
                                    : random.one_of({55, 57, 61, 113});
     config.diagonal = random.chance(40);
@@ -118,7 +122,7 @@ inline std::vector<std::uint8_t> random_actions(const Config& config, int n, Ran
     return actions;
 }
 
-// One team's candidates with what they look at.
+// One team's candidates, with the genomes that they refer to.
 struct Side {
     Candidates candidates;
     std::vector<float> genomes;
