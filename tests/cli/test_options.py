@@ -14,7 +14,7 @@ from command_line import RACE, matrixworld_command, words
 from matrixworld.cli import main
 from matrixworld.cli.options import RENAMED
 from matrixworld.coevolution import open_run, start
-from matrixworld.coevolution.settings import MOST_SEED
+from matrixworld.coevolution.settings.training import MOST_SEED
 from tiny_race import tiny_race
 
 DIFFERENT = {"--hidden"}
