@@ -70,7 +70,7 @@ def test_several_runs_have_intervals_over_runs() -> None:
     assert "6 runs, 13 pursuer and 13 evader generations" in text
     assert "Mean (95% interval over runs):" in text
     assert f"{share}" in text
-    assert "What the runs look like: " in text
+    assert "Verdicts on the runs: " in text
 
 
 def test_episodes_give_intervals_to_a_single_run_and_dominant_generations() -> None:
@@ -80,10 +80,10 @@ def test_episodes_give_intervals_to_a_single_run_and_dominant_generations() -> N
     rungs = found.runs[0].dominance.pursuers.generations
     assert found.estimates["pursuer_rungs"].value == len(rungs) > 3
     text = str(found)
-    assert "interval over its episodes, which says nothing of other runs" in text
+    assert "interval over its episodes, which says nothing about other runs" in text
     assert f"Dominant pursuers: generations {', '.join(map(str, rungs))}." in text
     assert " *\n" in text
-    assert "  * moved by the noise of the episodes" in text
+    assert "  * biased by episode noise" in text
 
 
 def test_one_run_with_episodes_may_be_a_stack_of_one() -> None:

@@ -74,7 +74,7 @@ def test_noise_lowers_the_transitive_share_and_the_interval_makes_up_for_it() ->
     assert found.low is not None
     assert found.high is not None
     assert found.value < found.low <= found.high <= 1.0
-    assert found.note == "noise of the episodes moves it out of its own interval"
+    assert found.note == "biased by episode noise: outside its own interval"
     again = analysis.bootstrap_episodes(scores, analysis.transitive_share, bounds=(0.0, 1.0))
     assert found == again
 

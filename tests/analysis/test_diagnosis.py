@@ -15,7 +15,6 @@ from scipy.stats import fisher_exact
 from matrices import circular, logistic, staircase
 from matrixworld import analysis, toys
 from matrixworld.analysis import CONDITIONS, diagnose
-from matrixworld.analysis.advice import ADVICE, LABELS
 from matrixworld.analysis.calibration import (
     ABSENT,
     CANNOT_TELL,
@@ -28,6 +27,7 @@ from matrixworld.analysis.calibration import (
 )
 from matrixworld.analysis.diagnosis import _unless_cycling
 from matrixworld.analysis.evidence import BOUNDS, SUPPORT, numbers_of_run, one_sided_share
+from matrixworld.analysis.findings import ADVICE, LABELS
 from matrixworld.coevolution.opponents import Uniform
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.toys.known_races import truth_of_hands, truth_of_history
@@ -238,14 +238,14 @@ def test_of_a_disengaged_race_nothing_else_is_told(rate: float) -> None:
         assert "hides" in found[name].reason
 
 
-def test_half_steps_of_a_log_decide_about_disengagement() -> None:
+def test_team_phase_rates_of_a_log_decide_about_disengagement() -> None:
     matrix = np.full((20, 20), 0.5)
     assert diagnose(matrix)["disengagement"].verdict == ABSENT
-    found = diagnose(matrix, half_steps=[(0.99, 0.98)] * 100)
+    found = diagnose(matrix, team_phase_rates=[(0.99, 0.98)] * 100)
     assert found["disengagement"].verdict == PRESENT
     assert found["disengagement"].evidence["one_sided"].value == 1.0
     with pytest.raises(ValueError, match="team phases of a single run, got 2 runs"):
-        diagnose([matrix, matrix], half_steps=[(0.5, 0.5)])
+        diagnose([matrix, matrix], team_phase_rates=[(0.5, 0.5)])
 
 
 def test_too_few_generations_are_not_told_from() -> None:
@@ -268,12 +268,12 @@ def test_without_episodes_the_interval_is_that_of_the_toys() -> None:
     edge = calibration().episodes["cycling"].edges[-1]
     slack = calibration().slack["cycling"]
     numbers = {"checkerboards": analysis.Estimate(edge + slack / 2, None, None, "nothing", 1)}
-    low, high = analysis.calibration.strengths("cycling", numbers, slack)
+    low, high = analysis.calibration.strength_interval("cycling", numbers, slack)
     assert (low, high) == pytest.approx((edge - slack / 2, edge + 1.5 * slack))
     size = {"greatest_rise": analysis.Estimate(-0.1, -0.3, 0.05, "episodes", 10)}
-    assert analysis.calibration.strengths("stagnation", size, 0.0) == (0.0, 0.3)
+    assert analysis.calibration.strength_interval("stagnation", size, 0.0) == (0.0, 0.3)
     falls = {"greatest_rise": analysis.Estimate(-0.2, -0.3, -0.1, "episodes", 10)}
-    assert analysis.calibration.strengths("stagnation", falls, 0.0) == (0.1, 0.3)
+    assert analysis.calibration.strength_interval("stagnation", falls, 0.0) == (0.1, 0.3)
 
 
 def test_runs_that_say_the_opposite_give_no_verdict() -> None:
@@ -281,7 +281,7 @@ def test_runs_that_say_the_opposite_give_no_verdict() -> None:
     found = diagnose(np.array([cycles] * 4 + [races] * 2))
     assert found["cycling"].verdict == CANNOT_TELL
     assert found["cycling"].by_run == (PRESENT,) * 4 + (ABSENT,) * 2
-    assert "4 of 6 runs have it by themselves and 2 have not" in found["cycling"].reason
+    assert "present in 4, absent in 2 of 6" in found["cycling"].reason
     assert found["stagnation"].verdict == ABSENT
     together = diagnose(np.array([cycles] * 6))
     assert together["cycling"].verdict == PRESENT
@@ -339,7 +339,7 @@ def test_words_and_json() -> None:
     )
     assert len(text.splitlines()) == 2 + len(CONDITIONS)
     assert "Cycling: present (confidence 0." in text
-    assert "dominant pursuers" in text
+    assert "dominant pursuer generations" in text
     assert not re.search(r"\bnan\b", text)
     plain = found.to_json()
     assert json.loads(json.dumps(plain, allow_nan=False)) == plain

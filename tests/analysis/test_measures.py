@@ -129,10 +129,10 @@ def test_lag_rise_compares_a_third_of_the_run_later_with_earlier() -> None:
             analysis.lag_rise(matrix, lag)
 
 
-def test_half_steps_are_next_to_and_on_the_diagonal() -> None:
+def test_team_phase_rates_are_next_to_and_on_the_diagonal() -> None:
     matrix = [[0.0, 0.1, 0.2], [0.3, 0.4, 0.5], [0.6, 0.7, 0.8], [0.9, 1.0, 1.0]]
-    np.testing.assert_allclose(analysis.half_steps(matrix), [[0.3, 0.4], [0.7, 0.8]])
-    assert analysis.half_steps([[0.5]]).shape == (0, 2)
+    np.testing.assert_allclose(analysis.team_phase_rates(matrix), [[0.3, 0.4], [0.7, 0.8]])
+    assert analysis.team_phase_rates([[0.5]]).shape == (0, 2)
 
 
 def test_swing_is_the_mean_move_of_the_evaders_answer() -> None:

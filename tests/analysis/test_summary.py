@@ -43,7 +43,7 @@ WON, LOST, OPEN, HALF_WON = (0.98, 0.99), (0.04, 0.0), (0.7, 0.3), (0.99, 0.5)
         ([WON] * 3 + [LOST] * 4, (Disengagement("pursuers", 1, 3), Disengagement("evaders", 4, 7))),
     ],
 )
-def test_disengagement_takes_both_half_steps_three_generations_in_a_row(
+def test_disengagement_takes_both_team_phases_three_generations_in_a_row(
     rates: list[tuple[float, float]], expected: tuple[Disengagement, ...]
 ) -> None:
     assert analysis.disengagements(rates) == expected
@@ -59,7 +59,7 @@ def test_disengagement_before_the_first_generation_and_with_another_first() -> N
 def test_a_disengagement_says_who_needs_more_epochs() -> None:
     stretch = Disengagement("pursuers", 4, 9)
     assert stretch.loser == "evaders"
-    assert str(stretch).startswith("generations 4 to 9: the pursuers win nearly everything")
+    assert str(stretch).startswith("generations 4 to 9: the pursuers win nearly all matches")
     assert str(stretch).endswith("give the evaders more epochs")
     assert Disengagement("evaders", 1, 3).loser == "pursuers"
 
@@ -161,11 +161,11 @@ def test_steadily_stronger_teams_look_like_progress() -> None:
     ("matrix", "reason"),
     [
         (circular(11), "a verdict needs at least 12 generations and there are 11"),
-        (logistic(31)[::-1, ::-1], "it does not follow time"),
+        (logistic(31)[::-1, ::-1], "not in the order of time"),
         (np.tri(31, k=-1), "this race lies between"),
-        (staircase(31), "one team won nearly everything"),
+        (staircase(31), "one team won nearly all matches"),
         (0.5 + 0.01 * circular(31), "this race lies between"),
-        (np.full((31, 31), 0.99), "one team won nearly everything"),
+        (np.full((31, 31), 0.99), "one team won nearly all matches"),
         (np.full((31, 31), 0.5), "the capture rate never changes"),
     ],
 )
