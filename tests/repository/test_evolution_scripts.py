@@ -102,7 +102,7 @@ def test_the_deap_example_is_determined_by_its_seed(tmp_path: Path) -> None:
     told = quick("deap_example", tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == ["deap_example.png"]
     assert re.search(r"^4 +\t108 ", told, re.M)  # 6 + 4 x 12 players, against 2 rivals
-    assert "a best response to these evaders catches 0." in told
+    assert "a best response to these evaders captures 0." in told
     assert quick("deap_example", tmp_path) == told
     assert quick("deap_example", tmp_path, "--seed", "1") != told
 
@@ -179,7 +179,7 @@ def test_safe_coevolution_tells_each_champion_from_the_others(script: ModuleType
         for team in coevolution.TEAMS
     }
     budget = replace(script.QUICK, prices=(0.0,))
-    told = script.outcomes(champions, budget)
+    told = script.evaluate(champions, budget)
     pursuers, evaders = (mw.Population(champions[team], network) for team in coevolution.TEAMS)
     for index in range(2):
         pairs = {"pursuer": [(index, 0), (index, 1)], "evader": [(0, index), (1, index)]}
