@@ -1,4 +1,4 @@
-"""Which opponent sampler gives the best champions at the same number of matches?
+"""Which opponent sampler gives the best champions? All samplers at the same number of matches.
 
     python evolution/archives.py             five seeds of each sampler, about six minutes
     python evolution/archives.py --quick     a small world and one seed, some seconds
