@@ -38,6 +38,7 @@ from timing import bind, print_table
 
 LEARNERS = {"es": "evolution strategy", "ga": "genetic algorithm"}
 SCHEDULES = ("specialist-specialist", "generalist-generalist")
+# The files that hold what a race has computed.
 RESULTS = ("archive.npz", "payoff.npz", "log.csv")
 
 PARTS: dict[str, Functions] = {
@@ -89,11 +90,13 @@ def check(learner: str, threads: int) -> None:
     plain, parts = race(settings, threads, Parts()), Parts()
     with parts.wrapping(PARTS):
         assert race(settings, threads, parts) == plain
+    # A part without time is a function that the package no longer calls.
     assert set(parts.seconds) == {*PARTS, FIGURES, OTHER}
 
 
 def measure(settings: RaceSettings, threads: int) -> Mapping[str, float]:
     """Return the seconds of a race by part."""
+    # Parts and total come from the same run, so the shares add up to 100 %.
     parts = Parts()
     with parts.wrapping(PARTS):
         race(settings, threads, parts)

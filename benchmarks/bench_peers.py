@@ -35,7 +35,9 @@ from plain_coevolution import (
 )
 from timing import Clock, bind, print_table
 
+# Worlds of a batch: enough to hide the cost of a call from Python.
 MANY = 1024
+# A prime, so that the sequence of actions does not repeat in step with the episodes.
 ROWS_OF_ACTIONS = 4093
 HIDDEN = (32,)
 INSTALL = {
@@ -145,6 +147,7 @@ def pogema(python: str, clock: Clock) -> float | None:
     """Return world-steps per second of POGEMA; None if that interpreter does not have it."""
     if subprocess.run([python, "-c", "import pogema"], capture_output=True).returncode != 0:
         return None
+    # A separate process: its interpreter has other versions of the dependencies.
     script = str(Path(__file__).with_name("pogema_rate.py"))
     command = [python, script, str(clock.seconds), str(clock.repeats)]
     done = subprocess.run(command, capture_output=True, text=True, check=True)

@@ -126,6 +126,7 @@ def short_episodes(hidden: tuple[int, ...], obstacles: float, fresh: bool, clock
 
 def gemm(core_type: str | None, clock: Clock) -> tuple[float, str]:
     """Return flop/s of NumPy's float32 matrix product on one thread, and the instruction set."""
+    # OpenBLAS reads its settings when it is loaded, hence the environment of a new process.
     environment = os.environ | {"OPENBLAS_NUM_THREADS": "1"}
     if core_type is not None:
         environment["OPENBLAS_CORETYPE"] = core_type
@@ -154,6 +155,7 @@ def print_long(rounds: int, clock: Clock) -> dict[tuple[int, ...], float]:
     both = {}
     if n_cores() > 1:
         bind(2)
+        # Twice the matches on twice the threads: the work of each thread stays the same.
         both = {hidden: long_episodes(hidden, rounds, 2, clock) for hidden in HIDDEN}
         bind(1)
     rows = [

@@ -28,6 +28,7 @@ def main() -> None:
     side, clock = int(sys.argv[1]), Clock(float(sys.argv[2]), int(sys.argv[3]))
     rng = np.random.default_rng(0)
     one, other = rng.standard_normal((2, side, side), dtype=np.float32)
+    # Allocated once: page faults of a new result would count as part of the product.
     product = np.empty((side, side), np.float32)
 
     def play(_: int) -> int:

@@ -66,6 +66,7 @@ class Parts:
         self._count()
         self._inside.pop()
 
+    # Time since the last call belongs to the innermost part.
     def _count(self) -> None:
         now = time.perf_counter()
         if self._inside:

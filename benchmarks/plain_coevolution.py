@@ -94,6 +94,7 @@ class PlainWorld:
         blocked = self.planes[OBSTACLE, there[:, 0] + self.reach, there[:, 1] + self.reach]
         there[blocked | ~self.alive] = here[blocked | ~self.alive]
         old, new = (cells[:, 0] * self.config.cols + cells[:, 1] for cells in (here, there))
+        # All pairs at once, (P, E): cheaper in NumPy than a dictionary of cells.
         meet = new[:p, None] == new[p:]
         swap = (new[:p, None] == old[p:]) & (old[:p, None] == new[p:])
         self.alive[p:] &= ~(meet | swap).any(axis=0)
@@ -217,6 +218,7 @@ class Coevolution:
     def generation(self) -> None:
         """Select, vary and evaluate each team once, as DEAP's eaSimple does."""
         for team, rivals in (("pursuer", "evader"), ("evader", "pursuer")):
+            # As in DEAP's eaSimple, children replace the whole population.
             parents = self.toolbox.select(self.populations[team], len(self.populations[team]))
             children = algorithms.varAnd(parents, self.toolbox, cxpb=0.5, mutpb=0.5)
             self.evaluate(team, children, tools.selBest(self.populations[rivals], 1)[0])

@@ -32,6 +32,7 @@ def main() -> None:
     )
     env = pogema.pogema_v0(config)
     env.reset()
+    # Lists, as POGEMA's interface takes them: converting arrays would count as its time.
     rows = np.random.default_rng(0).integers(5, size=(4093, AGENTS)).tolist()
 
     def play(i: int) -> int:

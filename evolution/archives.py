@@ -55,6 +55,7 @@ def play(base: RaceSettings, names: list[str], seeds: range, root: Path) -> Runs
 def champions(runs: Runs, team: coevolution.Team, budget: int) -> mw.Population:
     """Return the newest genome of each run within the budget, sampler by sampler."""
     every = [run for of_name in runs.values() for run in of_name]
+    # Not the last genome: races whose archives play matches end above the budget.
     genomes = [run.teams[team].genomes[run.generation_at(team, budget)] for run in every]
     return mw.Population(np.stack(genomes), every[0].teams[team].network)
 
@@ -72,6 +73,7 @@ def scores(captured: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return capture and escape rates (samplers, seeds) against all other samplers."""
     # Opponents of the same sampler are left out: a sampler could make both of its teams weak.
     others = ~np.eye(len(captured), dtype=bool)
+    # Seeds of the opponents are averaged; seeds of the own sampler give the intervals.
     of_pairs = captured.mean(axis=3)  # (samplers, seeds, samplers)
     capture = np.stack([row[:, others[i]].mean(axis=1) for i, row in enumerate(of_pairs)])
     escapes = 1.0 - captured.mean(axis=1).transpose(1, 2, 0)
@@ -89,6 +91,7 @@ def main() -> None:
     base, few, episodes = (QUICK, 1, 2) if args.quick else (FULL, 5, 20)
     runs = play(base, args.samplers, range(args.seeds or few), args.runs)
     every = [run for of_name in runs.values() for run in of_name]
+    # The smallest total is a number of matches that every race has played.
     budget = min(int(run.files.log()["matches"][-1]) for run in every)
     capture, escape = scores(cross_play(base, runs, budget, episodes))
     print(f"Champions after {budget:,} matches, against those of the other samplers:\n")

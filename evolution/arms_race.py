@@ -72,6 +72,7 @@ def score(
 
 def toolbox_of(team: Team, budget: Budget, rng: np.random.Generator) -> base.Toolbox:
     """Return a DEAP toolbox with generate, evaluate, update, and ``champion``: the mean genome."""
+    # Samples are slices of one table, so an epoch draws no Gaussian noise.
     network = mw.Network.for_config(budget.world)
     noise = NoiseTable(network.genome_size, rng, sigma=DEFAULTS.sigma)
     learner = EvolutionStrategy(network.initial(rng), noise, samples=budget.samples)
@@ -83,6 +84,7 @@ def toolbox_of(team: Team, budget: Budget, rng: np.random.Generator) -> base.Too
     def update(candidates: Candidates) -> None:
         learner.tell([candidate.fitness.values[0] for candidate in candidates])
 
+    # DEAP's ask-and-tell convention: generate asks the learner, update tells it the fitness.
     toolbox = base.Toolbox()
     toolbox.register("generate", lambda: Candidates(learner.ask(rng)))
     toolbox.register("evaluate", evaluate)
@@ -96,6 +98,7 @@ def race(name: str, schedule: Schedule, budget: Budget, seed: int) -> dict[Team,
     rng = np.random.default_rng(seed)
     toolboxes = {team: toolbox_of(team, budget, rng) for team in coevolution.TEAMS}
     samplers = {team: schedule.selection(team) for team in coevolution.TEAMS}
+    # Untrained champions first: generation 0 of the payoff matrix.
     archive = {team: [toolbox.champion()] for team, toolbox in toolboxes.items()}
     for generation in tqdm(range(1, budget.generations + 1), desc=name, disable=None):
         for team, toolbox in toolboxes.items():
@@ -118,6 +121,7 @@ def payoff(archive: dict[Team, list[np.ndarray]], budget: Budget, seed: int) -> 
     """Return capture rates of all generations of pursuers (rows) against all evaders (columns)."""
     network = mw.Network.for_config(budget.world)
     pursuers, evaders = (mw.Population(np.stack(genomes), network) for genomes in archive.values())
+    # Short episodes are enough to learn; long ones distinguish trained teams better.
     world = replace(budget.world, max_steps=DEFAULTS.eval_steps)
     played = coevolution.tournament(
         world, pursuers, evaders, seed=seed, episodes=DEFAULTS.eval_episodes

@@ -148,6 +148,7 @@ def take_turn(
     rng: np.random.Generator,
 ) -> tuple[list[Player], np.ndarray, dict[str, float]]:
     """Evolve one team while the other does not learn; return population, champion and record."""
+    # One seed for each opponent: all players meet it in the same episode, so luck is shared.
     seeds = rng.integers(2**63, size=len(rivals))
 
     def evaluate(players: list[Player]) -> list[tuple[float]]:
@@ -159,7 +160,9 @@ def take_turn(
     statistics = tools.Statistics(lambda player: player.fitness.values[0])
     for name, number in {"mean": np.mean, "std": np.std, "max": np.max}.items():
         statistics.register(name, number)
+    # DEAP compares individuals by ==, which a genome array answers element by element.
     best = tools.HallOfFame(1, similar=lambda a, b: np.array_equal(a.genome, b.genome))
+    # Old fitness comes from other opponents; without it DEAP evaluates the parents again.
     for player in population:
         del player.fitness.values
     population, logbook = algorithms.eaMuPlusLambda(
@@ -167,6 +170,7 @@ def take_turn(
         ngen=budget.generations, stats=statistics, halloffame=best, verbose=False,
     )  # fmt: skip
     numbers = {name: round(float(n), 3) for name, n in statistics.compile(population).items()}
+    # From DEAP's logbook: the parents once, then the children of each generation.
     played = sum(logbook.select("nevals")) * len(rivals)
     return population, best[0].genome, {"matches": played, **numbers}
 
@@ -206,6 +210,7 @@ def best_response(
     learner = coevolution.EvolutionStrategy(network.initial(rng), noise, samples=budget.lambda_)
 
     def evaluate(candidates: coevolution.Candidates) -> np.ndarray:
+        # Mirrored candidates share a match seed.
         seeds = rng.integers(2**63, size=budget.lambda_ // 2)[learner.match_of_candidate]
         return score(team, budget.world, candidates.genomes, rival[np.newaxis], seeds[:, None])
 

@@ -48,6 +48,7 @@ EDGES = {
     "stagnation": (0.05, 0.1, 0.15, 0.25),
 }
 """Edges of the bins, in units of the number that decides each condition (`STRENGTHS`)."""
+# Of the half widths: nine of ten calibration races have a narrower interval.
 SLACK_QUANTILE = 0.9
 
 Truth = dict[str, bool | None]
@@ -79,6 +80,7 @@ class Measured:
 def measure(name: str, seed: int) -> Measured:
     """Play a race and compute its numbers."""
     race = toys.known_race(name, seed)
+    # As `diagnose` takes them: the same level and the same number of resamples.
     numbers = partial(
         numbers_of_run,
         race.scores.mean(axis=2),
@@ -96,6 +98,7 @@ def counts_for(condition: str, truth: Truth) -> bool:
     As in `diagnose`, a disengaged race counts for disengagement only, and a race that cycles does
     not count for stagnation.
     """
+    # Counting such races would calibrate cases that `diagnose` never judges.
     hidden = truth["disengagement"] and condition != "disengagement"
     moving = truth["cycling"] and condition == "stagnation"
     return truth[condition] is not None and not hidden and not moving
@@ -181,6 +184,7 @@ def judge(name: str, seeds: Sequence[int]) -> list[Judged]:
         by_episodes = analysis.diagnose(race.scores, episodes=True)
         found += compared(name, BY_EPISODES, race.truth, by_episodes)
         found += compared(name, BY_MATRIX, race.truth, analysis.diagnose(race.scores.mean(axis=2)))
+    # The last group may be smaller if the number of seeds is no multiple of GROUP.
     if len(races) == GROUP:
         together = analysis.diagnose(np.array([race.scores for race in races]), episodes=True)
         found += compared(name, FIVE, shared_truth([race.truth for race in races]), together)
@@ -311,6 +315,7 @@ def spread(
     work: Callable[..., Result], tasks: Sequence[tuple[object, ...]], processes: int
 ) -> list[Result]:
     """Return the results of all tasks, in order, computed by several processes."""
+    # Tasks have seeds of their own, so the results do not depend on the number of processes.
     with ProcessPoolExecutor(processes) as pool:
         return list(tqdm(pool.map(work, *zip(*tasks, strict=True)), total=len(tasks), disable=None))
 
@@ -329,6 +334,7 @@ def main() -> None:
         made = calibrate(
             spread(measure, tasks, args.processes), f"seeds 0 to {count - 1} of each toy"
         )
+        # In the package itself: the diagnosis reads it from there.
         target = Path(calibrations.__file__).with_suffix(".json")
         target.write_text(json.dumps(made.to_json(), indent=1) + "\n", encoding="utf-8")
         calibrations.calibration.cache_clear()  # the test below uses the new file

@@ -77,6 +77,8 @@ class Lesson:
     steps: int
 
 
+# Occupation needs space to flee; surrounding needs many pursuers close to few evaders, or untrained
+# pursuers never make a capture that selection could reward.
 OPEN = partial(Lesson, side=20, pursuers=3, evaders=8, steps=120)
 TIGHT = partial(Lesson, side=10, pursuers=10, evaders=3, steps=60)
 MIDDLE = partial(Lesson, side=16, pursuers=12, evaders=3, steps=80)
@@ -121,6 +123,7 @@ def evolve(
         seed=seed,
         **LEARNER,
     )
+    # Only the last genome is kept; a run needs a directory for its checkpoints.
     with tempfile.TemporaryDirectory() as directory:
         run = SingleTeam(settings, directory, start=start, threads=1)
         run.run()
@@ -160,6 +163,7 @@ def cell(genomes: dict[str, np.ndarray], team: Team, name: str, variant: str, ep
     else:
         number = int(name.removeprefix("evolved-")) - 1
         player = mw.Population(genomes[f"{variant}.{team}s"][number].astype(np.float32), NETWORK)
+    # One match of many episodes, with the same seed for all opponents.
     matches = mw.Matches.of(0, 0, np.uint64(0))
     rates = []
     for script in held_out_scripts(other(team), variant):
@@ -182,6 +186,8 @@ def main() -> None:
         epochs = QUICK_EPOCHS if args.quick else None
         teach = partial(curriculum, epochs=epochs, seed=args.seed)
         genomes = {}
+        # Variants are independent and each has its own generator, so the number of processes does
+        # not change the file.
         with ProcessPoolExecutor(args.processes) as pool:
             for variant, evolved in zip(variants, pool.map(teach, variants), strict=True):
                 genomes |= evolved

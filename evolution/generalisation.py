@@ -64,9 +64,11 @@ def another(race: RaceSettings) -> str:
 
 def plans(race: RaceSettings, root: Path) -> dict[str, RaceSettings | SingleSettings]:
     """Return the settings of all runs by name; a run comes after the runs that it builds on."""
+    # Baselines differ from the race in their opponents and in nothing else.
     same = {name: getattr(race, name) for name in SAME}
     chasing = SingleSettings(team="pursuer", epochs=race.total_epochs("pursuer"), **same)
     fleeing = SingleSettings(team="evader", epochs=race.total_epochs("evader"), **same)
+    # A run of its own rather than a part of `fleeing`, since its learning rate falls sooner.
     halfway = replace(fleeing, epochs=fleeing.epochs // 2)
     teacher, pupil = str(root / CHASING), str(root / HALFWAY)
     # A constant learning rate, as in the race.
@@ -144,6 +146,7 @@ def standings(team: Team, race: RaceSettings, runs: dict[str, SavedRun]) -> list
         learned = parts[-1].teams[team]
         last = mw.Population(learned.genomes[-1:], learned.network)
         met = [scores(last, runs[name].teams[other(team)]) for name in races]
+        # The run's own payoff matrix: its last genome against its training opponents.
         in_training = of_last(parts[-1].payoff()).mean()
         found.append(Standing(team, training, matches(team, parts), float(in_training), *met))
     return found
@@ -160,6 +163,7 @@ def main() -> None:
     parser.add_argument("--figure", default="generalisation.png", help="file to draw to")
     args = parser.parse_args()
     race = replace(QUICK if args.quick else FULL, schedule=args.schedule, seed=args.seed)
+    # Quick and full runs, and different seeds, never share a directory.
     root = args.runs / f"{'quick' if args.quick else 'full'}-{args.seed}"
     runs = {name: played(settings, root / name) for name, settings in plans(race, root).items()}
 

@@ -57,6 +57,7 @@ def payoffs(base: RaceSettings, seeds: range, root: Path) -> dict[str, np.ndarra
     """Return payoff matrices (seeds, generations, generations) of each kind, playing new runs."""
     found: dict[str, list[np.ndarray]] = {name: [] for name in kinds(base)}
     jobs = [(name, each, seed) for name, each in kinds(base).items() for seed in seeds]
+    # Each race has its own directory, where an interrupted script finds it again.
     for name, settings, seed in tqdm(jobs, unit=" races", disable=None):
         place = root / name.replace(" ", "-") / str(seed)
         run = finish(replace(settings, seed=seed), place)
@@ -78,6 +79,7 @@ def main() -> None:
     for measure in MEASURES:
         cells = " | ".join(str(each[measure]) for each in estimates.values())
         print(f"| {analysis.MEASURES[measure].label} | {cells} |")
+    # One race of each kind: a mean over seeds would hide cycles of different phase.
     plots.comparison({name: matrices[0] for name, matrices in found.items()}).savefig(args.figure)
     print(f"Drawn: {args.figure}, the first seed of each")
 

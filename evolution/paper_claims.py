@@ -87,6 +87,7 @@ def plan(race: RaceSettings, surround: SingleSettings, *, every: int, episodes: 
     """Return a plan whose baselines have the world and the budget of the race."""
 
     def alone(team: Team) -> SingleSettings:
+        # As many epochs as the team has in a race: the same number of matches.
         epochs = race.total_epochs(team)
         same = ("variant", "rows", "cols", "pursuers", "evaders", "population", "eval_steps")
         return SingleSettings(
@@ -151,6 +152,7 @@ def play(plan: Plan, seed: int, root: Path, threads: int | None) -> dict[str, Sa
         EVADERS_ALONE: plan.evaders,
         **{name: replace(plan.surround, fitness=aim) for aim, name in SURROUNDING.items()},
     }
+    # In this order: trained evaders continue from two of the runs before them.
     for name, settings in planned.items():
         played(name, partial(start, replace(settings, seed=seed)))
     played(EVADERS_TAUGHT, taught)
@@ -181,6 +183,7 @@ def cross_play(
     """
     own = [of_seed[kind].teams[team] for kind in CANDIDATES[team] for of_seed in runs]
     rivals = [of_seed[race].teams[other(team)] for race in RACES for of_seed in runs]
+    # One population of all candidates and one of all opponents: a single tournament.
     candidates = mw.Population(np.stack([each.genomes[-1] for each in own]), own[0].network)
     opponents = np.concatenate([each.genomes[:: plan.every] for each in rivals])
     met = mw.Population(opponents, rivals[0].network)
@@ -197,6 +200,7 @@ def against_other_seeds(payoff: np.ndarray) -> np.ndarray:
     """Return the mean payoff (kinds, seeds) against the opponents of races of other seeds."""
     # Opponents of the own seed have trained against the candidates of the races.
     others = ~np.eye(payoff.shape[1], dtype=bool)
+    # Mean over races (specialists and generalists) and generations of the opponents.
     by_pair = payoff.mean(axis=(2, 4))
     return (by_pair * others).sum(axis=2) / others.sum(axis=1)
 
@@ -285,6 +289,7 @@ def measured(
     for name in SURROUNDING.values():
         both = surrounding(plan, [of_seed[name] for of_seed in runs], threads)
         numbers[f"{name}: captured"], numbers[f"{name}: collisions"] = both
+    # float32 halves the file and keeps far more digits than ten episodes give.
     return {name: each.astype(np.float32) for name, each in numbers.items()}
 
 
@@ -296,6 +301,7 @@ def standings(numbers: Mapping[str, np.ndarray], team: Team) -> dict[str, np.nda
 
 def claims(numbers: Mapping[str, np.ndarray]) -> list[Claim]:
     """Return the claims of the paper with the numbers of each seed, from those of `measured`."""
+    # From a file the numbers come as float32; a fresh run is rounded in the same way.
     numbers = {name: each.astype(np.float64) for name, each in numbers.items()}
 
     def of(measure: str, race: str) -> np.ndarray:

@@ -100,6 +100,7 @@ def race(price: float, budget: Budget, seed: int) -> dict[Team, np.ndarray]:
         team: EvolutionStrategy(network.initial(rng), noise, samples=budget.samples)
         for team in coevolution.TEAMS
     }
+    # Random past opponents instead of the newest one make cycling less likely.
     archive = {team: [learner.genome] for team, learner in learners.items()}
     for _ in range(budget.generations):
         for team, learner in learners.items():
@@ -135,6 +136,7 @@ def evaluate(champions: Mapping[Team, np.ndarray], budget: Budget) -> dict[Team,
     """Evaluate each champion (n, genes) of both teams against all n of the other team."""
     network, n = mw.Network.for_config(budget.world), len(champions["pursuer"])
     pursuers, evaders = (mw.Population(champions[team], network) for team in coevolution.TEAMS)
+    # All champions meet all opponents: a price is judged by the same opponents as any other.
     pairs = np.indices((n, n)).reshape(2, -1)
     matches = mw.Matches.of(*pairs, np.arange(n * n))
     played = mw.rollout(budget.world, pursuers, evaders, matches, worlds=budget.episodes)
@@ -160,6 +162,7 @@ def table(evaluations: Mapping[Team, Evaluation], budget: Budget) -> str:
     """Return the evaluations in Markdown: means over seeds, with intervals over seeds."""
 
     def cell(values: np.ndarray, digits: int) -> str:
+        # A single seed has no interval.
         mean = analysis.bootstrap_runs(values)
         if mean.low is None:
             return f"{mean.value:.{digits}f}"

@@ -19,9 +19,9 @@ MOST_STATES = 4096
 """Largest number of pairs (n times m); 64 x 64 generations take a few seconds."""
 
 _BLOCK = 64  # states that are eliminated together
+# Smallest fixation probability. Smaller ones matter only between attractors without a more
+# frequent connection, and there the shares would leave the range of floating-point numbers.
 _RAREST = 1e-60
-"""Smallest fixation probability. Smaller ones matter only between attractors without a more
-frequent connection, and there the shares would leave the range of floating-point numbers."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,6 +83,7 @@ def alpha_rank(
     and Heyman (1985), "Regenerative analysis and steady state distributions for Markov chains".
     """
     matrix = check_payoff(payoff)
+    # The chain has n m states and its matrix (n m)^2 entries: 134 MB at the limit.
     require(matrix.size <= MOST_STATES, f"at most {MOST_STATES} pairs (n times m)", matrix.size)
     pairs = _stationary(_transitions(matrix, alpha, population)).reshape(matrix.shape)
     return AlphaRank(pairs, pairs.sum(axis=1), pairs.sum(axis=0))
@@ -144,12 +145,14 @@ def _transitions(matrix: Rates, alpha: float, population: int) -> Rates:
     for g in range(rows):
         chain[g, :, g, :] = _rate(evaders[g], alpha, population)
     flat: Rates = eta * chain.reshape(matrix.size, matrix.size)
+    # The elimination never uses the probability to stay.
     np.fill_diagonal(flat, 0.0)
     return flat
 
 
 def _rate(gain: Rates, alpha: float, population: int) -> Rates:
     rate = fixation_probability(gain, alpha=alpha, population=population)
+    # A positive rate between all neighbours keeps the chain irreducible, so its solution is unique.
     floored: Rates = np.maximum(rate, _RAREST)
     return floored
 

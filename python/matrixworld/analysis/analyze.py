@@ -109,6 +109,7 @@ class Analysis:
         ]
 
     def _verdicts(self) -> list[str]:
+        # A description in sentences fits a single run; several are counted by verdict.
         if len(self.runs) == 1:
             return [describe(self.runs[0].summary)]
         counts = Counter(run.summary.verdict for run in self.runs)
@@ -160,6 +161,7 @@ def analyze(
     runs = tuple(analyze_run(matrix, scores) for matrix, scores in payoffs)
     globally = None if cross is None else _global(cross, payoffs.matrices.shape)
     estimates = _estimates(runs, globally, level, rng)
+    # Intervals over runs are the better ones; episodes serve only where there is a single run.
     if payoffs.scores is not None and len(runs) == 1:
         estimates |= _over_episodes(payoffs, level, rng)
     return Analysis(runs, estimates, _bands(runs, level, rng), globally, level)
@@ -196,6 +198,7 @@ def _estimate(values: list[float], level: float, rng: int) -> Estimate:
 
 def _over_episodes(payoffs: Payoffs, level: float, rng: int) -> dict[str, Estimate]:
     scores = payoffs.scores
+    # A single episode shows no variation.
     if scores is None or scores.shape[3] < 2:
         return {}
     return {

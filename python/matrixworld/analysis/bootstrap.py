@@ -16,7 +16,7 @@ from matrixworld.analysis.payoff import Rates, check_rates, require
 LEVEL = 0.95
 """Default confidence level: share of intervals that should contain the true value."""
 RESAMPLES = 2000
-"""Default number of resamples; the ends of 95 % intervals then vary by a few per cent."""
+"""Default number of resamples; more change the ends of 95 % intervals little."""
 FEW_RUNS = 5
 """With fewer runs an interval is too narrow: resamples repeat the same few runs."""
 
@@ -111,6 +111,7 @@ def bootstrap_runs(
     """
     array = _check_values(values, "values of runs")
     _check_settings(level, resamples)
+    # A single run says nothing about the variation between runs.
     mean, runs = float(array.mean()), len(array)
     if runs == 1:
         return Estimate(mean, None, None, "nothing", 1, "a single run has no interval over runs")
@@ -118,6 +119,7 @@ def bootstrap_runs(
     if np.ptp(array) == 0.0:  # equal values: both methods are undefined
         return Estimate(mean, mean, mean, "runs", runs, note)
     low, high = _interval((array,), _mean, "BCa", level, resamples, rng)
+    # SciPy returns NaN where BCa is not defined.
     if math.isnan(low) or math.isnan(high):
         low, high = _interval((array,), _mean, "percentile", level, resamples, rng)
     return Estimate(mean, low, high, "runs", runs, note)
@@ -208,6 +210,7 @@ def bootstrap_difference(
     difference = float(first.mean() - second.mean())
     if np.ptp(first) == np.ptp(second) == 0.0:
         return Estimate(difference, difference, difference, "episodes", fewest)
+    # Percentile: means of many episodes are hardly skewed, so BCa has little to correct.
     low, high = _interval((first, second), _mean_difference, "percentile", level, resamples, rng)
     return Estimate(difference, low, high, "episodes", fewest)
 
@@ -269,9 +272,11 @@ def bootstrap_episodes(
     generator = np.random.default_rng(rng)
     value = float(measure(array.mean(axis=2)))
     drawn = np.array([float(measure(resampled_means(array, generator))) for _ in range(resamples)])
+    # A resample may be constant, where a transitive share is not defined.
     known = drawn[np.isfinite(drawn)]
     if math.isnan(value) or not len(known):
         return Estimate(value, None, None, "nothing", episodes, "not defined for this matrix")
+    # The upper quantile gives the lower end: the interval is reflected at the value.
     ends = 2.0 * value - np.quantile(known, [(1.0 + level) / 2.0, (1.0 - level) / 2.0])
     low, high = np.clip(ends, *bounds).tolist()
     note = "" if low <= value <= high else "biased by episode noise: outside its own interval"

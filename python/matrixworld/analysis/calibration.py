@@ -66,6 +66,7 @@ class Bins:
         The bins are those that the interval touches. The share is Laplace's rule of succession,
         ``(present + 1) / (present + absent + 2)``: 1/2 in a bin without races.
         """
+        # All bins between the ends of the interval: the truth may lie in any of them.
         first, last = np.searchsorted(self.edges, interval, side="right")
         shares = [
             (yes + 1) / (yes + no + 2)
@@ -81,6 +82,7 @@ class Bins:
         The confidence is the least share of races for which the verdict is true; 0 if there is no
         verdict.
         """
+        # The worst bin decides, for either verdict.
         low, high = self.shares(interval)
         if low >= SURE:
             return PRESENT, low
@@ -134,6 +136,7 @@ def calibration() -> Calibration:
 
 def tally(edges: tuple[float, ...], races: Iterable[tuple[float, bool]]) -> Bins:
     """Count races, each given by its strength and whether it had the condition."""
+    # Row 0: races with the condition, row 1: races without.
     counts = np.zeros((2, len(edges) + 1), dtype=np.int64)
     for strength, had_it in races:
         counts[int(not had_it), np.searchsorted(edges, strength, side="right")] += 1

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 
 from matrixworld.analysis.payoff import Rates, check_payoff, swap_teams
 
+# Fewest pairs of cells for a correlation; with fewer it is dominated by chance.
 _FEWEST_PAIRS = 6
-"""Fewest pairs of cells for a correlation; with fewer it is dominated by chance."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,6 +136,7 @@ def _fading(lower: Rates) -> float:
 def _autocorrelation(lower: Rates) -> Rates:
     counts = np.sum(~np.isnan(lower), axis=1, keepdims=True)
     centered = lower - np.nansum(lower, axis=1, keepdims=True) / counts
+    # Lags up to half of the opponents: beyond them few pairs of cells are left.
     columns = lower.shape[1]
     # Row 0 has one cell, which is 0 after centering and carries no information.
     found = [
@@ -146,6 +147,7 @@ def _autocorrelation(lower: Rates) -> Rates:
 
 
 def _correlation(one: Rates, other: Rates) -> float:
+    # NaN marks cells outside the triangle; a pair counts if both of its cells lie inside.
     both = ~(np.isnan(one) | np.isnan(other))
     x, y = one[both], other[both]
     if len(x) < _FEWEST_PAIRS or min(np.ptp(x), np.ptp(y)) < 1e-12:

@@ -127,6 +127,7 @@ def two_way_parts(payoff: ArrayLike) -> TwoWayParts:
 
 def _parts(values: Rates) -> TwoWayParts:
     mean = float(values.mean())
+    # With one value in each cell the least-squares strengths are row and column means.
     pursuers, evaders = values.mean(axis=1) - mean, values.mean(axis=0) - mean
     return TwoWayParts(mean, pursuers, evaders, values - mean - pursuers[:, None] - evaders)
 
@@ -179,6 +180,7 @@ def checkerboards(
 
 def _prefers(matrix: Rates, margin: float, level: float | None) -> Mask:
     """Return ``[p, a, b]``: p beats a and not b by the margin; bool, shape (n, m, m)."""
+    # Two of the four margins compare cells of one row, so they serve all pairs of rows.
     prefers: Mask = matrix[:, :, None] - matrix[:, None, :] > margin
     if level is not None:
         wins = matrix > level

@@ -110,6 +110,7 @@ def diagnose(
     runs, n, m = payoffs.matrices.shape
     require(team_phase_rates is None or runs == 1, "team phases of a single run", f"{runs} runs")
     one_sided = None if team_phase_rates is None else one_sided_share(team_phase_rates)
+    # The calibration races are longer; their counts say nothing about shorter ones.
     if min(n, m) < FEWEST_GENERATIONS:
         findings = _too_short(runs, min(n, m))
     else:
@@ -157,11 +158,13 @@ class _Runs:
             if name == "stagnation" and cycling is not None:
                 single = _unless_cycling(single, cycling.by_run[run], cycling.confidence)
             by_run[run] = single[0]
+        # The mean over runs decides, not a vote of single verdicts.
         judgement = self._judge(name, numbers) if judged else (CANNOT_TELL, 0.0, HIDDEN)
         judgement = _agreed(judgement, by_run)
         if name == "stagnation" and cycling is not None:
             judgement = _unless_cycling(judgement, cycling.verdict, cycling.confidence)
         verdict, confidence, reason = judgement
+        # If every run is disengaged, the evidence still shows the numbers of all.
         evidence = self._evidence(name, judged or range(len(self._numbers)))
         advice = ADVICE[name][verdict]
         return Finding(name, verdict, confidence, reason, evidence, tuple(by_run), advice)
@@ -196,6 +199,7 @@ def _agreed(judgement: Judgement, by_run: Sequence[str]) -> Judgement:
     """Return "cannot tell" if too many of the single runs have the opposite verdict."""
     verdict = judgement[0]
     opposite = {PRESENT: ABSENT, ABSENT: PRESENT}.get(verdict)
+    # Runs without a verdict are no argument against one.
     decided = [one for one in by_run if one != CANNOT_TELL]
     if opposite is not None and decided.count(opposite) > (1.0 - SURE) * len(decided):
         reason = (

@@ -146,6 +146,7 @@ def dominance_of_counts(wins: ArrayLike, episodes: ArrayLike, *, level: float = 
             f"got {won[where]:g} of {played[where]:g} at index {where}"
         )
     means = check_payoff(won / played)
+    # One win and one loss are added: otherwise a cell without losses would have no variance.
     shrunken = (won + 1.0) / (played + 2.0)
     return _both_ladders(means, shrunken * (1.0 - shrunken) / played, np.inf, level)
 
@@ -166,6 +167,7 @@ def _totals(means: Rates, variances: Rates, freedom: float) -> _Scores:
 
 def _ladder(scores: _Scores, level: float) -> Ladder:
     dominant, p_values = [0], []
+    # In the order of time: a generation is compared with the dominant ones before it only.
     for generation in range(1, len(scores.mean)):
         p = max(_p_value(scores, generation, earlier) for earlier in dominant)
         if p < level:
@@ -183,5 +185,6 @@ def _p_value(scores: _Scores, one: int, other: int) -> float:
     if abs(difference) <= _ROUNDING or variance == 0.0:  # Welch's t is not defined
         return 0.0 if difference > _ROUNDING else 1.0
     spread = float(scores.spread[one] + scores.spread[other])
+    # Infinite degrees of freedom make Student's t the normal distribution.
     freedom = variance**2 / spread if spread > 0.0 else np.inf
     return float(stdtr(freedom, -difference / np.sqrt(variance)))

@@ -116,6 +116,7 @@ def disengagements(
         raise ValueError(f"expected low < high, got low {low} and high {high}")
     if patience < 1:
         raise ValueError(f"expected a patience of at least 1 generation, got {patience}")
+    # Both team phases have to be one-sided: a team that only wins after its own turn is in a race.
     winners = _winners(_check_team_phases(rates), high, low)
     return tuple(s for s in _stretches(winners, first) if len(s) >= patience)
 
@@ -148,6 +149,7 @@ def fitness_variance(fitness: ArrayLike) -> NDArray[np.float64]:
     require(array.ndim == 2 and array.size > 0, "fitness (generations, individuals)", array.shape)
     bad = array[~np.isfinite(array)]
     require(not len(bad), "finite fitness", bad[:1])
+    # The variance of these individuals, not an estimate for a larger population: divided by n.
     variance: NDArray[np.float64] = array.var(axis=1)
     return variance
 
@@ -179,6 +181,7 @@ def undecided_opponents(outcomes: ArrayLike, *, level: float = 0.5) -> Undecided
     virulence".
     """
     require(0.0 <= level <= 1.0, "a level in [0, 1]", level)
+    # A draw at the level is no win, as in `checkerboards`.
     single = np.ndim(outcomes) == 2
     what = "outcomes ([generations,] individuals, opponents)"
     array = check_rates(outcomes, ndim=2 if single else 3, what=what)

@@ -100,6 +100,7 @@ def rises(payoff: ArrayLike) -> Rises:
     size = min(matrix.shape)
     require(size >= 3, "at least 3 x 3 generations", matrix.shape)
     current = team_phase_rates(matrix).mean(axis=1)
+    # All pairs k < g; index i stands for generation i + 1, since generation 0 has no team phases.
     k, later = np.triu_indices(size - 1, k=1)
     pursuers = matrix[later + 1, k + 1] - current[k]
     evaders = current[k] - matrix[k + 1, later + 1]
@@ -135,6 +136,7 @@ def held_out_forgetting(one: ArrayLike, other: ArrayLike) -> Forgetting:
     """
     first, second = (check_rates(part, ndim=2, what="a payoff matrix") for part in (one, other))
     require(first.shape == second.shape, f"two matrices of shape {first.shape}", second.shape)
+    # Each set of episodes chooses once and measures once, so that no episode is wasted.
     pursuers = (_drops(first, second) + _drops(second, first)) / 2.0
     evaders = (_drops(1.0 - first.T, 1.0 - second.T) + _drops(1.0 - second.T, 1.0 - first.T)) / 2.0
     return Forgetting(pursuers, evaders)
@@ -146,6 +148,7 @@ def _drops(chooses: Rates, measures: Rates) -> Rates:
     best, height = chooses[0], measures[0]
     heights = []
     for chosen, measured in zip(chooses, measures, strict=True):
+        # A strict comparison: of equal ancestors the first one stays the best.
         best, height = np.maximum(best, chosen), np.where(chosen > best, measured, height)
         heights.append(height)
     drops: Rates = (np.array(heights) - measures).mean(axis=1)
@@ -192,6 +195,7 @@ def numbers_of(matrix: Rates, forgotten: Forgetting, one_sided: float | None) ->
         `one_sided_share`. ``pursuer_forgetting`` and ``evader_forgetting``: means over the last
         half of the generations; ``most_forgetting`` is the larger one.
     """
+    # Rises need current opponents, so they use the square part of the matrix.
     late, size = last_half(matrix), min(matrix.shape)
     rise = rises(last_half(matrix[:size, :size]))
     forgets = [float(drops[len(drops) // 2 :].mean()) for drops in forgotten]
@@ -294,5 +298,7 @@ def _corrected(
     if not known or math.isnan(value):
         return Estimate(value, None, None, "nothing", episodes, "not defined for this matrix")
     tails = np.quantile(known, [(1.0 + level) / 2.0, (1.0 - level) / 2.0])
+    # Resampling moves a number about as far from the value as noise moved the value from the
+    # truth: the bias is subtracted once, the quantiles are reflected.
     middle, low, high = np.clip(2.0 * value - np.array([np.mean(known), *tails]), *bounds)
     return Estimate(float(middle), float(low), float(high), "episodes", episodes)

@@ -116,6 +116,7 @@ class Finding:
     advice: str
 
     def __str__(self) -> str:
+        # Without a verdict the confidence is 0 by definition and would mislead.
         sure = "" if self.verdict == CANNOT_TELL else f" (confidence {self.confidence:.2f})"
         numbers = "; ".join(f"{LABELS[name]} {one}" for name, one in self.evidence.items())
         return (
@@ -154,6 +155,7 @@ class Diagnosis:
     findings: tuple[Finding, ...]
     source: str
 
+    # Findings stay a tuple in a fixed order, which the printed text and JSON keep.
     def __getitem__(self, name: str) -> Finding:
         """Return the finding on a condition, or raise KeyError for another name."""
         return {finding.name: finding for finding in self.findings}[name]

@@ -154,6 +154,7 @@ def local_progress(payoff: ArrayLike) -> Progress:
     Simione and Nolfi (2021), "Long-term progress and behavior complexification in competitive
     coevolution".
     """
+    # Later generations of the longer team have no opponent of their own generation.
     matrix = check_payoff(payoff)
     k = min(matrix.shape)
     return _both_teams(matrix[:k, :k], np.eye(k, dtype=bool))
@@ -217,11 +218,13 @@ def global_progress(cross: ArrayLike) -> Progress:
     )
     runs = len(array)
     require(runs >= 2, "cross tests between at least 2 runs", runs)
+    # Opponents of the same run are no unknown opponents: the team has trained against them.
     others = ~np.eye(runs, dtype=bool)
     # Only the entries between different runs are checked; the diagonal may be NaN.
     flat = check_payoff(array[others].reshape(runs * (runs - 1), -1))
     played = np.zeros(array.shape)
     played[others] = flat.reshape(-1, *array.shape[2:])
+    # Sum over the other runs (the diagonal holds 0), mean over the generations of their opponents.
     pursuers = played.sum(axis=1).mean(axis=-1) / (runs - 1)
     evaders = 1.0 - played.sum(axis=0).mean(axis=-2) / (runs - 1)
     return Progress(

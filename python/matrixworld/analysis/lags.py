@@ -86,6 +86,7 @@ def lag_rise(payoff: ArrayLike, lag: int | None = None) -> float:
     lag = default_rise_lag(shortest) if lag is None else lag
     if not 1 <= lag < shortest:
         raise ValueError(f"expected a lag from 1 to {shortest - 1}, got {lag}")
+    # Both lags have the same number of cells in a square matrix, so both means are equally noisy.
     profile = lag_profile(matrix)
     return profile.at(lag) - profile.at(-lag)
 
@@ -110,6 +111,7 @@ def team_phase_rates(payoff: ArrayLike) -> Rates:
         generation k have learned, and ``M[k, k]``, after the evaders have learned.
     """
     matrix = check_payoff(payoff)
+    # Generation 0 is untrained: no team phase precedes it.
     k = np.arange(1, min(matrix.shape))
     return np.stack([matrix[k, k - 1], matrix[k, k]], axis=1)
 
@@ -140,6 +142,7 @@ def swing(payoff: ArrayLike, start: int | None = None) -> float:
     Pursuers learn first in a generation, so swapping the teams gives another number.
     """
     rates = team_phase_rates(payoff)
+    # Row k - 1 belongs to generation k, hence one more generation than rows.
     start = default_swing_start(len(rates) + 1) if start is None else start
     if not 1 <= start <= len(rates):
         raise ValueError(f"expected a start from 1 to {len(rates)}, got {start}")

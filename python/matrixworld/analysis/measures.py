@@ -44,6 +44,7 @@ class Measure:
     of: Callable[[Rates], float]
 
 
+# Early generations have few ancestors, so they have little to forget.
 def _late_forgetting(drops: Rates) -> float:
     return float(drops[len(drops) // 2 :].mean())
 

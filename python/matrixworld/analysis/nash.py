@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike
 
 from matrixworld.analysis.payoff import Mask, Rates, check_payoff, swap_teams
 
+# Capture rates closer than this count as equal: the tolerance of the linear programmes.
 _TIE = 1e-7
-"""Capture rates closer than this count as equal: the tolerance of the linear programmes."""
+# Weights below this count as 0, by the same tolerance.
 _NOTHING = 1e-7
-"""Weights below this count as 0, by the same tolerance."""
 _RANK = 1e-9  # singular values below this share of the largest are 0
 _STRICT = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
 _MOST_STEPS = 200
@@ -80,9 +80,12 @@ def nash_averaging(payoff: ArrayLike) -> Nash:
     """
     matrix = check_payoff(payoff)
     swapped = swap_teams(matrix)
+    # Three steps: one optimal mixture of each team, one with the largest support, and among the
+    # mixtures of that support the one of maximum entropy.
     p, q = _optimal(matrix), _optimal(swapped)
     # The payoffs that both mixtures guarantee; the two bounds are equal but for rounding.
     low, high = float((p @ matrix).min()), 1.0 - float((q @ swapped).min())
+    # The largest support is needed because entropy has no finite slope at a weight of 0.
     inner_p, inner_q = _inner(matrix, low, p), _inner(swapped, 1.0 - high, q)
     p = _max_entropy(matrix, low, inner_p, inner_q > 0.0)
     q = _max_entropy(swapped, 1.0 - high, inner_q, inner_p > 0.0)
@@ -110,6 +113,7 @@ def _optimal(matrix: Rates) -> Rates:
     """Return a mixture p of rows that guarantees the most: max v with ``p @ matrix >= v``."""
     rows, columns = matrix.shape
     # The variables are the weights p and the guaranteed payoff v.
+    # Against each column the mixture guarantees v: v - (p @ matrix)_h <= 0.
     upper = np.hstack([-matrix.T, np.ones((columns, 1))])
     equal = np.append(np.ones(rows), 0.0)
     cost = np.append(np.zeros(rows), -1.0)
@@ -165,6 +169,7 @@ def _solve(
 
 
 def _mixture(weights: Rates) -> Rates:
+    # The solver may return weights just below 0.
     positive = np.maximum(weights, 0.0)
     mixture: Rates = positive / positive.sum()
     return mixture
@@ -193,6 +198,7 @@ def _max_entropy(matrix: Rates, value: float, inner: Rates, tight: Mask) -> Rate
     slack = margins[:, ~tight].T
     if slack.size and (slack @ best).min() < -_TIE:
         best = _bounded(start, directions, slack)
+    # Rows outside the support keep an exact 0.
     mixture = np.zeros(len(matrix))
     mixture[used] = best
     return _mixture(mixture)
@@ -228,6 +234,7 @@ def _bounded(start: Rates, directions: Rates, slack: Rates) -> Rates:
         p = np.maximum(start + directions @ z, 1e-300)
         return float(p @ np.log(p)), directions.T @ np.log(p)
 
+    # Weights stay at least 0, too: SLSQP has no limit on steps as `_newton` has.
     inequalities = np.vstack([slack, np.eye(len(start))])
     result = minimize(
         negative_entropy,

@@ -71,6 +71,7 @@ def check_rates(values: ArrayLike, *, ndim: int, what: str = "an array of rates"
         raise ValueError(
             f"expected {what} with {ndim} dimension(s), none of them empty, got shape {array.shape}"
         )
+    # float32 rates are widened: sums over many cells would lose digits.
     rates = array.astype(np.float64, copy=False)
     _require_unit_interval(rates, what)
     return rates
@@ -94,6 +95,7 @@ def check_runs(payoffs: ArrayLike) -> Rates:
     ValueError, TypeError
         As `check_payoff` does.
     """
+    # A single matrix is a stack of one run, so callers need no second case.
     if np.ndim(_as_array(payoffs, "payoff matrices")) == 2:
         return check_payoff(payoffs)[None]
     return check_rates(payoffs, ndim=3, what="payoff matrices (runs, n, m)")
@@ -115,6 +117,7 @@ def last_half(payoff: ArrayLike) -> Rates:
         For 31 generations: generations 15 to 30.
     """
     matrix = check_payoff(payoff)
+    # Of an odd number of generations the middle one belongs to the last half.
     rows, columns = matrix.shape
     return matrix[rows // 2 :, columns // 2 :]
 
@@ -179,6 +182,8 @@ def require(condition: bool, expected: str, received: object) -> None:
 
 
 def _as_array(values: ArrayLike, what: str) -> NDArray[np.generic]:
+    # NumPy refuses ragged lists with a message about "inhomogeneous shape"; ours says what to
+    # change.
     try:
         return np.asarray(values)
     except ValueError as error:

@@ -117,6 +117,7 @@ def elo(payoff: ArrayLike, *, ridge: float = RIDGE, shrinkage: float = SHRINKAGE
     require(0.0 <= ridge < math.inf, "a finite ridge of at least 0", ridge)
     rates = shrink(check_payoff(payoff), shrinkage)
     rows, columns = rates.shape
+    # a: pursuers, b: evaders, in natural logits.
     a, b, offset = np.split(_fit(rates, ridge), [rows, rows + columns])
     # Ratings are defined up to a constant, so they are centred and the offset absorbs the means.
     shift = float(offset[0]) + float(a.mean()) - float(b.mean())
@@ -163,6 +164,7 @@ def multi_elo(
     values = logits(payoff, shrinkage=shrinkage)
     most = min(values.shape) // 2
     require(0 <= k <= most, f"k from 0 to {most} for a matrix of {values.shape}", k)
+    # The cycles are fitted to the residual of Elo, so the ratings mean the same with and without.
     ratings = elo(payoff, ridge=ridge, shrinkage=shrinkage)
     left, sizes, right = np.linalg.svd(values - ratings.logits, full_matrices=False)
     kept = slice(0, 2 * k)
@@ -211,6 +213,7 @@ def _fit(rates: Rates, ridge: float) -> Rates:
         # Without a ridge the constant between ratings and offset is free and the Hessian is
         # singular: least squares takes the shortest step.
         step = np.linalg.lstsq(curvature, -gradient, rcond=None)[0]
+        # A full Newton step may overshoot where rates are close to 0 or 1 and the Hessian is flat.
         size = 1.0
         while size > 1e-9 and _loss(parameters + size * step, rates, ridge)[0] > loss:
             size /= 2.0
@@ -225,6 +228,7 @@ def _loss(parameters: Rates, rates: Rates, ridge: float) -> tuple[float, Rates, 
     x = a[:, None] - b + offset
     p = _sigmoid(x)
     penalty = np.append(np.full(rows + columns, ridge), 0.0)  # the offset is free
+    # Cross entropy in terms of logits, which does not take the logarithm of a rate of 0.
     loss = float(np.sum(np.logaddexp(0.0, x) - rates * x) + penalty @ parameters**2 / 2)
     error, weight = p - rates, p * (1.0 - p)
     gradient = np.concatenate([error.sum(axis=1), -error.sum(axis=0), [error.sum()]])

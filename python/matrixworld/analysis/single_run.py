@@ -121,6 +121,7 @@ def analyze_run(payoff: ArrayLike, scores: ArrayLike | None = None) -> RunAnalys
     """
     matrix = check_payoff(payoff)
     require(min(matrix.shape) >= 2, "at least 2 x 2 generations", matrix.shape)
+    # The Elo part of the result is what `elo` returns, so one fit serves both log losses.
     ratings = multi_elo(matrix)
     return RunAnalysis(
         payoff=matrix,
@@ -149,6 +150,7 @@ def _ranked(matrix: Rates) -> RankedGenerations:
     # The smallest k for which every k-th generation of both teams is few enough pairs.
     while -(-rows // step) * -(-columns // step) > RANKED_PAIRS:
         step += 1
+    # Counted back from the last generation, which matters most.
     g, h = (np.arange((size - 1) % step, size, step) for size in matrix.shape)
     return RankedGenerations(tuple(g.tolist()), tuple(h.tolist()), alpha_rank(matrix[np.ix_(g, h)]))
 

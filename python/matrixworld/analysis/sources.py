@@ -100,6 +100,7 @@ def _stacked(paths: list[Path], episodes: bool) -> Payoffs:
     for path, run in zip(paths, runs, strict=True):
         if len(run.matrices) != 1:
             raise ValueError(f"{path}: expected one run a file, got {len(run.matrices)}")
+        # Episodes are part of the shape: a mix of runs with and without them is refused here.
         if _shape(run) != _shape(first):
             raise ValueError(
                 f"{path}: expected the shape of {paths[0]}, {_shape(first)}, got {_shape(run)}"
@@ -144,6 +145,7 @@ def _load(path: Path) -> dict[str, NDArray[Any]]:
 
 
 def _chosen(path: Path, names: list[str]) -> str:
+    # Episodes first: the means follow from them.
     for name in (PER_EPISODE, *MEANS):
         if name in names:
             return name

@@ -192,6 +192,7 @@ def summarize(payoff: ArrayLike) -> Summary:
     rows, columns = matrix.shape
     late = _part(last_half(matrix), (rows // 2, columns // 2))
     scores, drops = generalization(matrix), forgetting(matrix)
+    # A short race does not contain all headline lags.
     profile, rise = lag_profile(matrix), lag_rise(matrix)
     lags = [d for d in HEADLINE_LAGS if profile.lags[0] <= d <= profile.lags[-1]]
     inside = np.searchsorted(profile.lags, lags)
@@ -216,6 +217,7 @@ def summarize(payoff: ArrayLike) -> Summary:
 
 
 def _part(matrix: Rates, first: tuple[int, int]) -> PartSummary:
+    # Without a level: races cycle at low capture rates, too, where no cell crosses one half.
     boards = checkerboards(matrix, margin=MARGIN, level=None)
     return PartSummary(
         first_pursuers=first[0],
@@ -236,6 +238,7 @@ def _team(scores: Rates, drops: Rates) -> TeamSummary:
         generalization_last=float(scores[-1]),
         generalization_best=float(scores.max()),
         best_generation=int(scores.argmax()),
+        # Early generations have few ancestors, so they have little to forget.
         forgetting=float(drops[len(drops) // 2 :].mean()),
     )
 
@@ -252,6 +255,7 @@ def _judge(
     # A disengaged race has a constant matrix, which would pass for one without cycles.
     if _mostly_disengaged(stretches, shortest):
         return "undecided", ("one team won nearly all matches in most generations of the last half")
+    # The last half only: untrained early generations make any race look transitive.
     share, boards = late.transitive_share, late.checkerboard_share
     if share is None or boards is None:
         return "undecided", "the capture rate never changes in the last half"
@@ -260,6 +264,7 @@ def _judge(
             f"its transitive share is below {CYCLING_SHARE} and its checkerboards are above "
             f"{CYCLING_CHECKERBOARDS:.1%}"
         )
+    # An order of strength is not yet progress: later generations have to be the stronger ones.
     if share > PROGRESS_SHARE and boards < PROGRESS_CHECKERBOARDS and rise > PROGRESS_RISE:
         return "progress", (
             f"its transitive share is above {PROGRESS_SHARE}, its checkerboards are below "
@@ -284,6 +289,7 @@ def _why_undecided(share: float, boards: float, rise: float) -> str:
 
 def _mostly_disengaged(stretches: tuple[Disengagement, ...], generations: int) -> bool:
     half = range(generations // 2, generations)
+    # Half of the last half decides, since a disengaged race may engage again.
     idle = sum(1 for k in half if any(s.first <= k <= s.last for s in stretches))
     return 2 * idle > len(half)
 

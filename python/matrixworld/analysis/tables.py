@@ -66,6 +66,7 @@ def _lines(path: Path) -> list[Line]:
             ]
     except (UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path}: expected a CSV file of text, got: {error}") from error
+    # Line numbers of the file are kept for error messages.
     kept = [(i, row) for i, row in rows if any(row) and not row[0].startswith("#")]
     if not kept:
         raise ValueError(f"{path}: expected a table of capture rates, got no lines")
@@ -75,6 +76,7 @@ def _lines(path: Path) -> list[Line]:
 def _matrix(path: Path, lines: list[Line]) -> Rates:
     header = lines[0][1]
     labelled = header[0] == ""
+    # A header is recognised by a cell that is not a number.
     body = lines if all(_is_number(cell) for cell in header) else lines[1:]
     if not body:
         raise ValueError(f"{path}: expected lines of capture rates, got a header only")
