@@ -78,6 +78,7 @@ def check_world(config: mw.WorldConfig) -> int:
             world.step(actions)
             plain.step(actions)
         assert_same(plain, world)
+        # Captures are counted so that the check fails if the worlds agree without any.
         n_captured += world.captured.sum()
     return int(n_captured)
 

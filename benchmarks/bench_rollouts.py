@@ -208,6 +208,7 @@ def main(seconds: float, repeats: int, rounds: int) -> None:
     clock = Clock(seconds, repeats)
     for hidden in HIDDEN:
         check(hidden)
+    # The rates on one thread serve the comparison with GEMM below.
     alone = print_long(rounds, clock)
     print_short(clock)
     print_gemm(alone, clock)

@@ -248,6 +248,7 @@ def main(seconds: float, repeats: int, out: str, largest: int | None) -> None:
     check_batch(mw.WorldConfig("SB", **SMALL))
     check_rollout(population((32,), 8))
     bind(1)
+    # Single-threaded throughout: scaling with threads is measured by bench_rollouts.py.
     panels = {
         ("Agents", "agents in one world", "seconds per step"): agent_curves(most["agents"], clock),
         ("Worlds", "worlds in a batch", "seconds per step"): world_curves(most["worlds"], clock),

@@ -82,6 +82,7 @@ def _draw_reference(axes: Axes, curves: Sequence[Curve]) -> None:
     )
     ends = np.array([first, last], float)
     axes.plot(ends, ends * ratio / 3, color=colors.MUTED, linestyle="--", linewidth=1)
+    # The geometric mean is the middle of a logarithmic axis.
     middle = np.sqrt(ends.prod())
     axes.annotate(
         "slope 1", (middle, middle * ratio / 3), xytext=(6, -3), textcoords="offset points",

@@ -63,6 +63,7 @@ def champions(runs: Runs, team: coevolution.Team, budget: int) -> mw.Population:
 def cross_play(base: RaceSettings, runs: Runs, budget: int, episodes: int) -> np.ndarray:
     """Return capture rates (samplers, seeds, samplers, seeds): pursuers first, then evaders."""
     pursuers, evaders = (champions(runs, team, budget) for team in coevolution.TEAMS)
+    # Longer episodes than in training, as in payoff matrices.
     world = base.world(base.eval_steps)
     played = coevolution.tournament(world, pursuers, evaders, seed=0, episodes=episodes)
     seeds = len(next(iter(runs.values())))

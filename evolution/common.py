@@ -26,6 +26,7 @@ def script_parser(doc: str | None, *, quick: str) -> argparse.ArgumentParser:
     argparse.ArgumentParser
         The parser, for further options.
     """
+    # Docstrings are None under python -OO.
     parser = argparse.ArgumentParser(description=(doc or "").split("\n", 1)[0])
     parser.add_argument("--quick", action="store_true", help=quick)
     return parser

@@ -340,6 +340,7 @@ def main() -> None:
         calibrations.calibration.cache_clear()  # the test below uses the new file
         print(f"Written: {target}")
     seeds = range(FIRST_TEST_SEED, FIRST_TEST_SEED + count)
+    # A group is one task, since its races are diagnosed alone and together.
     groups = [seeds[first : first + GROUP] for first in range(0, count, GROUP)]
     found = spread(judge, list(product(toys.RACES, groups)), args.processes)
     judged = [one for group in found for one in group]

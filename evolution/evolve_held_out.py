@@ -148,6 +148,7 @@ def table(genomes: dict[str, np.ndarray], variants: list[str], episodes: int) ->
     """Yield lines of Markdown: capture or escape rates against random opponents and all scripts."""
     for team in coevolution.TEAMS:
         yield f"\n| {team}s | " + " | ".join(variants) + " |\n|---|" + "---|" * len(variants)
+        # Variants differ in their scripts; a dictionary keeps the order and drops repeats.
         names = dict.fromkeys(name for v in variants for name in held_out_scripts(team, v))
         for name in (*names, *(f"evolved-{number}" for number in (1, 2))):
             cells = (cell(genomes, team, name, variant, episodes) for variant in variants)

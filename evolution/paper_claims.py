@@ -125,6 +125,7 @@ def play(plan: Plan, seed: int, root: Path, threads: int | None) -> dict[str, Sa
 
     def played(name: str, begin: Callable[[Path], object]) -> None:
         place = root / name.replace(" ", "-") / str(seed)
+        # A run that has begun is resumed, whether or not it has finished.
         if not (place / "config.json").exists():
             begin(place)
         run = resume(place, threads=threads)

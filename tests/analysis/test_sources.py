@@ -1,4 +1,4 @@
-"""Payoffs from arrays and files; what is wrong with a file is said with its name and line."""
+"""Payoffs from arrays and files; errors name file and line."""
 
 from __future__ import annotations
 

@@ -168,6 +168,7 @@ def analyze(
 
 
 def _global(cross: ArrayLike, shape: tuple[int, ...]) -> Progress:
+    # Cross tests have to be between the runs that are analysed.
     expected = (shape[0], *shape)
     require(np.shape(cross) == expected, f"cross tests of shape {expected}", np.shape(cross))
     return global_progress(cross)

@@ -124,6 +124,7 @@ class Finding:
             f"{f' Evidence: {numbers}.' if numbers else ''}{self._single_runs()} {self.advice}"
         )
 
+    # Shows whether runs agree, which the verdict on their mean does not.
     def _single_runs(self) -> str:
         runs = len(self.by_run)
         if runs == 1:

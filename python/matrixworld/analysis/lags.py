@@ -91,6 +91,7 @@ def lag_rise(payoff: ArrayLike, lag: int | None = None) -> float:
     return profile.at(lag) - profile.at(-lag)
 
 
+# Long enough for strength to grow by more than noise, short enough to leave many cells.
 def default_rise_lag(generations: int) -> int:
     """Return a third of the generations, rounded down, at least 1."""
     return max(1, generations // 3)

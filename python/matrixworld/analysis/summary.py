@@ -288,6 +288,7 @@ def _why_undecided(share: float, boards: float, rise: float) -> str:
 
 
 def _mostly_disengaged(stretches: tuple[Disengagement, ...], generations: int) -> bool:
+    # Stretches count team phases of generations from 1 on, in the same numbering.
     half = range(generations // 2, generations)
     # Half of the last half decides, since a disengaged race may engage again.
     idle = sum(1 for k in half if any(s.first <= k <= s.last for s in stretches))

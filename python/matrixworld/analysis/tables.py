@@ -145,6 +145,7 @@ def _is_number(cell: str) -> bool:
 def _number(path: Path, line: int, cell: str) -> float:
     if not _is_number(cell):
         raise ValueError(f"{path}, line {line}: expected a capture rate, got {cell!r}")
+    # Checked here as well as in `check_rates`, where the line number is not known any more.
     value = float(cell)
     if math.isnan(value) or not 0.0 <= value <= 1.0:
         raise ValueError(f"{path}, line {line}: expected a capture rate in [0, 1], got {cell}")

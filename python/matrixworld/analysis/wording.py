@@ -85,6 +85,7 @@ def _lags(summary: Summary) -> str:
         f"{lag:+d}: {mean:.2f}" if lag else f"0: {mean:.2f}"
         for lag, mean in zip(summary.lags, summary.lag_means, strict=True)
     )
+    # The lag is a third of the run, so it is 1 in short runs.
     plural = "" if summary.rise_lag == 1 else "s"
     return (
         f"Capture rate by lag (pursuer minus evader generation): {means}. At a lag of "
