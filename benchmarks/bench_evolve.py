@@ -1,12 +1,12 @@
-"""Where the time of the main job goes: rollouts, and everything else.
+"""Wall time of a race by part: rollouts, and everything else.
 
     python benchmarks/bench_evolve.py [--generations 3] [--learner es] [--threads 2]
 
-Plays races of the default settings as `matrixworld evolve` does, payoff matrix and figures
-included, on two cores, to which the process binds itself where the system can. Functions of the
-package are timed by wrapping them. The races are short unless told otherwise: what happens once a
-race weighs more in them than in one of 30 generations. Before anything is timed, a short race is
-played with the wrappers and without, and must end with the same bytes.
+The benchmark plays races of the default settings as `matrixworld evolve` does, including payoff
+matrix and figures. The process is bound to two cores if the system supports it. Functions of the
+package are wrapped to time them. The default races are short, so work that is done once in a race
+has a larger share than in a race of 30 generations. Before the measurement, a short race is played
+with and without the wrappers; both must give the same bytes.
 """
 
 from __future__ import annotations
@@ -37,6 +37,7 @@ from timing import bind, print_table
 
 LEARNERS = {"es": "evolution strategy", "ga": "genetic algorithm"}
 SCHEDULES = ("specialist-specialist", "generalist-generalist")
+# The files that hold what a race has computed.
 RESULTS = ("archive.npz", "payoff.npz", "log.csv")
 
 PARTS: dict[str, Functions] = {
@@ -64,13 +65,13 @@ FIGURES, OTHER = "figures and report", "other"
 
 @contextmanager
 def silence() -> Iterator[None]:
-    """Let nothing be printed."""
+    """Discard everything that is printed."""
     with open(os.devnull, "w") as nowhere, redirect_stdout(nowhere), redirect_stderr(nowhere):
         yield
 
 
 def race(settings: RaceSettings, threads: int, parts: Parts) -> dict[str, bytes]:
-    """Play a race as the command line does; returns the bytes that it has come to."""
+    """Play a race as the command line does, and return the bytes of its result files."""
     with TemporaryDirectory() as directory, silence():
         root = Path(directory)
         with parts.timed(OTHER):
@@ -81,16 +82,18 @@ def race(settings: RaceSettings, threads: int, parts: Parts) -> dict[str, bytes]
 
 
 def check(learner: str, threads: int) -> None:
-    """Wrappers change nothing."""
+    """Check that the wrappers do not change the results."""
     settings = RaceSettings(learner=learner, generations=2, pursuer_epochs=2, evader_epochs=2)
     plain, parts = race(settings, threads, Parts()), Parts()
     with parts.wrapping(PARTS):
         assert race(settings, threads, parts) == plain
+    # A part without time is a function that the package no longer calls.
     assert set(parts.seconds) == {*PARTS, FIGURES, OTHER}
 
 
 def measure(settings: RaceSettings, threads: int) -> Mapping[str, float]:
-    """Seconds of a race by part."""
+    """Return the seconds of a race by part."""
+    # Parts and total come from the same run, so the shares add up to 100 %.
     parts = Parts()
     with parts.wrapping(PARTS):
         race(settings, threads, parts)
@@ -98,13 +101,13 @@ def measure(settings: RaceSettings, threads: int) -> Mapping[str, float]:
 
 
 def print_shares(learner: str, seconds: Mapping[str, Mapping[str, float]]) -> None:
-    """Print a table of seconds by part and race, as shares of the whole."""
+    """Print the seconds by part and race, as percentages of the total."""
     whole = {name: sum(parts.values()) for name, parts in seconds.items()}
     rows: list[tuple[Any, ...]] = [
         (part, *(f"{100 * parts[part] / whole[name]:.1f}" for name, parts in seconds.items()))
         for part in (*PARTS, FIGURES, OTHER)
     ]
-    rows.append(("seconds in all", *(f"{total:.1f}" for total in whole.values())))
+    rows.append(("total seconds", *(f"{total:.1f}" for total in whole.values())))
     print_table((f"{LEARNERS[learner]}, % of wall time", *seconds), rows)
 
 
@@ -118,9 +121,9 @@ def print_shares(learner: str, seconds: Mapping[str, Mapping[str, float]]) -> No
     show_default=True,
     help="may be given several times",
 )
-@click.option("--generations", default=3, show_default=True, help="of a race")
-@click.option("--epochs", type=int, help="of a generation, in place of a race's own")
-@click.option("--threads", default=2, show_default=True, help="of the rollouts")
+@click.option("--generations", default=3, show_default=True, help="generations of a race")
+@click.option("--epochs", type=int, help="epochs of each team in a generation")
+@click.option("--threads", default=2, show_default=True, help="threads of the rollouts")
 def main(learners: tuple[str, ...], generations: int, epochs: int | None, threads: int) -> None:
     """Print a table in Markdown for each learner."""
     bind(threads)

@@ -1,12 +1,11 @@
-"""matrixworld beside other systems: stepped by random actions, and in co-evolution.
+"""Comparison with other systems: environments with random actions, and co-evolution.
 
     python benchmarks/bench_peers.py [--seconds 1] [--repeats 5] [--pogema PYTHON]
 
 Environments: 40 x 40 cells, 38 agents, views of 11 x 11, random actions that are drawn before the
-clock starts; ended episodes begin anew within the time that is measured. Co-evolution: one DEAP
-loop, whose matches are played by plain NumPy or by `matrixworld.rollout`. All on one core, to which
-the process binds itself where the system can. Before anything is timed, the plain world is compared
-with the engine's.
+measurement; resets of ended episodes are part of it. Co-evolution: one DEAP loop whose matches are
+played by plain NumPy or by `matrixworld.rollout`. The process is bound to one core if the system
+supports it. Before the measurement, the plain world is compared with the engine.
 """
 
 from __future__ import annotations
@@ -36,12 +35,14 @@ from plain_coevolution import (
 )
 from timing import Clock, bind, print_table
 
+# Worlds of a batch: enough to hide the cost of a call from Python.
 MANY = 1024
+# A prime, so that the sequence of actions does not repeat in step with the episodes.
 ROWS_OF_ACTIONS = 4093
 HIDDEN = (32,)
 INSTALL = {
     "PettingZoo pursuit": "pip install 'pettingzoo[sisl]'",
-    "POGEMA": "pip install pogema into an environment of its own, and name its Python --pogema",
+    "POGEMA": "pip install pogema into a separate environment, and give its Python as --pogema",
 }
 
 try:
@@ -50,7 +51,7 @@ except ImportError:
     threadpool_limits = None
 
 
-# ---- The answer, first -------------------------------------------------------------------------
+# ---- Checks before the measurement -------------------------------------------------------------
 
 
 def assert_same(plain: PlainWorld, world: mw.World) -> None:
@@ -65,7 +66,7 @@ def assert_same(plain: PlainWorld, world: mw.World) -> None:
 
 
 def check_world(config: mw.WorldConfig) -> int:
-    """Random episodes in both worlds; returns how many evaders were captured."""
+    """Play random episodes in both worlds, and return the number of captured evaders."""
     world, plain, rng = mw.World(config), PlainWorld(config), np.random.default_rng(0)
     n_captured = 0
     for seed in range(3):
@@ -77,12 +78,13 @@ def check_world(config: mw.WorldConfig) -> int:
             world.step(actions)
             plain.step(actions)
         assert_same(plain, world)
+        # Captures are counted so that the check fails if the worlds agree without any.
         n_captured += world.captured.sum()
     return int(n_captured)
 
 
 def check_network() -> None:
-    """The actions of the plain network follow the softmax of `Network.logits`."""
+    """Check that actions of the plain network follow the softmax of `Network.logits`."""
     world, rng = mw.World(), np.random.default_rng(0)
     network = mw.Network.for_config(world.config, HIDDEN)
     genome = network.initial(rng, weight=0.5, head=0.5)
@@ -104,7 +106,7 @@ def check() -> None:
 
 
 def parallel_env(env: Any, clock: Clock) -> float:
-    """World-steps a second of a PettingZoo environment."""
+    """Return world-steps per second of a PettingZoo environment."""
     rng = np.random.default_rng(0)
     rows = rng.integers(5, size=(ROWS_OF_ACTIONS, len(env.possible_agents))).tolist()
     actions = [dict(zip(env.possible_agents, row, strict=True)) for row in rows]
@@ -121,7 +123,7 @@ def parallel_env(env: Any, clock: Clock) -> float:
 
 
 def vector_env(n_worlds: int, clock: Clock) -> float:
-    """World-steps a second of `VectorEnv`."""
+    """Return world-steps per second of `VectorEnv`."""
     env = mw.VectorEnv("O", n_worlds, threads=1, autoreset_mode="SameStep")
     actions = RandomActions(env.config, n_worlds)
     env.reset(seed=0)
@@ -134,7 +136,7 @@ def vector_env(n_worlds: int, clock: Clock) -> float:
 
 
 def pursuit(clock: Clock) -> float | None:
-    """World-steps a second of PettingZoo's pursuit, None where it is not installed."""
+    """Return world-steps per second of PettingZoo's pursuit; None if it is not installed."""
     try:
         env = pettingzoo.make("parallel", "sisl/pursuit-v5", x_size=40, y_size=40, obs_range=11)
     except FailedToImport:
@@ -143,9 +145,10 @@ def pursuit(clock: Clock) -> float | None:
 
 
 def pogema(python: str, clock: Clock) -> float | None:
-    """World-steps a second of POGEMA, None where that interpreter has none."""
+    """Return world-steps per second of POGEMA; None if that interpreter does not have it."""
     if subprocess.run([python, "-c", "import pogema"], capture_output=True).returncode != 0:
         return None
+    # A separate process: its interpreter has other versions of the dependencies.
     script = str(Path(__file__).with_name("pogema_rate.py"))
     command = [python, script, str(clock.seconds), str(clock.repeats)]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
@@ -176,14 +179,14 @@ def print_environments(python: str, clock: Clock) -> None:
 
 
 def one_thread() -> AbstractContextManager[object]:
-    """Keep NumPy's matrix products on the thread that calls them, where threadpoolctl is there."""
+    """Limit NumPy's matrix products to one thread, if threadpoolctl is installed."""
     return nullcontext() if threadpool_limits is None else threadpool_limits(1)
 
 
 def matches_and_decisions(
     make: MakeScore, config: mw.WorldConfig, size: int, clock: Clock
 ) -> tuple[float, float]:
-    """Matches and decisions a second of co-evolution, its selection and variation included."""
+    """Return matches and decisions per second, including selection and variation."""
     network = mw.Network.for_config(config, HIDDEN)
     race = coevolution(make(config, network, np.random.default_rng(0)), network, size, seed=0)
 
@@ -207,15 +210,17 @@ def print_coevolution(size: int, rounds: int, clock: Clock) -> None:
             ("DEAP and `rollout`", ours),
         )
     ]
-    print_table(("co-evolution", "matches/s", "million decisions/s", "times"), rows)
+    print_table(("co-evolution", "matches/s", "million decisions/s", "speedup"), rows)
 
 
 @click.command()
 @click.option("--seconds", default=1.0, show_default=True, help="time of one repeat")
 @click.option("--repeats", default=5, show_default=True, help="repeats of which the median counts")
-@click.option("--pogema", "python", default=sys.executable, help="a Python that has POGEMA")
+@click.option("--pogema", "python", default=sys.executable, help="Python interpreter with POGEMA")
 @click.option("--size", default=8, show_default=True, help="genomes in a population")
-@click.option("--rounds", default=500, show_default=True, help="of an episode in co-evolution")
+@click.option(
+    "--rounds", default=500, show_default=True, help="rounds of an episode in co-evolution"
+)
 def main(seconds: float, repeats: int, python: str, size: int, rounds: int) -> None:
     """Print two tables in Markdown: environments, and co-evolution."""
     clock = Clock(seconds, repeats)

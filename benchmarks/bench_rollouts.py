@@ -1,11 +1,11 @@
-"""How many decisions a second networks take in whole matches, and how near to GEMM that is.
+"""Decisions per second of networks in whole matches, compared with a matrix product (GEMM).
 
     python benchmarks/bench_rollouts.py [--seconds 1] [--repeats 5]
 
 A decision is the step of one living agent: its view, its network and its share of the world's step.
-Both teams are networks with genomes drawn from N(0, 0.1). Each figure is the median of some repeats
-on one core, to which the process binds itself where the system can; a line for two threads is
-measured on two. Before anything is timed, a match is played again in plain NumPy.
+Both teams are networks with genomes drawn from N(0, 0.1). Each number is the median of some
+repeats. The process is bound to one core, and for two threads to two cores, if the system supports
+it. Before the measurement, a match is replayed in plain NumPy.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ import matrixworld as mw
 from timing import Clock, bind, n_cores, print_table
 
 HIDDEN: tuple[tuple[int, ...], ...] = ((32,), (64, 64), (400, 300))
-SHORT = 20  # rounds
-WORLDS = 16  # of a match of long episodes
-GENOMES = 64  # of a population in short episodes; the largest fill 68 MB
+SHORT = 20  # rounds of a short episode
+WORLDS = 16  # worlds of a match with long episodes
+GENOMES = 64  # population in short episodes; the largest genomes fill 68 MB
 GEMM_SIDE = 2048
-CORE_TYPES = (None, "SkylakeX")  # of OpenBLAS; None is its own choice
+CORE_TYPES = (None, "SkylakeX")  # core types of OpenBLAS; None: its own choice
 
 
 def population(config: mw.WorldConfig, hidden: tuple[int, ...], n: int) -> mw.Population:
@@ -37,13 +37,13 @@ def population(config: mw.WorldConfig, hidden: tuple[int, ...], n: int) -> mw.Po
     return mw.Population(np.float32(0.1) * genomes, network)
 
 
-# ---- The answer, first -------------------------------------------------------------------------
+# ---- Checks before the measurement -------------------------------------------------------------
 
 
 def forward(
     hidden: tuple[int, ...], genome: NDArray[np.float32], views: NDArray[np.uint8]
 ) -> NDArray[np.float32]:
-    """Logits ``(n, 5)`` for views ``(n, 3, 11, 11)``, from the layout of a genome."""
+    """Return logits (n, 5) for views (n, 3, 11, 11), from the layout of a genome."""
     x, start = views.reshape(len(views), -1).astype(np.float32), 0
     sizes = (x.shape[1], *hidden, 5)
     for layer, (n_in, n_out) in enumerate(pairwise(sizes)):
@@ -54,7 +54,7 @@ def forward(
 
 
 def check(hidden: tuple[int, ...]) -> None:
-    """In a match everybody takes the largest logit, and a rollout plays that match."""
+    """Check that agents take the action of the largest logit, and that a rollout agrees."""
     config = mw.WorldConfig(rows=12, cols=12, n_pursuers=3, n_evaders=6, obstacles=0.1, max_steps=9)
     network = mw.Network.for_config(config, hidden, sampled=False)
     team = mw.Population(population(config, hidden, 2).genomes, network)
@@ -66,7 +66,8 @@ def check(hidden: tuple[int, ...]) -> None:
         each = [forward(hidden, genome, world.views()) for genome in team.genomes]
         logits = np.where(of_evader[:, None], each[1], each[0])
         second, largest = np.sort(logits, axis=1)[:, -2:].T
-        clear = world.alive & (largest - second > 1e-4)  # sums in another order differ
+        # Sums in another order may round differently and change a close decision.
+        clear = world.alive & (largest - second > 1e-4)
         assert (actions == logits.argmax(axis=1))[clear].all()
         n_clear += clear.sum()
         world.step(actions)
@@ -75,19 +76,19 @@ def check(hidden: tuple[int, ...]) -> None:
     assert n_clear > 0.9 * agent_steps
 
 
-# ---- What is timed ---------------------------------------------------------------------------
+# ---- Measurements ----------------------------------------------------------------------------
 
 
 def decisions(
     config: mw.WorldConfig, team: mw.Population, matches: mw.Matches, worlds: int, threads: int
 ) -> int:
-    """Decisions of all the matches, which are played."""
+    """Play all matches, and return the number of decisions."""
     scores = mw.rollout(config, team, team, matches, worlds=worlds, threads=threads)
     return int(scores.agent_steps.sum())
 
 
 def long_episodes(hidden: tuple[int, ...], rounds: int, threads: int, clock: Clock) -> float:
-    """Decisions a second of one match a thread, 16 worlds each."""
+    """Return decisions per second with one match of 16 worlds on each thread."""
     config = mw.WorldConfig("O", max_steps=rounds)
     team = population(config, hidden, 2)
 
@@ -99,9 +100,18 @@ def long_episodes(hidden: tuple[int, ...], rounds: int, threads: int, clock: Clo
 
 
 def short_episodes(hidden: tuple[int, ...], obstacles: float, fresh: bool, clock: Clock) -> float:
-    """Decisions a second of matches of one world.
+    """Return decisions per second of matches of one world.
 
-    fresh: whether each match is between genomes that have not played before it
+    Parameters
+    ----------
+    hidden : tuple of int
+        Hidden layers.
+    obstacles : float
+        Share of cells with obstacles.
+    fresh : bool
+        Whether each match has new genomes, whose preparation is then part of the time.
+    clock : Clock
+        The measurement.
     """
     config = mw.WorldConfig("O", max_steps=SHORT, obstacles=obstacles)
     team, each = population(config, hidden, GENOMES), np.arange(GENOMES)
@@ -115,7 +125,8 @@ def short_episodes(hidden: tuple[int, ...], obstacles: float, fresh: bool, clock
 
 
 def gemm(core_type: str | None, clock: Clock) -> tuple[float, str]:
-    """Flop/s of NumPy's product of float32 matrices on one thread, and the instruction set."""
+    """Return flop/s of NumPy's float32 matrix product on one thread, and the instruction set."""
+    # OpenBLAS reads its settings when it is loaded, hence the environment of a new process.
     environment = os.environ | {"OPENBLAS_NUM_THREADS": "1"}
     if core_type is not None:
         environment["OPENBLAS_CORETYPE"] = core_type
@@ -130,17 +141,21 @@ def gemm(core_type: str | None, clock: Clock) -> tuple[float, str]:
 
 
 def dense_flop(hidden: tuple[int, ...]) -> int:
-    """Flop of a decision after the first layer, whose inputs are sparse and are not multiplied."""
+    """Return the flop of a decision without the first layer.
+
+    The first layer adds the weights of the cells that are set, and does not multiply.
+    """
     return sum(2 * n_in * n_out for n_in, n_out in pairwise((*hidden, 5)))
 
 
 def print_long(rounds: int, clock: Clock) -> dict[tuple[int, ...], float]:
-    """Print the table of long episodes; returns the decisions a second on one thread."""
+    """Print the table of long episodes, and return decisions per second on one thread."""
     bind(1)
     alone = {hidden: long_episodes(hidden, rounds, 1, clock) for hidden in HIDDEN}
     both = {}
     if n_cores() > 1:
         bind(2)
+        # Twice the matches on twice the threads: the work of each thread stays the same.
         both = {hidden: long_episodes(hidden, rounds, 2, clock) for hidden in HIDDEN}
         bind(1)
     rows = [
@@ -170,7 +185,7 @@ def print_gemm(alone: dict[tuple[int, ...], float], clock: Clock) -> None:
     best = max(flops for flops, _ in measured)
     rows = [
         (f"GEMM, OpenBLAS {how} ({architecture})", f"{flops / 1e9:.1f}", f"{flops / best:.2f}")
-        for (flops, architecture), how in zip(measured, ("as it chooses", "told"), strict=True)
+        for (flops, architecture), how in zip(measured, ("default", "forced"), strict=True)
     ]
     for hidden, rate in alone.items():
         flops = rate * dense_flop(hidden)
@@ -189,10 +204,11 @@ def millions(rate: float) -> str:
 @click.option("--repeats", default=5, show_default=True, help="repeats of which the median counts")
 @click.option("--rounds", default=500, show_default=True, help="rounds of a long episode")
 def main(seconds: float, repeats: int, rounds: int) -> None:
-    """Print tables in Markdown: long episodes, short ones, and how near to GEMM the first are."""
+    """Print tables in Markdown: long episodes, short episodes, and a comparison with GEMM."""
     clock = Clock(seconds, repeats)
     for hidden in HIDDEN:
         check(hidden)
+    # The rates on one thread serve the comparison with GEMM below.
     alone = print_long(rounds, clock)
     print_short(clock)
     print_gemm(alone, clock)

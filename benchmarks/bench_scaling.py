@@ -1,13 +1,13 @@
-"""How the cost of a step and of a rollout grows with agents, worlds and genomes.
+"""Cost of a step and of a rollout against the number of agents, worlds and genomes.
 
     python benchmarks/bench_scaling.py [--seconds 0.3] [--repeats 5] [--out scaling.png]
 
-Agents: one world of -SB, in which nobody is ever gone, on grids that grow with them and on one that
-fills up. Worlds: batches of -SB, stepped with views. Genomes: rollouts of -O over 20 rounds, each
-genome in one world. Each figure is the median of some repeats on one core, to which the process
-binds itself where the system can. A fitted exponent is the slope of log seconds over log size in
-the upper half of the sizes. Before anything is timed, what is timed is compared with worlds and
-matches played one by one.
+Agents: one world of -SB, where no agent disappears, on grids of constant density and on a grid of
+constant size. Worlds: batches of -SB with views. Genomes: rollouts of -O over 20 rounds, each
+genome in one world. Each number is the median of some repeats on one core, to which the process is
+bound if the system supports it. A fitted exponent is the slope of log seconds over log size in the
+upper half of the sizes. Before the measurement, batches and rollouts are compared with single
+worlds and matches.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ from timing import Clock, bind, print_table
 
 LARGEST = {"agents": 100_000, "worlds": 100_000, "genomes": 10_000}
 SIDE = 1024
-PURSUERS = 8 / 38  # of the agents, as by default
-NEVER = 10**9  # rounds: no episode ends within the time that is measured
-ROUNDS = 20  # of a rollout's episode
+PURSUERS = 8 / 38  # share of the agents, as in the default world
+NEVER = 10**9  # rounds: no episode ends during the measurement
+ROUNDS = 20  # rounds of an episode in rollouts
 SMALL: dict[str, Any] = {"rows": 10, "cols": 10, "n_pursuers": 2, "n_evaders": 6, "fov": 5}
 WORLDS: dict[str, dict[str, Any]] = {
     "40 x 40, 8 v 30": {"n_pursuers": 8, "n_evaders": 30},
@@ -44,7 +44,7 @@ HIDDEN = ((32,), (64, 64))
 
 
 def sizes(first: int, largest: int) -> list[int]:
-    """From ``first`` to ``largest``, two in each power of ten."""
+    """Return sizes from `first` to `largest`, two in each power of ten."""
     steps = round(2 * math.log10(largest / first))
     return [round(first * 10 ** (step / 2)) for step in range(steps + 1)]
 
@@ -53,7 +53,7 @@ def sizes(first: int, largest: int) -> list[int]:
 
 
 def crowd(n_agents: int, side: int | None) -> mw.WorldConfig:
-    """So many agents on a square; by default one that grows with them, to 1024 x 1024 cells."""
+    """Return a world with many agents on a square; `side` None: constant density."""
     if side is None:
         side = math.ceil(SIDE * math.sqrt(n_agents / LARGEST["agents"]))
     n_pursuers = max(1, round(PURSUERS * n_agents))
@@ -81,11 +81,11 @@ def population(hidden: tuple[int, ...], n: int) -> mw.Population:
     return mw.Population(genomes, network)
 
 
-# ---- The answer, first -------------------------------------------------------------------------
+# ---- Checks before the measurement -------------------------------------------------------------
 
 
 def check_batch(config: mw.WorldConfig) -> None:
-    """Worlds of a batch are worlds played one by one."""
+    """Check that the worlds of a batch agree with single worlds."""
     worlds = [mw.World(config) for _ in range(3)]
     together = batch(config, len(worlds), "positions", "rewards", "views")
     rng = np.random.default_rng(0)
@@ -102,21 +102,21 @@ def check_batch(config: mw.WorldConfig) -> None:
 
 
 def check_rollout(team: mw.Population) -> None:
-    """Matches of many genomes are matches played one by one."""
+    """Check that the matches of a rollout agree with single matches."""
     config, n = mw.WorldConfig("O", max_steps=ROUNDS), len(team.genomes)
     fractions = rollout(config, team, n).captured_fraction[:, 0]
     for genome in range(n):
         episode = mw.record(config, team, team, seed=genome, pursuer=genome, evader=0)
         share = [moment.mean() for moment in episode.ever_captured[1:]]
-        share += [share[-1]] * (ROUNDS - episode.length)
+        share += [share[-1]] * (ROUNDS - episode.length)  # an ended episode keeps its share
         assert math.isclose(fractions[genome], np.mean(share), abs_tol=1e-6)
 
 
-# ---- What is timed ---------------------------------------------------------------------------
+# ---- Measurements ----------------------------------------------------------------------------
 
 
 def rollout(config: mw.WorldConfig, team: mw.Population, n: int) -> mw.EpisodeStatistics:
-    """The first n genomes as pursuers, each against genome 0 in one world."""
+    """Play the first n genomes as pursuers, each against genome 0 in one world."""
     each = np.arange(n)
     return mw.rollout(config, team, team, mw.Matches.of(each, 0, each), threads=1)
 
@@ -124,7 +124,7 @@ def rollout(config: mw.WorldConfig, team: mw.Population, n: int) -> mw.EpisodeSt
 def step_seconds(
     config: mw.WorldConfig, names: Sequence[str], clock: Clock, n_worlds: int
 ) -> float:
-    """Seconds of a step of all worlds, which write the arrays of these names."""
+    """Return the seconds of a step of all worlds, including the output arrays of these names."""
     timed, actions = batch(config, n_worlds, *names), RandomActions(config, n_worlds)
 
     def play(i: int) -> int:
@@ -135,12 +135,12 @@ def step_seconds(
 
 
 def crowd_seconds(side: int | None, names: Sequence[str], clock: Clock, n_agents: int) -> float:
-    """Seconds of a step of one world."""
+    """Return the seconds of a step of one world."""
     return step_seconds(crowd(n_agents, side), names, clock, 1)
 
 
 def rollout_seconds(team: mw.Population, clock: Clock, n: int) -> float:
-    """Seconds of a rollout of n genomes."""
+    """Return the seconds of a rollout of n genomes."""
     config = mw.WorldConfig("O", max_steps=ROUNDS)
 
     def play(_: int) -> int:
@@ -153,7 +153,9 @@ def rollout_seconds(team: mw.Population, clock: Clock, n: int) -> float:
 def curve(
     label: str, numbers: Sequence[int], clock: Clock, seconds: Callable[[Clock, int], float]
 ) -> Curve:
-    """Medians over rounds through all sizes: what disturbs a machine for a while spoils no size."""
+    """Return the medians over repeats of all sizes."""
+    # All sizes are measured in turn: a disturbance of the machine then hits one repeat of several
+    # sizes instead of all repeats of one size.
     once = replace(clock, repeats=1)
     rounds = [[seconds(once, number) for number in numbers] for _ in range(clock.repeats)]
     return Curve(label, numbers, np.median(rounds, axis=0).tolist())
@@ -204,12 +206,12 @@ def print_curves(what: str, curves: Sequence[Curve]) -> None:
         )
         for c in curves
     ]
-    header = (what, "range", "μs at the least", "μs at the most", "μs each", "exponent", "over")
+    header = (what, "range", "μs, smallest", "μs, largest", "μs each", "exponent", "fitted over")
     print_table(header, rows)
 
 
 def memory(*arguments: str) -> float:
-    """What ``memory.py`` says, in bytes; not a number where the system does not tell."""
+    """Return the bytes that ``memory.py`` prints; NaN on systems other than Linux."""
     command = [sys.executable, str(Path(__file__).with_name("memory.py")), *arguments]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     return float(done.stdout)
@@ -237,7 +239,7 @@ def kilobytes(n_bytes: float) -> str:
 @click.option("--seconds", default=0.3, show_default=True, help="time of one repeat")
 @click.option("--repeats", default=5, show_default=True, help="repeats of which the median counts")
 @click.option("--out", default="scaling.png", show_default=True, help="file to draw to")
-@click.option("--largest", type=int, help="agents, worlds and genomes at most")
+@click.option("--largest", type=int, help="largest number of agents, worlds and genomes")
 def main(seconds: float, repeats: int, out: str, largest: int | None) -> None:
     """Print tables in Markdown, and draw the figure."""
     most = {what: min(n, largest or n) for what, n in LARGEST.items()}
@@ -246,10 +248,11 @@ def main(seconds: float, repeats: int, out: str, largest: int | None) -> None:
     check_batch(mw.WorldConfig("SB", **SMALL))
     check_rollout(population((32,), 8))
     bind(1)
+    # Single-threaded throughout: scaling with threads is measured by bench_rollouts.py.
     panels = {
-        ("Agents", "agents in one world", "seconds a step"): agent_curves(most["agents"], clock),
-        ("Worlds", "worlds in a batch", "seconds a step"): world_curves(most["worlds"], clock),
-        ("Genomes", "genomes in a rollout of 20 rounds", "seconds a rollout"): genome_curves(
+        ("Agents", "agents in one world", "seconds per step"): agent_curves(most["agents"], clock),
+        ("Worlds", "worlds in a batch", "seconds per step"): world_curves(most["worlds"], clock),
+        ("Genomes", "genomes in a rollout of 20 rounds", "seconds per rollout"): genome_curves(
             most["genomes"], clock
         ),
     }

@@ -1,12 +1,11 @@
-"""How many agent-steps a second worlds play: ``matrixworld bench`` for two games, bound to cores.
+"""Agent-steps per second of worlds: ``matrixworld bench`` for two games, bound to cores.
 
     python benchmarks/bench_worlds.py [--seconds 1] [--repeats 5]
 
-An agent-step is one step of one agent that is alive. Actions are random and drawn before the clock
-starts; ended episodes begin anew within the time that is measured. Each figure is the median of
-some repeats on one core, to which the process binds itself where the system can; lines for two
-threads are measured on two. Before anything is timed, what is timed is compared with worlds played
-one by one.
+An agent-step is one step of one living agent. Actions are random and are drawn before the
+measurement; resets of ended episodes are part of it. Each number is the median of some repeats. The
+process is bound to one core, and for two threads to two cores, if the system supports it. Before
+the measurement, the batches are compared with single worlds.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ VARIANTS = ("O", "SDB")
 
 
 def measured(variant: str, threads: int, seconds: float, repeats: int) -> list[Measurement]:
-    """Worlds of a variant, on one thread and on several."""
+    """Measure worlds of a variant on one thread and on several."""
     config = mw.WorldConfig(variant)
     bind(1)
     check_worlds(config, threads)
@@ -51,7 +50,7 @@ def main(seconds: float, repeats: int) -> None:
         for lines in zip(*by_variant, strict=True)
     ]
     agents, steps = ([f"-{v}, {of}" for v in VARIANTS] for of in ("agent-steps", "steps"))
-    print_table(("million a second", "worlds", "threads", *agents, *steps), rows)
+    print_table(("million per second", "worlds", "threads", *agents, *steps), rows)
 
 
 if __name__ == "__main__":

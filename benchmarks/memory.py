@@ -1,11 +1,11 @@
-"""Bytes that one more world takes, or a genome in the hands of a rollout's thread.
+"""Bytes of memory for one more world, or for the genome that a thread of a rollout plays.
 
     python benchmarks/memory.py world '{"rows": 10, "cols": 10}' 20000 [views]
     python benchmarks/memory.py thread '[64, 64]' 32
 
-Arguments are changes to the default configuration and a number of worlds, or hidden layers and a
-number of threads. Prints a number, nan where the system is not Linux, which counts the pages that a
-process has in memory. A process of its own, since memory that is freed may stay with a process.
+The arguments are changes to the default configuration and a number of worlds, or hidden layers and
+a number of threads. The script prints a number; nan on systems other than Linux, which counts the
+resident pages of a process. It is a separate process because freed memory may stay with a process.
 """
 
 from __future__ import annotations
@@ -21,15 +21,16 @@ import matrixworld as mw
 
 
 def resident(field: str) -> float:
-    """Bytes of this process in memory: ``VmRSS`` now, ``VmHWM`` at most so far."""
+    """Return the resident bytes of this process: ``VmRSS`` current, ``VmHWM`` peak."""
     status = Path("/proc/self/status")
     lines = status.read_text().splitlines() if status.exists() else []
     return next((float(line.split()[1]) * 1024 for line in lines if line.startswith(field)), nan)
 
 
 def batch(config: mw.WorldConfig, n_worlds: int, names: list[str]) -> mw.Batch:
-    """A batch after a step, so that all its memory has been touched."""
+    """Return a batch after a step."""
     specs = mw.array_specs(config)
+    # Pages count as resident only after they have been written, hence ones and a step.
     buffers = {name: np.ones((n_worlds, *specs[name][0]), specs[name][1]) for name in names}
     made = mw.Batch(n_worlds, config, threads=1, buffers=buffers)
     made.step(np.zeros((n_worlds, config.n_agents), np.uint8))
@@ -37,7 +38,8 @@ def batch(config: mw.WorldConfig, n_worlds: int, names: list[str]) -> mw.Batch:
 
 
 def of_world(config: mw.WorldConfig, n_worlds: int, names: list[str]) -> float:
-    """Growth by a second batch, a world, where there is a smaller one already."""
+    """Return the growth of memory per world by a second batch."""
+    # A first, smaller batch takes the memory that does not depend on the number of worlds.
     kept = [batch(config, n_worlds // 10, names)]
     before = resident("VmRSS")
     kept.append(batch(config, n_worlds, names))
@@ -45,7 +47,7 @@ def of_world(config: mw.WorldConfig, n_worlds: int, names: list[str]) -> float:
 
 
 def of_thread(hidden: tuple[int, ...], n_threads: int) -> float:
-    """Growth of the peak from scripts to networks on as many threads, a team and thread."""
+    """Return the growth of the peak from scripts to networks, per team and thread."""
     config = mw.WorldConfig("O", max_steps=100)
     network = mw.Network.for_config(config, hidden)
     team = mw.Population(network.initial(np.random.default_rng(0)), network)

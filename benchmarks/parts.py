@@ -1,4 +1,4 @@
-"""Wall time by part of a program, by wrapping its functions from outside."""
+"""Wall time of the parts of a program, measured by wrapping its functions."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ Functions = Sequence[tuple[object, str]]
 class Parts:
     """Seconds by part.
 
-    The time of a wrapped function that is called inside another one counts for the inner one only,
-    so that the parts add up to the whole.
+    If a wrapped function calls another wrapped function, the time of the inner one counts for the
+    inner one only. Therefore the parts add up to the total.
     """
 
     def __init__(self) -> None:
@@ -28,7 +28,7 @@ class Parts:
 
     @contextmanager
     def timed(self, part: str) -> Iterator[None]:
-        """Count the time inside as that of `part`."""
+        """Count the time of the block for `part`."""
         self._enter(part)
         try:
             yield
@@ -37,7 +37,7 @@ class Parts:
 
     @contextmanager
     def wrapping(self, functions: Mapping[str, Functions]) -> Iterator[None]:
-        """Time these functions by part; afterwards they are as before."""
+        """Time these functions by part within the block, then restore them."""
         with ExitStack() as stack:
             for part, members in functions.items():
                 for owner, name in members:
@@ -55,6 +55,7 @@ class Parts:
             finally:
                 self._leave()
 
+        # A bound class method has its class already; as a plain function it would get an instance.
         return staticmethod(timed) if hasattr(function, "__self__") else timed
 
     def _enter(self, part: str) -> None:
@@ -65,6 +66,7 @@ class Parts:
         self._count()
         self._inside.pop()
 
+    # Time since the last call belongs to the innermost part.
     def _count(self) -> None:
         now = time.perf_counter()
         if self._inside:

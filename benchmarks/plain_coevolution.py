@@ -1,7 +1,8 @@
-"""Co-evolution in NumPy and DEAP alone, as one writes it without an engine.
+"""Co-evolution with NumPy and DEAP only, as it is written without an engine.
 
-The game is -O: agents move all at once and stay where an obstacle or the border is in their way; an
-evader is captured, and gone, where a pursuer heads for its cell or swaps cells with it.
+The game is -O. Agents move simultaneously. An agent whose way is blocked by an obstacle or the
+border stays on its cell. An evader is captured and disappears if a pursuer moves to the same cell
+or swaps cells with it.
 """
 
 from __future__ import annotations
@@ -33,20 +34,30 @@ Genome = NDArray[np.float32]
 class PlainWorld:
     """One world of P pursuers and E evaders.
 
-    positions: ``(P + E, 2)`` ints; of an evader that is gone, where it was caught
-    alive: ``(P + E,)`` bool
+    Parameters
+    ----------
+    config : WorldConfig
+        Configuration of the world.
+
+    Attributes
+    ----------
+    positions : ndarray of int64, shape (P + E, 2)
+        Cells of the agents; last position of an evader that was captured.
+    alive : ndarray of bool, shape (P + E,)
+        Whether each agent is in the world.
     """
 
     def __init__(self, config: mw.WorldConfig) -> None:
         self.config = config
         self.reach = config.fov // 2
+        # A margin as wide as a view, so that every view is a window of the padded planes.
         padded = (config.rows + 2 * self.reach, config.cols + 2 * self.reach)
         self.planes = np.zeros((3, *padded), np.bool_)
         self.inside = self.planes[:, self.reach : -self.reach, self.reach : -self.reach]
         self.windows = sliding_window_view(self.planes, (config.fov, config.fov), axis=(1, 2))
 
     def place(self, positions: NDArray[np.int32], obstacles: NDArray[np.bool_]) -> None:
-        """Start with everybody alive at ``positions``."""
+        """Start an episode with all agents at `positions`."""
         self.planes[OBSTACLE] = True
         self.inside[OBSTACLE] = obstacles
         self.positions = positions.astype(np.int64)
@@ -54,7 +65,7 @@ class PlainWorld:
         self._draw()
 
     def place_at_random(self, rng: np.random.Generator) -> None:
-        """Start on distinct cells, without obstacles."""
+        """Start an episode on distinct random cells, without obstacles."""
         rows, cols = self.config.rows, self.config.cols
         cells = rng.choice(rows * cols, self.config.n_agents, replace=False)
         self.place(np.stack(np.divmod(cells, cols), axis=1), np.zeros((rows, cols), np.bool_))
@@ -68,20 +79,22 @@ class PlainWorld:
         self.inside[EVADER, rows[living], cols[living]] = True
 
     def views(self, agents: NDArray[np.intp], channel: int) -> NDArray[np.bool_]:
-        """Views ``(n, 3, fov, fov)`` of living agents of one team."""
+        """Return views (n, 3, fov, fov) of living agents of one team."""
         rows, cols = self.positions[agents].T
         views = self.windows[:, rows, cols].swapaxes(0, 1)
         cells = rows * self.config.cols + cols
+        # An agent does not see itself; its own cell shows whether a teammate shares it.
         views[:, channel, self.reach, self.reach] = np.bincount(cells)[cells] > 1
         return views
 
     def step(self, actions: NDArray[np.int64]) -> None:
-        """Move everybody; actions ``(P + E,)``."""
+        """Move all agents by actions (P + E,)."""
         here, p = self.positions, self.config.n_pursuers
         there = here + MOVES[actions]
         blocked = self.planes[OBSTACLE, there[:, 0] + self.reach, there[:, 1] + self.reach]
         there[blocked | ~self.alive] = here[blocked | ~self.alive]
         old, new = (cells[:, 0] * self.config.cols + cells[:, 1] for cells in (here, there))
+        # All pairs at once, (P, E): cheaper in NumPy than a dictionary of cells.
         meet = new[:p, None] == new[p:]
         swap = (new[:p, None] == old[p:]) & (old[:p, None] == new[p:])
         self.alive[p:] &= ~(meet | swap).any(axis=0)
@@ -95,12 +108,13 @@ class PlainWorld:
 def act(
     network: mw.Network, genome: Genome, views: NDArray[np.bool_], rng: np.random.Generator
 ) -> NDArray[np.int64]:
-    """Actions ``(n,)`` drawn from the softmax of the network's outputs."""
+    """Return actions (n,) drawn from the softmax of the network's outputs."""
     x = views.reshape(len(views), -1).astype(np.float32)
     *hidden, (weights, bias) = network.layers(genome)
     for inner, shift in hidden:
         x = np.maximum(x @ inner + shift, 0)
     logits = x @ weights + bias
+    # Inverse transform sampling: count the cumulative probabilities below a uniform number.
     total = np.cumsum(np.exp(logits - logits.max(axis=1, keepdims=True)), axis=1)
     return (rng.random((len(x), 1)) * total[:, -1:] > total[:, :-1]).sum(axis=1)
 
@@ -112,7 +126,7 @@ def play(
     evader: Genome,
     rng: np.random.Generator,
 ) -> tuple[float, int]:
-    """Play one match; return captured fraction (see `EpisodeStatistics`) and decisions."""
+    """Play one match, and return captured fraction (see `EpisodeStatistics`) and decisions."""
     p, steps = world.config.n_pursuers, world.config.max_steps
     world.place_at_random(rng)
     pursuers, captured, decisions = np.arange(p), 0.0, 0
@@ -132,13 +146,13 @@ def play(
 # ---- Co-evolution ----------------------------------------------------------------------------
 
 Score = Callable[[str, list[Genome], Genome], tuple[Sequence[float], int]]
-"""(team, its genomes, the rivals' champion) -> captured fraction of each match, decisions taken."""
+"""(team, its genomes, champion of the opponents) -> captured fraction of each match, decisions."""
 
 MakeScore = Callable[[mw.WorldConfig, mw.Network, np.random.Generator], Score]
 
 
 def plain_score(config: mw.WorldConfig, network: mw.Network, rng: np.random.Generator) -> Score:
-    """Matches played one after the other in a `PlainWorld`."""
+    """Return a score function that plays matches one after the other in a `PlainWorld`."""
     world = PlainWorld(config)
 
     def score(team: str, genomes: list[Genome], rival: Genome) -> tuple[list[float], int]:
@@ -150,7 +164,7 @@ def plain_score(config: mw.WorldConfig, network: mw.Network, rng: np.random.Gene
 
 
 def rollout_score(config: mw.WorldConfig, network: mw.Network, rng: np.random.Generator) -> Score:
-    """The same matches played by `matrixworld.rollout` on one thread."""
+    """Return a score function that plays the matches by `matrixworld.rollout` on one thread."""
 
     def score(team: str, genomes: list[Genome], rival: Genome) -> tuple[NDArray[np.float32], int]:
         own, other = mw.Population(np.stack(genomes), network), mw.Population(rival, network)
@@ -165,21 +179,35 @@ def rollout_score(config: mw.WorldConfig, network: mw.Network, rng: np.random.Ge
 
 
 def mate(one: Genome, other: Genome, rng: np.random.Generator) -> tuple[Genome, Genome]:
-    """Uniform crossover, in place."""
+    """Swap each gene with probability 1/2, in place (uniform crossover)."""
     swapped = rng.random(len(one)) < 0.5
     one[swapped], other[swapped] = other[swapped], one[swapped]
     return one, other
 
 
 def mutate(genome: Genome, rng: np.random.Generator) -> tuple[Genome]:
-    """Gaussian mutation of every gene, in place."""
+    """Add Gaussian noise to each gene, in place."""
     genome += np.float32(0.05) * rng.standard_normal(len(genome), dtype=np.float32)
     return (genome,)
 
 
 @dataclass
 class Coevolution:
-    """Two populations, each evaluated against the other's champion."""
+    """Two populations, each evaluated against the champion of the other one.
+
+    Parameters
+    ----------
+    score : callable
+        Plays the matches of a generation.
+    populations : dict of str to list of individuals
+        Individuals of each team.
+    toolbox : deap.base.Toolbox
+        Operators select, mate and mutate.
+    decisions : int, optional
+        Decisions so far.
+    matches : int, optional
+        Matches so far.
+    """
 
     score: Score
     populations: dict[str, list[Genome]]
@@ -190,13 +218,14 @@ class Coevolution:
     def generation(self) -> None:
         """Select, vary and evaluate each team once, as DEAP's eaSimple does."""
         for team, rivals in (("pursuer", "evader"), ("evader", "pursuer")):
+            # As in DEAP's eaSimple, children replace the whole population.
             parents = self.toolbox.select(self.populations[team], len(self.populations[team]))
             children = algorithms.varAnd(parents, self.toolbox, cxpb=0.5, mutpb=0.5)
             self.evaluate(team, children, tools.selBest(self.populations[rivals], 1)[0])
             self.populations[team] = children
 
     def evaluate(self, team: str, individuals: list[Genome], rival: Genome) -> None:
-        """One match for every individual; all anew, since the rival is another one."""
+        """Play one match of each individual; old fitness is void, since the opponent changed."""
         captured, decisions = self.score(team, individuals, np.asarray(rival))
         for individual, share in zip(individuals, captured, strict=True):
             individual.fitness.values = (share if team == "pursuer" else 1 - share,)
@@ -205,8 +234,8 @@ class Coevolution:
 
 
 def coevolution(score: Score, network: mw.Network, size: int, seed: int) -> Coevolution:
-    """A race at its start: ``size`` random genomes in each population, evaluated."""
-    random.seed(seed)  # DEAP's selection draws from it
+    """Return a race of two evaluated populations of `size` random genomes each."""
+    random.seed(seed)  # DEAP's selection uses Python's global generator
     rng = np.random.default_rng(seed)
     toolbox = base.Toolbox()
     toolbox.register("select", tools.selTournament, tournsize=3)

@@ -1,10 +1,11 @@
-"""World-steps a second of POGEMA: a line ``<rate> <version>``.
+"""World-steps per second of POGEMA: prints ``<rate> <version>``.
 
     python benchmarks/pogema_rate.py 1 5
 
-Arguments are seconds of a repeat and repeats. 40 x 40 cells without obstacles, 38 agents, each with
-a view of 3 x 11 x 11 and a new target where it reaches one, 500 steps. POGEMA wants an older
-Gymnasium than matrixworld does, so it is timed by an interpreter of its own.
+The arguments are the seconds of a repeat and the number of repeats. The world has 40 x 40 cells
+without obstacles and 38 agents with views of 3 x 11 x 11; an agent that reaches its target gets a
+new one; episodes have 500 steps. POGEMA needs an older Gymnasium than matrixworld, so a separate
+interpreter runs this script.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ def main() -> None:
     )
     env = pogema.pogema_v0(config)
     env.reset()
+    # Lists, as POGEMA's interface takes them: converting arrays would count as its time.
     rows = np.random.default_rng(0).integers(5, size=(4093, AGENTS)).tolist()
 
     def play(i: int) -> int:

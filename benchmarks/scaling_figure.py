@@ -1,4 +1,4 @@
-"""A figure of how cost grows: a panel for each kind of size, logarithmic on both axes."""
+"""Figure of cost against size: one panel for each kind of size, both axes logarithmic."""
 
 from __future__ import annotations
 
@@ -17,7 +17,17 @@ MARKERS = ("o", "s", "^")
 
 @dataclass(frozen=True)
 class Curve:
-    """Seconds by size, both of the same length."""
+    """Seconds by size.
+
+    Parameters
+    ----------
+    label : str
+        Label in the legend.
+    sizes : sequence of int
+        The sizes.
+    seconds : sequence of float
+        Seconds at each size.
+    """
 
     label: str
     sizes: Sequence[int]
@@ -25,12 +35,13 @@ class Curve:
 
     @property
     def upper(self) -> slice:
-        """The upper half of the sizes, the middle one included."""
+        """Upper half of the sizes, including the middle one."""
         return slice((len(self.sizes) - 1) // 2, None)
 
     @property
     def exponent(self) -> float:
         """Slope of log seconds over log size in the upper half, by least squares."""
+        # Small sizes are dominated by constant cost.
         sizes, seconds = self.sizes[self.upper], self.seconds[self.upper]
         if len(sizes) < 2:
             return float("nan")
@@ -38,7 +49,7 @@ class Curve:
 
 
 def draw(panels: Mapping[tuple[str, str, str], Sequence[Curve]], path: str) -> None:
-    """Draw the panels, (title, x label, y label) -> curves, side by side to a file."""
+    """Draw the panels, (title, x label, y label) -> curves, side by side and save the figure."""
     figure = Figure(figsize=(12, 4.3), dpi=150, layout="constrained")
     for axes, (labels, curves) in zip(figure.subplots(1, len(panels)), panels.items(), strict=True):
         _draw_panel(axes, curves)
@@ -62,7 +73,7 @@ def _draw_panel(axes: Axes, curves: Sequence[Curve]) -> None:
 
 
 def _draw_reference(axes: Axes, curves: Sequence[Curve]) -> None:
-    """A dashed line of slope 1 below all curves."""
+    """Draw a dashed line of slope 1 below all curves."""
     first, last = curves[0].sizes[0], max(curve.sizes[-1] for curve in curves)
     ratio = min(
         second / size
@@ -71,6 +82,7 @@ def _draw_reference(axes: Axes, curves: Sequence[Curve]) -> None:
     )
     ends = np.array([first, last], float)
     axes.plot(ends, ends * ratio / 3, color=colors.MUTED, linestyle="--", linewidth=1)
+    # The geometric mean is the middle of a logarithmic axis.
     middle = np.sqrt(ends.prod())
     axes.annotate(
         "slope 1", (middle, middle * ratio / 3), xytext=(6, -3), textcoords="offset points",

@@ -1,4 +1,4 @@
-"""What the benchmarks share: cores, rates and tables. Imports the standard library only."""
+"""Cores, rates and tables of the benchmarks. Imports the standard library only."""
 
 from __future__ import annotations
 
@@ -10,36 +10,45 @@ from dataclasses import dataclass
 
 
 def bind(cores: int) -> None:
-    """Keep this process on so many cores, where the system can."""
+    """Bind this process to a number of cores, if the system supports it."""
+    # The last cores: the first ones tend to serve interrupts.
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, _CORES[-cores:])
 
 
 def n_cores() -> int:
-    """Cores that this process may use when it is not bound to fewer."""
+    """Return the number of cores that this process could use when it started."""
     return len(_CORES)
 
 
 @dataclass(frozen=True)
 class Clock:
-    """How long a rate is measured.
+    """Measurement of rates.
 
-    seconds: the least time of a repeat; the work in hand is always finished
-    repeats: of which the median counts
+    Parameters
+    ----------
+    seconds : float
+        Shortest time of a repeat; a call that has started is always finished.
+    repeats : int
+        Number of repeats; the median counts.
     """
 
     seconds: float
     repeats: int
 
     def rate(self, play: Callable[[int], float]) -> float:
-        """Work done a second, the median of the repeats.
+        """Return the work done per second, the median of the repeats.
 
-        play: does the work number i, from 0, and returns how much that was, in any unit
+        Parameters
+        ----------
+        play : callable
+            Takes the number i of the call, from 0, does some work and returns its amount.
         """
-        play(0)
+        play(0)  # the first call allocates memory and fills caches
         return statistics.median(self._once(play) for _ in range(self.repeats))
 
     def _once(self, play: Callable[[int], float]) -> float:
+        # Work and time are taken at the same moment, so a long last call does not bias the rate.
         calls, work, start = 0, 0.0, time.perf_counter()
         while (passed := time.perf_counter() - start) < self.seconds:
             work += play(calls)

@@ -1,18 +1,23 @@
-"""Which opponents make the best champions? Every opponent selection at one budget of matches.
+"""Which opponent sampler gives the best champions? All samplers at the same number of matches.
 
-    python evolution/archives.py             five seeds of each, about six minutes
+    python evolution/archives.py             five seeds of each sampler, about six minutes
     python evolution/archives.py --quick     a small world and one seed, some seconds
 
-Both teams learn in turns, against opponents that the selection draws from all earlier generations
-or from its archive. What an archive compares counts as matches, too, so that races end with
-different numbers of generations at the same budget: the smallest that any of them played. Then the
-champions of all samplers meet those of all others. Runs lie in ``--runs`` and are taken up where
-they were interrupted.
+Both teams learn in turns. Their opponents are sampled from all earlier generations or from an
+archive. Matches that an archive plays to compare candidates count towards the budget, so at the
+same budget races have reached different generations. The budget is the smallest number of matches
+that a race played. The champions of each sampler then play the champions of all other samplers.
+Runs are kept in ``--runs``; an interrupted script continues where it stopped.
+
+Method: the samplers of ``matrixworld.coevolution.opponents``, with their sources; comparison at an
+equal budget after de Jong (2007), "A monotonic archive for Pareto-coevolution".
+
+Look at the capture and escape rates with their intervals over seeds, and at the generations that
+each sampler reached with the budget.
 """
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -21,6 +26,7 @@ import numpy as np
 from tqdm import tqdm
 
 import matrixworld as mw
+from common import script_parser
 from matrixworld import analysis, coevolution
 from matrixworld.coevolution import RaceSettings, SavedRun, finish
 from matrixworld.coevolution.opponents import SAMPLERS
@@ -38,7 +44,7 @@ Runs = Mapping[str, list[SavedRun]]
 
 
 def play(base: RaceSettings, names: list[str], seeds: range, root: Path) -> Runs:
-    """A finished race of each selection and seed."""
+    """Return a finished race of each sampler and seed."""
     runs: dict[str, list[SavedRun]] = {name: [] for name in names}
     for name, seed in tqdm([(n, s) for n in names for s in seeds], unit=" races", disable=None):
         settings = replace(base, pursuers_meet=name, evaders_meet=name, seed=seed)
@@ -47,15 +53,17 @@ def play(base: RaceSettings, names: list[str], seeds: range, root: Path) -> Runs
 
 
 def champions(runs: Runs, team: coevolution.Team, budget: int) -> mw.Population:
-    """The newest genome of each run that the budget paid for, selection by selection."""
+    """Return the newest genome of each run within the budget, sampler by sampler."""
     every = [run for of_name in runs.values() for run in of_name]
+    # Not the last genome: races whose archives play matches end above the budget.
     genomes = [run.teams[team].genomes[run.generation_at(team, budget)] for run in every]
     return mw.Population(np.stack(genomes), every[0].teams[team].network)
 
 
 def cross_play(base: RaceSettings, runs: Runs, budget: int, episodes: int) -> np.ndarray:
-    """Capture rates (samplers, seeds, samplers, seeds): pursuers of one, evaders of other."""
+    """Return capture rates (samplers, seeds, samplers, seeds): pursuers first, then evaders."""
     pursuers, evaders = (champions(runs, team, budget) for team in coevolution.TEAMS)
+    # Longer episodes than in training, as in payoff matrices.
     world = base.world(base.eval_steps)
     played = coevolution.tournament(world, pursuers, evaders, seed=0, episodes=episodes)
     seeds = len(next(iter(runs.values())))
@@ -63,8 +71,10 @@ def cross_play(base: RaceSettings, runs: Runs, budget: int, episodes: int) -> np
 
 
 def scores(captured: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Capture of pursuers, escape of evaders (samplers, seeds) against all other samplers."""
+    """Return capture and escape rates (samplers, seeds) against all other samplers."""
+    # Opponents of the same sampler are left out: a sampler could make both of its teams weak.
     others = ~np.eye(len(captured), dtype=bool)
+    # Seeds of the opponents are averaged; seeds of the own sampler give the intervals.
     of_pairs = captured.mean(axis=3)  # (samplers, seeds, samplers)
     capture = np.stack([row[:, others[i]].mean(axis=1) for i, row in enumerate(of_pairs)])
     escapes = 1.0 - captured.mean(axis=1).transpose(1, 2, 0)
@@ -73,25 +83,25 @@ def scores(captured: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def main() -> None:
-    """Play what is missing; print what each selection's champions are worth."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="a small world and one seed")
-    parser.add_argument("--seeds", type=int, help="races of each selection")
+    """Play missing runs, and print the rates of each sampler's champions."""
+    parser = script_parser(__doc__, quick="a small world and one seed")
+    parser.add_argument("--seeds", type=int, help="races of each sampler")
     parser.add_argument("--samplers", nargs="+", choices=SAMPLERS, default=list(SAMPLERS))
     parser.add_argument("--runs", type=Path, default=Path("runs/archives"))
     args = parser.parse_args()
     base, few, episodes = (QUICK, 1, 2) if args.quick else (FULL, 5, 20)
     runs = play(base, args.samplers, range(args.seeds or few), args.runs)
     every = [run for of_name in runs.values() for run in of_name]
+    # The smallest total is a number of matches that every race has played.
     budget = min(int(run.files.log()["matches"][-1]) for run in every)
     capture, escape = scores(cross_play(base, runs, budget, episodes))
     print(f"Champions after {budget:,} matches, against those of the other samplers:\n")
-    print("| opponents met | generations | capture of pursuers | escape of evaders |")
+    print("| sampler | generations | capture rate of pursuers | escape rate of evaders |")
     print("|---|---|---|---|")
-    for name, caught, fled in zip(runs, capture, escape, strict=True):
+    for name, captured, escaped in zip(runs, capture, escape, strict=True):
         reached = np.mean([run.generation_at("evader", budget) for run in runs[name]])
-        told = [analysis.bootstrap_runs(values) for values in (caught, fled)]
-        print(f"| {name} | {reached:.1f} | {told[0]} | {told[1]} |")
+        means = [analysis.bootstrap_runs(values) for values in (captured, escaped)]
+        print(f"| {name} | {reached:.1f} | {means[0]} | {means[1]} |")
 
 
 if __name__ == "__main__":

@@ -1,16 +1,21 @@
-"""Arms races on a grid, written out: who learns, whom they meet, and what comes of it.
+"""Do specialists cycle, and do generalists improve? An arms race on a grid in one short script.
 
     python evolution/arms_race.py             specialists and generalists, some minutes
     python evolution/arms_race.py --quick     a small world, some seconds
 
-This is the core of ``matrixworld evolve`` to be read and changed: an evolution strategy behind a
-DEAP toolbox, two schedules, everybody against everybody, numbers and a figure. The command also
-writes all to disk, resumes, and replays.
+This is the core of ``matrixworld evolve``, to read and to change: an evolution strategy behind a
+DEAP toolbox, two schedules of opponents, a payoff matrix of all generations, and a figure. The
+command also writes all data to disk, resumes interrupted runs, and replays matches.
+
+Method: Sun et al. (2023), "MatrixWorld", arXiv:2307.14854, for the schedules; Salimans et al.
+(2017), "Evolution strategies as a scalable alternative to reinforcement learning", for the learner.
+
+Look at the payoff matrices: specialists show stripes (who wins depends on the pairing), generalists
+a gradient (later generations beat all earlier ones). The printed summary says the same in numbers.
 """
 
 from __future__ import annotations
 
-import argparse
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,16 +23,30 @@ from deap import base
 from tqdm import tqdm
 
 import matrixworld as mw
+from common import play, script_parser
 from matrixworld import analysis, coevolution, plots
 from matrixworld.coevolution import Candidates, EvolutionStrategy, NoiseTable, Schedule, Team
+from matrixworld.coevolution.types import other
 
 DEFAULTS = coevolution.RaceSettings()
-CROWDING = 0.2  # what it costs evaders to stand on one another's cells
+OVERLAP_PENALTY = 0.2  # for evaders that share cells
 
 
 @dataclass(frozen=True)
 class Budget:
-    """The world in training, the epochs that each team learns in a generation, its samples."""
+    """World and length of a race.
+
+    Parameters
+    ----------
+    world : WorldConfig
+        World in training.
+    generations : int
+        Generations of the race.
+    epochs : dict of team to int
+        Epochs in which each team learns in a generation.
+    samples : int
+        Candidates of the evolution strategy in each epoch.
+    """
 
     world: mw.WorldConfig
     generations: int
@@ -43,27 +62,29 @@ QUICK = Budget(SMALL, 12, {"pursuer": 12, "evader": 12}, 16)
 def score(
     team: Team, world: mw.WorldConfig, own: mw.Population, rival: mw.Population, seeds: np.ndarray
 ) -> np.ndarray:
-    """Fitness of each candidate of a team: one match against one rival that stands still."""
-    each = np.arange(len(own.genomes))
+    """Return the fitness of each candidate from one match against one rival that does not learn."""
+    statistics = play(world, team, own, rival, seeds)
+    captured = statistics.captured_fraction[:, 0]
     if team == "pursuer":
-        return mw.rollout(world, own, rival, mw.Matches.of(each, 0, seeds)).captured_fraction[:, 0]
-    scores = mw.rollout(world, rival, own, mw.Matches.of(0, each, seeds))
-    return (1 - scores.captured_fraction - CROWDING * scores.evader_overlap)[:, 0]
+        return captured
+    return 1 - captured - OVERLAP_PENALTY * statistics.evader_overlap[:, 0]
 
 
 def toolbox_of(team: Team, budget: Budget, rng: np.random.Generator) -> base.Toolbox:
-    """A DEAP toolbox that generates, evaluates and updates; ``champion`` is what it has learned."""
+    """Return a DEAP toolbox with generate, evaluate, update, and ``champion``: the mean genome."""
+    # Samples are slices of one table, so an epoch draws no Gaussian noise.
     network = mw.Network.for_config(budget.world)
     noise = NoiseTable(network.genome_size, rng, sigma=DEFAULTS.sigma)
     learner = EvolutionStrategy(network.initial(rng), noise, samples=budget.samples)
 
     def evaluate(candidates: Candidates, rival: np.ndarray, seeds: np.ndarray) -> np.ndarray:
-        own, other = mw.Population(candidates.genomes, network), mw.Population(rival, network)
-        return score(team, budget.world, own, other, seeds)
+        own, opponent = mw.Population(candidates.genomes, network), mw.Population(rival, network)
+        return score(team, budget.world, own, opponent, seeds)
 
     def update(candidates: Candidates) -> None:
         learner.tell([candidate.fitness.values[0] for candidate in candidates])
 
+    # DEAP's ask-and-tell convention: generate asks the learner, update tells it the fitness.
     toolbox = base.Toolbox()
     toolbox.register("generate", lambda: Candidates(learner.ask(rng)))
     toolbox.register("evaluate", evaluate)
@@ -73,20 +94,22 @@ def toolbox_of(team: Team, budget: Budget, rng: np.random.Generator) -> base.Too
 
 
 def race(name: str, schedule: Schedule, budget: Budget, seed: int) -> dict[Team, list[np.ndarray]]:
-    """The archives of both teams: the champion of every generation, the untrained one first."""
+    """Return the archives of both teams: the champion of every generation, untrained one first."""
     rng = np.random.default_rng(seed)
     toolboxes = {team: toolbox_of(team, budget, rng) for team in coevolution.TEAMS}
     samplers = {team: schedule.sampler(team) for team in coevolution.TEAMS}
+    # Untrained champions first: generation 0 of the payoff matrix.
     archive = {team: [toolbox.champion()] for team, toolbox in toolboxes.items()}
-    rivals: dict[Team, Team] = {"pursuer": "evader", "evader": "pursuer"}
     for generation in tqdm(range(1, budget.generations + 1), desc=name, disable=None):
         for team, toolbox in toolboxes.items():
             for epoch in range(budget.epochs[team]):
                 available = coevolution.available(team, generation)
                 (met,) = samplers[team].sample(available, epoch, rng)
                 candidates = toolbox.generate()
-                pairs = rng.integers(2**63, size=budget.samples // 2)  # a mirrored pair, a seed
-                values = toolbox.evaluate(candidates, archive[rivals[team]][met], np.tile(pairs, 2))
+                # Both samples of a mirrored pair play the same seed, so that their fitness differs
+                # by their genomes only.
+                pairs = rng.integers(2**63, size=budget.samples // 2)
+                values = toolbox.evaluate(candidates, archive[other(team)][met], np.tile(pairs, 2))
                 for candidate, value in zip(candidates, values, strict=True):
                     candidate.fitness.values = (float(value),)
                 toolbox.update(candidates)
@@ -95,9 +118,10 @@ def race(name: str, schedule: Schedule, budget: Budget, seed: int) -> dict[Team,
 
 
 def payoff(archive: dict[Team, list[np.ndarray]], budget: Budget, seed: int) -> np.ndarray:
-    """Capture rates of every generation of pursuers (rows) against all of evaders (columns)."""
+    """Return capture rates of all generations of pursuers (rows) against all evaders (columns)."""
     network = mw.Network.for_config(budget.world)
     pursuers, evaders = (mw.Population(np.stack(genomes), network) for genomes in archive.values())
+    # Short episodes are enough to learn; long ones distinguish trained teams better.
     world = replace(budget.world, max_steps=DEFAULTS.eval_steps)
     played = coevolution.tournament(
         world, pursuers, evaders, seed=seed, episodes=DEFAULTS.eval_episodes
@@ -106,9 +130,8 @@ def payoff(archive: dict[Team, list[np.ndarray]], budget: Budget, seed: int) -> 
 
 
 def main() -> None:
-    """Race by each schedule that was asked for; print and draw what came of it."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="a small world and few epochs")
+    """Run a race by each schedule, print the summaries and draw the payoff matrices."""
+    parser = script_parser(__doc__, quick="a small world and few epochs")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument(
         "--schedules",

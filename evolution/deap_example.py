@@ -1,27 +1,29 @@
-"""A DEAP program in plain sight: two populations that evolve against each other by turns.
+"""How is co-evolution written as a DEAP program? Two populations evolve in turns.
 
     python evolution/deap_example.py             a minute or two
     python evolution/deap_example.py --quick     a small world, some seconds
 
-Individuals, operators, statistics and the loop are DEAP's or written here as its users write them;
-what DEAP calls the evaluation is ``matrixworld.rollout``. To change the algorithm, register other
-operators or call another one of ``deap.algorithms``. Three places are particular to this game:
+Individuals, operators, statistics and the loop are those of DEAP, or written as DEAP users write
+them; the evaluation is ``matrixworld.rollout``. To change the algorithm, register other operators
+or call another function of ``deap.algorithms``. Three things are special in co-evolution:
 
-- ``toolbox.map`` gets the whole population and plays all its matches in one call;
-- who learns meets several opponents, and everybody the same ones under the same seeds;
-- at the start of a turn fitness is deleted, since it was earned against other opponents.
+- ``toolbox.map`` receives the whole population and plays all its matches in one call;
+- each learning player meets several opponents, and all players meet the same ones with the same
+  seeds;
+- at the start of a turn the fitness values are deleted, because they come from other opponents.
 
-The other way round, a learner of matrixworld is driven by a loop of DEAP's in `best_response`, and
-so would be one of your own: whatever has the ``ask`` and ``tell`` of ``coevolution.Learner``. It
-finds out how far the last champions can be beaten by one who has nothing else to do.
+`best_response` shows the opposite direction: a loop of DEAP drives a learner of matrixworld, or
+your own class with the methods ``ask`` and ``tell`` of ``coevolution.Learner``. It measures how far
+the last champions can be beaten by an opponent that trains against them only.
 
-Printed are DEAP's logbook of the turns, the fitness of each team at the end of its own, and what
-the best responses gain; drawn is every champion against every other.
+Method: Fortin et al. (2012), "DEAP: evolutionary algorithms made easy"; (mu + lambda) selection.
+
+Look at the logbook (fitness of each team at the end of its turn), at the gain of the best
+responses, and at the figure of all champions against each other.
 """
 
 from __future__ import annotations
 
-import argparse
 import itertools
 import random
 from dataclasses import dataclass
@@ -30,29 +32,44 @@ import numpy as np
 from deap import algorithms, base, tools
 
 import matrixworld as mw
+from common import play, script_parser
 from matrixworld import coevolution, plots
 from matrixworld.coevolution import Team
+from matrixworld.coevolution.types import other
 
-RIVALS: dict[Team, Team] = {"pursuer": "evader", "evader": "pursuer"}
-CROWDING = 0.2  # what it costs evaders to stand on one another's cells
-SIGMA = 0.1  # of a mutation, and of the evolution strategy's samples
+OVERLAP_PENALTY = 0.2  # for evaders that share cells
+SIGMA = 0.1  # standard deviation of mutations and of the evolution strategy's samples
 
 
 @dataclass(frozen=True)
 class Budget:
-    """The world, and how much is played."""
+    """World and length of a race.
+
+    Parameters
+    ----------
+    world : WorldConfig
+        World of all matches.
+    turns : int
+        Turns of each team.
+    generations : int
+        Generations of DEAP's loop in a turn.
+    mu : int
+        Individuals of a population.
+    lambda_ : int
+        Children in a generation.
+    met : int
+        Opponents of each player, the newest champion included.
+    response : int
+        Epochs of a best response.
+    """
 
     world: mw.WorldConfig
     turns: int
-    """Of each team."""
     generations: int
-    """DEAP's, in a turn."""
     mu: int
     lambda_: int
     met: int
-    """Opponents that each player meets, the newest champion among them."""
     response: int
-    """Epochs of a best response."""
 
 
 WORLD = mw.WorldConfig("O", rows=16, cols=16, n_pursuers=4, n_evaders=6, max_steps=100)
@@ -62,13 +79,19 @@ QUICK = Budget(SMALL, turns=4, generations=4, mu=6, lambda_=12, met=2, response=
 
 
 class Fitness(base.Fitness):
-    """One value, the more the better."""
+    """One value that is maximized."""
 
     weights = (1.0,)
 
 
 class Player:
-    """A DEAP individual is whatever has a fitness; this one is the weights of a network."""
+    """A DEAP individual: any object with a fitness, here the weights of a network.
+
+    Parameters
+    ----------
+    genome : ndarray of float32, shape (genes,)
+        The weights.
+    """
 
     def __init__(self, genome: np.ndarray) -> None:
         self.genome = genome
@@ -76,14 +99,14 @@ class Player:
 
 
 def mix(one: Player, two: Player, rng: np.random.Generator) -> tuple[Player, Player]:
-    """Uniform crossover, in place: each gene changes sides with probability 1/2."""
+    """Swap each gene with probability 1/2, in place (uniform crossover)."""
     swapped = rng.random(len(one.genome)) < 0.5
     one.genome[swapped], two.genome[swapped] = two.genome[swapped], one.genome[swapped]
     return one, two
 
 
 def nudge(player: Player, rng: np.random.Generator) -> tuple[Player]:
-    """Gaussian mutation of all genes, in place."""
+    """Add Gaussian noise to all genes, in place."""
     player.genome += SIGMA * rng.standard_normal(len(player.genome), dtype=np.float32)
     return (player,)
 
@@ -91,21 +114,19 @@ def nudge(player: Player, rng: np.random.Generator) -> tuple[Player]:
 def score(
     team: Team, world: mw.WorldConfig, own: np.ndarray, rivals: np.ndarray, seeds: np.ndarray
 ) -> np.ndarray:
-    """Mean fitness (n,) of genomes (n, genes) over rivals (m, genes), under seeds (n, m)."""
+    """Return the mean fitness (n,) of genomes (n, genes) over rivals (m, genes), seeds (n, m)."""
     network = mw.Network.for_config(world)
     learning, met = mw.Population(own, network), mw.Population(rivals, network)
     i, j = (axis.ravel() for axis in np.indices((len(own), len(rivals))))
-    if team == "pursuer":
-        scores = mw.rollout(world, learning, met, mw.Matches.of(i, j, seeds.ravel()))
-        values = scores.captured_fraction
-    else:
-        scores = mw.rollout(world, met, learning, mw.Matches.of(j, i, seeds.ravel()))
-        values = 1 - scores.captured_fraction - CROWDING * scores.evader_overlap
+    statistics = play(world, team, learning, met, seeds.ravel(), own_genomes=i, opponent_genomes=j)
+    values = statistics.captured_fraction
+    if team == "evader":
+        values = 1 - values - OVERLAP_PENALTY * statistics.evader_overlap
     return values.reshape(seeds.shape).mean(axis=1)
 
 
 def toolbox_of(world: mw.WorldConfig, rng: np.random.Generator) -> base.Toolbox:
-    """All that does not change from turn to turn."""
+    """Return a toolbox with all operators that do not change from turn to turn."""
     network = mw.Network.for_config(world)
     toolbox = base.Toolbox()
     toolbox.register("individual", lambda: Player(network.initial(rng)))
@@ -113,6 +134,7 @@ def toolbox_of(world: mw.WorldConfig, rng: np.random.Generator) -> base.Toolbox:
     toolbox.register("mate", mix, rng=rng)
     toolbox.register("mutate", nudge, rng=rng)
     toolbox.register("select", tools.selBest)
+    # DEAP maps the evaluation over individuals; here one call plays the matches of all of them.
     toolbox.register("map", lambda evaluate, players: evaluate(list(players)))
     return toolbox
 
@@ -125,7 +147,8 @@ def take_turn(
     budget: Budget,
     rng: np.random.Generator,
 ) -> tuple[list[Player], np.ndarray, dict[str, float]]:
-    """One team evolves while the other stands still: its population, champion and last record."""
+    """Evolve one team while the other does not learn; return population, champion and record."""
+    # One seed for each opponent: all players meet it in the same episode, so luck is shared.
     seeds = rng.integers(2**63, size=len(rivals))
 
     def evaluate(players: list[Player]) -> list[tuple[float]]:
@@ -137,7 +160,9 @@ def take_turn(
     statistics = tools.Statistics(lambda player: player.fitness.values[0])
     for name, number in {"mean": np.mean, "std": np.std, "max": np.max}.items():
         statistics.register(name, number)
+    # DEAP compares individuals by ==, which a genome array answers element by element.
     best = tools.HallOfFame(1, similar=lambda a, b: np.array_equal(a.genome, b.genome))
+    # Old fitness comes from other opponents; without it DEAP evaluates the parents again.
     for player in population:
         del player.fitness.values
     population, logbook = algorithms.eaMuPlusLambda(
@@ -145,6 +170,7 @@ def take_turn(
         ngen=budget.generations, stats=statistics, halloffame=best, verbose=False,
     )  # fmt: skip
     numbers = {name: round(float(n), 3) for name, n in statistics.compile(population).items()}
+    # From DEAP's logbook: the parents once, then the children of each generation.
     played = sum(logbook.select("nevals")) * len(rivals)
     return population, best[0].genome, {"matches": played, **numbers}
 
@@ -152,7 +178,7 @@ def take_turn(
 def co_evolve(
     budget: Budget, rng: np.random.Generator
 ) -> tuple[dict[Team, np.ndarray], tools.Logbook]:
-    """The champions (turns + 1, genes) of both teams, the untrained first, and the logbook."""
+    """Return champions (turns + 1, genes) of both teams, untrained ones first, and a logbook."""
     toolboxes = {team: toolbox_of(budget.world, rng) for team in coevolution.TEAMS}
     populations = {team: box.population(n=budget.mu) for team, box in toolboxes.items()}
     champions = {team: [players[0].genome.copy()] for team, players in populations.items()}
@@ -163,7 +189,8 @@ def co_evolve(
     for turn in range(1, budget.turns + 1):
         record = {}
         for team in coevolution.TEAMS:
-            *past, newest = champions[RIVALS[team]]
+            *past, newest = champions[other(team)]
+            # The newest champion, and others at random: a small hall of fame against forgetting.
             drawn = rng.permutation(len(past))[: budget.met - 1]
             rivals = np.stack([newest, *(past[index] for index in drawn)])
             populations[team], champion, record[team] = take_turn(
@@ -177,12 +204,13 @@ def co_evolve(
 def best_response(
     team: Team, rival: np.ndarray, budget: Budget, rng: np.random.Generator
 ) -> np.ndarray:
-    """What an evolution strategy of matrixworld's, driven by DEAP, evolves against one rival."""
+    """Evolve a response to one rival: an evolution strategy of matrixworld in a loop of DEAP."""
     network = mw.Network.for_config(budget.world)
     noise = coevolution.NoiseTable(network.genome_size, rng, sigma=SIGMA)
     learner = coevolution.EvolutionStrategy(network.initial(rng), noise, samples=budget.lambda_)
 
     def evaluate(candidates: coevolution.Candidates) -> np.ndarray:
+        # Mirrored candidates share a match seed.
         seeds = rng.integers(2**63, size=budget.lambda_ // 2)[learner.match_of_candidate]
         return score(team, budget.world, candidates.genomes, rival[np.newaxis], seeds[:, None])
 
@@ -192,21 +220,20 @@ def best_response(
 
 
 def capture_rates(budget: Budget, pursuers: np.ndarray, evaders: np.ndarray) -> np.ndarray:
-    """Everybody against everybody: (pursuers, evaders)."""
+    """Return capture rates of all pairs, shape (pursuers, evaders)."""
     network = mw.Network.for_config(budget.world)
     teams = (mw.Population(genomes, network) for genomes in (pursuers, evaders))
     return coevolution.tournament(budget.world, *teams, seed=0, episodes=20).capture_rate
 
 
 def main() -> None:
-    """Co-evolve, put the last champions to the test, print and draw what came of it."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="a small world and few turns")
+    """Co-evolve two populations, test the last champions, print and draw the results."""
+    parser = script_parser(__doc__, quick="a small world and few turns")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--figure", default="deap_example.png", help="file to draw to")
     args = parser.parse_args()
     budget = QUICK if args.quick else FULL
-    random.seed(args.seed)  # DEAP's own loops draw from it
+    random.seed(args.seed)  # the loops of DEAP use Python's global generator
     rng = np.random.default_rng(args.seed)
     champions, logbook = co_evolve(budget, rng)
     print(logbook)
@@ -217,9 +244,9 @@ def main() -> None:
         budget, np.stack([pursuers[-1], hunter]), np.stack([evaders[-1], escaper])
     )
     print(f"\nBest responses, {budget.response * budget.lambda_:,} matches each:")
-    print(f"the last pursuers catch {rates[0, 0]:.2f} of the last evaders;")
-    print(f"a best response to these evaders catches {rates[1, 0]:.2f},")
-    print(f"of a best response to these pursuers {rates[0, 1]:.2f} are caught.")
+    print(f"the last pursuers capture {rates[0, 0]:.2f} of the last evaders;")
+    print(f"a best response to these evaders captures {rates[1, 0]:.2f} of them;")
+    print(f"the last pursuers capture {rates[0, 1]:.2f} of a best response to them.")
     payoff = capture_rates(budget, pursuers, evaders)
     plots.payoff_heatmap(payoff, title="Champions of every turn").savefig(args.figure)
     print(f"Drawn: {args.figure}")

@@ -1,20 +1,25 @@
-"""The evolved half of the held-out opponents: how the genomes that come with the package were made.
+"""How were the evolved held-out opponents made? Evolves them, or prints how good they are.
 
-    python evolution/evolve_held_out.py                   held_out.npz, three minutes of one core
-    python evolution/evolve_held_out.py --processes 2     the same file, sooner
+    python evolution/evolve_held_out.py                   held_out.npz, three minutes on one core
+    python evolution/evolve_held_out.py --processes 2     the same file, faster
     python evolution/evolve_held_out.py --quick           a tiny file, some seconds
-    python evolution/evolve_held_out.py --table FILE.npz  what the opponents of a file can do
+    python evolution/evolve_held_out.py --table FILE.npz  rates of the opponents in a file
 
-For each variant two genomes a team. The first evolves against a script, the second goes on from it:
-against a more skilled script, or, where pursuers surround, in a larger world. They learn in small
-worlds, which are cheap, and see no farther there than in large ones. The same seed gives the same
-file. A new file becomes the package's by taking the place of
+There are two genomes of each team and variant. The first one evolves against a script. The second
+one starts from the first and evolves against a more skilled script or, for pursuers that surround,
+in a larger world. Both learn in small worlds, which are cheap; agents see the same neighbourhood
+there as in large worlds. The same seed gives the same file. To use a new file, replace
 ``python/matrixworld/coevolution/held_out.npz``.
+
+Method: an evolution strategy (Salimans et al., 2017) with a curriculum of two lessons (Bengio et
+al., 2009, "Curriculum learning").
+
+Look at the tables of ``--table``: first the rate against random opponents, then the mean rate
+against all scripts. A useful opponent is better than a random walk and not the best of all.
 """
 
 from __future__ import annotations
 
-import argparse
 import tempfile
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -25,6 +30,7 @@ from pathlib import Path
 import numpy as np
 
 import matrixworld as mw
+from common import script_parser
 from matrixworld import coevolution
 from matrixworld.coevolution import SingleSettings, SingleTeam, Team
 from matrixworld.coevolution.evaluation.held_out import NETWORK, held_out_scripts
@@ -40,12 +46,28 @@ LEARNER = {
     "overlap_penalty": 0.2,
 }
 QUICK_EPOCHS = 3
-EPISODES = 50  # of each cell of the table
+EPISODES = 50  # of each pair in the table
 
 
 @dataclass(frozen=True)
 class Lesson:
-    """Epochs against a script in a small square world."""
+    """Training against a script in a small square world.
+
+    Parameters
+    ----------
+    against : str
+        Script of the opponents.
+    epochs : int
+        Epochs of the lesson.
+    side : int
+        Rows and columns of the world.
+    pursuers : int
+        Number of pursuers.
+    evaders : int
+        Number of evaders.
+    steps : int
+        Steps of an episode.
+    """
 
     against: str
     epochs: int
@@ -55,6 +77,8 @@ class Lesson:
     steps: int
 
 
+# Occupation needs space to flee; surrounding needs many pursuers close to few evaders, or untrained
+# pursuers never make a capture that selection could reward.
 OPEN = partial(Lesson, side=20, pursuers=3, evaders=8, steps=120)
 TIGHT = partial(Lesson, side=10, pursuers=10, evaders=3, steps=60)
 MIDDLE = partial(Lesson, side=16, pursuers=12, evaders=3, steps=80)
@@ -83,7 +107,7 @@ LESSONS: dict[tuple[mw.Capture, Team], tuple[Lesson, Lesson]] = {
 def evolve(
     variant: str, team: Team, lesson: Lesson, start: np.ndarray | None, seed: int
 ) -> np.ndarray:
-    """What a team's genome (untrained without a `start`) is after a lesson, rounded to float16."""
+    """Return a team's genome after a lesson, rounded to float16; `start` None: untrained."""
     settings = SingleSettings(
         variant=variant,
         team=team,
@@ -99,14 +123,16 @@ def evolve(
         seed=seed,
         **LEARNER,
     )
+    # Only the last genome is kept; a run needs a directory for its checkpoints.
     with tempfile.TemporaryDirectory() as directory:
         run = SingleTeam(settings, directory, start=start, threads=1)
         run.run()
+        # Rounded already here: the next lesson starts from the genome that the file will hold.
         return run.genomes(team)[-1].astype(np.float16).astype(np.float32)
 
 
 def curriculum(variant: str, epochs: int | None, seed: int) -> dict[str, np.ndarray]:
-    """The genomes (2, genes) float16 of both teams, by the name that they have in the file."""
+    """Return the genomes (2, genes) float16 of both teams, by their names in the file."""
     taught = {}
     for team in coevolution.TEAMS:
         genomes: list[np.ndarray] = []
@@ -119,9 +145,10 @@ def curriculum(variant: str, epochs: int | None, seed: int) -> dict[str, np.ndar
 
 
 def table(genomes: dict[str, np.ndarray], variants: list[str], episodes: int) -> Iterator[str]:
-    """Markdown: rates, of capture or escape, against random opponents and against all scripts."""
+    """Yield lines of Markdown: capture or escape rates against random opponents and all scripts."""
     for team in coevolution.TEAMS:
         yield f"\n| {team}s | " + " | ".join(variants) + " |\n|---|" + "---|" * len(variants)
+        # Variants differ in their scripts; a dictionary keeps the order and drops repeats.
         names = dict.fromkeys(name for v in variants for name in held_out_scripts(team, v))
         for name in (*names, *(f"evolved-{number}" for number in (1, 2))):
             cells = (cell(genomes, team, name, variant, episodes) for variant in variants)
@@ -129,7 +156,7 @@ def table(genomes: dict[str, np.ndarray], variants: list[str], episodes: int) ->
 
 
 def cell(genomes: dict[str, np.ndarray], team: Team, name: str, variant: str, episodes: int) -> str:
-    """Rate against random opponents, and mean rate against all scripts of the other team."""
+    """Return the rate against random opponents and the mean rate against all scripts, as text."""
     if not name.startswith("evolved"):
         if name not in held_out_scripts(team, variant):
             return ""
@@ -137,6 +164,7 @@ def cell(genomes: dict[str, np.ndarray], team: Team, name: str, variant: str, ep
     else:
         number = int(name.removeprefix("evolved-")) - 1
         player = mw.Population(genomes[f"{variant}.{team}s"][number].astype(np.float32), NETWORK)
+    # One match of many episodes, with the same seed for all opponents.
     matches = mw.Matches.of(0, 0, np.uint64(0))
     rates = []
     for script in held_out_scripts(other(team), variant):
@@ -147,9 +175,8 @@ def cell(genomes: dict[str, np.ndarray], team: Team, name: str, variant: str, ep
 
 
 def main() -> None:
-    """Evolve and write the file, or print what a file's opponents can do."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="a few epochs of two variants")
+    """Evolve and write the file, or print the table of a file."""
+    parser = script_parser(__doc__, quick="a few epochs of two variants")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--output", type=Path, default=Path("held_out.npz"))
@@ -160,6 +187,8 @@ def main() -> None:
         epochs = QUICK_EPOCHS if args.quick else None
         teach = partial(curriculum, epochs=epochs, seed=args.seed)
         genomes = {}
+        # Variants are independent and each has its own generator, so the number of processes does
+        # not change the file.
         with ProcessPoolExecutor(args.processes) as pool:
             for variant, evolved in zip(variants, pool.map(teach, variants), strict=True):
                 genomes |= evolved

@@ -1,27 +1,31 @@
-"""Does a hall of fame stop forgetting? Two populations evolve at once, with a hall and without.
+"""Does a hall of fame prevent forgetting? Races with and without one, at equal matches.
 
-    python evolution/hall_of_fame.py             five seeds of each, about two minutes
+    python evolution/hall_of_fame.py             five seeds of each kind, about two minutes
     python evolution/hall_of_fame.py --quick     a small world and two seeds, some seconds
 
-Rosin & Belew 1997, "New methods for competitive coevolution". Without a hall individuals meet the
-latest opponents only: those that are alive. With one they meet some of the earlier champions, too.
-Both kinds of race play the same number of matches. Runs lie in ``--runs`` and are taken up where
-they were interrupted.
+Two populations evolve simultaneously. Without a hall of fame, individuals meet current opponents
+only. With a hall of fame they also meet earlier champions. Both kinds of race play the same number
+of matches. Runs are kept in ``--runs``; an interrupted script continues where it stopped.
+
+Method: Rosin and Belew (1997), "New methods for competitive coevolution".
+
+Look at forgetting and at historical progress: a hall of fame helps if their intervals over seeds
+do not overlap.
 """
 
 from __future__ import annotations
 
-import argparse
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from tqdm import tqdm
 
+from common import script_parser
 from matrixworld import analysis, plots
 from matrixworld.coevolution import RaceSettings, finish
 
-HALL, ALIVE = 2, 2
+HALL, CURRENT = 2, 2  # opponents of each individual in an epoch: earlier champions, current ones
 FULL = RaceSettings(
     schedule="hall-of-fame", rows=24, cols=24, pursuers=6, evaders=10, generations=30,
     joint_epochs=8, population=32,
@@ -41,17 +45,19 @@ MEASURES = (
 
 
 def kinds(base: RaceSettings) -> dict[str, RaceSettings]:
-    """The two kinds of race: of an epoch's matches a hall takes its sample twice, once a team."""
+    """Return the settings of both kinds of race, with the same number of matches."""
+    # A match between current opponents counts for both teams, a match against the hall for one.
     return {
-        "latest only": replace(base, contemporaries=ALIVE + 2 * HALL, hall_sample=0),
-        "hall of fame": replace(base, contemporaries=ALIVE, hall_sample=HALL),
+        "latest only": replace(base, contemporaries=CURRENT + 2 * HALL, hall_sample=0),
+        "hall of fame": replace(base, contemporaries=CURRENT, hall_sample=HALL),
     }
 
 
 def payoffs(base: RaceSettings, seeds: range, root: Path) -> dict[str, np.ndarray]:
-    """Payoff matrices (seeds, generations, generations) of each kind."""
+    """Return payoff matrices (seeds, generations, generations) of each kind, playing new runs."""
     found: dict[str, list[np.ndarray]] = {name: [] for name in kinds(base)}
     jobs = [(name, each, seed) for name, each in kinds(base).items() for seed in seeds]
+    # Each race has its own directory, where an interrupted script finds it again.
     for name, settings, seed in tqdm(jobs, unit=" races", disable=None):
         place = root / name.replace(" ", "-") / str(seed)
         run = finish(replace(settings, seed=seed), place)
@@ -60,9 +66,8 @@ def payoffs(base: RaceSettings, seeds: range, root: Path) -> dict[str, np.ndarra
 
 
 def main() -> None:
-    """Play what is missing; print what tells the kinds apart, and draw one race of each."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="a small world and two seeds")
+    """Play missing runs, print the measures of both kinds, and draw one race of each."""
+    parser = script_parser(__doc__, quick="a small world and two seeds")
     parser.add_argument("--seeds", type=int, help="races of each kind")
     parser.add_argument("--runs", type=Path, default=Path("runs/hall_of_fame"))
     parser.add_argument("--figure", default="hall_of_fame.png", help="file to draw to")
@@ -72,8 +77,9 @@ def main() -> None:
     estimates = {name: analysis.analyze(matrices).estimates for name, matrices in found.items()}
     print(f"| mean over seeds | {' | '.join(found)} |\n|---|{'---|' * len(found)}")
     for measure in MEASURES:
-        told = " | ".join(str(each[measure]) for each in estimates.values())
-        print(f"| {analysis.MEASURES[measure].label} | {told} |")
+        cells = " | ".join(str(each[measure]) for each in estimates.values())
+        print(f"| {analysis.MEASURES[measure].label} | {cells} |")
+    # One race of each kind: a mean over seeds would hide cycles of different phase.
     plots.comparison({name: matrices[0] for name, matrices in found.items()}).savefig(args.figure)
     print(f"Drawn: {args.figure}, the first seed of each")
 

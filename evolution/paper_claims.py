@@ -1,17 +1,21 @@
-"""What the paper claims, put to the test: races, baselines and surrounding, over training seeds.
+"""Which claims of the paper hold? Races, baselines and surrounding over ten training seeds.
 
     python evolution/paper_claims.py              about an hour on two cores; can be interrupted
     python evolution/paper_claims.py --quick      a small world and two seeds, less than a minute
 
-Sun et al. 2023, "MatrixWorld", arXiv:2307.14854. A claim is reproduced where its whole interval
-over the seeds lies on the right side, not reproduced where it lies on the wrong one, and undecided
-otherwise. Runs lie in ``--runs`` and are taken up where they were interrupted; ``--results`` gets
-a table and the numbers behind it. A small policy, and evolution strategies for policy gradients.
+Method: the experiments of Sun et al. (2023), "MatrixWorld", arXiv:2307.14854, with two differences:
+the policy is a small network, and it learns by evolution strategies instead of policy gradients.
+Each claim becomes one number for each training seed and a threshold. It is reproduced if the whole
+interval over seeds lies on the claimed side of the threshold, not reproduced if it lies on the
+other side, and undecided otherwise.
+
+Look at the table of claims, and at the table of scores below it, which shows how much of a
+difference is due to the seed. ``--results`` receives both tables and the numbers behind them. Runs
+are kept in ``--runs``; an interrupted script continues where it stopped.
 """
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -21,6 +25,7 @@ import numpy as np
 from tqdm import tqdm
 
 import matrixworld as mw
+from common import script_parser
 from matrixworld import analysis
 from matrixworld.coevolution import (
     RaceSettings,
@@ -33,6 +38,7 @@ from matrixworld.coevolution import (
     start,
     tournament,
 )
+from matrixworld.coevolution.types import other
 
 SPECIALISTS, GENERALISTS = "specialist-specialist", "generalist-generalist"
 PURSUERS_ALONE, EVADERS_ALONE = "pursuers against random", "evaders against random"
@@ -46,28 +52,42 @@ CANDIDATES: dict[Team, tuple[str, ...]] = {
     "pursuer": (*RACES, PURSUERS_ALONE),
     "evader": (*RACES, EVADERS_ALONE, EVADERS_TAUGHT),
 }
-"""The runs of which the last generation is put to the test, by team."""
+"""Runs whose last generation is tested, by team."""
 
 
 @dataclass(frozen=True)
 class Plan:
-    """Settings of all runs but for their seeds; a baseline plays as many matches as its rival."""
+    """Settings of all runs, without their seeds.
+
+    Parameters
+    ----------
+    race : RaceSettings
+        Settings of the races, except for the schedule.
+    pursuers : SingleSettings
+        Baseline of the pursuers, with as many matches as they play in a race.
+    evaders : SingleSettings
+        Baseline of the evaders, with as many matches as they play in a race.
+    surround : SingleSettings
+        Surrounding runs, one for each fitness of `SURROUNDING`.
+    every : int
+        Every so many generations of a race, one is a test opponent.
+    episodes : int
+        Episodes of each pair in the cross-play.
+    """
 
     race: RaceSettings
     pursuers: SingleSettings
     evaders: SingleSettings
     surround: SingleSettings
-    """Played once for each fitness of `SURROUNDING`."""
     every: int
-    """Of so many generations of a race, one is among the test opponents."""
     episodes: int
-    """Of each pair of the cross-play."""
 
 
 def plan(race: RaceSettings, surround: SingleSettings, *, every: int, episodes: int) -> Plan:
-    """A plan whose baselines have the world and the budget of a race."""
+    """Return a plan whose baselines have the world and the budget of the race."""
 
     def alone(team: Team) -> SingleSettings:
+        # As many epochs as the team has in a race: the same number of matches.
         epochs = race.total_epochs(team)
         same = ("variant", "rows", "cols", "pursuers", "evaders", "population", "eval_steps")
         return SingleSettings(
@@ -100,11 +120,12 @@ QUICK = plan(
 
 
 def play(plan: Plan, seed: int, root: Path, threads: int | None) -> dict[str, SavedRun]:
-    """The finished runs of one seed, those of them played that are not there yet."""
+    """Return the finished runs of one seed; start or continue them if necessary."""
     runs: dict[str, SavedRun] = {}
 
     def played(name: str, begin: Callable[[Path], object]) -> None:
         place = root / name.replace(" ", "-") / str(seed)
+        # A run that has begun is resumed, whether or not it has finished.
         if not (place / "config.json").exists():
             begin(place)
         run = resume(place, threads=threads)
@@ -118,7 +139,7 @@ def play(plan: Plan, seed: int, root: Path, threads: int | None) -> dict[str, Sa
         runs[name] = open_run(place)
 
     def taught(place: Path) -> None:
-        """Evaders that have learned from random pursuers go on with pursuers that have learned."""
+        """Start evaders after half of their baseline, now against trained pursuers."""
         half = plan.evaders.archive_every
         settings = replace(plan.evaders, seed=seed, epochs=half, anneal=False, overlap_penalty=0.2)
         genome = runs[EVADERS_ALONE].teams["evader"].genomes[1]
@@ -132,6 +153,7 @@ def play(plan: Plan, seed: int, root: Path, threads: int | None) -> dict[str, Sa
         EVADERS_ALONE: plan.evaders,
         **{name: replace(plan.surround, fitness=aim) for aim, name in SURROUNDING.items()},
     }
+    # In this order: trained evaders continue from two of the runs before them.
     for name, settings in planned.items():
         played(name, partial(start, replace(settings, seed=seed)))
     played(EVADERS_TAUGHT, taught)
@@ -141,14 +163,28 @@ def play(plan: Plan, seed: int, root: Path, threads: int | None) -> dict[str, Sa
 def cross_play(
     plan: Plan, team: Team, runs: Sequence[Mapping[str, SavedRun]], threads: int | None
 ) -> np.ndarray:
-    """Payoff of a team's candidates against the opponents of all races, by seed of both.
+    """Play a team's candidates against the opponents of all races.
 
-    Shape (kinds, seeds, races, seeds, generations), float64: each kind of `CANDIDATES` and seed,
-    against every so many generations of every race of every seed.
+    Parameters
+    ----------
+    plan : Plan
+        Settings of the runs.
+    team : {"pursuer", "evader"}
+        Team of the candidates.
+    runs : sequence of mapping of str to SavedRun
+        Runs of each seed by name.
+    threads : int or None
+        Threads; None: one for each core.
+
+    Returns
+    -------
+    ndarray of float64, shape (kinds, seeds, races, seeds, generations)
+        Payoff of each kind of `CANDIDATES` and seed against every so many generations of each race
+        and seed.
     """
-    rival: Team = "evader" if team == "pursuer" else "pursuer"
     own = [of_seed[kind].teams[team] for kind in CANDIDATES[team] for of_seed in runs]
-    rivals = [of_seed[race].teams[rival] for race in RACES for of_seed in runs]
+    rivals = [of_seed[race].teams[other(team)] for race in RACES for of_seed in runs]
+    # One population of all candidates and one of all opponents: a single tournament.
     candidates = mw.Population(np.stack([each.genomes[-1] for each in own]), own[0].network)
     opponents = np.concatenate([each.genomes[:: plan.every] for each in rivals])
     met = mw.Population(opponents, rivals[0].network)
@@ -161,19 +197,21 @@ def cross_play(
     return payoff.reshape(len(CANDIDATES[team]), len(runs), len(RACES), len(runs), -1)
 
 
-def against_strangers(payoff: np.ndarray) -> np.ndarray:
-    """Mean payoff (kinds, seeds) against the opponents of races of other seeds."""
-    strange = ~np.eye(payoff.shape[1], dtype=bool)
+def against_other_seeds(payoff: np.ndarray) -> np.ndarray:
+    """Return the mean payoff (kinds, seeds) against the opponents of races of other seeds."""
+    # Opponents of the own seed have trained against the candidates of the races.
+    others = ~np.eye(payoff.shape[1], dtype=bool)
+    # Mean over races (specialists and generalists) and generations of the opponents.
     by_pair = payoff.mean(axis=(2, 4))
-    return (by_pair * strange).sum(axis=2) / strange.sum(axis=1)
+    return (by_pair * others).sum(axis=2) / others.sum(axis=1)
 
 
 def surrounding(
     plan: Plan, runs: Sequence[SavedRun], threads: int | None
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Capture rate, and collisions of pursuers with each other in 1000 of their steps.
+    """Return capture rate, and collisions between pursuers per 1000 of their agent-steps.
 
-    Both of shape (seeds, entries of the archive); 100 episodes each.
+    Both have the shape (seeds, entries of the archive); 100 episodes each.
     """
     captured, collisions = [], []
     for run in runs:
@@ -191,24 +229,38 @@ def surrounding(
 
 @dataclass(frozen=True)
 class Claim:
-    """A statement of the paper as one number a seed, and the side of `than` it should lie on."""
+    """A statement of the paper as one number for each seed.
+
+    Parameters
+    ----------
+    says : str
+        The statement.
+    measured : str
+        Name of the number.
+    values : ndarray of float64, shape (seeds,)
+        The number for each seed.
+    side : {"above", "below"}
+        Side of the threshold on which the number lies if the claim is true.
+    than : float, optional
+        The threshold.
+    """
 
     says: str
     measured: str
     values: np.ndarray
-    """Shape (seeds,)."""
     side: str
     than: float = 0.0
 
     @property
     def estimate(self) -> analysis.Estimate:
-        """Mean over the seeds with its interval."""
+        """Mean over the seeds with an interval."""
         return analysis.bootstrap_runs(self.values)
 
     @property
     def verdict(self) -> str:
-        """Reproduced, not reproduced or undecided."""
+        """Verdict: reproduced, not reproduced or undecided."""
         low, high = self.estimate.low, self.estimate.high
+        # Below a threshold is above the negative one.
         if self.side == "below":
             low, high, than = -high, -low, -self.than
         else:
@@ -219,15 +271,16 @@ class Claim:
 
 
 SOME_CHECKERBOARDS = 0.01
-"""Share of the possible ones; an additive matrix with the noise of ten episodes has none."""
+"""Checkerboard share of a race that cycles; an additive matrix with the noise of ten episodes has
+none."""
 CLEARLY = 0.05
-"""Capture rate by which co-evolved pursuers would be clearly better."""
+"""Difference of capture rates above which co-evolved pursuers would be clearly better."""
 
 
 def measured(
     plan: Plan, runs: Sequence[Mapping[str, SavedRun]], threads: int | None
 ) -> dict[str, np.ndarray]:
-    """All numbers that the claims are tested by, as they are kept: float32, by name."""
+    """Return all numbers behind the claims by name, as float32 arrays, as they are written."""
     numbers = {
         f"payoff {race}": np.stack([of_seed[race].payoff().capture_rate for of_seed in runs])
         for race in RACES
@@ -235,19 +288,21 @@ def measured(
     for team in CANDIDATES:
         numbers[f"cross-play of {team}s"] = cross_play(plan, team, runs, threads)
     for name in SURROUNDING.values():
-        seen = surrounding(plan, [of_seed[name] for of_seed in runs], threads)
-        numbers[f"{name}: captured"], numbers[f"{name}: collisions"] = seen
+        both = surrounding(plan, [of_seed[name] for of_seed in runs], threads)
+        numbers[f"{name}: captured"], numbers[f"{name}: collisions"] = both
+    # float32 halves the file and keeps far more digits than ten episodes give.
     return {name: each.astype(np.float32) for name, each in numbers.items()}
 
 
 def standings(numbers: Mapping[str, np.ndarray], team: Team) -> dict[str, np.ndarray]:
-    """Mean payoff (seeds,) of each kind of `CANDIDATES` against races of other seeds."""
+    """Return the mean payoff (seeds,) of each kind of `CANDIDATES` against other seeds."""
     payoff = numbers[f"cross-play of {team}s"].astype(np.float64)
-    return dict(zip(CANDIDATES[team], against_strangers(payoff), strict=True))
+    return dict(zip(CANDIDATES[team], against_other_seeds(payoff), strict=True))
 
 
 def claims(numbers: Mapping[str, np.ndarray]) -> list[Claim]:
-    """What the paper says, with the numbers of each seed; takes what `measured` returns."""
+    """Return the claims of the paper with the numbers of each seed, from those of `measured`."""
+    # From a file the numbers come as float32; a fresh run is rounded in the same way.
     numbers = {name: each.astype(np.float64) for name, each in numbers.items()}
 
     def of(measure: str, race: str) -> np.ndarray:
@@ -258,7 +313,7 @@ def claims(numbers: Mapping[str, np.ndarray]) -> list[Claim]:
         return (of("pursuer_forgetting", race) + of("evader_forgetting", race)) / 2
 
     pursuers, evaders = standings(numbers, "pursuer"), standings(numbers, "evader")
-    boards = "checkerboards, share of the possible, last half"
+    boards = analysis.MEASURES["checkerboards"].label
     escape, capture = "difference of escape rates", "difference of capture rates"
     return [
         Claim(
@@ -270,8 +325,8 @@ def claims(numbers: Mapping[str, np.ndarray]) -> list[Claim]:
             boards, of("checkerboards", GENERALISTS), "below", SOME_CHECKERBOARDS,
         ),
         Claim(
-            "Generalists keep what they have learnt, specialists do not",
-            "forgetting, specialists less generalists",
+            "Specialists forget more than generalists",
+            "forgetting, specialists minus generalists",
             forgotten(SPECIALISTS) - forgotten(GENERALISTS), "above",
         ),
         Claim(
@@ -298,40 +353,40 @@ def claims(numbers: Mapping[str, np.ndarray]) -> list[Claim]:
 
 def _of_surrounding(name: str, captured: np.ndarray, collisions: np.ndarray) -> list[Claim]:
     gained, more = captured[:, -1] - captured[:, 0], collisions[:, -1] - collisions[:, 0]
-    met = "of 1000 agent-steps, in collisions with teammates"
+    collided = "collisions with teammates per 1000 agent-steps"
     return [
-        Claim(f"{name}: capture improves", "capture rate, last less untrained", gained, "above"),
-        Claim(f"{name}: collisions of teammates remain", met, collisions[:, -1], "above"),
-        Claim(f"{name}: collisions grow", f"{met}, last less untrained", more, "above"),
+        Claim(f"{name}: capture improves", "capture rate, last minus untrained", gained, "above"),
+        Claim(f"{name}: collisions of teammates remain", collided, collisions[:, -1], "above"),
+        Claim(f"{name}: collisions increase", f"{collided}, last minus untrained", more, "above"),
     ]
 
 
-def told(estimate: analysis.Estimate) -> str:
-    """A mean and its interval."""
+def printed(estimate: analysis.Estimate) -> str:
+    """Return a mean and its interval as text."""
     return f"{estimate.value:.3f} [{estimate.low:.3f}, {estimate.high:.3f}]"
 
 
 def tables(numbers: Mapping[str, np.ndarray]) -> str:
-    """The claims, and what the teams score against strangers, as tables in Markdown."""
-    lines = ["| the paper's claim | measured | mean [95%] | wanted | |", "|---|---|---|---|---|"]
+    """Return the claims, and the scores against races of other seeds, as tables in Markdown."""
+    lines = ["| the paper's claim | measured | mean [95%] | claimed | |", "|---|---|---|---|---|"]
     for claim in claims(numbers):
-        cells = (claim.says, claim.measured, told(claim.estimate), f"{claim.side} {claim.than:g}")
+        side = f"{claim.side} {claim.than:g}"
+        cells = (claim.says, claim.measured, printed(claim.estimate), side)
         lines.append(f"| {' | '.join(cells)} | **{claim.verdict}** |")
     lines += ["", "| trained | team | score against races of other seeds |", "|---|---|---|"]
     for team in CANDIDATES:
         for kind, values in standings(numbers, team).items():
-            lines.append(f"| {kind} | {team}s | {told(analysis.bootstrap_runs(values))} |")
+            lines.append(f"| {kind} | {team}s | {printed(analysis.bootstrap_runs(values))} |")
     return "\n".join(lines)
 
 
 def main() -> None:
-    """Play what is missing, test the claims, and write what came of it."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="a small world and two seeds")
+    """Play missing runs, test the claims, print and write the results."""
+    parser = script_parser(__doc__, quick="a small world and two seeds")
     parser.add_argument("--seeds", type=int, help="training seeds; default 10, or 2 with --quick")
     parser.add_argument("--runs", type=Path, default=Path("runs/paper_claims"))
     parser.add_argument("--results", type=Path, default=Path("paper_claims"))
-    parser.add_argument("--threads", type=int, help="default: one a core")
+    parser.add_argument("--threads", type=int, help="default: one for each core")
     args = parser.parse_args()
     plan = QUICK if args.quick else FULL
     seeds = range(args.seeds or (2 if args.quick else 10))

@@ -22,7 +22,7 @@ payoffs = arrays.arrays(
 
 
 def by_brute_force(matrix: np.ndarray, alpha: float, m: int) -> np.ndarray:
-    """The formulas as printed, one pair of states at a time, and an eigenvector."""
+    """Compute the chain from the published formulas, and its stationary eigenvector."""
     rows, columns = matrix.shape
     states = [(p, e) for p in range(rows) for e in range(columns)]
     chain = np.zeros((len(states), len(states)))
@@ -42,7 +42,7 @@ def by_brute_force(matrix: np.ndarray, alpha: float, m: int) -> np.ndarray:
 
 
 @pytest.mark.parametrize(("alpha", "population"), [(0.1, 2), (1.0, 5), (2.0, 10), (0.5, 50)])
-def test_it_is_the_stationary_distribution_of_the_chain(alpha: float, population: int) -> None:
+def test_shares_are_the_stationary_distribution_of_the_chain(alpha: float, population: int) -> None:
     rng = np.random.default_rng(0)
     for matrix in (rng.random((3, 4)), rng.integers(0, 5, (4, 3)) / 4, ROCK_PAPER_SCISSORS):
         found = analysis.alpha_rank(matrix, alpha=alpha, population=population)
@@ -70,19 +70,19 @@ def test_strong_selection_keeps_the_best_pair(alpha: float) -> None:
     found = analysis.alpha_rank(logistic(9), alpha=alpha)
     assert found.pairs[8, 8] > 0.97
     assert analysis.alpha_rank([[0.5]], alpha=alpha).pairs.tolist() == [[1.0]]
-    # Pursuers 8 catch everybody, so evaders drift; where they drift to 0, pursuers drift, too.
+    # Pursuers 8 capture all evaders, so evaders drift; when they are at 0, pursuers drift, too.
     drifting = analysis.alpha_rank(staircase(9), alpha=alpha)
     assert drifting.pursuers.argmax() == 8
     assert drifting.pairs[8].sum() > 0.9
     assert drifting.pairs[0, 1:].sum() < 2e-3
 
 
-def test_without_any_difference_every_pair_is_alike() -> None:
+def test_equal_payoffs_give_equal_shares() -> None:
     found = analysis.alpha_rank(np.full((4, 6), 0.3))
     np.testing.assert_allclose(found.pairs, 1 / 24)
 
 
-def test_the_limit_is_the_one_of_large_alpha() -> None:
+def test_infinite_alpha_is_the_limit_of_large_alpha() -> None:
     matrix = np.random.default_rng(2).integers(0, 6, (6, 5)) / 5
     limit = analysis.alpha_rank(matrix, alpha=math.inf)
     np.testing.assert_allclose(analysis.alpha_rank(matrix, alpha=1e4).pairs, limit.pairs, atol=1e-9)
@@ -108,7 +108,7 @@ def test_fixation_probability_has_no_jump_at_zero_and_no_overflow() -> None:
 
 
 @given(payoffs, st.sampled_from([0.5, 5.0, 100.0]))
-def test_swapping_the_teams_swaps_it(matrix: np.ndarray, alpha: float) -> None:
+def test_swapping_the_teams_swaps_the_shares(matrix: np.ndarray, alpha: float) -> None:
     found = analysis.alpha_rank(matrix, alpha=alpha)
     swapped = analysis.alpha_rank(1 - matrix.T, alpha=alpha)
     np.testing.assert_allclose(swapped.pairs, found.pairs.T, atol=1e-9)

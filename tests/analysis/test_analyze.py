@@ -1,4 +1,4 @@
-"""Everything at once: for one run, for several, with episodes, as JSON and in words."""
+"""All measures of one run or several, with episodes, as JSON and as text."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ RUNS = np.stack([noisy.binomial(40, logistic(13)) / 40 for _ in range(6)])
 SCORES = (noisy.random((13, 13, 20)) < logistic(13)[:, :, None]).astype(np.float32)
 
 
-def test_every_measure_is_that_of_its_own_function() -> None:
+def test_analyze_returns_the_values_of_the_single_functions() -> None:
     matrix = circular(13)
     (run,) = analysis.analyze(matrix).runs
     np.testing.assert_array_equal(run.payoff, matrix)
@@ -70,7 +70,7 @@ def test_several_runs_have_intervals_over_runs() -> None:
     assert "6 runs, 13 pursuer and 13 evader generations" in text
     assert "Mean (95% interval over runs):" in text
     assert f"{share}" in text
-    assert "What the runs look like: " in text
+    assert "Verdicts on the runs: " in text
 
 
 def test_episodes_give_intervals_to_a_single_run_and_dominant_generations() -> None:
@@ -80,10 +80,10 @@ def test_episodes_give_intervals_to_a_single_run_and_dominant_generations() -> N
     rungs = found.runs[0].dominance.pursuers.generations
     assert found.estimates["pursuer_rungs"].value == len(rungs) > 3
     text = str(found)
-    assert "interval over its episodes, which says nothing of other runs" in text
+    assert "interval over its episodes, which says nothing about other runs" in text
     assert f"Dominant pursuers: generations {', '.join(map(str, rungs))}." in text
     assert " *\n" in text
-    assert "  * moved by the noise of the episodes" in text
+    assert "  * biased by episode noise" in text
 
 
 def test_one_run_with_episodes_may_be_a_stack_of_one() -> None:
@@ -105,7 +105,7 @@ def test_cross_tests_give_global_progress() -> None:
 
 
 @pytest.mark.parametrize("matrix", [circular(12), staircase(9), additive(7, 12), np.zeros((2, 3))])
-def test_json_holds_everything(matrix: np.ndarray) -> None:
+def test_json_contains_all_fields(matrix: np.ndarray) -> None:
     found = analysis.analyze(matrix)
     plain = found.to_json()
     assert json.loads(json.dumps(plain, allow_nan=False)) == plain
@@ -136,7 +136,7 @@ def test_any_matrix_is_analysed_and_swapping_the_teams_swaps_the_numbers(
     numbers = analysis.analyze(matrix).runs[0].numbers
     swapped = analysis.analyze(1 - matrix.T).runs[0].numbers
     for name, value in numbers.items():
-        # Pursuers learn first in a generation; of equally strong cycles any may be the first.
+        # Pursuers learn first in a generation; equally strong cycles may come in any order.
         if name in ("swing", "multi_elo_log_loss"):
             continue
         team, _, measure = name.partition("_")

@@ -1,4 +1,4 @@
-"""Intervals hold what they should as often as they say, on data where the truth is known."""
+"""Coverage of intervals on data whose truth is known, and their special cases."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from matrices import logistic
 from matrixworld import analysis
 
 
-def test_intervals_over_runs_cover_the_mean_as_often_as_they_say() -> None:
+def test_intervals_over_runs_have_their_nominal_coverage() -> None:
     rng = np.random.default_rng(0)
     covered = []
     for _ in range(300):
@@ -68,13 +68,13 @@ def test_intervals_over_episodes_cover_the_noise_free_measure() -> None:
     assert 0.86 < np.mean(covered) <= 0.99
 
 
-def test_noise_lowers_the_transitive_share_and_the_interval_makes_up_for_it() -> None:
+def test_noise_lowers_the_transitive_share_and_the_interval_is_corrected() -> None:
     scores = np.random.default_rng(4).random((15, 15, 20)) < logistic(15)[:, :, None]
     found = analysis.bootstrap_episodes(scores, analysis.transitive_share, bounds=(0.0, 1.0))
     assert found.low is not None
     assert found.high is not None
     assert found.value < found.low <= found.high <= 1.0
-    assert found.note == "noise of the episodes moves it out of its own interval"
+    assert found.note == "biased by episode noise: outside its own interval"
     again = analysis.bootstrap_episodes(scores, analysis.transitive_share, bounds=(0.0, 1.0))
     assert found == again
 
@@ -92,7 +92,7 @@ def test_bands_are_pointwise_and_runs_stay_whole() -> None:
     np.testing.assert_allclose(band.mean, curves.mean(axis=0))
     assert band.low is not None
     assert band.high is not None
-    # One shift a run: every point has the same interval around its mean.
+    # Runs differ by a shift: every point has the same interval around its mean.
     np.testing.assert_allclose(band.high - band.mean, (band.high - band.mean)[0])
     assert (band.high - band.low)[0] == pytest.approx(
         2 * 1.96 * curves[:, 0].std() / np.sqrt(30), rel=0.1

@@ -1,4 +1,4 @@
-"""Diagnosis: the numbers behind it, its calibration, and what it says of races that are known."""
+"""Diagnosis: its numbers, its calibration, and verdicts on races whose truth is known."""
 
 from __future__ import annotations
 
@@ -15,7 +15,6 @@ from scipy.stats import fisher_exact
 from matrices import circular, logistic, staircase
 from matrixworld import analysis, toys
 from matrixworld.analysis import CONDITIONS, diagnose
-from matrixworld.analysis.advice import ADVICE, LABELS
 from matrixworld.analysis.calibration import (
     ABSENT,
     CANNOT_TELL,
@@ -28,6 +27,7 @@ from matrixworld.analysis.calibration import (
 )
 from matrixworld.analysis.diagnosis import _unless_cycling
 from matrixworld.analysis.evidence import BOUNDS, SUPPORT, numbers_of_run, one_sided_share
+from matrixworld.analysis.findings import ADVICE, LABELS
 from matrixworld.coevolution.opponents import Uniform
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.toys.labelled_races import truth_of_hands, truth_of_history
@@ -40,7 +40,7 @@ rates = arrays.arrays(
 
 
 def played(chance: np.ndarray, episodes: int = 20, seed: int = 0) -> np.ndarray:
-    """Matches that are won with these chances."""
+    """Draw episodes that are won with these probabilities."""
     rng = np.random.default_rng(seed)
     return (rng.random((*chance.shape, episodes)) < chance[..., None]).astype(float)
 
@@ -62,12 +62,12 @@ def test_rises_are_means_over_pairs(matrix: np.ndarray) -> None:
 
 
 def test_rises_by_hand() -> None:
-    # Whoever is of a later generation wins; in half of the team phases the pursuers are.
+    # The later generation wins; pursuers are later in half of the team phases.
     later_wins = np.tri(9, k=-1)
     assert analysis.rises(later_wins) == pytest.approx((0.5, 0.5))
-    # Who beats whom depends on nothing but luck: nobody gains.
+    # Constant rates: neither team rises.
     assert analysis.rises(np.full((5, 5), 0.3)) == pytest.approx((0.0, 0.0))
-    # Pursuers that get better against evaders that stand still.
+    # Pursuers improve, evaders do not change.
     alone = np.linspace(0.2, 0.8, 7)[:, None] * np.ones(7)
     found = analysis.rises(alone)
     assert found == pytest.approx((0.1 * 7 / 3, 0.0))  # the mean lag of pairs of 6 is 7 / 3
@@ -82,10 +82,10 @@ def test_the_same_episodes_twice_give_forgetting(matrix: np.ndarray) -> None:
     np.testing.assert_allclose(held_out.evaders, plain.evaders, atol=1e-12)
 
 
-def test_forgetting_by_hand_is_chosen_by_one_and_measured_by_the_other() -> None:
+def test_held_out_forgetting_by_hand() -> None:
     one = np.array([[0.9], [0.2], [0.5]])
     other = np.array([[0.6], [0.7], [0.1]])
-    # Chosen by one: row 0 all along; measured 0, .6 - .7, .6 - .1. By the other: rows 0, 1, 1;
+    # `one` chooses row 0 always; measured 0, .6 - .7, .6 - .1. `other` chooses rows 0, 1, 1;
     # measured 0, 0, .2 - .5.
     found = analysis.held_out_forgetting(one, other).pursuers
     np.testing.assert_allclose(found, [0.0, (-0.1 + 0.0) / 2, (0.5 - 0.3) / 2])
@@ -111,7 +111,7 @@ def test_one_sided_share_is_of_the_last_half() -> None:
     assert one_sided_share([open_] * 8 + [won] * 2) == 0.0  # not three in a row
 
 
-def test_values_and_intervals_make_up_for_the_noise_of_the_episodes() -> None:
+def test_values_and_intervals_are_corrected_for_episode_noise() -> None:
     chance = 0.5 + 0.4 * (logistic(31, 0.4) - 0.5)  # no checkerboards without noise
     scores = played(chance, 16)
     found = numbers_of_run(
@@ -163,7 +163,7 @@ def test_the_calibration_is_of_every_condition() -> None:
 
 @pytest.fixture(scope="module")
 def rerun() -> list[tuple[toys.LabelledRace, dict[str, analysis.Estimate]]]:
-    """Two seeds of each toy, as they were calibrated, by other resamples."""
+    """Measure two calibration seeds of each toy again, with other resamples."""
     races = [toys.labelled_race(name, seed) for name in toys.RACES for seed in (0, 12)]
     rng = np.random.default_rng(9)
     return [
@@ -188,7 +188,7 @@ def test_the_calibration_agrees_with_a_re_run(condition: str, rerun) -> None:
     ]
     committed = calibration().episodes[condition]
     again = tally(committed.edges, told)
-    # Where races with and without the condition lie, as far as few races can tell.
+    # Few races must be distributed over the bins as the committed ones are.
     for one, other in ((committed.present, again.present), (committed.absent, again.absent)):
         assert sum(other) >= 2
         for k in range(1, len(one)):
@@ -230,7 +230,7 @@ def test_matrices_whose_diagnosis_is_known() -> None:
 
 
 @pytest.mark.parametrize("rate", [0.0, 1.0])
-def test_of_a_disengaged_race_nothing_else_is_told(rate: float) -> None:
+def test_disengagement_hides_other_conditions(rate: float) -> None:
     found = diagnose(np.full((20, 20), rate))
     assert found.present == ("disengagement",)
     for name in set(CONDITIONS) - {"disengagement"}:
@@ -238,17 +238,17 @@ def test_of_a_disengaged_race_nothing_else_is_told(rate: float) -> None:
         assert "hides" in found[name].reason
 
 
-def test_half_steps_of_a_log_decide_about_disengagement() -> None:
+def test_team_phase_rates_of_a_log_decide_about_disengagement() -> None:
     matrix = np.full((20, 20), 0.5)
     assert diagnose(matrix)["disengagement"].verdict == ABSENT
-    found = diagnose(matrix, half_steps=[(0.99, 0.98)] * 100)
+    found = diagnose(matrix, team_phase_rates=[(0.99, 0.98)] * 100)
     assert found["disengagement"].verdict == PRESENT
     assert found["disengagement"].evidence["one_sided"].value == 1.0
     with pytest.raises(ValueError, match="team phases of a single run, got 2 runs"):
-        diagnose([matrix, matrix], half_steps=[(0.5, 0.5)])
+        diagnose([matrix, matrix], team_phase_rates=[(0.5, 0.5)])
 
 
-def test_too_few_generations_are_not_told_from() -> None:
+def test_too_few_generations_give_no_verdict() -> None:
     found = diagnose(circular(11))
     assert found.present == ()
     assert {one.verdict for one in found.findings} == {CANNOT_TELL}
@@ -256,53 +256,53 @@ def test_too_few_generations_are_not_told_from() -> None:
     assert diagnose(circular(12))["cycling"].verdict == PRESENT
 
 
-def test_noise_as_large_as_the_effect_is_not_told_from() -> None:
-    # The same slow race, seen in many episodes and in few.
+def test_noise_as_large_as_the_effect_gives_no_verdict() -> None:
+    # A clear arms race in many episodes, and a weak one in few.
     chance = 0.5 + 0.45 * (logistic(31, 0.3) - 0.5) / 0.5
     assert diagnose(played(chance, 100), episodes=True)["arms race"].verdict == PRESENT
     weak = 0.5 + 0.1 * (logistic(31, 0.3) - 0.5) / 0.5
     assert diagnose(played(weak, 4), episodes=True)["arms race"].verdict != PRESENT
 
 
-def test_without_episodes_the_interval_is_that_of_the_toys() -> None:
+def test_without_episodes_the_interval_comes_from_the_calibration() -> None:
     edge = calibration().episodes["cycling"].edges[-1]
     slack = calibration().slack["cycling"]
     numbers = {"checkerboards": analysis.Estimate(edge + slack / 2, None, None, "nothing", 1)}
-    low, high = analysis.calibration.strengths("cycling", numbers, slack)
+    low, high = analysis.calibration.strength_interval("cycling", numbers, slack)
     assert (low, high) == pytest.approx((edge - slack / 2, edge + 1.5 * slack))
     size = {"greatest_rise": analysis.Estimate(-0.1, -0.3, 0.05, "episodes", 10)}
-    assert analysis.calibration.strengths("stagnation", size, 0.0) == (0.0, 0.3)
+    assert analysis.calibration.strength_interval("stagnation", size, 0.0) == (0.0, 0.3)
     falls = {"greatest_rise": analysis.Estimate(-0.2, -0.3, -0.1, "episodes", 10)}
-    assert analysis.calibration.strengths("stagnation", falls, 0.0) == (0.1, 0.3)
+    assert analysis.calibration.strength_interval("stagnation", falls, 0.0) == (0.1, 0.3)
 
 
-def test_runs_that_say_the_opposite_give_no_verdict() -> None:
+def test_runs_with_opposite_verdicts_give_no_verdict() -> None:
     cycles, races = circular(31), logistic(31, 0.3)
     found = diagnose(np.array([cycles] * 4 + [races] * 2))
     assert found["cycling"].verdict == CANNOT_TELL
     assert found["cycling"].by_run == (PRESENT,) * 4 + (ABSENT,) * 2
-    assert "4 of 6 runs have it by themselves and 2 have not" in found["cycling"].reason
+    assert "present in 4, absent in 2 of 6" in found["cycling"].reason
     assert found["stagnation"].verdict == ABSENT
     together = diagnose(np.array([cycles] * 6))
     assert together["cycling"].verdict == PRESENT
     assert together["cycling"].evidence["checkerboards"].over == "runs"
 
 
-def test_what_may_go_round_is_not_called_stagnant() -> None:
+def test_a_race_that_may_cycle_is_not_called_stagnant() -> None:
     assert _unless_cycling((PRESENT, 0.9, "no trend"), CANNOT_TELL, 0.0)[:2] == (CANNOT_TELL, 0.0)
     assert _unless_cycling((PRESENT, 0.9, "no trend"), PRESENT, 0.8)[:2] == (ABSENT, 0.8)
     assert _unless_cycling((PRESENT, 0.9, "no trend"), ABSENT, 0.8) == (PRESENT, 0.9, "no trend")
     assert _unless_cycling((ABSENT, 0.9, "a trend"), CANNOT_TELL, 0.0) == (ABSENT, 0.9, "a trend")
 
 
-def test_stagnation_of_each_run_minds_the_cycling_of_that_run() -> None:
+def test_stagnation_of_each_run_depends_on_the_cycling_of_that_run() -> None:
     still, cycles = np.full((31, 31), 0.5), circular(31)
     found = diagnose(np.array([still, cycles]))
     assert found["cycling"].by_run == (ABSENT, PRESENT)
     assert found["stagnation"].by_run == (PRESENT, ABSENT)
 
 
-def test_the_interval_of_a_few_runs_spans_them_all() -> None:
+def test_the_interval_of_few_runs_is_their_range() -> None:
     waves = [0.5 + factor * (circular(31) - 0.5) for factor in (0.3, 1.0, 1.0)]
     alone = [diagnose(wave)["cycling"].evidence["checkerboards"].value for wave in waves]
     together = diagnose(np.array(waves))["cycling"].evidence["checkerboards"]
@@ -313,7 +313,7 @@ def test_the_interval_of_a_few_runs_spans_them_all() -> None:
     assert min(alone) < many.low < many.value
 
 
-def test_a_disengaged_run_is_left_out_of_the_rest() -> None:
+def test_a_disengaged_run_is_left_out_of_other_conditions() -> None:
     found = diagnose(np.array([logistic(31, 0.3)] * 5 + [np.zeros((31, 31))]))
     assert found["disengagement"].by_run == (ABSENT,) * 5 + (PRESENT,)
     assert found["arms race"].verdict == PRESENT
@@ -329,7 +329,7 @@ def test_swapping_the_teams_hardly_changes_the_numbers() -> None:
             assert one[name].evidence[key].value == pytest.approx(other[name].evidence[key].value)
 
 
-def test_words_and_json() -> None:
+def test_text_and_json() -> None:
     found = diagnose(
         toys.labelled_race("rock-paper-scissors, specialists", 2000).scores, episodes=True
     )
@@ -339,7 +339,7 @@ def test_words_and_json() -> None:
     )
     assert len(text.splitlines()) == 2 + len(CONDITIONS)
     assert "Cycling: present (confidence 0." in text
-    assert "dominant pursuers" in text
+    assert "dominant pursuer generations" in text
     assert not re.search(r"\bnan\b", text)
     plain = found.to_json()
     assert json.loads(json.dumps(plain, allow_nan=False)) == plain
@@ -394,8 +394,8 @@ def test_chances_of_hands_and_of_averages() -> None:
         toys.capture_probabilities(pure, pure, luck=0.6)
 
 
-def test_averages_are_near_the_equilibrium_from_the_first() -> None:
-    # The claim behind the truth of "rock-paper-scissors, its averages".
+def test_averages_are_near_the_equilibrium_from_the_start() -> None:
+    # The truth of "rock-paper-scissors, its averages" relies on it.
     for seed in range(3):
         hands = toys.play_together({team: Uniform(None) for team in TEAMS}, 400, seed)
         for rounds in (100, 250, 400):
@@ -429,7 +429,7 @@ def test_truth_of_hands_by_hand() -> None:
 
 
 def a_history(game: str, totals: np.ndarray, *, engaged: bool = True) -> toys.History:
-    """Two individuals a side that have as many ones, (k, dimensions), in both populations."""
+    """Return a history of pairs of individuals with `totals` ones, (k, dimensions)."""
     ones = np.repeat(np.repeat(totals[:, None, None, :], 2, axis=1), 2, axis=2)
     wins = np.zeros((len(totals) - 1, 2, 2))
     wins[..., 0] = engaged

@@ -19,11 +19,11 @@ scores_of_races = arrays.arrays(
 
 
 def certain(matrix: list[list[float]]) -> np.ndarray:
-    """Two episodes without any noise."""
+    """Return two equal episodes, without noise."""
     return np.repeat(np.array(matrix)[:, :, None], 2, axis=2)
 
 
-def test_only_those_that_beat_all_rungs_join() -> None:
+def test_a_dominant_generation_beats_all_earlier_dominant_ones() -> None:
     # Means of the pursuers: .5, .4, .6, .55, .6, .9; those of the evaders: escape .5, .5.
     means = np.array([0.5, 0.4, 0.6, 0.55, 0.6, 0.9])
     ladders = analysis.dominance_tournament(certain(np.stack([means, means], axis=1).tolist()))
@@ -33,7 +33,7 @@ def test_only_those_that_beat_all_rungs_join() -> None:
     assert len(ladders.pursuers) == 3
 
 
-def test_evaders_climb_on_escapes() -> None:
+def test_evaders_are_ranked_by_escapes() -> None:
     ladders = analysis.dominance_tournament(certain([[0.9, 0.5, 0.7, 0.1], [0.9, 0.5, 0.7, 0.1]]))
     assert ladders.evaders.generations == (0, 1, 3)
 
@@ -50,7 +50,7 @@ def test_with_one_opponent_it_is_welchs_t_test() -> None:
     assert analysis.dominance_tournament(scores, level=p - 1e-6).pursuers.generations == (0,)
 
 
-def test_chance_alone_rarely_makes_a_rung() -> None:
+def test_noise_alone_rarely_gives_a_dominant_generation() -> None:
     rng = np.random.default_rng(1)
     false = [
         len(analysis.dominance_tournament(rng.random((2, 5, 8))).pursuers) - 1 for _ in range(2000)
@@ -58,7 +58,7 @@ def test_chance_alone_rarely_makes_a_rung() -> None:
     assert 0.035 < np.mean(false) < 0.065
 
 
-def test_a_real_difference_makes_one_where_the_mean_alone_would_not_tell() -> None:
+def test_a_clear_difference_gives_a_dominant_generation() -> None:
     rng = np.random.default_rng(2)
     found = [
         len(analysis.dominance_tournament(rng.random((2, 5, 30)) < [[[0.4]], [[0.6]]]).pursuers)
@@ -67,13 +67,13 @@ def test_a_real_difference_makes_one_where_the_mean_alone_would_not_tell() -> No
     assert np.mean(np.array(found) == 2) > 0.9
 
 
-def test_counts_are_tested_without_the_episodes() -> None:
+def test_dominance_of_counts() -> None:
     # By hand: q = 2/12 and 10/12, variance 20/144/10 each, z = .8 / sqrt(2 * .01389) = 4.8.
     ladders = analysis.dominance_of_counts([[1], [9], [9]], 10)
     assert ladders.pursuers.generations == (0, 1)
     expected = float(stats.norm.sf(0.8 / np.sqrt(2 * (2 / 12) * (10 / 12) / 10)))
     assert ladders.pursuers.p_values == pytest.approx((expected,))
-    # Two of two against none of two: p = .042 by the shrunken variance; one of one tells nothing.
+    # Two of two against none of two: p = .042 by the shrunken variance; one of one is no evidence.
     assert len(analysis.dominance_of_counts([[0], [2]], 2).pursuers) == 2
     assert len(analysis.dominance_of_counts([[0], [1]], [[1], [1]], level=0.02).pursuers) == 1
 
@@ -88,7 +88,7 @@ def test_swapping_the_teams_swaps_the_ladders(scores: np.ndarray) -> None:
 
 
 @given(scores_of_races)
-def test_ladders_rise(scores: np.ndarray) -> None:
+def test_dominant_generations_ascend(scores: np.ndarray) -> None:
     ladder = analysis.dominance_tournament(scores).pursuers
     means = scores.mean(axis=(1, 2))[list(ladder.generations)]
     assert ladder.generations[0] == 0

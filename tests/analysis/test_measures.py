@@ -65,7 +65,7 @@ def test_bad_matrices_are_refused(bad: object, error: type[Exception], message: 
             function(bad)
 
 
-def test_measures_leave_the_matrix_alone() -> None:
+def test_measures_do_not_change_the_matrix() -> None:
     matrix = circular(13)
     before = matrix.copy()
     analysis.summarize(matrix)
@@ -79,7 +79,7 @@ def test_the_last_half_of_31_generations_is_15_to_30() -> None:
     np.testing.assert_allclose(half[:, 0], np.arange(15, 31) / 100)
 
 
-def test_the_last_half_takes_each_side_by_itself() -> None:
+def test_the_last_half_of_a_matrix_that_is_not_square() -> None:
     matrix = additive(5, 8)
     np.testing.assert_array_equal(analysis.last_half(matrix), matrix[2:, 4:])
     np.testing.assert_array_equal(analysis.last_half([[0.25]]), [[0.25]])
@@ -108,7 +108,7 @@ def test_lag_profile_of_a_toeplitz_matrix_is_its_diagonals() -> None:
 
 
 @given(payoffs)
-def test_lag_profile_agrees_with_the_sum_written_out(matrix: np.ndarray) -> None:
+def test_lag_profile_agrees_with_a_plain_sum(matrix: np.ndarray) -> None:
     profile = analysis.lag_profile(matrix)
     rows, columns = matrix.shape
     for lag, mean, cells in zip(profile.lags, profile.means, profile.cells, strict=True):
@@ -129,13 +129,13 @@ def test_lag_rise_compares_a_third_of_the_run_later_with_earlier() -> None:
             analysis.lag_rise(matrix, lag)
 
 
-def test_half_steps_are_next_to_and_on_the_diagonal() -> None:
+def test_team_phase_rates_are_next_to_and_on_the_diagonal() -> None:
     matrix = [[0.0, 0.1, 0.2], [0.3, 0.4, 0.5], [0.6, 0.7, 0.8], [0.9, 1.0, 1.0]]
-    np.testing.assert_allclose(analysis.half_steps(matrix), [[0.3, 0.4], [0.7, 0.8]])
-    assert analysis.half_steps([[0.5]]).shape == (0, 2)
+    np.testing.assert_allclose(analysis.team_phase_rates(matrix), [[0.3, 0.4], [0.7, 0.8]])
+    assert analysis.team_phase_rates([[0.5]]).shape == (0, 2)
 
 
-def test_swing_is_the_mean_move_of_the_evaders_answer() -> None:
+def test_swing_is_the_mean_change_in_the_evaders_team_phase() -> None:
     matrix = np.full((9, 9), 0.5)
     answers = np.array([0.9, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7])
     matrix[np.arange(1, 9), np.arange(1, 9)] = answers
@@ -227,7 +227,7 @@ def test_constant_and_tiny_matrices_have_no_share() -> None:
 
 
 def brute_force(matrix: np.ndarray, margin: float, level: float | None) -> int:
-    """The definition of a checkerboard, four loops and nothing clever."""
+    """Count checkerboards by definition, in four loops."""
 
     def is_one(p1: int, p2: int, e1: int, e2: int) -> bool:
         winners = (matrix[p1, e1], matrix[p2, e2])
@@ -293,7 +293,7 @@ def test_swapping_the_teams_swaps_the_results(matrix: np.ndarray, margin: float)
 
 
 @given(payoffs, margins, st.randoms(use_true_random=False))
-def test_the_order_of_generations_does_not_matter_to_cycles(
+def test_the_order_of_generations_does_not_change_cycles(
     matrix: np.ndarray, margin: float, random: object
 ) -> None:
     rng = np.random.default_rng(random.getrandbits(32))  # type: ignore[attr-defined]

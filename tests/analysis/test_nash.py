@@ -1,4 +1,4 @@
-"""Equilibria worked out by hand, Balduzzi's desiderata, and what best responses gain."""
+"""Equilibria by hand, the properties that Balduzzi et al. require, and gains of best responses."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def entropy(p: np.ndarray) -> float:
         (ROCK_PAPER_SCISSORS, 1 / 2, [1 / 3] * 3, [1 / 3] * 3),
         ([[0.25]], 0.25, [1.0], [1.0]),
         (np.full((3, 2), 0.7), 0.7, [1 / 3] * 3, [1 / 2] * 2),
-        # Pursuers may play anything up to a quarter of row 0: entropy takes the most it can get.
+        # Row 0 may have any weight up to a quarter; maximum entropy takes a quarter.
         ([[0.5, 0.2], [0.5, 0.6]], 0.5, [0.25, 0.75], [1.0, 0.0]),
     ],
 )
@@ -54,7 +54,7 @@ def test_games_worked_out_by_hand(
     assert analysis.game_value(matrix) == pytest.approx(value)  # type: ignore[arg-type]
 
 
-def test_the_best_generation_of_a_transitive_race_takes_all() -> None:
+def test_the_best_generation_of_a_transitive_race_has_all_weight() -> None:
     found = analysis.nash_averaging(logistic(31))
     assert found.pursuers.argmax() == found.evaders.argmax() == 30
     assert found.pursuers.max() == pytest.approx(1.0)
@@ -63,7 +63,7 @@ def test_the_best_generation_of_a_transitive_race_takes_all() -> None:
 
 
 @given(payoffs)
-def test_it_is_an_equilibrium(matrix: np.ndarray) -> None:
+def test_mixtures_are_an_equilibrium(matrix: np.ndarray) -> None:
     found = analysis.nash_averaging(matrix)
     assert found.pursuers.min() >= 0.0
     assert found.pursuers.sum() == pytest.approx(1.0)
@@ -75,7 +75,7 @@ def test_it_is_an_equilibrium(matrix: np.ndarray) -> None:
 
 
 @given(payoffs)
-def test_swapping_the_teams_swaps_it(matrix: np.ndarray) -> None:
+def test_swapping_the_teams_swaps_the_equilibrium(matrix: np.ndarray) -> None:
     found, swapped = analysis.nash_averaging(matrix), analysis.nash_averaging(1 - matrix.T)
     assert swapped.value == pytest.approx(1 - found.value)
     np.testing.assert_allclose(swapped.pursuers, found.evaders, atol=1e-6)
@@ -99,14 +99,14 @@ def test_copies_change_nothing_but_share_their_weight(
 def test_copies_of_rock() -> None:
     found = analysis.nash_averaging(ROCK_PAPER_SCISSORS[[0, 0, 0, 1, 2]])
     np.testing.assert_allclose(found.pursuers, [1 / 9, 1 / 9, 1 / 9, 1 / 3, 1 / 3], atol=1e-9)
-    # Row means would call paper's victim better now; averages against the equilibrium do not.
+    # Row means now prefer the victim of paper; averages against the equilibrium do not.
     np.testing.assert_allclose(found.pursuer_averages, 0.5)
     np.testing.assert_allclose(found.evader_averages, 0.5)
 
 
 @given(payoffs)
 def test_no_other_equilibrium_has_more_entropy(matrix: np.ndarray) -> None:
-    """Against a general optimiser over the optimal mixtures, from two starts."""
+    """Compare with a general optimiser over the optimal mixtures, from two starts."""
     found = analysis.nash_averaging(matrix)
     rows = len(matrix)
     constraints = [

@@ -1,4 +1,4 @@
-"""Elo and multidimensional Elo recover what was planted."""
+"""Elo and multidimensional Elo recover known ratings and cycles."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def planted(rows: int, columns: int) -> tuple[np.ndarray, np.ndarray, float]:
     return a - a.mean(), b - b.mean(), 0.4
 
 
-def test_elo_recovers_planted_ratings() -> None:
+def test_elo_recovers_known_ratings() -> None:
     a, b, c = planted(7, 5)
     matrix = sigmoid(a[:, None] - b + c)
     found = analysis.elo(matrix, **EXACT)
@@ -52,8 +52,8 @@ def test_elo_recovers_ratings_from_matches() -> None:
     assert np.abs(found.evaders - b).max() < 0.35
 
 
-def test_elo_is_the_minimum_of_what_it_says() -> None:
-    """Against a general minimiser of the documented objective, written out."""
+def test_elo_minimises_its_documented_objective() -> None:
+    """Compare with a general minimiser of the objective."""
     rng = np.random.default_rng(3)
     matrix = rng.random((3, 4))
     x = 0.01 + 0.98 * matrix
@@ -71,14 +71,14 @@ def test_elo_is_the_minimum_of_what_it_says() -> None:
     assert found.offset == pytest.approx(best[7], abs=1e-4)
 
 
-def test_ratings_stay_finite_where_somebody_always_wins() -> None:
+def test_ratings_stay_finite_if_a_generation_always_wins() -> None:
     for matrix in (np.ones((3, 4)), staircase(31), np.eye(2)):
         found = analysis.elo(matrix)
         assert np.abs(found.logits).max() < 30
     assert analysis.elo(np.ones((3, 4))).offset == pytest.approx(np.log(0.99 / 0.01))
 
 
-def test_elo_sees_no_difference_in_rock_paper_scissors() -> None:
+def test_elo_rates_rock_paper_scissors_equal() -> None:
     found = analysis.elo(ROCK_PAPER_SCISSORS)
     np.testing.assert_allclose([*found.pursuers, *found.evaders, found.offset], 0, atol=1e-9)
     np.testing.assert_allclose(found.predict(), 0.5)
@@ -86,7 +86,7 @@ def test_elo_sees_no_difference_in_rock_paper_scissors() -> None:
     np.testing.assert_allclose(cyclic.predict(), ROCK_PAPER_SCISSORS, atol=1e-9)
 
 
-def test_multi_elo_reproduces_a_planted_cycle() -> None:
+def test_multi_elo_reproduces_a_known_cycle() -> None:
     a, b, c = planted(9, 6)
     turn = 2 * np.pi * (np.arange(9)[:, None] / 9 - np.arange(6) / 6)
     cycle = 0.8 * np.cos(turn)
@@ -94,7 +94,7 @@ def test_multi_elo_reproduces_a_planted_cycle() -> None:
     found = analysis.multi_elo(matrix, **EXACT)
     assert found.u.shape == (9, 2)
     assert found.v.shape == (6, 2)
-    # The cycle has no row or column means, but a cross entropy weighs cells: nearly the same.
+    # Elo weights cells, so it takes up a little of the cycle, though its row means are 0.
     assert np.abs(found.u @ found.v.T - cycle).max() < 0.35
     assert analysis.log_loss(matrix, found.predict()) < 0.05 * analysis.log_loss(
         matrix, found.elo.predict()
@@ -103,7 +103,7 @@ def test_multi_elo_reproduces_a_planted_cycle() -> None:
     np.testing.assert_allclose(pure.u @ pure.v.T, cycle, atol=1e-6)
 
 
-def test_more_dimensions_reproduce_more_and_enough_of_them_everything() -> None:
+def test_more_dimensions_fit_better_and_all_of_them_exactly() -> None:
     matrix = np.random.default_rng(5).random((6, 6))
     losses = [
         analysis.log_loss(matrix, analysis.multi_elo(matrix, k=k).predict()) for k in range(4)

@@ -1,4 +1,4 @@
-"""Payoffs from arrays and files; what is wrong with a file is said with its name and line."""
+"""Payoffs from arrays and files; errors name file and line."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def test_csv_files_of_runs_and_episodes(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "expected a table of capture rates, got no line of it"),
+        ("", "expected a table of capture rates, got no lines"),
         ("a,b\n", "expected lines of capture rates, got a header only"),
         ("0,1\n0\n", "line 2: expected 2 cells as in the lines before, got 1"),
         ("0,1\n\n0,x\n", "line 3: expected a capture rate, got 'x'"),

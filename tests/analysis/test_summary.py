@@ -43,7 +43,7 @@ WON, LOST, OPEN, HALF_WON = (0.98, 0.99), (0.04, 0.0), (0.7, 0.3), (0.99, 0.5)
         ([WON] * 3 + [LOST] * 4, (Disengagement("pursuers", 1, 3), Disengagement("evaders", 4, 7))),
     ],
 )
-def test_disengagement_takes_both_half_steps_three_generations_in_a_row(
+def test_disengagement_takes_both_team_phases_three_generations_in_a_row(
     rates: list[tuple[float, float]], expected: tuple[Disengagement, ...]
 ) -> None:
     assert analysis.disengagements(rates) == expected
@@ -56,10 +56,10 @@ def test_disengagement_before_the_first_generation_and_with_another_first() -> N
     assert analysis.disengagements([OPEN] * 3, high=0.2, low=0.1)[0].winner == "pursuers"
 
 
-def test_a_disengagement_says_who_needs_more_epochs() -> None:
+def test_a_disengagement_names_the_team_that_needs_more_epochs() -> None:
     stretch = Disengagement("pursuers", 4, 9)
     assert stretch.loser == "evaders"
-    assert str(stretch).startswith("generations 4 to 9: the pursuers win nearly everything")
+    assert str(stretch).startswith("generations 4 to 9: the pursuers win nearly all matches")
     assert str(stretch).endswith("give the evaders more epochs")
     assert Disengagement("evaders", 1, 3).loser == "pursuers"
 
@@ -101,8 +101,8 @@ def test_variance_of_fitness_within_each_generation() -> None:
     )
 
 
-def test_opponents_beaten_by_all_or_by_none_decide_nothing() -> None:
-    # Opponent 0 is beaten by both, 1 and 4 by nobody (a draw is not a win), 2 and 3 by one.
+def test_opponents_beaten_by_all_or_by_none_are_undecided() -> None:
+    # Opponent 0 is beaten by both, 1 and 4 by none (a draw is not a win), 2 and 3 by one.
     outcomes = [[0.9, 0.1, 0.8, 0.2, 0.5], [0.7, 0.0, 0.3, 1.0, 0.5]]
     found = analysis.undecided_opponents(outcomes)
     assert found.beaten_by_all.tolist() == [0.2]
@@ -161,15 +161,15 @@ def test_steadily_stronger_teams_look_like_progress() -> None:
     ("matrix", "reason"),
     [
         (circular(11), "a verdict needs at least 12 generations and there are 11"),
-        (logistic(31)[::-1, ::-1], "it does not follow time"),
+        (logistic(31)[::-1, ::-1], "not in the order of time"),
         (np.tri(31, k=-1), "this race lies between"),
-        (staircase(31), "one team won nearly everything"),
+        (staircase(31), "one team won nearly all matches"),
         (0.5 + 0.01 * circular(31), "this race lies between"),
-        (np.full((31, 31), 0.99), "one team won nearly everything"),
+        (np.full((31, 31), 0.99), "one team won nearly all matches"),
         (np.full((31, 31), 0.5), "the capture rate never changes"),
     ],
 )
-def test_no_verdict_without_its_evidence(matrix: np.ndarray, reason: str) -> None:
+def test_no_verdict_without_all_of_its_evidence(matrix: np.ndarray, reason: str) -> None:
     summary = analysis.summarize(matrix)
     assert summary.verdict == "undecided"
     assert reason in summary.reason
@@ -203,7 +203,7 @@ def test_the_description_warns_of_disengagement() -> None:
     assert "Warning: disengagement in generations 20 to 30: the pursuers win" in text
 
 
-def test_a_short_race_has_the_lags_it_has() -> None:
+def test_a_short_race_has_fewer_lags() -> None:
     summary = analysis.summarize(logistic(4))
     assert summary.lags == (-1, 0, 1)
     assert summary.lag_cells == (3, 4, 3)
@@ -222,7 +222,7 @@ def test_one_generation_is_not_a_race() -> None:
 
 
 @given(big_payoffs)
-def test_every_summary_is_json_and_has_words(matrix: np.ndarray) -> None:
+def test_every_summary_has_json_and_text(matrix: np.ndarray) -> None:
     summary = analysis.summarize(matrix)
     plain = summary.to_dict()
     assert json.loads(json.dumps(plain, allow_nan=False)) == plain

@@ -1,4 +1,4 @@
-"""The examples of the page on analysis print what the page shows, and its names exist."""
+"""The examples of docs/analysis.md print what the page shows, and its names exist."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def test_example(number: int, tmp_path: Path) -> None:
     command = [sys.executable, "-W", "error", "-c", code]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    # Another SciPy may resample otherwise: words are the same, numbers nearly.
+    # Another SciPy may resample differently: text stays, numbers change a little.
     assert re.sub(NUMBER, "#", done.stdout) == re.sub(NUMBER, "#", shown)
     printed, expected = ([*map(float, re.findall(NUMBER, t))] for t in (done.stdout, shown))
     assert printed == pytest.approx(expected, abs=0.01)

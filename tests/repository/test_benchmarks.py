@@ -1,4 +1,4 @@
-"""The benchmarks run, and assert their answers; how fast is not looked at."""
+"""The benchmarks run and check their results; times are not tested."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ FEW = {
     "bench_scaling": [*SHORT, "--largest", "100", "--out", "scaling.png"],
     "bench_evolve": ["--generations", "1", "--epochs", "2"],
 }
-"""By script, what makes its work small."""
+"""Options of each script for a short run."""
 
 
 def load(name: str, monkeypatch: pytest.MonkeyPatch) -> ModuleType:

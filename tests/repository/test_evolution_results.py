@@ -1,4 +1,4 @@
-"""The scripts in evolution/ that measure over many runs: what they count, compare and write."""
+"""Scripts in evolution/ that measure over many runs: their counts, comparisons and files."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def total(rows: list[dict[str, str]], **wanted: str) -> int:
     return sum(int(row["count"]) for row in rows if wanted.items() <= row.items())
 
 
-def test_diagnosis_on_toys_tells_and_writes_how_often_it_is_right(tmp_path: Path) -> None:
+def test_diagnosis_on_toys_prints_and_writes_hit_rates(tmp_path: Path) -> None:
     told = run_quickly("diagnosis_on_toys", tmp_path, "--seeds", "1")
     results = tmp_path / "diagnosis"
     assert {path.name for path in results.iterdir()} == {"hit_rates.md", "hit_rates.csv"}
@@ -38,7 +38,7 @@ def test_diagnosis_on_toys_tells_and_writes_how_often_it_is_right(tmp_path: Path
     assert right > 0.8 * judged > 20
 
 
-def test_the_committed_hit_rates_are_those_of_the_committed_counts() -> None:
+def test_committed_hit_rates_agree_with_committed_counts() -> None:
     results = SCRIPTS / "results" / "diagnosis"
     text = (results / "hit_rates.md").read_text(encoding="utf-8")
     counts = counted(results)
@@ -58,7 +58,7 @@ def test_hall_of_fame_compares_two_kinds_of_race(tmp_path: Path) -> None:
         kind: open_run(tmp_path / "runs/hall_of_fame" / kind / "0").files.log()["matches"][-1]
         for kind in ("latest-only", "hall-of-fame")
     }
-    # In the first generation there is one champion to meet, where later there are two.
+    # The hall holds one champion in the first generation and more later.
     assert matches["latest-only"] - matches["hall-of-fame"] == 2 * 3 * 8
     assert run_quickly("hall_of_fame", tmp_path) == printed
 
@@ -74,7 +74,7 @@ def test_archives_are_compared_at_one_budget(tmp_path: Path) -> None:
     assert printed.count("\n| latest |") == printed.count("\n| maxsolve |") == 1
 
 
-def test_claims_are_told_with_intervals_and_their_numbers_kept(tmp_path: Path) -> None:
+def test_paper_claims_prints_intervals_and_writes_numbers(tmp_path: Path) -> None:
     printed = run_quickly("paper_claims", tmp_path)
     table = (tmp_path / "paper_claims/claims.md").read_text()
     assert table in printed
@@ -91,7 +91,7 @@ def test_claims_are_told_with_intervals_and_their_numbers_kept(tmp_path: Path) -
 NUMBER = r"-?\d+\.\d+"
 
 
-def test_the_committed_claims_follow_from_the_committed_numbers(
+def test_committed_claims_follow_from_committed_numbers(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.syspath_prepend(SCRIPTS)
@@ -99,7 +99,7 @@ def test_the_committed_claims_follow_from_the_committed_numbers(
     with np.load(results / "numbers.npz") as numbers:
         told = importlib.import_module("paper_claims").tables(numbers)
     committed = (results / "claims.md").read_text(encoding="utf-8").strip()
-    # Another SciPy may resample otherwise: words and verdicts are the same, numbers nearly.
+    # Another SciPy may resample differently: text and verdicts stay, numbers change a little.
     assert re.sub(NUMBER, "#", told) == re.sub(NUMBER, "#", committed)
     values, expected = ([*map(float, re.findall(NUMBER, text))] for text in (told, committed))
     assert values == pytest.approx(expected, rel=0.05, abs=0.01)

@@ -1,4 +1,4 @@
-"""The scripts in evolution/ run, and say what is so."""
+"""The scripts in evolution/ run, and their numbers are correct."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from matrixworld import coevolution
 
 
 def quick(name: str, place: Path, *options: str) -> str:
-    """What a script that draws a figure of its own name prints."""
+    """Return what a script prints; it also draws a figure of its own name."""
     told = run_quickly(name, place, *options)
     assert (place / f"{name}.png").read_bytes().startswith(b"\x89PNG")
     return told
@@ -49,7 +49,7 @@ def test_an_unknown_schedule_is_refused(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-def test_generalisation_compares_at_equal_matches_and_takes_up_its_runs(tmp_path: Path) -> None:
+def test_generalisation_compares_at_equal_matches_and_reuses_its_runs(tmp_path: Path) -> None:
     told = quick("generalisation", tmp_path)
     assert {path.name for path in tmp_path.iterdir()} == {"generalisation.png", "runs"}
     table = rows(told)
@@ -73,7 +73,7 @@ def test_generalisation_compares_at_equal_matches_and_takes_up_its_runs(tmp_path
     payoff = race.payoff().capture_rate
     assert float(table[0][3]) == pytest.approx(payoff[-1].mean(), abs=0.005)
     assert float(table[2][3]) == pytest.approx(1 - payoff[:, -1].mean(), abs=0.005)
-    for k in (0, 2):  # the same again, on other episodes
+    for k in (0, 2):  # the same pairs in other episodes
         assert float(table[k][4]) == pytest.approx(float(table[k][3]), abs=0.12)
     played = race.files.summary()["training_matches"]
     assert played == sum(int(table[k][2].replace(",", "")) for k in (0, 2))
@@ -102,7 +102,7 @@ def test_the_deap_example_is_determined_by_its_seed(tmp_path: Path) -> None:
     told = quick("deap_example", tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == ["deap_example.png"]
     assert re.search(r"^4 +\t108 ", told, re.M)  # 6 + 4 x 12 players, against 2 rivals
-    assert "a best response to these evaders catches 0." in told
+    assert "a best response to these evaders captures 0." in told
     assert quick("deap_example", tmp_path) == told
     assert quick("deap_example", tmp_path, "--seed", "1") != told
 
@@ -149,14 +149,14 @@ def test_safe_coevolution_prices_collisions(tmp_path: Path) -> None:
     score, obstacle, teammate = (
         [float(row[column].split()[0]) for row in table] for column in (2, 3, 4)
     )
-    # All pursuers met all evaders: what the ones caught is what the others lost.
+    # All pursuers met all evaders: captures and escapes add up.
     assert sum(score[:2]) == pytest.approx(2 - sum(score[2:]), abs=0.03)
     for free, priced in ((0, 1), (2, 3)):
         assert obstacle[priced] + teammate[priced] < obstacle[free] + teammate[free]
 
 
 @pytest.mark.parametrize("script", ["safe_coevolution"], indirect=True)
-def test_safe_coevolution_takes_from_each_what_it_is_at_fault_for(script: ModuleType) -> None:
+def test_safe_coevolution_charges_each_team_for_its_own_faults(script: ModuleType) -> None:
     world = script.SMALL
     scores = mw.rollout(world, "random", "random", mw.Matches.of(0, 0, [1, 2]), worlds=3)
     for t, team in enumerate(coevolution.TEAMS):
@@ -171,7 +171,7 @@ def test_safe_coevolution_takes_from_each_what_it_is_at_fault_for(script: Module
 
 
 @pytest.mark.parametrize("script", ["safe_coevolution"], indirect=True)
-def test_safe_coevolution_tells_each_champion_from_the_others(script: ModuleType) -> None:
+def test_safe_coevolution_evaluates_each_champion_separately(script: ModuleType) -> None:
     network = mw.Network.for_config(script.SMALL)
     rng = np.random.default_rng(0)
     champions = {
@@ -179,7 +179,7 @@ def test_safe_coevolution_tells_each_champion_from_the_others(script: ModuleType
         for team in coevolution.TEAMS
     }
     budget = replace(script.QUICK, prices=(0.0,))
-    told = script.outcomes(champions, budget)
+    told = script.evaluate(champions, budget)
     pursuers, evaders = (mw.Population(champions[team], network) for team in coevolution.TEAMS)
     for index in range(2):
         pairs = {"pursuer": [(index, 0), (index, 1)], "evader": [(0, index), (1, index)]}

@@ -1,4 +1,4 @@
-"""Scripts of evolution/, run as a user runs them."""
+"""Run the scripts of evolution/ from the command line."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ SCRIPTS = Path(__file__).parents[2] / "evolution"
 
 
 def run_script(name: str, place: Path, *options: str) -> subprocess.CompletedProcess[str]:
-    """Run a script in a directory, warnings being errors."""
+    """Run a script in a directory; warnings are errors."""
     command = [sys.executable, "-W", "error", SCRIPTS / f"{name}.py", *options]
     return subprocess.run(command, cwd=place, capture_output=True, text=True, timeout=300)
 
 
 def run_quickly(name: str, place: Path, *options: str) -> str:
-    """What a script prints under --quick."""
+    """Return what a script prints with --quick."""
     done = run_script(name, place, "--quick", *options)
     assert done.returncode == 0, done.stderr
     return done.stdout

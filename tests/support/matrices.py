@@ -1,4 +1,4 @@
-"""Payoff matrices whose analysis is known beforehand."""
+"""Payoff matrices with known properties."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 
 
 def staircase(size: int) -> np.ndarray:
-    """Pursuers catch everyone of an earlier or the same generation and nobody else."""
+    """Return a matrix where pursuers capture evaders of the same or an earlier generation only."""
     return np.tri(size)
 
 
@@ -16,13 +16,13 @@ def additive(rows: int, columns: int, seed: int = 0) -> np.ndarray:
 
 
 def circular(size: int, period: float = 5.0) -> np.ndarray:
-    """Who wins depends on the difference of two positions on a circle and on nothing else."""
+    """Return a pure cycle: the rate depends on the difference of two positions on a circle."""
     generation = np.arange(size)
     turn = 2 * np.pi / period * (generation[:, None] - generation[None, :])
     return 0.5 + 0.45 * np.cos(turn - np.pi / 3)
 
 
 def logistic(size: int, slope: float = 0.15) -> np.ndarray:
-    """Later generations of both teams are steadily stronger."""
+    """Return a matrix where later generations of both teams are steadily stronger."""
     generation = np.arange(size)
     return 1 / (1 + np.exp(-slope * (generation[:, None] - generation[None, :])))

@@ -1,38 +1,39 @@
-"""What happened in a race: numbers from plain arrays, no world needed.
+"""Analysis of co-evolutionary races from plain arrays; no world is needed.
 
-Everything here takes a *payoff matrix* ``M`` of shape ``(n, m)``: ``M[g, h]`` is the capture rate,
-in [0, 1], of the pursuers of generation ``g`` against the evaders of generation ``h``. The evaders'
-payoff is ``1 - M``. NumPy and SciPy are the only dependencies; SciPy is imported by the functions
-that need it, because it takes longer to load than everything else.
+All functions take a *payoff matrix* M of shape (n, m): ``M[g, h]`` is the capture rate, in [0, 1],
+of the pursuers of generation g against the evaders of generation h. The payoff of the evaders is
+``1 - M``. NumPy and SciPy are the only dependencies. Functions import SciPy when they need it,
+because it takes longer to load than the rest of the package.
 
 >>> from matrixworld import analysis
 >>> print(analysis.describe(analysis.summarize(payoff)))  # doctest: +SKIP
 >>> print(analysis.analyze("payoff.csv"))  # doctest: +SKIP
 
 ==================  ================================================================================
-payoff.py           check a matrix, take its last half, swap the teams, logits
-progress.py         generalisation, forgetting; local, historical and global progress
-lags.py             lag profile, team phases and their swing
-ciao.py             CIAO: the current individual against ancestral opponents, stripes and fading
-dominance.py        dominance tournament: the generations that were significant steps up
+payoff.py           validate a matrix, take its last half, swap the teams, logits
+generalization.py   generalization, forgetting; local, historical and global progress
+lags.py             lag profile, capture rates after team phases, swing
+ciao.py             CIAO: current individuals against ancestral opponents; stripes and fading
+dominance.py        dominance tournament: generations that were significantly better than all before
 cycles.py           transitive and cyclic parts, transitive share, checkerboards
 ratings.py          Elo and multidimensional Elo
-nash.py             Nash averaging: the maximum-entropy equilibrium and averages against it
-exploitability.py   what best responses gain: within the matrix, or evolved afresh
+nash.py             Nash averaging: the maximum-entropy equilibrium and payoffs against it
+exploitability.py   gains of best responses: within the matrix, or evolved separately
 alpha_rank.py       alpha-Rank of two populations
-engagement.py       disengagement: when one team wins everything and neither has anything to learn
+engagement.py       disengagement: one team wins nearly all matches
 bootstrap.py        intervals over training runs and over episodes
-summary.py          the headline numbers of a matrix, and whether they look like cycling or progress
-wording.py          the same in sentences
-measures.py         the numbers that are compared between runs, by name
-single_run.py       everything above for one run
-analyze.py          everything for one run or several, with intervals
-evidence.py         rises, forgetting without the luck of the best; numbers behind a diagnosis
-calibration.py      what such numbers meant in toy races whose truth is known
-diagnosis.py        arms race, cycling, disengagement, forgetting, stagnation: which is it?
-advice.py           a diagnosis in words
-sources.py          what `analyze` and `diagnose` read: arrays and files
-tables.py           CSV files
+summary.py          headline numbers of a matrix, and a verdict: cycling, progress or undecided
+wording.py          a summary in sentences
+measures.py         named measures, for comparison between runs
+single_run.py       all measures of one run
+analyze.py          all measures of one run or several, with intervals
+evidence.py         rises, held-out forgetting, and the other numbers behind a diagnosis
+calibration.py      from the strength of evidence to a verdict: counts over calibration races
+findings.py         the result of a diagnosis, its wording, and advice
+diagnosis.py        arms race, cycling, disengagement, forgetting, stagnation
+sources.py          payoffs from arrays and files
+tables.py           payoffs in CSV files
+plain_values.py     results as plain values for JSON
 ==================  ================================================================================
 """
 
@@ -57,7 +58,7 @@ from matrixworld.analysis.cycles import (
     transitive_share,
     two_way_parts,
 )
-from matrixworld.analysis.diagnosis import Diagnosis, Finding, diagnose
+from matrixworld.analysis.diagnosis import diagnose
 from matrixworld.analysis.dominance import (
     Dominance,
     Ladder,
@@ -78,18 +79,8 @@ from matrixworld.analysis.exploitability import (
     exploitability,
     response_gain,
 )
-from matrixworld.analysis.lags import LagProfile, half_steps, lag_profile, lag_rise, swing
-from matrixworld.analysis.measures import MEASURES, Measure
-from matrixworld.analysis.nash import Nash, game_value, nash_averaging
-from matrixworld.analysis.payoff import (
-    check_payoff,
-    check_rates,
-    check_runs,
-    last_half,
-    logits,
-    swap_teams,
-)
-from matrixworld.analysis.progress import (
+from matrixworld.analysis.findings import Diagnosis, Finding
+from matrixworld.analysis.generalization import (
     Forgetting,
     Generalization,
     Progress,
@@ -99,6 +90,23 @@ from matrixworld.analysis.progress import (
     global_progress,
     historical_progress,
     local_progress,
+)
+from matrixworld.analysis.lags import (
+    LagProfile,
+    lag_profile,
+    lag_rise,
+    swing,
+    team_phase_rates,
+)
+from matrixworld.analysis.measures import MEASURES, Measure
+from matrixworld.analysis.nash import Nash, game_value, nash_averaging
+from matrixworld.analysis.payoff import (
+    check_payoff,
+    check_rates,
+    check_runs,
+    last_half,
+    logits,
+    swap_teams,
 )
 from matrixworld.analysis.ratings import ELO_POINTS, Elo, MultiElo, elo, log_loss, multi_elo
 from matrixworld.analysis.single_run import RunAnalysis, analyze_run
@@ -167,7 +175,6 @@ __all__ = [
     "game_value",
     "generalization",
     "global_progress",
-    "half_steps",
     "held_out_forgetting",
     "historical_progress",
     "lag_profile",
@@ -184,6 +191,7 @@ __all__ = [
     "summarize",
     "swap_teams",
     "swing",
+    "team_phase_rates",
     "transitive_share",
     "two_way_parts",
     "undecided_opponents",

@@ -1,10 +1,10 @@
-"""Everything that can be said of one run or several, with intervals."""
+"""All measures of one run or several, with intervals."""
 
 from __future__ import annotations
 
 import math
 from collections import Counter
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -18,9 +18,10 @@ from matrixworld.analysis.bootstrap import (
     bootstrap_episodes,
     bootstrap_runs,
 )
+from matrixworld.analysis.generalization import Progress, global_progress
 from matrixworld.analysis.measures import MEASURES
 from matrixworld.analysis.payoff import Rates, require
-from matrixworld.analysis.progress import Progress, global_progress
+from matrixworld.analysis.plain_values import plain_values
 from matrixworld.analysis.single_run import RunAnalysis, analyze_run
 from matrixworld.analysis.sources import Payoffs, Source, read_payoffs
 from matrixworld.analysis.wording import describe
@@ -28,32 +29,43 @@ from matrixworld.analysis.wording import describe
 _OTHER_LABELS = {
     "elo_log_loss": "log loss of Elo, nats",
     "multi_elo_log_loss": "log loss of Elo with one cycle, nats",
-    "pursuer_rungs": "dominance tournament, rungs of the pursuers",
-    "evader_rungs": "dominance tournament, rungs of the evaders",
-    "pursuer_global_gain": "global progress of the pursuers, a generation",
-    "evader_global_gain": "global progress of the evaders, a generation",
+    "pursuer_rungs": "dominant pursuer generations",
+    "evader_rungs": "dominant evader generations",
+    "pursuer_global_gain": "global progress of the pursuers per generation",
+    "evader_global_gain": "global progress of the evaders per generation",
 }
+"""Labels of numbers that are not in `MEASURES`."""
 
 
 @dataclass(frozen=True, eq=False)
 class Analysis:
-    """One run or several by every measure; `str` gives it in words, `to_json` as plain values."""
+    """All measures of one run or several; ``str`` prints them as a table.
+
+    Parameters
+    ----------
+    runs : tuple of RunAnalysis
+        Measures of each run.
+    estimates : dict of str to Estimate
+        Headline numbers: mean over runs with an interval over runs; or the numbers of a single run,
+        with an interval over its episodes if they are known.
+    bands : dict of str to Band
+        Mean curves over runs with pointwise intervals: ``pursuer_generalization``, shape (n,),
+        ``evader_generalization``, shape (m,), and ``lag_profile``, shape (n + m - 1,).
+    global_progress : Progress or None
+        Progress against opponents of other runs; None without cross tests.
+    level : float
+        Confidence level of the intervals.
+    """
 
     runs: tuple[RunAnalysis, ...]
     estimates: dict[str, Estimate]
-    """Headline numbers: mean over runs with an interval, or a single run's with one over its
-    episodes, or without."""
     bands: dict[str, Band]
-    """``pursuer_generalization`` ``(n,)``, ``evader_generalization`` ``(m,)`` and ``lag_profile``
-    ``(n + m - 1,)``: means over runs with pointwise intervals."""
     global_progress: Progress | None
-    """None without cross tests."""
     level: float
-    """Of the intervals."""
 
     def to_json(self) -> dict[str, Any]:
-        """The same as plain values that JSON can hold: arrays as lists, NaN as None."""
-        plain: dict[str, Any] = _plain(self)
+        """Return plain values that JSON can represent: arrays as lists, NaN as None."""
+        plain: dict[str, Any] = plain_values(self)
         return plain
 
     def __str__(self) -> str:
@@ -62,9 +74,9 @@ class Analysis:
             f"{len(self.runs)} run{'s' if len(self.runs) > 1 else ''}, {n} pursuer and {m} evader "
             "generations",
             self._intervals(),
-            *(f"  {_label(name):53}{_told(one)}" for name, one in self.estimates.items()),
+            *(f"  {_label(name):53}{_printed(one)}" for name, one in self.estimates.items()),
             *self._remarks(),
-            *self._steps(),
+            *self._dominant(),
             *self._verdicts(),
         ]
         return "\n".join(lines)
@@ -77,20 +89,17 @@ class Analysis:
         if first.over == "episodes":
             return (
                 f"A single run ({self.level:.0%} interval over its episodes, which says nothing "
-                "of other runs):"
+                "about other runs):"
             )
         return "A single run: no intervals."
 
     def _remarks(self) -> list[str]:
-        if not any(_is_moved(one) for one in self.estimates.values()):
+        if not any(_is_biased(one) for one in self.estimates.values()):
             return []
-        return [
-            "  * moved by the noise of the episodes; the interval, which makes up for it, is for "
-            "the number without noise"
-        ]
+        return ["  * biased by episode noise; the interval is corrected for this bias"]
 
-    def _steps(self) -> list[str]:
-        """The dominance ladder of a single run; several have their mean length above."""
+    def _dominant(self) -> list[str]:
+        # Several runs have the mean number of dominant generations among the estimates.
         ladders = self.runs[0].dominance
         if len(self.runs) > 1 or ladders is None:
             return []
@@ -100,11 +109,12 @@ class Analysis:
         ]
 
     def _verdicts(self) -> list[str]:
+        # A description in sentences fits a single run; several are counted by verdict.
         if len(self.runs) == 1:
             return [describe(self.runs[0].summary)]
         counts = Counter(run.summary.verdict for run in self.runs)
-        told = ", ".join(f"{count} {verdict}" for verdict, count in counts.most_common())
-        return [f"What the runs look like: {told}."]
+        listed = ", ".join(f"{count} {verdict}" for verdict, count in counts.most_common())
+        return [f"Verdicts on the runs: {listed}."]
 
 
 def analyze(
@@ -115,53 +125,72 @@ def analyze(
     level: float = LEVEL,
     rng: int = 0,
 ) -> Analysis:
-    """Every measure of the package, of one run or several.
+    """Compute all measures of one run or several, with intervals.
 
-    source : payoffs as an array ``(n, m)`` or ``(runs, n, m)``, a ``.csv`` or ``.npz`` file, or a
-        list of such files, one a run; see `read_payoffs`. At least 2 x 2 generations.
-    episodes : the last dimension of the array holds the episodes of each cell.
-    cross : cross tests ``(runs, runs, n, m)`` between the runs, as `global_progress` takes them.
-    level : of the intervals, in (0, 1).
-    rng : seed of the bootstrap. The same seed gives the same intervals.
+    Parameters
+    ----------
+    source : array_like, path or list of paths
+        Payoffs as an array of shape (n, m) or (runs, n, m), a ``.csv`` or ``.npz`` file, or a list
+        of such files, one for each run; see `read_payoffs`. At least 2 x 2 generations.
+    episodes : bool, optional
+        Whether the last dimension of the array holds the episodes of each cell.
+    cross : array_like of float, shape (runs, runs, n, m), optional
+        Cross tests between the runs, as for `global_progress`.
+    level : float, optional
+        Confidence level of the intervals, in (0, 1).
+    rng : int, optional
+        Seed of the bootstrap. The same seed gives the same intervals.
 
-    Several runs get intervals over runs. A single one gets intervals over episodes if they are
-    known, else none; its estimates say which.
+    Returns
+    -------
+    Analysis
+        Several runs have intervals over runs. A single run has intervals over episodes if they are
+        known, else none; its estimates say which.
 
-    Raises ValueError, saying what was expected and what came, for other shapes, files or values;
-    TypeError for arrays of other than numbers; FileNotFoundError.
+    Raises
+    ------
+    ValueError
+        If a shape, file or value is not as described.
+    TypeError
+        If an array does not hold numbers.
+    FileNotFoundError
+        If a file does not exist.
     """
     require(0.0 < level < 1.0, "a level in (0, 1)", level)
     payoffs = read_payoffs(source, episodes=episodes)
     runs = tuple(analyze_run(matrix, scores) for matrix, scores in payoffs)
-    strangers = None if cross is None else _global(cross, payoffs.matrices.shape)
-    estimates = _estimates(runs, strangers, level, rng)
+    globally = None if cross is None else _global(cross, payoffs.matrices.shape)
+    estimates = _estimates(runs, globally, level, rng)
+    # Intervals over runs are the better ones; episodes serve only where there is a single run.
     if payoffs.scores is not None and len(runs) == 1:
         estimates |= _over_episodes(payoffs, level, rng)
-    return Analysis(runs, estimates, _bands(runs, level, rng), strangers, level)
+    return Analysis(runs, estimates, _bands(runs, level, rng), globally, level)
 
 
 def _global(cross: ArrayLike, shape: tuple[int, ...]) -> Progress:
+    # Cross tests have to be between the runs that are analysed.
     expected = (shape[0], *shape)
     require(np.shape(cross) == expected, f"cross tests of shape {expected}", np.shape(cross))
     return global_progress(cross)
 
 
 def _estimates(
-    runs: tuple[RunAnalysis, ...], strangers: Progress | None, level: float, rng: int
+    runs: tuple[RunAnalysis, ...], globally: Progress | None, level: float, rng: int
 ) -> dict[str, Estimate]:
     values = {name: [run.numbers[name] for run in runs] for name in runs[0].numbers}
     ladders = [run.dominance for run in runs if run.dominance is not None]
     if ladders:
         values["pursuer_rungs"] = [len(ladder.pursuers) for ladder in ladders]
         values["evader_rungs"] = [len(ladder.evaders) for ladder in ladders]
-    if strangers is not None:
-        values["pursuer_global_gain"] = strangers.pursuers.gains.mean(axis=1).tolist()
-        values["evader_global_gain"] = strangers.evaders.gains.mean(axis=1).tolist()
+    if globally is not None:
+        values["pursuer_global_gain"] = globally.pursuers.gains.mean(axis=1).tolist()
+        values["evader_global_gain"] = globally.evaders.gains.mean(axis=1).tolist()
+    # Every number takes the same seed, so adding a measure does not change the other intervals.
     return {name: _estimate(of_runs, level, rng) for name, of_runs in values.items()}
 
 
 def _estimate(values: list[float], level: float, rng: int) -> Estimate:
-    """Over the runs for which the measure is defined."""
+    """Return the estimate over the runs for which the measure is defined."""
     known = [value for value in values if math.isfinite(value)]
     if not known:
         return Estimate(math.nan, None, None, "nothing", 0, "not defined for any run")
@@ -170,6 +199,7 @@ def _estimate(values: list[float], level: float, rng: int) -> Estimate:
 
 def _over_episodes(payoffs: Payoffs, level: float, rng: int) -> dict[str, Estimate]:
     scores = payoffs.scores
+    # A single episode shows no variation.
     if scores is None or scores.shape[3] < 2:
         return {}
     return {
@@ -193,26 +223,12 @@ def _label(name: str) -> str:
     return MEASURES[name].label if name in MEASURES else _OTHER_LABELS[name]
 
 
-def _told(estimate: Estimate) -> str:
+def _printed(estimate: Estimate) -> str:
     if math.isnan(estimate.value):
         return "not defined"
-    return f"{estimate} *" if _is_moved(estimate) else str(estimate)
+    return f"{estimate} *" if _is_biased(estimate) else str(estimate)
 
 
-def _is_moved(estimate: Estimate) -> bool:
+def _is_biased(estimate: Estimate) -> bool:
+    # The only note of an interval over episodes: the value lies outside it.
     return estimate.over == "episodes" and bool(estimate.note)
-
-
-def _plain(value: Any) -> Any:
-    """Lists, dictionaries, numbers, strings and None all the way down."""
-    if is_dataclass(value):
-        return {item.name: _plain(getattr(value, item.name)) for item in fields(value)}
-    if hasattr(value, "_asdict"):
-        return _plain(value._asdict())
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, np.ndarray):
-        return _plain(value.tolist())
-    if isinstance(value, (list, tuple)):
-        return [_plain(item) for item in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,4 +1,4 @@
-"""How sure a number is: bootstrap intervals over training runs, and over episodes."""
+"""Bootstrap intervals over training runs and over episodes."""
 
 from __future__ import annotations
 
@@ -14,26 +14,39 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld.analysis.payoff import Rates, check_rates, require
 
 LEVEL = 0.95
-"""Default share of intervals that should hold the true value."""
+"""Default confidence level: share of intervals that should contain the true value."""
 RESAMPLES = 2000
+"""Default number of resamples; more change the ends of 95 % intervals little."""
 FEW_RUNS = 5
-"""With fewer runs an interval is said to be too narrow: resamples repeat the same few runs."""
+"""With fewer runs an interval is too narrow: resamples repeat the same few runs."""
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number, and an interval if there is anything to take one from."""
+    """A number with its interval, if there is one.
+
+    Parameters
+    ----------
+    value : float
+        The number; NaN if it is not defined.
+    low : float or None
+        Lower end of the interval; None without an interval.
+    high : float or None
+        Upper end of the interval; None without an interval.
+    over : str
+        What was resampled: ``"runs"``, ``"episodes"`` or ``"nothing"``.
+    samples : int
+        Number of runs, or number of episodes of each cell.
+    note : str, optional
+        Why there is no interval, or why it is not reliable.
+    """
 
     value: float
     low: float | None
-    """Lower end; None without an interval."""
     high: float | None
     over: str
-    """What was resampled: ``"runs"``, ``"episodes"`` or ``"nothing"``."""
     samples: int
-    """Number of runs, or of episodes a cell."""
     note: str = ""
-    """Why there is no interval, or why not to trust it."""
 
     def __str__(self) -> str:
         if self.low is None or self.high is None:
@@ -43,12 +56,20 @@ class Estimate:
 
 @dataclass(frozen=True, eq=False)
 class Band:
-    """A curve, and its pointwise interval over runs if there are several."""
+    """A mean curve with its pointwise interval over runs.
+
+    Parameters
+    ----------
+    mean : ndarray of float64, shape (k,)
+        Mean over runs.
+    low : ndarray of float64, shape (k,), or None
+        Lower ends; None for a single run.
+    high : ndarray of float64, shape (k,), or None
+        Upper ends; None for a single run.
+    """
 
     mean: Rates
-    """Shape ``(k,)``."""
     low: Rates | None
-    """Shape ``(k,)``, or None for a single run."""
     high: Rates | None
 
 
@@ -59,24 +80,46 @@ def bootstrap_runs(
     resamples: int = RESAMPLES,
     rng: np.random.Generator | int = 0,
 ) -> Estimate:
-    """Mean over training runs with a BCa interval (Efron, 1987), by `scipy.stats.bootstrap`.
+    """Return the mean over training runs with a bootstrap interval.
 
-    ``values``, shape ``(runs,)``, finite: one number of each independent run. A run is what varies
-    when a method is tried again; episodes or generations of one run are no substitute. A single run
-    gets no interval, and its note says so. Where BCa is not defined (runs that agree but for one,
-    say) the percentile interval is taken.
+    Parameters
+    ----------
+    values : array_like of float, shape (runs,)
+        One finite number for each independent run. Episodes or generations of one run do not
+        replace runs, because a method that is tried again gives another run.
+    level : float, optional
+        Confidence level, in (0, 1).
+    resamples : int, optional
+        Number of resamples, at least 1.
+    rng : numpy.random.Generator or int, optional
+        Generator or seed.
 
-    Raises ValueError for another shape, values that are not finite, a level outside (0, 1).
+    Returns
+    -------
+    Estimate
+        The mean with a BCa interval, or with the percentile interval where BCa is not defined (for
+        example if all runs but one agree). A single run has no interval.
+
+    Raises
+    ------
+    ValueError
+        If the shape is another one, values are not finite, or the level is outside (0, 1).
+
+    References
+    ----------
+    Efron (1987), "Better bootstrap confidence intervals"; computed by `scipy.stats.bootstrap`.
     """
     array = _check_values(values, "values of runs")
     _check_settings(level, resamples)
+    # A single run says nothing about the variation between runs.
     mean, runs = float(array.mean()), len(array)
     if runs == 1:
         return Estimate(mean, None, None, "nothing", 1, "a single run has no interval over runs")
     note = f"{runs} runs only: the interval is too narrow" if runs < FEW_RUNS else ""
-    if np.ptp(array) == 0.0:
+    if np.ptp(array) == 0.0:  # equal values: both methods are undefined
         return Estimate(mean, mean, mean, "runs", runs, note)
     low, high = _interval((array,), _mean, "BCa", level, resamples, rng)
+    # SciPy returns NaN where BCa is not defined.
     if math.isnan(low) or math.isnan(high):
         low, high = _interval((array,), _mean, "percentile", level, resamples, rng)
     return Estimate(mean, low, high, "runs", runs, note)
@@ -89,10 +132,28 @@ def bootstrap_band(
     resamples: int = RESAMPLES,
     rng: np.random.Generator | int = 0,
 ) -> Band:
-    """Mean curve over training runs with percentile intervals, each point by itself.
+    """Return the mean curve over training runs with pointwise percentile intervals.
 
-    ``curves``, shape ``(runs, k)``, finite. Runs are drawn whole. Raises ValueError for another
-    shape, values that are not finite, a level outside (0, 1).
+    Parameters
+    ----------
+    curves : array_like of float, shape (runs, k)
+        One finite curve for each run. Runs are resampled as a whole.
+    level : float, optional
+        Confidence level, in (0, 1).
+    resamples : int, optional
+        Number of resamples, at least 1.
+    rng : numpy.random.Generator or int, optional
+        Generator or seed.
+
+    Returns
+    -------
+    Band
+        The mean curve, and its interval if there are several runs.
+
+    Raises
+    ------
+    ValueError
+        If the shape is another one, values are not finite, or the level is outside (0, 1).
     """
     array = np.asarray(curves, dtype=np.float64)
     require(array.ndim == 2 and array.size > 0, "curves of shape (runs, k)", array.shape)
@@ -101,6 +162,7 @@ def bootstrap_band(
     runs = len(array)
     if runs == 1:
         return Band(array[0], None, None)
+    # How often each run is drawn, times the curves: one product instead of a copy of all resamples.
     chosen = np.random.default_rng(rng).integers(runs, size=(resamples, runs))
     weights = np.apply_along_axis(np.bincount, 1, chosen, minlength=runs) / runs
     means = weights @ array
@@ -116,10 +178,30 @@ def bootstrap_difference(
     resamples: int = RESAMPLES,
     rng: np.random.Generator | int = 0,
 ) -> Estimate:
-    """Mean of ``one`` less mean of ``other`` with a percentile interval over their episodes.
+    """Return the difference of two means with a percentile interval over episodes.
 
-    Both of shape ``(episodes,)``, finite, drawn independently. Raises ValueError for another shape
-    or fewer than two episodes in either.
+    Parameters
+    ----------
+    one : array_like of float, shape (episodes,)
+        Finite values of independent episodes, at least two.
+    other : array_like of float, shape (other_episodes,)
+        Finite values of other independent episodes, at least two.
+    level : float, optional
+        Confidence level, in (0, 1).
+    resamples : int, optional
+        Number of resamples, at least 1.
+    rng : numpy.random.Generator or int, optional
+        Generator or seed.
+
+    Returns
+    -------
+    Estimate
+        Mean of `one` minus mean of `other`.
+
+    Raises
+    ------
+    ValueError
+        If the shape is another one, or there are fewer than two episodes in either.
     """
     first, second = _check_values(one, "episodes"), _check_values(other, "episodes")
     _check_settings(level, resamples)
@@ -128,6 +210,7 @@ def bootstrap_difference(
     difference = float(first.mean() - second.mean())
     if np.ptp(first) == np.ptp(second) == 0.0:
         return Estimate(difference, difference, difference, "episodes", fewest)
+    # Percentile: means of many episodes are hardly skewed, so BCa has little to correct.
     low, high = _interval((first, second), _mean_difference, "percentile", level, resamples, rng)
     return Estimate(difference, low, high, "episodes", fewest)
 
@@ -141,19 +224,46 @@ def bootstrap_episodes(
     bounds: tuple[float, float] = (-math.inf, math.inf),
     rng: np.random.Generator | int = 0,
 ) -> Estimate:
-    """A measure of the payoff matrix with a basic interval over the episodes of each cell.
+    """Return a measure of the payoff matrix with a basic interval over the episodes of each cell.
 
-    ``scores``, shape ``(n, m, episodes)``: capture rates in [0, 1], at least two episodes a cell.
-    ``measure`` takes a matrix ``(n, m)`` and returns a number. Each cell's episodes are drawn anew,
-    with replacement, apart from the other cells'. The interval says how much *this* run's number
-    owes to the luck of its episodes, and nothing about other runs.
+    The interval tells how well *this* run was measured, and nothing about other runs.
 
-    Basic interval (Davison and Hinkley, 1997): resampling adds the noise of the episodes a second
-    time, which lowers a transitive share, and the ends are mirrored at the estimate so that they
-    make up for it; a number that noise moves far lies outside its own interval then, and its note
-    says so. Ends are cut to ``bounds``, the range of the measure.
+    Parameters
+    ----------
+    scores : array_like of float, shape (n, m, episodes)
+        Capture rates of episodes, in [0, 1]; at least two episodes of each cell.
+    measure : callable
+        Takes a matrix (n, m) and returns a number.
+    level : float, optional
+        Confidence level, in (0, 1).
+    resamples : int, optional
+        Number of resamples, at least 1.
+    bounds : tuple of float, optional
+        Range of the measure; the interval is clipped to it.
+    rng : numpy.random.Generator or int, optional
+        Generator or seed.
 
-    Raises ValueError for another shape, fewer than two episodes, scores outside [0, 1].
+    Returns
+    -------
+    Estimate
+        The measure of the mean matrix. Its note says if it lies outside its own interval.
+
+    Raises
+    ------
+    ValueError
+        If the shape is another one, there are fewer than two episodes, or scores are outside
+        [0, 1].
+
+    Notes
+    -----
+    The episodes of each cell are resampled independently of other cells. Resampling adds the noise
+    of the episodes a second time, which lowers a transitive share, for example. The basic interval
+    reflects the quantiles at the estimate and so corrects this bias. A number with a large bias
+    lies outside its own interval.
+
+    References
+    ----------
+    Davison and Hinkley (1997), "Bootstrap methods and their application".
     """
     array = check_rates(scores, ndim=3, what="scores (n, m, episodes)")
     _check_settings(level, resamples)
@@ -161,21 +271,24 @@ def bootstrap_episodes(
     require(episodes >= 2, "at least 2 episodes a cell", episodes)
     generator = np.random.default_rng(rng)
     value = float(measure(array.mean(axis=2)))
-    drawn = np.array([float(measure(_resampled(array, generator))) for _ in range(resamples)])
+    drawn = np.array([float(measure(resampled_means(array, generator))) for _ in range(resamples)])
+    # A resample may be constant, where a transitive share is not defined.
     known = drawn[np.isfinite(drawn)]
     if math.isnan(value) or not len(known):
         return Estimate(value, None, None, "nothing", episodes, "not defined for this matrix")
+    # The upper quantile gives the lower end: the interval is reflected at the value.
     ends = 2.0 * value - np.quantile(known, [(1.0 + level) / 2.0, (1.0 - level) / 2.0])
     low, high = np.clip(ends, *bounds).tolist()
-    note = "" if low <= value <= high else "noise of the episodes moves it out of its own interval"
+    note = "" if low <= value <= high else "biased by episode noise: outside its own interval"
     return Estimate(value, low, high, "episodes", episodes, note)
 
 
 def _rounded(value: float) -> str:
-    return f"{round(value, 3) + 0.0:.3f}"  # no minus before a zero
+    return f"{round(value, 3) + 0.0:.3f}"  # adding 0.0 turns -0.0 into 0.0
 
 
-def _resampled(scores: Rates, generator: np.random.Generator) -> Rates:
+def resampled_means(scores: Rates, generator: np.random.Generator) -> Rates:
+    """Return the mean of each cell over as many of its episodes, drawn with replacement."""
     chosen = generator.integers(scores.shape[2], size=scores.shape)
     mean: Rates = np.take_along_axis(scores, chosen, axis=2).mean(axis=2)
     return mean
@@ -192,7 +305,7 @@ def _interval(
     from scipy.stats import bootstrap
 
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # NaN says that the method is not defined here
+        warnings.simplefilter("ignore")  # NaN ends already say that the method is not defined
         found = bootstrap(
             samples,
             statistic,

@@ -1,8 +1,8 @@
-"""What a strength of evidence has meant where the truth was known: counts over toy races.
+"""Calibration of the diagnosis: from the strength of evidence to a verdict and its confidence.
 
-``calibration.json`` holds how many toy races of each strength of evidence had a condition, and how
-many had not. ``evolution/diagnosis_on_toys.py --calibrate`` writes it; the races, and how the truth
-of each is known, are in `matrixworld.toys.labelled_races`.
+``calibration.json`` counts calibration races by strength of evidence: how many had a condition, and
+how many had not. The races are played in toy games, where the truth is known; see
+`matrixworld.toys.labelled_races`. ``evolution/diagnosis_on_toys.py --calibrate`` writes the file.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from matrixworld.analysis.bootstrap import Estimate
+from matrixworld.analysis.plain_values import plain_values
 
 PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"
 
@@ -27,34 +28,45 @@ STRENGTHS: Mapping[str, str] = {
     "forgetting": "most_forgetting",
     "stagnation": "greatest_rise",
 }
-"""The number, of those of `evidence.numbers_of`, that measures each condition: the more the
-likelier; of stagnation its size, and the less the likelier."""
+"""The number of `evidence.numbers_of` that decides each condition. A higher number makes the
+condition likelier; stagnation is likelier the smaller the absolute value is."""
 CONDITIONS = tuple(STRENGTHS)
+"""Names of the conditions, in the order of a diagnosis."""
 
 SURE = 0.8
-"""Share of the toy races of a strength that must have had a condition, or not, for a verdict."""
+"""Share of the calibration races of one strength that must agree for a verdict."""
 
+Numbers = dict[str, Estimate]
+"""Numbers of a run by name."""
 Interval = tuple[float, float]
 
 
 @dataclass(frozen=True)
 class Bins:
-    """Toy races by strength of evidence: bin i lies between edges i - 1 and i, the last ones open.
+    """Counts of calibration races in bins of the strength of evidence.
 
-    An edge belongs to the bin above it.
+    Parameters
+    ----------
+    edges : tuple of float
+        Bin i lies between edges i - 1 and i; the first and the last bin are open. An edge belongs
+        to the bin above it.
+    present : tuple of int
+        Races with the condition in each bin; one more than edges.
+    absent : tuple of int
+        Races without the condition in each bin.
     """
 
     edges: tuple[float, ...]
     present: tuple[int, ...]
-    """Races that had the condition; one number more than edges."""
     absent: tuple[int, ...]
-    """Races that had not."""
 
     def shares(self, interval: Interval) -> Interval:
-        """Least and greatest share of races with the condition in the bins of an interval.
+        """Return the least and greatest share of races with the condition over the bins.
 
-        ``(present + 1) / (present + absent + 2)``, Laplace's rule: 1/2 where there were no races.
+        The bins are those that the interval touches. The share is Laplace's rule of succession,
+        ``(present + 1) / (present + absent + 2)``: 1/2 in a bin without races.
         """
+        # All bins between the ends of the interval: the truth may lie in any of them.
         first, last = np.searchsorted(self.edges, interval, side="right")
         shares = [
             (yes + 1) / (yes + no + 2)
@@ -65,10 +77,12 @@ class Bins:
         return min(shares), max(shares)
 
     def judge(self, interval: Interval) -> tuple[str, float]:
-        """Verdict and confidence: what races in *all* bins of the interval had in common.
+        """Return verdict and confidence; the verdict must hold in *all* bins of the interval.
 
-        The confidence is the least share of races for which the verdict is true; 0 without one.
+        The confidence is the least share of races for which the verdict is true; 0 if there is no
+        verdict.
         """
+        # The worst bin decides, for either verdict.
         low, high = self.shares(interval)
         if low >= SURE:
             return PRESENT, low
@@ -79,30 +93,35 @@ class Bins:
 
 @dataclass(frozen=True)
 class Calibration:
-    """Bins of each condition, for matrices whose episodes are known and for those of means only."""
+    """Bins of each condition.
+
+    Parameters
+    ----------
+    source : str
+        The races that were counted.
+    slack : mapping of str to float
+        By condition, half the width of an interval over episodes: the 90th percentile of the
+        calibration races. It serves matrices whose episodes are not known.
+    episodes : mapping of str to Bins
+        By condition, bins for matrices whose episodes are known.
+    means : mapping of str to Bins
+        By condition, bins for matrices of means only.
+    """
 
     source: str
+    slack: Mapping[str, float]
     episodes: Mapping[str, Bins]
     means: Mapping[str, Bins]
-    slack: Mapping[str, float]
-    """Half an interval over episodes, which nine of ten toy races stay below; taken for that of
-    matrices whose episodes are not known."""
 
     def to_json(self) -> dict[str, Any]:
-        """Plain values, as in ``calibration.json``."""
-        return {
-            "source": self.source,
-            "slack": dict(self.slack),
-            **{
-                table: {name: vars(bins) for name, bins in getattr(self, table).items()}
-                for table in ("episodes", "means")
-            },
-        }
+        """Return plain values, as in ``calibration.json``."""
+        plain: dict[str, Any] = plain_values(self)
+        return plain
 
 
 @cache
 def calibration() -> Calibration:
-    """The one that `diagnose` goes by, read from ``calibration.json``."""
+    """Return the calibration that `diagnose` uses, read from ``calibration.json``."""
     text = files("matrixworld.analysis").joinpath("calibration.json").read_text(encoding="utf-8")
     values = json.loads(text)
     episodes, means = (
@@ -112,11 +131,12 @@ def calibration() -> Calibration:
         }
         for table in ("episodes", "means")
     )
-    return Calibration(values["source"], episodes, means, values["slack"])
+    return Calibration(values["source"], values["slack"], episodes, means)
 
 
 def tally(edges: tuple[float, ...], races: Iterable[tuple[float, bool]]) -> Bins:
-    """Count races, each a strength and whether it had the condition."""
+    """Count races, each given by its strength and whether it had the condition."""
+    # Row 0: races with the condition, row 1: races without.
     counts = np.zeros((2, len(edges) + 1), dtype=np.int64)
     for strength, had_it in races:
         counts[int(not had_it), np.searchsorted(edges, strength, side="right")] += 1
@@ -124,17 +144,19 @@ def tally(edges: tuple[float, ...], races: Iterable[tuple[float, bool]]) -> Bins
 
 
 def strength(condition: str, numbers: Mapping[str, Estimate]) -> float:
-    """The strength of the evidence for a condition."""
+    """Return the strength of the evidence for a condition."""
     value = numbers[STRENGTHS[condition]].value
     return abs(value) if condition == "stagnation" else value
 
 
-def strengths(condition: str, numbers: Mapping[str, Estimate], slack: float) -> Interval:
-    """The interval that it lies in: over runs or episodes, else as wide as `slack` either way."""
+def strength_interval(condition: str, numbers: Mapping[str, Estimate], slack: float) -> Interval:
+    """Return the interval of the strength: over runs or episodes, else the value +- `slack`."""
     one = numbers[STRENGTHS[condition]]
+    # A basic interval may miss its own value; the interval is widened to contain it.
     low = one.value - slack if one.low is None else min(one.low, one.value)
     high = one.value + slack if one.high is None else max(one.high, one.value)
     if condition != "stagnation":
         return low, high
+    # Stagnation goes by the absolute value, which is 0 somewhere if the interval contains 0.
     sizes = abs(low), abs(high)
     return (0.0 if low <= 0.0 <= high else min(sizes)), max(sizes)

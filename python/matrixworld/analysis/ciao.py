@@ -1,4 +1,4 @@
-"""CIAO: each generation's current individual against its ancestral opponents, as numbers."""
+"""CIAO: current individuals against ancestral opponents, as numbers."""
 
 from __future__ import annotations
 
@@ -10,58 +10,98 @@ from numpy.typing import ArrayLike
 
 from matrixworld.analysis.payoff import Rates, check_payoff, swap_teams
 
+# Fewest pairs of cells for a correlation; with fewer it is dominated by chance.
 _FEWEST_PAIRS = 6
-"""Cells that a correlation takes; with fewer it is anything."""
 
 
 @dataclass(frozen=True, eq=False)
 class Triangle:
-    """One team's half of a CIAO plot, from its own point of view: higher is better."""
+    """One team's half of a CIAO plot, measured by its own payoff: higher is better.
+
+    Parameters
+    ----------
+    payoff : ndarray of float64, shape (n, m)
+        Payoff of generation g of the team against opponents of generation ``h <= g``, in [0, 1];
+        NaN where opponents are newer than the team.
+    by_age : ndarray of float64, shape (n,)
+        Mean payoff by age ``g - h`` of the opponent; age 0 is the current one. NaN where no
+        opponent has that age.
+    fading : float
+        Mean over generations of the payoff against the newer half of the ancestral opponents minus
+        the payoff against the older half, in [-1, 1]. Positive: old opponents are forgotten.
+        Negative: new opponents are harder. NaN with fewer than two generations of opponents.
+    stripes : float
+        Regularity with which wins and losses come back with the age of the opponent: the first peak
+        of the autocorrelation along the rows after it has been negative, in [0, 1]; 0 without such
+        a peak. Noise alone gives up to about .2 on 30 generations.
+    period : int or None
+        Generations between stripes: the lag of that peak; None without one.
+    """
 
     payoff: Rates
-    """Shape ``(n, m)``: generation g of the team against opponents of generation h <= g, in [0, 1];
-    NaN elsewhere, where opponents are not its ancestors' contemporaries."""
     by_age: Rates
-    """Shape ``(n,)``: mean payoff by age ``g - h`` of the opponent, 0 the current one; NaN where
-    there are none."""
     fading: float
-    """Mean over generations of the payoff against the newer half of their ancestral opponents less
-    that against the older half, in [-1, 1]. Above 0: old opponents are forgotten, below 0: new ones
-    are harder. NaN with fewer than two generations of opponents."""
     stripes: float
-    """How regularly wins and losses come back with the age of the opponent: the first peak of the
-    autocorrelation along the rows after it has been negative, in [0, 1]; 0 without such a peak.
-    Noise alone gives up to about .2 on 30 generations."""
     period: int | None
-    """Generations from stripe to stripe, where that peak lies; None without one."""
 
 
 class Ciao(NamedTuple):
-    """The two triangles."""
+    """The CIAO triangles of both teams.
+
+    Parameters
+    ----------
+    pursuers : Triangle
+        Payoff ``M[g, h]`` for ``h <= g``, in an array of shape (n, m).
+    evaders : Triangle
+        Payoff ``1 - M[g, h]`` for ``g <= h``, in an array of shape (m, n), evaders in rows.
+    """
 
     pursuers: Triangle
-    """Payoff ``M[g, h]``, h <= g; its array has the shape ``(n, m)``."""
     evaders: Triangle
-    """Payoff ``1 - M[g, h]``, g <= h; its array has the shape ``(m, n)``, evaders first."""
 
 
 def ciao(payoff: ArrayLike) -> Ciao:
-    """Current individual against ancestral opponents (Cliff and Miller, 1995).
+    """Compare current individuals with ancestral opponents.
 
-    Both triangles hold the diagonal: the current opponent. Stripes show cycling; fading away from
-    the diagonal shows that a team forgets how to beat whom it once beat. In a race of ever better
-    teams there are neither: old opponents are the easy ones.
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+
+    Returns
+    -------
+    Ciao
+        Both triangles contain the diagonal, which is the current opponent. Stripes show cycling.
+        Fading away from the diagonal shows that a team loses to opponents that it once beat. A race
+        in which both teams keep improving shows neither, since old opponents are easy.
+
+    References
+    ----------
+    Cliff and Miller (1995), "Tracking the Red Queen: measurements of adaptive progress in
+    co-evolutionary simulations".
     """
     matrix = check_payoff(payoff)
     return Ciao(_triangle(matrix), _triangle(swap_teams(matrix)))
 
 
 def autocorrelation(payoff: ArrayLike) -> Rates:
-    """Correlation of ``M[g, h]`` with ``M[g, h - d]`` within the lower triangle, for each d.
+    """Return the correlation of ``M[g, h]`` with ``M[g, h - d]`` in the lower triangle.
 
-    Shape ``(m // 2,)``. Rows (without their mean) are pooled, whatever their phase, so stripes
-    count wherever they lie. NaN where fewer than 6 pairs are left or they do not vary. Entry 0 is 1
-    by definition.
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+
+    Returns
+    -------
+    ndarray of float64, shape (m // 2,)
+        Entry d is the correlation at lag d; entry 0 is 1 by definition. NaN where fewer than 6
+        pairs of cells are left or they do not vary.
+
+    Notes
+    -----
+    The mean of each row is subtracted, then all rows are pooled. Therefore stripes count wherever
+    they lie in a row.
     """
     return _autocorrelation(_lower(check_payoff(payoff)))
 
@@ -77,13 +117,13 @@ def _lower(matrix: Rates) -> Rates:
 
 
 def _by_age(lower: Rates) -> Rates:
-    """Ages of which all opponents lie beyond the last one have no cells."""
+    # If the team has more generations than its opponents, some diagonals may be empty.
     diagonals = [np.diagonal(lower, offset=-age) for age in range(len(lower))]
     return np.array([cells.mean() if len(cells) else np.nan for cells in diagonals])
 
 
 def _fading(lower: Rates) -> float:
-    """With an odd number of opponents the middle one is on neither side."""
+    """Return newer minus older half; the middle one of an odd number of opponents is left out."""
     differences = []
     for row in lower:
         known = row[~np.isnan(row)]
@@ -94,10 +134,11 @@ def _fading(lower: Rates) -> float:
 
 
 def _autocorrelation(lower: Rates) -> Rates:
-    # Row 0 has one cell, and a row without its mean is 0 there: it tells nothing.
     counts = np.sum(~np.isnan(lower), axis=1, keepdims=True)
     centered = lower - np.nansum(lower, axis=1, keepdims=True) / counts
+    # Lags up to half of the opponents: beyond them few pairs of cells are left.
     columns = lower.shape[1]
+    # Row 0 has one cell, which is 0 after centering and carries no information.
     found = [
         _correlation(centered[1:, lag:], centered[1:, : columns - lag])
         for lag in range(columns // 2)
@@ -106,6 +147,7 @@ def _autocorrelation(lower: Rates) -> Rates:
 
 
 def _correlation(one: Rates, other: Rates) -> float:
+    # NaN marks cells outside the triangle; a pair counts if both of its cells lie inside.
     both = ~(np.isnan(one) | np.isnan(other))
     x, y = one[both], other[both]
     if len(x) < _FEWEST_PAIRS or min(np.ptp(x), np.ptp(y)) < 1e-12:
@@ -114,7 +156,9 @@ def _correlation(one: Rates, other: Rates) -> float:
 
 
 def _first_peak(correlations: Rates) -> tuple[float, int | None]:
-    """Height and place of the first local maximum above 0 after the first value below 0."""
+    """Return height and lag of the first positive local maximum after the first negative value."""
+    # Neighbouring generations are alike, so the correlation first falls from 1 whatever happens;
+    # only a rise after it has been negative shows that something comes back.
     below = np.flatnonzero(correlations < 0.0)
     start = int(below[0]) + 1 if len(below) else len(correlations)
     for lag in range(start, len(correlations) - 1):

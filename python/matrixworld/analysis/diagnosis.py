@@ -1,16 +1,13 @@
-"""What is the matter with a race? Five conditions, each with evidence, confidence and advice."""
+"""Diagnosis of a race: five conditions, each with verdict, confidence, evidence and advice."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.analysis.advice import ADVICE, HIDDEN, LONGER, REASONS, describe_finding
 from matrixworld.analysis.bootstrap import FEW_RUNS, LEVEL, Estimate, bootstrap_runs
 from matrixworld.analysis.calibration import (
     ABSENT,
@@ -19,8 +16,9 @@ from matrixworld.analysis.calibration import (
     PRESENT,
     STRENGTHS,
     SURE,
+    Numbers,
     calibration,
-    strengths,
+    strength_interval,
 )
 from matrixworld.analysis.evidence import (
     FEWEST_EPISODES,
@@ -29,139 +27,90 @@ from matrixworld.analysis.evidence import (
     one_sided_share,
     supporting,
 )
+from matrixworld.analysis.findings import ADVICE, HIDDEN, LONGER, REASONS, Diagnosis, Finding
 from matrixworld.analysis.payoff import require
 from matrixworld.analysis.sources import Payoffs, Source, read_payoffs
 from matrixworld.analysis.summary import FEWEST_GENERATIONS
 
 RESAMPLES = 100
-"""Of the episodes of a run: enough for intervals of what is put into a few wide bins."""
+"""Resamples of the episodes of a run: enough for intervals that are compared with a few wide
+bins."""
 
-Numbers = dict[str, Estimate]
 Judgement = tuple[str, float, str]
 """Verdict, confidence and reason."""
-
-
-@dataclass(frozen=True)
-class Finding:
-    """One condition."""
-
-    name: str
-    """Of `CONDITIONS`."""
-    verdict: str
-    """``"present"``, ``"absent"`` or ``"cannot tell"``."""
-    confidence: float
-    """Share, in [0, 1], of the toy races of the same strength of evidence for which the verdict was
-    true, the least over the interval; 0 for "cannot tell"."""
-    reason: str
-    """Why, as a clause to follow "because"."""
-    evidence: Mapping[str, Estimate]
-    """The numbers behind it by name, the deciding one first."""
-    by_run: tuple[str, ...]
-    """The verdict of each run by itself."""
-    advice: str
-    """What to try, in a sentence."""
-
-    def __str__(self) -> str:
-        return describe_finding(self)
-
-
-@dataclass(frozen=True)
-class Diagnosis:
-    """What was found; `str` gives it in words, `to_json` as plain values."""
-
-    runs: int
-    generations: tuple[int, int]
-    """Of the pursuers and of the evaders."""
-    findings: tuple[Finding, ...]
-    """One of each condition, in the order of `CONDITIONS`."""
-    source: str
-    """What the confidences were measured on."""
-
-    def __getitem__(self, name: str) -> Finding:
-        """The finding of that name. KeyError for another one."""
-        return {finding.name: finding for finding in self.findings}[name]
-
-    @property
-    def present(self) -> tuple[str, ...]:
-        """Names of the conditions that are present."""
-        return tuple(finding.name for finding in self.findings if finding.verdict == PRESENT)
-
-    def to_json(self) -> dict[str, Any]:
-        """The same as plain values that JSON can hold: NaN as None."""
-        findings = [
-            asdict(finding)
-            | {"evidence": {name: _plain(one) for name, one in finding.evidence.items()}}
-            for finding in self.findings
-        ]
-        return {
-            "runs": self.runs,
-            "generations": list(self.generations),
-            "source": self.source,
-            "findings": [one | {"by_run": list(one["by_run"])} for one in findings],
-        }
-
-    def __str__(self) -> str:
-        n, m = self.generations
-        runs = "A single run" if self.runs == 1 else f"{self.runs} runs"
-        return "\n".join(
-            [
-                f"{runs}, {n} pursuer and {m} evader generations: "
-                f"{', '.join(self.present) or 'nothing that can be named'}.",
-                *map(str, self.findings),
-                f"Confidences are hit rates on toy races ({self.source}).",
-            ]
-        )
 
 
 def diagnose(
     source: Source,
     *,
     episodes: bool = False,
-    half_steps: ArrayLike | None = None,
+    team_phase_rates: ArrayLike | None = None,
     level: float = LEVEL,
     rng: int = 0,
 ) -> Diagnosis:
-    """Name what happened in a race, as far as its payoffs tell.
+    """Diagnose a race from its payoffs.
 
-    - *arms race*: both teams keep getting better. In the last half, each does better against the
-      earlier generations of the other than in the current matches (`rises`); measured by the lesser
-      of the two.
-    - *cycling*: who beats whom goes round. Checkerboards above the margin of `MEASURES`, as share
-      of the possible ones in the last half.
-    - *disengagement*: one team wins everything, and neither has anything to learn from: the share
-      of the last half of the generations within stretches of `disengagements`.
-    - *forgetting*: a team loses to opponents that an ancestor of its beat: `forgetting`, mean over
-      the last half, of the team that forgets more; chosen and measured in different episodes where
-      they are known (`held_out_forgetting`).
-    - *stagnation*: matches are open, nothing goes round, and later generations do no better than
-      earlier ones: neither team rises, or falls, by much.
+    Parameters
+    ----------
+    source : array_like, path or list of paths
+        Payoffs as an array of shape (n, m) or (runs, n, m), a ``.csv`` or ``.npz`` file, or a list
+        of such files, one for each run; see `read_payoffs`.
+    episodes : bool, optional
+        Whether the last dimension of the array holds the episodes of each cell.
+    team_phase_rates : array_like of float, shape (K, 2), optional
+        Capture rates after both team phases of every generation, from a training log, if the matrix
+        holds a part of the generations only. For a single run.
+    level : float, optional
+        Confidence level of the intervals, in (0, 1).
+    rng : int, optional
+        Seed of the bootstrap. The same seed gives the same diagnosis.
 
-    Conditions may come together: a race that goes round forgets. Stagnation is not told of a race
-    that cycles, and of a disengaged race nothing else can be told.
+    Returns
+    -------
+    Diagnosis
+        A finding for each condition.
 
-    source : payoffs as `analyze` takes them: an array ``(n, m)`` or ``(runs, n, m)``, a ``.csv`` or
-        ``.npz`` file, or a list of such files, one a run.
-    episodes : the last dimension of the array holds the episodes of each cell.
-    half_steps : capture rates ``(K, 2)`` after both team phases of every generation, from a
-        training log, where the matrix has a part of the generations only; of a single run.
-    level : of the intervals.
-    rng : seed of the bootstrap. The same seed gives the same diagnosis.
+    Raises
+    ------
+    ValueError
+        If a shape, file, value or level is not as described.
+    TypeError
+        If an array does not hold numbers.
+    FileNotFoundError
+        If a file does not exist.
 
-    A verdict is what at least 80 % of the toy races had in common whose evidence was as strong
-    (`calibration`), for every strength within the interval. The interval is over runs; of a single
-    run over its episodes; and of one whose episodes are not known as wide as those of the toys.
-    With fewer than five runs it spans them all, and runs that say the opposite of each other give
-    no verdict. "cannot tell" is the answer to all else. A single run tells of itself, not of what
-    its settings would do again.
+    Notes
+    -----
+    The conditions:
 
-    Raises ValueError, saying what was expected and what came, for other shapes, files, values or
-    levels; TypeError for arrays of other than numbers; FileNotFoundError.
+    - *arms race*: both teams keep improving. In the last half each team does better against earlier
+      opponents than it did in their generation (`rises`); the smaller rise of the two decides.
+    - *cycling*: the relation "beats" contains cycles. The share of checkerboards in the last half
+      decides, with the margin of `MEASURES`.
+    - *disengagement*: one team wins nearly all matches, so neither has anything to learn from. The
+      share of the last half of the generations within `disengagements` decides.
+    - *forgetting*: a team loses to opponents that its ancestors beat. Mean forgetting in the last
+      half decides, of the team that forgets more; `held_out_forgetting` if the episodes are known,
+      else `forgetting`.
+    - *stagnation*: the race is neither disengaged nor cyclic, and later generations do no better
+      than earlier ones: neither team rises or falls much.
+
+    Several conditions may be present: a race that cycles forgets. A race that cycles does not
+    stagnate. In a disengaged race no other condition can be judged.
+
+    A verdict holds if at least 80 % of the calibration races with the same strength of evidence
+    agree on it, for every strength within the interval; see `matrixworld.analysis.calibration`. The
+    interval is over runs; for a single run over its episodes; and if these are not known, as wide
+    as that of the calibration races. With fewer than five runs it is the range of the runs. Runs
+    with opposite verdicts give no verdict. Otherwise the verdict is "cannot tell". The diagnosis of
+    a single run is about that run, not about what its settings would give again.
     """
     require(0.0 < level < 1.0, "a level in (0, 1)", level)
     payoffs = read_payoffs(source, episodes=episodes)
     runs, n, m = payoffs.matrices.shape
-    require(half_steps is None or runs == 1, "team phases of a single run", f"{runs} runs")
-    one_sided = None if half_steps is None else one_sided_share(half_steps)
+    require(team_phase_rates is None or runs == 1, "team phases of a single run", f"{runs} runs")
+    one_sided = None if team_phase_rates is None else one_sided_share(team_phase_rates)
+    # The calibration races are longer; their counts say nothing about shorter ones.
     if min(n, m) < FEWEST_GENERATIONS:
         findings = _too_short(runs, min(n, m))
     else:
@@ -170,7 +119,7 @@ def diagnose(
 
 
 class _Runs:
-    """The runs of one diagnosis, and all numbers of each."""
+    """The runs of one diagnosis, with the numbers of each."""
 
     def __init__(self, payoffs: Payoffs, one_sided: float | None, level: float, rng: int) -> None:
         generator = np.random.default_rng(rng)
@@ -183,34 +132,40 @@ class _Runs:
         self._support = [supporting(matrix, scores) for matrix, scores in payoffs]
         self._level, self._rng = level, rng
         scores = payoffs.scores
-        self._known = scores is not None and scores.shape[3] >= FEWEST_EPISODES
-        self._bins = calibration().episodes if self._known else calibration().means
+        # Numbers of mean matrices contain the episode noise, so they have bins of their own.
+        known = scores is not None and scores.shape[3] >= FEWEST_EPISODES
+        self._bins = calibration().episodes if known else calibration().means
 
     def findings(self) -> tuple[Finding, ...]:
-        """In the order of `CONDITIONS`."""
-        everyone = range(len(self._numbers))
-        alone = [self._judge("disengagement", [self._numbers[run]])[0] for run in everyone]
-        engaged = [run for run in everyone if alone[run] != PRESENT]
+        """Return a finding for each condition, in the order of `CONDITIONS`."""
+        every = range(len(self._numbers))
+        single = [self._judge("disengagement", [self._numbers[run]])[0] for run in every]
+        # A disengaged run says nothing about the other conditions.
+        engaged = [run for run in every if single[run] != PRESENT]
         found: dict[str, Finding] = {}
         for name in CONDITIONS:
-            told = list(everyone) if name == "disengagement" else engaged
-            found[name] = self._finding(name, told, found.get("cycling"))
+            judged = list(every) if name == "disengagement" else engaged
+            # Cycling comes before stagnation in CONDITIONS, so its finding is known by then.
+            found[name] = self._finding(name, judged, found.get("cycling"))
         return tuple(found[name] for name in CONDITIONS)
 
-    def _finding(self, name: str, told: Sequence[int], cycling: Finding | None) -> Finding:
-        numbers = [self._numbers[run] for run in told]
+    def _finding(self, name: str, judged: Sequence[int], cycling: Finding | None) -> Finding:
+        """Return the finding on a condition from the runs that can be judged."""
+        numbers = [self._numbers[run] for run in judged]
         by_run = [CANNOT_TELL] * len(self._numbers)
-        for run in told:
-            alone = self._judge(name, [self._numbers[run]])
+        for run in judged:
+            single = self._judge(name, [self._numbers[run]])
             if name == "stagnation" and cycling is not None:
-                alone = _unless_cycling(alone, cycling.by_run[run], cycling.confidence)
-            by_run[run] = alone[0]
-        judgement = self._judge(name, numbers) if told else (CANNOT_TELL, 0.0, HIDDEN)
+                single = _unless_cycling(single, cycling.by_run[run], cycling.confidence)
+            by_run[run] = single[0]
+        # The mean over runs decides, not a vote of single verdicts.
+        judgement = self._judge(name, numbers) if judged else (CANNOT_TELL, 0.0, HIDDEN)
         judgement = _agreed(judgement, by_run)
         if name == "stagnation" and cycling is not None:
             judgement = _unless_cycling(judgement, cycling.verdict, cycling.confidence)
         verdict, confidence, reason = judgement
-        evidence = self._evidence(name, told or range(len(self._numbers)))
+        # If every run is disengaged, the evidence still shows the numbers of all.
+        evidence = self._evidence(name, judged or range(len(self._numbers)))
         advice = ADVICE[name][verdict]
         return Finding(name, verdict, confidence, reason, evidence, tuple(by_run), advice)
 
@@ -218,50 +173,49 @@ class _Runs:
         key = STRENGTHS[name]
         over_runs = {key: self._over([one[key] for one in runs])}
         slack = calibration().slack[name]
-        verdict, confidence = self._bins[name].judge(strengths(name, over_runs, slack))
+        verdict, confidence = self._bins[name].judge(strength_interval(name, over_runs, slack))
         return verdict, confidence, REASONS[verdict]
 
-    def _evidence(self, name: str, told: Sequence[int]) -> dict[str, Estimate]:
+    def _evidence(self, name: str, judged: Sequence[int]) -> Numbers:
         keys = SUPPORT[name]
-        runs = [self._numbers[run] | self._support[run] for run in told]
+        runs = [self._numbers[run] | self._support[run] for run in judged]
         return {key: self._over([one[key] for one in runs]) for key in keys if key in runs[0]}
 
     def _over(self, values: Sequence[Estimate]) -> Estimate:
-        """Of a single run as it is; of several their mean and interval, of a few their range."""
+        """Return a single run's value, the mean and range of few runs, or mean and interval."""
         if len(values) == 1:
             return values[0]
         known = [one.value for one in values if math.isfinite(one.value)]
         if not known:
             return Estimate(math.nan, None, None, "nothing", 0, "not defined for any run")
         if len(known) < FEW_RUNS:
+            # A bootstrap interval of so few runs is too narrow; their range is not.
             mean = float(np.mean(known))
             return Estimate(mean, min(known), max(known), "runs", len(known), "range of few runs")
         return bootstrap_runs(known, level=self._level, rng=self._rng)
 
 
 def _agreed(judgement: Judgement, by_run: Sequence[str]) -> Judgement:
-    """No verdict where too many of the runs that tell anything say the opposite."""
+    """Return "cannot tell" if too many of the single runs have the opposite verdict."""
     verdict = judgement[0]
     opposite = {PRESENT: ABSENT, ABSENT: PRESENT}.get(verdict)
-    telling = [one for one in by_run if one != CANNOT_TELL]
-    if opposite is not None and telling.count(opposite) > (1.0 - SURE) * len(telling):
-        return (
-            CANNOT_TELL,
-            0.0,
-            (
-                f"{by_run.count(PRESENT)} of {len(by_run)} runs have it by themselves and "
-                f"{by_run.count(ABSENT)} have not"
-            ),
+    # Runs without a verdict are no argument against one.
+    decided = [one for one in by_run if one != CANNOT_TELL]
+    if opposite is not None and decided.count(opposite) > (1.0 - SURE) * len(decided):
+        reason = (
+            f"the verdicts on single runs disagree: present in {by_run.count(PRESENT)}, absent in "
+            f"{by_run.count(ABSENT)} of {len(by_run)}"
         )
+        return CANNOT_TELL, 0.0, reason
     return judgement
 
 
 def _unless_cycling(judgement: Judgement, cycling: str, confidence: float) -> Judgement:
-    """What is said of stagnation, given the verdict on cycling and how sure it is."""
+    """Return the judgement on stagnation, given the verdict on cycling and its confidence."""
     if cycling == PRESENT:
-        return ABSENT, confidence, "it goes round, which is a change"
+        return ABSENT, confidence, "the race cycles, so it does change"
     if cycling == CANNOT_TELL and judgement[0] == PRESENT:
-        return CANNOT_TELL, 0.0, "there is no trend, but it may go round"
+        return CANNOT_TELL, 0.0, "there is no trend, but the race may cycle"
     return judgement
 
 
@@ -271,10 +225,3 @@ def _too_short(runs: int, generations: int) -> tuple[Finding, ...]:
         Finding(name, CANNOT_TELL, 0.0, reason, {}, (CANNOT_TELL,) * runs, LONGER)
         for name in CONDITIONS
     )
-
-
-def _plain(estimate: Estimate) -> dict[str, Any]:
-    return {
-        key: None if isinstance(value, float) and not math.isfinite(value) else value
-        for key, value in asdict(estimate).items()
-    }

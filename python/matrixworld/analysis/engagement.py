@@ -1,7 +1,7 @@
-"""Disengagement: one team wins everything, so neither gets a signal to learn from.
+"""Disengagement: one team wins nearly all matches, so neither team gets a signal to learn from.
 
-Seen over generations (who wins both team phases) and within one (do its individuals differ, do its
-opponents tell them apart).
+It is measured over generations (which team wins both team phases) and within one generation
+(whether its individuals differ in fitness, and whether opponents distinguish them).
 """
 
 from __future__ import annotations
@@ -17,16 +17,26 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld.analysis.payoff import Rates, check_rates, require
 
 PURSUERS_WIN = 0.97
-"""Capture rate above which the pursuers have won; seen in runs with too few evader epochs."""
+"""Capture rate above which the pursuers have won; races with too few evader epochs reach it."""
 EVADERS_WIN = 0.05
 """Capture rate below which the evaders have won."""
 PATIENCE = 3
-"""Generations in a row before it counts: a single one-sided generation is part of many races."""
+"""Fewest generations in a row that count: many normal races have one one-sided generation."""
 
 
 @dataclass(frozen=True)
 class Disengagement:
-    """Generations ``first`` to ``last``, both included, that ``winner`` won on both team phases."""
+    """A stretch of generations in which the same team won both team phases.
+
+    Parameters
+    ----------
+    winner : str
+        ``"pursuers"`` or ``"evaders"``.
+    first : int
+        First generation of the stretch.
+    last : int
+        Last generation of the stretch, included.
+    """
 
     winner: str
     first: int
@@ -34,7 +44,7 @@ class Disengagement:
 
     @property
     def loser(self) -> str:
-        """The other team: the one to give more epochs."""
+        """The other team, which needs more epochs."""
         return "evaders" if self.winner == "pursuers" else "pursuers"
 
     def __len__(self) -> int:
@@ -42,22 +52,28 @@ class Disengagement:
 
     def __str__(self) -> str:
         return (
-            f"generations {self.first} to {self.last}: the {self.winner} win nearly everything, "
+            f"generations {self.first} to {self.last}: the {self.winner} win nearly all matches, "
             f"so neither team has much to learn from; give the {self.loser} more epochs"
         )
 
 
 class Undecided(NamedTuple):
-    """Shares of the opponents that tell no individual of a generation from another, in [0, 1]."""
+    """Shares of the opponents that do not distinguish the individuals of a generation, in [0, 1].
+
+    Parameters
+    ----------
+    beaten_by_all : ndarray of float64, shape (generations,)
+        Share of opponents that every individual beats: too easy.
+    beaten_by_none : ndarray of float64, shape (generations,)
+        Share of opponents that no individual beats: too hard.
+    """
 
     beaten_by_all: Rates
-    """Shape ``(generations,)``: opponents that every individual beats, too easy."""
     beaten_by_none: Rates
-    """Shape ``(generations,)``: opponents that no individual beats, too hard."""
 
     @property
     def share(self) -> Rates:
-        """Shape ``(generations,)``: the sum; 1 is disengagement."""
+        """Sum of both shares, shape (generations,); 1 is disengagement."""
         return self.beaten_by_all + self.beaten_by_none
 
 
@@ -69,52 +85,103 @@ def disengagements(
     low: float = EVADERS_WIN,
     patience: int = PATIENCE,
 ) -> tuple[Disengagement, ...]:
-    """The longest stretches of generations in which one team wins both team phases, in order.
+    """Find the longest stretches of generations in which one team wins both team phases.
 
-    ``rates``, shape ``(K, 2)``: capture rate after the pursuers' and after the evaders' team phase
-    of generations ``first``, ``first + 1``, ... (:func:`half_steps` takes them from a matrix; a
-    training log has them as the race goes). A stretch has all rates above ``high`` (pursuers win)
-    or all below ``low`` (evaders win) for at least ``patience`` generations. It is still going on
-    if its ``last`` is the newest generation. ``K = 0``, before the first generation, has none.
+    Parameters
+    ----------
+    rates : array_like of float, shape (K, 2)
+        Capture rate after the pursuers' and after the evaders' team phase of generations `first`,
+        ``first + 1``, ... A matrix gives them by `team_phase_rates`, a training log during the
+        race. K may be 0, before the first generation.
+    first : int, optional
+        Generation of the first row.
+    high : float, optional
+        Pursuers win a team phase with a capture rate above this.
+    low : float, optional
+        Evaders win a team phase with a capture rate below this.
+    patience : int, optional
+        Fewest generations of a stretch.
 
-    Raises ValueError for another shape, rates outside [0, 1], ``low >= high`` or ``patience < 1``.
+    Returns
+    -------
+    tuple of Disengagement
+        The stretches in order. The last one has not ended if its `last` is the newest generation.
+
+    Raises
+    ------
+    ValueError
+        If the shape is another one, rates are outside [0, 1], ``low >= high`` or ``patience < 1``.
     """
     if not low < high:
         raise ValueError(f"expected low < high, got low {low} and high {high}")
     if patience < 1:
         raise ValueError(f"expected a patience of at least 1 generation, got {patience}")
-    winners = _winners(_check_half_steps(rates), high, low)
+    # Both team phases have to be one-sided: a team that only wins after its own turn is in a race.
+    winners = _winners(_check_team_phases(rates), high, low)
     return tuple(s for s in _stretches(winners, first) if len(s) >= patience)
 
 
 def fitness_variance(fitness: ArrayLike) -> NDArray[np.float64]:
-    """Variance of the fitness within each generation, in its unit squared; ``(generations,)``.
+    """Return the variance of the fitness within each generation.
 
-    ``fitness``, shape ``(generations, individuals)``: any finite numbers. Where it is 0, selection
-    has nothing to choose from; compare with the variance of one individual's fitness over repeated
-    episodes, which is noise. A loss of gradient in the sense of Watson and Pollack (2001).
+    Parameters
+    ----------
+    fitness : array_like of float, shape (generations, individuals)
+        Finite fitness values.
 
-    Raises ValueError for another shape, an empty array, numbers that are not finite.
+    Returns
+    -------
+    ndarray of float64, shape (generations,)
+        Variance, in the unit of the fitness squared. Where it is 0, selection has no effect.
+        Compare it with the variance of one individual's fitness over repeated episodes, which is
+        noise.
+
+    Raises
+    ------
+    ValueError
+        If the shape is another one, the array is empty, or values are not finite.
+
+    References
+    ----------
+    Watson and Pollack (2001), "Coevolutionary dynamics in a minimal substrate": loss of gradient.
     """
     array = np.asarray(fitness, dtype=np.float64)
     require(array.ndim == 2 and array.size > 0, "fitness (generations, individuals)", array.shape)
     bad = array[~np.isfinite(array)]
     require(not len(bad), "finite fitness", bad[:1])
+    # The variance of these individuals, not an estimate for a larger population: divided by n.
     variance: NDArray[np.float64] = array.var(axis=1)
     return variance
 
 
 def undecided_opponents(outcomes: ArrayLike, *, level: float = 0.5) -> Undecided:
-    """Shares of the opponents beaten by all and by none of the individuals of a generation.
+    """Return the shares of opponents that all, and that none, of the individuals beat.
 
-    ``outcomes``, shape ``(generations, individuals, opponents)``, or ``(individuals, opponents)``
-    for a single generation: payoff to the individual, in [0, 1] (capture rates for pursuers, one
-    minus them for evaders). Beaten: above ``level``. Cartlidge and Bullock (2004) look at such
-    generations as disengaged.
+    Parameters
+    ----------
+    outcomes : array_like of float, shape (generations, individuals, opponents)
+        Payoff to each individual, in [0, 1]: capture rates for pursuers, escape rates for evaders.
+        A single generation may have the shape (individuals, opponents).
+    level : float, optional
+        An opponent is beaten if the payoff is above this, in [0, 1].
 
-    Raises ValueError for another shape, payoffs or a level outside [0, 1].
+    Returns
+    -------
+    Undecided
+        Both shares for each generation.
+
+    Raises
+    ------
+    ValueError
+        If the shape is another one, or payoffs or the level are outside [0, 1].
+
+    References
+    ----------
+    Cartlidge and Bullock (2004), "Combating coevolutionary disengagement by reducing parasite
+    virulence".
     """
     require(0.0 <= level <= 1.0, "a level in [0, 1]", level)
+    # A draw at the level is no win, as in `checkerboards`.
     single = np.ndim(outcomes) == 2
     what = "outcomes ([generations,] individuals, opponents)"
     array = check_rates(outcomes, ndim=2 if single else 3, what=what)
@@ -122,8 +189,8 @@ def undecided_opponents(outcomes: ArrayLike, *, level: float = 0.5) -> Undecided
     return Undecided(wins.all(axis=1).mean(axis=-1), (~wins.any(axis=1)).mean(axis=-1))
 
 
-def _check_half_steps(rates: ArrayLike) -> Rates:
-    if np.shape(rates) == (0, 2):
+def _check_team_phases(rates: ArrayLike) -> Rates:
+    if np.shape(rates) == (0, 2):  # a race before its first generation is valid
         return np.empty((0, 2))
     array = check_rates(rates, ndim=2, what="team phase capture rates")
     if array.shape[1] != 2:
@@ -140,6 +207,7 @@ def _winners(rates: Rates, high: float, low: float) -> list[str | None]:
 
 def _stretches(winners: list[str | None], first: int) -> Iterator[Disengagement]:
     generation = first
+    # Groups of equal winners; None, a contested generation, ends a stretch.
     for winner, group in groupby(winners):
         length = len(list(group))
         if winner is not None:

@@ -1,4 +1,4 @@
-"""Nash averaging: each generation judged by the opponents that matter, however many copies."""
+"""Nash averaging: the maximum-entropy equilibrium, and payoffs against it."""
 
 from __future__ import annotations
 
@@ -6,16 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from matrixworld.analysis.payoff import Rates, check_payoff, swap_teams
+from matrixworld.analysis.payoff import Mask, Rates, check_payoff, swap_teams
 
-Mask = NDArray[np.bool_]
-
+# Capture rates closer than this count as equal: the tolerance of the linear programmes.
 _TIE = 1e-7
-"""Capture rates closer than this are the same: the tolerance of the linear programmes."""
+# Weights below this count as 0, by the same tolerance.
 _NOTHING = 1e-7
-"""Weights below it are the tolerance's, too."""
 _RANK = 1e-9  # singular values below this share of the largest are 0
 _STRICT = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
 _MOST_STEPS = 200
@@ -23,41 +21,71 @@ _MOST_STEPS = 200
 
 @dataclass(frozen=True, eq=False)
 class Nash:
-    """The maximum-entropy Nash equilibrium of a payoff matrix, and what it says of everybody."""
+    """The maximum-entropy Nash equilibrium of a payoff matrix, and payoffs against it.
+
+    Parameters
+    ----------
+    value : float
+        Capture rate when both teams play their equilibrium mixtures.
+    pursuers : ndarray of float64, shape (n,)
+        Equilibrium weight of each pursuer generation; sum 1.
+    evaders : ndarray of float64, shape (m,)
+        Equilibrium weight of each evader generation; sum 1.
+    pursuer_averages : ndarray of float64, shape (n,)
+        Nash averages: capture rate of each pursuer generation against the mixture of the evaders;
+        at most `value`.
+    evader_averages : ndarray of float64, shape (m,)
+        Escape rate of each evader generation against the mixture of the pursuers; at most
+        ``1 - value``.
+    """
 
     value: float
-    """Capture rate when both teams play their equilibrium mixtures."""
     pursuers: Rates
-    """Shape ``(n,)``, sum 1: how often the pursuers should play each of their generations."""
     evaders: Rates
-    """Shape ``(m,)``, sum 1."""
     pursuer_averages: Rates
-    """Shape ``(n,)``: capture rate of each generation against the mixture of the evaders; `value`
-    at most. This is the Nash average."""
     evader_averages: Rates
-    """Shape ``(m,)``: escape rate of each against the mixture of the pursuers; ``1 - value`` at
-    most."""
 
 
 def nash_averaging(payoff: ArrayLike) -> Nash:
-    """Nash averaging for two teams ("agent against task", Balduzzi et al., 2018).
+    """Find the maximum-entropy equilibrium of a payoff matrix, and the payoffs against it.
 
-    Solves the zero-sum game M by linear programming (Dantzig, 1951) and takes of each team's
-    optimal mixtures, which form a polytope, the one of maximum entropy: it is unique, swapping the
-    teams swaps it, and copies of a generation share the weight of one and change nothing else in
-    the value and the averages.
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix. Payoffs that differ by less than 1e-7 count as equal.
 
-    M is not embedded into one symmetric game: with a capture rate, which is not centred, that game
-    favours one role and its equilibrium collapses onto one side.
+    Returns
+    -------
+    Nash
+        The value of the game, both mixtures, and both Nash averages.
 
-    Payoffs that differ by less than 1e-7 are treated as equal. Raises RuntimeError should the
-    solver fail.
+    Raises
+    ------
+    RuntimeError
+        If the solver fails.
+
+    Notes
+    -----
+    The zero-sum game M is solved by linear programming. The optimal mixtures of a team form a
+    polytope; the one of maximum entropy is unique. Swapping the teams swaps the mixtures. Copies of
+    a generation share its weight and change neither the value nor the averages.
+
+    M is not embedded into one symmetric game: capture rates are not centred, so that game favours
+    one role, and its equilibrium collapses onto one side.
+
+    References
+    ----------
+    Balduzzi et al. (2018), "Re-evaluating evaluation": the case of agents against tasks. Dantzig
+    (1951), "A proof of the equivalence of the programming problem and the game problem".
     """
     matrix = check_payoff(payoff)
     swapped = swap_teams(matrix)
+    # Three steps: one optimal mixture of each team, one with the largest support, and among the
+    # mixtures of that support the one of maximum entropy.
     p, q = _optimal(matrix), _optimal(swapped)
-    # What either mixture guarantees; the two bounds meet but for rounding.
+    # The payoffs that both mixtures guarantee; the two bounds are equal but for rounding.
     low, high = float((p @ matrix).min()), 1.0 - float((q @ swapped).min())
+    # The largest support is needed because entropy has no finite slope at a weight of 0.
     inner_p, inner_q = _inner(matrix, low, p), _inner(swapped, 1.0 - high, q)
     p = _max_entropy(matrix, low, inner_p, inner_q > 0.0)
     q = _max_entropy(swapped, 1.0 - high, inner_q, inner_p > 0.0)
@@ -65,14 +93,27 @@ def nash_averaging(payoff: ArrayLike) -> Nash:
 
 
 def game_value(payoff: ArrayLike) -> float:
-    """Capture rate of the zero-sum game M under optimal play: one linear programme, no mixtures."""
+    """Return the capture rate of the zero-sum game M under optimal play.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+
+    Returns
+    -------
+    float
+        The same as ``nash_averaging(payoff).value`` but for rounding, from one linear programme.
+    """
     matrix = check_payoff(payoff)
     return float((_optimal(matrix) @ matrix).min())
 
 
 def _optimal(matrix: Rates) -> Rates:
-    """A mixture of rows that guarantees the most: max v with ``p @ matrix >= v``."""
+    """Return a mixture p of rows that guarantees the most: max v with ``p @ matrix >= v``."""
     rows, columns = matrix.shape
+    # The variables are the weights p and the guaranteed payoff v.
+    # Against each column the mixture guarantees v: v - (p @ matrix)_h <= 0.
     upper = np.hstack([-matrix.T, np.ones((columns, 1))])
     equal = np.append(np.ones(rows), 0.0)
     cost = np.append(np.zeros(rows), -1.0)
@@ -81,10 +122,10 @@ def _optimal(matrix: Rates) -> Rates:
 
 
 def _inner(matrix: Rates, value: float, start: Rates) -> Rates:
-    """An optimal mixture of every row that has a weight in any optimal mixture; 0 for the others.
+    """Return an optimal mixture of all rows that have a weight in any optimal mixture.
 
-    The mean of ``start``, which is one, and of others, each of which gives as many rows as possible
-    that none before has used a share t, up to ``1 / rows``.
+    It is the mean of ``start``, which is optimal, and of further optimal mixtures. Each of these
+    maximises the weights, up to ``1 / rows`` each, of the rows that no mixture has used so far.
     """
     rows, columns = matrix.shape
     kept = np.vstack(
@@ -113,10 +154,10 @@ def _solve(
     equal: Rates,
     bounds: Sequence[tuple[float | None, float | None]],
 ) -> Rates:
-    """The x in its bounds with ``upper @ x <= limits`` and ``equal @ x = 1`` of least cost."""
+    """Return the x of least cost within bounds, ``upper @ x <= limits`` and ``equal @ x = 1``."""
     from scipy.optimize import linprog
 
-    # Where rounding leaves no solution within the strict tolerances, the usual 1e-7 will do.
+    # If rounding leaves no solution within the strict tolerances, the default ones (1e-7) serve.
     for options in (_STRICT, None):
         result = linprog(
             cost, upper, limits, equal[None], [1.0], bounds, method="highs", options=options
@@ -128,45 +169,50 @@ def _solve(
 
 
 def _mixture(weights: Rates) -> Rates:
+    # The solver may return weights just below 0.
     positive = np.maximum(weights, 0.0)
     mixture: Rates = positive / positive.sum()
     return mixture
 
 
 def _max_entropy(matrix: Rates, value: float, inner: Rates, tight: Mask) -> Rates:
-    """The optimal mixture of maximum entropy.
+    """Return the optimal mixture of maximum entropy.
 
     In every optimal mixture the columns ``tight``, which the opponent may play, give exactly
-    ``value``, the others at least that; rows outside the support of ``inner`` have no weight.
+    ``value``, and the others at least ``value``. Rows outside the support of ``inner`` have no
+    weight.
     """
     used = inner > 0.0
     margins = (matrix - value)[used]
     equations = np.vstack([margins[:, tight].T, np.ones(used.sum())])
     target = np.append(np.zeros(tight.sum()), 1.0)
+    # The linear programme satisfies the equations to its tolerance only: project onto them.
     start = inner[used] - np.linalg.pinv(equations, rcond=_RANK) @ (
         equations @ inner[used] - target
     )
-    if (start <= 0.0).any():  # weights next to the tolerance: as the programme left them
+    if (start <= 0.0).any():  # weights close to the tolerance: keep those of the programme
         start = inner[used]
     directions = _null_space(equations)
+    # Inequalities rarely bind, so Newton's method first tries without them.
     best = _newton(start, directions)
     slack = margins[:, ~tight].T
     if slack.size and (slack @ best).min() < -_TIE:
         best = _bounded(start, directions, slack)
+    # Rows outside the support keep an exact 0.
     mixture = np.zeros(len(matrix))
     mixture[used] = best
     return _mixture(mixture)
 
 
 def _null_space(equations: Rates) -> Rates:
-    """Orthonormal directions, shape ``(rows, d)``, that keep all equations."""
+    """Return orthonormal directions, shape (rows, d), that keep all equations."""
     _, sizes, right = np.linalg.svd(equations)
     directions: Rates = right[int(np.sum(sizes > _RANK * sizes[0])) :].T
     return directions
 
 
 def _newton(start: Rates, directions: Rates) -> Rates:
-    """Maximises the entropy of ``start + directions @ z`` by Newton's method; stays positive."""
+    """Maximise the entropy of ``start + directions @ z`` by Newton's method, keeping it > 0."""
     p = start
     for _ in range(_MOST_STEPS if directions.size else 0):
         gradient = directions.T @ np.log(p)
@@ -181,13 +227,14 @@ def _newton(start: Rates, directions: Rates) -> Rates:
 
 
 def _bounded(start: Rates, directions: Rates, slack: Rates) -> Rates:
-    """The same where columns outside the opponent's support become binding: ``slack @ p >= 0``."""
+    """Maximise the entropy under ``slack @ p >= 0``: some columns outside the support bind."""
     from scipy.optimize import minimize
 
     def negative_entropy(z: Rates) -> tuple[float, Rates]:
         p = np.maximum(start + directions @ z, 1e-300)
         return float(p @ np.log(p)), directions.T @ np.log(p)
 
+    # Weights stay at least 0, too: SLSQP has no limit on steps as `_newton` has.
     inequalities = np.vstack([slack, np.eye(len(start))])
     result = minimize(
         negative_entropy,

@@ -1,4 +1,4 @@
-"""Ratings: one number a generation (Elo), and what it cannot say (multidimensional Elo)."""
+"""Ratings: Elo, one number for each generation, and multidimensional Elo, which can fit cycles."""
 
 from __future__ import annotations
 
@@ -11,74 +11,115 @@ from numpy.typing import ArrayLike
 from matrixworld.analysis.payoff import SHRINKAGE, Rates, check_payoff, logits, require, shrink
 
 ELO_POINTS = 400.0 / math.log(10.0)
-"""Points of the chess scale in one unit of these ratings, a natural logit."""
+"""Points of the chess scale for one unit of these ratings, a natural logit."""
 RIDGE = 1e-3
-"""Default weight of the squared ratings beside the summed cross entropy of the cells."""
+"""Default weight of the squared ratings in the fit."""
 
 _MOST_STEPS = 100
-_TOLERANCE = 1e-9  # of the gradient, whose terms are rates
+_TOLERANCE = 1e-9  # of the gradient, a sum of differences of rates
 
 
 @dataclass(frozen=True, eq=False)
 class Elo:
-    """``logit P(capture) = pursuers[g] - evaders[h] + offset``, in natural logits."""
+    """Ratings with ``logit P(capture) = pursuers[g] - evaders[h] + offset``, in natural logits.
+
+    Parameters
+    ----------
+    pursuers : ndarray of float64, shape (n,)
+        Ratings of the pursuers, sum 0; higher captures more. Times `ELO_POINTS`: points as in
+        chess.
+    evaders : ndarray of float64, shape (m,)
+        Ratings of the evaders, sum 0; higher escapes more.
+    offset : float
+        Advantage of the pursuers in the game itself.
+    shrinkage : float
+        Shrinkage of the rates before the fit.
+    """
 
     pursuers: Rates
-    """Shape ``(n,)``, sum 0: higher captures more. Times `ELO_POINTS`: points as in chess."""
     evaders: Rates
-    """Shape ``(m,)``, sum 0: higher escapes more."""
     offset: float
-    """How much the game as such is in the pursuers' favour."""
     shrinkage: float
-    """The shrinkage of the rates that were fitted."""
 
     @property
     def logits(self) -> Rates:
-        """Shape ``(n, m)``: of the shrunken rates."""
+        """Logits of the shrunken rates; shape (n, m)."""
         return self.pursuers[:, None] - self.evaders + self.offset
 
     def predict(self) -> Rates:
-        """Predicted capture rates, shape ``(n, m)``, in [0, 1]."""
+        """Return predicted capture rates in [0, 1], shape (n, m)."""
         return _rates(self.logits, self.shrinkage)
 
 
 @dataclass(frozen=True, eq=False)
 class MultiElo:
-    """``logit P(capture) = pursuers[g] - evaders[h] + offset + u[g] . v[h]``."""
+    """Elo plus cycles: ``logit P(capture) = pursuers[g] - evaders[h] + offset + u[g] . v[h]``.
+
+    Parameters
+    ----------
+    elo : Elo
+        The part that one number for each generation explains.
+    u : ndarray of float64, shape (n, 2 k)
+        Style of each pursuer generation, strongest dimension first.
+    v : ndarray of float64, shape (m, 2 k)
+        Weakness of each evader generation against these styles.
+    """
 
     elo: Elo
-    """The part that one number a generation explains."""
     u: Rates
-    """Shape ``(n, 2 k)``: what each pursuer generation plays like, strongest dimension first."""
     v: Rates
-    """Shape ``(m, 2 k)``: against what each evader generation is weak."""
 
     @property
     def logits(self) -> Rates:
-        """Shape ``(n, m)``: of the shrunken rates."""
+        """Logits of the shrunken rates; shape (n, m)."""
         values: Rates = self.elo.logits + self.u @ self.v.T
         return values
 
     def predict(self) -> Rates:
-        """Predicted capture rates, shape ``(n, m)``, in [0, 1]."""
+        """Return predicted capture rates in [0, 1], shape (n, m)."""
         return _rates(self.logits, self.elo.shrinkage)
 
 
 def elo(payoff: ArrayLike, *, ridge: float = RIDGE, shrinkage: float = SHRINKAGE) -> Elo:
-    """Ratings of both teams by a batch fit (Elo, 1978; batch form after Balduzzi et al., 2018).
+    """Fit Elo ratings of both teams to a payoff matrix.
 
-    Minimises the cross entropy of ``P`` with the shrunken rates ``x = shrinkage + (1 - 2
-    shrinkage) M``, summed over cells, plus ``ridge / 2`` times the sum of the squared ratings.
-    It depends on all matches at once, not on their order, and has one solution: shrinkage keeps
-    ratings of those who win or lose everything finite.
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix M.
+    ridge : float, optional
+        Weight of the squared ratings, finite and at least 0.
+    shrinkage : float, optional
+        Shrinkage s before the fit, in (0, 1/2). It keeps the ratings of generations finite that win
+        or lose all matches.
 
-    Raises ValueError unless ``ridge >= 0`` is finite and ``0 < shrinkage < 1/2``.
+    Returns
+    -------
+    Elo
+        The ratings.
+
+    Raises
+    ------
+    ValueError
+        If a parameter is out of its range.
+
+    Notes
+    -----
+    The fit minimises the cross entropy of P with ``x = s + (1 - 2 s) M``, summed over cells, plus
+    ``ridge / 2`` times the sum of the squared ratings. All matches enter at once, so their order
+    does not matter, and there is one solution.
+
+    References
+    ----------
+    Elo (1978), "The rating of chessplayers, past and present". Balduzzi et al. (2018),
+    "Re-evaluating evaluation": the batch form.
     """
     require(0.0 <= ridge < math.inf, "a finite ridge of at least 0", ridge)
     rates = shrink(check_payoff(payoff), shrinkage)
     rows, columns = rates.shape
+    # a: pursuers, b: evaders, in natural logits.
     a, b, offset = np.split(_fit(rates, ridge), [rows, rows + columns])
-    # Ratings are defined up to a constant that the offset takes up.
+    # Ratings are defined up to a constant, so they are centred and the offset absorbs the means.
     shift = float(offset[0]) + float(a.mean()) - float(b.mean())
     return Elo(a - a.mean(), b - b.mean(), shift, shrinkage)
 
@@ -86,31 +127,72 @@ def elo(payoff: ArrayLike, *, ridge: float = RIDGE, shrinkage: float = SHRINKAGE
 def multi_elo(
     payoff: ArrayLike, *, k: int = 1, ridge: float = RIDGE, shrinkage: float = SHRINKAGE
 ) -> MultiElo:
-    """mElo of 2 k dimensions (Balduzzi et al., 2018), for two teams.
+    """Fit multidimensional Elo (mElo) with 2 k dimensions to a payoff matrix of two teams.
 
-    What :func:`elo` leaves of the logits is approximated by its 2 k largest singular values
-    (Eckart and Young, 1936), each divided evenly between ``u`` and ``v``. Rock-paper-scissors takes
-    k = 1; with ``2 k = min(n, m)`` every cell is reproduced.
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+    k : int, optional
+        Number of cycles, ``0 <= 2 k <= min(n, m)``. Rock-paper-scissors needs k = 1; with
+        ``2 k = min(n, m)`` every cell is reproduced.
+    ridge : float, optional
+        As for `elo`.
+    shrinkage : float, optional
+        As for `elo`.
 
-    Raises ValueError unless ``0 <= 2 k <= min(n, m)``, and as :func:`elo` does.
+    Returns
+    -------
+    MultiElo
+        The Elo ratings, and the dimensions beside them.
+
+    Raises
+    ------
+    ValueError
+        If a parameter is out of its range.
+
+    Notes
+    -----
+    The residual of `elo` on the logits is approximated by its 2 k largest singular values, each
+    divided evenly between u and v.
+
+    References
+    ----------
+    Balduzzi et al. (2018), "Re-evaluating evaluation". Eckart and Young (1936), "The approximation
+    of one matrix by another of lower rank".
     """
     values = logits(payoff, shrinkage=shrinkage)
     most = min(values.shape) // 2
     require(0 <= k <= most, f"k from 0 to {most} for a matrix of {values.shape}", k)
+    # The cycles are fitted to the residual of Elo, so the ratings mean the same with and without.
     ratings = elo(payoff, ridge=ridge, shrinkage=shrinkage)
     left, sizes, right = np.linalg.svd(values - ratings.logits, full_matrices=False)
     kept = slice(0, 2 * k)
-    # A singular pair may change sign; the largest entry of each column of u is made positive.
+    # The sign of a singular pair is arbitrary: make the largest entry of each column of u positive.
     largest = np.take_along_axis(left, np.abs(left).argmax(axis=0)[None], axis=0)
     scale = np.where(largest < 0.0, -1.0, 1.0) * np.sqrt(sizes)
     return MultiElo(ratings, (left * scale)[:, kept], (right.T * scale)[:, kept])
 
 
 def log_loss(payoff: ArrayLike, predicted: ArrayLike) -> float:
-    """Mean cross entropy of predicted capture rates, above that of a perfect prediction; in nats.
+    """Return the mean cross entropy of a prediction minus that of a perfect one, in nats.
 
-    At least 0, and infinite where a thing happened that was predicted never to happen. Both arrays
-    have the shape ``(n, m)``. Raises ValueError for another shape and rates outside [0, 1].
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+    predicted : array_like of float, shape (n, m)
+        Predicted capture rates in [0, 1].
+
+    Returns
+    -------
+    float
+        At least 0. Infinite if something happened whose predicted rate is 0.
+
+    Raises
+    ------
+    ValueError
+        If the shapes differ or rates are outside [0, 1].
     """
     from scipy.special import rel_entr
 
@@ -121,15 +203,17 @@ def log_loss(payoff: ArrayLike, predicted: ArrayLike) -> float:
 
 
 def _fit(rates: Rates, ridge: float) -> Rates:
-    """Newton's method, halving steps that do not descend; parameters (a, b, offset)."""
+    """Return parameters (a, b, offset) by Newton's method, halving steps that do not descend."""
     rows, columns = rates.shape
     parameters: Rates = np.zeros(rows + columns + 1)
     for _ in range(_MOST_STEPS):
         loss, gradient, curvature = _loss(parameters, rates, ridge)
         if np.abs(gradient).max() < _TOLERANCE:
             break
-        # Without a ridge the constant between ratings and offset is free: the shortest step.
+        # Without a ridge the constant between ratings and offset is free and the Hessian is
+        # singular: least squares takes the shortest step.
         step = np.linalg.lstsq(curvature, -gradient, rcond=None)[0]
+        # A full Newton step may overshoot where rates are close to 0 or 1 and the Hessian is flat.
         size = 1.0
         while size > 1e-9 and _loss(parameters + size * step, rates, ridge)[0] > loss:
             size /= 2.0
@@ -138,12 +222,13 @@ def _fit(rates: Rates, ridge: float) -> Rates:
 
 
 def _loss(parameters: Rates, rates: Rates, ridge: float) -> tuple[float, Rates, Rates]:
-    """Penalised cross entropy, its gradient and its Hessian."""
+    """Return the penalised cross entropy, its gradient and its Hessian."""
     rows, columns = rates.shape
     a, b, offset = np.split(parameters, [rows, rows + columns])
     x = a[:, None] - b + offset
     p = _sigmoid(x)
-    penalty = np.append(np.full(rows + columns, ridge), 0.0)
+    penalty = np.append(np.full(rows + columns, ridge), 0.0)  # the offset is free
+    # Cross entropy in terms of logits, which does not take the logarithm of a rate of 0.
     loss = float(np.sum(np.logaddexp(0.0, x) - rates * x) + penalty @ parameters**2 / 2)
     error, weight = p - rates, p * (1.0 - p)
     gradient = np.concatenate([error.sum(axis=1), -error.sum(axis=0), [error.sum()]])
@@ -159,11 +244,11 @@ def _loss(parameters: Rates, rates: Rates, ridge: float) -> tuple[float, Rates, 
 
 
 def _sigmoid(x: Rates) -> Rates:
-    p: Rates = np.exp(-np.logaddexp(0.0, -x))
+    p: Rates = np.exp(-np.logaddexp(0.0, -x))  # does not overflow for large |x|
     return p
 
 
 def _rates(values: Rates, shrinkage: float) -> Rates:
-    """Capture rates whose shrunken logits these are."""
+    """Return the capture rates that have these shrunken logits."""
     rates: Rates = np.clip((_sigmoid(values) - shrinkage) / (1.0 - 2.0 * shrinkage), 0.0, 1.0)
     return rates

@@ -1,4 +1,4 @@
-"""What is analysed: arrays, files of them, one run or several."""
+"""Payoffs to analyse: from arrays or files, of one run or several."""
 
 from __future__ import annotations
 
@@ -19,38 +19,60 @@ Source = ArrayLike | str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
 """An array, a file, or several files of one run each."""
 
 PER_EPISODE = "capture_rates"
-"""The array of an .npz file that holds each episode; run directories write it."""
+"""Name of the array of an .npz file that holds all episodes, as in run directories."""
 MEANS = ("capture_rate", "payoff", "payoffs")
-"""Those that hold payoff matrices, if there are several arrays; the first one is taken."""
+"""Names of arrays that hold payoff matrices; the first one in a file is taken."""
 
 
 @dataclass(frozen=True, eq=False)
 class Payoffs:
-    """Payoff matrices of independent runs, and the episodes behind them if they are known."""
+    """Payoff matrices of independent runs, and their episodes if they are known.
+
+    Parameters
+    ----------
+    matrices : ndarray of float64, shape (runs, n, m)
+        Payoff matrices.
+    scores : ndarray of float64, shape (runs, n, m, episodes), or None
+        Capture rate of each episode.
+    """
 
     matrices: Rates
-    """Shape ``(runs, n, m)``."""
     scores: Rates | None
-    """Shape ``(runs, n, m, episodes)``: capture rate of each episode."""
 
     def __iter__(self) -> Iterator[tuple[Rates, Rates | None]]:
-        """Matrix ``(n, m)`` and scores ``(n, m, episodes)`` of each run."""
+        """Iterate over matrix (n, m) and scores (n, m, episodes) or None of each run."""
         for run, matrix in enumerate(self.matrices):
             yield matrix, None if self.scores is None else self.scores[run]
 
 
 def read_payoffs(source: Source, *, episodes: bool = False) -> Payoffs:
-    """Payoffs from an array, a file or several files, one of each run.
+    """Read payoffs from an array, a file or several files.
 
-    An array has the shape ``(n, m)`` or ``(runs, n, m)``; with ``episodes=True`` its last dimension
-    holds the episodes of a cell instead: ``(n, m, episodes)`` or ``(runs, n, m, episodes)``. A file
-    is a ``.csv`` as :func:`~matrixworld.analysis.tables.read_table` reads it, or an ``.npz``: of
-    several arrays in it ``capture_rates`` is taken, with episodes, or else ``capture_rate``,
-    ``payoff`` or ``payoffs``. Nothing is ever unpickled.
+    Parameters
+    ----------
+    source : array_like, path or list of paths
+        An array of shape (n, m) or (runs, n, m). A ``.csv`` file as
+        `matrixworld.analysis.tables.read_table` reads it. An ``.npz`` file: of several arrays
+        ``capture_rates`` is taken, which holds episodes, or else ``capture_rate``, ``payoff`` or
+        ``payoffs``; nothing is unpickled. Or a list of such files, one for each run.
+    episodes : bool, optional
+        Whether the last dimension of an array holds the episodes of each cell: shape
+        (n, m, episodes) or (runs, n, m, episodes).
 
-    Raises ValueError, saying what was expected and what came and naming the file, for other shapes
-    and suffixes, damaged files, rates that are not in [0, 1]; TypeError for an array of other than
-    numbers; FileNotFoundError.
+    Returns
+    -------
+    Payoffs
+        The matrices, and the episodes if they are known.
+
+    Raises
+    ------
+    ValueError
+        If a shape or suffix is another one, a file is damaged, or rates are outside [0, 1]. The
+        message names the file.
+    TypeError
+        If an array does not hold numbers.
+    FileNotFoundError
+        If a file does not exist.
     """
     if isinstance(source, (str, os.PathLike)):
         return _read_file(Path(source), episodes)
@@ -65,6 +87,7 @@ def _stacked(paths: list[Path], episodes: bool) -> Payoffs:
     for path, run in zip(paths, runs, strict=True):
         if len(run.matrices) != 1:
             raise ValueError(f"{path}: expected one run a file, got {len(run.matrices)}")
+        # Episodes are part of the shape: a mix of runs with and without them is refused here.
         if _shape(run) != _shape(first):
             raise ValueError(
                 f"{path}: expected the shape of {paths[0]}, {_shape(first)}, got {_shape(run)}"
@@ -97,6 +120,7 @@ def _read_arrays(path: Path) -> tuple[NDArray[Any], bool]:
 
 
 def _chosen(path: Path, names: list[str]) -> str:
+    # Episodes first: the means follow from them.
     for name in (PER_EPISODE, *MEANS):
         if name in names:
             return name
@@ -110,7 +134,7 @@ def _payoffs(values: Any, episodes: bool) -> Payoffs:
     if not episodes:
         return Payoffs(check_runs(values), None)
     array = np.asarray(values)
-    if array.ndim == 3:
+    if array.ndim == 3:  # a single run
         array = array[None]
     what = "scores ([runs,] n, m, episodes)"
     scores = check_rates(array, ndim=4, what=what)

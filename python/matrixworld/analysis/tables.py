@@ -1,4 +1,4 @@
-"""Payoffs in CSV files: a matrix, or a line for each pair or episode."""
+"""Payoffs in CSV files: a matrix, or one line for each pair or episode."""
 
 from __future__ import annotations
 
@@ -11,25 +11,44 @@ import numpy as np
 from matrixworld.analysis.payoff import Rates
 
 Line = tuple[int, list[str]]
-"""Number in the file, from 1, and cells."""
+"""Line number in the file, from 1, and cells."""
 
 _LONG = ("pursuer", "evader", "capture_rate")
 _KEYS = ("run", "pursuer", "evader", "episode")
 
 
 def read_table(path: Path) -> tuple[Rates, bool]:
-    """The numbers of a CSV file, and whether their last dimension is episodes.
+    """Read the capture rates of a CSV file.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        The file. Empty lines and lines that begin with ``#`` are skipped.
+
+    Returns
+    -------
+    rates : ndarray of float64
+        Shape (n, m) or (runs, n, m); with episodes one more dimension, the last.
+    episodes : bool
+        Whether the last dimension is episodes.
+
+    Raises
+    ------
+    ValueError
+        If the file has another format. The message names file and line.
+    FileNotFoundError
+        If the file does not exist.
+
+    Notes
+    -----
+    The file has one of two formats:
 
     - A matrix: line g holds the capture rates of pursuers g against evaders 0, 1, ... A first line
-      that is not numbers is a header; if its first cell is empty, first cells are labels. Result:
-      ``(n, m)``.
-    - A line for each pair: a header with ``pursuer, evader, capture_rate``, in any order, and, if
-      there are several, ``run`` and ``episode``. Generations, runs and episodes are whole numbers,
-      ordered by them; every combination has one line. Other columns are not read. Result:
-      ``(n, m)``, ``(runs, n, m)``, and with episodes one dimension more, the last.
-
-    Empty lines and those that begin with ``#`` are skipped. Raises ValueError, with file and line,
-    for anything else, FileNotFoundError where there is no file.
+      that is not numbers is a header. If its first cell is empty, the first cell of each line is a
+      label.
+    - One line for each pair: a header with ``pursuer, evader, capture_rate`` in any order, and
+      ``run`` or ``episode`` if there are several. Generations, runs and episodes are whole numbers
+      and are sorted; every combination has one line. Other columns are ignored.
     """
     lines = _lines(path)
     names = [cell.lower() for cell in lines[0][1]]
@@ -40,21 +59,24 @@ def read_table(path: Path) -> tuple[Rates, bool]:
 
 def _lines(path: Path) -> list[Line]:
     try:
+        # utf-8-sig: spreadsheets write a byte order mark.
         with path.open(encoding="utf-8-sig", newline="") as file:
             rows = [
                 (i, [cell.strip() for cell in row]) for i, row in enumerate(csv.reader(file), 1)
             ]
     except (UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path}: expected a CSV file of text, got: {error}") from error
+    # Line numbers of the file are kept for error messages.
     kept = [(i, row) for i, row in rows if any(row) and not row[0].startswith("#")]
     if not kept:
-        raise ValueError(f"{path}: expected a table of capture rates, got no line of it")
+        raise ValueError(f"{path}: expected a table of capture rates, got no lines")
     return kept
 
 
 def _matrix(path: Path, lines: list[Line]) -> Rates:
     header = lines[0][1]
     labelled = header[0] == ""
+    # A header is recognised by a cell that is not a number.
     body = lines if all(_is_number(cell) for cell in header) else lines[1:]
     if not body:
         raise ValueError(f"{path}: expected lines of capture rates, got a header only")
@@ -82,7 +104,7 @@ def _long(path: Path, names: list[str], lines: list[Line]) -> tuple[Rates, bool]
         key = tuple(_whole(path, number, row[i]) for i in places)
         if key in found:
             raise ValueError(
-                f"{path}, line {number}: expected {_told(keys, key)} once, got it twice"
+                f"{path}, line {number}: expected {_combination(keys, key)} once, got it twice"
             )
         found[key] = _number(path, number, row[place])
     return _cube(path, keys, found), "episode" in keys
@@ -91,22 +113,24 @@ def _long(path: Path, names: list[str], lines: list[Line]) -> tuple[Rates, bool]
 def _cube(path: Path, keys: list[str], found: dict[tuple[int, ...], float]) -> Rates:
     if not found:
         raise ValueError(f"{path}: expected lines of capture rates, got a header only")
+    # Numbers of generations may start anywhere; their ranks are the indices.
     axes, inverse = zip(
         *(np.unique(column, return_inverse=True) for column in np.array(list(found)).T), strict=True
     )
     cube = np.full([len(axis) for axis in axes], np.nan)
+    # A mask of its own, so that missing combinations are found without looking for NaN.
     given = np.zeros(cube.shape, dtype=bool)
     cube[inverse], given[inverse] = list(found.values()), True
     missing = np.argwhere(~given)
     if len(missing):
         key = tuple(int(axis[i]) for axis, i in zip(axes, missing[0], strict=True))
         raise ValueError(
-            f"{path}: expected a line for every combination, got none for {_told(keys, key)}"
+            f"{path}: expected a line for every combination, got none for {_combination(keys, key)}"
         )
     return cube
 
 
-def _told(keys: list[str], key: tuple[int, ...]) -> str:
+def _combination(keys: list[str], key: tuple[int, ...]) -> str:
     return ", ".join(f"{name} {value}" for name, value in zip(keys, key, strict=True))
 
 
@@ -121,6 +145,7 @@ def _is_number(cell: str) -> bool:
 def _number(path: Path, line: int, cell: str) -> float:
     if not _is_number(cell):
         raise ValueError(f"{path}, line {line}: expected a capture rate, got {cell!r}")
+    # Checked here as well as in `check_rates`, where the line number is not known any more.
     value = float(cell)
     if math.isnan(value) or not 0.0 <= value <= 1.0:
         raise ValueError(f"{path}, line {line}: expected a capture rate in [0, 1], got {cell}")

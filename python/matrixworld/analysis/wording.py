@@ -1,14 +1,29 @@
-"""A summary in sentences, with every number that the verdict rests on."""
+"""A summary in sentences, with all numbers behind its verdict."""
 
 from __future__ import annotations
 
 from matrixworld.analysis.summary import MARGIN, PartSummary, Summary, TeamSummary
 
+_LOOKS = {
+    "cycling": "This run looks like cycling",
+    "progress": "This run looks like progress",
+    "undecided": "This run is undecided between cycling and progress",
+}
+
 
 def describe(summary: Summary) -> str:
-    """Plain English, one statement a line: the verdict first, then the evidence.
+    """Describe a summary in plain English.
 
-    The wording stays that of a single run: it "looks like" cycling or progress.
+    Parameters
+    ----------
+    summary : Summary
+        Result of `summarize`.
+
+    Returns
+    -------
+    str
+        One statement on each line: the verdict first, then the evidence. It describes a single run
+        ("looks like"), and not the training method.
     """
     lines = [
         _verdict(summary),
@@ -24,25 +39,20 @@ def describe(summary: Summary) -> str:
 
 
 def _verdict(summary: Summary) -> str:
-    looks = {
-        "cycling": "This run looks like cycling",
-        "progress": "This run looks like progress",
-        "undecided": "This run is undecided between cycling and progress",
-    }[summary.verdict]
     return (
-        f"{looks}, because {summary.reason}. It is a single run: "
-        "only several seeds can tell what the method does."
+        f"{_LOOKS[summary.verdict]}, because {summary.reason}. It is a single run: conclusions "
+        "about the training method need several seeds."
     )
 
 
 def _transitivity(part: PartSummary) -> str:
     if part.transitive_share is None or part.transitive_share_logits is None:
-        return f"{_when(part)}, all capture rates are the same, so there is nothing to explain."
+        return f"{_when(part)}, all capture rates are equal, so there is no variance to explain."
     return (
-        f"{_when(part)}, the strength of each generation by itself explains "
+        f"{_when(part)}, the strength of each generation explains "
         f"{part.transitive_share:.0%} of the variance of the capture rate (transitive share "
         f"{part.transitive_share:.2f}; {part.transitive_share_logits:.2f} on logits); "
-        "the rest is who meets whom, and noise."
+        "the rest depends on the pairing or is noise."
     )
 
 
@@ -57,14 +67,16 @@ def _checkerboards(part: PartSummary) -> str:
 
 
 def _when(part: PartSummary) -> str:
+    # The last half of a matrix that is not square starts at two different generations.
     first, second = part.first_pursuers, part.first_evaders
     return f"From generation {first if first == second else f'{first} / {second}'} on"
 
 
 def _swing(summary: Summary) -> str:
     return (
-        f"From generation {summary.swing_start} on, the evaders of one generation and of the one "
-        f"before differ by {summary.swing:.2f} on average in what the same pursuers capture."
+        f"From generation {summary.swing_start} on, the capture rate of the same pursuers against "
+        f"the evaders of one generation and of the previous one differs by {summary.swing:.2f} on "
+        "average."
     )
 
 
@@ -73,11 +85,12 @@ def _lags(summary: Summary) -> str:
         f"{lag:+d}: {mean:.2f}" if lag else f"0: {mean:.2f}"
         for lag, mean in zip(summary.lags, summary.lag_means, strict=True)
     )
+    # The lag is a third of the run, so it is 1 in short runs.
     plural = "" if summary.rise_lag == 1 else "s"
     return (
-        f"Capture rate by lag (pursuer minus evader generation): {means}. Pursuers "
-        f"{summary.rise_lag} generation{plural} after their opponents rather than as many before "
-        f"them change it by {summary.lag_rise:+.2f}."
+        f"Capture rate by lag (pursuer minus evader generation): {means}. At a lag of "
+        f"+{summary.rise_lag} generation{plural} it differs from a lag of -{summary.rise_lag} by "
+        f"{summary.lag_rise:+.2f}."
     )
 
 

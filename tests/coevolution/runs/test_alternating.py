@@ -337,7 +337,7 @@ def disengaged(config, pursuers, evaders, matches, *, worlds=1, threads=None):
 
 def test_disengagement_causes_one_warning(tmp_path):
     race = Race(tiny_race(generations=5), tmp_path / "run", play=disengaged)
-    with pytest.warns(DisengagementWarning, match="the pursuers win nearly everything") as caught:
+    with pytest.warns(DisengagementWarning, match="the pursuers win nearly all matches") as caught:
         race.run()
     assert len(caught) == 1
     assert race.stage == 10

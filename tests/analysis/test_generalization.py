@@ -1,4 +1,4 @@
-"""CIAO triangles and the kinds of progress, written out in loops."""
+"""CIAO triangles and kinds of progress against plain loops."""
 
 from __future__ import annotations
 
@@ -58,20 +58,20 @@ def test_stripes_may_lie_in_any_direction() -> None:
         assert triangle.stripes > 0.95
 
 
-def test_a_race_of_ever_better_teams_has_no_stripes_and_old_opponents_are_easy() -> None:
+def test_a_race_of_improving_teams_has_no_stripes_and_no_fading() -> None:
     for matrix in (logistic(31), staircase(31)):
         for triangle in analysis.ciao(matrix):
             assert (triangle.stripes, triangle.period) == (0.0, None)
             assert triangle.fading <= 0.0
 
 
-def test_noise_hardly_makes_stripes() -> None:
+def test_noise_gives_weak_stripes_only() -> None:
     rng = np.random.default_rng(0)
     stripes = [analysis.ciao(rng.random((31, 31))).pursuers.stripes for _ in range(50)]
     assert max(stripes) < 0.2
 
 
-def test_a_team_that_remembers_the_newest_opponents_only_fades() -> None:
+def test_a_team_that_beats_the_newest_opponents_only_fades() -> None:
     age = np.subtract.outer(np.arange(20), np.arange(20))
     triangle = analysis.ciao(np.where(np.abs(age) < 3, 0.9, 0.1)).pursuers
     assert triangle.fading > 0.1
@@ -86,7 +86,7 @@ def test_autocorrelation_of_a_matrix_without_variation_is_not_defined() -> None:
 
 
 def written_out(matrix: np.ndarray, met: str) -> tuple[list[float], list[float]]:
-    """EpisodeStatistics and gains of the pursuers against each kind of opponents."""
+    """Return scores and gains of the pursuers against each kind of opponents."""
     rows, columns = matrix.shape
     generations = range(min(rows, columns) if met == "local" else rows)
     scores, gains = [], []
