@@ -1,4 +1,5 @@
-// NumPy arrays on their way into the engine: their shapes and dtypes, checked.
+// Checks of NumPy arrays that Python passes to the engine: shapes, dtypes, integers. The engine
+// itself trusts its memory, so every array passes through here first.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -36,15 +37,15 @@ inline void require_shape(const std::string& name, const py::array& array, const
                           text(shape_of(array)));
 }
 
-template <typename T>
-void require_dtype(const std::string& name, const py::array& array) {
-    if (array.dtype().is(py::dtype::of<T>())) return;
-    throw py::type_error(name + ": expected dtype " +
-                         py::str(py::dtype::of<T>()).cast<std::string>() + ", got " +
-                         py::str(array.dtype()).cast<std::string>());
+inline void require_dtype(const std::string& name, const py::array& array,
+                          const py::dtype& expected) {
+    if (array.dtype().is(expected)) return;
+    throw py::type_error(name + ": expected dtype " + py::str(expected).cast<std::string>() +
+                         ", got " + py::str(array.dtype()).cast<std::string>());
 }
 
-// Calls use(pointer) with the integers of an array of this shape.
+// Calls use(pointer) with the integers of an array of this shape. The pointer has the array's own
+// type, so that actions of any usual dtype are read without a conversion.
 template <typename Use>
 void with_integers(const std::string& name, const py::array& given, const Shape& shape, Use use) {
     require_shape(name, given, shape);
@@ -60,7 +61,7 @@ void with_integers(const std::string& name, const py::array& given, const Shape&
                          py::str(array.dtype()).cast<std::string>());
 }
 
-// A map of obstacles (rows, cols) uint8, or None.
+// A map of obstacles, (rows, cols) uint8; None gives an empty one.
 inline ByteArray to_map(const py::object& map) {
     if (map.is_none()) return {};
     const auto array = map.cast<Array<std::uint8_t>>();

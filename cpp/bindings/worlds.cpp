@@ -77,7 +77,13 @@ Snapshot to_snapshot(const py::dict& from) {
 class SingleWorld {
   public:
     explicit SingleWorld(std::shared_ptr<const Setup> setup)
-        : setup_(std::move(setup)), world_(setup_), scratch_(*setup_), lens_(*setup_) {}
+        : setup_(std::move(setup)), world_(setup_), scratch_(*setup_), observer_(*setup_) {
+        source_.observer = &observer_;
+    }
+
+    // `source_` points to this object's own observer.
+    SingleWorld(const SingleWorld&) = delete;
+    SingleWorld& operator=(const SingleWorld&) = delete;
 
     void reset(std::uint64_t seed, std::uint64_t episode, const py::object& pursuers,
                const py::object& evaders, const py::object& map) {
@@ -130,10 +136,11 @@ class SingleWorld {
         turn_ = turn;
     }
 
-    void write(const py::dict& arrays) const {
+    void write(const py::dict& arrays) {
         const HeldBuffers held = hold_world(setup_->config, arrays);
-        write_step(world_, 0, held.pointers);
-        write_moment(world_, scratch_.occupancy, lens_, 0, held.pointers);
+        source_.look_at(world_, scratch_.occupancy);
+        held.buffers.write(Written::Step, source_, 0);
+        held.buffers.write(Written::Moment, source_, 0);
     }
 
     // (turn, kind, form, first, second, (row, col), at_fault, held, doomed)
@@ -196,7 +203,8 @@ class SingleWorld {
     std::shared_ptr<const Setup> setup_;
     World world_;
     Scratch scratch_;
-    mutable Observer lens_;
+    Observer observer_;
+    OutputSource source_;
     int turn_ = 0;  // the next one of the round
     std::vector<Conflict> conflicts_;
 };
@@ -226,7 +234,7 @@ class BufferedBatch {
   public:
     BufferedBatch(const std::shared_ptr<const Setup>& setup, int n_worlds, int n_threads,
                   Autoreset autoreset, const py::dict& buffers)
-        : buffers_(hold_batch(setup->config, n_worlds, buffers)),
+        : held_(hold_batch(setup->config, n_worlds, buffers)),
           batch_(setup, n_worlds, n_threads, autoreset) {}
 
     void reset(const std::optional<Array<std::uint64_t>>& seeds, std::uint64_t episode,
@@ -239,21 +247,21 @@ class BufferedBatch {
         const std::uint64_t* first_seed = seeds ? seeds->data() : nullptr;
         const auto* chosen = mask ? reinterpret_cast<const std::uint8_t*>(mask->data()) : nullptr;
         const py::gil_scoped_release release;
-        batch_.reset(first_seed, episode, chosen, placements, buffers_.pointers);
+        batch_.reset(first_seed, episode, chosen, placements, held_.buffers);
     }
 
     void step(const py::array& actions) {
         const Shape shape{batch_.n_worlds(), batch_.setup().config.n_agents()};
         with_integers("actions", actions, shape, [&](const auto* given) {
             const py::gil_scoped_release release;
-            batch_.step(given, buffers_.pointers);
+            batch_.step(given, held_.buffers);
         });
     }
 
     py::dict snapshot(int w) const { return to_dict(batch_.snapshot(w), 0); }
 
   private:
-    HeldBuffers buffers_;
+    HeldBuffers held_;
     Batch batch_;
 };
 

@@ -33,7 +33,7 @@ _UNREADABLE = (
     zipfile.BadZipFile,
     zlib.error,
 )
-# Shape, in the letters of `Episode` (S is T + 1), and dtype of each array.
+# Shape and dtype of each array. T is the number of steps, S = T + 1 that of moments.
 _ARRAYS: dict[str, tuple[str, str]] = {
     "positions": ("S A 2", "int32"),
     "last_positions": ("S A 2", "int32"),
@@ -46,6 +46,12 @@ _ARRAYS: dict[str, tuple[str, str]] = {
     "fault": ("T A 3", "bool"),
     "map": ("rows cols", "bool"),
 }
+# The world's arrays that a recording keeps, at each moment and of each step. The actions are not
+# the world's: whoever plays knows them.
+MOMENT_ARRAYS = tuple(name for name, (shape, _) in _ARRAYS.items() if shape.startswith("S"))
+STEP_ARRAYS = tuple(
+    name for name, (shape, _) in _ARRAYS.items() if shape.startswith("T") and name != "actions"
+)
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,15 +9,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.arrays import integers
 from matrixworld.config import WorldConfig
-from matrixworld.episode import Episode
+from matrixworld.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode
 from matrixworld.maps import MapLike
 from matrixworld.render import MARK_STEPS, Scene
 from matrixworld.replay import capture_title, scene
 from matrixworld.rules import Rules
 from matrixworld.world import World
-
-_MOMENT = ("positions", "last_positions", "alive", "captured", "ever_captured")
-_STEP = ("rewards", "involved", "fault")
 
 
 class Recorder:
@@ -33,9 +30,9 @@ class Recorder:
         self._map = self.world.map
         self._start = self.world.steps
         self._kept: dict[str, list[NDArray[Any]]] = {
-            name: [] for name in (*_MOMENT, "actions", *_STEP)
+            name: [] for name in (*MOMENT_ARRAYS, "actions", *STEP_ARRAYS)
         }
-        self._keep(*_MOMENT)
+        self._keep(*MOMENT_ARRAYS)
 
     def note(self, actions: ArrayLike) -> None:
         """After a round with these actions, ``(A,)`` ints.
@@ -55,7 +52,7 @@ class Recorder:
                 f"{noted}, and the world has played {played}"
             )
         self._kept["actions"].append(row.astype(np.int8))
-        self._keep(*_MOMENT, *_STEP)
+        self._keep(*MOMENT_ARRAYS, *STEP_ARRAYS)
 
     def _keep(self, *names: str) -> None:
         for name, array in self.world.read(*names).items():
@@ -82,8 +79,8 @@ class Recorder:
             "fault": np.empty((0, n_agents, 3), np.bool_),
         }
         arrays: dict[str, Any] = {
-            name: np.stack(kept[len(kept) - steps - (name in _MOMENT) :])
-            if steps or name in _MOMENT
+            name: np.stack(kept[len(kept) - steps - (name in MOMENT_ARRAYS) :])
+            if steps or name in MOMENT_ARRAYS
             else empty[name]
             for name, kept in self._kept.items()
         }

@@ -12,9 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import _core
 from matrixworld.checks import INT_MAX, SEED_MAX, check_integer, check_naturals, check_threads
 from matrixworld.config import WorldConfig
-from matrixworld.episode import Episode
+from matrixworld.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode
 from matrixworld.policy import TeamPolicy, check_team
 from matrixworld.rules import Rules
+from matrixworld.world import World
 
 
 class Matches(NamedTuple):
@@ -142,10 +143,12 @@ def record(
         evader=check_integer("evader", evader, 0, INT_MAX),
         seed=check_integer("seed", seed, 0, SEED_MAX),
         episode=check_integer("episode", episode, 0, SEED_MAX),
+        of_moments=MOMENT_ARRAYS,
+        of_steps=STEP_ARRAYS,
     )
-    for name in ("alive", "captured", "ever_captured", "involved", "fault", "map"):
-        arrays[name] = arrays[name].astype(bool)
-    return Episode(**arrays, n_pursuers=config.n_pursuers, config=config.to_json())
+    world = World(config)
+    world.reset(seed, episode=episode)  # its map is the same at every moment of the episode
+    return Episode(**arrays, map=world.map, n_pursuers=config.n_pursuers, config=config.to_json())
 
 
 def match_seed(run_seed: int, *key: int) -> int:
