@@ -1,4 +1,4 @@
-"""One recorded episode, as arrays, in memory and on disk."""
+"""Recorded episodes: arrays in memory, and files."""
 
 from __future__ import annotations
 
@@ -56,23 +56,41 @@ STEP_ARRAYS = tuple(
 
 @dataclass(frozen=True, eq=False)
 class Episode:
-    """An episode of T steps, of P pursuers and E evaders, A = P + E agents, pursuers first.
-
-    positions: ``(T + 1, A, 2)`` int32, row and column, (-1, -1) when gone
-    last_positions: the same; of agents that are gone, where they went
-    alive: ``(T + 1, A)`` bool
-    captured, ever_captured: ``(T + 1, E)`` bool, at the moment and so far
-    actions: ``(T, A)`` int8
-    rewards: ``(T, A)`` float32
-    involved, fault: ``(T, A, 3)`` bool, collisions of a step by kind (obstacle, teammate,
-        adversary)
-    map: ``(rows, cols)`` bool, True for an obstacle
-    n_pursuers: P
-    config: the settings of the world, as plain values that JSON can hold
+    """Recorded episode of T steps with P pursuers and E evaders, A = P + E agents, pursuers first.
 
     Step t (an entry of actions, rewards, involved, fault) leads from moment t to moment t + 1 (of
-    positions, alive, captured, ever_captured). Raises TypeError for another dtype, ValueError for
-    another shape and for an action of a living agent outside 0 to 8.
+    positions, last_positions, alive, captured, ever_captured).
+
+    Parameters
+    ----------
+    positions : ndarray of int32, shape (T + 1, A, 2)
+        Row and column of each agent; (-1, -1) when gone.
+    last_positions : ndarray of int32, shape (T + 1, A, 2)
+        The same, but for a gone agent the cell where it disappeared.
+    alive : ndarray of bool, shape (T + 1, A)
+        Whether the agent is in the world.
+    captured, ever_captured : ndarray of bool, shape (T + 1, E)
+        Whether the evader is captured at this moment; whether it was at some time until then.
+    actions : ndarray of int8, shape (T, A)
+        Actions, 0 to 8. Those of gone agents have no meaning.
+    rewards : ndarray of float32, shape (T, A)
+        Rewards of the step.
+    involved, fault : ndarray of bool, shape (T, A, 3)
+        Whether the agent was in a collision, and at fault in one, with an obstacle, a teammate, an
+        adversary.
+    map : ndarray of bool, shape (rows, cols)
+        True for an obstacle.
+    n_pursuers : int
+        P.
+    config : mapping, optional
+        The settings of the world, as plain values that JSON can hold. The default is none.
+
+    Raises
+    ------
+    TypeError
+        For another dtype.
+    ValueError
+        For another shape, and for an action of a living agent outside 0 to 8.
     """
 
     positions: NDArray[np.int32]
@@ -95,6 +113,7 @@ class Episode:
                 got = getattr(array, "dtype", type(array).__name__)
                 raise TypeError(f"{name}: expected an array of {dtype}, got {got}")
         self._check_shapes()
+        # Gone agents keep whatever action was passed for them.
         played = self.actions[self.alive[:-1]]
         if ((played < 0) | (played >= N_ACTIONS)).any():
             raise ValueError(f"actions: expected 0 to {N_ACTIONS - 1}, got {np.unique(played)}")
@@ -113,17 +132,17 @@ class Episode:
 
     @property
     def length(self) -> int:
-        """T, the number of steps."""
+        """The number of steps, T."""
         return len(self.actions)
 
     @property
     def n_evaders(self) -> int:
-        """E."""
+        """The number of evaders, E."""
         return int(self.captured.shape[1])
 
     @property
     def counted(self) -> NDArray[np.bool_]:
-        """``(T + 1, E)``: who counts as captured: at that moment under surround, else ever."""
+        """Evaders that count as captured, (T + 1, E): now under surround, else ever."""
         rules = self.config.get("rules")
         surround = isinstance(rules, Mapping) and rules.get("capture") == "SURROUND"
         return self.captured if surround else self.ever_captured
@@ -134,7 +153,15 @@ class Episode:
         return float(self.counted[-1].mean()) if self.n_evaders else 0.0
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write to a file (npz, no pickle), which appears complete or not at all."""
+        """Write the episode to a file.
+
+        The file appears complete or not at all, and replaces an older one of this name.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file, of the format npz, without pickle.
+        """
         arrays = {name: getattr(self, name) for name in _ARRAYS}
         with replacing(path) as file:
             np.savez_compressed(
@@ -148,7 +175,26 @@ class Episode:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Episode:
-        """Read what `save` wrote. Raises ValueError, naming the file, when it is cut or foreign."""
+        """Read an episode that `save` wrote.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file.
+
+        Returns
+        -------
+        Episode
+            The same arrays and settings.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be read.
+        ValueError
+            If the file is cut, altered, or not an episode. The message names the file.
+        """
+        # Read before parsing, so that an OSError means the disk and not the content.
         content = Path(path).read_bytes()
         try:
             with np.load(io.BytesIO(content), allow_pickle=False) as stored:
@@ -170,14 +216,26 @@ class Episode:
 
 @contextmanager
 def replacing(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
-    """A file to write to that takes its name only when it is complete and on the disk."""
+    """Open a file that takes its name only when it is complete and on the disk.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        The file. An older one of this name stays until the new one is complete.
+
+    Yields
+    ------
+    BinaryIO
+        A new file in the same folder, open for writing.
+    """
     target = Path(path)
+    # In the same folder: a file can be replaced in one step only within a file system.
     part = target.with_name(f".{target.name}.{os.getpid()}.part")
     try:
         with part.open("wb") as file:
             yield file
             file.flush()
-            os.fsync(file.fileno())
+            os.fsync(file.fileno())  # before the name changes, or a crash could leave it empty
         part.replace(target)
     except BaseException:
         part.unlink(missing_ok=True)
