@@ -18,6 +18,7 @@ using namespace matrixworld;
 
 namespace {
 
+// The constructor of Setup checks the ranges; whatever it throws reaches Python as ValueError.
 std::shared_ptr<const Setup> make_setup(const Rules& rules, const Rewards& rewards, int rows,
                                         int cols, int n_pursuers, int n_evaders, int fov,
                                         bool diagonal, int max_steps, double density,
@@ -78,6 +79,7 @@ py::list to_list(const OutputFields& fields) {
     return rows;
 }
 
+// Python computes shapes from these and the fields' axes.
 py::dict axis_sizes(const Setup& setup) {
     py::dict sizes;
     for (int i = 0; i < kAxes; ++i) {
@@ -87,6 +89,7 @@ py::dict axis_sizes(const Setup& setup) {
     return sizes;
 }
 
+// For tests: the generator against NumPy's.
 std::array<std::uint64_t, 4> philox_block(std::array<std::uint64_t, 4> counter,
                                           std::array<std::uint64_t, 2> key) {
     return philox(counter, key[0], key[1]);
@@ -94,6 +97,8 @@ std::array<std::uint64_t, 4> philox_block(std::array<std::uint64_t, 4> counter,
 
 }  // namespace
 
+// Enumerations become Python's own (`enum.Enum`), with the names that the package exports. Keyword
+// arguments only: a long row of numbers in a fixed order would be easy to get wrong.
 PYBIND11_MODULE(_core, m) {
     m.doc() = "The engine of matrixworld. Use it through the package.";
 

@@ -19,6 +19,7 @@ template <typename T>
 using Array = py::array_t<T, py::array::c_style>;
 using Shape = std::vector<py::ssize_t>;
 
+// The shape as Python prints a tuple.
 inline std::string text(const Shape& shape) {
     std::string out = "(";
     for (std::size_t i = 0; i < shape.size(); ++i) {
@@ -49,6 +50,7 @@ inline void require_dtype(const std::string& name, const py::array& array,
 template <typename Use>
 void with_integers(const std::string& name, const py::array& given, const Shape& shape, Use use) {
     require_shape(name, given, shape);
+    // A copy only where the array is not contiguous.
     const py::array array = py::array::ensure(given, py::array::c_style);
     const auto is = [&](auto integer) {
         return array.dtype().is(py::dtype::of<decltype(integer)>());

@@ -38,6 +38,7 @@ const OutputField* find_in(const Tables& tables, const std::string& name) {
     return nullptr;
 }
 
+// A wrong name is mostly a spelling mistake: the message lists all names.
 [[noreturn]] void refuse_names(const Tables& tables, const py::dict& arrays) {
     std::string names;
     for (const OutputFields* fields : tables) {
@@ -56,6 +57,7 @@ void add_array(const OutputField& field, const Config& config, const Shape& lead
                              py::type::handle_of(given).attr("__name__").cast<std::string>());
     }
     const auto array = py::reinterpret_borrow<py::array>(given);
+    // Views are the one kind of field with a choice of dtypes.
     const bool floats = field.write_floats && array.dtype().is(py::dtype::of<float>());
     if (!floats) require_dtype(field.name, array, numpy_dtype(field.dtype));
     require_shape(field.name, array, shape_of(field, config, leading));
@@ -65,6 +67,8 @@ void add_array(const OutputField& field, const Config& config, const Shape& lead
     buffers.add(field, config, const_cast<void*>(array.data()), floats);
 }
 
+// Goes through the caller's arrays, not through the table: reading a single array of a world, which
+// environments do all the time, then costs one search.
 Buffers add_arrays(const Tables& tables, const Config& config, const Shape& leading,
                    const py::dict& arrays) {
     Buffers buffers;

@@ -20,6 +20,7 @@ std::string script_names() {
     return names;
 }
 
+// Python names activations; the engine's None is not among them, it is for the last layer.
 Network make_network(int fov, const std::vector<int>& hidden, int n_actions,
                      const std::string& activation, bool sampled) {
     if (activation != "relu" && activation != "tanh") {
@@ -57,6 +58,7 @@ HeldCandidates to_candidates(const char* team, const py::object& given, const Co
                               std::to_string(network.fov) + " and " +
                               std::to_string(network.n_actions()) + " actions");
     }
+    // The number of genomes is free, the rest of the shape is not.
     const py::ssize_t n = held.genomes.ndim() > 0 ? held.genomes.shape(0) : 0;
     require_shape(std::string(team) + " genomes", held.genomes, {n, network.genome_size()});
     held.candidates.network = network;
@@ -77,7 +79,7 @@ py::array to_column(const OutputField& field, const std::vector<EpisodeStatistic
     py::array column(numpy_dtype(field.dtype), shape_of(field, config, leading));
     auto* out = static_cast<std::uint8_t*>(column.mutable_data());
     const std::size_t size = field.n_items(config) * item_size(field.dtype);
-    OutputSource source;
+    OutputSource source;  // without a world: statistics need none
     for (const EpisodeStatistics& episode : statistics) {
         source.statistics = &episode;
         field.write(source, out);
@@ -116,12 +118,14 @@ py::dict rollout(const std::shared_ptr<const Setup>& setup, const py::object& pu
     require_shape("pursuer", pursuer, {n});
     require_shape("evader", evader, {n});
     require_shape("seed", seed, {n});
+    // Genomes are looked up by pointer arithmetic later, so every index is checked here.
     std::vector<Match> matches;
     for (py::ssize_t i = 0; i < n; ++i) {
         require_index("pursuer", pursuer.at(i), left.candidates.n);
         require_index("evader", evader.at(i), right.candidates.n);
         matches.push_back({pursuer.at(i), evader.at(i), seed.at(i)});
     }
+    // The arrays stay alive in `left` and `right`; no Python object is touched without the GIL.
     std::vector<EpisodeStatistics> statistics;
     {
         const py::gil_scoped_release release;
@@ -164,12 +168,14 @@ class Recorder {
     }
 
   private:
+    // Bytes without a type: the field's own writer fills them, as it fills a batch's arrays.
     struct Column {
         const OutputField* field;
         std::size_t size;  // bytes of a moment
         std::vector<std::uint8_t> bytes;
     };
 
+    // Only `record` of the package calls this, with names that are in the table.
     void add_column(const std::string& name, std::vector<Column>& columns) {
         const OutputField* field = find_field(world_fields(), name);
         if (!field) throw py::value_error("record: no field has the name '" + name + "'");
@@ -207,6 +213,7 @@ py::dict record(const std::shared_ptr<const Setup>& setup, const py::object& pur
     const HeldCandidates right = to_candidates("evaders", evaders, setup->config);
     require_index("pursuer", pursuer, left.candidates.n);
     require_index("evader", evader, right.candidates.n);
+    // The GIL is kept: one episode is short.
     Recorder recorder(*setup, of_moments, of_steps);
     play_episode(setup, left.candidates, right.candidates, {pursuer, evader, seed}, episode,
                  [&](const World& world, const Occupancy& occupancy,

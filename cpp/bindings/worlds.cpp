@@ -74,6 +74,7 @@ Snapshot to_snapshot(const py::dict& from) {
     return s;
 }
 
+// A world with a scratch of its own, in which its agents stay between two calls.
 class SingleWorld {
   public:
     explicit SingleWorld(std::shared_ptr<const Setup> setup)
@@ -136,6 +137,7 @@ class SingleWorld {
         turn_ = turn;
     }
 
+    // Fills the caller's arrays with world fields.
     void write(const py::dict& arrays) {
         const HeldBuffers held = hold_world(setup_->config, arrays);
         source_.look_at(world_, scratch_.occupancy);
@@ -156,6 +158,7 @@ class SingleWorld {
         return list;
     }
 
+    // For tests of the network: its outputs for the living agents, without choosing actions.
     py::array_t<float> logits(const Network& network, const Array<float>& genome) const {
         if (network.fov != setup_->config.fov) {
             throw py::value_error("network: expected fov " + std::to_string(setup_->config.fov) +
@@ -186,7 +189,8 @@ class SingleWorld {
         return committed;
     }
 
-    // Puts a fresh world in the place of this one, unless `begin` throws.
+    // Replaces this world by a fresh one on which `begin` was called. If `begin` throws, this world
+    // stays as it was: it leaves the scratch only for as long as the fresh one may need it.
     template <typename Begin>
     void become(Begin begin) {
         World fresh(setup_);
@@ -211,7 +215,7 @@ class SingleWorld {
 
 // ---- Batch ------------------------------------------------------------------------------------
 
-// Positions (n, 2) of all worlds or (W, n, 2) of each, or None; a map for all, or None.
+// Positions (W, n, 2) or None for each team; one map for all worlds, or None.
 std::vector<Placement> to_placements(const py::object& pursuers, const py::object& evaders,
                                      const py::object& map, int n_worlds) {
     if (pursuers.is_none() && evaders.is_none() && map.is_none()) return {};
@@ -230,6 +234,8 @@ std::vector<Placement> to_placements(const py::object& pursuers, const py::objec
     return placements;
 }
 
+// A batch with the caller's arrays. Steps and resets run without the GIL, after all checks that need
+// Python objects.
 class BufferedBatch {
   public:
     BufferedBatch(const std::shared_ptr<const Setup>& setup, int n_worlds, int n_threads,
@@ -258,6 +264,7 @@ class BufferedBatch {
         });
     }
 
+    // Between two steps no round is in progress: the next turn is turn 0.
     py::dict snapshot(int w) const { return to_dict(batch_.snapshot(w), 0); }
 
   private:

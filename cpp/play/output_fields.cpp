@@ -13,6 +13,7 @@ namespace {
 
 template <typename T>
 constexpr DType dtype_of() {
+    // NumPy's numbers have the same sizes and formats.
     if constexpr (std::is_same_v<T, bool>) return DType::Bool;
     if constexpr (std::is_same_v<T, std::uint8_t>) return DType::UInt8;
     if constexpr (std::is_same_v<T, std::int32_t>) return DType::Int32;
@@ -28,6 +29,8 @@ constexpr DType dtype_of(void (*)(const OutputSource&, T*)) {
     return dtype_of<T>();
 }
 
+// A writer with its pointer's type hidden, so that one table holds all writers. The cast is safe
+// because `field` takes the row's dtype from the same writer.
 template <auto kWrite, typename T>
 void write_untyped(const OutputSource& source, void* out) {
     kWrite(source, static_cast<T*>(out));
@@ -186,6 +189,7 @@ void write_ended(const OutputSource& source, bool* out) { *out = source.ended; }
 
 // ---- Statistics of an episode -------------------------------------------------------------------
 
+// The type of a statistic's numbers: of a member that is a number, or an array of numbers.
 template <typename T>
 struct ItemOf {
     using Type = T;
@@ -273,6 +277,7 @@ const OutputFields& batch_fields() {
             field<write_ended>("ended", {}, Written::Step),
             views("final_views", Written::EpisodeEnd),
         };
+        // The rows of a rollout's statistics, under names of their own.
         for (const StatisticField& statistic : statistic_fields()) {
             if (!statistic.in_batch) continue;
             rows.push_back(statistic.field);

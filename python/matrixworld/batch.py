@@ -74,6 +74,7 @@ class Batch:
         self.buffers = self._default_buffers() if buffers is None else buffers
         if not isinstance(self.buffers, dict):
             raise TypeError(f"buffers: expected a dict of arrays, got {self.buffers!r}")
+        # The engine checks the buffers and keeps them alive.
         self._core = _core.Batch(
             self.config.setup, self.n_worlds, check_threads(threads), autoreset, self.buffers
         )
@@ -83,7 +84,7 @@ class Batch:
         return {
             name: np.zeros((self.n_worlds, *shape), dtype)
             for name, (shape, dtype) in array_specs(self.config).items()
-            if name not in ("views", "state")
+            if name not in ("views", "state")  # large, and slow to write
         }
 
     def reset(

@@ -46,8 +46,8 @@ _ARRAYS: dict[str, tuple[str, str]] = {
     "fault": ("T A 3", "bool"),
     "map": ("rows cols", "bool"),
 }
-# The world's arrays that a recording keeps, at each moment and of each step. The actions are not
-# the world's: whoever plays knows them.
+# World arrays that a recording keeps, one of each moment or of each step. Actions are not among
+# them: they are the input of a step.
 MOMENT_ARRAYS = tuple(name for name, (shape, _) in _ARRAYS.items() if shape.startswith("S"))
 STEP_ARRAYS = tuple(
     name for name, (shape, _) in _ARRAYS.items() if shape.startswith("T") and name != "actions"

@@ -60,6 +60,7 @@ class Matches(NamedTuple):
             check_naturals("seed", seed, np.uint64),
         )
         broadcast = np.atleast_1d(*parts)
+        # `broadcast_arrays` is slow beside a short rollout, and rarely needed.
         if any(part.shape != broadcast[0].shape for part in broadcast):
             broadcast = np.broadcast_arrays(*broadcast)
         if broadcast[0].ndim != 1:
@@ -241,6 +242,7 @@ def match_seed(run_seed: int, *key: int) -> int:
     TypeError
         If a number is not an integer.
     """
+    # A SeedSequence mixes all numbers, so that near keys give unrelated seeds.
     entropy = [check_integer("match seed", part, 0, SEED_MAX) for part in (run_seed, *key)]
     words = np.random.SeedSequence(entropy).generate_state(1, np.uint64)
     return int(words[0])

@@ -162,6 +162,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
 
     def _name_arrays(self, kept: dict[str, NDArray[Any]], flatten: bool) -> None:
         shape = kept["views"].shape
+        # `reshape` of a contiguous array makes a view, so the batch writes into observations.
         seen = (*shape[:2], -1) if flatten else shape
         self.observations = kept["views"].reshape(seen)
         self.rewards = kept["rewards"]
@@ -172,6 +173,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
             if name not in _NOT_IN_INFOS
         }
         self.infos |= {f"cost_{kind}": kept["fault"][..., k] for k, kind in enumerate(KINDS)}
+        # Without a copy of its own, the end of an episode is what the observations show then.
         final = kept.get("final_views", kept["views"])
         self.infos |= {"final_obs": final.reshape(seen), "_final_obs": kept["ended"]}
         self.infos["episode"] = {key: kept[name] for key, name in EPISODE_KEYS.items()}
@@ -225,6 +227,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         unknown = set(given) - set(OPTIONS)
         if unknown:
             raise ValueError(f"options: expected some of {OPTIONS}, got {sorted(unknown)}")
+        # The batch starts with fixed seeds, which would make every unseeded run the same.
         if seed is None and not self._seeded:
             seed = np.random.SeedSequence().generate_state(self.n_worlds, np.uint64)
         self._batch.reset(seed, mask=given.pop("reset_mask", None), **given)
