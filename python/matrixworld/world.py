@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
-from matrixworld.arrays import array_specs, integers
+from matrixworld.arrays import WORLD_FIELDS, array_specs, integers
 from matrixworld.checks import SEED_MAX, check_integer
 from matrixworld.config import WorldConfig
 from matrixworld.conflicts import Conflict, conflict_of
@@ -164,6 +164,14 @@ class World:
 
     def _read(self, name: str) -> NDArray[Any]:
         return self.read(name)[name]
+
+    if not TYPE_CHECKING:  # or a misspelled attribute would pass the type checker
+
+        def __getattr__(self, name: str) -> NDArray[Any]:
+            """Return an array of `array_specs` that has no property of its own."""
+            if name in WORLD_FIELDS:
+                return self._read(name)
+            raise AttributeError(f"'World' object has no attribute {name!r}")
 
     def __getstate__(self) -> dict[str, Any]:
         """Everything that its future depends on; the list of conflicts is left out."""
