@@ -49,8 +49,6 @@ OutputField field(const char* name, Axes axes, Written written) {
 
 // ---- Writers: the moment ------------------------------------------------------------------------
 
-std::size_t n_agents(const OutputSource& source) { return source.world().config().n_agents(); }
-
 // Row and column of a cell; kGone, kGone without one.
 void write_cell(const Grid& grid, int cell, std::int32_t* out) {
     out[0] = cell == kGone ? kGone : grid.row(cell);
@@ -60,7 +58,7 @@ void write_cell(const Grid& grid, int cell, std::int32_t* out) {
 void write_positions(const OutputSource& source, std::int32_t* out) {
     const World& world = source.world();
     const int* cells = world.cells().data();
-    for (std::size_t a = 0; a < n_agents(source); ++a) {
+    for (std::size_t a = 0; a < source.n_agents(); ++a) {
         write_cell(world.grid(), cells[a], out + 2 * a);
     }
 }
@@ -69,14 +67,14 @@ void write_last_positions(const OutputSource& source, std::int32_t* out) {
     const World& world = source.world();
     const int* cells = world.cells().data();
     const int* last_cells = world.last_cells().data();
-    for (std::size_t a = 0; a < n_agents(source); ++a) {
+    for (std::size_t a = 0; a < source.n_agents(); ++a) {
         write_cell(world.grid(), cells[a] == kGone ? last_cells[a] : cells[a], out + 2 * a);
     }
 }
 
 void write_alive(const OutputSource& source, bool* out) {
     const int* cells = source.world().cells().data();
-    for (std::size_t a = 0; a < n_agents(source); ++a) out[a] = cells[a] != kGone;
+    for (std::size_t a = 0; a < source.n_agents(); ++a) out[a] = cells[a] != kGone;
 }
 
 void write_steps(const OutputSource& source, std::int32_t* out) { *out = source.world().steps(); }
@@ -109,8 +107,8 @@ OutputField views(const char* name, Written written) {
 
 template <const ByteArray& (World::*kRead)() const>
 void write_evader_flags(const OutputSource& source, bool* out) {
-    const ByteArray& flags = (source.world().*kRead)();
-    std::copy_n(flags.data(), flags.size(), out);
+    const ByteArray& flags = (source.world().*kRead)();  // each 0 or 1, as a bool
+    std::memcpy(out, flags.data(), static_cast<std::size_t>(flags.size()));
 }
 
 void write_captors(const OutputSource& source, std::int32_t* out) {
@@ -122,7 +120,7 @@ void write_captors(const OutputSource& source, std::int32_t* out) {
 // entries are cleared at once and those of few are set.
 template <int kFirstBit>
 void write_report_bits(const OutputSource& source, bool* out) {
-    std::fill_n(out, n_agents(source) * kKinds, false);
+    std::fill_n(out, source.n_agents() * kKinds, false);
     for (const int a : source.reported()) {
         const Flags report = source.world().report(a);
         for (int kind = 0; kind < kKinds; ++kind) {
@@ -132,7 +130,7 @@ void write_report_bits(const OutputSource& source, bool* out) {
 }
 
 void write_cost(const OutputSource& source, float* out) {
-    std::fill_n(out, n_agents(source), 0.0f);
+    std::fill_n(out, source.n_agents(), 0.0f);
     for (const int a : source.reported()) {
         const Flags report = source.world().report(a);
         for (int kind = 0; kind < kKinds; ++kind) out[a] += report >> (kKinds + kind) & 1;
@@ -140,20 +138,21 @@ void write_cost(const OutputSource& source, float* out) {
 }
 
 void write_rewards(const OutputSource& source, float* out) {
-    std::copy_n(source.world().rewards().data(), n_agents(source), out);
+    std::copy_n(source.world().rewards().data(), source.n_agents(), out);
 }
 
 void write_terminations(const OutputSource& source, bool* out) {
     const bool all_end = source.world().terminated();
     const int* cells = source.world().cells().data();
-    for (std::size_t a = 0; a < n_agents(source); ++a) out[a] = all_end || cells[a] == kGone;
+    for (std::size_t a = 0; a < source.n_agents(); ++a) out[a] = all_end || cells[a] == kGone;
 }
 
 void write_truncations(const OutputSource& source, bool* out) {
-    const World& world = source.world();
-    const bool cut = world.truncated() && !world.terminated();
-    const int* cells = world.cells().data();
-    for (std::size_t a = 0; a < n_agents(source); ++a) out[a] = cut && cells[a] != kGone;
+    if (source.world().truncated() && !source.world().terminated()) {
+        write_alive(source, out);
+    } else {
+        std::fill_n(out, source.n_agents(), false);
+    }
 }
 
 void write_terminated(const OutputSource& source, bool* out) { *out = source.world().terminated(); }
@@ -181,7 +180,7 @@ void write_acted(const OutputSource& source, bool* out) {
     if (source.acts) {
         write_alive(source, out);
     } else {
-        std::fill_n(out, n_agents(source), false);
+        std::fill_n(out, source.n_agents(), false);
     }
 }
 
@@ -327,15 +326,19 @@ std::size_t OutputField::n_items(const Config& config) const {
     return n;
 }
 
-const std::vector<int>& OutputSource::reported() const {
+Agents OutputSource::reported() const {
     if (!reported_is_known_) {
-        reported_.clear();
-        for (int a = 0; a < world_->config().n_agents(); ++a) {
-            if (world_->report(a) != 0) reported_.push_back(a);
-        }
         reported_is_known_ = true;
+        if (reported_.size() < n_agents_) reported_.resize(n_agents_);
+        std::size_t n = 0;
+        // Without a branch: which agents have a report cannot be predicted.
+        for (std::size_t a = 0; a < n_agents_; ++a) {
+            reported_[n] = static_cast<int>(a);
+            n += world_->report(static_cast<int>(a)) != 0;
+        }
+        n_reported_ = n;
     }
-    return reported_;
+    return {reported_.data(), reported_.data() + n_reported_};
 }
 
 }  // namespace matrixworld
