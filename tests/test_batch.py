@@ -24,7 +24,7 @@ def all_buffers(config: mw.WorldConfig, n_worlds: int) -> dict[str, np.ndarray]:
 
 
 class SingleWorld:
-    """What a batch promises of one of its worlds, in Python."""
+    """Reference for one world of a batch, in Python."""
 
     def __init__(
         self, config: mw.WorldConfig, seed: int, episode: int, autoreset: mw.Autoreset
@@ -32,14 +32,14 @@ class SingleWorld:
         self.world = mw.World(config)
         self.world.reset(seed, episode=episode)
         self.autoreset = autoreset
-        self.seen: dict[str, Any] = {
+        self.arrays: dict[str, Any] = {
             name: np.zeros(shape) for name, (shape, _) in mw.episode_specs(config).items()
         }
-        self.look()
+        self.read()
         self.begin()
 
-    def look(self) -> None:
-        self.seen |= self.world.read(*mw.array_specs(self.world.config))
+    def read(self) -> None:
+        self.arrays |= self.world.read(*mw.array_specs(self.world.config))
 
     def begin(self) -> None:
         self.steps: list[dict[str, Any]] = []
@@ -50,28 +50,28 @@ class SingleWorld:
 
     def step(self, actions: np.ndarray) -> None:
         was_over = self.over
-        self.seen["acted"] = self.world.alive & (not was_over)
-        self.seen["ended"] = False
+        self.arrays["acted"] = self.world.alive & (not was_over)
+        self.arrays["ended"] = False
         if was_over and self.autoreset is mw.Autoreset.NEXT_STEP:
             self.world.reset()
-            self.look()
+            self.read()
             self.begin()
         elif was_over:
             for name in ("rewards", "involved", "fault", "captors", "cost"):
-                self.seen[name] = np.zeros_like(self.seen[name])
+                self.arrays[name] = np.zeros_like(self.arrays[name])
         else:
             self.world.step(actions)
-            self.look()
-            self.steps.append(dict(self.seen))
+            self.read()
+            self.steps.append(dict(self.arrays))
             if self.over:
                 self.finish()
         if self.over and self.autoreset is mw.Autoreset.SAME_STEP:
             self.world.reset()
-            self.seen |= self.world.read(*MOMENT)
+            self.arrays |= self.world.read(*MOMENT)
             self.begin()
 
     def finish(self) -> None:
-        """What the episode came to, from what each of its steps told."""
+        """Compute the statistics of the episode from the arrays of its steps."""
         pursuers = self.world.config.n_pursuers
         teams = slice(0, pursuers), slice(pursuers, None)
 
@@ -79,12 +79,12 @@ class SingleWorld:
             by_agent = np.sum([step[name] for step in self.steps], axis=0, dtype=np.float64)
             return np.array([by_agent[team].sum(axis=0) for team in teams])
 
-        self.seen |= {
+        self.arrays |= {
             "ended": True,
-            "final_views": self.seen["views"],
+            "final_views": self.arrays["views"],
             "episode_return": total("rewards").round(4),
             "episode_length": len(self.steps),
-            "episode_capture_rate": self.seen["capture_rate"],
+            "episode_capture_rate": self.arrays["capture_rate"],
             "episode_ever_capture_rate": np.float32(self.world.ever_captured.mean()),
             "episode_survivors": [self.world.alive[team].sum() for team in teams],
             "episode_collisions": total("involved"),
@@ -110,7 +110,7 @@ def test_each_world_is_a_single_world(
     actions = random_actions(1, config.n_actions, 24, n_worlds, config.n_agents)
     for step in range(25):
         for w, world in enumerate(worlds):
-            for what, expected in world.seen.items():
+            for what, expected in world.arrays.items():
                 got = batch.buffers[what][w]
                 got = got.round(4) if what == "episode_return" else got
                 np.testing.assert_array_equal(got, expected, f"{what} of {w}, step {step}")
@@ -157,7 +157,7 @@ def test_a_copy_of_a_world_goes_on_like_it() -> None:
 # ---- Resetting some ----------------------------------------------------------------------------
 
 
-def test_a_mask_says_which_worlds_are_reset() -> None:
+def test_a_mask_selects_the_worlds_to_reset() -> None:
     config = config_of("O")
     batch = mw.Batch(4, config)
     batch.reset(7)
@@ -175,7 +175,7 @@ def test_a_mask_says_which_worlds_are_reset() -> None:
                 np.testing.assert_array_equal(array[w], before[name][w])
 
 
-def test_worlds_begin_where_they_are_told_to() -> None:
+def test_a_reset_with_positions_and_map() -> None:
     config = config_of("R", rows=6, cols=6, n_pursuers=2, n_evaders=2)
     batch = mw.Batch(3, config, buffers=all_buffers(config, 3))
     ground = np.zeros((6, 6), bool)
@@ -238,7 +238,7 @@ def test_neither_number_nor_order_of_worlds_matters() -> None:
 # ---- Seeds -----------------------------------------------------------------------------------
 
 
-def test_an_int_seeds_the_worlds_one_after_the_other() -> None:
+def test_an_int_seeds_consecutive_worlds() -> None:
     config = config_of("O")
     one, other = mw.Batch(4, config), mw.Batch(4, config)
     one.reset(7)
@@ -285,7 +285,7 @@ def test_the_arrays_are_those_of_the_caller() -> None:
     assert {"positions", "rewards", "steps", "views", "state", "involved", "fault"} <= changed
 
 
-def test_some_arrays_are_enough() -> None:
+def test_each_array_alone() -> None:
     config = config_of("O")
     full = mw.Batch(6, config, buffers=all_buffers(config, 6))
     actions = random_actions(5, 5, 6, config.n_agents)
@@ -345,7 +345,7 @@ def test_ended_worlds_stand_still() -> None:
     assert over.all()
     assert batch.buffers["terminated"].any()
     before = {name: array.copy() for name, array in batch.buffers.items()}
-    batch.step(np.full((30, config.n_agents), 99))  # what ended worlds are told is not looked at
+    batch.step(np.full((30, config.n_agents), 99))  # actions of ended worlds are ignored
     silent = ("rewards", "involved", "fault", "captors", "cost", "acted", "ended")
     for name in silent:
         assert not batch.buffers[name].any()

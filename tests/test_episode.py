@@ -1,4 +1,4 @@
-"""An episode: what it holds, its file, and what is refused."""
+"""Recorded episodes: arrays, files, and refused input."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def same(a: Episode, b: Episode) -> bool:
     )
 
 
-def test_the_made_up_episode_has_something_of_everything() -> None:
+def test_the_example_has_captures_and_faults() -> None:
     assert EPISODE.length == 30
     assert EPISODE.n_evaders == 7
     assert 0 < EPISODE.capture_rate < 1
@@ -68,7 +68,7 @@ def test_a_cut_file_is_refused_by_name(tmp_path: Path) -> None:
             Episode.load(path)
 
 
-def test_an_altered_file_is_refused_or_tells_the_same(tmp_path: Path) -> None:
+def test_an_altered_file_is_refused_or_reads_the_same(tmp_path: Path) -> None:
     path = tmp_path / "altered.npz"
     EPISODE.save(path)
     whole = path.read_bytes()
@@ -80,7 +80,7 @@ def test_an_altered_file_is_refused_or_tells_the_same(tmp_path: Path) -> None:
     assert all("altered.npz" in refusal for refusal in refusals)
     assert len(refusals) > len(outcomes) / 2
     harmless = [outcome for outcome in outcomes if isinstance(outcome, Episode)]
-    assert all(same(outcome, EPISODE) for outcome in harmless)  # a date in the archive, for one
+    assert all(same(outcome, EPISODE) for outcome in harmless)  # for example a date in the archive
 
 
 def _loaded(path: Path) -> Episode | str:
@@ -154,9 +154,9 @@ def test_wrong_dtypes_and_shapes_are_refused(name: str) -> None:
         dataclasses.replace(EPISODE, **{name: array[None]})
 
 
-def test_actions_that_do_not_exist_are_refused() -> None:
+def test_unknown_actions_are_refused() -> None:
     actions = EPISODE.actions.copy()
-    actions[~EPISODE.alive[:-1]] = 100  # the action of an agent that is gone is not looked at
+    actions[~EPISODE.alive[:-1]] = 100  # actions of gone agents are ignored
     dataclasses.replace(EPISODE, actions=actions)
     actions[0, 0] = 9
     with pytest.raises(ValueError, match="actions: expected 0 to 8"):

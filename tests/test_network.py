@@ -1,4 +1,4 @@
-"""The compiled network against NumPy, what it draws, and the kernels of each instruction set."""
+"""The compiled network against NumPy, its samples, and the kernels of each instruction set."""
 
 from __future__ import annotations
 
@@ -69,13 +69,13 @@ def test_after_deaths_and_with_shared_cells(name: str, side: int, n: int) -> Non
 
 
 def test_obstacles_of_a_grid_too_large_to_keep_their_sums() -> None:
-    """Of this many cells what a network makes of the obstacles is not kept."""
+    """On so many cells the sums of obstacle weights are computed at every step."""
     world = mw.World(rows=1030, cols=256, n_pursuers=40, n_evaders=40, fov=5, obstacles=0.3)
     assert_agrees(world, mw.Network.for_config(world.config, (9,)), 0)
 
 
 def test_episodes_with_obstacles_of_their_own() -> None:
-    """What a network keeps of an episode's obstacles does not reach the next one."""
+    """Sums that were kept for the obstacles of one episode are not used in the next."""
     config = mw.WorldConfig(
         rows=9, cols=9, n_pursuers=3, n_evaders=5, fov=5, max_steps=15, obstacles=0.25
     )
@@ -120,7 +120,7 @@ def test_initial_genomes() -> None:
 
 # ---- Choosing actions ------------------------------------------------------------------------
 
-# Everybody is walled in, stays for ever and sees the same at every step.
+# Every agent is walled in, so it stays where it is and sees the same at every step.
 CELLS = [
     "##########",
     "#.##.#.###",
@@ -159,7 +159,7 @@ def test_sampled_actions_follow_the_softmax(activation: str, diagonal: bool) -> 
 
 
 def test_draws_are_independent_of_each_other() -> None:
-    """Of two agents in one step, and of one agent in two steps."""
+    """Draws of two agents in one step, and of one agent in two steps."""
     config = sealed(4000)
     network = mw.Network.for_config(config, ())
     genome = np.zeros(network.genome_size, np.float32)
@@ -202,7 +202,7 @@ def test_the_largest_output_is_taken_without_sampling() -> None:
     assert sure > 50
 
 
-def test_of_equal_outputs_the_first_is_taken() -> None:
+def test_the_first_of_equal_outputs_is_taken() -> None:
     config = sealed(10)
     network = mw.Network.for_config(config, (), sampled=False)
     genome = np.zeros(network.genome_size, np.float32)

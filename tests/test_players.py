@@ -1,4 +1,4 @@
-"""The scripted opponents, and who sees what where the rules take turns."""
+"""Scripted opponents, and what agents see when the rules take turns."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def arena(rules: str, **changes: object) -> mw.WorldConfig:
 
 
 def distance(config: mw.WorldConfig, one: tuple[int, int], other: tuple[int, int]) -> int:
-    """How many moves it is from one cell to another."""
+    """Least number of moves from one cell to another."""
     rows, cols = abs(one[0] - other[0]), abs(one[1] - other[1])
     return max(rows, cols) if config.diagonal else rows + cols
 
@@ -38,7 +38,7 @@ def goals_of(
     adversaries: list[tuple[int, int]],
     teammates: list[tuple[int, int]],
 ) -> list[tuple[int, int]]:
-    """The cells that a script looks to, of those that hold somebody in view."""
+    """Goals of a script, from the cells of agents in view."""
     if script == "hunter":
         lead = {
             cell: min((distance(config, mate, cell) for mate in teammates), default=math.inf)
@@ -62,7 +62,7 @@ def is_free(config: mw.WorldConfig, ground: np.ndarray, cell: tuple[int, int]) -
 
 
 def worth(script: str, distances: list[int]) -> float:
-    """What it is worth to a script to be at these distances from its goals."""
+    """Worth to a script of a cell with these distances to its goals."""
     if script == "dodger":
         return -sum(2**14 // (1 + moves) ** 2 for moves in distances)
     nearest = min(distances, default=0)
@@ -77,7 +77,7 @@ def good_moves(
     adversaries: list[tuple[int, int]],
     teammates: list[tuple[int, int]],
 ) -> set[int] | None:
-    """The moves that a script chooses from; None for a searcher without a goal."""
+    """Moves that a script chooses from; None for a searcher without a goal."""
     reach = config.fov // 2
 
     def seen(others: list[tuple[int, int]]) -> list[tuple[int, int]]:
@@ -100,7 +100,7 @@ def cells(positions: np.ndarray, chosen: np.ndarray) -> list[tuple[int, int]]:
 
 
 def check_choices(config: mw.WorldConfig, script: str, team: str, seed: int) -> list[int]:
-    """Checks every choice of one team in one episode; how many moves each had to choose from."""
+    """Check every choice of a team in an episode; return the numbers of moves to choose from."""
     sides = ("random", script) if team == "evader" else (script, "random")
     episode = mw.record(config, *sides, seed=seed)
     is_mine = (np.arange(config.n_agents) >= config.n_pursuers) == (team == "evader")
@@ -127,13 +127,13 @@ def test_choices(script: str, team: str, diagonal: bool, obstacles: float | None
     choices = [n for seed in range(5) for n in check_choices(config, script, team, seed)]
     assert 1 in choices
     if script not in SEARCHERS:
-        assert max(choices) == config.n_actions  # nobody in view, no wall beside
+        assert max(choices) == config.n_actions  # no agent in view and no obstacle beside
     surround = arena("SB", diagonal=diagonal, obstacles=obstacles, fov=5)
     assert check_choices(surround, script, team, 9)
 
 
 def test_ties_are_broken_evenly() -> None:
-    """Nobody in view: each free move as often as any other."""
+    """Without agents in view all free moves are equally likely."""
     config = arena("O", rows=60, cols=60, n_pursuers=1, n_evaders=1, fov=1, max_steps=3000)
     episode = mw.record(config, "chaser", "still", seed=2)
     inside = (episode.positions[:-1, 0] > 0) & (episode.positions[:-1, 0] < 59)
@@ -160,7 +160,7 @@ def test_still_players_stay() -> None:
 
 
 @pytest.mark.parametrize("script", [*CHASERS, *FLEERS])
-def test_nobody_walks_into_walls(script: str) -> None:
+def test_scripts_avoid_obstacles(script: str) -> None:
     config = arena("SB", obstacles=0.2)
     matches = mw.Matches.of(0, 0, np.arange(20))
     scores = mw.rollout(config, script, script, matches)
@@ -169,7 +169,7 @@ def test_nobody_walks_into_walls(script: str) -> None:
 
 
 def lonely_strides(script: str, seed: int) -> np.ndarray:
-    """Actions, a row for each stride, of a pursuer that sees neither anybody nor the border."""
+    """Actions, one row for each stride, of a pursuer that sees no agent and no border."""
     config = arena("O", rows=300, cols=300, n_pursuers=1, n_evaders=1, fov=1, max_steps=120)
     episode = mw.record(config, script, "still", seed=seed)
     starts = episode.positions[:-1:STRIDE, 0]
@@ -191,8 +191,8 @@ def test_searchers_walk_on_in_one_direction(script: str) -> None:
 @pytest.mark.parametrize(
     ("script", "sober"), [("clumsy-chaser", "chaser"), ("clumsy-fleer", "fleer")]
 )
-def test_the_clumsy_slip_in_half_of_their_steps(script: str, sober: str) -> None:
-    """Next to an adversary on an open grid, one or few moves are good and a slip is any of five."""
+def test_clumsy_scripts_slip_in_half_of_their_steps(script: str, sober: str) -> None:
+    """On an open grid one or few moves are good, and a slip is any of five moves."""
     team = "pursuer" if sober == "chaser" else "evader"
     config = arena("R", rows=9, cols=9, n_pursuers=4, n_evaders=4, fov=17, max_steps=60)
     sides = ("still", script) if team == "evader" else (script, "still")
@@ -215,7 +215,7 @@ def test_the_clumsy_slip_in_half_of_their_steps(script: str, sober: str) -> None
 
 
 def test_scripts_differ_in_skill() -> None:
-    """Each is better than the one before it, in the games that it is for."""
+    """In its games each script captures more than the script before it."""
     matches = mw.Matches.of(0, 0, np.arange(20))
 
     def caught(variant: str, pursuers: str, evaders: str) -> float:
@@ -234,7 +234,7 @@ def test_scripts_differ_in_skill() -> None:
         assert caught(variant, "surrounder", "random") > best + 0.3
 
 
-def test_who_is_good_at_what() -> None:
+def test_captures_of_scripts_against_scripts() -> None:
     config = arena("O", max_steps=60)
     matches = mw.Matches.of(0, 0, np.arange(60))
 
@@ -260,7 +260,7 @@ def test_fleers_survive_longer() -> None:
 
 
 def first_moves(name: str) -> list[tuple[int, int]]:
-    """First moves in a corridor in which nobody sees the other until the pursuer steps east.
+    """First moves in a corridor in which agents see each other once the pursuer steps east.
 
     ``P . e .`` with a view of one cell on each side; the evader flees from what it sees.
     """
@@ -284,14 +284,14 @@ def test_later_turns_see_what_earlier_ones_did(name: str) -> None:
     assert unseen == {mw.Action.STAY, mw.Action.EAST, mw.Action.WEST}
 
 
-def test_at_one_time_nobody_sees_what_the_others_do() -> None:
+def test_simultaneous_agents_do_not_see_each_others_moves() -> None:
     moves = first_moves("O")
     after_approach = {evader for pursuer, evader in moves if pursuer == mw.Action.EAST}
     assert after_approach == {mw.Action.STAY, mw.Action.EAST, mw.Action.WEST}
 
 
 def test_teammates_see_each_other_move_in_agent_turns() -> None:
-    """Pursuer 1 turns away from a cell only after pursuer 0 has made room or filled it.
+    """Pursuer 1 goes east if pursuer 0 has left the cell east of it, and stays if it is there.
 
     With a network that reads one cell: "go east if no teammate is east of me, else stay".
     """

@@ -1,4 +1,4 @@
-"""Episodes kept while they are played, and played again from their actions."""
+"""Episodes recorded while they are played, and replayed from their actions."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def assert_same(one: mw.Episode, other: mw.Episode) -> None:
     acted = one.alive[:-1]
     for name in ARRAYS:
         left, right = getattr(one, name), getattr(other, name)
-        if name == "actions":  # those of the gone are whatever they were
+        if name == "actions":  # actions of gone agents have no meaning
             left, right = left[acted], right[acted]
         np.testing.assert_array_equal(left, right, name)
         assert left.dtype == right.dtype
@@ -48,7 +48,7 @@ def test_an_episode_from_given_positions() -> None:
 
 
 @pytest.mark.parametrize("name", ["D", "SD", "TO"])
-def test_an_environment_keeps_its_episode(name: str, tmp_path: Path) -> None:
+def test_an_environment_records_its_episode(name: str, tmp_path: Path) -> None:
     config = config_of(name, obstacles=0.1)
     env = mw.parallel_env(config, record=True)
     env.reset(seed=12)
@@ -64,7 +64,7 @@ def test_an_environment_keeps_its_episode(name: str, tmp_path: Path) -> None:
     assert env.recorded.length == 0
 
 
-def test_the_aec_environment_keeps_whole_rounds() -> None:
+def test_the_aec_environment_records_whole_rounds() -> None:
     config = config_of("TO")
     env = mw.aec_env(config, record=True)
     env.reset(seed=4)
@@ -78,7 +78,7 @@ def test_the_aec_environment_keeps_whole_rounds() -> None:
     assert_same(kept, mw.record_actions(config, kept.actions, seed=4))
 
 
-def test_a_recorder_that_missed_something_says_so() -> None:
+def test_a_recorder_refuses_missing_rounds() -> None:
     world = mw.World("O", rows=6, cols=6, n_pursuers=2, n_evaders=2)
     recorder = mw.Recorder(world)
     with pytest.raises(RuntimeError, match="this is note 1, and the world has played 0"):
@@ -98,7 +98,7 @@ def test_a_recorder_that_missed_something_says_so() -> None:
     assert recorder.episode().length == 1
 
 
-def test_a_recorder_may_begin_in_the_midst_of_an_episode() -> None:
+def test_a_recorder_may_begin_during_an_episode() -> None:
     world = mw.World("S", rows=6, cols=6, n_pursuers=2, n_evaders=2)
     whole = mw.Recorder(world)
     rows = random_actions(5, 5, 6, 4)
@@ -115,7 +115,7 @@ def test_a_recorder_may_begin_in_the_midst_of_an_episode() -> None:
 
 
 @pytest.mark.parametrize("name", ["D", "SD", "O"])
-def test_the_present_moment_is_drawn_as_that_of_the_episode(name: str) -> None:
+def test_the_drawing_of_the_present_moment_is_that_of_the_episode(name: str) -> None:
     config = config_of(name, obstacles=0.1)
     world = mw.World(config)
     recorder = mw.Recorder(world)

@@ -22,14 +22,14 @@ def population(config: mw.WorldConfig, n: int, hidden: tuple[int, ...] = (8,)) -
     )
 
 
-def score_of(episode: mw.Episode, config: mw.WorldConfig) -> dict[str, Any]:
-    """What `rollout` says of an episode, from its arrays."""
+def statistics_of(episode: mw.Episode, config: mw.WorldConfig) -> dict[str, Any]:
+    """Statistics of a recorded episode."""
     n_pursuers, n_evaders = config.n_pursuers, config.n_evaders
     ever = config.rules.capture is mw.Capture.OCCUPATION
     counted = episode.ever_captured if ever else episode.captured
     share = [row.mean() for row in counted[1:]]
     share += [share[-1]] * (config.max_steps - episode.length)
-    score: dict[str, Any] = {
+    statistics: dict[str, Any] = {
         "capture_rate": counted[-1].mean(),
         "ever_capture_rate": episode.ever_captured[-1].mean(),
         "captured_fraction": np.mean(share),
@@ -38,19 +38,19 @@ def score_of(episode: mw.Episode, config: mw.WorldConfig) -> dict[str, Any]:
     teams = {"pursuer": slice(0, n_pursuers), "evader": slice(n_pursuers, None)}
     for name, team in teams.items():
         size = {"pursuer": n_pursuers, "evader": n_evaders}[name]
-        score[f"{name}_return"] = episode.rewards[:, team].astype(float).sum()
-        score[f"{name}_survivors"] = episode.alive[-1, team].sum()
-        crowded = [
+        statistics[f"{name}_return"] = episode.rewards[:, team].astype(float).sum()
+        statistics[f"{name}_survivors"] = episode.alive[-1, team].sum()
+        overlap = [
             alive.sum() - len({tuple(cell) for cell in cells[alive]})
             for alive, cells in zip(
                 episode.alive[1:, team], episode.positions[1:, team], strict=True
             )
         ]
-        score[f"{name}_overlap"] = sum(crowded) / size / config.max_steps
+        statistics[f"{name}_overlap"] = sum(overlap) / size / config.max_steps
     for name, flags in (("collisions", episode.involved), ("faults", episode.fault)):
-        score[name] = [flags[:, team].sum(axis=(0, 1)) for team in teams.values()]
-    score["agent_steps"] = [episode.alive[:-1, team].sum() for team in teams.values()]
-    return score
+        statistics[name] = [flags[:, team].sum(axis=(0, 1)) for team in teams.values()]
+    statistics["agent_steps"] = [episode.alive[:-1, team].sum() for team in teams.values()]
+    return statistics
 
 
 def assert_same_bits(
@@ -66,7 +66,7 @@ def assert_same_bits(
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_scores_are_those_of_the_recorded_episodes(name: str) -> None:
+def test_statistics_are_those_of_the_recorded_episodes(name: str) -> None:
     config = config_of(name, max_steps=25, obstacles=0.1)
     team = population(config, 2)
     both, one = [0, 1, 1], [0, 0, 0]
@@ -76,19 +76,19 @@ def test_scores_are_those_of_the_recorded_episodes(name: str) -> None:
         (team, "random", mw.Matches.of(both, one, seeds)),
         ("chaser", team, mw.Matches.of(one, both, seeds)),
     ):
-        scores = mw.rollout(config, pursuers, evaders, matches, worlds=2)
+        statistics = mw.rollout(config, pursuers, evaders, matches, worlds=2)
         for m, (pursuer, evader, seed) in enumerate(zip(*matches, strict=True)):
             chosen = {"pursuer": int(pursuer), "evader": int(evader), "seed": int(seed)}
             for world in range(2):
                 episode = mw.record(config, pursuers, evaders, episode=world, **chosen)
-                for field, expected in score_of(episode, config).items():
-                    found = getattr(scores, field)[m, world]
+                for field, expected in statistics_of(episode, config).items():
+                    found = getattr(statistics, field)[m, world]
                     np.testing.assert_allclose(found, expected, rtol=1e-6, atol=1e-6, err_msg=field)
 
 
 def test_shapes_and_types() -> None:
     config = config_of("O")
-    scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, [1, 2, 3]), worlds=4)
+    statistics = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, [1, 2, 3]), worlds=4)
     types = {
         "capture_rate": "f4",
         "ever_capture_rate": "f4",
@@ -106,15 +106,15 @@ def test_shapes_and_types() -> None:
     }
     assert list(types) == FIELDS
     for name, dtype in types.items():
-        array = getattr(scores, name)
+        array = getattr(statistics, name)
         assert array.dtype == dtype
         rest = {"collisions": (2, 3), "faults": (2, 3), "agent_steps": (2,)}
         assert array.shape == (3, 4, *rest.get(name, ()))
 
 
 def test_no_matches() -> None:
-    scores = mw.rollout("O", "random", "still", mw.Matches.of([], [], []), worlds=2)
-    assert scores.length.shape == (0, 2)
+    statistics = mw.rollout("O", "random", "still", mw.Matches.of([], [], []), worlds=2)
+    assert statistics.length.shape == (0, 2)
 
 
 def test_the_episode_is_that_of_a_world_with_the_same_seed() -> None:
@@ -138,13 +138,13 @@ def test_the_episode_is_that_of_a_world_with_the_same_seed() -> None:
 
 def test_episodes_end_early_or_at_max_steps() -> None:
     config = config_of("O", max_steps=60)
-    scores = mw.rollout(config, "chaser", "random", mw.Matches.of(0, 0, 1), worlds=40)
-    early = scores.length < 60
+    statistics = mw.rollout(config, "chaser", "random", mw.Matches.of(0, 0, 1), worlds=40)
+    early = statistics.length < 60
     assert early.any()
-    assert (scores.length <= 60).all()
-    assert (scores.capture_rate[early] == 1).all()
-    assert (scores.evader_survivors[early] == 0).all()
-    assert (scores.captured_fraction <= scores.capture_rate).all()
+    assert (statistics.length <= 60).all()
+    assert (statistics.capture_rate[early] == 1).all()
+    assert (statistics.evader_survivors[early] == 0).all()
+    assert (statistics.captured_fraction <= statistics.capture_rate).all()
 
 
 # ---- A pure function -------------------------------------------------------------------------
@@ -164,7 +164,7 @@ def test_threads_change_nothing(race: Any, threads: int | None) -> None:
     assert_same_bits(one, mw.rollout(config, team, team, matches, worlds=20, threads=threads))
 
 
-def test_company_and_order_change_nothing(race: Any) -> None:
+def test_other_matches_and_order_change_nothing(race: Any) -> None:
     config, team, matches = race
     whole = mw.rollout(config, team, team, matches, worlds=3)
     for rows in ([8, 3, 0, 5, 1, 2, 7, 6, 4], [4], [2, 2, 2], [7, 1]):
@@ -181,7 +181,7 @@ def test_worlds_are_the_episodes_of_a_seed(race: Any) -> None:
     assert len(np.unique(many.pursuer_return)) > 18
 
 
-def test_what_a_candidate_is_depends_on_its_genome_alone(race: Any) -> None:
+def test_a_candidate_depends_on_its_genome_alone(race: Any) -> None:
     config, team, matches = race
     whole = mw.rollout(config, team, team, matches)
     for m, (pursuer, evader, seed) in enumerate(zip(*matches, strict=True)):
@@ -197,9 +197,11 @@ def test_what_a_candidate_is_depends_on_its_genome_alone(race: Any) -> None:
 def test_teams_may_have_different_networks() -> None:
     config = config_of("O")
     one, other = population(config, 2, (16, 4)), population(config, 3, ())
-    scores = mw.rollout(config, one, other, mw.Matches.of([0, 1, 1], [2, 0, 1], 4))
-    assert scores.length.shape == (3, 1)
-    assert_same_bits(scores, mw.rollout(config, one, other, mw.Matches.of([0, 1, 1], [2, 0, 1], 4)))
+    statistics = mw.rollout(config, one, other, mw.Matches.of([0, 1, 1], [2, 0, 1], 4))
+    assert statistics.length.shape == (3, 1)
+    assert_same_bits(
+        statistics, mw.rollout(config, one, other, mw.Matches.of([0, 1, 1], [2, 0, 1], 4))
+    )
 
 
 # ---- Matches ---------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""VectorEnv: worlds in the manner of Gymnasium's vector environments, without copies."""
+"""VectorEnv against single worlds, Gymnasium's interface, and arrays without copies."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from matrixworld.render import rgb
 from rows import config_of, random_actions
 
 MODES = list(AutoresetMode)
-OF_WORLD = {"step": "steps", "episode_number": "episode"}
+NAME_IN_WORLD = {"step": "steps", "episode_number": "episode"}
 SKIPPED = {"acted", "final_obs", "_final_obs", "episode", "_episode"}
 
 
@@ -24,7 +24,7 @@ def make(name: str = "O", n_worlds: int = 4, **settings: Any) -> mw.VectorEnv:
     return mw.VectorEnv(config_of(name, max_steps=7), n_worlds, **settings)
 
 
-def assert_tells_of(env: mw.VectorEnv, worlds: list[mw.World]) -> None:
+def assert_agrees(env: mw.VectorEnv, worlds: list[mw.World]) -> None:
     for w, world in enumerate(worlds):
         np.testing.assert_array_equal(env.observations[w], world.views())
         np.testing.assert_array_equal(env.rewards[w], world.rewards)
@@ -33,7 +33,7 @@ def assert_tells_of(env: mw.VectorEnv, worlds: list[mw.World]) -> None:
         for k, kind in enumerate(mw.KINDS):
             np.testing.assert_array_equal(env.infos[f"cost_{kind}"][w], world.fault[:, k])
         for key in set(env.infos) - SKIPPED - {f"cost_{kind}" for kind in mw.KINDS}:
-            name = OF_WORLD.get(key, key)
+            name = NAME_IN_WORLD.get(key, key)
             np.testing.assert_array_equal(env.infos[key][w], world.read(name)[name], key)
 
 
@@ -44,7 +44,7 @@ def test_each_world_is_a_single_world(name: str) -> None:
     worlds = [mw.World(env.config) for _ in range(4)]
     for w, world in enumerate(worlds):
         world.reset(5 + w)
-    assert_tells_of(env, worlds)
+    assert_agrees(env, worlds)
     for actions in random_actions(1, 5, 7, 4, env.config.n_agents):
         over = [world.terminated or world.truncated for world in worlds]
         alive = np.array([world.alive for world in worlds])
@@ -54,7 +54,7 @@ def test_each_world_is_a_single_world(name: str) -> None:
             break
         for world, chosen in zip(worlds, actions, strict=True):
             world.step(chosen)
-        assert_tells_of(env, worlds)
+        assert_agrees(env, worlds)
     assert worlds[0].steps > 1
 
 
@@ -122,8 +122,8 @@ def test_disabled_waits_for_a_reset() -> None:
 
 
 @pytest.mark.parametrize("mode", MODES)
-def test_what_an_episode_came_to(mode: AutoresetMode) -> None:
-    """Sums over its steps, of the agents that acted in them."""
+def test_statistics_of_an_episode(mode: AutoresetMode) -> None:
+    """They are sums over its steps and the agents that acted in them."""
     env = make("SB", autoreset_mode=mode)
     env.reset(seed=1)
     teams = slice(0, env.pursuers.size), slice(env.pursuers.size, None)
@@ -205,7 +205,7 @@ def test_views_for_networks(dtype: Any, flatten: bool) -> None:
         np.testing.assert_array_equal(infos["final_obs"], plain.infos["final_obs"].reshape(shape))
 
 
-# ---- As Gymnasium would have it ----------------------------------------------------------------
+# ---- Gymnasium's interface ----------------------------------------------------------------
 
 
 @pytest.mark.parametrize("mode", MODES)
@@ -264,7 +264,7 @@ def test_pictures() -> None:
 def test_worlds_are_copied_one_by_one(copied: Any) -> None:
     env = make()
     env.reset(seed=4)
-    with pytest.raises(TypeError, match=r"copy single worlds, which world\(number\) gives"):
+    with pytest.raises(TypeError, match=r"copy single worlds with world\(number\)"):
         copied(env)
     np.testing.assert_array_equal(copy.deepcopy(env.world(2)).views(), env.observations[2])
 

@@ -1,5 +1,6 @@
-// The extension module. This file, bind_*.cpp and numpy_*.hpp/.cpp are all that knows Python: they
-// check shapes and dtypes, then release the GIL.
+// The extension module `matrixworld._core`: enumerations, rules, rewards, setup, and the table of
+// output fields. Only the files of this folder know Python. They check shapes and dtypes while they
+// hold the GIL, then release it and call the engine.
 #include "bindings/bindings.hpp"
 
 #include <pybind11/native_enum.h>
@@ -8,6 +9,7 @@
 #include <array>
 
 #include "bindings/numpy_arrays.hpp"
+#include "bindings/numpy_buffers.hpp"
 #include "kernels/kernels.hpp"
 #include "play/batch.hpp"
 
@@ -16,6 +18,7 @@ using namespace matrixworld;
 
 namespace {
 
+// The constructor of Setup checks the ranges; whatever it throws reaches Python as ValueError.
 std::shared_ptr<const Setup> make_setup(const Rules& rules, const Rewards& rewards, int rows,
                                         int cols, int n_pursuers, int n_evaders, int fov,
                                         bool diagonal, int max_steps, double density,
@@ -35,7 +38,7 @@ std::shared_ptr<const Setup> make_setup(const Rules& rules, const Rewards& rewar
     return std::make_shared<const Setup>(std::move(config));
 }
 
-// By team: (pursuer, evader).
+// Arrays by team: (pursuer, evader).
 Rewards make_rewards(std::array<float, kTeams> capture, std::array<float, kTeams> neighbor,
                      std::array<std::array<float, kKinds>, kTeams> collide,
                      std::array<float, kTeams> step, Blame blame, bool capture_repeats) {
@@ -51,6 +54,42 @@ Rewards make_rewards(std::array<float, kTeams> capture, std::array<float, kTeams
     return rewards;
 }
 
+const char* name_of(Written when) {
+    switch (when) {
+        case Written::Moment:
+            return "moment";
+        case Written::Step:
+            return "step";
+        case Written::StepStart:
+            return "step start";
+        default:
+            return "episode end";
+    }
+}
+
+// (name, dtype, names of axes, when it is written) of each field.
+py::list to_list(const OutputFields& fields) {
+    py::list rows;
+    for (const OutputField& field : fields) {
+        py::tuple axes(field.axes.size());
+        for (std::size_t i = 0; i < field.axes.size(); ++i) axes[i] = name_of(field.axes[i]);
+        rows.append(
+            py::make_tuple(field.name, numpy_dtype(field.dtype), axes, name_of(field.written)));
+    }
+    return rows;
+}
+
+// Python computes shapes from these and the fields' axes.
+py::dict axis_sizes(const Setup& setup) {
+    py::dict sizes;
+    for (int i = 0; i < kAxes; ++i) {
+        const auto axis = static_cast<Axis>(i);
+        sizes[name_of(axis)] = size_of(axis, setup.config);
+    }
+    return sizes;
+}
+
+// For tests: the generator against NumPy's.
 std::array<std::uint64_t, 4> philox_block(std::array<std::uint64_t, 4> counter,
                                           std::array<std::uint64_t, 2> key) {
     return philox(counter, key[0], key[1]);
@@ -58,6 +97,8 @@ std::array<std::uint64_t, 4> philox_block(std::array<std::uint64_t, 4> counter,
 
 }  // namespace
 
+// Enumerations become Python's own (`enum.Enum`), with the names that the package exports. Keyword
+// arguments only: a long row of numbers in a fixed order would be easy to get wrong.
 PYBIND11_MODULE(_core, m) {
     m.doc() = "The engine of matrixworld. Use it through the package.";
 
@@ -66,7 +107,8 @@ PYBIND11_MODULE(_core, m) {
         .value("REACH", Outcome::Reach)
         .value("BOUNCE", Outcome::Bounce)
         .finalize();
-    py::native_enum<Interaction>(m, "Interaction", "enum.Enum", "Who moves together.")
+    py::native_enum<Interaction>(m, "Interaction", "enum.Enum",
+                                 "Which agents move at the same time.")
         .value("SIMULTANEOUS", Interaction::Simultaneous)
         .value("SWARM_TURNS", Interaction::SwarmTurns)
         .value("AGENT_TURNS", Interaction::AgentTurns)
@@ -75,11 +117,12 @@ PYBIND11_MODULE(_core, m) {
         .value("OCCUPATION", Capture::Occupation)
         .value("SURROUND", Capture::Surround)
         .finalize();
-    py::native_enum<Blame>(m, "Blame", "enum.Enum", "Who pays for a collision.")
+    py::native_enum<Blame>(m, "Blame", "enum.Enum", "Which agents pay for a collision.")
         .value("FAULT", Blame::Fault)
         .value("INVOLVED", Blame::Involved)
         .finalize();
-    py::native_enum<Autoreset>(m, "Autoreset", "enum.Enum", "What becomes of an ended world.")
+    py::native_enum<Autoreset>(m, "Autoreset", "enum.Enum",
+                               "What a batch does with a world whose episode has ended.")
         .value("DISABLED", Autoreset::Disabled)
         .value("NEXT_STEP", Autoreset::NextStep)
         .value("SAME_STEP", Autoreset::SameStep)
@@ -97,14 +140,18 @@ PYBIND11_MODULE(_core, m) {
         .def(py::init([](const Rules& rules, const Rewards& rewards, int rows, int cols,
                          int n_pursuers, int n_evaders, int fov, bool diagonal, int max_steps,
                          double density, const py::object& map) {
+                 // pybind11's holders are not const; the engine never changes a setup.
                  return std::const_pointer_cast<Setup>(
                      make_setup(rules, rewards, rows, cols, n_pursuers, n_evaders, fov, diagonal,
                                 max_steps, density, map));
              }),
              py::kw_only(), py::arg("rules"), py::arg("rewards"), py::arg("rows"), py::arg("cols"),
              py::arg("n_pursuers"), py::arg("n_evaders"), py::arg("fov"), py::arg("diagonal"),
-             py::arg("max_steps"), py::arg("density"), py::arg("map"));
+             py::arg("max_steps"), py::arg("density"), py::arg("map"))
+        .def("axis_sizes", &axis_sizes);
 
+    m.def("world_fields", [] { return to_list(world_fields()); });
+    m.def("batch_fields", [] { return to_list(batch_fields()); });
     bind_worlds(m);
     bind_rollouts(m);
     m.def("philox", &philox_block, py::arg("counter"), py::arg("key"));

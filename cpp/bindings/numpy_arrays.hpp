@@ -1,4 +1,5 @@
-// NumPy arrays on their way into the engine: their shapes and dtypes, checked.
+// Checks of NumPy arrays that Python passes to the engine: shapes, dtypes, integers. The engine
+// itself trusts its memory, so every array passes through here first.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -18,6 +19,7 @@ template <typename T>
 using Array = py::array_t<T, py::array::c_style>;
 using Shape = std::vector<py::ssize_t>;
 
+// The shape as Python prints a tuple.
 inline std::string text(const Shape& shape) {
     std::string out = "(";
     for (std::size_t i = 0; i < shape.size(); ++i) {
@@ -36,18 +38,19 @@ inline void require_shape(const std::string& name, const py::array& array, const
                           text(shape_of(array)));
 }
 
-template <typename T>
-void require_dtype(const std::string& name, const py::array& array) {
-    if (array.dtype().is(py::dtype::of<T>())) return;
-    throw py::type_error(name + ": expected dtype " +
-                         py::str(py::dtype::of<T>()).cast<std::string>() + ", got " +
-                         py::str(array.dtype()).cast<std::string>());
+inline void require_dtype(const std::string& name, const py::array& array,
+                          const py::dtype& expected) {
+    if (array.dtype().is(expected)) return;
+    throw py::type_error(name + ": expected dtype " + py::str(expected).cast<std::string>() +
+                         ", got " + py::str(array.dtype()).cast<std::string>());
 }
 
-// Calls use(pointer) with the integers of an array of this shape.
+// Calls use(pointer) with the integers of an array of this shape. The pointer has the array's own
+// type, so that actions of any usual dtype are read without a conversion.
 template <typename Use>
 void with_integers(const std::string& name, const py::array& given, const Shape& shape, Use use) {
     require_shape(name, given, shape);
+    // A copy only where the array is not contiguous.
     const py::array array = py::array::ensure(given, py::array::c_style);
     const auto is = [&](auto integer) {
         return array.dtype().is(py::dtype::of<decltype(integer)>());
@@ -60,7 +63,7 @@ void with_integers(const std::string& name, const py::array& given, const Shape&
                          py::str(array.dtype()).cast<std::string>());
 }
 
-// A map of obstacles (rows, cols) uint8, or None.
+// A map of obstacles, (rows, cols) uint8; None gives an empty one.
 inline ByteArray to_map(const py::object& map) {
     if (map.is_none()) return {};
     const auto array = map.cast<Array<std::uint8_t>>();

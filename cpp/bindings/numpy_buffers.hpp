@@ -1,4 +1,4 @@
-// Arrays of the caller that worlds write to.
+// The caller's NumPy arrays, checked against the table of output fields, as memory to write to.
 #pragma once
 
 #include "bindings/numpy_arrays.hpp"
@@ -6,14 +6,20 @@
 
 namespace matrixworld {
 
-// The caller's arrays, checked, with what keeps them alive.
+py::dtype numpy_dtype(DType dtype);
+
+// The shape of an array of this field, with these leading axes.
+Shape shape_of(const OutputField& field, const Config& config, Shape leading);
+
+// Buffers and the Python arrays that own their memory.
 struct HeldBuffers {
-    Buffers pointers;
+    Buffers buffers;
     py::dict arrays;
 };
 
-// Arrays by name, of these leading axes: those of a batch may also tell of its episodes. Throws
-// ValueError and TypeError for one of another name, shape, dtype or layout.
+// `arrays` holds arrays by the names of fields: for one world those of `world_fields`, for a batch
+// also those of `batch_fields`, each with the leading axis of worlds. Throws ValueError or TypeError
+// for another name, shape, dtype or memory layout.
 HeldBuffers hold_world(const Config& config, const py::dict& arrays);
 HeldBuffers hold_batch(const Config& config, int n_worlds, const py::dict& arrays);
 

@@ -1,4 +1,4 @@
-// Networks, rollouts and recordings for Python.
+// Networks, rollouts and recorded episodes for Python.
 #include <pybind11/stl.h>
 
 #include <optional>
@@ -6,6 +6,7 @@
 
 #include "bindings/bindings.hpp"
 #include "bindings/numpy_arrays.hpp"
+#include "bindings/numpy_buffers.hpp"
 #include "play/rollout.hpp"
 
 namespace matrixworld {
@@ -19,6 +20,7 @@ std::string script_names() {
     return names;
 }
 
+// Python names activations; the engine's None is not among them, it is for the last layer.
 Network make_network(int fov, const std::vector<int>& hidden, int n_actions,
                      const std::string& activation, bool sampled) {
     if (activation != "relu" && activation != "tanh") {
@@ -28,12 +30,13 @@ Network make_network(int fov, const std::vector<int>& hidden, int n_actions,
                    activation == "relu" ? Activation::Relu : Activation::Tanh, sampled);
 }
 
-// A script's name, or (Network, genomes (n, genome_size) float32).
+// Candidates and the Python array that owns the memory of their genomes.
 struct HeldCandidates {
     Candidates candidates;
     Array<float> genomes;
 };
 
+// From a script's name, or from (Network, genomes (n, genome_size) float32).
 HeldCandidates to_candidates(const char* team, const py::object& given, const Config& config) {
     HeldCandidates held;
     if (py::isinstance<py::str>(given)) {
@@ -55,6 +58,7 @@ HeldCandidates to_candidates(const char* team, const py::object& given, const Co
                               std::to_string(network.fov) + " and " +
                               std::to_string(network.n_actions()) + " actions");
     }
+    // The number of genomes is free, the rest of the shape is not.
     const py::ssize_t n = held.genomes.ndim() > 0 ? held.genomes.shape(0) : 0;
     require_shape(std::string(team) + " genomes", held.genomes, {n, network.genome_size()});
     held.candidates.network = network;
@@ -69,41 +73,38 @@ void require_index(const char* name, std::int32_t index, int n) {
                           ", got " + std::to_string(index));
 }
 
-template <typename T, typename Get>
-py::array_t<T> column(const std::vector<EpisodeStatistics>& scores, Shape shape, const Shape& rest,
-                      Get get) {
-    py::ssize_t per_score = 1;
-    for (py::ssize_t size : rest) per_score *= size;
-    shape.insert(shape.end(), rest.begin(), rest.end());
-    py::array_t<T> array(shape);
-    T* out = array.mutable_data();
-    for (const EpisodeStatistics& score : scores) {
-        const T* from = get(score);
-        out = std::copy_n(from, per_score, out);
+// One statistic of all episodes, (M, W, ...).
+py::array to_column(const OutputField& field, const std::vector<EpisodeStatistics>& statistics,
+                    const Config& config, const Shape& leading) {
+    py::array column(numpy_dtype(field.dtype), shape_of(field, config, leading));
+    auto* out = static_cast<std::uint8_t*>(column.mutable_data());
+    const std::size_t size = field.n_items(config) * item_size(field.dtype);
+    OutputSource source;  // without a world: statistics need none
+    for (const EpisodeStatistics& episode : statistics) {
+        source.statistics = &episode;
+        field.write(source, out);
+        out += size;
     }
-    return array;
+    return column;
 }
 
-py::dict to_columns(const std::vector<EpisodeStatistics>& scores, const Shape& shape) {
+// The arrays of all statistics by name. Those by team are returned as one array for each team.
+py::dict to_columns(const std::vector<EpisodeStatistics>& statistics, const Config& config,
+                    const Shape& leading) {
     py::dict out;
-    const Shape by_kind{kTeams, kKinds};
-    const auto put = [&](const char* name, auto get, const Shape& rest = {}) {
-        using T = std::remove_cv_t<std::remove_pointer_t<decltype(get(scores[0]))>>;
-        out[name] = column<T>(scores, shape, rest, get);
-    };
-    put("capture_rate", [](const EpisodeStatistics& s) { return &s.capture_rate; });
-    put("ever_capture_rate", [](const EpisodeStatistics& s) { return &s.ever_capture_rate; });
-    put("captured_fraction", [](const EpisodeStatistics& s) { return &s.captured_fraction; });
-    put("length", [](const EpisodeStatistics& s) { return &s.length; });
-    put("pursuer_return", [](const EpisodeStatistics& s) { return &s.returns[0]; });
-    put("evader_return", [](const EpisodeStatistics& s) { return &s.returns[1]; });
-    put("pursuer_survivors", [](const EpisodeStatistics& s) { return &s.survivors[0]; });
-    put("evader_survivors", [](const EpisodeStatistics& s) { return &s.survivors[1]; });
-    put("pursuer_overlap", [](const EpisodeStatistics& s) { return &s.overlap[0]; });
-    put("evader_overlap", [](const EpisodeStatistics& s) { return &s.overlap[1]; });
-    put("collisions", [](const EpisodeStatistics& s) { return s.collisions.data(); }, by_kind);
-    put("faults", [](const EpisodeStatistics& s) { return s.faults.data(); }, by_kind);
-    put("agent_steps", [](const EpisodeStatistics& s) { return s.agent_steps.data(); }, {kTeams});
+    for (const StatisticField& statistic : statistic_fields()) {
+        const std::string& name = statistic.field.name;
+        const py::array column = to_column(statistic.field, statistics, config, leading);
+        if (!statistic.by_team) {
+            out[name.c_str()] = column;
+            continue;
+        }
+        for (int team = 0; team < kTeams; ++team) {
+            const std::string prefix = team == 0 ? "pursuer_" : "evader_";
+            const py::object part = column[py::make_tuple(py::ellipsis(), team)];
+            out[(prefix + name).c_str()] = part.attr("copy")();  // contiguous
+        }
+    }
     return out;
 }
 
@@ -117,131 +118,109 @@ py::dict rollout(const std::shared_ptr<const Setup>& setup, const py::object& pu
     require_shape("pursuer", pursuer, {n});
     require_shape("evader", evader, {n});
     require_shape("seed", seed, {n});
+    // Genomes are looked up by pointer arithmetic later, so every index is checked here.
     std::vector<Match> matches;
     for (py::ssize_t i = 0; i < n; ++i) {
         require_index("pursuer", pursuer.at(i), left.candidates.n);
         require_index("evader", evader.at(i), right.candidates.n);
         matches.push_back({pursuer.at(i), evader.at(i), seed.at(i)});
     }
-    std::vector<EpisodeStatistics> scores;
+    // The arrays stay alive in `left` and `right`; no Python object is touched without the GIL.
+    std::vector<EpisodeStatistics> statistics;
     {
         const py::gil_scoped_release release;
-        scores =
+        statistics =
             play_matches(setup, left.candidates, right.candidates, matches, n_worlds, n_threads);
     }
-    return to_columns(scores, {n, n_worlds});
+    return to_columns(statistics, setup->config, {n, n_worlds});
 }
 
-// An episode's arrays, grown step by step.
+// Output fields of one episode, moment after moment, in memory that grows.
 class Recorder {
   public:
-    explicit Recorder(const Config& config) : config_(config) {}
-
-    void see(const World& world, const std::vector<std::uint8_t>* actions) {
-        const std::size_t n_agents = config_.n_agents();
-        const std::size_t n_evaders = config_.n_evaders;
-        grow(positions_, 2 * n_agents);
-        grow(last_positions_, 2 * n_agents);
-        grow(alive_, n_agents);
-        grow(captured_, n_evaders);
-        grow(ever_captured_, n_evaders);
-        for (std::size_t a = 0; a < n_agents; ++a) {
-            const int agent = static_cast<int>(a);
-            const bool alive = world.alive(agent);
-            const std::size_t at = moments_ * n_agents + a;
-            const int cell = world.alive(agent) ? world.cell(agent) : world.last_cells()[agent];
-            last_positions_[2 * at] = world.grid().row(cell);
-            last_positions_[2 * at + 1] = world.grid().col(cell);
-            positions_[2 * at] = alive ? last_positions_[2 * at] : kGone;
-            positions_[2 * at + 1] = alive ? last_positions_[2 * at + 1] : kGone;
-            alive_[at] = alive;
-        }
-        std::copy_n(world.captured().data(), n_evaders, &captured_[moments_ * n_evaders]);
-        std::copy_n(world.ever_captured().data(), n_evaders, &ever_captured_[moments_ * n_evaders]);
-        if (actions) see_step(world, *actions);
-        ++moments_;
+    Recorder(const Setup& setup, const std::vector<std::string>& of_moments,
+             const std::vector<std::string>& of_steps)
+        : config_(setup.config), observer_(setup) {
+        source_.observer = &observer_;
+        for (const std::string& name : of_moments) add_column(name, moments_);
+        for (const std::string& name : of_steps) add_column(name, steps_);
     }
 
+    void note(const World& world, const Occupancy& occupancy,
+              const std::vector<std::uint8_t>* actions) {
+        source_.look_at(world, occupancy);
+        for (Column& column : moments_) append(column);
+        ++n_moments_;
+        if (!actions) return;  // the moment after the reset belongs to no step
+        for (Column& column : steps_) append(column);
+        actions_.insert(actions_.end(), actions->begin(), actions->end());
+    }
+
+    // Arrays of moments (T + 1, ...), arrays of steps and actions (T, ...).
     py::dict arrays() const {
-        const auto t = static_cast<py::ssize_t>(moments_);
-        const py::ssize_t n_agents = config_.n_agents();
-        const py::ssize_t n_evaders = config_.n_evaders;
         py::dict out;
-        out["positions"] = to_array(positions_, {t, n_agents, 2});
-        out["last_positions"] = to_array(last_positions_, {t, n_agents, 2});
-        out["alive"] = to_array(alive_, {t, n_agents});
-        out["captured"] = to_array(captured_, {t, n_evaders});
-        out["ever_captured"] = to_array(ever_captured_, {t, n_evaders});
-        out["actions"] = to_array(actions_, {t - 1, n_agents});
-        out["rewards"] = to_array(rewards_, {t - 1, n_agents});
-        out["involved"] = to_array(involved_, {t - 1, n_agents, kKinds});
-        out["fault"] = to_array(fault_, {t - 1, n_agents, kKinds});
+        for (const Column& column : moments_) out[name(column)] = to_array(column, n_moments_);
+        for (const Column& column : steps_) out[name(column)] = to_array(column, n_moments_ - 1);
+        py::array_t<std::int8_t> actions({n_moments_ - 1, py::ssize_t{config_.n_agents()}});
+        std::copy(actions_.begin(), actions_.end(), actions.mutable_data());
+        out["actions"] = actions;
         return out;
     }
 
   private:
-    void see_step(const World& world, const std::vector<std::uint8_t>& actions) {
-        for (std::size_t a = 0; a < actions.size(); ++a) {
-            const int agent = static_cast<int>(a);
-            const Flags report = world.report(agent);
-            actions_.push_back(static_cast<std::int8_t>(actions[a]));
-            rewards_.push_back(world.rewards()[agent]);
-            for (int kind = 0; kind < kKinds; ++kind) {
-                involved_.push_back(report >> kind & 1);
-                fault_.push_back(report >> (kKinds + kind) & 1);
-            }
-        }
+    // Bytes without a type: the field's own writer fills them, as it fills a batch's arrays.
+    struct Column {
+        const OutputField* field;
+        std::size_t size;  // bytes of a moment
+        std::vector<std::uint8_t> bytes;
+    };
+
+    // Only `record` of the package calls this, with names that are in the table.
+    void add_column(const std::string& name, std::vector<Column>& columns) {
+        const OutputField* field = find_field(world_fields(), name);
+        if (!field) throw py::value_error("record: no field has the name '" + name + "'");
+        columns.push_back({field, field->n_items(config_) * item_size(field->dtype), {}});
     }
 
-    template <typename T>
-    static void grow(std::vector<T>& values, std::size_t by) {
-        values.resize(values.size() + by);
+    void append(Column& column) {
+        column.bytes.resize(column.bytes.size() + column.size);
+        column.field->write(source_, column.bytes.data() + column.bytes.size() - column.size);
     }
 
-    template <typename T>
-    static py::array_t<T> to_array(const std::vector<T>& values, const Shape& shape) {
-        py::array_t<T> array(shape);
-        std::copy(values.begin(), values.end(), array.mutable_data());
+    static const char* name(const Column& column) { return column.field->name.c_str(); }
+
+    py::array to_array(const Column& column, py::ssize_t length) const {
+        const OutputField& field = *column.field;
+        py::array array(numpy_dtype(field.dtype), shape_of(field, config_, {length}));
+        std::copy(column.bytes.begin(), column.bytes.end(),
+                  static_cast<std::uint8_t*>(array.mutable_data()));
         return array;
     }
 
     const Config& config_;
-    std::size_t moments_ = 0;
-    std::vector<std::int32_t> positions_, last_positions_;
-    std::vector<std::uint8_t> alive_, captured_, ever_captured_, involved_, fault_;
-    std::vector<std::int8_t> actions_;
-    std::vector<float> rewards_;
+    Observer observer_;
+    OutputSource source_;
+    py::ssize_t n_moments_ = 0;
+    std::vector<Column> moments_, steps_;
+    std::vector<std::uint8_t> actions_;
 };
-
-py::array_t<std::uint8_t> map_of(const World& world) {
-    const Config& config = world.config();
-    py::array_t<std::uint8_t> map({config.rows, config.cols});
-    for (int row = 0; row < config.rows; ++row) {
-        for (int col = 0; col < config.cols; ++col) {
-            const int cell = world.grid().cell(row, col);
-            map.mutable_at(row, col) = world.terrain().kind[cell] == kObstacle;
-        }
-    }
-    return map;
-}
 
 py::dict record(const std::shared_ptr<const Setup>& setup, const py::object& pursuers,
                 const py::object& evaders, int pursuer, int evader, std::uint64_t seed,
-                std::uint64_t episode) {
+                std::uint64_t episode, const std::vector<std::string>& of_moments,
+                const std::vector<std::string>& of_steps) {
     const HeldCandidates left = to_candidates("pursuers", pursuers, setup->config);
     const HeldCandidates right = to_candidates("evaders", evaders, setup->config);
     require_index("pursuer", pursuer, left.candidates.n);
     require_index("evader", evader, right.candidates.n);
-    Recorder recorder(setup->config);
-    py::object map;
-    watch_match(setup, left.candidates, right.candidates, {pursuer, evader, seed}, episode,
-                [&](const World& world, const std::vector<std::uint8_t>* actions) {
-                    if (!actions) map = map_of(world);
-                    recorder.see(world, actions);
-                });
-    py::dict out = recorder.arrays();
-    out["map"] = map;
-    return out;
+    // The GIL is kept: one episode is short.
+    Recorder recorder(*setup, of_moments, of_steps);
+    play_episode(setup, left.candidates, right.candidates, {pursuer, evader, seed}, episode,
+                 [&](const World& world, const Occupancy& occupancy,
+                     const std::vector<std::uint8_t>* actions) {
+                     recorder.note(world, occupancy, actions);
+                 });
+    return recorder.arrays();
 }
 
 }  // namespace
@@ -254,7 +233,8 @@ void bind_rollouts(py::module_& m) {
           py::arg("pursuer").noconvert(), py::arg("evader").noconvert(),
           py::arg("seed").noconvert(), py::arg("n_worlds"), py::arg("n_threads"));
     m.def("record", &record, py::arg("setup"), py::arg("pursuers"), py::arg("evaders"),
-          py::arg("pursuer"), py::arg("evader"), py::arg("seed"), py::arg("episode"));
+          py::arg("pursuer"), py::arg("evader"), py::arg("seed"), py::arg("episode"),
+          py::arg("of_moments"), py::arg("of_steps"));
 }
 
 }  // namespace matrixworld

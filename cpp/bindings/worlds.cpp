@@ -65,10 +65,17 @@ Snapshot to_snapshot(const py::dict& from, const Config& config) {
     return snapshot;
 }
 
+// A world with a scratch of its own, in which its agents stay between two calls.
 class SingleWorld {
   public:
     explicit SingleWorld(std::shared_ptr<const Setup> setup)
-        : setup_(std::move(setup)), world_(setup_), scratch_(*setup_), lens_(*setup_) {}
+        : setup_(std::move(setup)), world_(setup_), scratch_(*setup_), observer_(*setup_) {
+        source_.observer = &observer_;
+    }
+
+    // `source_` points to this object's own observer.
+    SingleWorld(const SingleWorld&) = delete;
+    SingleWorld& operator=(const SingleWorld&) = delete;
 
     void reset(std::uint64_t seed, std::uint64_t episode, const py::object& pursuers,
                const py::object& evaders, const py::object& map) {
@@ -121,10 +128,12 @@ class SingleWorld {
         turn_ = turn;
     }
 
-    void write(const py::dict& arrays) const {
+    // Fills the caller's arrays with world fields.
+    void write(const py::dict& arrays) {
         const HeldBuffers held = hold_world(setup_->config, arrays);
-        write_step(world_, 0, held.pointers);
-        write_moment(world_, scratch_.occupancy, lens_, 0, held.pointers);
+        source_.look_at(world_, scratch_.occupancy);
+        held.buffers.write(Written::Step, source_, 0);
+        held.buffers.write(Written::Moment, source_, 0);
     }
 
     // (turn, kind, form, first, second, (row, col), at_fault, held, doomed)
@@ -140,6 +149,7 @@ class SingleWorld {
         return list;
     }
 
+    // For tests of the network: its outputs for the living agents, without choosing actions.
     py::array_t<float> logits(const Network& network, const Array<float>& genome) const {
         if (network.fov != setup_->config.fov) {
             throw py::value_error("network: expected fov " + std::to_string(setup_->config.fov) +
@@ -170,7 +180,8 @@ class SingleWorld {
         return committed;
     }
 
-    // Puts a fresh world in the place of this one, unless `begin` throws.
+    // Replaces this world by a fresh one on which `begin` was called. If `begin` throws, this world
+    // stays as it was: it leaves the scratch only for as long as the fresh one may need it.
     template <typename Begin>
     void become(Begin begin) {
         World fresh(setup_);
@@ -187,14 +198,15 @@ class SingleWorld {
     std::shared_ptr<const Setup> setup_;
     World world_;
     Scratch scratch_;
-    mutable Observer lens_;
+    Observer observer_;
+    OutputSource source_;
     int turn_ = 0;  // the next one of the round
     std::vector<Conflict> conflicts_;
 };
 
 // ---- Batch ------------------------------------------------------------------------------------
 
-// Positions (n, 2) of all worlds or (W, n, 2) of each, or None; a map for all, or None.
+// Positions (W, n, 2) or None for each team; one map for all worlds, or None.
 std::vector<Placement> to_placements(const py::object& pursuers, const py::object& evaders,
                                      const py::object& map, int n_worlds) {
     if (pursuers.is_none() && evaders.is_none() && map.is_none()) return {};
@@ -213,11 +225,13 @@ std::vector<Placement> to_placements(const py::object& pursuers, const py::objec
     return placements;
 }
 
+// A batch with the caller's arrays. Steps and resets run without the GIL, after all checks that need
+// Python objects.
 class BufferedBatch {
   public:
     BufferedBatch(const std::shared_ptr<const Setup>& setup, int n_worlds, int n_threads,
                   Autoreset autoreset, const py::dict& buffers)
-        : buffers_(hold_batch(setup->config, n_worlds, buffers)),
+        : held_(hold_batch(setup->config, n_worlds, buffers)),
           batch_(setup, n_worlds, n_threads, autoreset) {}
 
     void reset(const std::optional<Array<std::uint64_t>>& seeds, std::uint64_t episode,
@@ -230,21 +244,22 @@ class BufferedBatch {
         const std::uint64_t* first_seed = seeds ? seeds->data() : nullptr;
         const auto* chosen = mask ? reinterpret_cast<const std::uint8_t*>(mask->data()) : nullptr;
         const py::gil_scoped_release release;
-        batch_.reset(first_seed, episode, chosen, placements, buffers_.pointers);
+        batch_.reset(first_seed, episode, chosen, placements, held_.buffers);
     }
 
     void step(const py::array& actions) {
         const Shape shape{batch_.n_worlds(), batch_.setup().config.n_agents()};
         with_integers("actions", actions, shape, [&](const auto* given) {
             const py::gil_scoped_release release;
-            batch_.step(given, buffers_.pointers);
+            batch_.step(given, held_.buffers);
         });
     }
 
+    // Between two steps no round is in progress: the next turn is turn 0.
     py::dict snapshot(int w) const { return to_dict(batch_.snapshot(w), batch_.setup().config, 0); }
 
   private:
-    HeldBuffers buffers_;
+    HeldBuffers held_;
     Batch batch_;
 };
 

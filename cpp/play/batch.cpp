@@ -6,7 +6,10 @@ namespace matrixworld {
 
 namespace {
 
+// Enough worlds that taking a piece costs nothing, few enough that threads end at the same time.
 constexpr int kWorldsPerPiece = 16;
+
+EpisodeKey next_episode(const World& world) { return {world.key().seed, world.key().episode + 1}; }
 
 }  // namespace
 
@@ -40,29 +43,29 @@ void Batch::reset(const std::uint64_t* seeds, std::uint64_t episode, const std::
         if (placements.empty()) return drawn;
         return placements.size() == 1 ? placements[0] : placements[w];
     };
+    // All placements are checked before the first world changes, and by this thread, so that the
+    // exception is always that of the first world with a wrong one.
     for (std::size_t w = 0; w < worlds_.size(); ++w) {
         if (!mask || mask[w]) worlds_[w].check(placement(w));
     }
     for_each_world([&](World& world, std::size_t w, Workspace& workspace) {
         if (mask && !mask[w]) return;
-        const EpisodeKey next{world.key().seed, world.key().episode + 1};
-        begin(world, w, seeds ? EpisodeKey{seeds[w], episode} : next, workspace.scratch,
-              placement(w));
-        write_step(world, w, buffers);
-        write_moment(world, workspace.scratch.occupancy, workspace.observer, w, buffers);
-        if (buffers.acted) {
-            const int n_agents = setup_->config.n_agents();
-            std::fill_n(buffers.acted + w * n_agents, n_agents, std::uint8_t{0});
+        const EpisodeKey key = seeds ? EpisodeKey{seeds[w], episode} : next_episode(world);
+        begin(world, w, key, workspace.scratch, placement(w));
+        OutputSource& source = workspace.source;
+        source.look_at(world, workspace.scratch.occupancy);
+        source.acts = source.ended = false;  // a reset is no step
+        for (const Written when : {Written::StepStart, Written::Step, Written::Moment}) {
+            buffers.write(when, source, w);
         }
-        if (buffers.ended) buffers.ended[w] = 0;
         world.leave(workspace.scratch);
     });
 }
 
-void Batch::begin(World& world, std::size_t number, EpisodeKey key, Scratch& scratch,
+void Batch::begin(World& world, std::size_t w, EpisodeKey key, Scratch& scratch,
                   const Placement& placement) {
     world.reset(key, scratch, placement);
-    statistics_[number] = StatisticsAccumulator(setup_->config);
+    statistics_[w] = StatisticsAccumulator(setup_->config);
 }
 
 void Batch::play(const Buffers& buffers) {
@@ -71,37 +74,53 @@ void Batch::play(const Buffers& buffers) {
     });
 }
 
-void Batch::play(World& world, std::size_t number, Workspace& workspace, const Buffers& buffers) {
+void Batch::play(World& world, std::size_t w, Workspace& workspace, const Buffers& buffers) {
     Scratch& scratch = workspace.scratch;
-    write_acted(world, number, buffers);
-    const EpisodeKey next{world.key().seed, world.key().episode + 1};
+    OutputSource& source = workspace.source;
     const bool was_over = world.over();
-    if (was_over && autoreset_ == Autoreset::NextStep) {
-        begin(world, number, next, scratch, {});
-    } else {
-        if (was_over || world.one_by_one()) world.enter(scratch);
-        if (was_over) {
-            world.begin_round();  // nothing happens any more
-        } else {
-            world.step(actions_.data() + number * setup_->config.n_agents(), scratch);
-            if (buffers.tells_episodes()) statistics_[number].add(world, scratch.occupancy);
-        }
-    }
-    write_step(world, number, buffers);
-    const bool ended = world.over() && !was_over;
-    if (buffers.ended) buffers.ended[number] = ended;
-    if (ended) finish(world, number, workspace, buffers);
+    source.look_at(world, scratch.occupancy);
+    source.acts = !was_over;
+    buffers.write(Written::StepStart, source, w);
+
+    advance(world, w, scratch, buffers);
+    source.look_at(world, scratch.occupancy);
+    source.ended = world.over() && !was_over;
+    buffers.write(Written::Step, source, w);
+    if (source.ended) finish(world, w, source, buffers);
+
     if (world.over() && autoreset_ == Autoreset::SameStep) {
         world.leave(scratch);
-        begin(world, number, next, scratch, {});
+        begin(world, w, next_episode(world), scratch);
+        source.look_at(world, scratch.occupancy);
     }
-    write_moment(world, scratch.occupancy, workspace.observer, number, buffers);
+    buffers.write(Written::Moment, source, w);
     world.leave(scratch);
 }
 
-void Batch::finish(World& world, std::size_t number, Workspace& workspace, const Buffers& buffers) {
-    if (buffers.tells_episodes()) write_score(statistics_[number].total(world), number, buffers);
-    write_final_views(world, workspace.scratch.occupancy, workspace.observer, number, buffers);
+// Plays a round, or what takes its place in a world that is over. The world is in the scratch
+// afterwards.
+void Batch::advance(World& world, std::size_t w, Scratch& scratch, const Buffers& buffers) {
+    if (world.over() && autoreset_ == Autoreset::NextStep) {
+        begin(world, w, next_episode(world), scratch);
+        return;
+    }
+    if (world.over()) {
+        world.enter(scratch);
+        world.begin_round();  // clears rewards and reports; no turn follows
+        return;
+    }
+    // Where all agents of a turn move together, a turn itself brings them into the scratch.
+    if (world.one_by_one()) world.enter(scratch);
+    world.step(actions_.data() + w * setup_->config.n_agents(), scratch);
+    if (buffers.has(Written::EpisodeEnd)) statistics_[w].add(world, scratch.occupancy);
+}
+
+void Batch::finish(const World& world, std::size_t w, OutputSource& source,
+                   const Buffers& buffers) {
+    const EpisodeStatistics statistics = statistics_[w].total(world);
+    source.statistics = &statistics;
+    buffers.write(Written::EpisodeEnd, source, w);
+    source.statistics = nullptr;
 }
 
 }  // namespace matrixworld

@@ -1,4 +1,5 @@
-// W worlds of one configuration, stepped together by a few threads into buffers of the caller.
+// A batch: W worlds of one configuration, stepped together by several threads, which write their
+// output fields into the caller's arrays.
 #pragma once
 
 #include <algorithm>
@@ -16,15 +17,16 @@
 
 namespace matrixworld {
 
-// What becomes of a world whose episode has ended.
+// What a batch does with a world whose episode has ended.
 enum class Autoreset : std::uint8_t {
-    Disabled,  // it stays as it is, with rewards of 0, until it is reset
-    NextStep,  // the next step ignores its actions and starts its seed's next episode instead
-    SameStep,  // the very step that ended it goes on to start its seed's next episode
+    Disabled,  // the world stays as it is, with rewards of 0, until the caller resets it
+    NextStep,  // the next step ignores the world's actions and starts its seed's next episode
+    SameStep,  // the step that ended the episode also starts the seed's next one
 };
 
-// Checks the actions (A,) of a world's living agents [first, last) and writes them to `committed`;
-// the others are not looked at. Throws std::invalid_argument naming world, agent and value.
+// Checks the actions (A,) of a world's living agents [first, last) and writes them to `committed`.
+// Other entries are neither checked nor written. Throws std::invalid_argument that names world,
+// agent and value.
 template <typename Integer>
 void commit_actions(const World& world, std::size_t number, int first, int last,
                     const Integer* actions, std::uint8_t* committed) {
@@ -42,10 +44,11 @@ void commit_actions(const World& world, std::size_t number, int first, int last,
     }
 }
 
-// Are all of n values at least 0 and below a limit?
+// Are all n values at least 0 and below the limit? One loop without branches, which the compiler
+// turns into vector instructions: nearly always all actions of a batch are legal.
 template <typename Integer>
 bool all_below(int limit, const Integer* values, std::size_t n) {
-    using Unsigned = std::make_unsigned_t<Integer>;  // in which negative numbers are large
+    using Unsigned = std::make_unsigned_t<Integer>;  // negative values become large ones
     Unsigned most = 0;
     for (std::size_t i = 0; i < n; ++i) most = std::max(most, static_cast<Unsigned>(values[i]));
     return most < static_cast<Unsigned>(limit);
@@ -55,19 +58,16 @@ class Batch {
   public:
     Batch(std::shared_ptr<const Setup> setup, int n_worlds, int n_threads, Autoreset autoreset);
 
-    // World w starts episode `episode` of seeds[w], or its own seed's next episode where `seeds` is
-    // null; only those with mask[w] where a mask is given. `placements` is empty, one for all
-    // worlds, or one for each. Throws std::invalid_argument, before anything is changed, for a
-    // placement that does not fit.
+    // World w starts episode `episode` of seeds[w], or its own seed's next episode if `seeds` is
+    // null. If a mask is given, only the worlds with mask[w] start. `placements` is empty, or has
+    // one entry for all worlds, or one for each. Throws std::invalid_argument for a placement that
+    // does not fit; then no world has changed.
     void reset(const std::uint64_t* seeds, std::uint64_t episode, const std::uint8_t* mask,
                const std::vector<Placement>& placements, const Buffers& buffers);
 
-    // One round of every world that is not over, with actions (W, A); see `Autoreset` for the
-    // others. Where a world is reset in the very step that ended it, what tells of the step
-    // (rewards, terminated, captures, ...) is still of the ended episode, what tells of the moment
-    // (positions, alive, steps, views, state) of the new one.
-    // Throws std::invalid_argument, before anything is changed, for an action out of range of a
-    // living agent in a world that is not over.
+    // Plays one round, with actions (W, A), in every world that is not over; `Autoreset` says what
+    // happens in the others. Throws std::invalid_argument if an agent that acts has an action out
+    // of range; then no world has changed.
     template <typename Integer>
     void step(const Integer* actions, const Buffers& buffers) {
         commit(actions);
@@ -77,16 +77,19 @@ class Batch {
     int n_worlds() const { return static_cast<int>(worlds_.size()); }
     const Setup& setup() const { return *setup_; }
 
-    // Where world w is.
+    // The state of world w, from which another world can go on.
     Snapshot snapshot(int w) const { return worlds_[w].snapshot(workspaces_[0]->scratch); }
 
   private:
-    // Where a thread plays worlds and looks at them.
+    // The memory of one thread. Worlds enter it one after the other to be played and written.
     struct Workspace {
-        explicit Workspace(const Setup& setup) : scratch(setup, false), observer(setup) {}
+        explicit Workspace(const Setup& setup) : scratch(setup, false), observer(setup) {
+            source.observer = &observer;
+        }
 
         Scratch scratch;
         Observer observer;
+        OutputSource source;
     };
 
     template <typename Integer>
@@ -94,18 +97,19 @@ class Batch {
     void play(const Buffers& buffers);
     template <typename Play>
     void for_each_world(Play play);
-    void play(World& world, std::size_t number, Workspace& workspace, const Buffers& buffers);
-    void begin(World& world, std::size_t number, EpisodeKey key, Scratch& scratch,
-               const Placement& placement);
-    void finish(World& world, std::size_t number, Workspace& workspace, const Buffers& buffers);
+    void play(World& world, std::size_t w, Workspace& workspace, const Buffers& buffers);
+    void begin(World& world, std::size_t w, EpisodeKey key, Scratch& scratch,
+               const Placement& placement = {});
+    void advance(World& world, std::size_t w, Scratch& scratch, const Buffers& buffers);
+    void finish(const World& world, std::size_t w, OutputSource& source, const Buffers& buffers);
 
     std::shared_ptr<const Setup> setup_;
     Autoreset autoreset_;
     std::vector<World> worlds_;
-    std::vector<StatisticsAccumulator> statistics_;
-    std::vector<std::uint8_t> actions_;  // (W, A)
+    std::vector<StatisticsAccumulator> statistics_;  // of the worlds' episodes so far
+    std::vector<std::uint8_t> actions_;              // (W, A), checked
     Workers workers_;
-    std::vector<std::unique_ptr<Workspace>> workspaces_;  // one a thread
+    std::vector<std::unique_ptr<Workspace>> workspaces_;  // by thread
 };
 
 template <typename Integer>
@@ -115,6 +119,7 @@ void Batch::commit(const Integer* actions) {
         std::copy_n(actions, actions_.size(), actions_.begin());
         return;
     }
+    // Some action is out of range, which is allowed for gone agents and in worlds that are over.
     for (std::size_t w = 0; w < worlds_.size(); ++w) {
         if (worlds_[w].over()) continue;
         commit_actions(worlds_[w], w, 0, static_cast<int>(n_agents), actions + w * n_agents,

@@ -6,7 +6,8 @@ namespace matrixworld {
 
 namespace {
 
-// Agents beyond the first on each cell, by team. Of k agents on one, each counts (k - 1) / k.
+// Agents beyond the first on each cell, by team. Each of k agents on a cell adds (k - 1) / k: so
+// no cell has to be marked as counted. The sum is a whole number, up to rounding.
 std::array<int, kTeams> overlaps(const World& world, const Occupancy& occupancy) {
     std::array<double, kTeams> sums{};
     const ReservationTable reservations = occupancy.reservations();
@@ -19,7 +20,7 @@ std::array<int, kTeams> overlaps(const World& world, const Occupancy& occupancy)
     return {static_cast<int>(std::lround(sums[0])), static_cast<int>(std::lround(sums[1]))};
 }
 
-// In four sums side by side, which need not wait for each other.
+// Four sums side by side, because each addition of one sum waits for the one before it.
 double sum(const float* values, int n) {
     constexpr int kSums = 4;
     double sums[kSums] = {};
@@ -34,27 +35,27 @@ double sum(const float* values, int n) {
 }  // namespace
 
 StatisticsAccumulator::StatisticsAccumulator(const Config& config)
-    : living_{config.n_pursuers, config.n_evaders} {}
+    : n_living_{config.n_pursuers, config.n_evaders} {}
 
 void StatisticsAccumulator::add(const World& world, const Occupancy& occupancy) {
     const int sizes[kTeams] = {world.config().n_pursuers, world.config().n_evaders};
     const std::array<int, kTeams> overlapping = overlaps(world, occupancy);
-    captured_ += world.n_captured();
+    n_captured_ += world.n_captured();
     const float* rewards = world.rewards().data();
     for (int t = 0; t < kTeams; ++t) {
-        overlapping_[t] += overlapping[t];
-        score_.agent_steps[t] += living_[t];
-        living_[t] = world.n_living(static_cast<Team>(t));
-        score_.returns[t] += sum(rewards, sizes[t]);
+        n_overlapping_[t] += overlapping[t];
+        sums_.agent_steps[t] += n_living_[t];
+        n_living_[t] = world.n_living(static_cast<Team>(t));
+        sums_.returns[t] += sum(rewards, sizes[t]);
         rewards += sizes[t];
     }
     for (int a = 0; a < world.config().n_agents(); ++a) {
         const Flags report = world.report(a);
-        if (report == 0) continue;
+        if (report == 0) continue;  // nearly all agents
         const int t = static_cast<int>(world.team(a));
         for (int kind = 0; kind < kKinds; ++kind) {
-            score_.collisions[t * kKinds + kind] += report >> kind & 1;
-            score_.faults[t * kKinds + kind] += report >> (kKinds + kind) & 1;
+            sums_.collisions[t * kKinds + kind] += report >> kind & 1;
+            sums_.faults[t * kKinds + kind] += report >> (kKinds + kind) & 1;
         }
     }
 }
@@ -63,18 +64,20 @@ EpisodeStatistics StatisticsAccumulator::total(const World& world) const {
     const Config& config = world.config();
     const int sizes[kTeams] = {config.n_pursuers, config.n_evaders};
     const auto share = [](double count, int of) { return static_cast<float>(count / of); };
+    // Steps that were not played because the episode ended early.
     const std::int64_t idle = config.max_steps - world.steps();
-    const auto captured = static_cast<double>(captured_ + idle * world.n_captured());
-    EpisodeStatistics score = score_;
-    score.length = world.steps();
-    score.capture_rate = share(world.n_captured(), config.n_evaders);
-    score.ever_capture_rate = share(world.n_ever_captured(), config.n_evaders);
-    score.captured_fraction = share(captured / config.max_steps, config.n_evaders);
+    const auto captured = static_cast<double>(n_captured_ + idle * world.n_captured());
+    EpisodeStatistics statistics = sums_;
+    statistics.length = world.steps();
+    statistics.capture_rate = share(world.n_captured(), config.n_evaders);
+    statistics.ever_capture_rate = share(world.n_ever_captured(), config.n_evaders);
+    statistics.captured_fraction = share(captured / config.max_steps, config.n_evaders);
     for (int t = 0; t < kTeams; ++t) {
-        score.survivors[t] = world.n_living(static_cast<Team>(t));
-        score.overlap[t] = share(static_cast<double>(overlapping_[t]) / config.max_steps, sizes[t]);
+        statistics.survivors[t] = world.n_living(static_cast<Team>(t));
+        statistics.overlap[t] =
+            share(static_cast<double>(n_overlapping_[t]) / config.max_steps, sizes[t]);
     }
-    return score;
+    return statistics;
 }
 
 }  // namespace matrixworld

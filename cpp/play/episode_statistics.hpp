@@ -1,4 +1,5 @@
-// What an episode comes to, added up as it is played.
+// The statistics of an episode, accumulated while it is played. A new one is a member of
+// EpisodeStatistics, its computation, and a row of `statistic_fields` in output_fields.cpp.
 #pragma once
 
 #include <array>
@@ -8,8 +9,8 @@
 
 namespace matrixworld {
 
-// Means over steps are over max_steps; after an early end the share of captured evaders stands as
-// it was, and overlap counts 0.
+// Means over steps are over max_steps. After an early end the share of captured evaders counts as it
+// was at the end, and overlap counts as 0.
 struct EpisodeStatistics {
     float capture_rate = 0;                // share of the evaders that count as captured at the end
     float ever_capture_rate = 0;           // share of the evaders captured at some time
@@ -25,19 +26,21 @@ struct EpisodeStatistics {
 
 class StatisticsAccumulator {
   public:
-    // Begins an episode in which everybody is alive.
+    // Begins an episode in which all agents are alive.
     explicit StatisticsAccumulator(const Config& config);
 
-    // After every step. The agents must be in the occupancy.
+    // To be called after every step. The occupancy must hold the world's agents.
     void add(const World& world, const Occupancy& occupancy);
 
+    // The statistics of the episode, after its last step.
     EpisodeStatistics total(const World& world) const;
 
   private:
-    EpisodeStatistics score_;
-    std::int64_t captured_ = 0;
-    std::array<std::int64_t, kTeams> overlapping_{};
-    std::array<std::int64_t, kTeams> living_{};  // as the next step begins
+    EpisodeStatistics sums_;
+    // Counts over steps. Whole numbers, so that a mean is rounded only once, at the end.
+    std::int64_t n_captured_ = 0;  // evaders that count as captured, over steps
+    std::array<std::int64_t, kTeams> n_overlapping_{};  // agents beyond the first on a cell
+    std::array<std::int64_t, kTeams> n_living_{};       // as the next step begins
 };
 
 }  // namespace matrixworld

@@ -30,7 +30,9 @@ Eigen::Index Network::genome_size() const {
 
 namespace {
 
-constexpr Eigen::Index kMostKept = Eigen::Index{1} << 22;  // numbers, of sums of obstacles by cell
+// Obstacle bases are kept up to this many floats (16 MiB a thread and network). On larger grids they
+// are computed anew for each agent and step.
+constexpr Eigen::Index kMostKept = Eigen::Index{1} << 22;
 
 }  // namespace
 
@@ -77,7 +79,8 @@ void Mlp::read(Layer& layer, const float* genome) {
     layer.bias = layer.padded_bias.data();
 }
 
-// corner_sums(r, c) = the sum of the obstacle weights of the window's cells above r and left of c.
+// Fills the summed-area table: corner_sums(r, c) is the sum of the obstacle weights of the window's
+// cells above row r and left of column c. The sum over any rectangle is then a sum of four corners.
 void Mlp::sum_border() {
     const int fov = network_.fov;
     const Layer& first = layers_.front();
@@ -91,11 +94,12 @@ void Mlp::sum_border() {
                 obstacles.row(r * fov + c) + corner(r, c + 1) + (corner(r + 1, c) - corner(r, c));
         }
     }
+    // The bases of the last genome hold no longer.
     std::fill(border_known_.begin(), border_known_.end(), 0);
     std::fill(obstacle_known_.begin(), obstacle_known_.end(), 0);
 }
 
-// Bias plus the weights of all cells of the window that lie outside the grid.
+// Bias + obstacle weights of all cells of the window that lie outside the grid.
 const float* Mlp::border_base(int row, int col) {
     const int number = cases_.number(row, col);
     if (!border_known_[number]) {
@@ -114,13 +118,14 @@ void Mlp::make_border_base(int number, int row, int col) {
     const int right = std::min(fov, reach + grid_.cols() - col);
     const auto corner = [&](int r, int c) { return corner_sums_.row(r * (fov + 1) + c); };
     const Eigen::Map<const Matrix> bias(layers_.front().bias, 1, layers_.front().width);
+    // All cells of the window, minus the rectangle inside the grid.
     border_bases_.row(number) =
         bias.row(0) + (corner(fov, fov) - (corner(bottom, right) - corner(top, right) -
                                            corner(bottom, left) + corner(top, left)));
 }
 
-// Keeps what the obstacles of the world's terrain add, until the terrain is another.
-void Mlp::meet_terrain(const World& world) {
+// Forgets the obstacle bases if the world has another terrain than at the last call.
+void Mlp::use_terrain(const World& world) {
     if (world.shared_terrain() == terrain_) return;
     terrain_ = world.shared_terrain();
     obstacle_known_.assign(static_cast<std::size_t>(grid_.n_cells()), 0);
@@ -147,6 +152,7 @@ void Mlp::act(const World& world, const Occupancy& occupancy, const std::vector<
               const std::vector<float>& units, std::vector<std::uint8_t>& actions) {
     const Kernels& kernel = kernels();
     const int n = static_cast<int>(agents.size());
+    // The kernels compute whole blocks of kRowPad rows; what they write after row n is not read.
     const std::size_t rows = (agents.size() + kRowPad - 1) / kRowPad * kRowPad;
     for (std::size_t i = 0; i < layers_.size(); ++i) {
         const std::size_t room = rows * static_cast<std::size_t>(layers_[i].width);
@@ -171,16 +177,16 @@ void Mlp::act(const World& world, const Occupancy& occupancy, const std::vector<
 void Mlp::first_layer(const World& world, const Occupancy& occupancy,
                       const std::vector<int>& agents) {
     bases_.resize(agents.size());
-    const PositionTable& places = occupancy.position_table();
+    const PositionTable& positions = occupancy.position_table();
     const Eigen::Index width = layers_.front().width;
     const bool obstacles = world.terrain().has_obstacles;
     const bool kept = grid_.n_cells() * width <= kMostKept;
-    if (obstacles && kept) meet_terrain(world);
+    if (obstacles && kept) use_terrain(world);
     if (obstacles && !kept) obstacle_bases_.resize(static_cast<Eigen::Index>(agents.size()), width);
     for (std::size_t i = 0; i < agents.size(); ++i) {
         const int cell = world.cell(agents[i]);
         if (!obstacles) {
-            bases_[i] = border_base(places.row(agents[i]), places.col(agents[i]));
+            bases_[i] = border_base(positions.row(agents[i]), positions.col(agents[i]));
         } else if (kept) {
             bases_[i] = obstacle_base(world, cell);
         } else {
@@ -192,6 +198,8 @@ void Mlp::first_layer(const World& world, const Occupancy& occupancy,
     sum_seen(world, occupancy, agents);
 }
 
+// Adds the agents in view to the bases. With few agents in the world a kernel compares all their
+// positions in vector registers; with many, only the cells of each view are visited.
 void Mlp::sum_seen(const World& world, const Occupancy& occupancy, const std::vector<int>& agents) {
     const Layer& first = layers_.front();
     float* out = activations_.front().data();
@@ -208,7 +216,7 @@ void Mlp::sum_seen(const World& world, const Occupancy& occupancy, const std::ve
     }
 }
 
-// The first of the largest outputs.
+// Takes the action with the largest output; the first of them if several are equal.
 void Mlp::choose_largest(std::size_t n, std::vector<std::uint8_t>& actions) const {
     for (std::size_t i = 0; i < n; ++i) {
         const float* row = logits() + i * static_cast<std::size_t>(layers_.back().width);

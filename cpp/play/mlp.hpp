@@ -1,6 +1,8 @@
-// A policy network: a genome (flat float32) read as layers. The first layer looks at binary views
-// in which few cells are set, so it is a sum of weight rows. What the border and the obstacles add
-// depends only on the agent's place: it is added up when it is first needed there, and kept.
+// A policy network (multilayer perceptron): a genome, flat float32, read as layers.
+//
+// The first layer reads binary views in which few cells are set, so its output is a sum of few weight
+// rows: bias + border + obstacles + agents in view. The first three depend only on the agent's cell.
+// Their sum (a "base") is computed when an agent first stands there, and kept for later steps.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,7 +24,7 @@ struct Network {
     int fov;
     std::vector<int> sizes;  // inputs, hidden layers, actions
     Activation activation;
-    bool sampled;  // draw from the softmax of the outputs, or take the largest
+    bool sampled;  // draw the action from the softmax of the outputs, or take the largest output
 
     int n_inputs() const { return sizes.front(); }
     int n_actions() const { return sizes.back(); }
@@ -33,10 +35,11 @@ class Mlp {
   public:
     Mlp(const Network& network, const Grid& grid);
 
-    // Reads a genome, which must stay where it is for as long as it is used.
+    // Reads a genome, which must stay in memory as long as it is used.
     void load(const float* genome);
 
-    // Chooses an action for each of `agents`, which are alive and of one team.
+    // Chooses an action for each of `agents`, which are alive and belong to one team. units[i], in
+    // [0, 1), decides for agents[i] where actions are sampled.
     void act(const World& world, const Occupancy& occupancy, const std::vector<int>& agents,
              const std::vector<float>& units, std::vector<std::uint8_t>& actions);
 
@@ -46,7 +49,8 @@ class Mlp {
   private:
     using Matrix = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-    // Weights and bias with padded width: in the genome where that is padded already.
+    // Weights and bias, each row padded to whole vector registers. Where the layer's width needs no
+    // padding they are read in the genome itself, else from a padded copy.
     struct Layer {
         int n_in = 0;
         int n_out = 0;
@@ -66,7 +70,7 @@ class Mlp {
     void sum_border();
     const float* border_base(int row, int col);
     void make_border_base(int number, int row, int col);
-    void meet_terrain(const World& world);
+    void use_terrain(const World& world);
     const float* obstacle_base(const World& world, int cell);
     void sum_obstacles(const World& world, int cell, float* out);
     void choose_largest(std::size_t n, std::vector<std::uint8_t>& actions) const;
@@ -75,17 +79,17 @@ class Mlp {
     Grid grid_;
     std::vector<Layer> layers_;
     std::vector<std::vector<float>> activations_;  // by layer
-    std::vector<int> inputs_;
-    std::vector<const float*>
-        bases_;  // by agent that acts: what the sum of the first layer begins with
+    std::vector<int> inputs_;                      // indices of the inputs that are 1
+    std::vector<const float*> bases_;              // by agent that acts
 
-    Matrix corner_sums_;  // ((fov + 1)^2, width): summed-area table of the obstacle weights
-    BorderCases cases_;
-    Matrix border_bases_;                     // (n cases, width): bias + border
+    Matrix corner_sums_;   // ((fov + 1)^2, width): summed-area table of the obstacle weights
+    BorderCases cases_;    // cells with the same border in view are one case
+    Matrix border_bases_;  // (n cases, width): bias + border
     std::vector<std::uint8_t> border_known_;  // by case
 
-    std::shared_ptr<const Terrain> terrain_;  // of which the obstacles are kept; may be none
-    Matrix obstacle_bases_;  // (n cells, width): bias + border + obstacles; of many cells, by agent
+    std::shared_ptr<const Terrain> terrain_;  // for which obstacle_bases_ hold; may be null
+    // (n cells, width): bias + border + obstacles. On large grids (n agents, width), not kept.
+    Matrix obstacle_bases_;
     std::vector<std::uint8_t> obstacle_known_;  // by cell
 };
 

@@ -4,7 +4,7 @@ namespace matrixworld {
 
 namespace {
 
-constexpr int kAgentsPerBlock = 2 * kDrawsPerBlock;  // 32 bits for each
+constexpr int kAgentsPerBlock = 2 * kDrawsPerBlock;  // 32 bits of a block for each
 
 }  // namespace
 
@@ -16,6 +16,8 @@ void Policy::decide(const World& world, const Occupancy& occupancy, int first, i
     std::size_t n = 0;
     Block block{};
     int number = -1;
+    // An agent's draw depends on its own number and on the step alone. So an episode stays the same
+    // whichever other agents are alive, and however the agents are divided into turns.
     for (int a = first; a < last; ++a) {
         if (!world.alive(a)) continue;
         if (a / kAgentsPerBlock != number) {
@@ -43,7 +45,8 @@ void NetworkPolicy::choose(const World& world, const Occupancy& occupancy) {
 
 void ScriptedPolicy::choose(const World& world, const Occupancy& occupancy) {
     for (std::size_t i = 0; i < agents_.size(); ++i) {
-        // The lowest bits decide on a slip, the highest on a move.
+        // One draw serves two independent decisions: `kSlipSteps` is a power of two, so the lowest
+        // bits decide whether the agent slips, and `below` uses the highest for the move.
         const bool slips = static_cast<int>(draws_[i] % kSlipSteps) < script_.slips;
         chosen_[i] =
             static_cast<std::uint8_t>(slips ? below(draws_[i], world.config().n_actions())
@@ -68,7 +71,7 @@ int ScriptedPolicy::best_move(const World& world, const Occupancy& occupancy, in
         const Offset there{kRowStep[move], kColStep[move]};
         if (move != 0 && !sight_.is_free(there)) continue;
         const int worth = script_.worth(sight_, goals_, there);
-        if (n_best == 0 || worth > best) {
+        if (n_best == 0 || worth > best) {  // the first move, or one better than all before it
             best = worth;
             n_best = 0;
         }
@@ -77,7 +80,8 @@ int ScriptedPolicy::best_move(const World& world, const Occupancy& occupancy, in
     return moves[below(draw, n_best)];
 }
 
-// The direction of these steps, drawn anew after every stride.
+// The direction of the present stride. It is drawn from the number of the stride, so that no policy
+// has to remember anything between steps.
 int ScriptedPolicy::walk_on(const World& world, int agent) const {
     const int stride = world.steps() / script_.stride;
     const Block block = world.key().block(Purpose::Walk, agent, stride);

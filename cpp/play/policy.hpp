@@ -1,4 +1,4 @@
-// Who decides for a team: a network, or one of the scripted opponents.
+// Policies choose a team's actions: a neural network, or one of the scripted opponents.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,18 @@ class Policy {
   public:
     virtual ~Policy() = default;
 
-    // Writes actions[agent] for the living agents [first, last), which are of one team.
+    // Writes actions[agent] for the living agents in [first, last), which belong to one team.
     void decide(const World& world, const Occupancy& occupancy, int first, int last,
                 std::vector<std::uint8_t>& actions);
 
   protected:
-    // chosen_[i] for agents_[i], from draws_[i], 32 random bits of its own.
+    // Writes chosen_[i] for each agents_[i]. Called once for all agents of a turn, not once for each,
+    // so that a network reads its weights once and the virtual call costs nothing.
     virtual void choose(const World& world, const Occupancy& occupancy) = 0;
 
-    std::vector<int> agents_;
-    std::vector<std::uint32_t> draws_;
-    std::vector<std::uint8_t> chosen_;
+    std::vector<int> agents_;           // the living agents that act, ascending
+    std::vector<std::uint32_t> draws_;  // by agent that acts: 32 random bits
+    std::vector<std::uint8_t> chosen_;  // by agent that acts: its action
 };
 
 class NetworkPolicy : public Policy {
@@ -37,7 +38,7 @@ class NetworkPolicy : public Policy {
     void choose(const World& world, const Occupancy& occupancy) override;
 
     Mlp mlp_;
-    std::vector<float> units_;
+    std::vector<float> units_;  // the draws as numbers in [0, 1)
 };
 
 class ScriptedPolicy : public Policy {
@@ -51,7 +52,7 @@ class ScriptedPolicy : public Policy {
 
     const Script& script_;
     Sight sight_;
-    Offsets goals_;
+    Offsets goals_;  // of the agent that decides
 };
 
 }  // namespace matrixworld

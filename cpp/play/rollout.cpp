@@ -8,64 +8,68 @@ namespace matrixworld {
 
 namespace {
 
+// Enough worlds that taking a piece costs nothing, few enough that threads end at the same time.
 constexpr int kWorldsPerPiece = 16;
 
-// A team's seat at a thread: keeps the player ready for the candidate that it played last.
-class Seat {
+// A team's policy in the memory of one thread. It keeps the genome that it read last, because the
+// pieces that a thread takes one after the other mostly belong to the same match.
+class LoadedPolicy {
   public:
-    Seat(const Candidates& candidates, const Setup& setup) : candidates_(candidates) {
+    LoadedPolicy(const Candidates& candidates, const Setup& setup) : candidates_(candidates) {
         if (candidates.network) {
-            auto player = std::make_unique<NetworkPolicy>(*candidates.network, setup.grid);
-            network_ = player.get();
-            player_ = std::move(player);
+            auto policy = std::make_unique<NetworkPolicy>(*candidates.network, setup.grid);
+            network_ = policy.get();
+            policy_ = std::move(policy);
         } else {
-            player_ = std::make_unique<ScriptedPolicy>(*candidates.script, setup.config.fov);
+            policy_ = std::make_unique<ScriptedPolicy>(*candidates.script, setup.config.fov);
         }
     }
 
-    Policy& take(int candidate) {
+    Policy& load(int candidate) {
         if (network_ && candidate != loaded_) {
             network_->load(candidates_.genomes + candidate * candidates_.network->genome_size());
             loaded_ = candidate;
         }
-        return *player_;
+        return *policy_;
     }
 
   private:
     const Candidates& candidates_;
-    std::unique_ptr<Policy> player_;
-    NetworkPolicy* network_ = nullptr;
+    std::unique_ptr<Policy> policy_;
+    NetworkPolicy* network_ = nullptr;  // the policy, unless it is a script
     int loaded_ = -1;
 };
 
-// A thread's place to play: a world, its scratch and a seat for each team.
-class Table {
+// The memory of one thread: a world, its scratch and both teams' policies.
+class Workspace {
   public:
-    Table(const std::shared_ptr<const Setup>& setup, const Candidates& pursuers,
-          const Candidates& evaders)
+    Workspace(const std::shared_ptr<const Setup>& setup, const Candidates& pursuers,
+              const Candidates& evaders)
         : world_(setup),
           scratch_(*setup),
           pursuers_(pursuers, *setup),
           evaders_(evaders, *setup),
           actions_(static_cast<std::size_t>(setup->config.n_agents()), 0) {}
 
-    EpisodeStatistics play(const Match& match, std::uint64_t episode, const Watcher* watcher) {
+    EpisodeStatistics play(const Match& match, std::uint64_t episode,
+                           const StepCallback* callback) {
         world_.reset({match.seed, episode}, scratch_);
-        Policy& pursuers = pursuers_.take(match.pursuer);
-        Policy& evaders = evaders_.take(match.evader);
-        StatisticsAccumulator tally(world_.config());
-        if (watcher) (*watcher)(world_, nullptr);
+        Policy& pursuers = pursuers_.load(match.pursuer);
+        Policy& evaders = evaders_.load(match.evader);
+        StatisticsAccumulator statistics(world_.config());
+        if (callback) (*callback)(world_, scratch_.occupancy, nullptr);
         while (!world_.over()) {
             play_round(pursuers, evaders);
-            tally.add(world_, scratch_.occupancy);
-            if (watcher) (*watcher)(world_, &actions_);
+            statistics.add(world_, scratch_.occupancy);
+            if (callback) (*callback)(world_, scratch_.occupancy, &actions_);
         }
         world_.leave(scratch_);
-        return tally.total(world_);
+        return statistics.total(world_);
     }
 
   private:
-    // Everybody looks when its turn comes, and sees what was done before in the round.
+    // The agents of a turn decide at its beginning, so they see what earlier turns of the round
+    // did. A turn's actors may belong to one team or to both.
     void play_round(Policy& pursuers, Policy& evaders) {
         const int n_pursuers = world_.config().n_pursuers;
         world_.begin_round();
@@ -87,8 +91,8 @@ class Table {
 
     World world_;
     Scratch scratch_;
-    Seat pursuers_;
-    Seat evaders_;
+    LoadedPolicy pursuers_;
+    LoadedPolicy evaders_;
     std::vector<std::uint8_t> actions_;
 };
 
@@ -100,25 +104,29 @@ std::vector<EpisodeStatistics> play_matches(const std::shared_ptr<const Setup>& 
                                             int n_threads) {
     const int n_matches = static_cast<int>(matches.size());
     const int pieces_per_match = (n_worlds + kWorldsPerPiece - 1) / kWorldsPerPiece;
-    std::vector<EpisodeStatistics> scores(matches.size() * static_cast<std::size_t>(n_worlds));
+    std::vector<EpisodeStatistics> statistics(matches.size() * static_cast<std::size_t>(n_worlds));
     Workers workers(n_threads);
-    std::vector<std::unique_ptr<Table>> tables(static_cast<std::size_t>(workers.n_threads()));
+    // A workspace is made by its thread's first piece: there may be fewer pieces than threads.
+    std::vector<std::unique_ptr<Workspace>> workspaces(
+        static_cast<std::size_t>(workers.n_threads()));
     workers.run(n_matches * pieces_per_match, [&](int piece, int thread) {
-        if (!tables[thread]) tables[thread] = std::make_unique<Table>(setup, pursuers, evaders);
+        std::unique_ptr<Workspace>& workspace = workspaces[thread];
+        if (!workspace) workspace = std::make_unique<Workspace>(setup, pursuers, evaders);
         const int m = piece / pieces_per_match;
         const int begin = piece % pieces_per_match * kWorldsPerPiece;
         for (int w = begin; w < std::min(begin + kWorldsPerPiece, n_worlds); ++w) {
-            scores[static_cast<std::size_t>(m) * n_worlds + w] =
-                tables[thread]->play(matches[m], static_cast<std::uint64_t>(w), nullptr);
+            statistics[static_cast<std::size_t>(m) * n_worlds + w] =
+                workspace->play(matches[m], static_cast<std::uint64_t>(w), nullptr);
         }
     });
-    return scores;
+    return statistics;
 }
 
-EpisodeStatistics watch_match(const std::shared_ptr<const Setup>& setup, const Candidates& pursuers,
-                              const Candidates& evaders, const Match& match, std::uint64_t episode,
-                              const Watcher& watcher) {
-    return Table(setup, pursuers, evaders).play(match, episode, &watcher);
+EpisodeStatistics play_episode(const std::shared_ptr<const Setup>& setup,
+                               const Candidates& pursuers, const Candidates& evaders,
+                               const Match& match, std::uint64_t episode,
+                               const StepCallback& callback) {
+    return Workspace(setup, pursuers, evaders).play(match, episode, &callback);
 }
 
 }  // namespace matrixworld

@@ -1,6 +1,6 @@
-// Matches -> scores: whole episodes of one team's genomes against another's, without leaving C++.
-// A pure function of its arguments: world j of a match is episode j of the match's seed, and no
-// result depends on the number of threads or on the other matches.
+// Rollouts: matches -> episode statistics. Whole episodes of one team's candidates against the other
+// team's, without leaving C++. A pure function of its arguments: world j of a match is episode j of
+// the match's seed, and no result depends on the number of threads or on the other matches.
 #pragma once
 
 #include <cstdint>
@@ -16,32 +16,35 @@
 
 namespace matrixworld {
 
-// One team's candidates: genomes of one network, (n, genome_size) floats, or a script.
+// One team's candidates: n genomes of one network, or one script.
 struct Candidates {
     std::optional<Network> network;
-    const float* genomes = nullptr;
+    const float* genomes = nullptr;  // (n, genome_size), owned by the caller
     int n = 1;
-    const Script* script = nullptr;
+    const Script* script = nullptr;  // without a network
 };
 
 struct Match {
-    int pursuer;  // which candidate
-    int evader;
+    int pursuer;  // number of the pursuers' candidate
+    int evader;   // number of the evaders' candidate
     std::uint64_t seed;
 };
 
-// Called with the world after the reset (without actions) and after every step.
-using Watcher = std::function<void(const World& world, const std::vector<std::uint8_t>* actions)>;
+// Called after the reset, with null actions, and after every step, with the actions (A,) of it.
+// The occupancy holds the world's agents.
+using StepCallback = std::function<void(const World& world, const Occupancy& occupancy,
+                                        const std::vector<std::uint8_t>* actions)>;
 
-// Scores, (n matches, n_worlds), in the order of the matches.
+// Plays n_worlds episodes of every match and returns their statistics, (n matches, n_worlds), flat.
 std::vector<EpisodeStatistics> play_matches(const std::shared_ptr<const Setup>& setup,
                                             const Candidates& pursuers, const Candidates& evaders,
                                             const std::vector<Match>& matches, int n_worlds,
                                             int n_threads);
 
-// Plays one episode of a match again, for a watcher.
-EpisodeStatistics watch_match(const std::shared_ptr<const Setup>& setup, const Candidates& pursuers,
-                              const Candidates& evaders, const Match& match, std::uint64_t episode,
-                              const Watcher& watcher);
+// Plays one of these episodes and calls `callback` at each of its moments.
+EpisodeStatistics play_episode(const std::shared_ptr<const Setup>& setup,
+                               const Candidates& pursuers, const Candidates& evaders,
+                               const Match& match, std::uint64_t episode,
+                               const StepCallback& callback);
 
 }  // namespace matrixworld

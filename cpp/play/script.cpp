@@ -17,10 +17,11 @@ void Sight::look(const World& world, const Occupancy& occupancy, int agent) {
     const int fov = world.config().fov;
     const int own_channel = world.team(agent) == Team::Pursuer ? kPursuers : kEvaders;
     const int n_set = list_agents(world, occupancy, agent, set_.data());
+    // The view is flattened as (channel, row, column), with the agent in the middle.
     for (int i = 0; i < n_set; ++i) {
-        const int place = set_[i] % (fov * fov);
+        const int cell = set_[i] % (fov * fov);
         Offsets& seen = set_[i] / (fov * fov) == own_channel ? teammates_ : adversaries_;
-        seen.push_back({place / fov - fov / 2, place % fov - fov / 2});
+        seen.push_back({cell / fov - fov / 2, cell % fov - fov / 2});
     }
 }
 
@@ -43,7 +44,8 @@ constexpr Offset kHere{0, 0};
 
 void adversaries(const Sight& sight, Offsets& goals) { goals = sight.adversaries(); }
 
-// Adversaries to which no teammate in view is nearer; all of them where each has a nearer one.
+// Adversaries to which no teammate in view is nearer, so that hunters spread over several. If a
+// teammate is nearer to each of them, all adversaries.
 void unclaimed_adversaries(const Sight& sight, Offsets& goals) {
     for (const Offset& adversary : sight.adversaries()) {
         const int own = sight.moves(kHere, adversary);
@@ -56,7 +58,8 @@ void unclaimed_adversaries(const Sight& sight, Offsets& goals) {
     if (goals.empty()) goals = sight.adversaries();
 }
 
-// Free cells beside adversaries on which no teammate in view is.
+// Free cells beside adversaries, without those on which a teammate stands: the cells that are still
+// to be occupied to surround an adversary.
 void open_sides(const Sight& sight, Offsets& goals) {
     for (const Offset& adversary : sight.adversaries()) {
         for (int side = 1; side <= sight.n_neighbors(); ++side) {
@@ -87,12 +90,13 @@ int far(const Sight& sight, const Offsets& goals, Offset there) {
     return nearest(sight, goals, there);
 }
 
-// Far from all of them: they repel like charges.
+// The goals repel like equal charges: the push falls with the square of the distance. Whole numbers,
+// so that equal worths are exactly equal; kCharge leaves room for sums over many goals.
 int far_from_all(const Sight& sight, const Offsets& goals, Offset there) {
     constexpr int kCharge = 1 << 14;
     int push = 0;
     for (const Offset& goal : goals) {
-        const int apart = 1 + sight.moves(there, goal);
+        const int apart = 1 + sight.moves(there, goal);  // never 0
         push += kCharge / (apart * apart);
     }
     return -push;
@@ -100,7 +104,7 @@ int far_from_all(const Sight& sight, const Offsets& goals, Offset there) {
 
 constexpr int kNever = 0;
 constexpr int kHalf = kSlipSteps / 2;
-constexpr int kStride = 12;
+constexpr int kStride = 12;  // steps; crosses a usual field of view
 
 }  // namespace
 

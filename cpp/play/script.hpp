@@ -1,8 +1,13 @@
-// Scripted opponents, each a row of data: which cells it looks to, what a move is worth with regard
-// to them, how often it errs, and how it searches.
+// Scripted opponents. Each is a row of data: its goals (cells in view), what a move is worth with
+// regard to the goals, how often the script errs, and how it searches when it sees no goal.
 //
-// A script takes, of the moves that lead into no obstacle, one of those that are worth most, all of
-// them equally likely. Where it looks to no cell it walks at random, or on in one direction.
+// A script considers the moves that do not lead into an obstacle, and takes one of those with the
+// highest worth, all equally likely. Without a goal it walks at random, or straight on for a stride.
+// For example
+//
+//     {"chaser", adversaries, near, kNever, 0}
+//
+// looks for adversaries, prefers cells near them, never errs, and walks at random if it sees none.
 #pragma once
 
 #include <string>
@@ -13,25 +18,26 @@
 
 namespace matrixworld {
 
-// Rows and columns from an agent's own cell.
+// A cell relative to an agent's own cell.
 struct Offset {
     int row;
     int col;
 };
 using Offsets = std::vector<Offset>;
 
-// What one agent sees of the others.
+// The other agents in an agent's view.
 class Sight {
   public:
     explicit Sight(int fov) : set_(static_cast<std::size_t>(kChannels) * fov * fov) {}
 
     void look(const World& world, const Occupancy& occupancy, int agent);
 
-    const Offsets& adversaries() const { return adversaries_; }  // cells that hold some
+    // Cells that hold adversaries, or teammates; each cell once.
+    const Offsets& adversaries() const { return adversaries_; }
     const Offsets& teammates() const { return teammates_; }
-    bool is_free(Offset cell) const;                  // neither obstacle nor border
-    int moves(Offset from, Offset to) const;          // from one cell to the other
-    int n_neighbors() const { return n_moves_ - 1; }  // cells beside a cell
+    bool is_free(Offset cell) const;                  // inside the grid and no obstacle
+    int moves(Offset from, Offset to) const;          // the least number of moves
+    int n_neighbors() const { return n_moves_ - 1; }  // cells that one move reaches
 
   private:
     const World* world_ = nullptr;
@@ -39,7 +45,7 @@ class Sight {
     int n_moves_ = 0;
     Offsets adversaries_;
     Offsets teammates_;
-    std::vector<int> set_;
+    std::vector<int> set_;  // indices into the flattened view that hold an agent
 };
 
 struct Script {
@@ -47,16 +53,16 @@ struct Script {
     using Worth = int (*)(const Sight& sight, const Offsets& goals, Offset there);
 
     const char* name;
-    Goals goals;  // the cells that it looks to; null: it looks at nothing and stays
-    Worth worth;  // of being `there`
-    int slips;    // of kSlipSteps steps, those in which it takes any action, all equally likely
-    int stride;   // steps that it walks on in one direction without a goal; 0: walks at random
+    Goals goals;  // lists its goals; null: the script stays where it is
+    Worth worth;  // what it is worth to be `there`
+    int slips;    // in this many of kSlipSteps steps it takes any action, all equally likely
+    int stride;   // steps in one direction while it has no goal; 0: a direction for each step
 };
 
-constexpr int kSlipSteps = 256;
+constexpr int kSlipSteps = 256;  // a power of two: see ScriptedPolicy::choose
 
 const std::vector<Script>& scripts();
-// The script of this name, null without one.
+// The script of this name, or null.
 const Script* find_script(const std::string& name);
 
 }  // namespace matrixworld

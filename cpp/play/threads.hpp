@@ -1,5 +1,8 @@
-// A few threads that share a list of numbered pieces of work. Which thread takes which piece is
-// left to chance, so a piece's result must depend on its number alone.
+// A pool of threads that share numbered pieces of work. Which thread takes which piece is not
+// determined, so the result of a piece must depend on its number alone. For example
+//
+//     Workers workers(4);
+//     workers.run(n, [&](int piece, int thread) { out[piece] = solve(piece, memory[thread]); });
 #pragma once
 
 #include <atomic>
@@ -14,13 +17,14 @@ namespace matrixworld {
 
 class Workers {
   public:
-    // 0 threads: as many as the machine has cores.
+    // 0 threads: as many as the machine has cores. The calling thread works, too, so one fewer is
+    // started.
     explicit Workers(int n_threads) {
         const int n =
             n_threads > 0 ? n_threads : static_cast<int>(std::thread::hardware_concurrency());
         try {
             for (int i = 1; i < n; ++i) threads_.emplace_back([this, i] { wait_for_work(i); });
-        } catch (...) {  // no more threads to be had: send those that started home
+        } catch (...) {  // the system has no more threads: join those that have started
             stop();
             throw;
         }
@@ -42,10 +46,11 @@ class Workers {
             next_ = 0;
             busy_ = static_cast<int>(threads_.size());
             failure_ = nullptr;
-            ++job_;
+            ++job_;  // a sleeping thread compares this number, so no spurious wake-up works twice
         }
         start_.notify_all();
         take_pieces(0);
+        // `work` is the caller's: it must not return before all threads have stopped using it.
         std::unique_lock<std::mutex> lock(mutex_);
         done_.wait(lock, [this] { return busy_ == 0; });
         if (failure_) std::rethrow_exception(failure_);
@@ -81,7 +86,7 @@ class Workers {
         } catch (...) {
             const std::lock_guard<std::mutex> lock(mutex_);
             if (!failure_) failure_ = std::current_exception();
-            next_ = n_pieces_;
+            next_ = n_pieces_;  // no thread takes another piece
         }
     }
 

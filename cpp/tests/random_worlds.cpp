@@ -111,63 +111,27 @@ void play_snapshots(const Rules& rules, Random& random) {
 
 // ---- Batches ---------------------------------------------------------------------------------
 
-// Memory of exactly the sizes that are promised to be written, once for everything.
+// Memory for every output field, and for float views, of exactly the size that is written, so that a
+// sanitizer finds a write beyond it.
 struct Memory {
-    Memory(const Config& config, int n_worlds)
-        : bytes(static_cast<std::size_t>(kArrays)), n_worlds(n_worlds) {
-        const std::size_t a = static_cast<std::size_t>(config.n_agents());
-        const std::size_t e = static_cast<std::size_t>(config.n_evaders);
-        const std::size_t view = static_cast<std::size_t>(kChannels) * config.fov * config.fov;
-        const std::size_t area = static_cast<std::size_t>(config.rows) * config.cols;
-        take(buffers.positions, 2 * a);
-        take(buffers.last_positions, 2 * a);
-        take(buffers.alive, a);
-        take(buffers.captured, e);
-        take(buffers.ever_captured, e);
-        take(buffers.captors, e);
-        take(buffers.involved, kKinds * a);
-        take(buffers.fault, kKinds * a);
-        take(buffers.rewards, a);
-        take(buffers.steps, 1);
-        take(buffers.terminated, 1);
-        take(buffers.truncated, 1);
-        take(buffers.views, a * view);
-        take(buffers.state, kChannels * area);
-        take(buffers.seed, 1);
-        take(buffers.episode, 1);
-        take(buffers.float_views, a * view);
-        take(buffers.cost, a);
-        take(buffers.terminations, a);
-        take(buffers.truncations, a);
-        take(buffers.capture_rate, 1);
-        take(buffers.ever_capture_rate, 1);
-        take(buffers.survival_rate, kTeams);
-        take(buffers.acted, a);
-        take(buffers.ended, 1);
-        take(buffers.final_views, a * view);
-        take(buffers.final_float_views, a * view);
-        take(buffers.episode_return, kTeams);
-        take(buffers.episode_length, 1);
-        take(buffers.episode_capture_rate, 1);
-        take(buffers.episode_ever_capture_rate, 1);
-        take(buffers.episode_survivors, kTeams);
-        take(buffers.episode_collisions, kTeams * kKinds);
-        take(buffers.episode_faults, kTeams * kKinds);
-        take(buffers.episode_agent_steps, kTeams);
+    Memory(const Config& config, int n_worlds) {
+        for (const OutputFields* fields : {&world_fields(), &batch_fields()}) {
+            for (const OutputField& field : *fields) {
+                const std::size_t n = field.n_items(config) * static_cast<std::size_t>(n_worlds);
+                buffers.add(field, config, block(n * item_size(field.dtype)));
+                if (!field.write_floats) continue;
+                buffers.add(field, config, block(n * item_size(DType::Float32)), true);
+            }
+        }
     }
 
-    template <typename T>
-    void take(T*& pointer, std::size_t per_world) {
-        auto& block = bytes[static_cast<std::size_t>(taken++)];
-        block.assign(per_world * static_cast<std::size_t>(n_worlds) * sizeof(T), 0xEE);
-        pointer = reinterpret_cast<T*>(block.data());
+    std::uint8_t* block(std::size_t size) {
+        bytes.emplace_back(size, std::uint8_t{0xEE});
+        return bytes.back().data();
     }
 
-    static constexpr int kArrays = 35;
     std::vector<std::vector<std::uint8_t>> bytes;
     Buffers buffers;
-    int n_worlds;
-    int taken = 0;
 };
 
 // The same worlds, one after the other.
@@ -178,35 +142,37 @@ class SingleWorlds {
           worlds_(static_cast<std::size_t>(n_worlds), World(setup)),
           statistics_(worlds_.size(), StatisticsAccumulator(setup->config)),
           scratch_(*setup),
-          lens_(*setup) {}
+          observer_(*setup) {
+        source_.observer = &observer_;
+    }
 
     void reset(const std::vector<std::uint64_t>& seeds, std::uint64_t episode, Memory& memory) {
         for (std::size_t w = 0; w < worlds_.size(); ++w) {
             begin(w, {seeds[w], episode});
-            write_step(worlds_[w], w, memory.buffers);
-            look(w, memory.buffers);
-            const auto n_agents = static_cast<std::size_t>(worlds_[w].config().n_agents());
-            std::fill_n(memory.buffers.acted + w * n_agents, n_agents, std::uint8_t{0});
-            memory.buffers.ended[w] = 0;
+            source_.acts = source_.ended = false;
+            for (const Written when : {Written::StepStart, Written::Step, Written::Moment}) {
+                write(when, w, memory.buffers);
+            }
         }
     }
 
     void step(const std::vector<std::uint8_t>& actions, Memory& memory) {
         for (std::size_t w = 0; w < worlds_.size(); ++w) {
             World& world = worlds_[w];
-            write_acted(world, w, memory.buffers);
-            memory.buffers.ended[w] = 0;
+            source_.acts = !world.over();
+            source_.ended = false;
+            write(Written::StepStart, w, memory.buffers);
             if (!world.over()) {
                 play(w, actions, memory.buffers);
                 if (world.over() && autoreset_ == Autoreset::SameStep) begin(w, next(w));
             } else if (autoreset_ == Autoreset::NextStep) {
                 begin(w, next(w));
-                write_step(world, w, memory.buffers);
+                write(Written::Step, w, memory.buffers);
             } else {
                 world.begin_round();
-                write_step(world, w, memory.buffers);
+                write(Written::Step, w, memory.buffers);
             }
-            look(w, memory.buffers);
+            write(Written::Moment, w, memory.buffers);
         }
     }
 
@@ -227,18 +193,19 @@ class SingleWorlds {
         world.step(actions.data() + w * static_cast<std::size_t>(world.config().n_agents()),
                    scratch_);
         statistics_[w].add(world, scratch_.occupancy);
-        write_step(world, w, buffers);
-        if (world.over()) {
-            buffers.ended[w] = 1;
-            write_score(statistics_[w].total(world), w, buffers);
-            write_final_views(world, scratch_.occupancy, lens_, w, buffers);
-        }
         world.leave(scratch_);
+        source_.ended = world.over();
+        write(Written::Step, w, buffers);
+        if (!world.over()) return;
+        const EpisodeStatistics statistics = statistics_[w].total(world);
+        source_.statistics = &statistics;
+        write(Written::EpisodeEnd, w, buffers);
     }
 
-    void look(std::size_t w, const Buffers& buffers) {
+    void write(Written when, std::size_t w, const Buffers& buffers) {
         worlds_[w].enter(scratch_);
-        write_moment(worlds_[w], scratch_.occupancy, lens_, w, buffers);
+        source_.look_at(worlds_[w], scratch_.occupancy);
+        buffers.write(when, source_, w);
         worlds_[w].leave(scratch_);
     }
 
@@ -246,7 +213,8 @@ class SingleWorlds {
     std::vector<World> worlds_;
     std::vector<StatisticsAccumulator> statistics_;
     Scratch scratch_;
-    Observer lens_;
+    Observer observer_;
+    OutputSource source_;
 };
 
 void play_batch(const Rules& rules, Random& random) {
@@ -297,23 +265,24 @@ void play_rollout(const Rules& rules, Random& random) {
         return play_matches(setup, pursuers->candidates, evaders->candidates, matches, n_worlds,
                             n_threads);
     };
-    const auto scores = play(1);
+    const auto statistics = play(1);
     const auto threaded = play(3);
-    require(scores.size() == matches.size() * static_cast<std::size_t>(n_worlds), "all scores");
-    for (std::size_t i = 0; i < scores.size(); ++i) check_same(scores[i], threaded[i]);
+    require(statistics.size() == matches.size() * static_cast<std::size_t>(n_worlds),
+            "statistics of all episodes");
+    for (std::size_t i = 0; i < statistics.size(); ++i) check_same(statistics[i], threaded[i]);
 
     const std::size_t m = matches.size() - 1;
     const int episode = random.below(n_worlds);
     int moments = 0;
     const EpisodeStatistics watched =
-        watch_match(setup, pursuers->candidates, evaders->candidates, matches[m],
-                    static_cast<std::uint64_t>(episode),
-                    [&](const World& world, const std::vector<std::uint8_t>*) {
-                        check_places(world);
-                        check_counters(world);
-                        ++moments;
-                    });
-    check_same(watched, scores[m * static_cast<std::size_t>(n_worlds) + episode]);
+        play_episode(setup, pursuers->candidates, evaders->candidates, matches[m],
+                     static_cast<std::uint64_t>(episode),
+                     [&](const World& world, const Occupancy&, const std::vector<std::uint8_t>*) {
+                         check_places(world);
+                         check_counters(world);
+                         ++moments;
+                     });
+    check_same(watched, statistics[m * static_cast<std::size_t>(n_worlds) + episode]);
     require(watched.length == moments - 1, "the length is the number of steps");
 }
 

@@ -1,5 +1,5 @@
-# The engine. Sizes in the letters of the package: W worlds, A agents (pursuers first), E evaders,
-# M matches. Wrong values raise ValueError, wrong types TypeError.
+# The engine. Sizes: W worlds, A agents (pursuers first), E evaders, M matches, T steps.
+# Wrong values raise ValueError, wrong types TypeError.
 
 from collections.abc import Sequence
 from enum import Enum
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 _Integers: TypeAlias = NDArray[np.uint8 | np.int8 | np.int32 | np.int64]
-_Map: TypeAlias = NDArray[np.uint8] | None  # (rows, cols), 1 where an obstacle is
+_Map: TypeAlias = NDArray[np.uint8] | None  # (rows, cols), 1 for an obstacle
 _Positions: TypeAlias = NDArray[np.int32] | None  # (n, 2) rows and columns
 _ByTeam: TypeAlias = tuple[float, float]  # the pursuers' and the evaders'
 _ByKind: TypeAlias = tuple[float, float, float]  # with an obstacle, a teammate, an adversary
@@ -17,6 +17,9 @@ _Candidates: TypeAlias = tuple[Network, NDArray[np.float32]] | str  # or the nam
 # turn, kind, form, first agent, second agent or -1, cell; at fault, held and doomed as bits, of
 # which bit 0 is the first agent's and bit 1 the second's
 _Conflict: TypeAlias = tuple[int, int, int, int, int, tuple[int, int], int, int, int]
+
+# Name, dtype, names of axes, and "moment", "step", "step start" or "episode end".
+_OutputField: TypeAlias = tuple[str, np.dtype[Any], tuple[str, ...], str]
 
 @type_check_only
 class _Pybind11Type(type): ...  # pybind11's metaclass, which cannot be imported
@@ -30,7 +33,7 @@ class Outcome(Enum):
     BOUNCE = 2
 
 class Interaction(Enum):
-    """Who moves together."""
+    """Which agents move at the same time."""
 
     __pybind11_native_enum__: object
     SIMULTANEOUS = 0
@@ -45,7 +48,7 @@ class Capture(Enum):
     SURROUND = 1
 
 class Blame(Enum):
-    """Who pays for a collision."""
+    """Which agents pay for a collision."""
 
     __pybind11_native_enum__: object
     FAULT = 0
@@ -60,7 +63,7 @@ class Autoreset(Enum):
     SAME_STEP = 2
 
 class Rules(metaclass=_Pybind11Type):
-    """A row of rules."""
+    """The rules of a game."""
 
     def __init__(
         self,
@@ -75,7 +78,7 @@ class Rules(metaclass=_Pybind11Type):
     ) -> None: ...
 
 class Rewards(metaclass=_Pybind11Type):
-    """What is paid."""
+    """The rewards."""
 
     def __init__(
         self,
@@ -106,6 +109,8 @@ class Setup(metaclass=_Pybind11Type):
         density: float,
         map: _Map,
     ) -> None: ...
+    def axis_sizes(self) -> dict[str, int]:
+        """Sizes of the axes of output fields, by the names of axes."""
 
 class Network(metaclass=_Pybind11Type):
     """The shape of a policy network; `hidden` are the sizes of its hidden layers."""
@@ -125,34 +130,34 @@ class World(metaclass=_Pybind11Type):
         """Play one round with actions (A,)."""
 
     def play_turn(self, actions: _Integers, explain: bool) -> None:
-        """Play the next turn with actions (A,), of which those of the actors count."""
+        """Play the next turn with actions (A,); only those of the actors are read."""
 
     def turn(self) -> int:
         """The number of the next turn of the round."""
 
     def n_turns(self) -> int:
-        """Turns of a round."""
+        """The number of turns in a round."""
 
     def actors(self) -> tuple[int, int]:
-        """First and one past the last agent to act in the next turn."""
+        """The agents of the next turn, as first and one past the last."""
 
     def write(self, arrays: dict[str, NDArray[Any]]) -> None:
         """Fill the given arrays, named and shaped as `matrixworld.array_specs` says."""
 
     def conflicts(self) -> list[_Conflict]:
-        """Those of the last step, if it was played with `explain`."""
+        """The conflicts of the last step, if it was played with `explain`."""
 
     def snapshot(self) -> dict[str, Any]:
-        """Where the world is, as plain values and arrays."""
+        """The state of the world as plain values and arrays."""
 
     def restore(self, snapshot: dict[str, Any]) -> None:
-        """Go where a world of the same setup was."""
+        """Restore a state that `snapshot` of a world of the same setup returned."""
 
     def logits(self, network: Network, genome: NDArray[np.float32]) -> NDArray[np.float32]:
-        """The network's outputs, (living agents, n_actions)."""
+        """The network's outputs for the living agents, (n, n_actions)."""
 
 class Batch(metaclass=_Pybind11Type):
-    """W worlds that write to the caller's buffers."""
+    """W worlds that write into the caller's arrays."""
 
     def __init__(
         self,
@@ -171,7 +176,7 @@ class Batch(metaclass=_Pybind11Type):
         evaders: _Positions,
         map: _Map,
     ) -> None:
-        """Start an episode of seeds (W,), or the next ones, where mask (W,) says so.
+        """Start an episode of seeds (W,), or the next episodes, in the worlds of mask (W,).
 
         Positions are (W, n, 2)."""
 
@@ -179,7 +184,7 @@ class Batch(metaclass=_Pybind11Type):
         """Play one round with actions (W, A)."""
 
     def snapshot(self, world: int) -> dict[str, Any]:
-        """Where one of the worlds is, for `World.restore`."""
+        """The state of one of the worlds, for `World.restore`."""
 
 def rollout(
     setup: Setup,
@@ -201,11 +206,21 @@ def record(
     evader: int,
     seed: int,
     episode: int,
+    of_moments: Sequence[str],
+    of_steps: Sequence[str],
 ) -> dict[str, NDArray[Any]]:
-    """The arrays of one episode; truth values are uint8."""
+    """The arrays of one episode of T steps: `actions` (T, A), and world arrays by name.
+
+    Those named in `of_moments` are (T + 1, ...), those named in `of_steps` (T, ...)."""
+
+def world_fields() -> list[_OutputField]:
+    """The arrays that worlds write, alone or in a batch."""
+
+def batch_fields() -> list[_OutputField]:
+    """The arrays that only batches write."""
 
 def philox(counter: Sequence[int], key: Sequence[int]) -> list[int]:
     """Four random 64-bit numbers of Philox4x64-10, from a counter (4,) and a key (2,)."""
 
 def kernel_level() -> str:
-    """The instruction set that the networks' kernels in use were compiled for."""
+    """The instruction set of the networks' kernels in use."""

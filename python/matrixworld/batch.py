@@ -1,4 +1,4 @@
-"""Batches of worlds."""
+"""Batches: many worlds that are stepped together."""
 
 from __future__ import annotations
 
@@ -18,21 +18,43 @@ from matrixworld.world import World
 
 
 class Batch:
-    """W worlds of one configuration, stepped together into arrays of the caller.
+    """W worlds of one configuration, stepped together into the caller's arrays.
 
-    n_worlds: W
-    threads: how many work on a step; by default one a core. No result depends on it.
-    autoreset: what becomes of a world whose episode has ended. ``DISABLED``: it stays as it is,
-        with rewards of 0, until it is reset. ``NEXT_STEP``: the next step ignores its actions and
-        starts its seed's next episode instead. ``SAME_STEP``: the very step that ends it goes on to
-        start the next one: what `array_specs` calls of the last step is then still of the ended
-        episode, what it calls of the moment is of the new one.
-    buffers: arrays to write into, any of `array_specs` and `episode_specs` with W in front; by
-        default all of `array_specs` but ``views`` and ``state`` are made. Views may also be
-        float32. The same arrays are written at every step.
+    Parameters
+    ----------
+    n_worlds : int
+        W.
+    config : WorldConfig, Rules or str, optional
+        A configuration, rules, or the name of a variant. The default is "O".
+    threads : int, optional
+        Threads that share the worlds of a step. The default is one for each core. No result depends
+        on it.
+    autoreset : Autoreset, optional
+        What happens to a world whose episode has ended. ``DISABLED`` (the default): the world stays
+        as it is, with rewards of 0, until it is reset. ``NEXT_STEP``: the next step ignores the
+        world's actions and starts its seed's next episode. ``SAME_STEP``: the step that ends the
+        episode also starts the next one. The arrays of the last step are then of the ended episode,
+        and the arrays of the present moment (see `array_specs`) of the new one.
+    buffers : dict of str to ndarray, optional
+        The arrays to write into: any of `array_specs` and `episode_specs`, each with a leading axis
+        of W worlds. Views may also be float32. Every step writes into the same arrays. The default
+        is new arrays for all of `array_specs` but ``views`` and ``state``.
+    **changes
+        Fields of the configuration to change.
 
-    Raises ValueError and TypeError for a buffer of another name, shape, dtype or layout, and for
-    other bad arguments.
+    Attributes
+    ----------
+    config : WorldConfig
+        The configuration.
+    n_worlds : int
+        W.
+    buffers : dict of str to ndarray
+        The arrays that `reset` and `step` write into.
+
+    Raises
+    ------
+    ValueError, TypeError
+        If a buffer has another name, shape, dtype or memory layout, and as `WorldConfig` does.
     """
 
     def __init__(
@@ -52,6 +74,7 @@ class Batch:
         self.buffers = self._default_buffers() if buffers is None else buffers
         if not isinstance(self.buffers, dict):
             raise TypeError(f"buffers: expected a dict of arrays, got {self.buffers!r}")
+        # The engine checks the buffers and keeps them alive.
         self._core = _core.Batch(
             self.config.setup, self.n_worlds, check_threads(threads), autoreset, self.buffers
         )
@@ -61,7 +84,7 @@ class Batch:
         return {
             name: np.zeros((self.n_worlds, *shape), dtype)
             for name, (shape, dtype) in array_specs(self.config).items()
-            if name not in ("views", "state")
+            if name not in ("views", "state")  # large, and slow to write
         }
 
     def reset(
@@ -76,15 +99,31 @@ class Batch:
     ) -> dict[str, NDArray[Any]]:
         """Start an episode in every world, or in some, and return the buffers.
 
-        seed: an int s, which gives world w the seed s + w, or ``(W,)`` ints, one for each.
-            World w then plays as `World` does after ``reset(seed of w, episode=episode)``.
-            Without a seed each world starts the next episode of its own.
-        mask: ``(W,)`` bool, which worlds to reset; by default all
-        pursuers, evaders: where they start, ``(n, 2)`` ints (row, col) in every world or
-            ``(W, n, 2)`` in each; drawn where not given
-        obstacles: a map for this episode, as `read_map` takes it, instead of the config's
+        Parameters
+        ----------
+        seed : int or array_like of int, shape (W,), optional
+            An int s gives world w the seed s + w. World w then plays as a `World` does after
+            ``reset(seed of w, episode=episode)``. Without a seed each world starts its own seed's
+            next episode.
+        episode : int, optional
+            The number of the seeds' episode. The default is 0; without a seed it must be left out.
+        mask : array_like of bool, shape (W,), optional
+            The worlds to reset. The default is all.
+        pursuers, evaders : array_like of int, shape (n, 2) or (W, n, 2), optional
+            First positions (row, column), the same in every world or for each world. The default is
+            random positions.
+        obstacles : MapLike, optional
+            A map for this episode, as `read_map` takes it, instead of the configuration's.
 
-        No world is changed where an argument is refused, as `World.reset` does.
+        Returns
+        -------
+        dict of str to ndarray
+            The buffers.
+
+        Raises
+        ------
+        ValueError, TypeError
+            As `World.reset` does; then no world has changed.
         """
         if seed is None and episode != 0:
             raise ValueError(f"episode: expected a seed with it, got episode {episode} alone")
@@ -103,6 +142,7 @@ class Batch:
     def _seeds(self, seed: int | ArrayLike) -> NDArray[np.uint64]:
         if isinstance(seed, int | np.integer):
             first = check_integer("seed", seed, 0, SEED_MAX)
+            # Seeds are 64 bits wide and wrap around after the largest one.
             return np.array([(first + w) % 2**64 for w in range(self.n_worlds)], np.uint64)
         return np.ascontiguousarray(check_naturals("seeds", seed, np.uint64))
 
@@ -119,28 +159,42 @@ class Batch:
         everywhere = (self.n_worlds, n, 2)
         if array.shape not in ((n, 2), everywhere):
             raise ValueError(f"{name}: expected shape {(n, 2)} or {everywhere}, got {array.shape}")
+        # Positions too large for int32 stay outside every grid, so the engine refuses them by name.
         whole = np.broadcast_to(array, everywhere).clip(-(2**31), 2**31 - 1)
         return np.ascontiguousarray(whole, dtype=np.int32)
 
     def step(self, actions: ArrayLike) -> dict[str, NDArray[Any]]:
         """Play one round in every world and return the buffers.
 
-        actions: ``(W, A)`` integers; those of gone agents and ended worlds are not looked at
+        Parameters
+        ----------
+        actions : array_like of int, shape (W, A)
+            See `Action`. Actions of gone agents and in ended worlds are ignored.
 
-        Raises ValueError for an illegal action, naming world and agent, before anything is
-        changed, or another shape; TypeError for actions that are not integers.
+        Returns
+        -------
+        dict of str to ndarray
+            The buffers.
+
+        Raises
+        ------
+        ValueError
+            For another shape, and for an illegal action; the message names world and agent. Then no
+            world has changed.
+        TypeError
+            If the actions are not integers.
         """
         self._core.step(integers("actions", actions))
         return self.buffers
 
     def __getstate__(self) -> dict[str, Any]:
-        """Refuse: the buffers are the caller's, and a copy's would not be."""
+        """Refuse copies and pickles: a copy could not share the caller's buffers."""
         raise TypeError(
-            "a batch of worlds is not copied or pickled with its buffers: copy single worlds, "
-            "which world(number) gives"
+            "a batch cannot be copied or pickled, because its buffers belong to the caller: "
+            "copy single worlds with world(number)"
         )
 
     def world(self, number: int) -> World:
-        """A copy of one of the worlds, which goes on by itself: to draw it, or to plan in it."""
+        """Return an independent copy of one world, to draw it or to plan in it."""
         number = check_integer("world", number, 0, self.n_worlds - 1)
         return World.at(self.config, self._core.snapshot(number))

@@ -1,4 +1,4 @@
-"""One recorded episode, as arrays, in memory and on disk."""
+"""Recorded episodes: arrays in memory, and files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FORMAT = "matrixworld episode 2"  # marks a saved file; a new layout, a new numb
 
 N_ACTIONS = 9  # stay and eight directions
 
-# Shape, in the letters of `Episode` (S is T + 1), and dtype of each array.
+# Shape and dtype of each array. T is the number of steps, S = T + 1 that of moments.
 _ARRAYS: dict[str, tuple[str, str]] = {
     "positions": ("S A 2", "int32"),
     "last_positions": ("S A 2", "int32"),
@@ -31,27 +31,51 @@ _ARRAYS: dict[str, tuple[str, str]] = {
     "fault": ("T A 3", "bool"),
     "map": ("rows cols", "bool"),
 }
+# World arrays that a recording keeps, one of each moment or of each step. Actions are not among
+# them: they are the input of a step.
+MOMENT_ARRAYS = tuple(name for name, (shape, _) in _ARRAYS.items() if shape.startswith("S"))
+STEP_ARRAYS = tuple(
+    name for name, (shape, _) in _ARRAYS.items() if shape.startswith("T") and name != "actions"
+)
 
 
 @dataclass(frozen=True, eq=False)
 class Episode:
-    """An episode of T steps, of P pursuers and E evaders, A = P + E agents, pursuers first.
-
-    positions: ``(T + 1, A, 2)`` int32, row and column, (-1, -1) when gone
-    last_positions: the same; of agents that are gone, where they went
-    alive: ``(T + 1, A)`` bool
-    captured, ever_captured: ``(T + 1, E)`` bool, at the moment and so far
-    actions: ``(T, A)`` int8
-    rewards: ``(T, A)`` float32
-    involved, fault: ``(T, A, 3)`` bool, collisions of a step by kind (obstacle, teammate,
-        adversary)
-    map: ``(rows, cols)`` bool, True for an obstacle
-    n_pursuers: P
-    config: the settings of the world, as plain values that JSON can hold
+    """Recorded episode of T steps with P pursuers and E evaders, A = P + E agents, pursuers first.
 
     Step t (an entry of actions, rewards, involved, fault) leads from moment t to moment t + 1 (of
-    positions, alive, captured, ever_captured). Raises TypeError for another dtype, ValueError for
-    another shape and for an action of a living agent outside 0 to 8.
+    positions, last_positions, alive, captured, ever_captured).
+
+    Parameters
+    ----------
+    positions : ndarray of int32, shape (T + 1, A, 2)
+        Row and column of each agent; (-1, -1) when gone.
+    last_positions : ndarray of int32, shape (T + 1, A, 2)
+        The same, but for a gone agent the cell where it disappeared.
+    alive : ndarray of bool, shape (T + 1, A)
+        Whether the agent is in the world.
+    captured, ever_captured : ndarray of bool, shape (T + 1, E)
+        Whether the evader is captured at this moment; whether it was at some time until then.
+    actions : ndarray of int8, shape (T, A)
+        Actions, 0 to 8. Those of gone agents have no meaning.
+    rewards : ndarray of float32, shape (T, A)
+        Rewards of the step.
+    involved, fault : ndarray of bool, shape (T, A, 3)
+        Whether the agent was in a collision, and at fault in one, with an obstacle, a teammate, an
+        adversary.
+    map : ndarray of bool, shape (rows, cols)
+        True for an obstacle.
+    n_pursuers : int
+        P.
+    config : mapping, optional
+        The settings of the world, as plain values that JSON can hold. The default is none.
+
+    Raises
+    ------
+    TypeError
+        For another dtype.
+    ValueError
+        For another shape, and for an action of a living agent outside 0 to 8.
     """
 
     positions: NDArray[np.int32]
@@ -74,6 +98,7 @@ class Episode:
                 got = getattr(array, "dtype", type(array).__name__)
                 raise TypeError(f"{name}: expected an array of {dtype}, got {got}")
         self._check_shapes()
+        # Gone agents keep whatever action was passed for them.
         played = self.actions[self.alive[:-1]]
         if ((played < 0) | (played >= N_ACTIONS)).any():
             raise ValueError(f"actions: expected 0 to {N_ACTIONS - 1}, got {np.unique(played)}")
@@ -92,17 +117,17 @@ class Episode:
 
     @property
     def length(self) -> int:
-        """T, the number of steps."""
+        """The number of steps, T."""
         return len(self.actions)
 
     @property
     def n_evaders(self) -> int:
-        """E."""
+        """The number of evaders, E."""
         return int(self.captured.shape[1])
 
     @property
     def counted(self) -> NDArray[np.bool_]:
-        """``(T + 1, E)``: who counts as captured: at that moment under surround, else ever."""
+        """Evaders that count as captured, (T + 1, E): now under surround, else ever."""
         rules = self.config.get("rules")
         surround = isinstance(rules, Mapping) and rules.get("capture") == "SURROUND"
         return self.captured if surround else self.ever_captured
@@ -113,7 +138,15 @@ class Episode:
         return float(self.counted[-1].mean()) if self.n_evaders else 0.0
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write to a file (npz, no pickle), which appears complete or not at all."""
+        """Write the episode to a file.
+
+        The file appears complete or not at all, and replaces an older one of this name.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file, of the format npz, without pickle.
+        """
         arrays = {name: getattr(self, name) for name in _ARRAYS}
         with replacing(path) as file:
             np.savez_compressed(
@@ -127,7 +160,25 @@ class Episode:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Episode:
-        """Read what `save` wrote. Raises ValueError, naming the file, when it is cut or foreign."""
+        """Read an episode that `save` wrote.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file.
+
+        Returns
+        -------
+        Episode
+            The same arrays and settings.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be read.
+        ValueError
+            If the file is cut, altered, or not an episode. The message names the file.
+        """
         entries = read_arrays(Path(path))
         if str(entries.pop("format", "")) != FORMAT:
             raise ValueError(f"{path}: expected a file marked '{FORMAT}'")

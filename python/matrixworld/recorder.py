@@ -1,4 +1,4 @@
-"""Keeping an episode of a world while it is played."""
+"""Recording of an episode of a world while the caller plays it."""
 
 from __future__ import annotations
 
@@ -9,19 +9,22 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.arrays import integers
 from matrixworld.config import WorldConfig
-from matrixworld.episode import Episode
+from matrixworld.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode
 from matrixworld.maps import MapLike
 from matrixworld.render import MARK_STEPS, Scene
 from matrixworld.replay import capture_title, scene
 from matrixworld.rules import Rules
 from matrixworld.world import World
 
-_MOMENT = ("positions", "last_positions", "alive", "captured", "ever_captured")
-_STEP = ("rewards", "involved", "fault")
-
 
 class Recorder:
-    """Keeps every step of a world's episode: `begin` after its reset, `note` after each round."""
+    """Record of a world's episode: call `begin` after a reset and `note` after each round.
+
+    Parameters
+    ----------
+    world : World
+        The world that the caller plays. Its present moment is the first of the recording.
+    """
 
     def __init__(self, world: World) -> None:
         self.world = world
@@ -29,25 +32,37 @@ class Recorder:
         self.begin()
 
     def begin(self) -> None:
-        """Forget what was kept; the world's present moment is the first."""
+        """Start a new recording with the world's present moment."""
         self._map = self.world.map
         self._start = self.world.steps
         self._kept: dict[str, list[NDArray[Any]]] = {
-            name: [] for name in (*_MOMENT, "actions", *_STEP)
+            name: [] for name in (*MOMENT_ARRAYS, "actions", *STEP_ARRAYS)
         }
-        self._keep(*_MOMENT)
+        self._keep(*MOMENT_ARRAYS)
 
     def note(self, actions: ArrayLike) -> None:
-        """After a round with these actions, ``(A,)`` ints.
+        """Record the round that was just played.
 
-        Raises ValueError for another shape, and RuntimeError when it was not called after every
-        round, or `begin` not after a reset.
+        Parameters
+        ----------
+        actions : array_like of int, shape (A,)
+            The actions of that round.
+
+        Raises
+        ------
+        ValueError
+            For another shape.
+        TypeError
+            If the actions are not integers.
+        RuntimeError
+            If a round was left out, or the world was reset without `begin`.
         """
         row = integers("actions", actions)
         if row.shape != (self.world.config.n_agents,):
             raise ValueError(
                 f"actions: expected shape {(self.world.config.n_agents,)}, got {row.shape}"
             )
+        # The world counts its own rounds: a difference means that a call is missing.
         noted, played = len(self._kept["actions"]) + 1, self.world.steps - self._start
         if noted != played:
             raise RuntimeError(
@@ -55,26 +70,39 @@ class Recorder:
                 f"{noted}, and the world has played {played}"
             )
         self._kept["actions"].append(row.astype(np.int8))
-        self._keep(*_MOMENT, *_STEP)
+        self._keep(*MOMENT_ARRAYS, *STEP_ARRAYS)
 
     def _keep(self, *names: str) -> None:
         for name, array in self.world.read(*names).items():
             self._kept[name].append(array)
 
     def episode(self) -> Episode:
-        """All that was kept, as `matrixworld.record` would have it."""
+        """Return the recorded episode, as `matrixworld.record` returns one."""
         return self._last(len(self._kept["actions"]))
 
     def scene(self, *, trail: int = 6) -> Scene:
-        """The present moment, with trails of so many steps and marks of what happened lately."""
+        """Return a drawing of the present moment.
+
+        Parameters
+        ----------
+        trail : int, optional
+            Number of past steps that the agents' trails show. The default is 6.
+
+        Returns
+        -------
+        Scene
+            The present moment with trails, and marks for captures and collisions of the last steps.
+        """
         steps = len(self._kept["actions"])
+        # A picture shows few steps; a copy of the whole recording for each would cost its length.
         window = self._last(min(steps, max(trail, MARK_STEPS)))
         title = capture_title(window, window.length, f"step {self.world.steps}")
         return scene(window, trail=trail, title=title)
 
     def _last(self, steps: int) -> Episode:
-        """The last so many steps as an episode."""
+        """Return the last steps, with one moment more than steps, as an episode."""
         n_agents = self.world.config.n_agents
+        # `stack` cannot infer shape and dtype from no steps at all.
         empty: dict[str, NDArray[Any]] = {
             "actions": np.empty((0, n_agents), np.int8),
             "rewards": np.empty((0, n_agents), np.float32),
@@ -82,8 +110,8 @@ class Recorder:
             "fault": np.empty((0, n_agents, 3), np.bool_),
         }
         arrays: dict[str, Any] = {
-            name: np.stack(kept[len(kept) - steps - (name in _MOMENT) :])
-            if steps or name in _MOMENT
+            name: np.stack(kept[len(kept) - steps - (name in MOMENT_ARRAYS) :])
+            if steps or name in MOMENT_ARRAYS
             else empty[name]
             for name, kept in self._kept.items()
         }
@@ -105,12 +133,30 @@ def record_actions(
     evaders: ArrayLike | None = None,
     obstacles: MapLike | None = None,
 ) -> Episode:
-    """Play given actions and keep every moment.
+    """Play given actions and record every moment.
 
-    actions: ``(T, A)`` ints, one row a round. Playing stops where the episode ends.
-    seed, episode, pursuers, evaders, obstacles: where it begins, as of `World.reset`
+    Parameters
+    ----------
+    config : WorldConfig, Rules or str
+        A configuration, rules, or the name of a variant.
+    actions : array_like of int, shape (T, A)
+        The actions, one row for each round. Rows after the end of the episode are ignored.
+    seed, episode : int, optional
+        The episode, as `World.reset` takes it. The defaults are 0.
+    pursuers, evaders : array_like of int, shape (n, 2), optional
+        First positions (row, column). The default is random positions.
+    obstacles : MapLike, optional
+        A map instead of the configuration's.
 
-    Raises as `World.reset` and `World.step` do.
+    Returns
+    -------
+    Episode
+        The recorded episode.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `World.reset` and `World.step` do.
     """
     world = World(config)
     world.reset(seed, episode=episode, pursuers=pursuers, evaders=evaders, obstacles=obstacles)

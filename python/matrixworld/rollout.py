@@ -1,4 +1,4 @@
-"""Whole episodes in the engine: matches in, scores out."""
+"""Rollouts: whole episodes in the engine, from matches to statistics."""
 
 from __future__ import annotations
 
@@ -12,16 +12,21 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import _core
 from matrixworld.checks import INT_MAX, SEED_MAX, check_integer, check_naturals, check_threads
 from matrixworld.config import WorldConfig
-from matrixworld.episode import Episode
+from matrixworld.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode
 from matrixworld.policy import TeamPolicy, check_team
 from matrixworld.rules import Rules
+from matrixworld.world import World
 
 
 class Matches(NamedTuple):
-    """M matches: which pursuers meet which evaders, under which seed.
+    """M matches of pursuers against evaders.
 
-    pursuer, evader: ``(M,)`` int32 indices into the populations, 0 for a script
-    seed: ``(M,)`` uint64; world j of a match is episode j of its seed
+    Parameters
+    ----------
+    pursuer, evader : ndarray of int32, shape (M,)
+        Indices into the populations; 0 for a script.
+    seed : ndarray of uint64, shape (M,)
+        Seeds. World j of a match plays episode j of its seed.
     """
 
     pursuer: NDArray[np.int32]
@@ -30,10 +35,24 @@ class Matches(NamedTuple):
 
     @classmethod
     def of(cls, pursuer: ArrayLike, evader: ArrayLike, seed: ArrayLike) -> Matches:
-        """Matches from integers that broadcast against each other to ``(M,)``.
+        """Return matches of integers that broadcast against each other to one axis.
 
-        Raises TypeError for other numbers, ValueError for numbers below 0 or too large and where
-        they do not broadcast to one axis.
+        Parameters
+        ----------
+        pursuer, evader, seed : array_like of int
+            The columns, each of shape (M,), (1,) or ().
+
+        Returns
+        -------
+        Matches
+            The three columns, contiguous, with shape (M,).
+
+        Raises
+        ------
+        TypeError
+            If the values are not integers.
+        ValueError
+            If a value is below 0 or too large, or the shapes do not broadcast to one axis.
         """
         parts = (
             check_naturals("pursuer", pursuer, np.int32),
@@ -41,6 +60,7 @@ class Matches(NamedTuple):
             check_naturals("seed", seed, np.uint64),
         )
         broadcast = np.atleast_1d(*parts)
+        # `broadcast_arrays` is slow beside a short rollout, and rarely needed.
         if any(part.shape != broadcast[0].shape for part in broadcast):
             broadcast = np.broadcast_arrays(*broadcast)
         if broadcast[0].ndim != 1:
@@ -50,21 +70,31 @@ class Matches(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class EpisodeStatistics:
-    """What the episodes of M matches, W worlds each, came to; every array begins ``(M, W)``.
+    """Statistics of the episodes of M matches with W worlds each. Every shape begins with (M, W).
 
-    capture_rate: float32, share of the evaders that count as captured at the end (at some time
-        under occupation, at that moment under surround)
-    ever_capture_rate: float32, share of the evaders that were captured at some time
-    captured_fraction: float32, the share that counts as captured as a mean over ``max_steps``;
-        after an early end it stands as it was, so that fast captures score higher
-    length: int32, steps
-    pursuer_return, evader_return: float64, rewards summed over team and steps
-    pursuer_survivors, evader_survivors: int32, agents alive at the end
-    pursuer_overlap, evader_overlap: float32, (alive agents - distinct cells that they stand
-        on) / team size, mean over ``max_steps``
-    collisions, faults: ``(M, W, 2, 3)`` int32, agent-steps involved and at fault, by team
-        (pursuers, evaders) and kind (obstacle, teammate, adversary)
-    agent_steps: ``(M, W, 2)`` int64, steps by agents alive as they began, by team
+    Parameters
+    ----------
+    capture_rate : ndarray of float32, shape (M, W)
+        Share of the evaders that count as captured at the end: captured at some time under
+        occupation, at that moment under surround.
+    ever_capture_rate : ndarray of float32, shape (M, W)
+        Share of the evaders that were captured at some time.
+    captured_fraction : ndarray of float32, shape (M, W)
+        Share that counts as captured, as a mean over ``max_steps``. After an early end it counts as
+        it was at the end, so fast captures score higher.
+    length : ndarray of int32, shape (M, W)
+        Steps.
+    pursuer_return, evader_return : ndarray of float64, shape (M, W)
+        Rewards summed over team and steps.
+    pursuer_survivors, evader_survivors : ndarray of int32, shape (M, W)
+        Agents alive at the end.
+    pursuer_overlap, evader_overlap : ndarray of float32, shape (M, W)
+        (Living agents - distinct cells that they are on) / team size, as a mean over ``max_steps``.
+    collisions, faults : ndarray of int32, shape (M, W, 2, 3)
+        Agent-steps in a collision, and at fault in one, by team (pursuers, evaders) and kind
+        (obstacle, teammate, adversary).
+    agent_steps : ndarray of int64, shape (M, W, 2)
+        Steps of agents that were alive when the step began, by team.
     """
 
     capture_rate: NDArray[np.float32]
@@ -83,7 +113,7 @@ class EpisodeStatistics:
 
 
 Rollout = Callable[..., EpisodeStatistics]
-"""Type of `rollout`, and of functions that stand in for it: same arguments, and pure."""
+"""Type of `rollout` and of pure functions with the same arguments that replace it."""
 
 
 def rollout(
@@ -95,17 +125,38 @@ def rollout(
     worlds: int = 1,
     threads: int | None = None,
 ) -> EpisodeStatistics:
-    """Play every match in ``worlds`` worlds and score the episodes.
+    """Play every match in several worlds and return the statistics of the episodes.
 
-    A pure function: the same arguments give the same bits, for any number of threads and in any
-    company of other matches. Where the rules take turns, an agent looks when its turn comes.
+    Parameters
+    ----------
+    config : WorldConfig, Rules or str
+        A configuration, rules, or the name of a variant.
+    pursuers, evaders : Population or str
+        The teams' candidates: a population, or the name of a script.
+    matches : Matches
+        M matches of these candidates.
+    worlds : int, optional
+        Episodes of each match, W. The default is 1.
+    threads : int, optional
+        Threads that share the episodes. The default is one for each core.
 
-    config: a `WorldConfig`, `Rules`, or the name of a variant
-    pursuers, evaders: a `Population`, or the name of a script
-    threads: by default one a core
+    Returns
+    -------
+    EpisodeStatistics
+        Arrays that begin with (M, W).
 
-    Raises ValueError for an index beyond a population and for a network that does not fit the
-    world, TypeError and ValueError for other bad arguments.
+    Raises
+    ------
+    ValueError
+        If an index is beyond its population, or a network does not fit the world.
+    ValueError, TypeError
+        As `WorldConfig` and `Matches.of` do.
+
+    Notes
+    -----
+    A pure function: the same arguments give the same bits, for any number of threads and whatever
+    other matches are played with a match. Where the rules take turns, an agent decides when its
+    turn begins, and sees what earlier turns did.
     """
     columns = _core.rollout(
         WorldConfig.of(config).setup,
@@ -141,10 +192,29 @@ def record(
     evader: int = 0,
     episode: int = 0,
 ) -> Episode:
-    """Play one episode and keep every moment of it.
+    """Play one episode and record every moment.
 
-    The episode is that of world ``episode`` in `rollout` of the match (pursuer, evader, seed).
-    Raises as `rollout` does.
+    Parameters
+    ----------
+    config, pursuers, evaders
+        As in `rollout`.
+    seed : int
+        The seed of the match.
+    pursuer, evader : int, optional
+        Indices into the populations. The defaults are 0.
+    episode : int, optional
+        The number of the seed's episode: that of world ``episode`` of the match in `rollout`. The
+        default is 0.
+
+    Returns
+    -------
+    Episode
+        The recorded episode.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `rollout` does.
     """
     config = WorldConfig.of(config)
     arrays = _core.record(
@@ -155,18 +225,37 @@ def record(
         evader=check_integer("evader", evader, 0, INT_MAX),
         seed=check_integer("seed", seed, 0, SEED_MAX),
         episode=check_integer("episode", episode, 0, SEED_MAX),
+        of_moments=MOMENT_ARRAYS,
+        of_steps=STEP_ARRAYS,
     )
-    for name in ("alive", "captured", "ever_captured", "involved", "fault", "map"):
-        arrays[name] = arrays[name].astype(bool)
-    return Episode(**arrays, n_pursuers=config.n_pursuers, config=config.to_json())
+    world = World(config)
+    world.reset(seed, episode=episode)  # its map is the same at every moment of the episode
+    return Episode(**arrays, map=world.map, n_pursuers=config.n_pursuers, config=config.to_json())
 
 
 def match_seed(run_seed: int, *key: int) -> int:
-    """The seed of a match, from the seed of a run and what tells the match from the others.
+    """Return the seed of a match.
 
-    By numpy.random.SeedSequence, whose numbers are the same on every machine and version. Raises
-    ValueError for numbers below 0, TypeError for what is not an integer.
+    Parameters
+    ----------
+    run_seed : int
+        The seed of the run.
+    *key : int
+        Numbers that distinguish the match from others of the run, for example epoch and pair.
+
+    Returns
+    -------
+    int
+        A 64-bit seed from `numpy.random.SeedSequence`, the same on every machine and version.
+
+    Raises
+    ------
+    ValueError
+        If a number is below 0.
+    TypeError
+        If a number is not an integer.
     """
+    # A SeedSequence mixes all numbers, so that near keys give unrelated seeds.
     entropy = [check_integer("match seed", part, 0, SEED_MAX) for part in (run_seed, *key)]
     words = np.random.SeedSequence(entropy).generate_state(1, np.uint64)
     return int(words[0])

@@ -1,4 +1,4 @@
-"""Many worlds at once, in the manner of Gymnasium's vector environments."""
+"""Vector environment of Gymnasium: many worlds, stepped together."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from gymnasium.vector.utils import batch_space
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld._core import Autoreset
-from matrixworld.arrays import array_specs, episode_specs
+from matrixworld.arrays import BATCH_FIELDS, array_specs, episode_specs
 from matrixworld.batch import Batch
 from matrixworld.checks import check_bool, check_integer
 from matrixworld.config import WorldConfig
@@ -22,74 +22,104 @@ from matrixworld.rules import KINDS, Rules
 from matrixworld.world import World
 
 OPTIONS = ("reset_mask", "episode", "pursuers", "evaders", "obstacles")
-"""What ``options`` of a reset may hold."""
+"""Keys that ``options`` of a reset may have."""
 
 EPISODE_KEYS = {
-    "return": "episode_return",
-    "length": "episode_length",
-    "capture_rate": "episode_capture_rate",
-    "ever_capture_rate": "episode_ever_capture_rate",
-    "survivors": "episode_survivors",
-    "collisions": "episode_collisions",
-    "faults": "episode_faults",
-    "agent_steps": "episode_agent_steps",
+    name.removeprefix("episode_"): name for name in BATCH_FIELDS if name.startswith("episode_")
 }
-"""The entries of ``infos["episode"]``, and the arrays of `episode_specs` that they are."""
+"""The keys of ``infos["episode"]``, and the arrays of `episode_specs` that they are."""
 
-_INFO_KEYS = (
-    *("alive", "acted", "positions", "captured", "ever_captured", "captors"),
-    *("involved", "fault", "cost", "capture_rate", "ever_capture_rate", "survival_rate"),
-    *("terminated", "truncated", "seed"),
-)
+# Arrays that infos leave out: `reset` and `step` return them, or infos have them in another form.
+_NOT_IN_INFOS = {
+    *("rewards", "terminations", "truncations", "views", "last_positions"),
+    *("ended", "final_views", *EPISODE_KEYS.values()),
+}
+# Gymnasium has its own meaning for ``infos["episode"]``.
+_RENAMED = {"steps": "step", "episode": "episode_number"}
 
 
 class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
-    """W worlds of A agents, P pursuers and then E evaders, stepped together.
+    """Vector environment of W worlds with A agents each, pursuers first.
 
-    config: a `WorldConfig`, `Rules`, or the name of a variant; keywords change its fields
-    n_worlds: W
-    autoreset_mode: Gymnasium's ``AutoresetMode``, or its value. ``NextStep``: the step after an
-        episode's last ignores that world's actions and starts its seed's next episode.
-        ``SameStep``: the last step itself goes on to start it: observations, positions, alive, step,
-        seed and state are then of the new episode, all else of the ended one, whose last
-        observations are in ``infos["final_obs"]``. ``Disabled``: an ended world stands still, with
-        rewards of 0, until ``reset(options={"reset_mask": ended})``.
-    dtype: of the observations, uint8 or float32
-    flatten: observations ``(W, A, 3 * fov * fov)`` instead of ``(W, A, 3, fov, fov)``
-    state: whether to write the whole worlds, too, in ``infos["state"]``, ``(W, 3, rows, cols)``
-    threads: how many work on a step; by default one a core. No result depends on it.
-    render_mode: None, or "rgb_array" for `render`
+    Parameters
+    ----------
+    config : WorldConfig, Rules or str, optional
+        A configuration, rules, or the name of a variant. The default is "O".
+    n_worlds : int, optional
+        W. The default is 1.
+    autoreset_mode : gymnasium.vector.AutoresetMode or str, optional
+        What happens after the end of an episode. ``NextStep`` (the default): the next step ignores
+        that world's actions and starts its seed's next episode. ``SameStep``: the last step also
+        starts the next episode. Observations, positions, alive, step, seed and state are then of
+        the new episode and everything else of the ended one; its last observations are in
+        ``infos["final_obs"]``. ``Disabled``: an ended world stays as it is, with rewards of 0,
+        until ``reset(options={"reset_mask": ended})``.
+    dtype : dtype, optional
+        Dtype of the observations, uint8 (the default) or float32.
+    flatten : bool, optional
+        Whether observations are ``(W, A, 3 * fov * fov)`` instead of ``(W, A, 3, fov, fov)``. The
+        default is False.
+    state : bool, optional
+        Whether ``infos["state"]`` holds the whole worlds, ``(W, 3, rows, cols)``. The default is
+        False.
+    threads : int, optional
+        Threads that share the worlds of a step. The default is one for each core. No result depends
+        on it.
+    render_mode : {None, "rgb_array"}, optional
+        What `render` returns. The default is None.
+    **changes
+        Fields of the configuration to change.
 
-    Differs from Gymnasium's vector environments of single agents in this: rewards, terminations and
-    truncations are ``(W, A)``, one for each agent. An agent terminates when it is gone or its world
-    terminates, and stays so; ``infos["acted"]`` tells whose transition of this step counts.
+    Attributes
+    ----------
+    observations : ndarray
+        What each agent sees.
+    rewards, terminations, truncations : ndarray, shape (W, A)
+        Results of the last step: float32, bool, bool.
+    actions : ndarray of int64, shape (W, A)
+        Actions for a `step` without arguments, to be filled in place.
+    infos : dict
+        See Notes.
+    pursuers, evaders : TeamView
+        The teams' parts of these arrays.
 
-    **Nothing is copied.** Every array that `reset` and `step` return is the same at every step and
-    is overwritten by the next one: copy what you keep. `pursuers` and `evaders` are the two teams'
-    parts of the same arrays. `actions` may be filled in place for a `step` without arguments.
+    Raises
+    ------
+    ValueError, TypeError
+        As `WorldConfig` and `Batch` do, and for an unknown mode or dtype.
 
-    The keys of ``infos`` are the same at every step:
+    Notes
+    -----
+    Rewards, terminations and truncations are ``(W, A)``, one for each agent; Gymnasium's vector
+    environments of single agents have ``(W,)``. An agent terminates when it disappears or its world
+    terminates, and stays terminated. ``infos["acted"]`` marks the agents that acted in this step: a
+    learner uses the transitions of these.
+
+    **Nothing is copied.** `reset` and `step` return the same arrays every time, and the next step
+    overwrites them: copy what you keep. `pursuers` and `evaders` are views of the same arrays.
+
+    ``infos`` has the same keys at every step:
 
     | key | shape | |
     |---|---|---|
-    | ``alive`` | (W, A) bool | now |
-    | ``acted`` | (W, A) bool | alive as the step began: its transition counts |
-    | ``positions`` | (W, A, 2) int32 | row, column; -1, -1 when gone |
-    | ``captured``, ``ever_captured`` | (W, E) bool | at this moment; in this episode |
-    | ``captors`` | (W, E) int32 | pursuers with part in a capture of this step |
-    | ``involved``, ``fault`` | (W, A, 3) bool | in a collision with obstacle, teammate, adversary |
-    | ``cost`` | (W, A) float32 | the number of kinds in which it is at fault |
-    | ``cost_obstacle``, ``cost_teammate``, ``cost_adversary`` | (W, A) bool | at fault in each |
+    | ``alive`` | (W, A) bool | whether the agent is in its world now |
+    | ``acted`` | (W, A) bool | alive when the step began: its transition counts |
+    | ``positions`` | (W, A, 2) int32 | row and column; (-1, -1) when gone |
+    | ``captured``, ``ever_captured`` | (W, E) bool | captured at this moment; at some time of the episode |
+    | ``captors`` | (W, E) int32 | pursuers that took part in a capture of this step |
+    | ``involved``, ``fault`` | (W, A, 3) bool | in a collision with obstacle, teammate, adversary; at fault in it |
+    | ``cost`` | (W, A) float32 | number of kinds of collision in which it is at fault |
+    | ``cost_obstacle``, ``cost_teammate``, ``cost_adversary`` | (W, A) bool | at fault in a collision of this kind |
     | ``capture_rate``, ``ever_capture_rate`` | (W,) float32 | shares of the evaders |
-    | ``survival_rate`` | (W, 2) float32 | of pursuers, of evaders |
-    | ``terminated``, ``truncated`` | (W,) bool | the worlds |
+    | ``survival_rate`` | (W, 2) float32 | shares of pursuers and of evaders that are alive |
+    | ``terminated``, ``truncated`` | (W,) bool | of the worlds |
     | ``step`` | (W,) int32 | rounds played in the episode |
-    | ``seed``, ``episode_number`` | (W,) uint64 | which episode it is: `World.reset` takes both |
-    | ``final_obs``, ``_final_obs`` | as observations; (W,) bool | of an episode that ended in this step; where one did |
-    | ``episode``, ``_episode`` | dict of `EPISODE_KEYS`; (W,) bool | what the last episode to end came to, as in `EpisodeStatistics`; where it ended in this step |
+    | ``seed``, ``episode_number`` | (W,) uint64 | the episode, as `World.reset` takes it |
+    | ``final_obs``, ``_final_obs`` | as observations; (W,) bool | last observations of an episode; whether it ended in this step |
+    | ``episode``, ``_episode`` | dict of `EPISODE_KEYS`; (W,) bool | statistics of the last ended episode, as in `EpisodeStatistics`; whether it ended in this step |
 
-    Raises as `WorldConfig` and `Batch` do.
-    """  # noqa: E501  (a table's row is one line)
+    A further array of `array_specs` or `episode_specs` appears under its own name.
+    """  # noqa: E501  (a row of a table is one line)
 
     def __init__(
         self,
@@ -113,7 +143,8 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         self.metadata = {"autoreset_mode": mode, "render_modes": ["rgb_array"], "render_fps": 10}
         left_out = set() if check_bool("state", state) else {"state"}
         if mode is not AutoresetMode.SAME_STEP:
-            left_out.add("final_views")  # the observations themselves are the last of an episode
+            # In the other modes the observations stay those of the episode's end for one step.
+            left_out.add("final_views")
         kept = _buffers(self.config, self.num_envs, _view_dtype(dtype), left_out)
         self._batch = Batch(
             self.num_envs,
@@ -131,19 +162,22 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
 
     def _name_arrays(self, kept: dict[str, NDArray[Any]], flatten: bool) -> None:
         shape = kept["views"].shape
+        # `reshape` of a contiguous array makes a view, so the batch writes into observations.
         seen = (*shape[:2], -1) if flatten else shape
         self.observations = kept["views"].reshape(seen)
         self.rewards = kept["rewards"]
         self.terminations, self.truncations = kept["terminations"], kept["truncations"]
-        self.infos: dict[str, Any] = {name: kept[name] for name in _INFO_KEYS}
+        self.infos: dict[str, Any] = {
+            _RENAMED.get(name, name): array
+            for name, array in kept.items()
+            if name not in _NOT_IN_INFOS
+        }
         self.infos |= {f"cost_{kind}": kept["fault"][..., k] for k, kind in enumerate(KINDS)}
-        self.infos |= {"step": kept["steps"], "episode_number": kept["episode"]}
+        # Without a copy of its own, the end of an episode is what the observations show then.
         final = kept.get("final_views", kept["views"])
         self.infos |= {"final_obs": final.reshape(seen), "_final_obs": kept["ended"]}
         self.infos["episode"] = {key: kept[name] for key, name in EPISODE_KEYS.items()}
         self.infos["_episode"] = kept["ended"]
-        if "state" in kept:
-            self.infos["state"] = kept["state"]
 
     def _make_spaces(self) -> None:
         shape, dtype = self.observations.shape[1:], self.observations.dtype
@@ -156,7 +190,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
 
     @property
     def n_worlds(self) -> int:
-        """W; also ``num_envs``, as Gymnasium calls it."""
+        """The number of worlds, W; Gymnasium's name is ``num_envs``."""
         return self.num_envs
 
     def reset(
@@ -165,21 +199,35 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         seed: int | ArrayLike | None = None,
         options: Mapping[str, Any] | None = None,
     ) -> tuple[NDArray[Any], dict[str, Any]]:
-        """Start an episode in every world and return observations and infos.
+        """Start an episode in every world, or in some.
 
-        seed: an int s, which gives world w the seed s + w, or ``(W,)`` ints. Without one each world
-            goes on to its seed's next episode; worlds that never had a seed draw one from the
-            operating system.
-        options: any of `OPTIONS`: ``reset_mask``, ``(W,)`` bool, the worlds to reset; ``episode``,
-            which one of the seed; ``pursuers`` and ``evaders``, positions ``(n, 2)`` or
-            ``(W, n, 2)``; ``obstacles``, a map for these episodes
+        Parameters
+        ----------
+        seed : int or array_like of int, shape (W,), optional
+            An int s gives world w the seed s + w. Without a seed each world starts its seed's next
+            episode; worlds that never had a seed draw one from the operating system.
+        options : mapping, optional
+            Any of `OPTIONS`: ``reset_mask``, bool, shape (W,), the worlds to reset; ``episode``,
+            the number of the seed's episode; ``pursuers`` and ``evaders``, positions, shape (n, 2)
+            or (W, n, 2); ``obstacles``, a map for these episodes.
 
-        Raises ValueError for other options and as `Batch.reset` does; then nothing has changed.
+        Returns
+        -------
+        observations : ndarray
+            What each agent sees.
+        infos : dict
+            See `VectorEnv`.
+
+        Raises
+        ------
+        ValueError
+            For other options, and as `Batch.reset` does; then no world has changed.
         """
         given = dict(options or {})
         unknown = set(given) - set(OPTIONS)
         if unknown:
             raise ValueError(f"options: expected some of {OPTIONS}, got {sorted(unknown)}")
+        # The batch starts with fixed seeds, which would make every unseeded run the same.
         if seed is None and not self._seeded:
             seed = np.random.SeedSequence().generate_state(self.n_worlds, np.uint64)
         self._batch.reset(seed, mask=given.pop("reset_mask", None), **given)
@@ -191,11 +239,29 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]]:
         """Play one round in every world.
 
-        actions: ``(W, A)`` ints, see `Action`; by default what `actions` holds. Those of gone
-            agents and ended worlds are not looked at.
+        Parameters
+        ----------
+        actions : array_like of int, shape (W, A), optional
+            See `Action`. The default is what the attribute `actions` holds. Actions of gone agents
+            and in ended worlds are ignored.
 
-        Returns observations, rewards ``(W, A)`` float32, terminations and truncations ``(W, A)``
-        bool, infos. Raises RuntimeError before the first reset, and as `Batch.step` does.
+        Returns
+        -------
+        observations : ndarray
+            What each agent sees.
+        rewards : ndarray of float32, shape (W, A)
+            Rewards of the step.
+        terminations, truncations : ndarray of bool, shape (W, A)
+            Whether agents have terminated; whether their world was truncated.
+        infos : dict
+            See `VectorEnv`.
+
+        Raises
+        ------
+        RuntimeError
+            Before the first reset.
+        ValueError, TypeError
+            As `Batch.step` does.
         """
         if not self._seeded:
             raise RuntimeError("call reset() before the first step")
@@ -203,22 +269,40 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         return self.observations, self.rewards, self.terminations, self.truncations, self.infos
 
     def world(self, number: int) -> World:
-        """A copy of one world, which goes on by itself: to draw it, or to plan in it."""
+        """Return an independent copy of one world, to draw it or to plan in it."""
         return self._batch.world(number)
 
     def render(self) -> tuple[NDArray[np.uint8], ...] | None:
-        """Pictures ``(height, width, 3)`` uint8 of all worlds; None without a render mode."""
+        """Return a picture of each world, (height, width, 3) uint8; None without a render mode."""
         if self.render_mode is None:
             return None
         return tuple(rgb(self.world(number).scene()) for number in range(self.n_worlds))
 
 
 class TeamView:
-    """One team's part of a `VectorEnv`'s arrays, n its size. Nothing is copied.
+    """One team's part of a `VectorEnv`'s arrays, without copies.
 
-    observations: ``(W, n, ...)``; actions: ``(W, n)`` int64, which may be written to; rewards,
-    terminations, truncations, alive, acted, cost: ``(W, n)``; positions: ``(W, n, 2)``; involved,
-    fault: ``(W, n, 3)``; observation_space, action_space: of one agent
+    Parameters
+    ----------
+    env : VectorEnv
+        The environment.
+    agents : slice
+        The team's agents; n is their number.
+
+    Attributes
+    ----------
+    observations : ndarray, shape (W, n, ...)
+        What each agent sees.
+    actions : ndarray of int64, shape (W, n)
+        Actions of a `step` without arguments, to be filled in place.
+    rewards, terminations, truncations, alive, acted, cost : ndarray, shape (W, n)
+        As in `VectorEnv` and its infos.
+    positions : ndarray of int32, shape (W, n, 2)
+        Rows and columns.
+    involved, fault : ndarray of bool, shape (W, n, 3)
+        Collisions by kind.
+    observation_space, action_space : gymnasium.spaces.Space
+        Spaces of one agent.
     """
 
     def __init__(self, env: VectorEnv, agents: slice) -> None:
@@ -240,7 +324,7 @@ class TeamView:
 
     @property
     def size(self) -> int:
-        """n, the number of agents."""
+        """The number of agents, n."""
         return int(self.actions.shape[1])
 
 

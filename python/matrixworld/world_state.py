@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.arrays import Specs
+from matrixworld.arrays import WORLD_FIELDS, Specs
 from matrixworld.config import WorldConfig
 from matrixworld.render import Scene
 
@@ -53,6 +53,14 @@ class WorldState:
 
     def _read(self, name: str) -> NDArray[Any]:
         return self.read(name)[name]
+
+    if not TYPE_CHECKING:  # or a misspelled attribute would pass the type checker
+
+        def __getattr__(self, name: str) -> NDArray[Any]:
+            """Return an array of `array_specs` that has no property of its own."""
+            if name in WORLD_FIELDS:
+                return self._read(name)
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
     @property
     def seed(self) -> int:

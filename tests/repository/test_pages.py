@@ -113,7 +113,8 @@ def test_pettingzoo_makes_it(variant: str) -> None:
 
 def test_what_all_variants_share() -> None:
     text = envs.__doc__ or ""
-    assert all(f"``{key}``" in text for key in INFO_KEYS)
+    arrays = re.findall(r"^ *(\w+) +\(", mw.array_specs.__doc__ or "", re.MULTILINE)
+    assert set(INFO_KEYS) <= {*re.findall(r"``(\w+)``", text), *arrays}
     assert all(option in text for option in OPTIONS)
     assert all(f'``"{mode}"``' in text for mode in RENDER_MODES)
     rewards = mw.Rewards()

@@ -5,13 +5,13 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from itertools import chain
 from typing import Any
 
 import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
+from matrixworld.arrays import WORLD_FIELDS, OutputField
 from matrixworld.checks import check_bool
 from matrixworld.config import WorldConfig
 from matrixworld.envs.drawing import Drawing
@@ -24,13 +24,25 @@ RENDER_MODES = ("human", "rgb_array", "ansi")
 OPTIONS = ("episode", "pursuers", "evaders", "obstacles")
 """The keys that ``options`` of a reset may hold; each is an argument of `World.reset`."""
 
+# World arrays that infos leave out: `step` returns them, or they are attributes of `Status` only.
+_NOT_IN_INFOS = {
+    *("rewards", "terminations", "truncations", "terminated", "truncated", "views", "state"),
+    *("positions", "last_positions", "alive", "ever_captured", "seed", "episode"),
+}
+_INFO_FIELDS = [output for name, output in WORLD_FIELDS.items() if name not in _NOT_IN_INFOS]
+
+
+def _keys(output: OutputField) -> list[str]:
+    if output.axes == ("agents", "kinds"):
+        return [f"{output.name}_{kind}" for kind in KINDS]
+    if output.axes == ("teams",):
+        return [f"{team}_{output.name}" for team in ("pursuer", "evader")]
+    return ["step" if output.name == "steps" else output.name]
+
+
 INFO_KEYS = (
-    *(f"involved_{kind}" for kind in KINDS),
-    *(f"fault_{kind}" for kind in KINDS),
-    *("captured", "captors", "cost"),
+    *(key for output in _INFO_FIELDS for key in _keys(output)),
     *(f"cost_{kind}" for kind in KINDS),
-    *("capture_rate", "ever_capture_rate", "pursuer_survival_rate", "evader_survival_rate"),
-    "step",
 )
 """The keys of every agent's info, at every step."""
 
@@ -77,28 +89,33 @@ class Status:
     @classmethod
     def of(cls, world: World) -> Status:
         """That of the world's last step."""
-        return cls(**world.read(*cls.__dataclass_fields__))
+        declared = cls.__dataclass_fields__
+        arrays = world.read(*declared, *(output.name for output in _INFO_FIELDS))
+        status = cls(**{name: arrays[name] for name in declared})
+        vars(status).update(arrays)  # infos may have outputs that are not declared above
+        return status
 
     def infos(self) -> list[dict[str, Any]]:
         """For each agent its `INFO_KEYS`, as plain values."""
-        none = [0] * (len(self.alive) - len(self.captured))  # pursuers are not captured
-        captured = [False for _ in none] + self.captured.tolist()
-        captors = none + self.captors.tolist()
-        of_world = (
-            *(float(self.capture_rate), float(self.ever_capture_rate)),
-            *(*self.survival_rate.tolist(), int(self.steps)),
-        )
-        rows = zip(
-            self.involved.tolist(),
-            self.fault.tolist(),
-            zip(captured, captors, self.cost.tolist(), strict=True),
-            self.fault.astype(float).tolist(),
-            strict=True,
-        )
-        return [
-            dict(zip(INFO_KEYS, (*chain.from_iterable(row), *of_world), strict=True))
-            for row in rows
+        n_agents = len(self.alive)
+        columns = [
+            column
+            for output in _INFO_FIELDS
+            for column in _columns(output, vars(self)[output.name], n_agents)
         ]
+        columns += self.fault.T.astype(float).tolist()
+        return [dict(zip(INFO_KEYS, row, strict=True)) for row in zip(*columns, strict=True)]
+
+
+def _columns(output: OutputField, array: NDArray[Any], n_agents: int) -> list[list[Any]]:
+    """For each of the output's keys a value of each agent."""
+    if output.axes == ("agents", "kinds"):
+        return list(array.T.tolist())
+    if output.axes[:1] == ("agents",):
+        return [array.tolist()]
+    if output.axes[:1] == ("evaders",):  # a pursuer has the zero of the dtype
+        return [[array.dtype.type(0).item()] * (n_agents - len(array)) + array.tolist()]
+    return [[value] * n_agents for value in array.reshape(-1).tolist()]
 
 
 class MatrixWorldBase:
