@@ -49,21 +49,40 @@ INFO_KEYS = (
 
 @dataclass(frozen=True, eq=False)
 class Status:
-    """What a step came to, for all A agents at once, of which E are evaders.
+    """Results of the last step for all A agents, of which E are evaders, as fresh arrays.
 
-    The agents' axis holds the pursuers and then the evaders; an agent keeps its place when others
-    are gone. Each array is fresh.
+    Pursuers come before evaders. An agent keeps its index when others are gone. Arrays of
+    `matrixworld.array_specs` that are added to the engine are attributes, too.
 
-    positions: ``(A, 2)`` int32 row and column, (-1, -1) when gone; alive: ``(A,)`` bool
-    captured, ever_captured: ``(E,)`` bool, at this moment and in this episode
-    captors: ``(E,)`` int32, pursuers with part in a capture of this step
-    involved, fault: ``(A, 3)`` bool, in a collision with an obstacle, a teammate, an adversary
-    cost: ``(A,)`` float32, the number of kinds in which an agent is at fault
-    rewards: ``(A,)`` float32; terminations, truncations: ``(A,)`` bool
-    capture_rate, ever_capture_rate: () float32, shares of the evaders
-    survival_rate: ``(2,)`` float32, of pursuers and of evaders
-    seed, episode: () uint64, which episode it is: `World.reset` takes both
-    steps: () int32; terminated, truncated: () bool, of the world
+    Parameters
+    ----------
+    positions : ndarray of int32, shape (A, 2)
+        Row and column; (-1, -1) for an agent that is gone.
+    alive : ndarray of bool, shape (A,)
+        Whether the agent is alive.
+    captured, ever_captured : ndarray of bool, shape (E,)
+        Whether the evader is captured at this moment, and at any time in this episode.
+    captors : ndarray of int32, shape (E,)
+        Number of pursuers with part in a capture of this step.
+    involved, fault : ndarray of bool, shape (A, 3)
+        Whether the agent was in a collision with an obstacle, a teammate, an adversary, and at
+        fault in it.
+    cost : ndarray of float32, shape (A,)
+        Number of kinds of collision in which the agent is at fault.
+    rewards : ndarray of float32, shape (A,)
+        Rewards of the step.
+    terminations, truncations : ndarray of bool, shape (A,)
+        Whether the agent has terminated, and whether its episode was cut.
+    capture_rate, ever_capture_rate : ndarray of float32, shape ()
+        Shares of the evaders.
+    survival_rate : ndarray of float32, shape (2,)
+        Shares of the pursuers and of the evaders that are alive.
+    seed, episode : ndarray of uint64, shape ()
+        The present episode; `World.reset` accepts both.
+    steps : ndarray of int32, shape ()
+        Rounds played in the episode.
+    terminated, truncated : ndarray of bool, shape ()
+        Whether the world has terminated, and whether it reached ``max_steps``.
     """
 
     positions: NDArray[np.int32]
@@ -88,7 +107,7 @@ class Status:
 
     @classmethod
     def of(cls, world: World) -> Status:
-        """That of the world's last step."""
+        """Return the status of a world after its last step."""
         declared = cls.__dataclass_fields__
         arrays = world.read(*declared, *(output.name for output in _INFO_FIELDS))
         status = cls(**{name: arrays[name] for name in declared})
@@ -96,7 +115,7 @@ class Status:
         return status
 
     def infos(self) -> list[dict[str, Any]]:
-        """For each agent its `INFO_KEYS`, as plain values."""
+        """Return the info of each agent: a dict of `INFO_KEYS` with plain values."""
         n_agents = len(self.alive)
         columns = [
             column
@@ -108,7 +127,7 @@ class Status:
 
 
 def _columns(output: OutputField, array: NDArray[Any], n_agents: int) -> list[list[Any]]:
-    """For each of the output's keys a value of each agent."""
+    """Return, for each info key of an output, the values of all agents."""
     if output.axes == ("agents", "kinds"):
         return list(array.T.tolist())
     if output.axes[:1] == ("agents",):

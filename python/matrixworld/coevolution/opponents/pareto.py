@@ -28,12 +28,39 @@ SOLVED_ABOVE = 0.5
 
 
 def swapped(payoff: PayoffFunction) -> PayoffFunction:
-    """Return the payoff function of the other team: ``1 - payoff``, transposed."""
+    """Return the payoff function of the other team: ``1 - payoff``, transposed.
+
+    Parameters
+    ----------
+    payoff : PayoffFunction
+        Payoffs of one team as candidates, shape (n, m).
+
+    Returns
+    -------
+    PayoffFunction
+        Payoffs of the other team as candidates, shape (m, n).
+    """
     return lambda candidates, tests: 1.0 - np.asarray(payoff(tests, candidates)).T
 
 
 def read_only(rows: ArrayLike) -> Members:
-    """Return a read-only copy of an array of members; ValueError if it has no axis."""
+    """Return a read-only copy of an array of members.
+
+    Parameters
+    ----------
+    rows : array_like, shape (n, ...)
+        One member per row.
+
+    Returns
+    -------
+    ndarray, shape (n, ...)
+        The copy.
+
+    Raises
+    ------
+    ValueError
+        If the array has no axis.
+    """
     members = np.array(rows)
     if members.ndim == 0:
         raise ValueError("members: expected an array of rows, got a single number")

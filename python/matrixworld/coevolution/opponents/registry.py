@@ -99,7 +99,19 @@ HALL_OF_FAME = "hall-of-fame"
 
 
 def available(team: Team, k: int) -> int:
-    """Return the number of opponents when `team` learns its generation `k` in alternation.
+    """Return the number of opponents when a team learns one of its generations in alternation.
+
+    Parameters
+    ----------
+    team : {"pursuer", "evader"}
+        The team that learns.
+    k : int
+        Number of the generation that it learns, from 1.
+
+    Returns
+    -------
+    int
+        The archived generations of the other team.
 
     Raises
     ------

@@ -159,11 +159,8 @@ class HallOfFameRace(Race):
 
     def _generate(self, generation: int, epoch: int) -> Populations:
         """Return the individuals of both teams in an epoch."""
-        # Both teams draw the same random numbers, from generators with the key of the evaders.
         return {
-            team: self.learners[team].ask(
-                self._generator(Purpose.LEARN, generation, epoch, "evader")
-            )
+            team: self.learners[team].ask(self._generator(Purpose.LEARN, generation, epoch, team))
             for team in TEAMS
         }
 
