@@ -17,8 +17,7 @@ struct Contact {
 // Does this conflict by itself hold the agent?
 bool holds(const Contact& contact, Outcome own, Outcome other) {
     if (!contact.moves) return false;
-    return own == Outcome::Bounce ||
-           (own == Outcome::Reach && other == Outcome::Bounce && contact.other_on_target);
+    return bounces(own) || (own == Outcome::Reach && bounces(other) && contact.other_on_target);
 }
 
 // Is the agent at fault in a conflict of adversaries? An agent that is held is. Where neither is
@@ -111,13 +110,13 @@ bool Resolver::survives_obstacle(int a) {
         border && rules_.obstacle == Outcome::Reach ? Outcome::Bounce : rules_.obstacle;
     set_flags(a, involved(Kind::Obstacle) | at_fault(Kind::Obstacle));
     if (log_) log_obstacle(a, outcome);
-    if (outcome == Outcome::Disappear) flags_[a] |= kCrashed;
-    if (outcome == Outcome::Bounce) {
+    if (disappears(outcome)) flags_[a] |= kCrashed;
+    if (bounces(outcome)) {
         flags_[a] |= kHeld;
         move_[a] = 0;
         target_[a] = turn_->cell[a];
     }
-    return outcome != Outcome::Disappear;
+    return !disappears(outcome);
 }
 
 // ---- Candidates for conflicts -------------------------------------------------------------------
@@ -169,8 +168,8 @@ void Resolver::teammates() {
     for (int a : candidates_) {
         if (!meets_teammate(a)) continue;
         set_flags(a, involved(Kind::Teammate) | at_fault(Kind::Teammate));
-        if (rules_.teammate == Outcome::Disappear) flags_[a] |= kDoomed;
-        if (rules_.teammate == Outcome::Bounce && move_[a]) {
+        if (disappears(rules_.teammate)) flags_[a] |= kDoomed;
+        if (bounces(rules_.teammate) && move_[a]) {
             flags_[a] |= kHeld | kBarred;
             held_now_.add(a);
         }
@@ -256,7 +255,7 @@ void Resolver::judge_adversaries(int a) {
 
     set_flags(a, involved(Kind::Adversary));
     if (fault) flags_[a] |= at_fault(Kind::Adversary);
-    if (own == Outcome::Disappear) flags_[a] |= kDoomed;
+    if (disappears(own)) flags_[a] |= kDoomed;
     if (held) {
         flags_[a] |= kHeld | kBarred;
         held_now_.add(a);
@@ -306,8 +305,8 @@ void Resolver::enter_link(int a, int link) {
     set_flags(link, involved(kind));
     if (same_team) flags_[link] |= at_fault(kind);
     if (same_team || blames(contact, own, other, rules_.capture)) flags_[a] |= at_fault(kind);
-    if (own == Outcome::Disappear) flags_[a] |= kDoomed;
-    if (other == Outcome::Disappear) flags_[link] |= kDoomed;
+    if (disappears(own)) flags_[a] |= kDoomed;
+    if (disappears(other)) flags_[link] |= kDoomed;
     if (holds(contact, own, other) && !(flags_[a] & kHeld)) {
         flags_[a] |= kHeld;
         held_now_.add(a);
@@ -339,8 +338,8 @@ void Resolver::apply_outcomes() {
 
 void Resolver::log_obstacle(int a, Outcome outcome) {
     log_->push_back({turn_->number, Kind::Obstacle, Form::Vertex, a, -1, target_[a],
-                     sides(true, false), sides(outcome == Outcome::Bounce, false),
-                     sides(outcome == Outcome::Disappear, false)});
+                     sides(true, false), sides(bounces(outcome), false),
+                     sides(disappears(outcome), false)});
 }
 
 // Lists every pair in conflict, vertex and edge, before the stage changes anything.
@@ -375,7 +374,7 @@ void Resolver::log_pair(Form form, int a, int b, int cell) {
                                : sides(blames(contact, own, other, rules_.capture),
                                        blames(reversed, other, own, rules_.capture)),
                      sides(holds(contact, own, other), holds(reversed, other, own)),
-                     sides(own == Outcome::Disappear, other == Outcome::Disappear)});
+                     sides(disappears(own), disappears(other))});
 }
 
 }  // namespace matrixworld

@@ -20,6 +20,12 @@ namespace matrixworld {
 
 // Disappear: the agent moves and is removed. Reach: it moves and lives. Bounce: it stays and lives.
 enum class Outcome : std::uint8_t { Disappear, Reach, Bounce };
+
+// The properties of an outcome. The resolver judges collisions by them: does the agent's move end
+// on its own cell, and is the agent removed?
+constexpr bool bounces(Outcome outcome) { return outcome == Outcome::Bounce; }
+constexpr bool disappears(Outcome outcome) { return outcome == Outcome::Disappear; }
+
 enum class Interaction : std::uint8_t { Simultaneous, SwarmTurns, AgentTurns };
 enum class Capture : std::uint8_t { Occupation, Surround };
 enum class Blame : std::uint8_t { Fault, Involved };  // which agents pay a penalty
@@ -63,8 +69,7 @@ struct Rules {
     // captures no evader.
     bool contact_captures() const {
         return capture == Capture::Occupation &&
-               (evader == Outcome::Disappear ||
-                (evader == Outcome::Reach && pursuer == Outcome::Reach));
+               (disappears(evader) || (evader == Outcome::Reach && pursuer == Outcome::Reach));
     }
 };
 

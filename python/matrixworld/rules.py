@@ -58,6 +58,16 @@ class Action(IntEnum):
     NORTHWEST = 8
 
 
+OUTCOME_TEXTS = {
+    Outcome.DISAPPEAR: "disappears",
+    Outcome.REACH: "reaches the cell",
+    Outcome.BOUNCE: "bounces back",
+}
+"""What happens to an agent, as it stands in tables of rules."""
+
+DISAPPEARING = {Outcome.DISAPPEAR}
+"""The outcomes that remove an agent."""
+
 Penalty: TypeAlias = float | tuple[float, float, float]
 """One number for collisions of all kinds, or one for each of `KINDS`."""
 
@@ -123,7 +133,7 @@ class Rules:
     def captures(self) -> bool:
         """Whether an evader can be captured at all."""
         both_reach = self.evader is Outcome.REACH and self.pursuer is Outcome.REACH
-        occupied = self.evader is Outcome.DISAPPEAR or both_reach
+        occupied = self.evader in DISAPPEARING or both_reach
         return self.capture is Capture.SURROUND or occupied
 
     @property
@@ -131,7 +141,7 @@ class Rules:
         """Whether a captured evader leaves the grid."""
         if self.capture is Capture.SURROUND:
             return self.captured_disappear
-        return self.evader is Outcome.DISAPPEAR
+        return self.evader in DISAPPEARING
 
 
 def _variants() -> dict[str, Rules]:

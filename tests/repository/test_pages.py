@@ -20,7 +20,7 @@ from matrixworld.envs import INFO_KEYS, OPTIONS, RENDER_MODES
 from matrixworld.envs.variant_texts import VARIANT_TEXTS
 
 DOCS = Path(__file__).parents[2] / "docs"
-OUTCOMES = {"DISAPPEAR": "disappears", "REACH": "goes on", "BOUNCE": "bounces back"}
+OUTCOMES = {"DISAPPEAR": "disappears", "REACH": "reaches the cell", "BOUNCE": "bounces back"}
 MOVES = {
     "SIMULTANEOUS": "all at once",
     "SWARM_TURNS": "team by team",

@@ -12,7 +12,7 @@ import numpy as np
 
 import matrixworld as mw
 from matrixworld import Capture, Interaction, Outcome
-from reference_stages import ADVERSARY, KINDS, Cell, Clash, Setting, Turn
+from reference_stages import ADVERSARY, DISAPPEARING, KINDS, Cell, Clash, Setting, Turn
 
 AXIAL = [(-1, 0), (0, 1), (1, 0), (0, -1)]
 DIAGONAL = [(-1, 1), (1, 1), (1, -1), (-1, -1)]
@@ -135,7 +135,7 @@ class ReferenceWorld:
 
     def occupying(self, turn: Turn, e: int) -> set[int]:
         both_reach = self.rules.evader == self.rules.pursuer == Outcome.REACH
-        if self.rules.evader != Outcome.DISAPPEAR and not both_reach:
+        if self.rules.evader not in DISAPPEARING and not both_reach:
             return set()
         met = {a for c in turn.clashes if c.kind == ADVERSARY and e in c.agents for a in c.agents}
         shared = self.pursuers_on(self.where[e]) if both_reach and e in self.where else set()

@@ -15,6 +15,9 @@ import numpy as np
 import matrixworld as mw
 from matrixworld import Capture, Outcome
 
+BOUNCING = {Outcome.BOUNCE}
+DISAPPEARING = {Outcome.DISAPPEAR}
+
 Cell = tuple[int, int]
 OBSTACLE, TEAMMATE, ADVERSARY = KINDS = ("obstacle", "teammate", "adversary")
 
@@ -137,8 +140,8 @@ class Turn:
         outcome = self.setting.rules.obstacle
         if outcome == Outcome.REACH and not self.setting.inside(self.q[a]):
             outcome = Outcome.BOUNCE
-        held = {a} if outcome == Outcome.BOUNCE else set()
-        crashed = {a} if outcome == Outcome.DISAPPEAR else set()
+        held = {a} if outcome in BOUNCING else set()
+        crashed = {a} if outcome in DISAPPEARING else set()
         self.record(OBSTACLE, "vertex", (a,), {a}, held, crashed)
         self.hold(held)
         for gone in crashed:
@@ -159,8 +162,8 @@ class Turn:
     def meet_teammate(self, form: str, a: int, b: int, could_be_held: set[int]) -> set[int]:
         """Return the agents that this conflict by itself holds."""
         outcome = self.setting.rules.teammate
-        held = {x for x in could_be_held if outcome == Outcome.BOUNCE and self.moving(x)}
-        doomed = {a, b} if outcome == Outcome.DISAPPEAR else set()
+        held = {x for x in could_be_held if outcome in BOUNCING and self.moving(x)}
+        doomed = {a, b} if outcome in DISAPPEARING else set()
         self.record(TEAMMATE, form, (a, b), {a, b}, held, doomed)
         return held
 
@@ -178,7 +181,7 @@ class Turn:
         """Return the agents that this conflict by itself holds; ``standing`` agents do not move."""
         moving = {x for x in (a, b) if self.moving(x)} - standing
         held = {x for x, y in ((a, b), (b, a)) if x in moving and self.kept_from(x, y)}
-        doomed = {x for x in (a, b) if self.setting.outcome(x) == Outcome.DISAPPEAR}
+        doomed = {x for x in (a, b) if self.setting.outcome(x) in DISAPPEARING}
         contact = set() if self.setting.rules.capture == Capture.OCCUPATION else moving
         self.record(ADVERSARY, form, (a, b), held or contact, held, doomed)
         return held
@@ -187,8 +190,8 @@ class Turn:
         """Return whether meeting the adversary ``b`` cancels a move of ``a``."""
         mine, other = self.setting.outcome(a), self.setting.outcome(b)
         if mine == Outcome.REACH:
-            return other == Outcome.BOUNCE and self.p[b] == self.q[a]
-        return mine == Outcome.BOUNCE
+            return other in BOUNCING and self.p[b] == self.q[a]
+        return mine in BOUNCING
 
     # -- stage 4 ---------------------------------------------------------------------------
 

@@ -11,15 +11,15 @@ import numpy as np
 from hypothesis import strategies as st
 
 import matrixworld as mw
-from drawing import ARROWS, CAPTURES, INTERACTIONS, UNITS, draw, quiet_config, rules
+from drawing import ARROWS, CAPTURES, INTERACTIONS, OUTCOMES, UNITS, draw, quiet_config, rules
 from reference import Cell, ReferenceWorld
 
 MAX_SIDE, MAX_AGENTS, MAX_STEPS = 6, 10, 6
 FIELDS: dict[str, list[Any]] = {
     "interaction": list(INTERACTIONS),
-    "obstacle": list("DRB"),
-    "teammate": list("DRB"),
-    "adversary": [evader + pursuer for evader in "DRB" for pursuer in "DRB"],
+    "obstacle": list(OUTCOMES),
+    "teammate": list(OUTCOMES),
+    "adversary": [evader + pursuer for evader in OUTCOMES for pursuer in OUTCOMES],
     "capture": list(CAPTURES),
     "disappear": [False, True],
 }

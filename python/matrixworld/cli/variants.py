@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import click
 
-from matrixworld import VARIANTS, Capture, Interaction, Outcome, Rules
+from matrixworld import VARIANTS, Capture, Interaction, Rules
 from matrixworld.cli.console import print_table
+from matrixworld.rules import OUTCOME_TEXTS
 
 HEADS = (
     "variant",
@@ -21,7 +22,7 @@ MOVES = {
     Interaction.SWARM_TURNS: "team by team",
     Interaction.AGENT_TURNS: "one at a time",
 }
-OUTCOMES = {Outcome.DISAPPEAR: "disappears", Outcome.REACH: "reaches", Outcome.BOUNCE: "bounces"}
+OUTCOMES = {outcome: text.split()[0] for outcome, text in OUTCOME_TEXTS.items()}
 CAPTURES = {Capture.OCCUPATION: "occupation", Capture.SURROUND: "surrounding"}
 LEGEND = """\
 Obstacle, teammate, adversary: what happens to an agent that collides with an obstacle or the
@@ -41,8 +42,6 @@ def variants_command() -> None:
 
 
 def _row(name: str, rules: Rules) -> tuple[str, ...]:
-    # An evader that disappears in a collision is gone, whatever the rules say of the captured.
-    gone = rules.captured_disappear or rules.evader is Outcome.DISAPPEAR
     return (
         name,
         MOVES[rules.interaction],
@@ -50,5 +49,5 @@ def _row(name: str, rules: Rules) -> tuple[str, ...]:
         OUTCOMES[rules.teammate],
         f"{OUTCOMES[rules.evader]} / {OUTCOMES[rules.pursuer]}",
         CAPTURES[rules.capture],
-        "disappear" if gone else "stay",
+        "disappear" if rules.removes_captured else "stay",
     )

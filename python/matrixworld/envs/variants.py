@@ -20,7 +20,7 @@ from matrixworld.config import WorldConfig
 from matrixworld.envs.aec import MatrixWorldAEC
 from matrixworld.envs.parallel import MatrixWorldParallel
 from matrixworld.envs.variant_texts import VARIANT_TEXTS
-from matrixworld.rules import Capture, Interaction, Outcome, Rules
+from matrixworld.rules import OUTCOME_TEXTS, Capture, Interaction, Rules
 
 AECWrapper: TypeAlias = OrderEnforcingWrapper
 
@@ -31,11 +31,6 @@ _MOVES = {
     Interaction.SIMULTANEOUS: "all at once",
     Interaction.SWARM_TURNS: "team by team",
     Interaction.AGENT_TURNS: "one after the other",
-}
-_OUTCOMES = {
-    Outcome.DISAPPEAR: "disappears",
-    Outcome.REACH: "goes on",
-    Outcome.BOUNCE: "bounces back",
 }
 _CAPTURES = {
     Capture.OCCUPATION: "a pursuer reaches it",
@@ -213,10 +208,10 @@ def _rules(rules: Rules) -> str:
         captured = "stays and moves on"
     rows = {
         "agents move": _MOVES[rules.interaction],
-        "an agent that runs into an obstacle or the border": _OUTCOMES[rules.obstacle],
-        "an agent that collides with a teammate": _OUTCOMES[rules.teammate],
-        "an evader that collides with a pursuer": _OUTCOMES[rules.evader],
-        "a pursuer that collides with an evader": _OUTCOMES[rules.pursuer],
+        "an agent that runs into an obstacle or the border": OUTCOME_TEXTS[rules.obstacle],
+        "an agent that collides with a teammate": OUTCOME_TEXTS[rules.teammate],
+        "an evader that collides with a pursuer": OUTCOME_TEXTS[rules.evader],
+        "a pursuer that collides with an evader": OUTCOME_TEXTS[rules.pursuer],
         "an evader is captured when": _CAPTURES[rules.capture],
         "a captured evader": captured,
     }
