@@ -12,7 +12,9 @@ except ModuleNotFoundError:  # Python 3.10
     from pip._vendor import tomli as tomllib
 
 PROJECT = Path(__file__).parents[1] / "pyproject.toml"
-REQUIREMENT = re.compile(r"(?P<name>[\w-]+)(\[[\w,]+\])?>=(?P<version>[\d.]+)$")
+REQUIREMENT = re.compile(r"(?P<name>[\w-]+)(\[[\w,]+\])?>=(?P<version>[\d.]+)(,<[\d.]+)?$")
+# Dependencies of the lowest versions, where their newest releases warn about them.
+PINNED = ["pyparsing<3.3"]
 
 project = tomllib.loads(PROJECT.read_text(encoding="utf-8"))["project"]
 extras = project["optional-dependencies"]
@@ -23,3 +25,4 @@ for requirement in [*project["dependencies"], *extras["video"], *extras["test"]]
     if match is None:
         raise SystemExit(f"{PROJECT.name}: expected name>=version, got {requirement!r}")
     print(f"{match['name']}=={match['version']}")
+print(*PINNED, sep="\n")

@@ -204,6 +204,7 @@ void Resolver::spread_bounce() {
                 set_flags(side, involved(Kind::Teammate) | at_fault(Kind::Teammate));
             }
             flags_[a] |= kHeld | kBarred;
+            if (disappears(rules_.teammate)) flags_[a] |= kDoomed;
             if (log_) log_pair(Form::Chain, a, b, turn_->cell[b]);
             held.add(a);
         }

@@ -26,7 +26,7 @@ COPIED = (
     *("CMakeLists.txt", "pyproject.toml", "README.md", "LICENSE"),
     *("cpp", "python", "tests", "docs"),
 )
-NOT_COPIED = shutil.ignore_patterns("__pycache__", "*.png", ".hypothesis")
+NOT_COPIED = shutil.ignore_patterns("__pycache__", ".hypothesis")
 
 FENCE = re.compile(r"^```(?P<kind>\w+)(?P<rest>[^\n]*)\n(?P<text>.*?)^```$", re.M | re.S)
 ATTRIBUTE = re.compile(r'(\w+)="((?:[^"\\]|\\.)*)"')
@@ -95,7 +95,7 @@ def _recipe(section: str) -> Recipe:
 
 
 def copy_project(root: Path) -> None:
-    """Copy what a build and the tests need, without files that are not text."""
+    """Copy what a build and the tests need."""
     for name in COPIED:
         source = ROOT / name
         if source.is_dir():

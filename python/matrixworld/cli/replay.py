@@ -135,7 +135,7 @@ def replay_command(
     RUN: an episode of the run's payoff matrix, played again. WHO is a generation; negative numbers
     count from the last. FILE: an episode that --out or Episode.save has written. VARIANT (O, SB,
     ...): a new game between scripts, with --seed, --steps and the options of the world. WHO is
-    random, still, chaser, fleer, clumsy-chaser, hunter, surrounder, clumsy-fleer or dodger.
+    the name of a script, such as chaser or fleer; an unknown name prints all of them.
     """
     # The terminal shows no fields of view.
     if view and not out:

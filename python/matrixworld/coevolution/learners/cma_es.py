@@ -186,7 +186,7 @@ def _new(
 
 
 ENTRY = LearnerEntry(
-    title="CMA-ES, for small networks",
+    title=f"CMA-ES, for at most {MOST_GENES} genes",
     settings={"sigma": partial(check_number, least=0.0, positive=True)},
     check=_check,
     new=_new,

@@ -66,7 +66,7 @@ class TrainingSettings:
 
     learner: str | None = option(
         None,
-        "es (evolution strategy), ga (genetic algorithm) or cma (CMA-ES, for at most 1000 genes); "
+        f"{', '.join(f'{name} ({entry.title})' for name, entry in LEARNERS.items())}; "
         "default: ga for hall-of-fame, else es",
     )
     population: int = option(48, "candidates per epoch")
