@@ -20,10 +20,11 @@ from matrixworld.envs import aec_env, parallel_env
 from matrixworld.episode import Episode
 from matrixworld.maps import read_map
 from matrixworld.policy import SCRIPTS, Network, Population
-from matrixworld.recorder import Recorder, record_actions
-from matrixworld.rollout import EpisodeStatistics, Matches, match_seed, record, rollout
+from matrixworld.recorder import Recorder, record, record_actions
+from matrixworld.rollout import EpisodeStatistics, Matches, rollout
 from matrixworld.rules import KINDS, VARIANTS, Action, Rewards, Rules
 from matrixworld.safety import SafetyMonitor, SafetySummary
+from matrixworld.seeds import match_seed
 from matrixworld.vector import VectorEnv
 from matrixworld.version import __version__ as __version__
 from matrixworld.world import World

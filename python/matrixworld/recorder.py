@@ -7,10 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld import _core
 from matrixworld.arrays import integers
+from matrixworld.checks import INT_MAX, SEED_MAX, check_integer
 from matrixworld.config import WorldConfig
 from matrixworld.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode
 from matrixworld.maps import MapLike
+from matrixworld.policy import TeamPolicy, check_team
 from matrixworld.render import MARK_STEPS, Scene
 from matrixworld.replay import capture_title, scene
 from matrixworld.rules import Rules
@@ -167,3 +170,54 @@ def record_actions(
         world.step(row)
         recorder.note(row)
     return recorder.episode()
+
+
+def record(
+    config: WorldConfig | Rules | str,
+    pursuers: TeamPolicy,
+    evaders: TeamPolicy,
+    *,
+    seed: int,
+    pursuer: int = 0,
+    evader: int = 0,
+    episode: int = 0,
+) -> Episode:
+    """Play one episode and record every moment.
+
+    Parameters
+    ----------
+    config, pursuers, evaders
+        As in `matrixworld.rollout`.
+    seed : int
+        The seed of the match.
+    pursuer, evader : int, optional
+        Indices into the populations. The defaults are 0.
+    episode : int, optional
+        The number of the seed's episode: that of world ``episode`` of the match in `rollout`. The
+        default is 0.
+
+    Returns
+    -------
+    Episode
+        The recorded episode.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `rollout` does.
+    """
+    config = WorldConfig.of(config)
+    arrays = _core.record(
+        config.setup,
+        check_team("pursuers", pursuers),
+        check_team("evaders", evaders),
+        pursuer=check_integer("pursuer", pursuer, 0, INT_MAX),
+        evader=check_integer("evader", evader, 0, INT_MAX),
+        seed=check_integer("seed", seed, 0, SEED_MAX),
+        episode=check_integer("episode", episode, 0, SEED_MAX),
+        of_moments=MOMENT_ARRAYS,
+        of_steps=STEP_ARRAYS,
+    )
+    world = World(config)
+    world.reset(seed, episode=episode)  # its map is the same at every moment of the episode
+    return Episode(**arrays, map=world.map, n_pursuers=config.n_pursuers, config=config.to_json())

@@ -10,12 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
-from matrixworld.checks import INT_MAX, SEED_MAX, check_integer, check_naturals, check_threads
+from matrixworld.checks import check_integer, check_naturals, check_threads
 from matrixworld.config import WorldConfig
-from matrixworld.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode
 from matrixworld.policy import TeamPolicy, check_team
 from matrixworld.rules import Rules
-from matrixworld.world import World
 
 
 class Matches(NamedTuple):
@@ -180,82 +178,3 @@ def _converted(matches: Matches) -> bool:
         and part.flags.c_contiguous
         for part, dtype in zip(matches, (np.int32, np.int32, np.uint64), strict=True)
     )
-
-
-def record(
-    config: WorldConfig | Rules | str,
-    pursuers: TeamPolicy,
-    evaders: TeamPolicy,
-    *,
-    seed: int,
-    pursuer: int = 0,
-    evader: int = 0,
-    episode: int = 0,
-) -> Episode:
-    """Play one episode and record every moment.
-
-    Parameters
-    ----------
-    config, pursuers, evaders
-        As in `rollout`.
-    seed : int
-        The seed of the match.
-    pursuer, evader : int, optional
-        Indices into the populations. The defaults are 0.
-    episode : int, optional
-        The number of the seed's episode: that of world ``episode`` of the match in `rollout`. The
-        default is 0.
-
-    Returns
-    -------
-    Episode
-        The recorded episode.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As `rollout` does.
-    """
-    config = WorldConfig.of(config)
-    arrays = _core.record(
-        config.setup,
-        check_team("pursuers", pursuers),
-        check_team("evaders", evaders),
-        pursuer=check_integer("pursuer", pursuer, 0, INT_MAX),
-        evader=check_integer("evader", evader, 0, INT_MAX),
-        seed=check_integer("seed", seed, 0, SEED_MAX),
-        episode=check_integer("episode", episode, 0, SEED_MAX),
-        of_moments=MOMENT_ARRAYS,
-        of_steps=STEP_ARRAYS,
-    )
-    world = World(config)
-    world.reset(seed, episode=episode)  # its map is the same at every moment of the episode
-    return Episode(**arrays, map=world.map, n_pursuers=config.n_pursuers, config=config.to_json())
-
-
-def match_seed(run_seed: int, *key: int) -> int:
-    """Return the seed of a match.
-
-    Parameters
-    ----------
-    run_seed : int
-        The seed of the run.
-    *key : int
-        Numbers that distinguish the match from others of the run, for example epoch and pair.
-
-    Returns
-    -------
-    int
-        A 64-bit seed from `numpy.random.SeedSequence`, the same on every machine and version.
-
-    Raises
-    ------
-    ValueError
-        If a number is below 0.
-    TypeError
-        If a number is not an integer.
-    """
-    # A SeedSequence mixes all numbers, so that near keys give unrelated seeds.
-    entropy = [check_integer("match seed", part, 0, SEED_MAX) for part in (run_seed, *key)]
-    words = np.random.SeedSequence(entropy).generate_state(1, np.uint64)
-    return int(words[0])

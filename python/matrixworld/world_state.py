@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from matrixworld.arrays import WORLD_FIELDS, Specs
 from matrixworld.config import WorldConfig
-from matrixworld.render import Scene
+from matrixworld.render.scene import Scene
 
 if TYPE_CHECKING:
     from matrixworld import _core

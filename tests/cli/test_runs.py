@@ -13,7 +13,7 @@ import pytest
 import matrixworld
 from command_line import GIF, MAIN_JOB, PNG, matrixworld_command
 from matrixworld import VARIANTS, Episode, WorldConfig, record, replay
-from matrixworld.cli.plot import collisions_per_1000
+from matrixworld.cli.figures import collisions_per_1000
 from matrixworld.coevolution import evaluation_seed, open_run, start
 from matrixworld.rollout import Matches, rollout
 from tiny_race import StopAt, tiny_race

@@ -6,7 +6,7 @@ tournament.py       ``tournament``: payoff matrices, also of two runs
 replay.py           ``replay``: watch a match
 score.py            ``score``: a run against held-out opponents
 exploit.py          ``exploit``: evolve a best response to a champion
-plot.py             ``plot``: figures of finished runs
+plot.py             ``plot``: draw the figures of finished runs again
 diagnose.py         ``diagnose``: what happened in a race, and what to try
 variants.py         ``variants``: the table of rules
 bench.py            ``bench``: how fast this machine plays; `bench_report` prints it
@@ -14,6 +14,7 @@ options.py          options that several commands share, and old names of option
 setting_options.py  options from the fields of the settings
 arguments.py        run directories as arguments
 jobs.py             several runs as one job
+figures.py          the figures of a run
 report.py           what ``evolve`` prints at the end
 console.py          progress, notes, wrapped text and tables
 ==================  ================================================================================

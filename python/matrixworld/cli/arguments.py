@@ -9,15 +9,9 @@ from pathlib import Path
 import click
 
 from matrixworld.cli.console import command
-from matrixworld.coevolution import (
-    ALTERNATING,
-    HALL_OF_FAME,
-    SCHEDULES,
-    DamagedFileError,
-    LockedError,
-    OtherVersionError,
-)
-from matrixworld.coevolution.storage.run_directory import CONFIG
+from matrixworld.coevolution.opponents.registry import ALTERNATING, HALL_OF_FAME, SCHEDULES
+from matrixworld.coevolution.storage.run_directory import CONFIG, OtherVersionError
+from matrixworld.files import DamagedFileError, LockedError
 from matrixworld.policy import SCRIPTS
 
 UNMADE = ".unmade"

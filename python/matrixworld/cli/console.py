@@ -15,7 +15,7 @@ from typing import TextIO
 import click
 from tqdm import tqdm
 
-from matrixworld.coevolution import ProgressBar, Report
+from matrixworld.coevolution.progress import ProgressBar, Report
 
 INTERRUPTED = 130
 """Exit code of a program that Ctrl-C has ended: 128 + SIGINT, as shells report it."""

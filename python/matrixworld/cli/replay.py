@@ -24,7 +24,7 @@ from matrixworld.coevolution import open_run
 from matrixworld.config import WorldConfig
 from matrixworld.episode import Episode
 from matrixworld.policy import SCRIPTS, TeamPolicy
-from matrixworld.rollout import record
+from matrixworld.recorder import record
 from matrixworld.rules import VARIANTS, Rules, rules_of
 
 LAST = "-1"

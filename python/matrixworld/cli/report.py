@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from matrixworld.analysis import Summary, describe
 from matrixworld.cli.console import TERMS, command, print_table, print_wrapped
-from matrixworld.cli.jobs import Result
-from matrixworld.cli.plot import draw_comparison, draw_run
+from matrixworld.cli.figures import draw_comparison, draw_run
 from matrixworld.coevolution import SingleSettings
 from matrixworld.coevolution.types import other
 from matrixworld.files import save_json
+
+if TYPE_CHECKING:
+    from matrixworld.cli.jobs import Result
+
 
 CLAIMS = {"specialist-specialist": "cycling", "generalist-generalist": "progress"}
 """What the paper reports of its schedules (Sun et al. 2023)."""

@@ -9,6 +9,7 @@ import click
 from matrixworld.analysis import Generalization, describe, generalization, summarize
 from matrixworld.cli.arguments import failures, run_of
 from matrixworld.cli.console import TERMS, print_wrapped, progress
+from matrixworld.cli.figures import save_figure
 from matrixworld.cli.options import (
     episodes_option,
     force_option,
@@ -18,7 +19,6 @@ from matrixworld.cli.options import (
     steps_option,
     threads_option,
 )
-from matrixworld.cli.plot import save_figure
 from matrixworld.coevolution import Payoff, SavedRun, open_run, tournament
 from matrixworld.files import save_arrays
 from matrixworld.policy import Population

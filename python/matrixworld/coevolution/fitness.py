@@ -7,12 +7,15 @@ values, which become one fitness: their mean, competitive fitness sharing, or re
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.coevolution.types import FloatArray, Team
-from matrixworld.rollout import EpisodeStatistics
+
+if TYPE_CHECKING:
+    from matrixworld.rollout import EpisodeStatistics
 
 
 def captured_fraction(scores: EpisodeStatistics, team: Team) -> FloatArray:

@@ -27,7 +27,7 @@ from enum import IntEnum
 import numpy as np
 
 from matrixworld.coevolution.types import Seeds, Team
-from matrixworld.rollout import match_seed
+from matrixworld.seeds import match_seed
 
 
 class Purpose(IntEnum):

@@ -19,7 +19,8 @@ from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
 from matrixworld.policy import Population, TeamPolicy
-from matrixworld.rollout import Matches, Rollout, match_seed, rollout
+from matrixworld.rollout import Matches, Rollout, rollout
+from matrixworld.seeds import match_seed
 
 
 @dataclass(frozen=True)

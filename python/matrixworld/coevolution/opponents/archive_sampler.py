@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from matrixworld.coevolution.opponents.generalist import Generalist
 from matrixworld.coevolution.opponents.pareto import Archive, PayoffFunction
 from matrixworld.coevolution.opponents.samplers import (
     HallOfFame,
@@ -15,6 +16,9 @@ from matrixworld.coevolution.opponents.samplers import (
     check_available,
 )
 from matrixworld.coevolution.types import Indices, Members, State
+
+if TYPE_CHECKING:
+    from matrixworld.coevolution.opponents.generalist import Generalist
 
 
 class ArchiveSampler(Stateless):

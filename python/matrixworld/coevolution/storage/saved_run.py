@@ -17,7 +17,7 @@ from matrixworld.coevolution.storage.run_directory import RunDirectory
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.episode import Episode
 from matrixworld.policy import SCRIPTS, Network, Population, Script, TeamPolicy
-from matrixworld.rollout import record
+from matrixworld.recorder import record
 
 
 def script_of(name: str) -> Script:
