@@ -33,7 +33,7 @@ import matrixworld as mw
 from common import script_parser
 from matrixworld import coevolution
 from matrixworld.coevolution import SingleSettings, SingleTeam, Team
-from matrixworld.coevolution.evaluation.held_out import NETWORK, held_out_scripts
+from matrixworld.coevolution.evaluation.held_out_opponents import NETWORK, held_out_scripts
 from matrixworld.coevolution.types import other
 from matrixworld.files import load_arrays, save_arrays
 

@@ -35,7 +35,7 @@ package imports only from those below it in the table.
 from __future__ import annotations
 
 from matrixworld.coevolution import opponents
-from matrixworld.coevolution.evaluation.held_out import held_out
+from matrixworld.coevolution.evaluation.held_out_opponents import held_out
 from matrixworld.coevolution.evaluation.held_out_scores import (
     HeldOutScores,
     score,

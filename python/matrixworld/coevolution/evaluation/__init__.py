@@ -11,7 +11,7 @@ held_out_scores    `score`: the teams of a run against held-out opponents
 
 from __future__ import annotations
 
-from matrixworld.coevolution.evaluation.held_out import (
+from matrixworld.coevolution.evaluation.held_out_opponents import (
     fitting_opponents,
     held_out,
     held_out_genomes,

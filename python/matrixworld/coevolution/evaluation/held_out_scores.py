@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.analysis import Estimate, bootstrap_episodes
-from matrixworld.coevolution.evaluation.held_out import fitting_opponents
+from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.seeding import Phase
 from matrixworld.coevolution.settings.single import SingleSettings
