@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from deap import cma
@@ -11,11 +11,8 @@ from numpy.typing import ArrayLike
 from threadpoolctl import ThreadpoolController
 
 from matrixworld.checks import check_integer, check_number
-from matrixworld.coevolution.learners.learner import LearnerEntry, checked_fitness
+from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
-
-if TYPE_CHECKING:
-    from matrixworld.coevolution.settings import RaceSettings, SingleSettings, TrainingSettings
 
 MOST_GENES = 1000
 """Largest number of genes.
@@ -175,13 +172,11 @@ def check_genes(genes: int) -> None:
         )
 
 
-def _check(settings: TrainingSettings) -> None:
+def _check(settings: RunSettings) -> None:
     check_genes(settings.network.genome_size)
 
 
-def _new(
-    settings: RaceSettings | SingleSettings, team: Team, genomes: Genomes, rng: np.random.Generator
-) -> CmaEs:
+def _new(settings: RunSettings, team: Team, genomes: Genomes, rng: np.random.Generator) -> CmaEs:
     return CmaEs(genomes[0], sigma=settings.sigma, samples=settings.population)
 
 

@@ -6,19 +6,15 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.checks import check_bool, check_choice, check_number
-from matrixworld.coevolution.learners.learner import LearnerEntry, checked_fitness
+from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
 from matrixworld.coevolution.learners.noise import NoiseTable
 from matrixworld.coevolution.learners.optimizers import OPTIMIZERS, check_momentum, new_optimizer
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
-
-if TYPE_CHECKING:
-    from matrixworld.coevolution.settings import RaceSettings, SingleSettings, TrainingSettings
 
 ANNEALED_RATE = 0.1
 """Share of the starting learning rate that is left after annealing."""
@@ -177,13 +173,13 @@ class EvolutionStrategy:
         self._noise = []
 
 
-def _check(settings: TrainingSettings) -> None:
+def _check(settings: RunSettings) -> None:
     if settings.population % 2:
         raise ValueError(f"population: expected an even number for es, got {settings.population}")
 
 
 def _new(
-    settings: RaceSettings | SingleSettings, team: Team, genomes: Genomes, rng: np.random.Generator
+    settings: RunSettings, team: Team, genomes: Genomes, rng: np.random.Generator
 ) -> EvolutionStrategy:
     return EvolutionStrategy(
         genomes[0],

@@ -7,19 +7,15 @@ explicit generator and work on whole arrays; a DEAP toolbox registers them in th
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 from deap import base
 from numpy.typing import ArrayLike
 
 from matrixworld.checks import check_choice, check_integer, check_number
-from matrixworld.coevolution.learners.learner import LearnerEntry, checked_fitness
+from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
 from matrixworld.coevolution.learners.noise import NoiseTable
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
-
-if TYPE_CHECKING:
-    from matrixworld.coevolution.settings import RaceSettings, SingleSettings, TrainingSettings
 
 SELECTIONS = ("tournament", "truncation")
 """Names of the parent selections."""
@@ -296,7 +292,7 @@ class GeneticAlgorithm:
         self._candidates = None
 
 
-def _check(settings: TrainingSettings) -> None:
+def _check(settings: RunSettings) -> None:
     if settings.elites >= settings.population:
         raise ValueError(
             f"elites: expected fewer than {settings.population}, got {settings.elites}"
@@ -304,7 +300,7 @@ def _check(settings: TrainingSettings) -> None:
 
 
 def _new(
-    settings: RaceSettings | SingleSettings, team: Team, genomes: Genomes, rng: np.random.Generator
+    settings: RunSettings, team: Team, genomes: Genomes, rng: np.random.Generator
 ) -> GeneticAlgorithm:
     return GeneticAlgorithm(
         genomes,

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
 
-if TYPE_CHECKING:
-    # The settings import the registry of learners, so the import the other way is for types only.
-    from matrixworld.coevolution.settings import RaceSettings, SingleSettings, TrainingSettings
+RunSettings: TypeAlias = Any
+"""Settings of a run: `RaceSettings` or `SingleSettings`. They import the registry of learners, so
+learners cannot import them."""
 
 
 class Learner(Protocol):
@@ -76,8 +76,8 @@ class LearnerEntry:
 
     title: str
     settings: Mapping[str, Callable[[str, Any], object]]
-    check: Callable[[TrainingSettings], None]
-    new: Callable[[RaceSettings | SingleSettings, Team, Genomes, np.random.Generator], Learner]
+    check: Callable[[RunSettings], None]
+    new: Callable[[RunSettings, Team, Genomes, np.random.Generator], Learner]
     starts_from_population: bool = False
 
 

@@ -6,17 +6,12 @@ own, add its settings as fields of `TrainingSettings`, and add a row to `LEARNER
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from matrixworld.coevolution.learners import cma_es, evolution_strategy, genetic_algorithm
-from matrixworld.coevolution.learners.learner import Learner, LearnerEntry
+from matrixworld.coevolution.learners.learner import Learner, LearnerEntry, RunSettings
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import TEAMS, Genomes, Team
-
-if TYPE_CHECKING:
-    from matrixworld.coevolution.settings import RaceSettings, SingleSettings, TrainingSettings
 
 LEARNERS: dict[str, LearnerEntry] = {
     "es": evolution_strategy.ENTRY,
@@ -26,12 +21,12 @@ LEARNERS: dict[str, LearnerEntry] = {
 """Learners by the name that `TrainingSettings.learner` takes."""
 
 
-def check_learner_settings(settings: TrainingSettings) -> None:
+def check_learner_settings(settings: RunSettings) -> None:
     """Raise ValueError or TypeError if a setting of any learner is bad.
 
     Parameters
     ----------
-    settings : TrainingSettings
+    settings : RaceSettings or SingleSettings
         Settings whose world has been checked already: the network's size follows from it.
     """
     # Of all learners, not only of the chosen one: a value out of range is never meant.
@@ -41,12 +36,12 @@ def check_learner_settings(settings: TrainingSettings) -> None:
     LEARNERS[settings.learner_name].check(settings)
 
 
-def starting_genomes(settings: TrainingSettings) -> int:
+def starting_genomes(settings: RunSettings) -> int:
     """Return the number of genomes from which the learner of the settings starts."""
     return settings.population if LEARNERS[settings.learner_name].starts_from_population else 1
 
 
-def new_learner(settings: RaceSettings | SingleSettings, team: Team, genomes: Genomes) -> Learner:
+def new_learner(settings: RunSettings, team: Team, genomes: Genomes) -> Learner:
     """Return a new learner of the kind that the settings name.
 
     Parameters
@@ -68,7 +63,7 @@ def new_learner(settings: RaceSettings | SingleSettings, team: Team, genomes: Ge
     return LEARNERS[settings.learner_name].new(settings, team, genomes, rng)
 
 
-def untrained(settings: RaceSettings | SingleSettings, team: Team, count: int) -> Genomes:
+def untrained(settings: RunSettings, team: Team, count: int) -> Genomes:
     """Return the first `count` untrained genomes (count, genes) of a team of a run."""
     rng = keyed_generator(settings.seed, Purpose.INITIAL, TEAMS.index(team))
     weight, head = settings.initial_weight, settings.initial_head
