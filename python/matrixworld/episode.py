@@ -151,7 +151,6 @@ class Episode:
         with replacing(path) as file:
             np.savez_compressed(
                 file,
-                allow_pickle=False,
                 format=np.array(FORMAT),
                 n_pursuers=np.array(self.n_pursuers),
                 config=np.array(json.dumps(self.config)),
