@@ -25,7 +25,7 @@ from tqdm import tqdm
 import matrixworld as mw
 from common import play, script_parser
 from matrixworld import analysis, coevolution, plots
-from matrixworld.coevolution import Candidates, EvolutionStrategy, NoiseTable, Schedule, Team
+from matrixworld.coevolution import EvolutionStrategy, NoiseTable, Schedule, Team
 from matrixworld.coevolution.types import other
 
 DEFAULTS = coevolution.RaceSettings()
@@ -77,18 +77,15 @@ def toolbox_of(team: Team, budget: Budget, rng: np.random.Generator) -> base.Too
     noise = NoiseTable(network.genome_size, rng, sigma=DEFAULTS.sigma)
     learner = EvolutionStrategy(network.initial(rng), noise, samples=budget.samples)
 
-    def evaluate(candidates: Candidates, rival: np.ndarray, seeds: np.ndarray) -> np.ndarray:
-        own, opponent = mw.Population(candidates.genomes, network), mw.Population(rival, network)
+    def evaluate(candidates: np.ndarray, rival: np.ndarray, seeds: np.ndarray) -> np.ndarray:
+        own, opponent = mw.Population(candidates, network), mw.Population(rival, network)
         return score(team, budget.world, own, opponent, seeds)
-
-    def update(candidates: Candidates) -> None:
-        learner.tell([candidate.fitness.values[0] for candidate in candidates])
 
     # DEAP's ask-and-tell convention: generate asks the learner, update tells it the fitness.
     toolbox = base.Toolbox()
-    toolbox.register("generate", lambda: Candidates(learner.ask(rng)))
+    toolbox.register("generate", learner.ask, rng)
     toolbox.register("evaluate", evaluate)
-    toolbox.register("update", update)
+    toolbox.register("update", learner.tell)
     toolbox.register("champion", lambda: learner.genome)
     return toolbox
 
@@ -109,10 +106,8 @@ def race(name: str, schedule: Schedule, budget: Budget, seed: int) -> dict[Team,
                 # Both samples of a mirrored pair play the same seed, so that their fitness differs
                 # by their genomes only.
                 pairs = rng.integers(2**63, size=budget.samples // 2)
-                values = toolbox.evaluate(candidates, archive[other(team)][met], np.tile(pairs, 2))
-                for candidate, value in zip(candidates, values, strict=True):
-                    candidate.fitness.values = (float(value),)
-                toolbox.update(candidates)
+                fitness = toolbox.evaluate(candidates, archive[other(team)][met], np.tile(pairs, 2))
+                toolbox.update(fitness)
             archive[team].append(toolbox.champion())
     return archive
 

@@ -65,7 +65,6 @@ from matrixworld.coevolution.learners.toolbox import (
     Candidates,
     Individual,
     generate_update_toolbox,
-    learner_toolbox,
 )
 from matrixworld.coevolution.opponents.registry import (
     ALTERNATING,
@@ -139,7 +138,6 @@ __all__ = [
     "generate_update_toolbox",
     "held_out",
     "last_generation",
-    "learner_toolbox",
     "mate_uniform",
     "mutate_from_table",
     "mutate_gaussian",

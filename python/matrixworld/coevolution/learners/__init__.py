@@ -32,7 +32,6 @@ from matrixworld.coevolution.learners.toolbox import (
     Candidates,
     Individual,
     generate_update_toolbox,
-    learner_toolbox,
 )
 
 __all__ = [
@@ -50,7 +49,6 @@ __all__ = [
     "Optimizer",
     "centred_ranks",
     "generate_update_toolbox",
-    "learner_toolbox",
     "mate_uniform",
     "mutate_from_table",
     "mutate_gaussian",

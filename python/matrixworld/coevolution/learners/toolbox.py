@@ -68,34 +68,6 @@ def evaluate_all(evaluate: Evaluate, population: Candidates) -> list[tuple[float
     return [(float(value),) for value in np.asarray(evaluate(population))]
 
 
-def learner_toolbox(learner: Learner, generators: Iterator[np.random.Generator]) -> base.Toolbox:
-    """Return a DEAP toolbox with `generate` and `update`.
-
-    Parameters
-    ----------
-    learner : Learner
-        `generate` asks it for candidates, `update` tells it their fitness.
-    generators : iterator of numpy.random.Generator
-        Yields the generator of each epoch in turn.
-
-    Returns
-    -------
-    deap.base.Toolbox
-        ``generate()`` returns `Candidates`; ``update(population)`` reads their fitness.
-    """
-
-    def generate() -> Candidates:
-        return Candidates(learner.ask(next(generators)))
-
-    def update(population: list[Any]) -> None:
-        learner.tell([individual.fitness.values[0] for individual in population])
-
-    toolbox = base.Toolbox()
-    toolbox.register("generate", generate)
-    toolbox.register("update", update)
-    return toolbox
-
-
 def generate_update_toolbox(
     learner: Learner, evaluate: Evaluate, generators: Iterator[np.random.Generator]
 ) -> base.Toolbox:
@@ -115,7 +87,16 @@ def generate_update_toolbox(
     deap.base.Toolbox
         With `generate`, `evaluate`, `map` and `update`.
     """
-    toolbox = learner_toolbox(learner, generators)
+
+    def generate() -> Candidates:
+        return Candidates(learner.ask(next(generators)))
+
+    def update(population: list[Any]) -> None:
+        learner.tell([individual.fitness.values[0] for individual in population])
+
+    toolbox = base.Toolbox()
+    toolbox.register("generate", generate)
+    toolbox.register("update", update)
     toolbox.register("evaluate", evaluate)
     toolbox.register("map", evaluate_all)
     return toolbox
