@@ -5,13 +5,11 @@
 
 Method: the experiments of Sun et al. (2023), "MatrixWorld", arXiv:2307.14854, with two differences:
 the policy is a small network, and it learns by evolution strategies instead of policy gradients.
-Each claim becomes one number for each training seed and a threshold. It is reproduced if the whole
-interval over seeds lies on the claimed side of the threshold, not reproduced if it lies on the
-other side, and undecided otherwise.
+Each claim becomes one number for each seed and a threshold. It is reproduced if the interval over
+seeds lies on the claimed side, not reproduced if it lies on the other side, and else undecided.
 
-Look at the table of claims, and at the table of scores below it, which shows how much of a
-difference is due to the seed. ``--results`` receives both tables and the numbers behind them. Runs
-are kept in ``--runs``; an interrupted script continues where it stopped.
+Look at the table of claims, and at the scores below it, which show how much is due to the seed.
+``--results`` receives both tables and the numbers behind them; ``--runs`` keeps the runs.
 """
 
 from __future__ import annotations
@@ -41,8 +39,8 @@ from matrixworld.coevolution import (
 from matrixworld.coevolution.types import other
 
 SPECIALISTS, GENERALISTS = "specialist-specialist", "generalist-generalist"
-PURSUERS_ALONE, EVADERS_ALONE = "pursuers against random", "evaders against random"
-EVADERS_TAUGHT = "evaders against trained"
+PURSUERS_ALONE = "pursuers against random"
+EVADERS_ALONE, EVADERS_TAUGHT = "evaders against random", "evaders against trained"
 SURROUNDING = {
     "rewards": "surrounding for rewards",
     "captured-fraction": "surrounding for captures",
@@ -63,14 +61,12 @@ class Plan:
     ----------
     race : RaceSettings
         Settings of the races, except for the schedule.
-    pursuers : SingleSettings
-        Baseline of the pursuers, with as many matches as they play in a race.
-    evaders : SingleSettings
-        Baseline of the evaders, with as many matches as they play in a race.
+    pursuers, evaders : SingleSettings
+        Baselines, with as many matches as the team plays in a race.
     surround : SingleSettings
         Surrounding runs, one for each fitness of `SURROUNDING`.
     every : int
-        Every so many generations of a race, one is a test opponent.
+        Distance of the generations of a race that are test opponents.
     episodes : int
         Episodes of each pair in the cross-play.
     """
