@@ -38,11 +38,16 @@ inline void require_shape(const std::string& name, const py::array& array, const
                           text(shape_of(array)));
 }
 
+// The name of a dtype. By handle, since pybind11 3.0.0 finds several conversions of an object.
+inline std::string text(const py::dtype& dtype) {
+    return py::str(py::handle(dtype)).cast<std::string>();
+}
+
 inline void require_dtype(const std::string& name, const py::array& array,
                           const py::dtype& expected) {
     if (array.dtype().is(expected)) return;
-    throw py::type_error(name + ": expected dtype " + py::str(expected).cast<std::string>() +
-                         ", got " + py::str(array.dtype()).cast<std::string>());
+    throw py::type_error(name + ": expected dtype " + text(expected) + ", got " +
+                         text(array.dtype()));
 }
 
 // Calls use(pointer) with the integers of an array of this shape. The pointer has the array's own
@@ -60,7 +65,7 @@ void with_integers(const std::string& name, const py::array& given, const Shape&
     if (is(std::int32_t{})) return use(static_cast<const std::int32_t*>(array.data()));
     if (is(std::int64_t{})) return use(static_cast<const std::int64_t*>(array.data()));
     throw py::type_error(name + ": expected dtype uint8, int8, int32 or int64, got " +
-                         py::str(array.dtype()).cast<std::string>());
+                         text(array.dtype()));
 }
 
 // A map of obstacles, (rows, cols) uint8; None gives an empty one.
