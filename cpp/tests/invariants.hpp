@@ -19,7 +19,7 @@ inline bool counts_as_captured(const World& world, int evader) {
                                                              : world.ever_captured()[evader];
 }
 
-inline void check_places(const World& world) {
+inline void check_positions(const World& world) {
     for (int a = 0; a < world.config().n_agents(); ++a) {
         if (!world.alive(a)) continue;
         require(inside(world, world.cell(a)), "every living agent is on the grid");
@@ -131,7 +131,7 @@ inline void check_view(const World& world, const Occupancy& occupancy, int agent
 }
 
 inline void check_moment(const World& world, const Scratch& scratch, Random& random) {
-    check_places(world);
+    check_positions(world);
     check_counters(world);
     check_occupancy(world, scratch.occupancy, true);
     if (world.living().empty()) return;

@@ -278,7 +278,7 @@ void play_rollout(const Rules& rules, Random& random) {
         play_episode(setup, pursuers->candidates, evaders->candidates, matches[m],
                      static_cast<std::uint64_t>(episode),
                      [&](const World& world, const Occupancy&, const std::vector<std::uint8_t>*) {
-                         check_places(world);
+                         check_positions(world);
                          check_counters(world);
                          ++moments;
                      });
@@ -337,7 +337,7 @@ void check_large(Random& random) {
         world.step(actions.data(), scratch);
         check_moves(before, world, actions);
     }
-    check_places(world);
+    check_positions(world);
     check_counters(world);
     check_view(world, scratch.occupancy, world.living().back());
 }
