@@ -21,7 +21,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-import matrixworld
 from matrixworld import _core
 from matrixworld._core import Autoreset
 from matrixworld.arrays import array_specs, episode_specs
@@ -30,6 +29,7 @@ from matrixworld.config import WorldConfig
 from matrixworld.policy import Network, Population
 from matrixworld.rollout import EpisodeStatistics, Matches, rollout
 from matrixworld.vector import VectorEnv
+from matrixworld.version import __version__
 from matrixworld.world import World
 
 STEP, VIEWS, VECTOR_ENV = "step only", "step and views", "VectorEnv"
@@ -86,7 +86,7 @@ class Machine:
             processor=processor_name(),
             cores=usable_cores(),
             kernels=level if level == "base" else f"x86-64-{level}",
-            matrixworld=matrixworld.__version__,
+            matrixworld=__version__,
             numpy=np.__version__,
             python=platform.python_version(),
         )

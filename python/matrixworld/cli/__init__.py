@@ -24,7 +24,6 @@ from __future__ import annotations
 
 import click
 
-import matrixworld
 from matrixworld.cli.bench import bench_command
 from matrixworld.cli.diagnose import diagnose_command
 from matrixworld.cli.evolve import evolve_command
@@ -35,6 +34,7 @@ from matrixworld.cli.replay import replay_command
 from matrixworld.cli.score import score_command
 from matrixworld.cli.tournament import tournament_command
 from matrixworld.cli.variants import variants_command
+from matrixworld.version import __version__
 
 __all__ = ["main"]
 
@@ -42,7 +42,7 @@ __all__ = ["main"]
 @click.group(
     cls=Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100}
 )
-@click.version_option(matrixworld.__version__)
+@click.version_option(__version__)
 def main() -> None:
     """Pursuers and evaders on a grid that evolve against each other.
 

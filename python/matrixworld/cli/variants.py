@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import click
 
-from matrixworld import VARIANTS, Capture, Interaction, Rules
 from matrixworld.cli.console import print_table
-from matrixworld.rules import OUTCOME_TEXTS
+from matrixworld.rules import OUTCOME_TEXTS, VARIANTS, Capture, Interaction, Rules
 
 HEADS = (
     "variant",
