@@ -15,7 +15,7 @@ Look at the table of claims, and at the scores below it, which show how much is 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import partial
 from pathlib import Path
 
@@ -39,13 +39,14 @@ from matrixworld.coevolution import (
 from matrixworld.coevolution.types import other
 
 SPECIALISTS, GENERALISTS = "specialist-specialist", "generalist-generalist"
+MIXED = "generalist-specialist"
 PURSUERS_ALONE = "pursuers against random"
 EVADERS_ALONE, EVADERS_TAUGHT = "evaders against random", "evaders against trained"
 SURROUNDING = {
     "rewards": "surrounding for rewards",
     "captured-fraction": "surrounding for captures",
 }
-RACES = (SPECIALISTS, GENERALISTS)
+RACES = (SPECIALISTS, MIXED, GENERALISTS)
 CANDIDATES: dict[Team, tuple[str, ...]] = {
     "pursuer": (*RACES, PURSUERS_ALONE),
     "evader": (*RACES, EVADERS_ALONE, EVADERS_TAUGHT),
@@ -83,15 +84,13 @@ def plan(race: RaceSettings, surround: SingleSettings, *, every: int, episodes: 
     """Return a plan whose baselines have the world and the budget of the race."""
 
     def alone(team: Team) -> SingleSettings:
-        # As many epochs as the team has in a race: the same number of matches.
+        # As many epochs as the team has in a race, and every other setting of the race: the same
+        # number of matches, training steps, step sizes and penalties.
         epochs = race.total_epochs(team)
-        same = ("variant", "rows", "cols", "pursuers", "evaders", "population", "eval_steps")
-        return SingleSettings(
-            team=team,
-            epochs=epochs,
-            archive_every=epochs // 2,
-            **{name: getattr(race, name) for name in same},
-        )
+        same = {item.name for item in fields(race)} & {item.name for item in fields(SingleSettings)}
+        settings = {name: getattr(race, name) for name in same}
+        settings["overlap_penalty"] = race.resolved_overlap_penalty
+        return SingleSettings(team=team, epochs=epochs, archive_every=epochs // 2, **settings)
 
     return Plan(race, alone("pursuer"), alone("evader"), surround, every, episodes)
 
@@ -137,7 +136,7 @@ def play(plan: Plan, seed: int, root: Path, threads: int | None) -> dict[str, Sa
     def taught(place: Path) -> None:
         """Start evaders after half of their baseline, now against trained pursuers."""
         half = plan.evaders.archive_every
-        settings = replace(plan.evaders, seed=seed, epochs=half, anneal=False, overlap_penalty=0.2)
+        settings = replace(plan.evaders, seed=seed, epochs=half)
         genome = runs[EVADERS_ALONE].teams["evader"].genomes[1]
         rivals = runs[PURSUERS_ALONE].teams["pursuer"]
         champion = mw.Population(rivals.genomes[-1:], rivals.network)
