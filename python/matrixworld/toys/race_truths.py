@@ -1,0 +1,260 @@
+"""What is true of a race whose capture rates are known, window by window; and matches with noise.
+
+The truth comes from the rates without noise and from the strength that the teams have by design. It
+never uses matches, and no part of a judgement.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from matrixworld.analysis import checkerboards, forgetting
+from matrixworld.coevolution.types import BoolArray, FloatArray
+from matrixworld.toys.race_formulas import SyntheticRace
+
+WINDOWS: Mapping[str, tuple[float, float]] = {
+    "whole": (0.0, 1.0),
+    "first half": (0.0, 0.5),
+    "last half": (0.5, 1.0),
+}
+"""Windows by name: first generation and the one after the last, as shares of n (rounded down)."""
+
+
+class Truth(NamedTuple):
+    """Whether a race has a condition, and how large it is.
+
+    Parameters
+    ----------
+    holds : bool or None
+        None where the definition leaves it open.
+    size : float
+        Size of the effect, in the unit of the definition; see `truths`.
+    """
+
+    holds: bool | None
+    size: float
+
+
+Truths = dict[str, Truth]
+
+
+def truths(race: SyntheticRace, window: str) -> Truths:
+    """Return what is true of a window of a race.
+
+    Parameters
+    ----------
+    race : SyntheticRace
+        The race.
+    window : str
+        Name in `WINDOWS`.
+
+    Returns
+    -------
+    dict of str to Truth
+        Condition -> truth.
+
+    Notes
+    -----
+    The *strength* of a generation is its mean score against all opponents of the matrix. A team
+    *rises* in a window if its strength by design does so in at least three of four equal parts, no
+    single step makes up half of the rise, and its gain (the slope of the strength times the
+    length) is at least .02. It does not rise if its strength by design ends no higher, or if a
+    single step makes up 80 % of the rise. Otherwise it is open.
+
+    ==================  ============================================================================
+    arms race           both teams rise; size: the smaller gain
+    one-sided progress  one team rises; the other does not, and gains .01 at most; False: both or
+                        none of them rise; size: the larger gain
+    stagnation          engaged, without a cycle, and the strength of both teams stays within .01;
+                        False: a team changes by more than .05; size: the larger change
+    cycling             at least 2 % of the quadruples (two generations of each team) are
+                        checkerboards at a margin of .1; False: there is none at .02; size: share
+    forgetting          later half of the window: mean drop below the best ancestor, over all
+                        opponents, of the team that drops more: at least .10; False: at most .02;
+                        size: the drop
+    disengagement       current matches (against the latest and the previous opponent) are won by
+                        more than .97 by the same team in a row of at least half of the generations;
+                        False: within [.04, .96] in three of four; size: the length of that row, as
+                        a share
+    ==================  ============================================================================
+
+    In a disengaged window every other condition is open.
+    """
+    n = len(race.rates)
+    span = slice(*(int(share * n) for share in WINDOWS[window]))
+    arms, one_sided = _progress(race, span)
+    cycling, disengaged = _cycling(race.rates[span, span]), _disengagement(race.rates, span)
+    found = {
+        "arms race": arms,
+        "one-sided progress": one_sided,
+        "stagnation": _stagnation(race.rates, span, cycling.holds, disengaged.holds),
+        "cycling": cycling,
+        "forgetting": _forgetting(race.rates, span),
+        "disengagement": disengaged,
+    }
+    if not disengaged.holds:
+        return found
+    return {
+        name: one if one is disengaged else Truth(None, one.size) for name, one in found.items()
+    }
+
+
+def truths_of_group(races: Sequence[SyntheticRace], window: str) -> Truths:
+    """Return what is true of all runs of a group: open where they differ; sizes are means."""
+    each = [truths(race, window) for race in races]
+    return {name: _common([one[name] for one in each]) for name in each[0]}
+
+
+def _common(several: Sequence[Truth]) -> Truth:
+    kinds = {one.holds for one in several}
+    holds = kinds.pop() if len(kinds) == 1 else None
+    return Truth(holds, float(np.mean([one.size for one in several])))
+
+
+def _strengths(rates: FloatArray, span: slice) -> tuple[FloatArray, FloatArray]:
+    return rates.mean(axis=1)[span], 1.0 - rates.mean(axis=0)[span]
+
+
+def _gain(strength: FloatArray) -> float:
+    """Return the least-squares slope of a strength, times the length of the window."""
+    return float(np.polyfit(np.arange(len(strength)), strength, 1)[0] * (len(strength) - 1))
+
+
+def _progress(race: SyntheticRace, span: slice) -> tuple[Truth, Truth]:
+    """Return the truth of "arms race" and of "one-sided progress"."""
+    gains = [_gain(strength) for strength in _strengths(race.rates, span)]
+    courses = (race.pursuers[span], race.evaders[span])
+    rises = [_rises(course, gain) for course, gain in zip(courses, gains, strict=True)]
+    arms = False if False in rises else None if None in rises else True
+    one_sided = None if None in rises else rises[0] is not rises[1]
+    if one_sided and gains[rises.index(False)] > 0.01:
+        one_sided = None  # the other team gains all the same, by a jump or by chance
+    return Truth(arms, min(gains)), Truth(one_sided, max(gains))
+
+
+def _rises(course: FloatArray, gain: float) -> bool | None:
+    steps = np.diff(course)
+    total = steps.sum()
+    if total <= 1e-9 or steps.max() >= 0.8 * total:
+        return False
+    last = len(course) - 1
+    parts = np.diff(np.interp(np.linspace(0, last, 5), np.arange(last + 1), course))
+    sustained = np.count_nonzero(parts > 1e-9) >= 3 and steps.max() < total / 2.0
+    return True if sustained and gain >= 0.02 else None
+
+
+def _stagnation(
+    rates: FloatArray, span: slice, cycling: bool | None, disengaged: bool | None
+) -> Truth:
+    strengths = _strengths(rates, span)
+    # A team has changed if both readings of "change" say so; within the range both are small.
+    changes = [min(abs(_gain(one)), abs(one[-1] - one[0])) for one in strengths]
+    ranges = [np.ptp(one) for one in strengths]
+    if cycling or max(changes) > 0.05:
+        return Truth(False, max(changes))
+    still = max(ranges) <= 0.01 and cycling is False and disengaged is False
+    return Truth(True if still else None, max(changes))
+
+
+def _cycling(rates: FloatArray) -> Truth:
+    plain = checkerboards(rates, margin=0.1, level=None)
+    share = plain.count / plain.possible
+    if share >= 0.02:
+        return Truth(True, share)
+    return Truth(None if checkerboards(rates, margin=0.02, level=None).count else False, share)
+
+
+def _forgetting(rates: FloatArray, span: slice) -> Truth:
+    # Ancestors and opponents of the window, or of the whole race: both readings must agree.
+    readings = (forgetting(rates[span, span]), forgetting(rates))
+    later = slice((span.start + span.stop) // 2, span.stop)
+    within = slice((span.stop - span.start) // 2, None)
+    drops = [
+        max(found.pursuers[part].mean(), found.evaders[part].mean())
+        for found, part in zip(readings, (within, later), strict=True)
+    ]
+    if min(drops) >= 0.10:
+        return Truth(True, min(drops))
+    return Truth(False if max(drops) <= 0.02 else None, max(drops))
+
+
+def _disengagement(rates: FloatArray, span: slice) -> Truth:
+    current = np.diag(rates)
+    previous = np.concatenate([current[:1], np.diag(rates, -1)])
+    both = np.array([current, previous])[:, span]
+    one_sided = ((both > 0.97).all(axis=0), (both < 0.03).all(axis=0))
+    share = max(_longest_row(np.asarray(mask)) for mask in one_sided) / both.shape[1]
+    if share >= 0.5:
+        return Truth(True, share)
+    engaged = np.mean(((both >= 0.04) & (both <= 0.96)).all(axis=0))
+    return Truth(False if engaged >= 0.75 else None, share)
+
+
+def _longest_row(mask: BoolArray) -> int:
+    """Return the length of the longest row of True."""
+    ends = np.flatnonzero(np.concatenate([[True], ~mask, [True]]))
+    return int(np.diff(ends).max() - 1)
+
+
+# ---- Matches -------------------------------------------------------------------------------------
+
+
+class Noise(NamedTuple):
+    """How matches of known capture rates turn out.
+
+    Parameters
+    ----------
+    episodes : int
+        Episodes of each pair.
+    evaders : int, optional
+        Evaders of an episode, whose captured fraction is its score; 1 is a win or loss.
+    matchups : float, optional
+        Standard deviation of what is particular to each pair of generations, in capture rate.
+    """
+
+    episodes: int
+    evaders: int = 1
+    matchups: float = 0.0
+
+
+TOGETHER = 4.0
+"""Fates of an episode's evaders: Beta(4 M, 4 (1 - M)), so that their correlation is 1 / 5."""
+
+NOISES: Mapping[str, Noise] = {
+    **{f"win or loss, {n}": Noise(n) for n in (1, 2, 4, 10, 50, 200)},
+    **{f"30 evaders, {n}": Noise(n, evaders=30) for n in (2, 10, 50)},
+    "win or loss, 10, matchups": Noise(10, matchups=0.02),
+    "30 evaders, 10, matchups": Noise(10, evaders=30, matchups=0.02),
+}
+"""Noises by name, with the episodes of each pair."""
+
+
+def play_episodes(rates: FloatArray, noise: Noise, rng: np.random.Generator) -> FloatArray:
+    """Play matches of known capture rates.
+
+    Parameters
+    ----------
+    rates : ndarray of float64, shape (...)
+        Capture rates without noise.
+    noise : Noise
+        How matches turn out.
+    rng : numpy.random.Generator
+        Draws the matches.
+
+    Returns
+    -------
+    ndarray of float64, shape (..., episodes)
+        Captured fraction of each episode. With one evader: Bernoulli(M); with k: Binomial(k, q) / k
+        with q from Beta(4 M, 4 (1 - M)) once an episode. M is the rate plus N(0, `matchups`) of the
+        pair, which is the same in all of its episodes.
+    """
+    true = np.clip(rates + noise.matchups * rng.standard_normal(rates.shape), 0.0, 1.0)
+    chances = np.repeat(true[..., None], noise.episodes, axis=-1)
+    if noise.evaders > 1:
+        # Beta distributions have no parameter 0.
+        inside = TOGETHER * np.clip(chances, 1e-9, 1.0 - 1e-9)
+        chances = rng.beta(inside, TOGETHER - inside)
+    return np.asarray(rng.binomial(noise.evaders, chances) / noise.evaders)
