@@ -23,6 +23,17 @@ WINDOWS: Mapping[str, tuple[float, float]] = {
 """Windows by name: first generation and the one after the last, as shares of n (rounded down)."""
 
 
+CONDITIONS = (
+    "arms race",
+    "one-sided progress",
+    "stagnation",
+    "cycling",
+    "forgetting",
+    "disengagement",
+)
+"""Names of the conditions, in the order of all tables."""
+
+
 class Truth(NamedTuple):
     """Whether a race has a condition, and how large it is.
 
@@ -83,8 +94,7 @@ def truths(race: SyntheticRace, window: str) -> Truths:
 
     In a disengaged window every other condition is open.
     """
-    n = len(race.rates)
-    span = slice(*(int(share * n) for share in WINDOWS[window]))
+    span = span_of(race.rates, window)
     arms, one_sided = _progress(race, span)
     cycling, disengaged = _cycling(race.rates[span, span]), _disengagement(race.rates, span)
     found = {
@@ -102,6 +112,17 @@ def truths(race: SyntheticRace, window: str) -> Truths:
     }
 
 
+def change_of_strength(rates: FloatArray, window: str) -> list[float | None]:
+    """Return the change of the pursuers' and of the evaders' strength over a window.
+
+    None where the two usual readings differ by more than .005: the slope times the length, and the
+    difference between the last and the first generation.
+    """
+    strengths = _strengths(rates, span_of(rates, window))
+    readings = [(_gain(strength), float(strength[-1] - strength[0])) for strength in strengths]
+    return [slope if abs(slope - ends) <= 0.005 else None for slope, ends in readings]
+
+
 def truths_of_group(races: Sequence[SyntheticRace], window: str) -> Truths:
     """Return what is true of all runs of a group: open where they differ; sizes are means."""
     each = [truths(race, window) for race in races]
@@ -112,6 +133,11 @@ def _common(several: Sequence[Truth]) -> Truth:
     kinds = {one.holds for one in several}
     holds = kinds.pop() if len(kinds) == 1 else None
     return Truth(holds, float(np.mean([one.size for one in several])))
+
+
+def span_of(rates: FloatArray, window: str) -> slice:
+    """Return the generations of a window of a race with these rates."""
+    return slice(*(int(share * len(rates)) for share in WINDOWS[window]))
 
 
 def _strengths(rates: FloatArray, span: slice) -> tuple[FloatArray, FloatArray]:
