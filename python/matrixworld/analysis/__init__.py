@@ -6,12 +6,12 @@ of the pursuers of generation g against the evaders of generation h. The payoff 
 because it takes longer to load than the rest of the package.
 
 >>> from matrixworld import analysis
->>> print(analysis.describe(analysis.summarize(payoff)))  # doctest: +SKIP
+>>> print(analysis.headline(analysis.judge(scores, per_episode=True)))  # doctest: +SKIP
 >>> print(analysis.analyze("payoff.csv"))  # doctest: +SKIP
 
 ==================  ================================================================================
 payoff.py           validate a matrix, take its last half, swap the teams, logits
-generalization.py   generalization, forgetting; local, historical and global progress
+generalization.py   generalization; local, historical and global progress
 lags.py             lag profile, capture rates after team phases, swing
 ciao.py             CIAO: current individuals against ancestral opponents; stripes and fading
 dominance.py        dominance tournament: generations that were significantly better than all before
@@ -22,15 +22,17 @@ exploitability.py   gains of best responses: within the matrix, or evolved separ
 alpha_rank.py       alpha-Rank of two populations
 engagement.py       disengagement: one team wins nearly all matches
 bootstrap.py        intervals over training runs and over episodes
-summary.py          headline numbers of a matrix, and a verdict: cycling, progress or undecided
-wording.py          a summary in sentences
+summary.py          headline numbers of a matrix
+wording.py          judgements and summaries in words
 measures.py         named measures, for comparison between runs
 single_run.py       all measures of one run
 analyze.py          all measures of one run or several, with intervals
-evidence.py         rises, held-out forgetting, and the other numbers behind a diagnosis
-calibration.py      from the strength of evidence to a verdict: counts over calibration races
-findings.py         the result of a diagnosis, its wording, and advice
-diagnosis.py        arms race, cycling, disengagement, forgetting, stagnation
+judgement.py        arms race, cycling, forgetting, disengagement, stagnation: what is present
+evidence.py         the numbers behind a judgement, of one run in one window
+measurement.py      a number of one run with its interval, and over several runs
+strength.py         change of a team's strength over a window
+intransitivity.py   deviation of capture rates from every order of strength
+forgetting.py       drop below the best ancestors, with and without selection bias
 sources.py          payoffs from arrays and files
 tables.py           payoffs in CSV files
 plain_values.py     results as plain values for JSON
@@ -49,7 +51,6 @@ from matrixworld.analysis.bootstrap import (
     bootstrap_episodes,
     bootstrap_runs,
 )
-from matrixworld.analysis.calibration import CONDITIONS
 from matrixworld.analysis.ciao import Ciao, Triangle, autocorrelation, ciao
 from matrixworld.analysis.cycles import (
     Checkerboards,
@@ -58,7 +59,6 @@ from matrixworld.analysis.cycles import (
     transitive_share,
     two_way_parts,
 )
-from matrixworld.analysis.diagnosis import diagnose
 from matrixworld.analysis.dominance import (
     Dominance,
     Ladder,
@@ -72,24 +72,29 @@ from matrixworld.analysis.engagement import (
     fitness_variance,
     undecided_opponents,
 )
-from matrixworld.analysis.evidence import Rises, held_out_forgetting, rises
 from matrixworld.analysis.exploitability import (
     Exploitability,
     ResponseGain,
     exploitability,
     response_gain,
 )
-from matrixworld.analysis.findings import Diagnosis, Finding
+from matrixworld.analysis.forgetting import Forgetting, forgetting, held_out_forgetting
 from matrixworld.analysis.generalization import (
-    Forgetting,
     Generalization,
     Progress,
     TeamProgress,
-    forgetting,
     generalization,
     global_progress,
     historical_progress,
     local_progress,
+)
+from matrixworld.analysis.intransitivity import cyclic_amplitude, transitive_fit
+from matrixworld.analysis.judgement import (
+    CONDITIONS,
+    Finding,
+    Judgement,
+    WindowJudgement,
+    judge,
 )
 from matrixworld.analysis.lags import (
     LagProfile,
@@ -98,6 +103,7 @@ from matrixworld.analysis.lags import (
     swing,
     team_phase_rates,
 )
+from matrixworld.analysis.measurement import Measurement
 from matrixworld.analysis.measures import MEASURES, Measure
 from matrixworld.analysis.nash import Nash, game_value, nash_averaging
 from matrixworld.analysis.payoff import (
@@ -111,8 +117,9 @@ from matrixworld.analysis.payoff import (
 from matrixworld.analysis.ratings import ELO_POINTS, Elo, MultiElo, elo, log_loss, multi_elo
 from matrixworld.analysis.single_run import RunAnalysis, analyze_run
 from matrixworld.analysis.sources import Payoffs, read_payoffs
+from matrixworld.analysis.strength import strength_gain
 from matrixworld.analysis.summary import PartSummary, Summary, TeamSummary, summarize
-from matrixworld.analysis.wording import describe
+from matrixworld.analysis.wording import describe, explain, headline, judgement_table
 
 __all__ = [
     "CONDITIONS",
@@ -123,7 +130,6 @@ __all__ = [
     "Band",
     "Checkerboards",
     "Ciao",
-    "Diagnosis",
     "Disengagement",
     "Dominance",
     "Elo",
@@ -132,16 +138,17 @@ __all__ = [
     "Finding",
     "Forgetting",
     "Generalization",
+    "Judgement",
     "Ladder",
     "LagProfile",
     "Measure",
+    "Measurement",
     "MultiElo",
     "Nash",
     "PartSummary",
     "Payoffs",
     "Progress",
     "ResponseGain",
-    "Rises",
     "RunAnalysis",
     "Summary",
     "TeamProgress",
@@ -149,6 +156,7 @@ __all__ = [
     "Triangle",
     "TwoWayParts",
     "Undecided",
+    "WindowJudgement",
     "alpha_rank",
     "analyze",
     "analyze_run",
@@ -162,12 +170,13 @@ __all__ = [
     "check_runs",
     "checkerboards",
     "ciao",
+    "cyclic_amplitude",
     "describe",
-    "diagnose",
     "disengagements",
     "dominance_of_counts",
     "dominance_tournament",
     "elo",
+    "explain",
     "exploitability",
     "fitness_variance",
     "fixation_probability",
@@ -175,8 +184,11 @@ __all__ = [
     "game_value",
     "generalization",
     "global_progress",
+    "headline",
     "held_out_forgetting",
     "historical_progress",
+    "judge",
+    "judgement_table",
     "lag_profile",
     "lag_rise",
     "last_half",
@@ -187,11 +199,12 @@ __all__ = [
     "nash_averaging",
     "read_payoffs",
     "response_gain",
-    "rises",
+    "strength_gain",
     "summarize",
     "swap_teams",
     "swing",
     "team_phase_rates",
+    "transitive_fit",
     "transitive_share",
     "two_way_parts",
     "undecided_opponents",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,12 +18,13 @@ from matrixworld.analysis.bootstrap import (
     bootstrap_runs,
 )
 from matrixworld.analysis.generalization import Progress, global_progress
+from matrixworld.analysis.judgement import Judgement, judge_payoffs
 from matrixworld.analysis.measures import MEASURES
 from matrixworld.analysis.payoff import Rates, require
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.analysis.single_run import RunAnalysis, analyze_run
 from matrixworld.analysis.sources import Payoffs, Source, read_payoffs
-from matrixworld.analysis.wording import describe
+from matrixworld.analysis.wording import explain, headline
 
 _OTHER_LABELS = {
     "elo_log_loss": "log loss of Elo, nats",
@@ -53,6 +53,8 @@ class Analysis:
         ``evader_generalization``, shape (m,), and ``lag_profile``, shape (n + m - 1,).
     global_progress : Progress or None
         Progress against opponents of other runs; None without cross tests.
+    judgement : Judgement
+        What `judge` says of the same runs.
     level : float
         Confidence level of the intervals.
     """
@@ -61,6 +63,7 @@ class Analysis:
     estimates: dict[str, Estimate]
     bands: dict[str, Band]
     global_progress: Progress | None
+    judgement: Judgement
     level: float
 
     def to_json(self) -> dict[str, Any]:
@@ -109,18 +112,14 @@ class Analysis:
         ]
 
     def _verdicts(self) -> list[str]:
-        # A description in sentences fits a single run; several are counted by verdict.
-        if len(self.runs) == 1:
-            return [describe(self.runs[0].summary)]
-        counts = Counter(run.summary.verdict for run in self.runs)
-        listed = ", ".join(f"{count} {verdict}" for verdict, count in counts.most_common())
-        return [f"Verdicts on the runs: {listed}."]
+        return [f"Judgement: {headline(self.judgement)}", explain(self.judgement)]
 
 
 def analyze(
     source: Source,
     *,
-    episodes: bool = False,
+    per_episode: bool = False,
+    episodes: int | None = None,
     cross: ArrayLike | None = None,
     level: float = LEVEL,
     rng: int = 0,
@@ -132,8 +131,10 @@ def analyze(
     source : array_like, path or list of paths
         Payoffs as an array of shape (n, m) or (runs, n, m), a ``.csv`` or ``.npz`` file, or a list
         of such files, one for each run; see `read_payoffs`. At least 2 x 2 generations.
-    episodes : bool, optional
+    per_episode : bool, optional
         Whether the last dimension of the array holds the episodes of each cell.
+    episodes : int, optional
+        Number of episodes behind each cell of a matrix of means.
     cross : array_like of float, shape (runs, runs, n, m), optional
         Cross tests between the runs, as for `global_progress`.
     level : float, optional
@@ -157,14 +158,15 @@ def analyze(
         If a file does not exist.
     """
     require(0.0 < level < 1.0, "a level in (0, 1)", level)
-    payoffs = read_payoffs(source, episodes=episodes)
+    payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes)
     runs = tuple(analyze_run(matrix, scores) for matrix, scores in payoffs)
     globally = None if cross is None else _global(cross, payoffs.matrices.shape)
     estimates = _estimates(runs, globally, level, rng)
     # Intervals over runs are the better ones; episodes serve only where there is a single run.
     if payoffs.scores is not None and len(runs) == 1:
         estimates |= _over_episodes(payoffs, level, rng)
-    return Analysis(runs, estimates, _bands(runs, level, rng), globally, level)
+    judgement = judge_payoffs(payoffs, level=level, rng=rng)
+    return Analysis(runs, estimates, _bands(runs, level, rng), globally, judgement, level)
 
 
 def _global(cross: ArrayLike, shape: tuple[int, ...]) -> Progress:

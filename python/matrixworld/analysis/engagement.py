@@ -14,12 +14,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld.analysis.measurement import Measurement
 from matrixworld.analysis.payoff import Rates, check_rates, require
 
-PURSUERS_WIN = 0.97
-"""Capture rate above which the pursuers have won; races with too few evader epochs reach it."""
-EVADERS_WIN = 0.05
-"""Capture rate below which the evaders have won."""
+ONE_SIDED = 0.97
+"""Share of its payoff above which a team has won; races with too few evader epochs reach it."""
+PURSUERS_WIN, EVADERS_WIN = ONE_SIDED, 1.0 - ONE_SIDED
+"""Capture rates above which the pursuers, and below which the evaders have won."""
 PATIENCE = 3
 """Fewest generations in a row that count: many normal races have one one-sided generation."""
 
@@ -119,6 +120,49 @@ def disengagements(
     # Both team phases have to be one-sided: a team that only wins after its own turn is in a race.
     winners = _winners(_check_team_phases(rates), high, low)
     return tuple(s for s in _stretches(winners, first) if len(s) >= patience)
+
+
+def one_sidedness(rates: ArrayLike, episodes: int, *, level: float = 0.95) -> Measurement:
+    """Return how much of the payoff the winning team gets, where a race is most one-sided.
+
+    Parameters
+    ----------
+    rates : array_like of float, shape (K, 2)
+        Capture rates after both team phases of K generations, as for `disengagements`.
+    episodes : int
+        Episodes behind each rate.
+    level : float, optional
+        Confidence level, in (0, 1).
+
+    Returns
+    -------
+    Measurement
+        Mean payoff of the winning team over consecutive generations, half of the K rounded up, for
+        which it is largest; in [1/2, 1].
+
+    Notes
+    -----
+    The interval is that of Clopper and Pearson (1934) for wins and losses; other scores in [0, 1]
+    with the same mean vary less. Each end is at the level of all stretches together (Bonferroni),
+    so the choice of the stretch does not matter.
+    `under` and `over` are the ends of the interval.
+    """
+    from scipy.stats import beta
+
+    array = _check_team_phases(rates)
+    length = -(-len(array) // 2)
+    # Mean of each stretch of that length; a stretch in which evaders win is seen from their side.
+    means = np.convolve(array.mean(axis=1), np.full(length, 1.0 / length), mode="valid")
+    payoffs = np.maximum(means, 1.0 - means)
+    matches = 2 * length * episodes
+    wins, losses = payoffs * matches, (1.0 - payoffs) * matches
+    tail = (1.0 - level) / 2.0 / len(payoffs)
+    # At no loss the upper end is 1, where the formula divides by zero; payoffs are never 0.
+    lows = beta.ppf(tail, wins, losses + 1.0)
+    highs = np.where(losses > 0.0, beta.ppf(1.0 - tail, wins + 1.0, np.maximum(losses, 1e-9)), 1.0)
+    best = int(payoffs.argmax())
+    low, high = float(lows[best]), float(highs.max())
+    return Measurement(float(payoffs[best]), low, high, under=low, over=high)
 
 
 def fitness_variance(fitness: ArrayLike) -> NDArray[np.float64]:

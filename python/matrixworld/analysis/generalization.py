@@ -1,4 +1,4 @@
-"""Generalization, forgetting, and progress against current, past and unknown opponents."""
+"""Generalization, and progress against current, past and unknown opponents."""
 
 from __future__ import annotations
 
@@ -20,21 +20,6 @@ class Generalization(NamedTuple):
         Mean capture rate: row means of the matrix.
     evaders : ndarray of float64, shape (m,)
         Mean escape rate: one minus column means.
-    """
-
-    pursuers: Rates
-    evaders: Rates
-
-
-class Forgetting(NamedTuple):
-    """Drop of each generation below the best of its ancestors, in [0, 1].
-
-    Parameters
-    ----------
-    pursuers : ndarray of float64, shape (n,)
-        Drop of the pursuers.
-    evaders : ndarray of float64, shape (m,)
-        Drop of the evaders.
     """
 
     pursuers: Rates
@@ -98,38 +83,6 @@ def generalization(payoff: ArrayLike) -> Generalization:
     """
     matrix = check_payoff(payoff)
     return Generalization(matrix.mean(axis=1), 1.0 - matrix.mean(axis=0))
-
-
-def forgetting(payoff: ArrayLike) -> Forgetting:
-    """Return how far each generation falls below the best of its ancestors, over all opponents.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-
-    Returns
-    -------
-    Forgetting
-        Mean drop of each generation. It is 0 where no generation lost a payoff that an earlier one
-        had.
-
-    Notes
-    -----
-    For pursuers of generation g: mean over h of ``max(M[:g + 1, h]) - M[g, h]``; for evaders the
-    same on ``1 - M``. The maximum of many noisy cells is too high by chance, so a few hundredths
-    mean nothing; `held_out_forgetting` has no such bias.
-
-    References
-    ----------
-    Chaudhry et al. (2018), "Riemannian walk for incremental learning", where forgetting is measured
-    at the end of training only.
-    """
-    matrix = check_payoff(payoff)
-    pursuers = np.maximum.accumulate(matrix, axis=0) - matrix
-    # The best evaders so far are those with the lowest capture rate.
-    evaders = matrix - np.minimum.accumulate(matrix, axis=1)
-    return Forgetting(pursuers.mean(axis=1), evaders.mean(axis=0))
 
 
 def local_progress(payoff: ArrayLike) -> Progress:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from matrixworld.analysis.ciao import ciao
 from matrixworld.analysis.cycles import checkerboards, transitive_share
+from matrixworld.analysis.forgetting import forgetting
 from matrixworld.analysis.generalization import (
-    forgetting,
     generalization,
     historical_progress,
     local_progress,

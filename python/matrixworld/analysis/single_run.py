@@ -10,11 +10,10 @@ from numpy.typing import ArrayLike
 from matrixworld.analysis.alpha_rank import AlphaRank, alpha_rank
 from matrixworld.analysis.ciao import Ciao, ciao
 from matrixworld.analysis.dominance import Dominance, dominance_tournament
+from matrixworld.analysis.forgetting import Forgetting, forgetting
 from matrixworld.analysis.generalization import (
-    Forgetting,
     Generalization,
     Progress,
-    forgetting,
     generalization,
     historical_progress,
     local_progress,

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.analysis.payoff import Rates, check_rates, check_runs
+from matrixworld.analysis.payoff import Rates, check_rates, check_runs, require
 from matrixworld.analysis.tables import read_table
 from matrixworld.files import read_arrays
 
@@ -34,10 +34,13 @@ class Payoffs:
         Payoff matrices.
     scores : ndarray of float64, shape (runs, n, m, episodes), or None
         Capture rate of each episode.
+    episodes : int or None
+        Number of episodes behind each cell; None if it is unknown.
     """
 
     matrices: Rates
     scores: Rates | None
+    episodes: int | None
 
     def __iter__(self) -> Iterator[tuple[Rates, Rates | None]]:
         """Iterate over matrix (n, m) and scores (n, m, episodes) or None of each run."""
@@ -45,7 +48,9 @@ class Payoffs:
             yield matrix, None if self.scores is None else self.scores[run]
 
 
-def read_payoffs(source: Source, *, episodes: bool = False) -> Payoffs:
+def read_payoffs(
+    source: Source, *, per_episode: bool = False, episodes: int | None = None
+) -> Payoffs:
     """Read payoffs from an array, a file or several files.
 
     Parameters
@@ -55,9 +60,11 @@ def read_payoffs(source: Source, *, episodes: bool = False) -> Payoffs:
         `matrixworld.analysis.tables.read_table` reads it. An ``.npz`` file: of several arrays
         ``capture_rates`` is taken, which holds episodes, or else ``capture_rate``, ``payoff`` or
         ``payoffs``; nothing is unpickled. Or a list of such files, one for each run.
-    episodes : bool, optional
+    per_episode : bool, optional
         Whether the last dimension of an array holds the episodes of each cell: shape
         (n, m, episodes) or (runs, n, m, episodes).
+    episodes : int, optional
+        Number of episodes behind each cell, at least 1, for payoffs that hold means only.
 
     Returns
     -------
@@ -67,22 +74,33 @@ def read_payoffs(source: Source, *, episodes: bool = False) -> Payoffs:
     Raises
     ------
     ValueError
-        If a shape or suffix is another one, a file is damaged, or rates are outside [0, 1]. The
-        message names the file.
+        If a shape or suffix is another one, a file is damaged, rates are outside [0, 1], or
+        `episodes` is below 1 or not the number of episodes that the source holds. The message
+        names the file.
     TypeError
         If an array does not hold numbers.
     FileNotFoundError
         If a file does not exist.
     """
     if isinstance(source, (str, os.PathLike)):
-        return _read_file(Path(source), episodes)
+        return _counted(_read_file(Path(source), per_episode), episodes)
     if isinstance(source, (list, tuple)) and any(isinstance(s, (str, os.PathLike)) for s in source):
-        return _stacked([Path(path) for path in source], episodes)
-    return _payoffs(source, episodes)
+        return _counted(_stacked([Path(path) for path in source], per_episode), episodes)
+    return _counted(_payoffs(source, per_episode), episodes)
 
 
-def _stacked(paths: list[Path], episodes: bool) -> Payoffs:
-    runs = [_read_file(path, episodes) for path in paths]
+def _counted(payoffs: Payoffs, episodes: int | None) -> Payoffs:
+    """Return the payoffs with the number of their episodes, if the user has given it."""
+    if episodes is None:
+        return payoffs
+    require(episodes >= 1, "at least 1 episode of each cell", episodes)
+    held = payoffs.episodes or episodes
+    require(held == episodes, f"the {held} episodes of each cell that the payoffs hold", episodes)
+    return replace(payoffs, episodes=episodes)
+
+
+def _stacked(paths: list[Path], per_episode: bool) -> Payoffs:
+    runs = [_read_file(path, per_episode) for path in paths]
     first = runs[0]
     for path, run in zip(paths, runs, strict=True):
         if len(run.matrices) != 1:
@@ -94,21 +112,22 @@ def _stacked(paths: list[Path], episodes: bool) -> Payoffs:
             )
     matrices = np.concatenate([run.matrices for run in runs])
     scores = [run.scores for run in runs if run.scores is not None]
-    return Payoffs(matrices, np.concatenate(scores) if scores else None)
+    # All runs have the same shape, so also the same number of episodes.
+    return Payoffs(matrices, np.concatenate(scores) if scores else None, first.episodes)
 
 
 def _shape(run: Payoffs) -> tuple[int, ...]:
     return (run.matrices if run.scores is None else run.scores).shape[1:]
 
 
-def _read_file(path: Path, episodes: bool) -> Payoffs:
+def _read_file(path: Path, per_episode: bool) -> Payoffs:
     readers = {".csv": read_table, ".npz": _read_arrays}
     reader = readers.get(path.suffix.lower())
     if reader is None:
         raise ValueError(f"{path}: expected a .csv or an .npz file, got suffix {path.suffix!r}")
-    values, per_episode = reader(path)
+    values, has_episodes = reader(path)
     try:
-        return _payoffs(values, episodes or per_episode)
+        return _payoffs(values, per_episode or has_episodes)
     except (TypeError, ValueError) as error:
         raise type(error)(f"{path}: {error}") from error
 
@@ -130,12 +149,12 @@ def _chosen(path: Path, names: list[str]) -> str:
     raise ValueError(f"{path}: expected one array, or one named {expected}; got {names}")
 
 
-def _payoffs(values: Any, episodes: bool) -> Payoffs:
-    if not episodes:
-        return Payoffs(check_runs(values), None)
+def _payoffs(values: Any, per_episode: bool) -> Payoffs:
+    if not per_episode:
+        return Payoffs(check_runs(values), None, None)
     array = np.asarray(values)
     if array.ndim == 3:  # a single run
         array = array[None]
     what = "scores ([runs,] n, m, episodes)"
     scores = check_rates(array, ndim=4, what=what)
-    return Payoffs(scores.mean(axis=3), scores)
+    return Payoffs(scores.mean(axis=3), scores, scores.shape[3])

@@ -1,4 +1,4 @@
-"""Headline numbers of one race, and whether they look like cycling or progress."""
+"""Headline numbers of one race. What they mean beyond noise is said by `judge`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 
 from matrixworld.analysis.cycles import checkerboards, transitive_share
 from matrixworld.analysis.engagement import Disengagement, disengagements
-from matrixworld.analysis.generalization import forgetting, generalization
+from matrixworld.analysis.forgetting import forgetting
+from matrixworld.analysis.generalization import generalization
 from matrixworld.analysis.lags import (
     default_rise_lag,
     default_swing_start,
@@ -21,30 +22,12 @@ from matrixworld.analysis.lags import (
     swing,
     team_phase_rates,
 )
-from matrixworld.analysis.payoff import Rates, check_payoff, last_half
+from matrixworld.analysis.payoff import Rates, check_payoff, last_half, require
 from matrixworld.analysis.plain_values import plain_values
 
-# The thresholds lie between the values of trial races of 30 generations, in the last half of their
-# matrix (Pursuit-Evasion-O, 8 against 30; four seeds of each schedule of the paper):
-#
-#                            specialist/specialist   generalist/specialist   generalist/generalist
-#   transitive share         .18 .59 .48 .31         .78 .76 .72 .80         .94 .96 .84 .92
-#   checkerboards, per cent  8.8 3.5 5.0 14.5        0 .15 .4 0              0 0 0 0
-#   lag profile, -10 to +15  .40 to .60              .23 to .88              .33 to .98
 MARGIN = 0.15
-"""Margin of a checkerboard: an additive matrix with the noise of those races has none above it."""
-CYCLING_SHARE = 0.65
-"""Cycling: transitive share below this, half-way from .59 (specialists) to .72 (mixed)."""
-PROGRESS_SHARE = 0.82
-"""Progress: transitive share above this, half-way from .80 (mixed) to .84 (generalists)."""
-CYCLING_CHECKERBOARDS = 0.02
-"""Cycling: share of checkerboards above this, half-way from .4 % (mixed) to 3.5 % (specialists)."""
-PROGRESS_CHECKERBOARDS = 0.005
-"""Progress: share of checkerboards below this, just above .4 %, the most with a generalist."""
-PROGRESS_RISE = 0.2
-"""Progress: lag rise above this, the largest one in races that only cycled."""
-FEWEST_GENERATIONS = 12
-"""No verdict with fewer: the last half has less than 6 x 6 cells, where one generation decides."""
+"""Margin of a checkerboard: an additive matrix with the noise of ten episodes of a default race has
+none above it. It does not tell cycles from noise in general; `judge` does."""
 
 HEADLINE_LAGS = (-10, -5, -1, 0, 1, 5, 10)
 
@@ -141,10 +124,6 @@ class Summary:
         The lag of that difference.
     disengagements : tuple of Disengagement
         Stretches of generations that one team won.
-    verdict : str
-        ``"cycling"``, ``"progress"`` or ``"undecided"``.
-    reason : str
-        Reason of the verdict, as a clause after "because".
     """
 
     pursuers: TeamSummary
@@ -159,8 +138,6 @@ class Summary:
     lag_rise: float
     rise_lag: int
     disengagements: tuple[Disengagement, ...]
-    verdict: str
-    reason: str
 
     def to_dict(self) -> dict[str, Any]:
         """Return nested dictionaries, lists, numbers, strings and None, for ``json.dumps``."""
@@ -182,7 +159,7 @@ class Summary:
 
 
 def summarize(payoff: ArrayLike) -> Summary:
-    """Compute all headline numbers of a payoff matrix, and a verdict.
+    """Compute all headline numbers of a payoff matrix.
 
     Parameters
     ----------
@@ -201,22 +178,18 @@ def summarize(payoff: ArrayLike) -> Summary:
         If the matrix is smaller or not a payoff matrix; see `check_payoff`.
     """
     matrix = check_payoff(payoff)
-    if min(matrix.shape) < 2:
-        raise ValueError(f"expected at least 2 x 2 generations, got {matrix.shape}")
+    require(min(matrix.shape) >= 2, "at least 2 x 2 generations", matrix.shape)
     rows, columns = matrix.shape
-    late = _part(last_half(matrix), (rows // 2, columns // 2))
     scores, drops = generalization(matrix), forgetting(matrix)
     # A short race does not contain all headline lags.
     profile, rise = lag_profile(matrix), lag_rise(matrix)
     lags = [d for d in HEADLINE_LAGS if profile.lags[0] <= d <= profile.lags[-1]]
     inside = np.searchsorted(profile.lags, lags)
-    stretches = disengagements(team_phase_rates(matrix))
-    verdict, reason = _judge(matrix, late, rise, stretches)
     return Summary(
         pursuers=_team(scores.pursuers, drops.pursuers),
         evaders=_team(scores.evaders, drops.evaders),
         whole=_part(matrix, (0, 0)),
-        last_half=late,
+        last_half=_part(last_half(matrix), (rows // 2, columns // 2)),
         swing=swing(matrix),
         swing_start=default_swing_start(min(rows, columns)),
         lags=tuple(lags),
@@ -224,9 +197,7 @@ def summarize(payoff: ArrayLike) -> Summary:
         lag_cells=tuple(profile.cells[inside].tolist()),
         lag_rise=rise,
         rise_lag=default_rise_lag(min(rows, columns)),
-        disengagements=stretches,
-        verdict=verdict,
-        reason=reason,
+        disengagements=disengagements(team_phase_rates(matrix)),
     )
 
 
@@ -255,58 +226,6 @@ def _team(scores: Rates, drops: Rates) -> TeamSummary:
         # Early generations have few ancestors, so they have little to forget.
         forgetting=float(drops[len(drops) // 2 :].mean()),
     )
-
-
-def _judge(
-    matrix: Rates, late: PartSummary, rise: float, stretches: tuple[Disengagement, ...]
-) -> tuple[str, str]:
-    """Return verdict and reason; cycling and progress each need all of their evidence."""
-    shortest = min(matrix.shape)
-    if shortest < FEWEST_GENERATIONS:
-        return "undecided", (
-            f"a verdict needs at least {FEWEST_GENERATIONS} generations and there are {shortest}"
-        )
-    # A disengaged race has a constant matrix, which would pass for one without cycles.
-    if _mostly_disengaged(stretches, shortest):
-        return "undecided", ("one team won nearly all matches in most generations of the last half")
-    # The last half only: untrained early generations make any race look transitive.
-    share, boards = late.transitive_share, late.checkerboard_share
-    if share is None or boards is None:
-        return "undecided", "the capture rate never changes in the last half"
-    if share < CYCLING_SHARE and boards > CYCLING_CHECKERBOARDS:
-        return "cycling", (
-            f"its transitive share is below {CYCLING_SHARE} and its checkerboards are above "
-            f"{CYCLING_CHECKERBOARDS:.1%}"
-        )
-    # An order of strength is not yet progress: later generations have to be the stronger ones.
-    if share > PROGRESS_SHARE and boards < PROGRESS_CHECKERBOARDS and rise > PROGRESS_RISE:
-        return "progress", (
-            f"its transitive share is above {PROGRESS_SHARE}, its checkerboards are below "
-            f"{PROGRESS_CHECKERBOARDS:.1%}, and later pursuers capture more than earlier ones by "
-            f"more than {PROGRESS_RISE}"
-        )
-    return "undecided", _why_undecided(share, boards, rise)
-
-
-def _why_undecided(share: float, boards: float, rise: float) -> str:
-    if share > PROGRESS_SHARE and boards < PROGRESS_CHECKERBOARDS:
-        return (
-            f"the generations differ in strength, but not in the order of time: later pursuers "
-            f"capture more than earlier ones by {rise:.2f} only, not by more than {PROGRESS_RISE}"
-        )
-    return (
-        f"cycling requires a transitive share below {CYCLING_SHARE} and checkerboards above "
-        f"{CYCLING_CHECKERBOARDS:.1%}, progress requires a share above {PROGRESS_SHARE} and "
-        f"checkerboards below {PROGRESS_CHECKERBOARDS:.1%}, and this race lies between them"
-    )
-
-
-def _mostly_disengaged(stretches: tuple[Disengagement, ...], generations: int) -> bool:
-    # Stretches count team phases of generations from 1 on, in the same numbering.
-    half = range(generations // 2, generations)
-    # Half of the last half decides, since a disengaged race may engage again.
-    idle = sum(1 for k in half if any(s.first <= k <= s.last for s in stretches))
-    return 2 * idle > len(half)
 
 
 def _defined(value: float) -> float | None:

@@ -1,14 +1,116 @@
-"""A summary in sentences, with all numbers behind its verdict."""
+"""Judgements and summaries in words."""
 
 from __future__ import annotations
 
+from matrixworld.analysis.bootstrap import Estimate
+from matrixworld.analysis.evidence import CYCLIC
+from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, Judgement, WindowJudgement
 from matrixworld.analysis.summary import MARGIN, PartSummary, Summary, TeamSummary
 
-_LOOKS = {
-    "cycling": "This run looks like cycling",
-    "progress": "This run looks like progress",
-    "undecided": "This run is undecided between cycling and progress",
+SHORT = {
+    "squared cyclic amplitude": "cyclic amplitude",
+    "gain of the pursuers": "pursuers",
+    "gain of the evaders": "evaders",
+    "forgetting of the pursuers": "pursuers",
+    "forgetting of the evaders": "evaders",
 }
+"""Short names of the numbers in the table."""
+
+
+def headline(judgement: Judgement) -> str:
+    """Return what is present in the window that headlines speak of, in a few words.
+
+    Parameters
+    ----------
+    judgement : Judgement
+        Result of `judge`.
+
+    Returns
+    -------
+    str
+        Such as ``"cycling, forgetting (last half)"``; "cannot tell" if no condition is present and
+        not all are absent.
+    """
+    part = judgement.headline
+    present = ", ".join(part.present)
+    if not present:
+        open_ = any(each.verdict == CANNOT_TELL for each in part.findings.values())
+        present = CANNOT_TELL if open_ else "no condition is present"
+    return f"{present} ({judgement.window})"
+
+
+def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
+    """Return the rows of a table: condition, verdict, numbers with intervals, window.
+
+    Parameters
+    ----------
+    judgement : Judgement
+        Result of `judge`.
+
+    Returns
+    -------
+    list of tuple of str
+        The heads; all findings of the headline window; and those of other windows that are present
+        there and not in the headline window.
+    """
+    main = judgement.headline
+    rows = [("condition", "verdict", f"{judgement.level:.0%} interval", "window")]
+    rows += [_row(main, name) for name in main.findings]
+    # A wave that is over belongs into the table, too.
+    for part in judgement.windows.values():
+        rows += [_row(part, name) for name in part.present if name not in main.present]
+    return rows
+
+
+def _row(part: WindowJudgement, name: str) -> tuple[str, str, str, str]:
+    finding = part[name]
+    numbers = ", ".join(
+        f"{SHORT.get(key, key)} {_number(key, estimate)}"
+        for key, estimate in finding.estimates.items()
+    )
+    return name, finding.verdict, numbers, part.window.name
+
+
+def _number(key: str, estimate: Estimate) -> str:
+    if estimate.low is None or estimate.high is None:
+        return f"{estimate.value:.3f}"
+    value, low, high = estimate.value, estimate.low, estimate.high
+    if key == CYCLIC:
+        # In units of the capture rate, which readers know; below 0 there is nothing but noise.
+        value, low, high = (max(0.0, end) ** 0.5 for end in (value, low, high))
+    sign = "+" if key.startswith("gain") else ""
+    return f"{value:{sign}.3f} ({low:{sign}.3f} to {high:{sign}.3f})"
+
+
+def explain(judgement: Judgement) -> str:
+    """Return the findings of the headline window as sentences, one for each condition.
+
+    Parameters
+    ----------
+    judgement : Judgement
+        Result of `judge`.
+
+    Returns
+    -------
+    str
+        One line for each condition: verdict and reason; for several runs how many of them have
+        which verdict on their own.
+    """
+    return "\n".join(
+        f"{name.capitalize()} is {_VERDICTS[finding.verdict]}, because {finding.reason}."
+        f"{_counts(finding.by_run)}"
+        for name, finding in judgement.headline.findings.items()
+    )
+
+
+_VERDICTS = {PRESENT: "present", ABSENT: "absent", CANNOT_TELL: "undecided"}
+
+
+def _counts(by_run: tuple[str, ...]) -> str:
+    if len(by_run) == 1:
+        return ""
+    counts = ", ".join(f"{by_run.count(verdict)} {verdict}" for verdict in _VERDICTS)
+    return f" Of the single runs: {counts}."
 
 
 def describe(summary: Summary) -> str:
@@ -22,11 +124,9 @@ def describe(summary: Summary) -> str:
     Returns
     -------
     str
-        One statement on each line: the verdict first, then the evidence. It describes a single run
-        ("looks like"), and not the training method.
+        One statement on each line. It gives numbers; `judge` tells which of them exceed noise.
     """
     lines = [
-        _verdict(summary),
         _transitivity(summary.last_half),
         _checkerboards(summary.last_half),
         _swing(summary),
@@ -36,13 +136,6 @@ def describe(summary: Summary) -> str:
         *(f"Warning: disengagement in {stretch}." for stretch in summary.disengagements),
     ]
     return "\n".join(lines)
-
-
-def _verdict(summary: Summary) -> str:
-    return (
-        f"{_LOOKS[summary.verdict]}, because {summary.reason}. It is a single run: conclusions "
-        "about the training method need several seeds."
-    )
 
 
 def _transitivity(part: PartSummary) -> str:

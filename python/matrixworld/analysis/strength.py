@@ -1,0 +1,106 @@
+"""How much a team's strength changes over some generations, with an interval."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from matrixworld.analysis.measurement import Measurement
+from matrixworld.analysis.payoff import Rates, require
+
+GRID = 100
+"""Values of the step size over which the posterior is summed."""
+WIDEST = 4.0
+"""Largest step size of the grid, in standard deviations of the observed steps."""
+_LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a width
+
+
+def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = 0.95) -> Measurement:
+    """Return how much the strength of a team changes from its first to its last generation.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (k,)
+        Mean payoff of each generation against the same opponents; at least 4 generations.
+    noise : array_like of float, shape (k,)
+        Variance of the measurement error of each score; 0 if it is unknown, which widens the
+        interval.
+    level : float, optional
+        Probability of the interval, in (0, 1).
+
+    Returns
+    -------
+    Measurement
+        ``k - 1`` times the drift, with an equal-tailed credible interval.
+
+    Raises
+    ------
+    ValueError
+        If the shapes differ or there are fewer generations.
+
+    Notes
+    -----
+    The model is a random walk with drift that is observed with noise (the local level model with
+    drift, Harvey 1989)::
+
+        score[g]        = strength[g] + error[g]           error[g] ~ N(0, noise[g])
+        strength[g + 1] = strength[g] + drift + step[g]    step[g]  ~ N(0, s^2)
+
+    A team that improves steadily has small steps, and its drift is known as well as that of a
+    regression line. A team that jumps once, or drifts at random, has large steps, and its drift
+    cannot be told from 0. The prior is flat on the drift and on s, which Gelman (2006) recommends
+    for standard deviations of few observations. Given s the drift is normal; s is summed out on a
+    grid.
+
+    References
+    ----------
+    Harvey (1989), "Forecasting, structural time series models and the Kalman filter". Gelman
+    (2006), "Prior distributions for variance parameters in hierarchical models", Bayesian Analysis
+    1(3).
+    """
+    y, variances = np.asarray(scores, dtype=np.float64), np.asarray(noise, dtype=np.float64)
+    require(y.ndim == 1 and y.shape == variances.shape, "scores and noise of shape (k,)", y.shape)
+    require(len(y) >= 4, "at least 4 generations", len(y))
+    steps = len(y) - 1
+    drifts, deviations, weights = _posterior(np.diff(y), _step_noise(variances))
+    tail = (1.0 - level) / 2.0
+    low, middle, high = (
+        steps * _quantile(p, drifts, deviations, weights) for p in (tail, 0.5, 1.0 - tail)
+    )
+    # A mean score lies in [0, 1], so it cannot change by more than 1.
+    low, middle, high = np.clip([low, middle, high], -1.0, 1.0).tolist()
+    return Measurement(middle, low, high)
+
+
+def _step_noise(variances: Rates) -> Rates:
+    """Return the covariance (k - 1, k - 1) of the errors of the differences of neighbours."""
+    covariance = np.diag(variances[:-1] + variances[1:])
+    # Neighbouring differences share one score, with opposite signs.
+    shared = -variances[1:-1]
+    return covariance + np.diag(shared, 1) + np.diag(shared, -1)
+
+
+def _posterior(steps: Rates, noise: Rates) -> tuple[Rates, Rates, Rates]:
+    """Return mean and standard deviation of the drift for each s, and the weight of that s."""
+    s = np.linspace(0.0, WIDEST * max(float(steps.std()), _LEAST), GRID + 1)[1:]
+    # In the eigenvectors of the noise the steps are independent for every s.
+    eigenvalues, vectors = np.linalg.eigh(noise)
+    ones, values = vectors.sum(axis=0), vectors.T @ steps
+    precision = 1.0 / (np.maximum(eigenvalues, 0.0) + s[:, np.newaxis] ** 2)
+    total = (precision * ones**2).sum(axis=1)
+    drifts = (precision * ones * values).sum(axis=1) / total
+    misfit = (precision * (values - drifts[:, np.newaxis] * ones) ** 2).sum(axis=1)
+    # The likelihood of s with the drift integrated out.
+    log_weights = 0.5 * (np.log(precision).sum(axis=1) - np.log(total) - misfit)
+    weights = np.exp(log_weights - log_weights.max())
+    return drifts, total**-0.5, weights / weights.sum()
+
+
+def _quantile(probability: float, means: Rates, deviations: Rates, weights: Rates) -> float:
+    """Return a quantile of a mixture of normal distributions."""
+    from scipy.optimize import brentq
+    from scipy.special import ndtr
+
+    reach = 12.0 * float(deviations.max())
+    ends = float(means.min()) - reach, float(means.max()) + reach
+    return float(brentq(lambda x: weights @ ndtr((x - means) / deviations) - probability, *ends))
