@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from matrixworld.analysis import checkerboards, forgetting
+from matrixworld.analysis import checkerboards
 from matrixworld.coevolution.types import BoolArray, FloatArray
 from matrixworld.toys.race_formulas import SyntheticRace
 
@@ -194,17 +194,20 @@ def _cycling(rates: FloatArray) -> Truth:
 
 
 def _forgetting(rates: FloatArray, span: slice) -> Truth:
-    # Ancestors and opponents of the window, or of the whole race: both readings must agree.
-    readings = (forgetting(rates[span, span]), forgetting(rates))
     later = slice((span.start + span.stop) // 2, span.stop)
-    within = slice((span.stop - span.start) // 2, None)
-    drops = [
-        max(found.pursuers[part].mean(), found.evaders[part].mean())
-        for found, part in zip(readings, (within, later), strict=True)
-    ]
+    within = slice(later.start - span.start, None)
+    # Ancestors and opponents of the window, or of the whole race: both readings must agree.
+    drops = [_drop(rates[span, span], within), _drop(rates, later)]
     if min(drops) >= 0.10:
         return Truth(True, min(drops))
     return Truth(False if max(drops) <= 0.02 else None, max(drops))
+
+
+def _drop(rates: FloatArray, later: slice) -> float:
+    """Return the mean drop below the best ancestor of the team that drops more."""
+    pursuers = np.maximum.accumulate(rates, axis=0) - rates
+    evaders = rates - np.minimum.accumulate(rates, axis=1)
+    return float(max(pursuers[later].mean(), evaders[:, later].mean()))
 
 
 def _disengagement(rates: FloatArray, span: slice) -> Truth:
