@@ -24,7 +24,10 @@ SIZE_EDGES = {
     "forgetting": (0.1, 0.15, 0.2, 0.3, 0.4, 0.6),
     "disengagement": (0.5, 0.6, 0.8, 0.99, 1.0),
 }
-"""Edges of the bins of the figure (the last bin has no upper end), in the units of `matrixworld.toys.race_truths.truths`."""
+"""Edges of the bins of the figure, in the units of `matrixworld.toys.race_truths.truths`.
+
+The last bin has no upper end.
+"""
 NOISE_GROUPS = {
     "win or loss, 1 to 4": ("win or loss, 1", "win or loss, 2", "win or loss, 4"),
     "win or loss, 10": ("win or loss, 10", "win or loss, 10, matchups"),
