@@ -12,7 +12,7 @@ from matrixworld.analysis.intransitivity import cyclic_amplitude
 from matrixworld.analysis.lags import team_phase_rates
 from matrixworld.analysis.measurement import Measurement
 from matrixworld.analysis.payoff import Rates, swap_teams
-from matrixworld.analysis.strength import strength_gain
+from matrixworld.analysis.strength import strength_change, strength_gain
 
 FEWEST_GENERATIONS = 6
 """Fewest generations of each team in a window that is judged."""
@@ -20,12 +20,13 @@ FEWEST_EPISODES = 4
 """Fewest episodes of each cell that show their noise: two in each half."""
 
 PURSUER_GAIN, EVADER_GAIN = "gain of the pursuers", "gain of the evaders"
+PURSUER_CHANGE, EVADER_CHANGE = "change of the pursuers", "change of the evaders"
 CYCLIC = "squared cyclic amplitude"
 PURSUERS_FORGET, EVADERS_FORGET = "forgetting of the pursuers", "forgetting of the evaders"
 ONE_SIDEDNESS = "payoff of the winning team"
 
 Evidence = dict[str, Measurement]
-"""Numbers by name; without known episodes only the gains."""
+"""Numbers by name; without known episodes only gains and changes."""
 
 
 @dataclass(frozen=True)
@@ -92,18 +93,24 @@ class RunEvidence:
 
     def of(self, window: Window) -> Evidence:
         """Return the numbers of a window of at least `FEWEST_GENERATIONS` generations."""
-        gains = {
-            PURSUER_GAIN: self._gain(window.pursuers, axis=1),
-            EVADER_GAIN: self._gain(window.evaders, axis=0),
+        pursuers = self._strengths(window.pursuers, axis=1)
+        evaders = self._strengths(window.evaders, axis=0)
+        strengths = {
+            PURSUER_GAIN: strength_gain(*pursuers, level=self._level),
+            EVADER_GAIN: strength_gain(*evaders, level=self._level),
+            PURSUER_CHANGE: strength_change(*pursuers, level=self._level),
+            EVADER_CHANGE: strength_change(*evaders, level=self._level),
         }
         # Without its noise a matrix cannot be told from one that noise has made.
-        return gains | self._beyond_noise(window) if self._episodes >= FEWEST_EPISODES else gains
+        if self._episodes < FEWEST_EPISODES:
+            return strengths
+        return strengths | self._beyond_noise(window)
 
-    def _gain(self, generations: slice, axis: int) -> Measurement:
-        """Return the change of a team's mean payoff against all opponents of the race."""
-        scores = self._matrix.mean(axis=axis)[generations]
+    def _strengths(self, generations: slice, axis: int) -> tuple[Rates, Rates]:
+        """Return a team's mean payoffs against all opponents of the race, and their noise."""
+        means = self._matrix.mean(axis=axis)[generations]
         noise = (self._noise.mean(axis=axis) / self._matrix.shape[axis])[generations]
-        return strength_gain(scores if axis else 1.0 - scores, noise, level=self._level)
+        return (means if axis else 1.0 - means), noise
 
     def _beyond_noise(self, window: Window) -> Evidence:
         cells = window.pursuers, window.evaders
@@ -119,11 +126,18 @@ class RunEvidence:
         return {
             CYCLIC: cyclic_amplitude(self._matrix[cells], self._noise[cells], level=level),
             PURSUERS_FORGET: mean_forgetting(
-                (one, other), self._noise, window.pursuers, level=level
+                (one, other), self._noise, _later_half(window.pursuers), level=level
             ),
-            EVADERS_FORGET: mean_forgetting(swapped, self._noise.T, window.evaders, level=level),
+            EVADERS_FORGET: mean_forgetting(
+                swapped, self._noise.T, _later_half(window.evaders), level=level
+            ),
             ONE_SIDEDNESS: one_sidedness(current, self._episodes, level=level),
         }
+
+
+def _later_half(generations: slice) -> slice:
+    # Early generations of a window have few ancestors, so they have little to forget.
+    return slice((generations.start + generations.stop) // 2, generations.stop)
 
 
 def _noise(matrix: Rates, scores: Rates | None, episodes: int) -> Rates:
