@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from matrixworld.analysis.bootstrap import LEVEL, Estimate
-from matrixworld.analysis.engagement import ONE_SIDED
+from matrixworld.analysis.engagement import PURSUERS_WIN
 from matrixworld.analysis.evidence import (
     CYCLIC,
     EVADER_CHANGE,
@@ -321,9 +321,9 @@ def _ends(estimate: Estimate) -> tuple[float, float]:
 def _disengagement(estimates: Estimates, known: Known) -> Verdict:
     return _against(
         estimates[ONE_SIDEDNESS],
-        ONE_SIDED,
-        f"one team gets more than {ONE_SIDED:.0%} of its payoff in half of the generations",
-        f"neither team gets {ONE_SIDED:.0%} of its payoff in half of the generations",
+        PURSUERS_WIN,
+        f"one team gets more than {PURSUERS_WIN:.0%} of its payoff in half of the generations",
+        f"neither team gets {PURSUERS_WIN:.0%} of its payoff in half of the generations",
     )
 
 
