@@ -249,12 +249,15 @@ class Claim:
     @property
     def estimate(self) -> analysis.Estimate:
         """Mean over the seeds with an interval."""
-        return analysis.bootstrap_runs(self.values)
+        return analysis.interval_over_runs(self.values)
 
     @property
     def verdict(self) -> str:
         """Verdict: reproduced, not reproduced or undecided."""
         low, high = self.estimate.low, self.estimate.high
+        # Seeds with equal values do not show how much seeds vary.
+        if low is None or high is None:
+            return "undecided"
         # Below a threshold is above the negative one.
         if self.side == "below":
             low, high, than = -high, -low, -self.than
@@ -358,6 +361,8 @@ def _of_surrounding(name: str, captured: np.ndarray, collisions: np.ndarray) -> 
 
 def printed(estimate: analysis.Estimate) -> str:
     """Return a mean and its interval as text."""
+    if estimate.low is None or estimate.high is None:
+        return f"{estimate.value:.3f} (no interval)"
     return f"{estimate.value:.3f} [{estimate.low:.3f}, {estimate.high:.3f}]"
 
 
@@ -371,7 +376,7 @@ def tables(numbers: Mapping[str, np.ndarray]) -> str:
     lines += ["", "| trained | team | score against races of other seeds |", "|---|---|---|"]
     for team in CANDIDATES:
         for kind, values in standings(numbers, team).items():
-            lines.append(f"| {kind} | {team}s | {printed(analysis.bootstrap_runs(values))} |")
+            lines.append(f"| {kind} | {team}s | {printed(analysis.interval_over_runs(values))} |")
     return "\n".join(lines)
 
 

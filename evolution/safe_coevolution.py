@@ -163,7 +163,7 @@ def table(evaluations: Mapping[Team, Evaluation], budget: Budget) -> str:
 
     def cell(values: np.ndarray, digits: int) -> str:
         # A single seed has no interval.
-        mean = analysis.bootstrap_runs(values)
+        mean = analysis.interval_over_runs(values)
         if mean.low is None:
             return f"{mean.value:.{digits}f}"
         return f"{mean.value:.{digits}f} [{mean.low:.{digits}f}, {mean.high:.{digits}f}]"

@@ -21,7 +21,8 @@ nash.py             Nash averaging: the maximum-entropy equilibrium and payoffs 
 exploitability.py   gains of best responses: within the matrix, or evolved separately
 alpha_rank.py       alpha-Rank of two populations
 engagement.py       disengagement: one team wins nearly all matches
-bootstrap.py        intervals over training runs and over episodes
+intervals.py        intervals over training runs
+episode_intervals   intervals over the episodes of one run
 summary.py          headline numbers of a matrix, and a verdict: cycling, progress or undecided
 wording.py          a summary in sentences
 measures.py         named measures, for comparison between runs
@@ -41,14 +42,6 @@ from __future__ import annotations
 
 from matrixworld.analysis.alpha_rank import AlphaRank, alpha_rank, fixation_probability
 from matrixworld.analysis.analyze import Analysis, analyze
-from matrixworld.analysis.bootstrap import (
-    Band,
-    Estimate,
-    bootstrap_band,
-    bootstrap_difference,
-    bootstrap_episodes,
-    bootstrap_runs,
-)
 from matrixworld.analysis.calibration import CONDITIONS
 from matrixworld.analysis.ciao import Ciao, Triangle, autocorrelation, ciao
 from matrixworld.analysis.cycles import (
@@ -72,6 +65,12 @@ from matrixworld.analysis.engagement import (
     fitness_variance,
     undecided_opponents,
 )
+from matrixworld.analysis.episode_intervals import (
+    difference_over_episodes,
+    linear_over_episodes,
+    mean_over_episodes,
+    transitive_share_over_episodes,
+)
 from matrixworld.analysis.evidence import Rises, held_out_forgetting, rises
 from matrixworld.analysis.exploitability import (
     Exploitability,
@@ -91,6 +90,13 @@ from matrixworld.analysis.generalization import (
     historical_progress,
     local_progress,
 )
+from matrixworld.analysis.intervals import (
+    Band,
+    Estimate,
+    band_over_runs,
+    difference_of_runs,
+    interval_over_runs,
+)
 from matrixworld.analysis.lags import (
     LagProfile,
     lag_profile,
@@ -98,7 +104,7 @@ from matrixworld.analysis.lags import (
     swing,
     team_phase_rates,
 )
-from matrixworld.analysis.measures import MEASURES, Measure
+from matrixworld.analysis.measures import MEASURES, Measure, measure_over_episodes
 from matrixworld.analysis.nash import Nash, game_value, nash_averaging
 from matrixworld.analysis.payoff import (
     check_payoff,
@@ -153,10 +159,7 @@ __all__ = [
     "analyze",
     "analyze_run",
     "autocorrelation",
-    "bootstrap_band",
-    "bootstrap_difference",
-    "bootstrap_episodes",
-    "bootstrap_runs",
+    "band_over_runs",
     "check_payoff",
     "check_rates",
     "check_runs",
@@ -164,6 +167,8 @@ __all__ = [
     "ciao",
     "describe",
     "diagnose",
+    "difference_of_runs",
+    "difference_over_episodes",
     "disengagements",
     "dominance_of_counts",
     "dominance_tournament",
@@ -177,12 +182,16 @@ __all__ = [
     "global_progress",
     "held_out_forgetting",
     "historical_progress",
+    "interval_over_runs",
     "lag_profile",
     "lag_rise",
     "last_half",
+    "linear_over_episodes",
     "local_progress",
     "log_loss",
     "logits",
+    "mean_over_episodes",
+    "measure_over_episodes",
     "multi_elo",
     "nash_averaging",
     "read_payoffs",
@@ -193,6 +202,7 @@ __all__ = [
     "swing",
     "team_phase_rates",
     "transitive_share",
+    "transitive_share_over_episodes",
     "two_way_parts",
     "undecided_opponents",
 ]

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld.analysis.bootstrap import Estimate
+from matrixworld.analysis.intervals import Estimate
 from matrixworld.analysis.plain_values import plain_values
 
 PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"

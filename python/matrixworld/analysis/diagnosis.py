@@ -8,7 +8,6 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.analysis.bootstrap import FEW_RUNS, LEVEL, Estimate, bootstrap_runs
 from matrixworld.analysis.calibration import (
     ABSENT,
     CANNOT_TELL,
@@ -28,6 +27,7 @@ from matrixworld.analysis.evidence import (
     supporting,
 )
 from matrixworld.analysis.findings import ADVICE, HIDDEN, LONGER, REASONS, Diagnosis, Finding
+from matrixworld.analysis.intervals import FEW_RUNS, LEVEL, Estimate, interval_over_runs
 from matrixworld.analysis.payoff import require
 from matrixworld.analysis.sources import Payoffs, Source, read_payoffs
 from matrixworld.analysis.summary import FEWEST_GENERATIONS
@@ -192,7 +192,7 @@ class _Runs:
             # A bootstrap interval of so few runs is too narrow; their range is not.
             mean = float(np.mean(known))
             return Estimate(mean, min(known), max(known), "runs", len(known), "range of few runs")
-        return bootstrap_runs(known, level=self._level, rng=self._rng)
+        return interval_over_runs(known, level=self._level)
 
 
 def _agreed(judgement: Judgement, by_run: Sequence[str]) -> Judgement:

@@ -9,12 +9,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.analysis.bootstrap import Estimate, resampled_means
 from matrixworld.analysis.calibration import Numbers
 from matrixworld.analysis.cycles import transitive_share
 from matrixworld.analysis.dominance import dominance_tournament
 from matrixworld.analysis.engagement import disengagements
+from matrixworld.analysis.episode_intervals import resampled_means
 from matrixworld.analysis.generalization import Forgetting, forgetting
+from matrixworld.analysis.intervals import Estimate
 from matrixworld.analysis.lags import team_phase_rates
 from matrixworld.analysis.measures import MEASURES
 from matrixworld.analysis.payoff import Rates, check_rates, last_half, require

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from matrixworld.analysis.bootstrap import Estimate
 from matrixworld.analysis.calibration import ABSENT, CANNOT_TELL, PRESENT
+from matrixworld.analysis.intervals import Estimate
 from matrixworld.analysis.plain_values import plain_values
 
 REASONS = {
