@@ -376,7 +376,9 @@ def tables(numbers: Mapping[str, np.ndarray]) -> str:
     lines += ["", "| trained | team | score against races of other seeds |", "|---|---|---|"]
     for team in CANDIDATES:
         for kind, values in standings(numbers, team).items():
-            lines.append(f"| {kind} | {team}s | {printed(analysis.interval_over_runs(values))} |")
+            lines.append(
+                f"| {kind} | {team}s | {printed(analysis.interval_over_runs(values, bounds=(0.0, 1.0)))} |"
+            )
     return "\n".join(lines)
 
 
