@@ -376,9 +376,8 @@ def tables(numbers: Mapping[str, np.ndarray]) -> str:
     lines += ["", "| trained | team | score against races of other seeds |", "|---|---|---|"]
     for team in CANDIDATES:
         for kind, values in standings(numbers, team).items():
-            lines.append(
-                f"| {kind} | {team}s | {printed(analysis.interval_over_runs(values, bounds=(0.0, 1.0)))} |"
-            )
+            score = analysis.interval_over_runs(values, bounds=(0.0, 1.0))
+            lines.append(f"| {kind} | {team}s | {printed(score)} |")
     return "\n".join(lines)
 
 
