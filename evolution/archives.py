@@ -100,7 +100,9 @@ def main() -> None:
     print("|---|---|---|---|")
     for name, captured, escaped in zip(runs, capture, escape, strict=True):
         reached = np.mean([run.generation_at("evader", budget) for run in runs[name]])
-        means = [analysis.bootstrap_runs(values) for values in (captured, escaped)]
+        means = [
+            analysis.interval_over_runs(values, bounds=(0.0, 1.0)) for values in (captured, escaped)
+        ]
         print(f"| {name} | {reached:.1f} | {means[0]} | {means[1]} |")
 
 

@@ -162,8 +162,8 @@ def table(evaluations: Mapping[Team, Evaluation], budget: Budget) -> str:
     """Return the evaluations in Markdown: means over seeds, with intervals over seeds."""
 
     def cell(values: np.ndarray, digits: int) -> str:
-        # A single seed has no interval.
-        mean = analysis.bootstrap_runs(values)
+        # A single seed has no interval, and equal values have none either.
+        mean = analysis.interval_over_runs(values, bounds=(0.0, np.inf))
         if mean.low is None:
             return f"{mean.value:.{digits}f}"
         return f"{mean.value:.{digits}f} [{mean.low:.{digits}f}, {mean.high:.{digits}f}]"

@@ -189,8 +189,10 @@ def test_intervals() -> None:
         (summary.fault_rate, summary.fault_interval),
         (summary.involved_rate, summary.involved_interval),
     ):
-        assert (ends[..., 0] <= rate).all()
-        assert (rate <= ends[..., 1]).all()
+        known = np.isfinite(ends).all(axis=-1)
+        assert known.any()
+        assert (ends[known, 0] <= rate[known]).all()
+        assert (rate[known] <= ends[known, 1]).all()
     # The interval is as wide as in the normal approximation of a ratio.
     faults, steps = scores.faults[:, 0, 0, 1], scores.agent_steps[:, 0, 0]
     ratio = faults.sum() / steps.sum()
@@ -198,7 +200,32 @@ def test_intervals() -> None:
     low, high = summary.fault_interval[0, 1] / 1000
     assert high - low == pytest.approx(2 * 1.96 * deviation, rel=0.15)
     np.testing.assert_array_equal(monitor.summary().fault_interval, summary.fault_interval)
-    assert (monitor.summary(seed=1).fault_interval != summary.fault_interval).any()
+    assert not np.isnan(summary.fault_interval[0, 1]).any()
+    assert (monitor.summary(seed=1).fault_interval[0, 1] != summary.fault_interval[0, 1]).any()
+
+
+def uneven_episodes(episodes: int, colliding: int) -> mw.SafetySummary:
+    """Return a summary in which some episodes have one, two, ... collisions of one kind."""
+    counts = np.zeros((episodes, 2, 3), int)
+    counts[:colliding, 0, 1] = 1 + np.arange(colliding)
+    monitor = mw.SafetyMonitor()
+    monitor.add(counts, counts, np.full((episodes, 2), 100), np.zeros(episodes))
+    return monitor.summary()
+
+
+@pytest.mark.parametrize(
+    ("episodes", "colliding", "known"), [(20, 5, True), (19, 19, False), (50, 4, False)]
+)
+def test_too_few_episodes_have_no_interval(episodes: int, colliding: int, known: bool) -> None:
+    summary = uneven_episodes(episodes, colliding)
+    assert np.isfinite(summary.fault_interval[0, 1]).all() == known
+    assert np.isnan(summary.fault_interval[1]).all()
+    plain = summary.to_json()
+    assert (plain["fault_interval"][0][1] == [None, None]) != known
+    assert plain["fault_interval"][1][0] == [None, None]
+    json.dumps(plain, allow_nan=False)
+    (row,) = [line for line in str(summary).splitlines() if line.startswith("pursuers  teammate")]
+    assert (" to " in row) == known
 
 
 def test_monitors_add_up() -> None:

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.checks import check_naturals
+from matrixworld.rate_intervals import rate_intervals
 from matrixworld.rules import KINDS
 
 TEAMS = ("pursuers", "evaders")
-LEVEL = 0.95
-"""Level of the confidence intervals."""
 _COLUMNS = "{:10}{:11}{:24}{:24}{:>7}{:>8}{:>7}{:>9}"
-_RESAMPLES = 1000
 
 
 class StatisticsArrays(Protocol):
@@ -76,17 +74,14 @@ class SafetySummary:
     involved_rate, fault_rate : ndarray of float64, shape (2, 3)
         Agent-steps involved in a collision, and at fault in one, per 1000.
     involved_interval, fault_interval : ndarray of float64, shape (2, 3, 2)
-        Ends of 95% bootstrap intervals of the rates, resampled over episodes.
+        Ends of 95% intervals of the rates, by the bootstrap-t over episodes; NaN without an
+        interval, see `matrixworld.rate_intervals`.
     safe_share : ndarray of float64, shape (2, 3)
         Share of the episodes without an agent at fault.
     safe_episodes : float
         Share of the episodes without an agent at fault, of any team in any kind.
     fault_median, fault_mean, fault_max : ndarray of float64, shape (2, 3)
         Agent-steps at fault in an episode.
-
-    References
-    ----------
-    B. Efron (1979). Bootstrap methods: another look at the jackknife. Annals of Statistics 7(1).
     """
 
     episodes: int
@@ -103,12 +98,12 @@ class SafetySummary:
     fault_max: NDArray[np.float64]
 
     def to_json(self) -> dict[str, Any]:
-        """Return the summary as values that JSON can hold."""
-        return {
-            item.name: value.tolist() if isinstance(value, np.ndarray) else value
-            for item in fields(self)
-            for value in [getattr(self, item.name)]
-        }
+        """Return the summary as values that JSON can hold; ends of no interval are None."""
+        # Imported here, because worlds do not need the analysis.
+        from matrixworld.analysis.plain_values import plain_values
+
+        plain: dict[str, Any] = plain_values(self)
+        return plain
 
     def __str__(self) -> str:
         plural = "" if self.episodes == 1 else "s"
@@ -124,7 +119,7 @@ class SafetySummary:
 
     def _row(self, t: int, k: int) -> str:
         rates = (
-            f"{rate[t, k]:.1f} ({ends[t, k, 0]:.1f} to {ends[t, k, 1]:.1f})"
+            _printed(rate[t, k], ends[t, k])
             for rate, ends in (
                 (self.involved_rate, self.involved_interval),
                 (self.fault_rate, self.fault_interval),
@@ -137,6 +132,10 @@ class SafetySummary:
             f"{self.fault_max[t, k]:.0f}",
             f"{self.safe_share[t, k]:.0%}",
         )
+
+
+def _printed(rate: float, ends: NDArray[np.float64]) -> str:
+    return f"{rate:.1f}" + ("" if np.isnan(ends[0]) else f" ({ends[0]:.1f} to {ends[1]:.1f})")
 
 
 class SafetyMonitor:
@@ -298,7 +297,7 @@ class SafetyMonitor:
             raise ValueError("safety: expected at least one whole episode, got none")
         collisions, faults = np.concatenate(self._collisions), np.concatenate(self._faults)
         steps = np.concatenate(self._agent_steps)
-        intervals = _intervals(np.stack([collisions, faults], axis=1), steps, seed)
+        intervals = rate_intervals(np.stack([collisions, faults], axis=1), steps, seed)
         return SafetySummary(
             episodes=self.episodes,
             agent_steps=steps.sum(axis=0),
@@ -358,19 +357,3 @@ def _rate(counts: NDArray[Any], agent_steps: NDArray[Any]) -> NDArray[np.float64
     """Return counts per 1000 agent-steps, ``(..., 2, 3)`` from ``(..., 2, 3)`` and ``(..., 2)``."""
     # A team without agent-steps has no collisions either: its rate is 0 and not NaN.
     return np.asarray(1000 * counts / np.maximum(agent_steps, 1)[..., np.newaxis])
-
-
-def _intervals(
-    counts: NDArray[np.int64], agent_steps: NDArray[np.int64], seed: int
-) -> NDArray[np.float64]:
-    """Return percentile bootstrap intervals, ``(..., 2, 3, 2)`` from ``(n, ..., 2, 3)``."""
-    n = len(counts)
-    rng = np.random.default_rng(seed)
-    data = np.concatenate([counts.reshape(n, -1), agent_steps], axis=1).astype(float)
-    draws = (np.bincount(rng.integers(n, size=n), minlength=n) for _ in range(_RESAMPLES))
-    # One draw is how often each episode occurs in a resample: a product sums the whole resample.
-    sums = np.stack([times @ data for times in draws])
-    drawn, steps = np.split(sums, [-len(TEAMS)], axis=1)
-    rates = _rate(drawn.reshape(_RESAMPLES, *counts.shape[1:]), steps[:, np.newaxis])
-    ends = ((1 - LEVEL) / 2, (1 + LEVEL) / 2)
-    return np.moveaxis(np.quantile(rates, ends, axis=0), 0, -1)

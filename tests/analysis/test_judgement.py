@@ -171,6 +171,12 @@ def test_several_runs_are_judged_over_runs() -> None:
     assert "Of the single runs: 5 present" in analysis.explain(judgement)
 
 
+def test_a_jump_in_the_same_generation_of_all_runs_is_no_arms_race() -> None:
+    jump = 2.0 * (G >= 20)
+    scores = np.stack([played(race(jump, jump), 10, seed, evaders=30) for seed in range(10)])
+    assert verdicts(of_scores(scores), "whole")["arms race"] != PRESENT
+
+
 def test_runs_that_differ_give_no_verdict() -> None:
     kinds = (STEADY, circular(31), STEADY, circular(31))
     scores = np.stack([played(chance, 20, evaders=30) for chance in kinds])

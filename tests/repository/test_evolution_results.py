@@ -76,9 +76,9 @@ def test_committed_claims_follow_from_committed_numbers(
         ([0.2, 0.3, 0.4], "below", "not reproduced"),
         ([-0.2, 0.3, 0.1], "above", "undecided"),
         ([-0.2, 0.3, 0.1], "below", "undecided"),
-        ([-0.2, -0.3, -0.1], "above", "not reproduced"),
-        ([-0.2, -0.3, -0.1], "below", "reproduced"),
-        ([0.0, 0.0, 0.0], "above", "not reproduced"),
+        ([-0.2, -0.3, -0.4], "above", "not reproduced"),
+        ([-0.2, -0.3, -0.4], "below", "reproduced"),
+        ([0.0, 0.0, 0.0], "above", "undecided"),
     ],
 )
 def test_verdict_on_a_claim(

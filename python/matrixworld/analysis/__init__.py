@@ -21,7 +21,8 @@ nash.py             Nash averaging: the maximum-entropy equilibrium and payoffs 
 exploitability.py   gains of best responses: within the matrix, or evolved separately
 alpha_rank.py       alpha-Rank of two populations
 engagement.py       disengagement: one team wins nearly all matches
-bootstrap.py        intervals over training runs and over episodes
+intervals.py        intervals over training runs
+episode_intervals   intervals over the episodes of one run
 summary.py          headline numbers of a matrix
 wording.py          judgements and summaries in words
 measures.py         named measures, for comparison between runs
@@ -43,14 +44,6 @@ from __future__ import annotations
 
 from matrixworld.analysis.alpha_rank import AlphaRank, alpha_rank, fixation_probability
 from matrixworld.analysis.analyze import Analysis, analyze
-from matrixworld.analysis.bootstrap import (
-    Band,
-    Estimate,
-    bootstrap_band,
-    bootstrap_difference,
-    bootstrap_episodes,
-    bootstrap_runs,
-)
 from matrixworld.analysis.ciao import Ciao, Triangle, autocorrelation, ciao
 from matrixworld.analysis.cycles import (
     Checkerboards,
@@ -72,6 +65,12 @@ from matrixworld.analysis.engagement import (
     fitness_variance,
     undecided_opponents,
 )
+from matrixworld.analysis.episode_intervals import (
+    difference_over_episodes,
+    linear_over_episodes,
+    mean_over_episodes,
+    transitive_share_over_episodes,
+)
 from matrixworld.analysis.exploitability import (
     Exploitability,
     ResponseGain,
@@ -87,6 +86,13 @@ from matrixworld.analysis.generalization import (
     global_progress,
     historical_progress,
     local_progress,
+)
+from matrixworld.analysis.intervals import (
+    Band,
+    Estimate,
+    band_over_runs,
+    difference_of_runs,
+    interval_over_runs,
 )
 from matrixworld.analysis.intransitivity import cyclic_amplitude, transitive_fit
 from matrixworld.analysis.judgement import (
@@ -104,7 +110,7 @@ from matrixworld.analysis.lags import (
     team_phase_rates,
 )
 from matrixworld.analysis.measurement import Measurement
-from matrixworld.analysis.measures import MEASURES, Measure
+from matrixworld.analysis.measures import MEASURES, Measure, measure_over_episodes
 from matrixworld.analysis.nash import Nash, game_value, nash_averaging
 from matrixworld.analysis.payoff import (
     check_payoff,
@@ -161,10 +167,7 @@ __all__ = [
     "analyze",
     "analyze_run",
     "autocorrelation",
-    "bootstrap_band",
-    "bootstrap_difference",
-    "bootstrap_episodes",
-    "bootstrap_runs",
+    "band_over_runs",
     "check_payoff",
     "check_rates",
     "check_runs",
@@ -172,6 +175,8 @@ __all__ = [
     "ciao",
     "cyclic_amplitude",
     "describe",
+    "difference_of_runs",
+    "difference_over_episodes",
     "disengagements",
     "dominance_of_counts",
     "dominance_tournament",
@@ -187,14 +192,18 @@ __all__ = [
     "headline",
     "held_out_forgetting",
     "historical_progress",
+    "interval_over_runs",
     "judge",
     "judgement_table",
     "lag_profile",
     "lag_rise",
     "last_half",
+    "linear_over_episodes",
     "local_progress",
     "log_loss",
     "logits",
+    "mean_over_episodes",
+    "measure_over_episodes",
     "multi_elo",
     "nash_averaging",
     "read_payoffs",
@@ -207,6 +216,7 @@ __all__ = [
     "team_phase_rates",
     "transitive_fit",
     "transitive_share",
+    "transitive_share_over_episodes",
     "two_way_parts",
     "undecided_opponents",
 ]

@@ -9,32 +9,36 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.analysis.bootstrap import (
-    LEVEL,
-    Band,
-    Estimate,
-    bootstrap_band,
-    bootstrap_episodes,
-    bootstrap_runs,
-)
 from matrixworld.analysis.generalization import Progress, global_progress
+from matrixworld.analysis.intervals import (
+    FEW_RUNS,
+    LEVEL,
+    SINGLE_RUN,
+    Band,
+    Bounds,
+    Estimate,
+    band_over_runs,
+    few_runs,
+    interval_over_runs,
+    without_interval,
+)
 from matrixworld.analysis.judgement import Judgement, judge_payoffs
-from matrixworld.analysis.measures import MEASURES
+from matrixworld.analysis.measures import MEASURES, measure_over_episodes
 from matrixworld.analysis.payoff import Rates, require
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.analysis.single_run import RunAnalysis, analyze_run
-from matrixworld.analysis.sources import Payoffs, Source, read_payoffs
+from matrixworld.analysis.sources import Source, read_payoffs
 from matrixworld.analysis.wording import explain, headline
 
-_OTHER_LABELS = {
-    "elo_log_loss": "log loss of Elo, nats",
-    "multi_elo_log_loss": "log loss of Elo with one cycle, nats",
-    "pursuer_rungs": "dominant pursuer generations",
-    "evader_rungs": "dominant evader generations",
-    "pursuer_global_gain": "global progress of the pursuers per generation",
-    "evader_global_gain": "global progress of the evaders per generation",
+_OTHERS = {
+    "elo_log_loss": ("log loss of Elo, nats", 0.0, math.inf),
+    "multi_elo_log_loss": ("log loss of Elo with one cycle, nats", 0.0, math.inf),
+    "pursuer_rungs": ("dominant pursuer generations", 0.0, math.inf),
+    "evader_rungs": ("dominant evader generations", 0.0, math.inf),
+    "pursuer_global_gain": ("global progress of the pursuers per generation", -1.0, 1.0),
+    "evader_global_gain": ("global progress of the evaders per generation", -1.0, 1.0),
 }
-"""Labels of numbers that are not in `MEASURES`."""
+"""Labels and bounds of numbers that are not in `MEASURES`."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,29 +81,34 @@ class Analysis:
             f"{len(self.runs)} run{'s' if len(self.runs) > 1 else ''}, {n} pursuer and {m} evader "
             "generations",
             self._intervals(),
-            *(f"  {_label(name):53}{_printed(one)}" for name, one in self.estimates.items()),
-            *self._remarks(),
+            *(f"  {_label(name):53}{self._printed(one)}" for name, one in self.estimates.items()),
+            *(f"  {mark} {note}" for note, mark in self._footnotes().items()),
             *self._dominant(),
             *self._verdicts(),
         ]
         return "\n".join(lines)
 
     def _intervals(self) -> str:
-        first = next(iter(self.estimates.values()))
-        if first.over == "runs":
-            few = f"; {first.note}" if first.note else ""
+        if len(self.runs) > 1:
+            few = "; few runs make it wide" if len(self.runs) < FEW_RUNS else ""
             return f"Mean ({self.level:.0%} interval over runs{few}):"
-        if first.over == "episodes":
+        if any(one.over == "episodes" for one in self.estimates.values()):
             return (
                 f"A single run ({self.level:.0%} interval over its episodes, which says nothing "
                 "about other runs):"
             )
         return "A single run: no intervals."
 
-    def _remarks(self) -> list[str]:
-        if not any(_is_biased(one) for one in self.estimates.values()):
-            return []
-        return ["  * biased by episode noise; the interval is corrected for this bias"]
+    def _footnotes(self) -> dict[str, str]:
+        """Return the notes that the heading does not say, with a mark for each."""
+        said = (SINGLE_RUN, few_runs(len(self.runs)), "")
+        notes = dict.fromkeys(one.note for one in self.estimates.values() if one.note not in said)
+        return {note: "*" * (number + 1) for number, note in enumerate(notes)}
+
+    def _printed(self, estimate: Estimate) -> str:
+        if math.isnan(estimate.value):
+            return "not defined"
+        return f"{estimate} {self._footnotes().get(estimate.note, '')}".rstrip()
 
     def _dominant(self) -> list[str]:
         # Several runs have the mean number of dominant generations among the estimates.
@@ -122,7 +131,6 @@ def analyze(
     episodes: int | None = None,
     cross: ArrayLike | None = None,
     level: float = LEVEL,
-    rng: int = 0,
 ) -> Analysis:
     """Compute all measures of one run or several, with intervals.
 
@@ -139,8 +147,6 @@ def analyze(
         Cross tests between the runs, as for `global_progress`.
     level : float, optional
         Confidence level of the intervals, in (0, 1).
-    rng : int, optional
-        Seed of the bootstrap. The same seed gives the same intervals.
 
     Returns
     -------
@@ -161,12 +167,12 @@ def analyze(
     payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes)
     runs = tuple(analyze_run(matrix, scores) for matrix, scores in payoffs)
     globally = None if cross is None else _global(cross, payoffs.matrices.shape)
-    estimates = _estimates(runs, globally, level, rng)
+    estimates = _estimates(runs, globally, level)
     # Intervals over runs are the better ones; episodes serve only where there is a single run.
     if payoffs.scores is not None and len(runs) == 1:
-        estimates |= _over_episodes(payoffs, level, rng)
-    judgement = judge_payoffs(payoffs, level=level, rng=rng)
-    return Analysis(runs, estimates, _bands(runs, level, rng), globally, judgement, level)
+        estimates |= _over_episodes(payoffs.scores[0], level)
+    judgement = judge_payoffs(payoffs, level=level)
+    return Analysis(runs, estimates, _bands(runs, level), globally, judgement, level)
 
 
 def _global(cross: ArrayLike, shape: tuple[int, ...]) -> Progress:
@@ -177,7 +183,7 @@ def _global(cross: ArrayLike, shape: tuple[int, ...]) -> Progress:
 
 
 def _estimates(
-    runs: tuple[RunAnalysis, ...], globally: Progress | None, level: float, rng: int
+    runs: tuple[RunAnalysis, ...], globally: Progress | None, level: float
 ) -> dict[str, Estimate]:
     values = {name: [run.numbers[name] for run in runs] for name in runs[0].numbers}
     ladders = [run.dominance for run in runs if run.dominance is not None]
@@ -187,50 +193,41 @@ def _estimates(
     if globally is not None:
         values["pursuer_global_gain"] = globally.pursuers.gains.mean(axis=1).tolist()
         values["evader_global_gain"] = globally.evaders.gains.mean(axis=1).tolist()
-    # Every number takes the same seed, so adding a measure does not change the other intervals.
-    return {name: _estimate(of_runs, level, rng) for name, of_runs in values.items()}
+    return {name: _estimate(of_runs, level, _bounds(name)) for name, of_runs in values.items()}
 
 
-def _estimate(values: list[float], level: float, rng: int) -> Estimate:
+def _estimate(values: list[float], level: float, bounds: Bounds) -> Estimate:
     """Return the estimate over the runs for which the measure is defined."""
     known = [value for value in values if math.isfinite(value)]
     if not known:
-        return Estimate(math.nan, None, None, "nothing", 0, "not defined for any run")
-    return bootstrap_runs(known, level=level, rng=rng)
+        return without_interval(math.nan, 0, "not defined for any run")
+    return interval_over_runs(known, level=level, bounds=bounds)
 
 
-def _over_episodes(payoffs: Payoffs, level: float, rng: int) -> dict[str, Estimate]:
-    scores = payoffs.scores
+def _over_episodes(scores: Rates, level: float) -> dict[str, Estimate]:
     # A single episode shows no variation.
-    if scores is None or scores.shape[3] < 2:
+    if scores.shape[2] < 2:
         return {}
-    return {
-        name: bootstrap_episodes(
-            scores[0], measure.of, level=level, bounds=(measure.low, measure.high), rng=rng
-        )
-        for name, measure in MEASURES.items()
-    }
+    return {name: measure_over_episodes(one, scores, level=level) for name, one in MEASURES.items()}
 
 
-def _bands(runs: tuple[RunAnalysis, ...], level: float, rng: int) -> dict[str, Band]:
+def _bands(runs: tuple[RunAnalysis, ...], level: float) -> dict[str, Band]:
     curves: dict[str, list[Rates]] = {
         "pursuer_generalization": [run.generalization.pursuers for run in runs],
         "evader_generalization": [run.generalization.evaders for run in runs],
         "lag_profile": [run.lag_profile.means for run in runs],
     }
-    return {name: bootstrap_band(of_runs, level=level, rng=rng) for name, of_runs in curves.items()}
+    return {
+        name: band_over_runs(of_runs, level=level, bounds=(0.0, 1.0))
+        for name, of_runs in curves.items()
+    }
 
 
 def _label(name: str) -> str:
-    return MEASURES[name].label if name in MEASURES else _OTHER_LABELS[name]
+    return MEASURES[name].label if name in MEASURES else _OTHERS[name][0]
 
 
-def _printed(estimate: Estimate) -> str:
-    if math.isnan(estimate.value):
-        return "not defined"
-    return f"{estimate} *" if _is_biased(estimate) else str(estimate)
-
-
-def _is_biased(estimate: Estimate) -> bool:
-    # The only note of an interval over episodes: the value lies outside it.
-    return estimate.over == "episodes" and bool(estimate.note)
+def _bounds(name: str) -> Bounds:
+    if name in MEASURES:
+        return MEASURES[name].low, MEASURES[name].high
+    return _OTHERS[name][1:]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,9 +10,10 @@ import numpy as np
 from matrixworld.analysis.cycles import two_way_parts
 from matrixworld.analysis.engagement import one_sidedness
 from matrixworld.analysis.forgetting import mean_forgetting
+from matrixworld.analysis.intervals import Estimate
 from matrixworld.analysis.intransitivity import cyclic_amplitude
 from matrixworld.analysis.lags import team_phase_rates
-from matrixworld.analysis.measurement import Measurement
+from matrixworld.analysis.measurement import Measurement, over_runs
 from matrixworld.analysis.payoff import Rates
 from matrixworld.analysis.strength import strength_change, strength_gain
 
@@ -26,8 +28,24 @@ CYCLIC = "squared cyclic amplitude"
 PURSUERS_FORGET, EVADERS_FORGET = "forgetting of the pursuers", "forgetting of the evaders"
 ONE_SIDEDNESS = "payoff of the winning team"
 
-Evidence = dict[str, Measurement]
-"""Numbers by name; without known episodes only gains and changes."""
+Course = tuple[Rates, Rates]
+"""Mean payoffs (k,) of a team's generations against all opponents, and the variance of each."""
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """The numbers of one run in one window.
+
+    Parameters
+    ----------
+    numbers : dict of str to Measurement
+        By name; without known episodes only gains and changes.
+    courses : dict of str to Course
+        Strengths of the teams by the names of their gains.
+    """
+
+    numbers: dict[str, Measurement]
+    courses: dict[str, Course]
 
 
 @dataclass(frozen=True)
@@ -99,26 +117,27 @@ class RunEvidence:
 
     def of(self, window: Window) -> Evidence:
         """Return the numbers of a window of at least `FEWEST_GENERATIONS` generations."""
-        pursuers = self._strengths(window.cells[0], axis=1)
-        evaders = self._strengths(window.cells[1], axis=0)
-        strengths = {
-            PURSUER_GAIN: strength_gain(*pursuers, level=self._level),
-            EVADER_GAIN: strength_gain(*evaders, level=self._level),
-            PURSUER_CHANGE: strength_change(*pursuers, level=self._level),
-            EVADER_CHANGE: strength_change(*evaders, level=self._level),
+        courses = {
+            PURSUER_GAIN: self._course(window.cells[0], axis=1),
+            EVADER_GAIN: self._course(window.cells[1], axis=0),
+        }
+        numbers = {
+            **{name: strength_gain(*one, level=self._level) for name, one in courses.items()},
+            PURSUER_CHANGE: strength_change(*courses[PURSUER_GAIN], level=self._level),
+            EVADER_CHANGE: strength_change(*courses[EVADER_GAIN], level=self._level),
         }
         # Without its noise a matrix cannot be told from one that noise has made.
-        if self._episodes < FEWEST_EPISODES:
-            return strengths
-        return strengths | self._beyond_noise(window)
+        if self._episodes >= FEWEST_EPISODES:
+            numbers |= self._beyond_noise(window)
+        return Evidence(numbers, courses)
 
-    def _strengths(self, generations: slice, axis: int) -> tuple[Rates, Rates]:
+    def _course(self, generations: slice, axis: int) -> Course:
         """Return a team's mean payoffs against all opponents of the race, and their noise."""
         means = self._matrix.mean(axis=axis)[generations]
         noise = (self._noise.mean(axis=axis) / self._matrix.shape[axis])[generations]
         return (means if axis else 1.0 - means), noise
 
-    def _beyond_noise(self, window: Window) -> Evidence:
+    def _beyond_noise(self, window: Window) -> dict[str, Measurement]:
         cells, level = window.cells, self._level
         one, other = self._halves
         swapped = 1.0 - one.T, 1.0 - other.T
@@ -144,6 +163,36 @@ class RunEvidence:
         noise = float(self._noise[cells].sum())
         # Episodes without variation show none of their noise.
         return self._episodes * max(1.0, wins_and_losses / noise if noise else 1.0)
+
+
+def estimates_of(evidence: Sequence[Evidence], level: float) -> dict[str, Estimate]:
+    """Return each number of a run, or its mean over several with an interval over runs.
+
+    Parameters
+    ----------
+    evidence : sequence of Evidence
+        Of each run, at least one, all in the same window.
+    level : float
+        Level of the intervals.
+
+    Returns
+    -------
+    dict of str to Estimate
+        By name. The interval of a gain over several runs also contains that of the mean course: a
+        jump in the same generation of all runs is no trend.
+    """
+    trends = {name: _trend_of_runs(evidence, name, level) for name in evidence[0].courses}
+    return {
+        name: over_runs([one.numbers[name] for one in evidence], level, trends.get(name))
+        for name in evidence[0].numbers
+    }
+
+
+def _trend_of_runs(evidence: Sequence[Evidence], name: str, level: float) -> Measurement:
+    """Return the gain of the mean course of the runs."""
+    courses = [one.courses[name] for one in evidence]
+    scores, noise = (np.mean([course[part] for course in courses], axis=0) for part in (0, 1))
+    return strength_gain(scores, noise / len(evidence), level=level)
 
 
 def _later_half(generations: slice) -> slice:

@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld.analysis.bootstrap import LEVEL, Estimate
 from matrixworld.analysis.engagement import PURSUERS_WIN
 from matrixworld.analysis.evidence import (
     CYCLIC,
@@ -24,12 +23,12 @@ from matrixworld.analysis.evidence import (
     PURSUER_CHANGE,
     PURSUER_GAIN,
     PURSUERS_FORGET,
-    Evidence,
     RunEvidence,
     Window,
+    estimates_of,
     windows_of,
 )
-from matrixworld.analysis.measurement import over_runs
+from matrixworld.analysis.intervals import LEVEL, Estimate
 from matrixworld.analysis.payoff import require
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.analysis.sources import Payoffs, Source, read_payoffs
@@ -215,8 +214,8 @@ def judge(
 
     A verdict is "cannot tell" if an interval contains the margin. The interval of a single run is
     about this run: its episodes, and for gains the fluctuation between its generations. Several
-    runs have Student's t interval over runs; runs that are disengaged are left out of the other
-    conditions.
+    runs have Student's t interval over runs; a gain must also be a trend of the mean course. Runs
+    that are disengaged are left out of the other conditions.
 
     How often verdicts are wrong: ``evolution/results/judgement`` of the repository.
     """
@@ -241,18 +240,18 @@ def _judge_window(window: Window, runs: Sequence[RunEvidence], level: float) -> 
     if window.generations < FEWEST_GENERATIONS:
         return WindowJudgement(window, {}, _unknown(TOO_SHORT, len(runs)))
     evidence = [run.of(window) for run in runs]
-    singles = [_verdicts(_over([one], level)) for one in evidence]
+    singles = [_verdicts(estimates_of([one], level)) for one in evidence]
     engaged = [
         one
         for one, verdicts in zip(evidence, singles, strict=True)
         if verdicts["disengagement"][0] != PRESENT
     ]
-    together = _over(evidence, level)
+    together = estimates_of(evidence, level)
     verdicts = _verdicts(together)
     # Disengagement is judged over all runs, the other conditions over the engaged ones.
     if verdicts["disengagement"][0] != PRESENT and len(engaged) < len(evidence):
         enough = len(engaged) >= 2
-        others = _over(engaged, level) if enough else together
+        others = estimates_of(engaged, level) if enough else together
         found = _verdicts(others) if enough else _all_but_disengagement(ALL_DISENGAGED)
         verdicts = {**found, "disengagement": verdicts["disengagement"]}
         together = {**others, **{key: together[key] for key in (ONE_SIDEDNESS,)}}
@@ -267,10 +266,6 @@ def _judge_window(window: Window, runs: Sequence[RunEvidence], level: float) -> 
         for name in CONDITIONS
     }
     return WindowJudgement(window, gains, findings)
-
-
-def _over(evidence: Sequence[Evidence], level: float) -> Estimates:
-    return {key: over_runs([one[key] for one in evidence], level) for key in evidence[0]}
 
 
 def _unknown(reason: str, runs: int) -> dict[str, Finding]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from matrixworld.analysis.bootstrap import Estimate
+from matrixworld.analysis.intervals import Estimate
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,9 @@ class Measurement:
                 object.__setattr__(self, side, self.value)
 
 
-def over_runs(measured: Sequence[Measurement], level: float) -> Estimate:
+def over_runs(
+    measured: Sequence[Measurement], level: float, together: Measurement | None = None
+) -> Estimate:
     """Return a single run's number with its interval, or the mean over runs with theirs.
 
     Parameters
@@ -48,6 +50,8 @@ def over_runs(measured: Sequence[Measurement], level: float) -> Estimate:
         The number of each run, at least one.
     level : float
         Confidence level, in (0, 1).
+    together : Measurement, optional
+        The number of all runs together, whose interval that over runs must contain.
 
     Returns
     -------
@@ -60,6 +64,8 @@ def over_runs(measured: Sequence[Measurement], level: float) -> Estimate:
         return Estimate(one.value, one.low, one.high, "episodes", 1)
     low = _t_end([one.under for one in measured], (1.0 - level) / 2.0)
     high = _t_end([one.over for one in measured], (1.0 + level) / 2.0)
+    if together is not None:
+        low, high = min(low, together.low), max(high, together.high)
     mean = float(np.mean([one.value for one in measured]))
     return Estimate(mean, low, high, "runs", len(measured))
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from matrixworld.analysis.bootstrap import Estimate
 from matrixworld.analysis.evidence import CYCLIC
+from matrixworld.analysis.intervals import Estimate
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, Judgement, WindowJudgement
 from matrixworld.analysis.summary import MARGIN, PartSummary, Summary, TeamSummary
 

@@ -118,7 +118,7 @@ def _print_team(scores: HeldOutScores) -> None:
     [generation] = scores.generations
     click.secho(f"\n{scores.team}s of generation {generation}: {SCORE[scores.team]}", bold=True)
     rows = {name: scores.against(name) for name in scores.opponents}
-    # Its own bootstrap: the interval of a mean is narrower than those of its parts.
+    # Its own interval: that of a mean is narrower than those of its parts.
     rows["mean"] = scores.mean()
     width = max(map(len, rows))
     for name, estimate in rows.items():

@@ -10,7 +10,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.analysis import Estimate, bootstrap_episodes
+from matrixworld.analysis import Estimate, mean_over_episodes
 from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.seeding import Phase
@@ -66,8 +66,8 @@ class HeldOutScores:
         return self._estimate(row, range(len(self.opponents)))
 
     def _estimate(self, row: int, chosen: Sequence[int]) -> Estimate:
-        cells = self.rates[row][np.newaxis, list(chosen)]
-        return bootstrap_episodes(cells, lambda means: float(means.mean()), bounds=(0.0, 1.0))
+        # Episode e against each opponent is one independent sample of the mean.
+        return mean_over_episodes(self.rates[row][list(chosen)].mean(axis=0))
 
     def to_json(self) -> dict[str, Any]:
         """Return everything except the single episodes as values that JSON can hold."""

@@ -1,0 +1,385 @@
+"""How often do the package's intervals contain the truth? Simulated data whose truth is known.
+
+    python evolution/interval_coverage.py             400 repetitions, some minutes on one core
+    python evolution/interval_coverage.py --quick     20 repetitions of the small cases, seconds
+
+An interval of level 95 % should contain the true value in 95 of 100 repetitions. The data are runs
+(normal, skewed, heavy-tailed, bounded shares, two outcomes), payoff matrices (four true matrices,
+win or loss and shares of 30 evaders whose captures are correlated), scores of one pair, and
+collision counts. Intervals that the package withholds are counted as not given.
+
+Method: the functions of ``matrixworld.analysis`` and `matrixworld.SafetyMonitor`, with their
+sources. Look at the worst case of each interval, and at the exceptions below 90 %. ``--results``
+receives the table and the counts behind it.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from threadpoolctl import threadpool_limits
+from tqdm import tqdm
+
+import matrixworld as mw
+from common import script_parser
+from matrixworld import analysis
+from matrixworld.analysis import MEASURES, Estimate
+
+RUNS = (2, 3, 5, 10, 20)
+EPISODES = (4, 10, 50, 200)
+SIZES = (8, 15, 31)
+SAFETY_EPISODES = (20, 50, 100)
+QUICK_LIMIT = 10
+"""Most runs or episodes with ``--quick``; matrices then have the smallest size only."""
+EVADERS = 30
+CONCENTRATION = 4.0  # of the beta distribution of an episode's capture rate: correlated captures
+FEWEST_GIVEN = 100
+"""Fewest intervals of a case for its coverage to be quoted as the worst one."""
+ENOUGH = 0.90
+"""Coverage below this is an exception."""
+
+Case = tuple[str, str]
+"""Interval and data."""
+Matrix = np.ndarray
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """Data of one kind and amount, and the intervals that the package gives for them.
+
+    Parameters
+    ----------
+    size : int
+        Generations of each team; 0 without a matrix.
+    samples : int
+        Runs, or episodes of each cell.
+    truths : mapping of (str, str) to float
+        True value of each interval and kind of data; NaN where there is none.
+    estimates : callable
+        Takes a generator, draws data, and returns the estimate of each interval.
+    """
+
+    size: int
+    samples: int
+    truths: Mapping[Case, float]
+    estimates: Callable[[np.random.Generator], Mapping[Case, Estimate]]
+
+
+@dataclass(frozen=True)
+class Count:
+    """Counts of one case.
+
+    Parameters
+    ----------
+    interval, data : str
+        What the interval is of, and of which data.
+    size, samples : int
+        As in `Simulation`.
+    repetitions, given, covered : int
+        Data sets, intervals that the package gave, and those that contain the truth.
+    """
+
+    interval: str
+    data: str
+    size: int
+    samples: int
+    repetitions: int
+    given: int
+    covered: int
+
+
+# ---- Runs ----------------------------------------------------------------------------------------
+
+
+def _two_outcomes(share: float) -> Callable[[np.random.Generator, int], Matrix]:
+    return lambda rng, n: np.where(rng.random(n) < share, 0.8, 0.2) + rng.normal(0, 0.03, n)
+
+
+VALUES: dict[str, tuple[float, Callable[[np.random.Generator, int], Matrix]]] = {
+    "normal": (0.4, lambda rng, n: rng.normal(0.4, 0.1, n)),
+    "skewed": (2.0, lambda rng, n: rng.gamma(2.0, 1.0, n)),
+    "very skewed": (math.exp(0.5), lambda rng, n: rng.lognormal(0.0, 1.0, n)),
+    "heavy-tailed": (0.0, lambda rng, n: rng.standard_t(3, n)),
+    "shares": (0.6, lambda rng, n: rng.beta(6.0, 4.0, n)),
+    "shares near 0": (0.1, lambda rng, n: rng.beta(1.0, 9.0, n)),
+    "two outcomes, 1 : 1": (0.5, _two_outcomes(0.5)),
+    "two outcomes, 4 : 1": (0.32, _two_outcomes(0.2)),
+}
+"""Mean and distribution of the numbers of runs."""
+
+
+def of_runs(name: str, runs: int) -> Simulation:
+    """Return the mean of runs, and their difference from as many normal runs."""
+    mean, draw = VALUES[name]
+    bounds = (0.0, 1.0) if name.startswith("shares") else (-math.inf, math.inf)
+
+    def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
+        one, other = draw(rng, runs), rng.normal(0.4, 0.1, runs)
+        return {
+            ("mean of runs", name): analysis.interval_over_runs(one, bounds=bounds),
+            ("difference of runs", name): analysis.difference_of_runs(one, other),
+        }
+
+    truths = {("mean of runs", name): mean, ("difference of runs", name): mean - 0.4}
+    return Simulation(0, runs, truths, estimates)
+
+
+# ---- Episodes ------------------------------------------------------------------------------------
+
+
+def _logistic(strength: Matrix) -> Matrix:
+    return 1.0 / (1.0 + np.exp(-strength))
+
+
+TRUE_MATRICES: dict[str, Callable[[Matrix, int], Matrix]] = {
+    "pure race": lambda lag, n: _logistic(0.3 * lag),
+    "slow race": lambda lag, n: _logistic(0.1 * lag),
+    "cycle": lambda lag, n: _logistic(2.0 * np.sin(4.0 * np.pi * lag / n)),
+    "flat": lambda lag, n: np.full((n, n), 0.5),
+}
+"""Capture rate of all pairs from the lag g - h and the number of generations."""
+
+
+def win_or_loss(rates: Matrix, episodes: int, rng: np.random.Generator) -> Matrix:
+    """Return scores (..., episodes) of 0 and 1."""
+    return (rng.random((*rates.shape, episodes)) < rates[..., None]).astype(float)
+
+
+def shares_of_evaders(rates: Matrix, episodes: int, rng: np.random.Generator) -> Matrix:
+    """Return scores (..., episodes): shares of evaders that are captured with equal chances."""
+    shape = (*rates.shape, episodes)
+    a, b = (np.broadcast_to(CONCENTRATION * x[..., None], shape) for x in (rates, 1.0 - rates))
+    return rng.binomial(EVADERS, rng.beta(a, b)) / EVADERS
+
+
+SCORES = {"win or loss": win_or_loss, f"shares of {EVADERS}": shares_of_evaders}
+
+
+def linear_weights(measure: analysis.Measure, size: int) -> Matrix:
+    """Return the weights of the cells in a linear measure, which make it fast to compute."""
+    weights = np.empty((size, size))
+    for cell in np.ndindex(size, size):
+        matrix = np.zeros((size, size))
+        matrix[cell] = 1.0
+        weights[cell] = measure.of(matrix)
+    return weights - measure.of(np.zeros((size, size)))
+
+
+LINEAR = ("capture_rate", "lag_rise", "pursuer_generalization", "pursuer_local_gain",
+          "pursuer_historical_gain", "pursuer_fading")  # fmt: skip
+"""Linear measures; those of the evaders are the same on the swapped matrix."""
+
+
+def of_matrix(kind: str, scores: str, size: int, episodes: int, weights: Mapping) -> Simulation:
+    """Return the linear measures and the transitive share of one run with known episodes."""
+    lags = np.subtract.outer(np.arange(size), np.arange(size)).astype(float)
+    rates = TRUE_MATRICES[kind](lags, size)
+    data = f"{kind}, {scores}"
+
+    def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
+        drawn = SCORES[scores](rates, episodes, rng)
+        share = analysis.measure_over_episodes(MEASURES["transitive_share"], drawn)
+        linear = {
+            (name, data): analysis.linear_over_episodes(
+                drawn, lambda m, w=weights[name, size]: float(np.vdot(w, m)),
+                bounds=(MEASURES[name].low, MEASURES[name].high),
+            )
+            for name in LINEAR
+        }  # fmt: skip
+        return {("transitive_share", data): share, **linear}
+
+    truths = {(name, data): float(np.vdot(weights[name, size], rates)) for name in LINEAR}
+    # A flat matrix has no variation to take a share of.
+    share = math.nan if kind == "flat" else MEASURES["transitive_share"].of(rates)
+    return Simulation(size, episodes, {("transitive_share", data): share, **truths}, estimates)
+
+
+def of_pair(rate: float, scores: str, episodes: int) -> Simulation:
+    """Return the mean score of one pair, and its difference from a pair that scores 1/2."""
+    data = f"rate {rate}, {scores}"
+
+    def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
+        one, other = SCORES[scores](np.array([rate, 0.5]), episodes, rng)
+        return {
+            ("mean of episodes", data): analysis.mean_over_episodes(one),
+            ("difference of episodes", data): analysis.difference_over_episodes(one, other),
+        }
+
+    truths = {("mean of episodes", data): rate, ("difference of episodes", data): rate - 0.5}
+    return Simulation(0, episodes, truths, estimates)
+
+
+# ---- Collisions ----------------------------------------------------------------------------------
+
+COLLISIONS: dict[str, tuple[float, Callable[[np.random.Generator, int], Matrix]]] = {
+    "often": (0.4, lambda rng, n: 0.8 * rng.beta(4.0, 4.0, n)),
+    "some": (0.01, lambda rng, n: rng.gamma(1.0, 0.01, n)),
+    "uneven": (0.01, lambda rng, n: rng.gamma(0.5, 0.02, n)),
+    "very uneven": (0.01, lambda rng, n: rng.gamma(0.2, 0.05, n)),
+    "in 1 of 10 episodes": (0.002, lambda rng, n: (rng.random(n) < 0.1) * rng.gamma(1, 0.02, n)),
+    "often in 1 of 7": (0.0733, lambda rng, n: np.where(rng.random(n) < 1 / 7, 0.5, 0.00218)),
+}
+"""Mean collision rate, and its distribution over episodes: six, one for each team and kind."""
+
+
+def of_collisions(episodes: int) -> Simulation:
+    """Return the collision rates of a safety monitor; episodes have different lengths."""
+
+    def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
+        steps = rng.integers(200, 2001, (episodes, 2))
+        rates = [draw(rng, episodes) for _, draw in COLLISIONS.values()]
+        chances = np.clip(np.transpose(rates), 0.0, 1.0).reshape(-1, 2, 3)
+        counts = rng.binomial(steps[:, :, None], chances)
+        monitor = mw.SafetyMonitor()
+        monitor.add(counts, counts, steps, np.zeros(episodes))
+        summary = monitor.summary(seed=int(rng.integers(2**32)))
+        values = zip(summary.fault_rate.ravel(), summary.fault_interval.reshape(6, 2), strict=True)
+        return {
+            ("collision rate", name): _estimate(rate, *ends, episodes)
+            for name, (rate, ends) in zip(COLLISIONS, values, strict=True)
+        }
+
+    truths = {("collision rate", name): 1000 * mean for name, (mean, _) in COLLISIONS.items()}
+    return Simulation(0, episodes, truths, estimates)
+
+
+def _estimate(value: float, low: float, high: float, episodes: int) -> Estimate:
+    ends = (None, None) if math.isnan(low) else (low, high)
+    return Estimate(value, *ends, "episodes", episodes)
+
+
+# ---- Counts --------------------------------------------------------------------------------------
+
+
+def simulations(quick: bool) -> Iterator[Simulation]:
+    """Return all simulations, or the small ones."""
+    sizes = SIZES[:1] if quick else SIZES
+    episodes = [e for e in EPISODES if not quick or e <= QUICK_LIMIT]
+    weights = {(name, n): linear_weights(MEASURES[name], n) for name in LINEAR for n in sizes}
+    for runs in (r for r in RUNS if not quick or r <= QUICK_LIMIT):
+        yield from (of_runs(name, runs) for name in VALUES)
+    for count in episodes:
+        for scores in SCORES:
+            yield from (of_pair(rate, scores, count) for rate in (0.5, 0.9, 0.99))
+            for size in sizes:
+                yield from (of_matrix(k, scores, size, count, weights) for k in TRUE_MATRICES)
+    yield from (of_collisions(count) for count in SAFETY_EPISODES[: 1 if quick else None])
+
+
+def count(simulation: Simulation, repetitions: int, rng: np.random.Generator) -> list[Count]:
+    """Repeat a simulation, and count the intervals that contain the truth."""
+    given = dict.fromkeys(simulation.truths, 0)
+    covered = dict.fromkeys(simulation.truths, 0)
+    for _ in range(repetitions):
+        for case, estimate in simulation.estimates(rng).items():
+            if estimate.low is not None and estimate.high is not None:
+                given[case] += 1
+                # A true share of 1 is covered by an interval that ends at 1 after rounding.
+                low, high = estimate.low - 1e-9, estimate.high + 1e-9
+                covered[case] += low <= simulation.truths[case] <= high
+    size, samples = simulation.size, simulation.samples
+    return [Count(*case, size, samples, repetitions, given[case], covered[case]) for case in given]
+
+
+# ---- Tables --------------------------------------------------------------------------------------
+
+
+def table(counts: Iterable[Count]) -> str:
+    """Return coverage by interval and number of samples, and the exceptions, as Markdown."""
+    rows = list(counts)
+    lines = [
+        "| interval | runs or episodes | given | coverage | worst case | |",
+        "|---|---|---|---|---|---|",
+    ]
+    for interval in dict.fromkeys(row.interval for row in rows):
+        of_interval = [row for row in rows if row.interval == interval]
+        lines += [
+            _summary([row for row in of_interval if row.samples == samples])
+            for samples in dict.fromkeys(row.samples for row in of_interval)
+        ]
+    return "\n".join([*lines, "", *_exceptions(rows)])
+
+
+def _exceptions(rows: list[Count]) -> list[str]:
+    """Return lines of the cases whose intervals cover too rarely, by runs or episodes."""
+    low = [row for row in rows if _is_known(row) and _coverage([row]) < ENOUGH]
+    cases: dict[str, list[str]] = {}
+    for row in low:
+        found = f"{_coverage([row]):.1%} at {row.samples}"
+        cases.setdefault(f"{row.interval}, {_case(row)}", []).append(found)
+    heading = f"Exceptions, with a coverage below {ENOUGH:.0%}:"
+    return [heading, "", *(f"- {case}: {', '.join(each)}" for case, each in cases.items())]
+
+
+def _has_truth(row: Count) -> bool:
+    return not (row.interval == "transitive_share" and row.data.startswith("flat"))
+
+
+def _is_known(row: Count) -> bool:
+    return _has_truth(row) and row.given >= min(FEWEST_GIVEN, row.repetitions)
+
+
+def _summary(rows: list[Count]) -> str:
+    """Return a line of the table: mean coverage, and the case with the lowest one."""
+    given = sum(row.given for row in rows) / sum(row.repetitions for row in rows)
+    worst = min(filter(_is_known, rows), key=lambda row: _coverage([row]), default=None)
+    cells = [rows[0].interval, str(rows[0].samples), f"{given:.0%}"]
+    cells += [f"{_coverage([row for row in rows if _has_truth(row)]):.1%}"]
+    cells += ["", ""] if worst is None else [f"{_coverage([worst]):.1%}", _case(worst)]
+    return f"| {' | '.join(cells)} |"
+
+
+def _coverage(rows: list[Count]) -> float:
+    given = sum(row.given for row in rows)
+    return sum(row.covered for row in rows) / given if given else math.nan
+
+
+def _case(row: Count) -> str:
+    return f"{row.data}, {row.size} x {row.size}" if row.size else row.data
+
+
+def read_counts(path: Path) -> list[Count]:
+    """Return the counts of a file that this script wrote."""
+    with path.open(encoding="utf-8", newline="") as file:
+        rows = list(csv.reader(file))[1:]
+    return [Count(row[0], row[1], *map(int, row[2:])) for row in rows]
+
+
+def write(counts: list[Count], results: Path) -> None:
+    """Write the counts and the table."""
+    results.mkdir(parents=True, exist_ok=True)
+    with (results / "coverage.csv").open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(Count.__dataclass_fields__)
+        writer.writerows(tuple(vars(row).values()) for row in counts)
+    (results / "coverage.md").write_text(table(counts) + "\n", encoding="utf-8")
+
+
+def main() -> None:
+    """Repeat all simulations, print and write the results."""
+    parser = script_parser(__doc__, quick="20 repetitions of the small cases")
+    parser.add_argument("--repetitions", type=int, help="data sets of each case")
+    parser.add_argument("--results", type=Path, default=Path("coverage"))
+    args = parser.parse_args()
+    repetitions = args.repetitions or (20 if args.quick else 400)
+    every = list(simulations(args.quick))
+    # Threads would wait for each other longer than these small products take.
+    with threadpool_limits(1):
+        counts = [
+            row
+            for number, simulation in enumerate(tqdm(every, unit=" cases", disable=None))
+            # A seed for each simulation: the number of repetitions of others changes no counts.
+            for row in count(simulation, repetitions, np.random.default_rng(number))
+        ]
+    write(counts, args.results)
+    print(table(counts))
+    print(f"\nWritten: {args.results}/coverage.md, {args.results}/coverage.csv")
+
+
+if __name__ == "__main__":
+    main()

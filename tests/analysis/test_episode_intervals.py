@@ -1,0 +1,133 @@
+"""Intervals over episodes: coverage of noise-free numbers, exact intervals, special cases."""
+
+from __future__ import annotations
+
+from itertools import permutations
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from interval_ends import ends
+from matrices import circular, logistic
+from matrixworld import analysis
+from matrixworld.analysis.episode_intervals import BIASED, _sums_without_noise
+
+
+@pytest.mark.parametrize(("wins", "episodes"), [(0, 4), (1, 10), (5, 10), (10, 10), (30, 200)])
+def test_win_or_loss_has_the_interval_of_clopper_and_pearson(wins: int, episodes: int) -> None:
+    scores = np.arange(episodes) < wins
+    expected = stats.binomtest(wins, episodes).proportion_ci(method="exact")
+    found = analysis.mean_over_episodes(scores)
+    assert ends(found) == pytest.approx(tuple(expected), abs=0.006)
+    assert (found.value, found.over, found.samples) == (wins / episodes, "episodes", episodes)
+
+
+def test_scores_that_vary_little_have_narrower_intervals() -> None:
+    steady = ends(analysis.mean_over_episodes([0.5, 0.45, 0.55, 0.5] * 25))
+    win_or_loss = ends(analysis.mean_over_episodes([0.0, 1.0] * 50))
+    assert win_or_loss[0] < steady[0] < 0.5 < steady[1] < win_or_loss[1]
+
+
+def test_differences_cover_and_lie_within_their_bounds() -> None:
+    rng = np.random.default_rng(0)
+    covered = []
+    for _ in range(300):
+        found = analysis.difference_over_episodes(rng.random(10) < 0.9, rng.random(20) < 0.6)
+        low, high = ends(found)
+        covered.append(low <= 0.3 <= high)
+    assert np.mean(covered) > 0.94
+    low, high = ends(analysis.difference_over_episodes(np.ones(5), np.zeros(5)))
+    assert 0.2 < low < high == 1.0
+
+
+def test_linear_measures_cover_the_noise_free_measure() -> None:
+    truth, rng = logistic(8), np.random.default_rng(3)
+    covered = []
+    for _ in range(300):
+        scores = rng.random((8, 8, 5)) < truth[:, :, None]
+        low, high = ends(analysis.linear_over_episodes(scores, analysis.lag_rise))
+        covered.append(low <= analysis.lag_rise(truth) <= high)
+    assert 0.91 < np.mean(covered) < 0.99
+
+
+def test_cells_may_share_their_episodes() -> None:
+    rng = np.random.default_rng(4)
+    shared = rng.random((300, 1, 1, 6)) * np.ones((1, 4, 4, 1))
+    found = [ends(analysis.linear_over_episodes(each, np.mean)) for each in shared]
+    assert 0.91 < np.mean([low <= 0.5 <= high for low, high in found]) < 0.98
+
+
+def test_sums_without_noise_are_those_of_pairs_of_episodes() -> None:
+    scores = np.random.default_rng(5).random((3, 4, 5))
+    parts = [analysis.two_way_parts(scores[:, :, e]) for e in range(5)]
+    pairs = list(permutations(range(5), 2))
+    residual = np.mean([np.sum(parts[e].cyclic * parts[f].cyclic) for e, f in pairs])
+    centered = [scores[:, :, e] - parts[e].mean for e in range(5)]
+    total = np.mean([np.sum(centered[e] * centered[f]) for e, f in pairs])
+    np.testing.assert_allclose(_sums_without_noise(scores)[0], [residual, total])
+
+
+@pytest.mark.parametrize(("truth", "name"), [(logistic(15), "race"), (circular(15), "cycle")])
+def test_the_transitive_share_is_freed_from_noise(truth: np.ndarray, name: str) -> None:
+    share, rng = analysis.transitive_share(truth), np.random.default_rng(6)
+    covered, values, measured = [], [], []
+    for _ in range(100):
+        scores = rng.random((15, 15, 10)) < truth[:, :, None]
+        found = analysis.transitive_share_over_episodes(scores)
+        low, high = ends(found)
+        covered.append(low <= share <= high)
+        values.append(found.value)
+        measured.append(analysis.transitive_share(scores.mean(axis=2)))
+    assert np.mean(covered) > 0.9, name
+    assert abs(np.mean(values) - share) < min(0.02, abs(np.mean(measured) - share))
+    assert found.note == "episode noise subtracted"
+
+
+def test_shares_without_an_interval() -> None:
+    noise = np.random.default_rng(7).random((6, 6, 10)) < 0.5
+    found = analysis.transitive_share_over_episodes(noise)
+    assert found.note == "biased by episode noise: no interval, no variation beyond it"
+    assert found.low is None
+    assert found.value == pytest.approx(analysis.transitive_share(noise.mean(axis=2)))
+    few = analysis.transitive_share_over_episodes(noise[:, :, :3])
+    assert few.note == "biased by episode noise: no interval below 4 episodes"
+    assert np.isnan(analysis.transitive_share_over_episodes(np.full((3, 3, 4), 0.5)).value)
+
+
+def test_measures_say_which_interval_they_have() -> None:
+    rng = np.random.default_rng(8)
+    scores = rng.random((9, 9, 60)) < logistic(9)[:, :, None]
+    for measure in analysis.MEASURES.values():
+        found = analysis.measure_over_episodes(measure, scores)
+        assert (found.low is None) == (measure.noise == "bias"), found
+        assert (found.note == BIASED) == (measure.noise == "bias"), found
+
+
+@pytest.mark.parametrize("measure", analysis.MEASURES.values(), ids=lambda one: one.name)
+def test_linear_measures_are_linear(measure: analysis.Measure) -> None:
+    one, other = np.random.default_rng(9).random((2, 9, 9))
+    mixed = measure.of(0.3 * one + 0.7 * other)
+    is_linear = mixed == pytest.approx(0.3 * measure.of(one) + 0.7 * measure.of(other), abs=1e-9)
+    # Stripes of random matrices are all 0, which is linear by chance.
+    assert is_linear == (measure.noise == "linear") or measure.name.endswith("stripes")
+
+
+def test_episodes_without_variation_have_no_interval() -> None:
+    found = analysis.linear_over_episodes(np.ones((3, 3, 5)), np.mean)
+    assert (found.value, found.low, found.note) == (
+        1.0,
+        None,
+        "no interval: all episodes are equal",
+    )
+
+
+def test_bad_episodes_are_refused() -> None:
+    with pytest.raises(ValueError, match="at least 2 episodes a cell, got 1"):
+        analysis.linear_over_episodes(np.zeros((2, 2, 1)), np.mean)
+    with pytest.raises(ValueError, match="at least 2 episodes, got 1"):
+        analysis.mean_over_episodes([0.5])
+    with pytest.raises(ValueError, match=r"got 1.5 at index \(1,\)"):
+        analysis.difference_over_episodes([0.5, 1.5], [0.0, 1.0])
+    with pytest.raises(ValueError, match=r"level in \(0, 1\), got 0"):
+        analysis.mean_over_episodes([0.5, 1.0], level=0)
