@@ -88,8 +88,8 @@ def truths(race: SyntheticRace, window: str) -> Truths:
                         size: the drop
     disengagement       current matches (against the latest and the previous opponent) are won by
                         more than .97 by the same team in a row of at least half of the generations;
-                        False: within [.04, .96] in three of four; size: the length of that row, as
-                        a share
+                        False: within [.04, .96] in three of four; size: mean payoff of the team
+                        that wins more of these matches
     ==================  ============================================================================
 
     In a disengaged window every other condition is open.
@@ -214,12 +214,12 @@ def _disengagement(rates: FloatArray, span: slice) -> Truth:
     current = np.diag(rates)
     previous = np.concatenate([current[:1], np.diag(rates, -1)])
     both = np.array([current, previous])[:, span]
+    payoff = float(max(both.mean(), 1.0 - both.mean()))
     one_sided = ((both > 0.97).all(axis=0), (both < 0.03).all(axis=0))
-    share = max(_longest_row(np.asarray(mask)) for mask in one_sided) / both.shape[1]
-    if share >= 0.5:
-        return Truth(True, share)
+    if max(_longest_row(np.asarray(mask)) for mask in one_sided) >= both.shape[1] / 2.0:
+        return Truth(True, payoff)
     engaged = np.mean(((both >= 0.04) & (both <= 0.96)).all(axis=0))
-    return Truth(False if engaged >= 0.75 else None, share)
+    return Truth(False if engaged >= 0.75 else None, payoff)
 
 
 def _longest_row(mask: BoolArray) -> int:
