@@ -73,7 +73,7 @@ def truths(race: SyntheticRace, window: str) -> Truths:
     *rises* in a window if its strength by design does so in at least three of four equal parts, no
     single step makes up half of the rise, and its gain (the slope of the strength times the
     length) is at least .02. It does not rise if its strength by design ends no higher, or if a
-    single step makes up 80 % of the rise. Otherwise it is open.
+    single step makes up 95 % of the rise. Otherwise it is open.
 
     ==================  ============================================================================
     arms race           both teams rise; size: the smaller gain
@@ -164,7 +164,7 @@ def _progress(race: SyntheticRace, span: slice) -> tuple[Truth, Truth]:
 def _rises(course: FloatArray, gain: float) -> bool | None:
     steps = np.diff(course)
     total = steps.sum()
-    if total <= 1e-9 or steps.max() >= 0.8 * total:
+    if total <= 1e-9 or steps.max() >= 0.95 * total:
         return False
     last = len(course) - 1
     parts = np.diff(np.interp(np.linspace(0, last, 5), np.arange(last + 1), course))
