@@ -168,7 +168,7 @@ def _disengaged(n: int, effect: float, draws: Draws) -> SyntheticRace:
 
 
 POWER = {
-    "pure race": (KINDS["pure race"].make, 0.01, 1.0),
+    "pure race": (KINDS["pure race"].make, 0.01, 2.0),
     "only pursuers rise": (KINDS["only pursuers rise"].make, 0.03, 1.0),
     "only evaders rise": (KINDS["only evaders rise"].make, 0.03, 1.0),
     "cycle": (KINDS["cycle"].make, 0.1, 1.5),
