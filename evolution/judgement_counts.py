@@ -22,21 +22,12 @@ SIZE_EDGES = {
     "stagnation": (0.0, 0.005, 0.02, 0.05, 0.1, 0.2, 0.4),
     "cycling": (0.02, 0.04, 0.08, 0.14, 0.2, 0.3),
     "forgetting": (0.1, 0.15, 0.2, 0.3, 0.4, 0.6),
-    "disengagement": (0.5, 0.6, 0.8, 0.99, 1.0),
+    "disengagement": (0.97, 0.98, 0.985, 0.99, 0.995, 1.0),
 }
 """Edges of the bins of the figure, in the units of `matrixworld.toys.race_truths.truths`.
 
 The last bin has no upper end.
 """
-NOISE_GROUPS = {
-    "win or loss, 1 to 4": ("win or loss, 1", "win or loss, 2", "win or loss, 4"),
-    "win or loss, 10": ("win or loss, 10", "win or loss, 10, matchups"),
-    "win or loss, 50 and 200": ("win or loss, 50", "win or loss, 200"),
-    "30 evaders, 2": ("30 evaders, 2",),
-    "30 evaders, 10": ("30 evaders, 10", "30 evaders, 10, matchups"),
-    "30 evaders, 50": ("30 evaders, 50",),
-}
-"""Lines of the figure."""
 
 
 # ---- Counts --------------------------------------------------------------------------------------
@@ -77,26 +68,21 @@ def count_by_setting(judgements: Iterable[dict[str, Any]]) -> list[Row]:
 
 
 def count_by_size(judgements: Iterable[dict[str, Any]]) -> list[Row]:
-    """Return verdicts on single synthetic races, episodes known, by noise and size of effect.
+    """Return verdicts on the races for power curves, last half, by noise and size of effect.
 
-    Headline window. Races that have the condition; for stagnation, all that are engaged and have no
-    cycle.
+    Races that have the condition; for stagnation, all that are engaged and have no cycle.
     """
-    group_of = {noise: group for group, noises in NOISE_GROUPS.items() for noise in noises}
     counted = []
     for one in judgements:
-        setting = one["setting"]
-        if setting.get("runs") != "1" or setting["episodes known"] == "unknown":
-            continue
-        found = {c: (t, size, v) for w, c, t, size, v in one["found"] if w == one["headline"]}
+        found = {c: (t, size, v) for w, c, t, size, v in one["found"] if w == "last half"}
         still_possible = found["cycling"][0] is found["disengagement"][0] is False
         for condition, (holds, size, verdict) in found.items():
             if holds or (condition == "stagnation" and still_possible):
                 edges = SIZE_EDGES[condition]
+                # Effects beyond the last edge belong to the last bin.
                 place = min(int(np.searchsorted(edges, size, "right")), len(edges) - 1)
-                noise = group_of[setting["noise"]]
-                key = (condition, noise, f"{edges[place - 1]:g}", f"{edges[place]:g}")
-                counted.append((key, verdict))
+                ends = (f"{edges[place - 1]:g}", f"{edges[place]:g}")
+                counted.append(((condition, one["setting"]["noise"], *ends), verdict))
     return _wide(("condition", "noise", "from", "to"), counted)
 
 

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from judgement_counts import (
-    NOISE_GROUPS,
     PRESENT,
     VERDICTS,
     Row,
@@ -32,7 +31,7 @@ SIZE_LABELS = {
     "stagnation": "larger change of capture rate (0: true)",
     "cycling": "share of checkerboards",
     "forgetting": "drop of capture rate",
-    "disengagement": "share of generations",
+    "disengagement": "payoff of the winning team",
 }
 # ---- Rates ---------------------------------------------------------------------------------------
 
@@ -231,8 +230,12 @@ def report_of(results: Path) -> str:
 
 def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
     """Write counts, tables and figure to a directory, and return the tables."""
-    counts, settings = count_verdicts(judgements), count_by_setting(judgements)
-    gains, sizes = count_gains(judgements), count_by_size(judgements)
+    sizes = count_by_size(one for one in judgements if one["source"] == "power")
+    # Effects of the power curves are small on purpose, and would hide those of the other races.
+    others = [one for one in judgements if one["source"] != "power"]
+    counts, settings, gains = (
+        count(others) for count in (count_verdicts, count_by_setting, count_gains)
+    )
     files = {"counts": counts, "settings": settings, "gains": gains, "power": sizes}
     for name, rows in files.items():
         write_counts(rows, results / f"{name}.csv")
@@ -242,7 +245,7 @@ def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
     return text
 
 
-def draw_power(rows: Sequence[Row], file: Path, least: int = 10) -> None:
+def draw_power(rows: Sequence[Row], file: Path, least: int = 5) -> None:
     """Draw the share of "present" by size of effect, a line for each noise.
 
     Parameters
@@ -252,16 +255,17 @@ def draw_power(rows: Sequence[Row], file: Path, least: int = 10) -> None:
     file : Path
         Image to write.
     least : int, optional
-        Races that a point stands for at least. The default is 10.
+        Races that a point stands for at least. The default is 5.
     """
     import matplotlib
 
     matplotlib.use("Agg")
     from matplotlib import pyplot as plt
 
+    noises = sorted({row["noise"] for row in rows}, key=lambda noise: _natural((noise,)))
     figure, axes = plt.subplots(2, 3, figsize=(11, 6.5), sharey=True, constrained_layout=True)
     for condition, axis in zip(CONDITIONS, axes.flat, strict=True):
-        for noise in NOISE_GROUPS:
+        for noise in noises:
             points = _points([r for r in rows if r["condition"] == condition], noise, least)
             style = "--" if noise.startswith("30") else "-"
             axis.plot(*np.reshape(points, (-1, 2)).T, style, marker="o", markersize=4, label=noise)

@@ -76,7 +76,7 @@ def test_several_runs_have_intervals_over_runs() -> None:
 
 
 def test_episodes_give_intervals_to_a_single_run_and_dominant_generations() -> None:
-    found = analysis.analyze(SCORES, episodes=True)
+    found = analysis.analyze(SCORES, per_episode=True)
     assert found.estimates["capture_rate"].over == "episodes"
     assert found.runs[0].dominance is not None
     rungs = found.runs[0].dominance.pursuers.generations
@@ -93,7 +93,7 @@ def test_episodes_give_intervals_to_a_single_run_and_dominant_generations() -> N
 
 def test_one_run_with_episodes_may_be_a_stack_of_one() -> None:
     part = SCORES[:4, :4, :5]
-    single, stacked = (analysis.analyze(each, episodes=True) for each in (part, part[None]))
+    single, stacked = (analysis.analyze(each, per_episode=True) for each in (part, part[None]))
     assert single.to_json() == stacked.to_json()
 
 

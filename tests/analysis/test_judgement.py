@@ -247,8 +247,10 @@ def test_every_matrix_has_a_judgement(scores: np.ndarray) -> None:
 def test_bad_input_is_refused() -> None:
     with pytest.raises(ValueError, match=r"level in \(0, 1\), got 1.5"):
         judge(logistic(8), level=1.5)
-    with pytest.raises(ValueError, match="at least 1 episode of each cell, got 0"):
+    with pytest.raises(ValueError, match="episodes: expected"):
         judge(logistic(8), episodes=0)
+    with pytest.raises(TypeError, match="episodes: expected an integer"):
+        judge(np.zeros((8, 8, 3)), episodes=True)
     with pytest.raises(ValueError, match="the 3 episodes of each cell that the payoffs hold, got"):
         judge(np.zeros((8, 8, 3)), per_episode=True, episodes=5)
     with pytest.raises(ValueError, match="got 1.5"):

@@ -170,7 +170,7 @@ def test_arrays() -> None:
     assert analysis.read_payoffs(MATRIX.tolist()).matrices.shape == (1, 2, 3)
     assert analysis.read_payoffs(np.zeros((4, 2, 3))).matrices.shape == (4, 2, 3)
     for shape in ((2, 3, 5), (1, 2, 3, 5)):
-        found = analysis.read_payoffs(np.zeros(shape), episodes=True)
+        found = analysis.read_payoffs(np.zeros(shape), per_episode=True)
         assert found.scores is not None
         assert found.scores.shape == (1, 2, 3, 5)
     for bad, episodes in ((np.zeros(3), False), (np.zeros((2,) * 4), False), (MATRIX, True)):

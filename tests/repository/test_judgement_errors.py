@@ -53,6 +53,13 @@ def script(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
 
 
 @pytest.fixture
+def cases(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """Import the module of races."""
+    monkeypatch.syspath_prepend(SCRIPTS)
+    return importlib.import_module("judgement_cases")
+
+
+@pytest.fixture
 def tables(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     """Import the module of tables."""
     monkeypatch.syspath_prepend(SCRIPTS)
@@ -98,7 +105,11 @@ def test_quick_benchmark_writes_tables_that_follow_from_counts(
             given = "absent" if condition == "cycling" else "present"
             given = "cannot tell" if window == "first half" else given
             assert found[given] == sum(found.values()) > 0
-    assert tables.totals(tables.read_counts(tmp_path / "power.csv"), condition="cycling")["absent"]
+    by_size = tables.read_counts(tmp_path / "power.csv")
+    assert sum(tables.totals(by_size, condition="disengagement").values()) > 0
+    # Races for power curves are in no other table.
+    races = tables.totals(tables.read_counts(tmp_path / "settings.csv"), setting="runs")
+    assert sum(races.values()) <= 28 * 2 * len(CONDITIONS)
 
 
 def test_an_interrupted_benchmark_continues(
@@ -124,10 +135,10 @@ def test_judgements_of_other_code_are_refused(run: Callable[..., str], tmp_path:
         run("--quick", "--results", tmp_path)
 
 
-def test_races_are_those_that_the_setting_says(script: ModuleType) -> None:
+def test_races_are_those_that_the_setting_says(cases: ModuleType) -> None:
     seen = set()
     for seed in range(40):
-        case = script.synthetic_case("cycle", seed)
+        case = cases.synthetic_case("cycle", seed)
         runs, n = int(case.setting["runs"]), int(case.setting["generations"])
         shape = (n, n) if runs == 1 else (runs, n, n)
         episodes = int(case.setting["noise"].split(", ")[1])
@@ -136,13 +147,45 @@ def test_races_are_those_that_the_setting_says(script: ModuleType) -> None:
         assert case.scores.shape == (*shape, episodes)[: len(shape) + case.per_episode]
         assert case.per_episode == (known == "each episode")
         assert case.episodes == (episodes if known == "number of episodes" else None)
-        again = script.synthetic_case("cycle", seed)
+        again = cases.synthetic_case("cycle", seed)
         assert np.array_equal(case.scores, again.scores)
     assert seen == {"each episode", "number of episodes", "unknown"}
 
 
-def test_learners_that_cannot_learn_and_opponents_in_random_order(script: ModuleType) -> None:
-    frozen = script.real_case(script.FROZEN, 3)
+def test_races_for_power_curves_are_single_and_show_all_episodes(cases: ModuleType) -> None:
+    for kind in cases.POWER:
+        sizes = []
+        for seed in range(6):
+            case = cases.power_case(kind, seed)
+            assert case.setting["noise"] == cases.POWER_NOISES[seed]
+            assert case.scores.shape[:2] == (31, 31)
+            assert case.per_episode
+            sizes.append({name: one.size for name, one in case.truths["last half"].items()})
+        assert len({tuple(each.values()) for each in sizes}) == 6
+    assert case.truths["last half"]["disengagement"].holds
+    assert 0.97 <= case.truths["last half"]["disengagement"].size <= 1.0
+
+
+def test_sizes_by_hand(tables: ModuleType) -> None:
+    found = [
+        ["last half", "cycling", True, 0.09, "present"],
+        ["last half", "disengagement", False, 0.5, "absent"],
+        ["last half", "stagnation", False, 0.9, "absent"],
+        ["whole", "arms race", True, 0.9, "present"],
+    ]
+    rows = tables.count_by_size([judgement("cycle", found)])
+    assert [(row["condition"], row["from"], row["to"]) for row in rows] == [
+        ("cycling", "0.08", "0.14")
+    ]
+    found[0][2] = False
+    rows = tables.count_by_size([judgement("cycle", found)])
+    assert [(row["condition"], row["from"], row["to"]) for row in rows] == [
+        ("stagnation", "0.2", "0.4")
+    ]
+
+
+def test_learners_that_cannot_learn_and_opponents_in_random_order(cases: ModuleType) -> None:
+    frozen = cases.real_case(cases.FROZEN, 3)
     assert frozen.scores.shape == (15, 15, 10)
     held = {condition: truth.holds for condition, truth in frozen.truths["whole"].items()}
     assert held["arms race"] is held["cycling"] is held["forgetting"] is False
@@ -150,7 +193,7 @@ def test_learners_that_cannot_learn_and_opponents_in_random_order(script: Module
     each = frozen.scores.mean(axis=(1, 2))
     luck = frozen.scores.mean(axis=1).std(axis=1).mean() / np.sqrt(10)
     assert each.std() < 2.5 * luck
-    shuffled = script.real_case(script.SHUFFLED, 3)
+    shuffled = cases.real_case(cases.SHUFFLED, 3)
     assert shuffled.truths["whole"]["arms race"].holds is False
     assert shuffled.truths["whole"]["one-sided progress"].holds is None
 

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.analysis.payoff import Rates, check_rates, check_runs, require
 from matrixworld.analysis.tables import read_table
+from matrixworld.checks import check_integer
 from matrixworld.files import read_arrays
 
 Source = ArrayLike | str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
@@ -78,7 +79,7 @@ def read_payoffs(
         `episodes` is below 1 or not the number of episodes that the source holds. The message
         names the file.
     TypeError
-        If an array does not hold numbers.
+        If an array does not hold numbers, or `episodes` is not an integer.
     FileNotFoundError
         If a file does not exist.
     """
@@ -93,7 +94,7 @@ def _counted(payoffs: Payoffs, episodes: int | None) -> Payoffs:
     """Return the payoffs with the number of their episodes, if the user has given it."""
     if episodes is None:
         return payoffs
-    require(episodes >= 1, "at least 1 episode of each cell", episodes)
+    check_integer("episodes", episodes, 1)
     held = payoffs.episodes or episodes
     require(held == episodes, f"the {held} episodes of each cell that the payoffs hold", episodes)
     return replace(payoffs, episodes=episodes)

@@ -73,7 +73,7 @@ def truths(race: SyntheticRace, window: str) -> Truths:
     *rises* in a window if its strength by design does so in at least three of four equal parts, no
     single step makes up half of the rise, and its gain (the slope of the strength times the
     length) is at least .02. It does not rise if its strength by design ends no higher, or if a
-    single step makes up 80 % of the rise. Otherwise it is open.
+    single step makes up 95 % of the rise. Otherwise it is open.
 
     ==================  ============================================================================
     arms race           both teams rise; size: the smaller gain
@@ -88,8 +88,8 @@ def truths(race: SyntheticRace, window: str) -> Truths:
                         size: the drop
     disengagement       current matches (against the latest and the previous opponent) are won by
                         more than .97 by the same team in a row of at least half of the generations;
-                        False: within [.04, .96] in three of four; size: the length of that row, as
-                        a share
+                        False: within [.04, .96] in three of four; size: mean payoff of the team
+                        that wins more of these matches
     ==================  ============================================================================
 
     In a disengaged window every other condition is open.
@@ -164,7 +164,7 @@ def _progress(race: SyntheticRace, span: slice) -> tuple[Truth, Truth]:
 def _rises(course: FloatArray, gain: float) -> bool | None:
     steps = np.diff(course)
     total = steps.sum()
-    if total <= 1e-9 or steps.max() >= 0.8 * total:
+    if total <= 1e-9 or steps.max() >= 0.95 * total:
         return False
     last = len(course) - 1
     parts = np.diff(np.interp(np.linspace(0, last, 5), np.arange(last + 1), course))
@@ -214,12 +214,12 @@ def _disengagement(rates: FloatArray, span: slice) -> Truth:
     current = np.diag(rates)
     previous = np.concatenate([current[:1], np.diag(rates, -1)])
     both = np.array([current, previous])[:, span]
+    payoff = float(max(both.mean(), 1.0 - both.mean()))
     one_sided = ((both > 0.97).all(axis=0), (both < 0.03).all(axis=0))
-    share = max(_longest_row(np.asarray(mask)) for mask in one_sided) / both.shape[1]
-    if share >= 0.5:
-        return Truth(True, share)
+    if max(_longest_row(np.asarray(mask)) for mask in one_sided) >= both.shape[1] / 2.0:
+        return Truth(True, payoff)
     engaged = np.mean(((both >= 0.04) & (both <= 0.96)).all(axis=0))
-    return Truth(False if engaged >= 0.75 else None, share)
+    return Truth(False if engaged >= 0.75 else None, payoff)
 
 
 def _longest_row(mask: BoolArray) -> int:

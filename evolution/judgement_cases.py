@@ -1,0 +1,205 @@
+"""Races for the benchmark of the judgement: what it gets to see, and what is true of it."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import NamedTuple
+
+import numpy as np
+
+from matrixworld import toys
+from matrixworld.coevolution import RaceSettings, finish
+from matrixworld.toys import race_formulas as formulas
+from matrixworld.toys.race_formulas import Draws, SyntheticRace
+from matrixworld.toys.race_truths import (
+    CONDITIONS,
+    NOISES,
+    WINDOWS,
+    Truth,
+    Truths,
+    change_of_strength,
+    play_episodes,
+    truths_of_group,
+)
+from matrixworld.toys.synthetic_races import KINDS, synthetic_races
+
+SIZES = (8, 15, 31, 60, 100)
+RUNS = (1, 1, 1, 3, 5, 10)
+"""Half of the races are single runs."""
+EFFECTS = (0.25, 0.5, 1.0, 2.0)
+POWER_NOISES = (
+    "win or loss, 2", "win or loss, 10", "win or loss, 50", "win or loss, 200",
+    "30 evaders, 2", "30 evaders, 10",
+)  # fmt: skip
+PER_EPISODE, NUMBER, UNKNOWN = "each episode", "number of episodes", "unknown"
+MOST_VALUES = 2_000_000
+"""Above that, single episodes are not handed over, but their means and their number."""
+
+FROZEN, SHUFFLED = "learners that cannot learn", "opponents in random order"
+REAL = RaceSettings(
+    rows=10, cols=10, pursuers=3, evaders=4, generations=14, pursuer_epochs=4, evader_epochs=4,
+    population=8, train_steps=40, eval_steps=60,
+)  # fmt: skip
+NO_LEARNING = replace(
+    REAL, pursuer_epochs=1, evader_epochs=1, population=2, sigma=1e-6, learning_rate=1e-9
+)
+
+
+@dataclass(frozen=True)
+class Case:
+    """Matches that a judgement gets to see, and what is true of them.
+
+    Parameters
+    ----------
+    scores : ndarray of float64, shape (n, n), (runs, n, n), or with a last axis of episodes
+        Capture rates.
+    per_episode : bool
+        Whether the last axis holds episodes.
+    episodes : int or None
+        Episodes behind each mean, if they are told.
+    truths : dict of str to dict
+        Window -> condition -> `Truth`.
+    setting : dict of str to str
+        How the race was played, for tables.
+    gains : dict of str to list
+        Window -> true change of the strength of pursuers and evaders; None where it is open.
+    """
+
+    scores: np.ndarray
+    per_episode: bool
+    episodes: int | None
+    truths: dict[str, Truths]
+    setting: dict[str, str]
+    gains: dict[str, list[float | None]]
+
+
+# ---- Sources -------------------------------------------------------------------------------------
+
+
+def synthetic_case(kind: str, seed: int) -> Case:
+    """Return a synthetic race; the seed draws how it is played, too."""
+    # Another key than that of the race's parameters; a checksum, as hash() differs between runs.
+    rng = np.random.default_rng([seed, 2, zlib.crc32(kind.encode())])
+    noise, n, runs = str(rng.choice(list(NOISES))), int(rng.choice(SIZES)), int(rng.choice(RUNS))
+    known, effect = str(rng.choice((PER_EPISODE, NUMBER, UNKNOWN))), float(rng.choice(EFFECTS))
+    races = synthetic_races(kind, n, seed, effect=effect, runs=runs)
+    return _play(races, noise, known, rng, {"effect": f"{effect:g}"})
+
+
+def power_case(kind: str, seed: int) -> Case:
+    """Return a single synthetic race of 31 generations with all its episodes, for power curves.
+
+    Noises take turns, and the effect size is drawn log-uniformly.
+    """
+    make, low, high = POWER[kind]
+    rng = np.random.default_rng([seed, 4, zlib.crc32(kind.encode())])
+    race = make(31, float(np.exp(rng.uniform(np.log(low), np.log(high)))), Draws(seed))
+    return _play([race], POWER_NOISES[seed % len(POWER_NOISES)], PER_EPISODE, rng, {})
+
+
+def _play(
+    races: list[SyntheticRace],
+    noise_name: str,
+    known: str,
+    rng: np.random.Generator,
+    setting: dict[str, str],
+) -> Case:
+    noise, n, runs = NOISES[noise_name], len(races[0].rates), len(races)
+    if known == PER_EPISODE and runs * n * n * noise.episodes > MOST_VALUES:
+        known = NUMBER
+    # Each run at once becomes means, unless its episodes are to be shown.
+    show = np.asarray if known == PER_EPISODE else _means
+    played = np.stack([show(play_episodes(race.rates, noise, rng)) for race in races])
+    return Case(
+        played[0] if runs == 1 else played,
+        known == PER_EPISODE,
+        noise.episodes if known == NUMBER else None,
+        {window: truths_of_group(races, window) for window in WINDOWS},
+        {"noise": noise_name, "generations": str(n), "episodes known": known, "runs": str(runs)}
+        | setting,
+        {window: _true_gains(races, window) for window in WINDOWS},
+    )
+
+
+def _means(scores: np.ndarray) -> np.ndarray:
+    return np.asarray(scores.mean(axis=-1))
+
+
+def _true_gains(races: list[SyntheticRace], window: str) -> list[float | None]:
+    # The change that a group estimates is that of all possible runs, which is not known.
+    return list(change_of_strength(races[0].rates, window)) if len(races) == 1 else [None, None]
+
+
+def toy_case(kind: str, seed: int) -> Case:
+    """Return a race in a toy game, with its episodes."""
+    race = toys.labelled_race(kind, seed)
+    return Case(race.scores, True, None, dict(race.truths), {}, {})
+
+
+def real_case(kind: str, seed: int) -> Case:
+    """Return a small real race, with its episodes."""
+    settings = NO_LEARNING if kind == FROZEN else REAL
+    with TemporaryDirectory() as place:
+        scores = finish(replace(settings, seed=seed), Path(place) / "race").payoff().capture_rates
+    still = np.zeros(len(scores))
+    if kind == FROZEN:
+        # All generations are the same, so one rate holds for all pairs.
+        race = SyntheticRace(np.full(scores.shape[:2], scores.mean()), still, still)
+        found = {window: truths_of_group([race], window) for window in WINDOWS}
+    else:
+        scores = scores[:, np.random.default_rng([seed, 3]).permutation(len(scores))]
+        found = {window: _only_no_arms_race() for window in WINDOWS}
+    return Case(scores, True, None, found, {}, {})
+
+
+def _only_no_arms_race() -> Truths:
+    """Return what is known when the evaders are in random order: they gain nothing in time."""
+    found = {condition: Truth(None, 0.0) for condition in CONDITIONS}
+    return found | {"arms race": Truth(False, 0.0)}
+
+
+def _disengaged(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Return a race that one team wins from an onset on, by ``1 - .03 / effect``."""
+    return formulas.disengagement(n, 1.0, draws, rate=1.0 - 0.03 / effect)
+
+
+POWER = {
+    "pure race": (KINDS["pure race"].make, 0.01, 2.0),
+    "only pursuers rise": (KINDS["only pursuers rise"].make, 0.03, 1.0),
+    "only evaders rise": (KINDS["only evaders rise"].make, 0.03, 1.0),
+    "cycle": (KINDS["cycle"].make, 0.1, 1.5),
+    "forgetting": (KINDS["forgetting"].make, 0.5, 3.0),
+    "decline": (KINDS["decline"].make, 0.3, 2.0),
+    "disengagement": (_disengaged, 1.0, 30.0),
+}
+"""Kinds of the power curves: how to make them, smallest and largest effect."""
+
+
+class Source(NamedTuple):
+    """Where races come from.
+
+    Parameters
+    ----------
+    case : callable
+        (Kind, seed) -> `Case`.
+    kinds : tuple of str
+        Kinds of races.
+    share : float
+        Seeds of each kind, in units of ``--seeds``.
+    """
+
+    case: Callable[[str, int], Case]
+    kinds: tuple[str, ...]
+    share: float
+
+
+SOURCES = {
+    "synthetic": Source(synthetic_case, tuple(KINDS), 1.0),
+    "power": Source(power_case, tuple(POWER), 2.0),
+    "toy game": Source(toy_case, tuple(toys.RACES), 0.25),
+    "real race": Source(real_case, (FROZEN, SHUFFLED), 0.25),
+}
