@@ -27,14 +27,14 @@ from pathlib import Path
 from typing import TypeVar
 
 import numpy as np
+from matrixworld.analysis.calibration import ABSENT, CANNOT_TELL, PRESENT, Calibration, Numbers
+from matrixworld.analysis.diagnosis import RESAMPLES
 from tqdm import tqdm
 
 from common import script_parser
 from matrixworld import analysis, toys
 from matrixworld.analysis import CONDITIONS
 from matrixworld.analysis import calibration as calibrations
-from matrixworld.analysis.calibration import ABSENT, CANNOT_TELL, PRESENT, Calibration, Numbers
-from matrixworld.analysis.diagnosis import RESAMPLES
 from matrixworld.analysis.evidence import numbers_of_run
 
 FIRST_TEST_SEED = 1000  # calibration starts from seed 0

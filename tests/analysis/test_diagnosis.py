@@ -10,11 +10,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
-from scipy.stats import fisher_exact
-
-from matrices import circular, logistic, staircase
-from matrixworld import analysis, toys
-from matrixworld.analysis import CONDITIONS, diagnose
 from matrixworld.analysis.calibration import (
     ABSENT,
     CANNOT_TELL,
@@ -26,8 +21,13 @@ from matrixworld.analysis.calibration import (
     tally,
 )
 from matrixworld.analysis.diagnosis import _unless_cycling
-from matrixworld.analysis.evidence import BOUNDS, SUPPORT, numbers_of_run, one_sided_share
 from matrixworld.analysis.findings import ADVICE, LABELS
+from scipy.stats import fisher_exact
+
+from matrices import circular, logistic, staircase
+from matrixworld import analysis, toys
+from matrixworld.analysis import CONDITIONS, diagnose
+from matrixworld.analysis.evidence import BOUNDS, SUPPORT, numbers_of_run, one_sided_share
 from matrixworld.coevolution.opponents import Uniform
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.toys.labelled_races import truth_of_hands, truth_of_history

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping
 from typing import Any
 
@@ -20,6 +21,11 @@ COLORMAP = "viridis"
 
 FEWEST_CELLS = 5
 """A lag whose mean rests on fewer cells is drawn faintly."""
+
+WIDEST = 46
+"""Characters of a line above a heat map in `comparison`."""
+LINE = 13
+"""Height of such a line, in points."""
 
 _SCALE = "capture rate (0 all escape, 1 all caught)"
 
@@ -126,16 +132,24 @@ def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figur
     return figure
 
 
-def comparison(payoffs: Mapping[str, ArrayLike], *, title: str | None = None) -> Figure:
+def comparison(
+    payoffs: Mapping[str, ArrayLike],
+    judgements: Mapping[str, analysis.Judgement] | None = None,
+    *,
+    title: str | None = None,
+) -> Figure:
     """Draw several races side by side, on the same scales.
 
     Each column is a race: its heat map, its lag profile and its generalisation curves, below its
-    name and the verdict of :func:`matrixworld.analysis.summarize`.
+    name, its judgement and numbers of :func:`matrixworld.analysis.summarize`.
 
     Parameters
     ----------
     payoffs : mapping of str to array_like of float
         Payoff matrices of at least 2 x 2, by the name of the race.
+    judgements : mapping of str to Judgement, optional
+        Results of :func:`matrixworld.analysis.judge` by the name of the race; a race without one
+        has numbers only.
     title : str, optional
         Title of the figure.
 
@@ -154,7 +168,7 @@ def comparison(payoffs: Mapping[str, ArrayLike], *, title: str | None = None) ->
     figure = new_figure(1.2 + 4.0 * len(payoffs), 10.0)
     grid = figure.subplots(3, len(payoffs), squeeze=False, height_ratios=(1.7, 1.0, 1.0))
     images = [
-        _draw_race(column, name, payoff)
+        _draw_race(column, name, payoff, (judgements or {}).get(name))
         for (name, payoff), column in zip(payoffs.items(), grid.T, strict=True)
     ]
     figure.colorbar(images[0], ax=list(grid[0]), label=_SCALE, shrink=0.9)
@@ -167,11 +181,17 @@ def comparison(payoffs: Mapping[str, ArrayLike], *, title: str | None = None) ->
     return figure
 
 
-def _draw_race(column: NDArray[np.object_], name: str, payoff: ArrayLike) -> AxesImage:
+def _draw_race(
+    column: NDArray[np.object_],
+    name: str,
+    payoff: ArrayLike,
+    judgement: analysis.Judgement | None,
+) -> AxesImage:
     image = _draw_heatmap(column[0], payoff)
-    column[0].set_title(name, fontweight="bold", pad=34)
+    lines = _caption(payoff, judgement)
+    column[0].set_title(name, fontweight="bold", pad=8 + LINE * len(lines))
     column[0].annotate(
-        _verdict(payoff), (0.5, 1.0), xytext=(0, 5), xycoords="axes fraction",
+        "\n".join(lines), (0.5, 1.0), xytext=(0, 5), xycoords="axes fraction",
         textcoords="offset points", ha="center", va="bottom", size="small",
     )  # fmt: skip
     _draw_lag_profile(column[1], payoff)
@@ -181,17 +201,20 @@ def _draw_race(column: NDArray[np.object_], name: str, payoff: ArrayLike) -> Axe
     return image
 
 
-def _verdict(payoff: ArrayLike) -> str:
-    summary = analysis.summarize(payoff)
-    late = summary.last_half
+def _caption(payoff: ArrayLike, judgement: analysis.Judgement | None) -> list[str]:
+    """Return the lines below a race's name: its judgement, if there is one, and numbers."""
+    verdict = [] if judgement is None else textwrap.wrap(analysis.headline(judgement), WIDEST)
+    return [*verdict, f"last half: {_numbers(payoff)}"]
+
+
+def _numbers(payoff: ArrayLike) -> str:
+    late = analysis.summarize(payoff).last_half
     numbers: list[str] = []
     if late.transitive_share is not None:
         numbers.append(f"transitive share {late.transitive_share:.2f}")
     if late.checkerboard_share is not None:
         numbers.append(f"checkerboards {late.checkerboard_share:.1%}")
-    verdict = summary.verdict
-    looks = verdict if verdict == "undecided" else f"looks like {verdict}"
-    return f"{looks}\nlast half: {', '.join(numbers) or 'no variance'}"
+    return ", ".join(numbers) or "no variance"
 
 
 def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
