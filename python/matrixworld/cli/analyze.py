@@ -8,7 +8,7 @@ import click
 
 from matrixworld.analysis import Analysis, Payoffs, analyze
 from matrixworld.cli.arguments import failures
-from matrixworld.cli.console import TERMS, print_wrapped
+from matrixworld.cli.console import TERMS
 from matrixworld.cli.judgements import counts, print_head, print_judgement
 from matrixworld.cli.options import (
     force_option,
@@ -19,8 +19,6 @@ from matrixworld.cli.options import (
     write_json,
 )
 from matrixworld.cli.race_groups import one_group, races_argument
-
-HINT = "; give the runs of one group"
 
 
 @click.command("analyze")
@@ -42,14 +40,18 @@ def analyze_command(
     """
     refuse_existing(json_file, force=force)
     with failures():
-        group = one_group(races, episodes, HINT)
+        group = one_group(races, episodes)
         found = _analysis(group.payoffs, seed)
         print_head(f"{group.name}: {counts(found.judgement)}")
         print_judgement(found.judgement)
-        click.echo()
-        print_wrapped(str(found))
+        click.echo(f"\n{_measures(found)}")
         click.echo(f"\n{TERMS}")
         write_json(json_file, found.to_json())
+
+
+def _measures(found: Analysis) -> str:
+    """Return the table of measures; the judgement, its last part, has been printed."""
+    return str(found).partition("\nJudgement:")[0]
 
 
 def _analysis(payoffs: Payoffs, seed: int) -> Analysis:

@@ -23,7 +23,7 @@ from matrixworld.cli.options import (
 from matrixworld.cli.race_groups import Group, groups_of, one_group, races_argument
 
 SINGLE_RUN = "The intervals are about this run. Runs with other seeds may differ."
-EACH = "; --each judges each group on its own"
+EACH = " (--each judges each of them)"
 
 
 @click.command("diagnose")

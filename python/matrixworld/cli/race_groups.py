@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any, cast
 
@@ -82,7 +82,7 @@ def groups_of(paths: Sequence[Path], episodes: int | None) -> list[Group]:
     runs = [_race(path) for path in paths if path not in files]
     by_settings: list[list[Result]] = []
     for run in runs:
-        same = [group for group in by_settings if not _differences([group[0], run])]
+        same = [g for g in by_settings if not _different([g[0].settings, run.settings])]
         if same:
             same[0].append(run)
         else:
@@ -101,26 +101,22 @@ def one_group(paths: Sequence[Path], episodes: int | None, hint: str = "") -> Gr
     groups = groups_of(paths, episodes)
     if len(groups) > 1:
         raise click.UsageError(
-            f"expected runs that differ in their seed only, got {len(groups)} groups: "
-            f"{'; '.join(_described(groups))}{hint}"
+            f"expected runs that differ in their seed only, got {len(groups)} groups{hint}:"
+            f"{_described(groups)}"
         )
     return groups[0]
 
 
-def _described(groups: Sequence[Group]) -> list[str]:
-    """Return each group as its differing settings and its paths."""
+def _described(groups: Sequence[Group]) -> str:
+    """Return a line for each group: the settings in which it differs, and its paths."""
     names = _different([group.settings for group in groups if group.settings is not None])
-    return [f"{_shown(group.settings, names)} ({group.name})" for group in groups]
+    return "".join(f"\n  {_shown(group.settings, names)}: {group.name}" for group in groups)
 
 
 def _shown(settings: RaceSettings | None, names: Sequence[str]) -> str:
     if settings is None:
-        return "a file, whose settings are unknown"
-    return ", ".join(f"{name} {getattr(settings, name)}" for name in names) or "runs"
-
-
-def _differences(runs: Sequence[Result]) -> list[str]:
-    return _different([run.settings for run in runs])
+        return "a file of unknown settings"
+    return ", ".join(f"{name} {getattr(settings, name)}" for name in names) or "settings of a run"
 
 
 def _different(settings: Sequence[Any]) -> list[str]:
@@ -160,9 +156,15 @@ def _of_files(files: Sequence[Path], episodes: int | None) -> Group:
 
 def _read(source: Any, episodes: int | None, *, per_episode: bool = False) -> Payoffs:
     try:
-        return read_payoffs(source, per_episode=per_episode, episodes=episodes)
+        payoffs = read_payoffs(source, per_episode=per_episode)
     except DamagedFileError:
         # A ValueError, too, but the fault of a file and not of an argument.
         raise
     except (TypeError, ValueError) as error:
         raise click.UsageError(str(error)) from error
+    if episodes is not None and payoffs.episodes not in (None, episodes):
+        raise click.UsageError(
+            f"--episodes: expected {payoffs.episodes}, which the payoffs hold, or no number, got "
+            f"{episodes}"
+        )
+    return replace(payoffs, episodes=episodes or payoffs.episodes)

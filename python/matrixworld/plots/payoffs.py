@@ -22,10 +22,10 @@ COLORMAP = "viridis"
 FEWEST_CELLS = 5
 """A lag whose mean rests on fewer cells is drawn faintly."""
 
-WIDEST = 46
-"""Characters of a line above a heat map in `comparison`."""
-LINE = 13
-"""Height of such a line, in points."""
+WIDEST = 42
+"""Characters of a line of a judgement in `comparison`."""
+LINE = 14
+"""Height of a line above a heat map, in points."""
 
 _SCALE = "capture rate (0 all escape, 1 all caught)"
 
@@ -168,9 +168,9 @@ def comparison(
     figure = new_figure(1.2 + 4.0 * len(payoffs), 10.0)
     grid = figure.subplots(3, len(payoffs), squeeze=False, height_ratios=(1.7, 1.0, 1.0))
     images = [
-        _draw_race(column, name, payoff, (judgements or {}).get(name))
-        for (name, payoff), column in zip(payoffs.items(), grid.T, strict=True)
+        _draw_race(column, payoff) for payoff, column in zip(payoffs.values(), grid.T, strict=True)
     ]
+    _write_heads(grid[0], payoffs, judgements or {})
     figure.colorbar(images[0], ax=list(grid[0]), label=_SCALE, shrink=0.9)
     legend_below(figure, *grid[2, 0].get_legend_handles_labels())
     # The scales are shared, so one label per row is enough.
@@ -178,22 +178,15 @@ def comparison(
         axes.set_ylabel("")
     if title:
         figure.suptitle(title)
+    # A first pass of the layout: one alone leaves the names of three races above the edge.
+    layout = figure.get_layout_engine()
+    if layout is not None:
+        layout.execute(figure)
     return figure
 
 
-def _draw_race(
-    column: NDArray[np.object_],
-    name: str,
-    payoff: ArrayLike,
-    judgement: analysis.Judgement | None,
-) -> AxesImage:
+def _draw_race(column: NDArray[np.object_], payoff: ArrayLike) -> AxesImage:
     image = _draw_heatmap(column[0], payoff)
-    lines = _caption(payoff, judgement)
-    column[0].set_title(name, fontweight="bold", pad=8 + LINE * len(lines))
-    column[0].annotate(
-        "\n".join(lines), (0.5, 1.0), xytext=(0, 5), xycoords="axes fraction",
-        textcoords="offset points", ha="center", va="bottom", size="small",
-    )  # fmt: skip
     _draw_lag_profile(column[1], payoff)
     _draw_generalization(column[2], payoff)
     for axes, title in zip(column[1:], ("lag profile", "generalisation"), strict=True):
@@ -201,10 +194,31 @@ def _draw_race(
     return image
 
 
-def _caption(payoff: ArrayLike, judgement: analysis.Judgement | None) -> list[str]:
-    """Return the lines below a race's name: its judgement, if there is one, and numbers."""
-    verdict = [] if judgement is None else textwrap.wrap(analysis.headline(judgement), WIDEST)
-    return [*verdict, f"last half: {_numbers(payoff)}"]
+def _write_heads(
+    heatmaps: NDArray[np.object_],
+    payoffs: Mapping[str, ArrayLike],
+    judgements: Mapping[str, analysis.Judgement],
+) -> None:
+    """Write name, judgement and numbers of each race above its heat map."""
+    verdicts = {
+        name: textwrap.wrap(analysis.headline(judgements[name]), WIDEST)
+        if name in judgements
+        else []
+        for name in payoffs
+    }
+    # The names of all races are at the same height.
+    lines = 1 + max(map(len, verdicts.values()))
+    for axes, (name, payoff) in zip(heatmaps, payoffs.items(), strict=True):
+        axes.set_title(name, fontweight="bold", pad=6 + LINE * lines)
+        _write_above(axes, f"last half: {_numbers(payoff)}", 5, "small")
+        _write_above(axes, "\n".join(verdicts[name]), 5 + LINE, "medium")
+
+
+def _write_above(axes: Axes, text: str, points: float, size: str) -> None:
+    axes.annotate(
+        text, (0.5, 1.0), xytext=(0, points), xycoords="axes fraction",
+        textcoords="offset points", ha="center", va="bottom", size=size,
+    )  # fmt: skip
 
 
 def _numbers(payoff: ArrayLike) -> str:
