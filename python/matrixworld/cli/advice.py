@@ -6,8 +6,8 @@ be a function of the settings, such as twice the present one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 from matrixworld.analysis import Judgement
@@ -41,16 +41,32 @@ class Advice:
 
     def options(self, settings: RaceSettings) -> dict[str, Any]:
         """Return the settings that change, with their new values."""
-        return {
-            name: value(settings) if callable(value) else value
-            for name, value in self.changes.items()
+        values = {
+            n: value(settings) if callable(value) else value for n, value in self.changes.items()
         }
+        return {name: value for name, value in values.items() if value != getattr(settings, name)}
+
+    def helps(self, settings: RaceSettings, present: Collection[str]) -> bool:
+        """Return whether the row applies, changes something, and a race can have the result."""
+        if not (self.applies(settings) and any(name in present for name in self.conditions)):
+            return False
+        options = self.options(settings)
+        try:
+            replace(settings, **options)
+        except ValueError:
+            # Such as a larger network with a learner that takes few genes only.
+            return False
+        return bool(options)
 
     def line(self, settings: RaceSettings) -> str:
         """Return the options to type, and why."""
         options = self.options(settings)
-        typed = " ".join(f"{option_name(name)} {value}" for name, value in options.items())
+        typed = " ".join(f"{option_name(name)} {_typed(value)}" for name, value in options.items())
         return f"{typed}: {self.why}"
+
+
+def _typed(value: Any) -> str:
+    return ",".join(map(str, value)) if isinstance(value, tuple) else str(value)
 
 
 def twice(name: str) -> Value:
@@ -77,6 +93,10 @@ def _meets_past_ones(settings: RaceSettings) -> bool:
 
 def _takes_turns(settings: RaceSettings) -> bool:
     return settings.schedule != HALL_OF_FAME
+
+
+def _samples_near_one_genome(settings: RaceSettings) -> bool:
+    return settings.schedule != HALL_OF_FAME and settings.learner_name != "ga"
 
 
 def _full_virulence(settings: RaceSettings) -> bool:
@@ -117,9 +137,9 @@ ADVICE = (
            "more time for the team that does not gain"),
     Advice(("stagnation",), _any, {"population": twice("population")},
            "the fitness of more candidates is less noisy"),
-    Advice(("stagnation",), lambda s: s.learner_name != "cma" and s.schedule != HALL_OF_FAME,
-           {"learner": "cma"}, "another learner"),
-    Advice(("stagnation",), _any, {"hidden": lambda s: 2 * max((16, *s.hidden))},
+    Advice(("stagnation",), _samples_near_one_genome, {"learner": "ga"},
+           "a population of different genomes instead of samples around one"),
+    Advice(("stagnation",), _any, {"hidden": lambda s: (2 * max((16, *s.hidden)),)},
            "a larger network"),
     Advice(("arms race",), _any, {"generations": twice("generations")},
            "the race goes on; more generations show how long"),
@@ -155,8 +175,4 @@ def advice(judgement: Judgement, settings: RaceSettings | None) -> list[str]:
     present = judgement.headline.present
     if settings is None:
         return list(dict.fromkeys(GENERAL[name] for name in present))
-    return [
-        row.line(settings)
-        for row in ADVICE
-        if any(name in present for name in row.conditions) and row.applies(settings)
-    ]
+    return [row.line(settings) for row in ADVICE if row.helps(settings, present)]
