@@ -23,7 +23,7 @@ big_payoffs = arrays.arrays(
 )
 
 
-WON, LOST, OPEN, HALF_WON = (0.98, 0.99), (0.04, 0.0), (0.7, 0.3), (0.99, 0.5)
+WON, LOST, OPEN, HALF_WON = (0.98, 0.99), (0.02, 0.0), (0.7, 0.3), (0.99, 0.5)
 
 
 @pytest.mark.parametrize(
@@ -39,7 +39,7 @@ WON, LOST, OPEN, HALF_WON = (0.98, 0.99), (0.04, 0.0), (0.7, 0.3), (0.99, 0.5)
         ([WON, WON, LOST, LOST], ()),
         ([(0.99, 0.01)] * 6, ()),
         ([(0.97, 0.97)] * 6, ()),
-        ([(0.05, 0.05)] * 6, ()),
+        ([(0.03, 0.03)] * 6, ()),
         ([WON] * 3 + [LOST] * 4, (Disengagement("pursuers", 1, 3), Disengagement("evaders", 4, 7))),
     ],
 )
@@ -133,55 +133,27 @@ def test_bad_generations_are_refused(function: object, bad: object, message: str
 # ---- summary and words --------------------------------------------------------------------------
 
 
-def test_a_race_on_a_circle_looks_like_cycling() -> None:
-    summary = analysis.summarize(circular(31))
-    assert summary.verdict == "cycling"
-    assert summary.last_half.transitive_share is not None
-    assert summary.last_half.transitive_share < 0.1
-    assert summary.last_half.quadruples == 120**2
-    text = analysis.describe(summary)
-    assert text.startswith("This run looks like cycling, because its transitive share is below")
-    assert "single run" in text
-    assert "progress" not in text
+def test_a_race_on_a_circle_has_checkerboards_and_no_order() -> None:
+    late = analysis.summarize(circular(31)).last_half
+    assert late.transitive_share is not None
+    assert late.transitive_share < 0.1
+    assert late.quadruples == 120**2
+    assert late.checkerboard_share is not None
+    assert late.checkerboard_share > 0.02
 
 
-def test_steadily_stronger_teams_look_like_progress() -> None:
+def test_steadily_stronger_teams_have_an_order_and_no_checkerboards() -> None:
     summary = analysis.summarize(logistic(31))
-    assert summary.verdict == "progress"
     assert summary.last_half.checkerboards == 0
     assert summary.pursuers.best_generation == summary.evaders.best_generation == 30
     assert summary.pursuers.generalization_last > summary.pursuers.generalization_first
     assert summary.pursuers.forgetting == summary.evaders.forgetting == 0.0
-    text = analysis.describe(summary)
-    assert text.startswith("This run looks like progress, because its transitive share is above")
-    assert "cycling" not in text
 
 
-@pytest.mark.parametrize(
-    ("matrix", "reason"),
-    [
-        (circular(11), "a verdict needs at least 12 generations and there are 11"),
-        (logistic(31)[::-1, ::-1], "not in the order of time"),
-        (np.tri(31, k=-1), "this race lies between"),
-        (staircase(31), "one team won nearly all matches"),
-        (0.5 + 0.01 * circular(31), "this race lies between"),
-        (np.full((31, 31), 0.99), "one team won nearly all matches"),
-        (np.full((31, 31), 0.5), "the capture rate never changes"),
-    ],
-)
-def test_no_verdict_without_all_of_its_evidence(matrix: np.ndarray, reason: str) -> None:
-    summary = analysis.summarize(matrix)
-    assert summary.verdict == "undecided"
-    assert reason in summary.reason
-    assert analysis.describe(summary).startswith("This run is undecided")
-
-
-def test_swapping_the_teams_keeps_the_verdict() -> None:
+def test_swapping_the_teams_keeps_the_lag_rise() -> None:
     for matrix in (circular(31), logistic(31), staircase(31)):
-        summary = analysis.summarize(matrix)
         swapped = analysis.summarize(analysis.swap_teams(matrix))
-        assert swapped.verdict == summary.verdict
-        assert swapped.lag_rise == pytest.approx(summary.lag_rise)
+        assert swapped.lag_rise == pytest.approx(analysis.summarize(matrix).lag_rise)
 
 
 def test_the_description_quotes_the_numbers() -> None:

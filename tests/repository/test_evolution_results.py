@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import importlib
 import re
 from functools import partial
@@ -13,41 +12,6 @@ import pytest
 
 from evolution_scripts import SCRIPTS, run_quickly
 from matrixworld.coevolution import open_run
-
-
-def counted(results: Path) -> list[dict[str, str]]:
-    with (results / "hit_rates.csv").open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def total(rows: list[dict[str, str]], **wanted: str) -> int:
-    return sum(int(row["count"]) for row in rows if wanted.items() <= row.items())
-
-
-def test_diagnosis_on_toys_prints_and_writes_hit_rates(tmp_path: Path) -> None:
-    told = run_quickly("diagnosis_on_toys", tmp_path, "--seeds", "1")
-    results = tmp_path / "diagnosis"
-    assert {path.name for path in results.iterdir()} == {"hit_rates.md", "hit_rates.csv"}
-    assert told.startswith((results / "hit_rates.md").read_text(encoding="utf-8"))
-    rows = [line.split(" | ") for line in told.splitlines() if line.startswith("| virul")]
-    assert rows[0][:3] == ["| virulence 1", "disengagement (1)", "1"]
-    counts = counted(results)
-    right = total(counts, truth="True", verdict="present")
-    right += total(counts, truth="False", verdict="absent")
-    judged = total(counts) - total(counts, verdict="cannot tell")
-    assert right > 0.8 * judged > 20
-
-
-def test_committed_hit_rates_agree_with_committed_counts() -> None:
-    results = SCRIPTS / "results" / "diagnosis"
-    text = (results / "hit_rates.md").read_text(encoding="utf-8")
-    counts = counted(results)
-    for condition in {row["condition"] for row in counts}:
-        of = {"condition": condition, "by": "one race, its episodes"}
-        races = total(counts, **of, truth="True")
-        hits = total(counts, **of, truth="True", verdict="present")
-        assert races >= 40
-        assert f"| {condition} | {of['by']} | {races} | {hits / races:.0%} |" in text
 
 
 def test_hall_of_fame_compares_two_kinds_of_race(tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ import pytest
 from matrixworld import analysis
 from matrixworld.toys.race_formulas import SyntheticRace
 from matrixworld.toys.race_truths import (
+    CONDITIONS,
     NOISES,
     WINDOWS,
     Noise,
@@ -18,15 +19,6 @@ from matrixworld.toys.race_truths import (
     truths_of_group,
 )
 from matrixworld.toys.synthetic_races import KINDS, synthetic_races
-
-CONDITIONS = (
-    "arms race",
-    "one-sided progress",
-    "stagnation",
-    "cycling",
-    "forgetting",
-    "disengagement",
-)
 
 
 def what_holds(kind: str, window: str = "whole", **options: float) -> list[set[bool | None]]:

@@ -117,7 +117,7 @@ from matrixworld.analysis.payoff import (
 from matrixworld.analysis.ratings import ELO_POINTS, Elo, MultiElo, elo, log_loss, multi_elo
 from matrixworld.analysis.single_run import RunAnalysis, analyze_run
 from matrixworld.analysis.sources import Payoffs, read_payoffs
-from matrixworld.analysis.strength import strength_gain
+from matrixworld.analysis.strength import strength_change, strength_gain
 from matrixworld.analysis.summary import PartSummary, Summary, TeamSummary, summarize
 from matrixworld.analysis.wording import describe, explain, headline, judgement_table
 
@@ -199,6 +199,7 @@ __all__ = [
     "nash_averaging",
     "read_payoffs",
     "response_gain",
+    "strength_change",
     "strength_gain",
     "summarize",
     "swap_teams",

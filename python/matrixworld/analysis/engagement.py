@@ -17,10 +17,9 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld.analysis.measurement import Measurement
 from matrixworld.analysis.payoff import Rates, check_rates, require
 
-ONE_SIDED = 0.97
-"""Share of its payoff above which a team has won; races with too few evader epochs reach it."""
-PURSUERS_WIN, EVADERS_WIN = ONE_SIDED, 1.0 - ONE_SIDED
-"""Capture rates above which the pursuers, and below which the evaders have won."""
+PURSUERS_WIN, EVADERS_WIN = 0.97, 0.03
+"""Capture rates above which the pursuers, and below which the evaders have won; races with too few
+evader epochs reach the first."""
 PATIENCE = 3
 """Fewest generations in a row that count: many normal races have one one-sided generation."""
 
@@ -122,15 +121,15 @@ def disengagements(
     return tuple(s for s in _stretches(winners, first) if len(s) >= patience)
 
 
-def one_sidedness(rates: ArrayLike, episodes: int, *, level: float = 0.95) -> Measurement:
+def one_sidedness(rates: ArrayLike, episodes: float, *, level: float = 0.95) -> Measurement:
     """Return how much of the payoff the winning team gets, where a race is most one-sided.
 
     Parameters
     ----------
     rates : array_like of float, shape (K, 2)
         Capture rates after both team phases of K generations, as for `disengagements`.
-    episodes : int
-        Episodes behind each rate.
+    episodes : float
+        Effective number of episodes behind each rate: as many wins and losses as have its variance.
     level : float, optional
         Confidence level, in (0, 1).
 
@@ -142,9 +141,9 @@ def one_sidedness(rates: ArrayLike, episodes: int, *, level: float = 0.95) -> Me
 
     Notes
     -----
-    The interval is that of Clopper and Pearson (1934) for wins and losses; other scores in [0, 1]
-    with the same mean vary less. Each end is at the level of all stretches together (Bonferroni),
-    so the choice of the stretch does not matter.
+    The interval is that of Clopper and Pearson (1934) for the effective number of episodes (Korn
+    and Graubard 1998). Each end is at the level of all stretches together (Bonferroni), so the
+    choice of the stretch does not matter.
     `under` and `over` are the ends of the interval.
     """
     from scipy.stats import beta

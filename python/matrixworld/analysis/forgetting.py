@@ -115,7 +115,7 @@ def mean_forgetting(
     """
     from scipy.special import ndtri
 
-    first, second = (check_payoff(half) for half in halves)
+    first, second = halves
     value = float(((_drops(first, second) + _drops(second, first)) / 2.0)[generations].mean())
     both = (first + second) / 2.0
     naive = float(_drops(both, both)[generations].mean())

@@ -83,7 +83,9 @@ def cyclic_amplitude(payoff: ArrayLike, noise: ArrayLike, *, level: float = 0.95
     a transitive race contain its noise only, and less than all of it: a cell in a level set of b
     cells loses 1/b, since the number of level sets is the degrees of freedom of a monotone fit
     (Meyer and Woodroofe 2000), and sorting by noisy means loses some more. So a transitive race has
-    an expected value of 0 or less. The standard error is that of a sum of independent cells.
+    an expected value of 0 or less. The standard error is that of a sum of independent cells. Where
+    generations hardly differ in strength their order is chance, and with it the small part of a
+    cycle that lies along the order.
 
     References
     ----------

@@ -12,14 +12,16 @@ from typing import Any
 import numpy as np
 
 from matrixworld.analysis.bootstrap import LEVEL, Estimate
-from matrixworld.analysis.engagement import ONE_SIDED
+from matrixworld.analysis.engagement import PURSUERS_WIN
 from matrixworld.analysis.evidence import (
     CYCLIC,
+    EVADER_CHANGE,
     EVADER_GAIN,
     EVADERS_FORGET,
     FEWEST_EPISODES,
     FEWEST_GENERATIONS,
     ONE_SIDEDNESS,
+    PURSUER_CHANGE,
     PURSUER_GAIN,
     PURSUERS_FORGET,
     Evidence,
@@ -199,15 +201,17 @@ def judge(
     - *disengagement*: one team wins nearly all matches, so neither has anything to learn from. It
       gets more than 97 % of its payoff in half of the generations (`one_sidedness`). It hides all
       other conditions.
-    - *arms race*: the strength of both teams increases (`strength_gain`): both lower ends are above
-      0. Absent if either team gains less than .05 over the window.
-    - *one-sided progress*: one team's strength increases, and the other one gains less than .05.
+    - *arms race*: the strength of both teams increases: both lower ends of `strength_gain` are
+      above 0. Absent if either team does not gain: its `strength_change` over the window is below
+      .05 and not above 0.
+    - *one-sided progress*: one team's strength increases, and the other one does not gain.
     - *cycling*: no order of strength explains the capture rates. They deviate from the nearest one
       by more than .05 after subtraction of the episode noise (`cyclic_amplitude`).
     - *forgetting*: a team falls more than .05 below the best of its ancestors, mean over
       generations and opponents (`mean_forgetting`).
     - *stagnation*: no team's strength changes by .05 or more over the window, and the race does not
-      cycle. Both intervals lie inside the margin: it takes evidence, not its absence.
+      cycle. Both intervals of `strength_change` lie inside the margin: it takes evidence, not its
+      absence.
 
     A verdict is "cannot tell" if an interval contains the margin. The interval of a single run is
     about this run: its episodes, and for gains the fluctuation between its generations. Several
@@ -317,31 +321,44 @@ def _ends(estimate: Estimate) -> tuple[float, float]:
 def _disengagement(estimates: Estimates, known: Known) -> Verdict:
     return _against(
         estimates[ONE_SIDEDNESS],
-        ONE_SIDED,
-        f"one team gets more than {ONE_SIDED:.0%} of its payoff in half of the generations",
-        f"neither team gets {ONE_SIDED:.0%} of its payoff in half of the generations",
+        PURSUERS_WIN,
+        f"one team gets more than {PURSUERS_WIN:.0%} of its payoff in half of the generations",
+        f"neither team gets {PURSUERS_WIN:.0%} of its payoff in half of the generations",
     )
 
 
 def _arms_race(estimates: Estimates, known: Known) -> Verdict:
-    gains = [_ends(estimates[key]) for key in (PURSUER_GAIN, EVADER_GAIN)]
-    if all(low > 0.0 for low, _ in gains):
+    if all(low > 0.0 for low, _ in _gains(estimates)):
         return PRESENT, "both teams become stronger"
-    if any(high < LEAST_GAIN for _, high in gains):
-        return ABSENT, f"one of the teams gains less than {LEAST_GAIN}, or loses strength"
+    if any(_does_not_gain(change) for change in _changes(estimates)):
+        return ABSENT, f"a team does not gain: its change is not above 0, and below {LEAST_GAIN}"
     return CANNOT_TELL, "the gain of at least one team cannot be told from 0"
 
 
 def _one_sided_progress(estimates: Estimates, known: Known) -> Verdict:
-    gains = [_ends(estimates[key]) for key in (PURSUER_GAIN, EVADER_GAIN)]
+    gains, changes = _gains(estimates), _changes(estimates)
     if known["arms race"][0] == PRESENT:
         return ABSENT, "both teams become stronger"
-    if all(high < LEAST_GAIN for _, high in gains):
-        return ABSENT, f"neither team gains {LEAST_GAIN}"
-    for (low, _), (_, other) in (gains, gains[::-1]):
-        if low > 0.0 and other < LEAST_GAIN:
-            return PRESENT, f"one team becomes stronger, and the other gains less than {LEAST_GAIN}"
+    if all(_does_not_gain(change) for change in changes):
+        return ABSENT, "neither team gains"
+    for (low, _), other in zip(gains, changes[::-1], strict=True):
+        if low > 0.0 and _does_not_gain(other):
+            return PRESENT, "one team becomes stronger, and the other does not gain"
     return CANNOT_TELL, "the gain of at least one team is not known well enough"
+
+
+def _does_not_gain(change: tuple[float, float]) -> bool:
+    # A small gain that is told from 0 is no evidence of standstill.
+    low, high = change
+    return low <= 0.0 and high < LEAST_GAIN
+
+
+def _gains(estimates: Estimates) -> list[tuple[float, float]]:
+    return [_ends(estimates[key]) for key in (PURSUER_GAIN, EVADER_GAIN)]
+
+
+def _changes(estimates: Estimates) -> list[tuple[float, float]]:
+    return [_ends(estimates[key]) for key in (PURSUER_CHANGE, EVADER_CHANGE)]
 
 
 def _cycling(estimates: Estimates, known: Known) -> Verdict:
@@ -363,13 +380,13 @@ def _forgetting(estimates: Estimates, known: Known) -> Verdict:
 
 
 def _stagnation(estimates: Estimates, known: Known) -> Verdict:
-    gains = [_ends(estimates[key]) for key in (PURSUER_GAIN, EVADER_GAIN)]
+    changes = _changes(estimates)
     for name in ("arms race", "one-sided progress", "cycling"):
         if known[name][0] == PRESENT:
             return ABSENT, f"{name} is present"
-    if any(low >= LEAST_GAIN or high <= -LEAST_GAIN for low, high in gains):
+    if any(low >= LEAST_GAIN or high <= -LEAST_GAIN for low, high in changes):
         return ABSENT, f"the strength of a team changes by {LEAST_GAIN} or more"
-    if any(low <= -LEAST_GAIN or high >= LEAST_GAIN for low, high in gains):
+    if any(low <= -LEAST_GAIN or high >= LEAST_GAIN for low, high in changes):
         return CANNOT_TELL, f"a change of {LEAST_GAIN} cannot be ruled out"
     if known["cycling"][0] == CANNOT_TELL:
         return CANNOT_TELL, "neither team gains, but the race may cycle"
@@ -387,9 +404,9 @@ RULES: Mapping[str, Callable[[Estimates, Known], Verdict]] = {
 DECIDING: Mapping[str, tuple[str, ...]] = {
     "disengagement": (ONE_SIDEDNESS,),
     "arms race": (PURSUER_GAIN, EVADER_GAIN),
-    "one-sided progress": (PURSUER_GAIN, EVADER_GAIN),
+    "one-sided progress": (PURSUER_GAIN, EVADER_GAIN, PURSUER_CHANGE, EVADER_CHANGE),
     "cycling": (CYCLIC,),
     "forgetting": (PURSUERS_FORGET, EVADERS_FORGET),
-    "stagnation": (PURSUER_GAIN, EVADER_GAIN),
+    "stagnation": (PURSUER_CHANGE, EVADER_CHANGE),
 }
 """The numbers that decide on each condition."""

@@ -1,4 +1,9 @@
-"""How much a team's strength changes over some generations, with an interval."""
+"""How much a team's strength changes over some generations, with an interval.
+
+Two questions have two intervals. `strength_change`: how much did the strength change, given the
+noise of the episodes? `strength_gain`: is there a trend, given that strength also fluctuates from
+generation to generation? A random walk ends somewhere: it has a change, and no trend.
+"""
 
 from __future__ import annotations
 
@@ -58,9 +63,7 @@ def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = 0.95) -
     (2006), "Prior distributions for variance parameters in hierarchical models", Bayesian Analysis
     1(3).
     """
-    y, variances = np.asarray(scores, dtype=np.float64), np.asarray(noise, dtype=np.float64)
-    require(y.ndim == 1 and y.shape == variances.shape, "scores and noise of shape (k,)", y.shape)
-    require(len(y) >= 4, "at least 4 generations", len(y))
+    y, variances = _checked(scores, noise)
     steps = len(y) - 1
     drifts, deviations, weights = _posterior(np.diff(y), _step_noise(variances))
     tail = (1.0 - level) / 2.0
@@ -70,6 +73,51 @@ def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = 0.95) -
     # A mean score lies in [0, 1], so it cannot change by more than 1.
     low, middle, high = np.clip([low, middle, high], -1.0, 1.0).tolist()
     return Measurement(middle, low, high)
+
+
+def strength_change(scores: ArrayLike, noise: ArrayLike, *, level: float = 0.95) -> Measurement:
+    """Return the linear change of a team's strength from its first to its last generation.
+
+    Parameters
+    ----------
+    scores, noise : array_like of float, shape (k,)
+        As for `strength_gain`.
+    level : float, optional
+        Confidence level, in (0, 1).
+
+    Returns
+    -------
+    Measurement
+        ``k - 1`` times the slope of the least-squares line. The interval is normal with the known
+        noise. If all noise is 0, which means unknown, it is Student's t interval with the scatter
+        about the line.
+
+    Raises
+    ------
+    ValueError
+        As for `strength_gain`.
+    """
+    from scipy.special import stdtrit
+
+    y, variances = _checked(scores, noise)
+    steps = len(y) - 1
+    places = np.arange(len(y)) - steps / 2.0
+    weights = steps * places / (places**2).sum()
+    freedom = np.inf
+    if not variances.any():
+        freedom = len(y) - 2
+        residuals = y - y.mean() - places * (places @ y) / (places**2).sum()
+        variances = np.full(len(y), (residuals**2).sum() / freedom)
+    value = float(weights @ y)
+    reach = float(stdtrit(freedom, (1.0 + level) / 2.0) * np.sqrt(weights**2 @ variances))
+    return Measurement(value, value - reach, value + reach)
+
+
+def _checked(scores: ArrayLike, noise: ArrayLike) -> tuple[Rates, Rates]:
+    y, variances = np.asarray(scores, dtype=np.float64), np.asarray(noise, dtype=np.float64)
+    require(y.ndim == 1 and y.shape == variances.shape, "scores and noise of shape (k,)", y.shape)
+    require(len(y) >= 4, "at least 4 generations", len(y))
+    return y, variances
 
 
 def _step_noise(variances: Rates) -> Rates:

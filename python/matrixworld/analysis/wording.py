@@ -11,6 +11,8 @@ SHORT = {
     "squared cyclic amplitude": "cyclic amplitude",
     "gain of the pursuers": "pursuers",
     "gain of the evaders": "evaders",
+    "change of the pursuers": "change of the pursuers",
+    "change of the evaders": "of the evaders",
     "forgetting of the pursuers": "pursuers",
     "forgetting of the evaders": "evaders",
 }
@@ -78,7 +80,7 @@ def _number(key: str, estimate: Estimate) -> str:
     if key == CYCLIC:
         # In units of the capture rate, which readers know; below 0 there is nothing but noise.
         value, low, high = (max(0.0, end) ** 0.5 for end in (value, low, high))
-    sign = "+" if key.startswith("gain") else ""
+    sign = "+" if key.startswith(("gain", "change")) else ""
     return f"{value:{sign}.3f} ({low:{sign}.3f} to {high:{sign}.3f})"
 
 

@@ -13,6 +13,9 @@ numbers               numbers games: scalar, focusing, intransitive (Watson & Po
 virulence             hosts that disengage, and parasites that wait (Cartlidge & Bullock 2004)
 populations           the loop that numbers and virulence share
 labelled_races        races of all toys, with matches, and with labels: what is true of each race
+synthetic_races       capture rates by formula, from pure races to noise only: a table of kinds
+race_formulas         the formulas of these kinds
+race_truths           what is true of known capture rates, by window; matches with noise
 ====================  ============================================================================
 """
 
@@ -21,6 +24,7 @@ from __future__ import annotations
 from matrixworld.toys.labelled_races import RACES, LabelledRace, labelled_race
 from matrixworld.toys.numbers import GAMES, numbers_game
 from matrixworld.toys.populations import Game, History, Side, evolve
+from matrixworld.toys.race_formulas import SyntheticRace
 from matrixworld.toys.rock_paper_scissors import (
     alternate,
     average_strategies,
@@ -28,6 +32,7 @@ from matrixworld.toys.rock_paper_scissors import (
     exploitability,
     play_together,
 )
+from matrixworld.toys.synthetic_races import synthetic_races
 from matrixworld.toys.virulence import hosts_and_parasites
 
 __all__ = [
@@ -37,6 +42,7 @@ __all__ = [
     "History",
     "LabelledRace",
     "Side",
+    "SyntheticRace",
     "alternate",
     "average_strategies",
     "capture_probabilities",
@@ -46,4 +52,5 @@ __all__ = [
     "labelled_race",
     "numbers_game",
     "play_together",
+    "synthetic_races",
 ]

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from matrixworld.analysis import checkerboards, forgetting
+from matrixworld.analysis import checkerboards
 from matrixworld.coevolution.types import BoolArray, FloatArray
 from matrixworld.toys.race_formulas import SyntheticRace
 
@@ -21,6 +21,17 @@ WINDOWS: Mapping[str, tuple[float, float]] = {
     "last half": (0.5, 1.0),
 }
 """Windows by name: first generation and the one after the last, as shares of n (rounded down)."""
+
+
+CONDITIONS = (
+    "arms race",
+    "one-sided progress",
+    "stagnation",
+    "cycling",
+    "forgetting",
+    "disengagement",
+)
+"""Names of the conditions, in the order of all tables."""
 
 
 class Truth(NamedTuple):
@@ -83,8 +94,7 @@ def truths(race: SyntheticRace, window: str) -> Truths:
 
     In a disengaged window every other condition is open.
     """
-    n = len(race.rates)
-    span = slice(*(int(share * n) for share in WINDOWS[window]))
+    span = span_of(race.rates, window)
     arms, one_sided = _progress(race, span)
     cycling, disengaged = _cycling(race.rates[span, span]), _disengagement(race.rates, span)
     found = {
@@ -102,6 +112,17 @@ def truths(race: SyntheticRace, window: str) -> Truths:
     }
 
 
+def change_of_strength(rates: FloatArray, window: str) -> list[float | None]:
+    """Return the change of the pursuers' and of the evaders' strength over a window.
+
+    None where the two usual readings differ by more than .005: the slope times the length, and the
+    difference between the last and the first generation.
+    """
+    strengths = _strengths(rates, span_of(rates, window))
+    readings = [(_gain(strength), float(strength[-1] - strength[0])) for strength in strengths]
+    return [slope if abs(slope - ends) <= 0.005 else None for slope, ends in readings]
+
+
 def truths_of_group(races: Sequence[SyntheticRace], window: str) -> Truths:
     """Return what is true of all runs of a group: open where they differ; sizes are means."""
     each = [truths(race, window) for race in races]
@@ -112,6 +133,11 @@ def _common(several: Sequence[Truth]) -> Truth:
     kinds = {one.holds for one in several}
     holds = kinds.pop() if len(kinds) == 1 else None
     return Truth(holds, float(np.mean([one.size for one in several])))
+
+
+def span_of(rates: FloatArray, window: str) -> slice:
+    """Return the generations of a window of a race with these rates."""
+    return slice(*(int(share * len(rates)) for share in WINDOWS[window]))
 
 
 def _strengths(rates: FloatArray, span: slice) -> tuple[FloatArray, FloatArray]:
@@ -168,17 +194,20 @@ def _cycling(rates: FloatArray) -> Truth:
 
 
 def _forgetting(rates: FloatArray, span: slice) -> Truth:
-    # Ancestors and opponents of the window, or of the whole race: both readings must agree.
-    readings = (forgetting(rates[span, span]), forgetting(rates))
     later = slice((span.start + span.stop) // 2, span.stop)
-    within = slice((span.stop - span.start) // 2, None)
-    drops = [
-        max(found.pursuers[part].mean(), found.evaders[part].mean())
-        for found, part in zip(readings, (within, later), strict=True)
-    ]
+    within = slice(later.start - span.start, None)
+    # Ancestors and opponents of the window, or of the whole race: both readings must agree.
+    drops = [_drop(rates[span, span], within), _drop(rates, later)]
     if min(drops) >= 0.10:
         return Truth(True, min(drops))
     return Truth(False if max(drops) <= 0.02 else None, max(drops))
+
+
+def _drop(rates: FloatArray, later: slice) -> float:
+    """Return the mean drop below the best ancestor of the team that drops more."""
+    pursuers = np.maximum.accumulate(rates, axis=0) - rates
+    evaders = rates - np.minimum.accumulate(rates, axis=1)
+    return float(max(pursuers[later].mean(), evaders[:, later].mean()))
 
 
 def _disengagement(rates: FloatArray, span: slice) -> Truth:

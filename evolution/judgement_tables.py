@@ -1,0 +1,284 @@
+"""Tables and a figure of judgements whose truth is known: false alarms, hits, "cannot tell"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from judgement_counts import (
+    NOISE_GROUPS,
+    PRESENT,
+    VERDICTS,
+    Row,
+    count_by_setting,
+    count_by_size,
+    count_gains,
+    count_verdicts,
+    read_counts,
+    totals,
+    write_counts,
+)
+from matrixworld.toys.race_truths import CONDITIONS, WINDOWS
+from matrixworld.toys.synthetic_races import KINDS
+
+ALLOWED = 0.05
+"""False alarms that a judgement may have, as a share."""
+SIZE_LABELS = {
+    "arms race": "smaller gain of capture rate",
+    "one-sided progress": "gain of capture rate",
+    "stagnation": "larger change of capture rate (0: true)",
+    "cycling": "share of checkerboards",
+    "forgetting": "drop of capture rate",
+    "disengagement": "share of generations",
+}
+# ---- Rates ---------------------------------------------------------------------------------------
+
+
+def upper_bound(count: int, of: int) -> float:
+    """Return the upper end of a 95 % one-sided interval of a rate; 1 without any trial.
+
+    References
+    ----------
+    Clopper and Pearson (1934), "The use of confidence or fiducial limits illustrated in the case of
+    the binomial".
+    """
+    from scipy.stats import beta
+
+    return float(beta.ppf(0.95, count + 1, of - count)) if count < of else 1.0
+
+
+def _rates(found: dict[str, int]) -> list[str]:
+    """Return the number of races, and the share of each verdict."""
+    races = sum(found.values())
+    return [str(races), *(_share(found[name], races) for name in VERDICTS)]
+
+
+def _share(count: int, of: int) -> str:
+    return f"{count / of:.1%}" if of else "-"
+
+
+def _bound(found: dict[str, int]) -> str:
+    races = sum(found.values())
+    return f"{upper_bound(found[PRESENT], races):.1%}" if races else "-"
+
+
+# ---- Tables --------------------------------------------------------------------------------------
+
+
+def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """Return a Markdown table."""
+    lines = [heads, ["---"] * len(heads), *rows]
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+RATE_HEADS = (
+    "has it: races", "hits", "false absents", "cannot tell",
+    "has it not: races", "false alarms", "at most", "right absents", "cannot tell",
+)  # fmt: skip
+
+
+def _errors(rows: Sequence[Row], **wanted: str) -> list[str]:
+    """Return the cells below `RATE_HEADS`."""
+    hits = totals(rows, truth="True", **wanted)
+    alarms = totals(rows, truth="False", **wanted)
+    races, alarm, *others = _rates(alarms)
+    return [*_rates(hits), races, alarm, _bound(alarms), *others]
+
+
+def _known(rows: Sequence[Row], *heads: str) -> list[tuple[str, ...]]:
+    """Return the combinations of values that occur, in the order of the conditions."""
+    # A kind may be named like a condition, which comes first.
+    order = {
+        name: place for place, name in enumerate(dict.fromkeys((*CONDITIONS, *WINDOWS, *KINDS)))
+    }
+    keys = {tuple(row[head] for head in heads) for row in rows}
+    return sorted(keys, key=lambda key: [(order.get(part, 99), part) for part in key])
+
+
+def report(counts: Sequence[Row], settings: Sequence[Row], gains: Sequence[Row]) -> str:
+    """Return all tables.
+
+    Parameters
+    ----------
+    counts : sequence of dict
+        `count_verdicts`, or its file.
+    settings : sequence of dict
+        `count_by_setting`, or its file.
+    gains : sequence of dict
+        `count_gains`, or its file.
+
+    Returns
+    -------
+    str
+        Markdown.
+    """
+    parts = [
+        INTRODUCTION,
+        "## By sample",
+        _by(counts, "condition", "sample"),
+        "## By window",
+        _by(counts, "condition", "window"),
+        f"## Kinds with more than {ALLOWED:.0%} false alarms",
+        _breaches(counts),
+        "## By setting, one at a time",
+        SETTINGS,
+        _by_setting(settings),
+        "## Intervals of gains",
+        COVERAGE,
+        _coverage(gains),
+        "## By kind and window",
+        _by(counts, "condition", "sample", "kind", "window"),
+    ]
+    return "\n\n".join(parts) + "\n"
+
+
+INTRODUCTION = (
+    "# Errors of the judgement\n\n"
+    "Races whose truth is known, and what the judgement says of them. A *false alarm* is the "
+    'verdict "present" on a race that does not have the condition, a *false absent* the verdict '
+    '"absent" on a race that has it. "At most" is the upper end of a one-sided 95 % interval '
+    "(Clopper and Pearson) of the rate of false alarms. Kinds marked *development* may have served "
+    "to set constants, with other seeds; all others are *held back*. Races of which the "
+    "definitions (`matrixworld.toys.race_truths`) leave the truth open are not counted."
+)
+SETTINGS = (
+    "Synthetic races, headline window: hits (of races that have the condition) / false alarms (of "
+    "those that do not), in %."
+)
+COVERAGE = (
+    "Share of the 95 % intervals of a team's gain that contain the true change of its strength; "
+    "single synthetic races, where the usual readings of the change agree within .005."
+)
+
+
+def _by(rows: Sequence[Row], *heads: str) -> str:
+    found = [
+        [*key, *_errors(rows, **dict(zip(heads, key, strict=True)))] for key in _known(rows, *heads)
+    ]
+    return table((*heads, *RATE_HEADS), found)
+
+
+def _breaches(rows: Sequence[Row]) -> str:
+    found = []
+    heads = ("condition", "sample", "kind", "window")
+    for key in _known(rows, *heads):
+        alarms = totals(rows, truth="False", **dict(zip(heads, key, strict=True)))
+        races = sum(alarms.values())
+        if races and alarms[PRESENT] > ALLOWED * races:
+            counted = f"{alarms[PRESENT]} of {races}"
+            # The rate is surely too high if 5 % would hardly ever give so many.
+            surely = 1.0 - upper_bound(races - alarms[PRESENT], races) > ALLOWED
+            found.append([*key, counted, _bound(alarms), "yes" if surely else "no"])
+    heads = (*heads, "false alarms", "at most", f"surely above {ALLOWED:.0%}")
+    return table(heads, found) if found else "None."
+
+
+def _by_setting(rows: Sequence[Row]) -> str:
+    found = []
+    for setting, value in sorted(_known(rows, "setting", "value"), key=_natural):
+        cells = []
+        for condition in CONDITIONS:
+            of = {"setting": setting, "value": value, "condition": condition}
+            both = (totals(rows, truth=truth, **of) for truth in ("True", "False"))
+            cells.append(" / ".join(_percent(found) for found in both))
+        found.append([setting, value, *cells])
+    return table(("setting", "value", *CONDITIONS), found)
+
+
+def _natural(key: tuple[str, ...]) -> tuple[object, ...]:
+    """Sort by the words first, and then by the numbers, of a value."""
+    words = [word for word in key[-1].split(", ") if not _is_number(word)]
+    numbers = [float(word) for word in key[-1].split(", ") if _is_number(word)]
+    return (key[:-1], words, numbers)
+
+
+def _is_number(word: str) -> bool:
+    return word.replace(".", "", 1).isdigit()
+
+
+def _percent(found: dict[str, int]) -> str:
+    races = sum(found.values())
+    return f"{100 * found[PRESENT] / races:.0f}" if races else "-"
+
+
+def _coverage(rows: Sequence[Row]) -> str:
+    found = []
+    for setting, value in sorted(_known(rows, "setting", "value"), key=_natural):
+        of = [row for row in rows if (row["setting"], row["value"]) == (setting, value)]
+        found.append([setting, value, *(_covered(of, window) for window in WINDOWS)])
+    return table(("setting", "value", *WINDOWS), found)
+
+
+def _covered(rows: Sequence[Row], window: str) -> str:
+    """Return the share of intervals that contain the truth, and their number."""
+    of = [row for row in rows if row["window"] == window]
+    covered, missed = (sum(int(row[name]) for row in of) for name in ("covered", "missed"))
+    return f"{_share(covered, covered + missed)} of {covered + missed}"
+
+
+# ---- Files ---------------------------------------------------------------------------------------
+
+
+def report_of(results: Path) -> str:
+    """Return the tables that follow from the counts in a directory."""
+    return report(
+        *(read_counts(results / f"{name}.csv") for name in ("counts", "settings", "gains"))
+    )
+
+
+def write_tables(judgements: Sequence[dict[str, Any]], results: Path) -> str:
+    """Write counts, tables and figure to a directory, and return the tables."""
+    counts, settings = count_verdicts(judgements), count_by_setting(judgements)
+    gains, sizes = count_gains(judgements), count_by_size(judgements)
+    files = {"counts": counts, "settings": settings, "gains": gains, "power": sizes}
+    for name, rows in files.items():
+        write_counts(rows, results / f"{name}.csv")
+    text = report_of(results)
+    (results / "errors.md").write_text(text, encoding="utf-8")
+    draw_power(sizes, results / "power.png")
+    return text
+
+
+def draw_power(rows: Sequence[Row], file: Path, least: int = 10) -> None:
+    """Draw the share of "present" by size of effect, a line for each noise.
+
+    Parameters
+    ----------
+    rows : sequence of dict
+        `count_by_size`, or its file.
+    file : Path
+        Image to write.
+    least : int, optional
+        Races that a point stands for at least. The default is 10.
+    """
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot as plt
+
+    figure, axes = plt.subplots(2, 3, figsize=(11, 6.5), sharey=True, constrained_layout=True)
+    for condition, axis in zip(CONDITIONS, axes.flat, strict=True):
+        for noise in NOISE_GROUPS:
+            points = _points([r for r in rows if r["condition"] == condition], noise, least)
+            style = "--" if noise.startswith("30") else "-"
+            axis.plot(*np.reshape(points, (-1, 2)).T, style, marker="o", markersize=4, label=noise)
+        axis.set(title=condition, xlabel=SIZE_LABELS[condition], ylim=(-0.03, 1.03))
+    for axis in axes[:, 0]:
+        axis.set_ylabel('share of "present"')
+    figure.legend(*axes.flat[0].get_legend_handles_labels(), ncols=6, loc="outside lower center")
+    figure.savefig(file, dpi=90)
+    plt.close(figure)
+
+
+def _points(rows: Sequence[Row], noise: str, least: int) -> list[tuple[float, float]]:
+    """Return middles of the bins of size, and shares of "present"."""
+    found = []
+    for row in rows:
+        races = sum(int(row[verdict]) for verdict in VERDICTS)
+        if row["noise"] == noise and races >= least:
+            middle = (float(row["from"]) + float(row["to"])) / 2.0
+            found.append((middle, int(row[PRESENT]) / races))
+    return sorted(found)

@@ -1,0 +1,249 @@
+"""The judgement of races: verdicts on races whose truth is known, windows, runs and bad input."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+from matrices import circular, logistic
+from matrixworld import analysis
+from matrixworld.analysis import CONDITIONS, Judgement, judge
+from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT
+
+
+def played(
+    chance: np.ndarray, episodes: int = 10, seed: int = 0, *, evaders: int = 1
+) -> np.ndarray:
+    """Draw episodes: the share of some evaders that is captured, each with these chances."""
+    rng = np.random.default_rng(seed)
+    chances = np.repeat(np.clip(chance, 0, 1)[..., None], episodes, axis=-1)
+    return rng.binomial(evaders, chances) / evaders
+
+
+def race(pursuers: np.ndarray, evaders: np.ndarray) -> np.ndarray:
+    """Return the capture rates of teams of these strengths."""
+    return 1 / (1 + np.exp(-(pursuers[:, None] - evaders[None, :])))
+
+
+def of_scores(scores: np.ndarray) -> Judgement:
+    return judge(scores, per_episode=True)
+
+
+def verdicts(judgement: Judgement, window: str | None = None) -> dict[str, str]:
+    part = judgement.windows[window or judgement.window]
+    return {name: finding.verdict for name, finding in part.findings.items()}
+
+
+G = np.arange(31.0)
+STEADY = race(0.3 * G, 0.3 * G)
+SLOW = race(0.1 * G, 0.1 * G)
+FLAT = np.full((31, 31), 0.5)
+EARLY_STOP = race(0.4 * np.minimum(G, 10), 0.4 * np.minimum(G, 10))
+LATE_STOP = race(0.3 * np.minimum(G, 23), 0.3 * np.minimum(G, 23))
+PURSUERS_ONLY = race(0.15 * G - 2, 0 * G)
+PURSUERS_FADE = race(0.3 * np.minimum(G, 40 - G), 0.3 * G)
+
+
+@pytest.mark.parametrize(
+    ("chance", "present", "absent"),
+    [
+        (STEADY, {"arms race"}, {"cycling", "stagnation", "one-sided progress", "disengagement"}),
+        (SLOW, {"arms race"}, {"cycling", "stagnation", "one-sided progress"}),
+        (FLAT, {"stagnation"}, {"arms race", "one-sided progress", "cycling", "disengagement"}),
+        (EARLY_STOP, {"stagnation"}, {"arms race", "cycling"}),
+        (PURSUERS_ONLY, {"one-sided progress"}, {"arms race", "stagnation", "cycling"}),
+        (
+            PURSUERS_FADE,
+            {"one-sided progress", "forgetting"},
+            {"arms race", "stagnation", "cycling"},
+        ),
+        (circular(31), {"cycling", "forgetting"}, {"arms race", "stagnation"}),
+        (np.full((31, 31), 0.99), {"disengagement"}, set()),
+        (np.full((31, 31), 0.01), {"disengagement"}, set()),
+    ],
+)
+def test_races_whose_truth_is_known(
+    chance: np.ndarray, present: set[str], absent: set[str]
+) -> None:
+    found = verdicts(of_scores(played(chance, 20, evaders=30)))
+    assert {name for name in CONDITIONS if found[name] == PRESENT} == present
+    assert absent <= {name for name in CONDITIONS if found[name] == ABSENT}
+
+
+@pytest.mark.parametrize("chance", [FLAT, SLOW, LATE_STOP, np.full((31, 31), 0.1)])
+@pytest.mark.parametrize("seed", range(3))
+def test_noise_of_wins_and_losses_is_no_cycle(chance: np.ndarray, seed: int) -> None:
+    scores = played(chance, 10, seed)
+    for judgement in (of_scores(scores), judge(scores.mean(axis=2), episodes=10)):
+        for window in judgement.windows:
+            found = verdicts(judgement, window)
+            assert found["cycling"] != PRESENT
+            assert found["forgetting"] != PRESENT
+
+
+def test_false_alarms_in_races_without_trend() -> None:
+    # Strengths that drift, fluctuate, jump once or oscillate have no arms race.
+    alarms, races = 0, 0
+    for seed in range(15):
+        rng = np.random.default_rng(seed)
+        drift = [rng.normal(0, 0.3, 31).cumsum() for _ in range(2)]
+        restless = [rng.normal(0, 0.5, 31) for _ in range(2)]
+        jump = [2.0 * (rng.integers(8, 24) <= G) for _ in range(2)]
+        for pursuers, evaders in (drift, restless, jump):
+            found = of_scores(played(race(pursuers, evaders), 10, seed))
+            alarms += verdicts(found)["arms race"] == PRESENT
+            races += 1
+    assert alarms <= 0.05 * races
+
+
+def test_few_episodes_give_no_verdict_on_what_noise_can_fake() -> None:
+    scores = played(logistic(15, 0.3), 2)
+    found = of_scores(scores).headline
+    for name in ("cycling", "forgetting", "disengagement"):
+        assert found[name].verdict == CANNOT_TELL
+        assert "at least 4" in found[name].reason
+
+
+def test_a_matrix_must_be_told_its_episodes() -> None:
+    matrix = played(circular(31), 10, evaders=30).mean(axis=2)
+    assert verdicts(judge(matrix))["cycling"] == CANNOT_TELL
+    assert verdicts(judge(matrix, episodes=10))["cycling"] == PRESENT
+    # Gains have their scatter about the trend.
+    steady = played(STEADY, 10, evaders=30).mean(axis=2)
+    assert verdicts(judge(steady))["arms race"] == PRESENT
+
+
+def test_a_wave_in_the_first_half_is_reported() -> None:
+    chance = STEADY.copy()
+    chance[:15, :15] = circular(15)
+    judgement = of_scores(played(chance, 20, evaders=30))
+    assert judgement.window == "last half"
+    assert verdicts(judgement)["cycling"] == ABSENT
+    assert verdicts(judgement, "first half")["cycling"] == PRESENT
+    rows = analysis.judgement_table(judgement)
+    assert ("cycling", "present", "first half") in [(row[0], row[1], row[3]) for row in rows]
+
+
+def test_short_races_have_one_window_or_none() -> None:
+    assert judge(logistic(8), episodes=10).window == "whole"
+    assert judge(logistic(12), episodes=10).window == "last half"
+    short = judge(logistic(5), episodes=10)
+    assert set(verdicts(short).values()) == {CANNOT_TELL}
+    assert short.headline.gains == {}
+    assert "at least 6 generations" in short.headline["cycling"].reason
+
+
+def test_gains_are_changes_of_the_mean_payoff() -> None:
+    gains = of_scores(played(STEADY, 50, evaders=30)).windows["whole"].gains
+    change = STEADY.mean(axis=1)[-1] - STEADY.mean(axis=1)[0]
+    for team in ("pursuer", "evader"):
+        assert gains[team].low < change < gains[team].high
+        assert gains[team].value == pytest.approx(change, abs=0.03)
+
+
+@pytest.mark.parametrize("chance", [STEADY, circular(31), PURSUERS_ONLY, EARLY_STOP])
+def test_swapping_the_teams_swaps_the_gains_and_keeps_the_verdicts(chance: np.ndarray) -> None:
+    scores = played(chance, 10, evaders=30)
+    one, other = of_scores(scores), of_scores(1 - scores.transpose(1, 0, 2))
+    assert verdicts(one) == verdicts(other)
+    for window, part in one.windows.items():
+        swapped = other.windows[window].gains
+        assert part.gains["pursuer"].value == pytest.approx(swapped["evader"].value, abs=1e-6)
+        assert part.gains["evader"].low == pytest.approx(swapped["pursuer"].low, abs=1e-6)
+
+
+# ---- Several runs --------------------------------------------------------------------------------
+
+
+def test_several_runs_are_judged_over_runs() -> None:
+    scores = np.stack([played(STEADY, 10, seed, evaders=30) for seed in range(5)])
+    judgement = of_scores(scores)
+    assert judgement.runs == 5
+    gain = judgement.headline.gains["pursuer"]
+    assert (gain.over, gain.samples) == ("runs", 5)
+    assert verdicts(judgement)["arms race"] == PRESENT
+    assert judgement.headline["arms race"].by_run == (PRESENT,) * 5
+    assert "Of the single runs: 5 present" in analysis.explain(judgement)
+
+
+def test_runs_that_differ_give_no_verdict() -> None:
+    kinds = (STEADY, circular(31), STEADY, circular(31))
+    scores = np.stack([played(chance, 20, evaders=30) for chance in kinds])
+    found = of_scores(scores).headline["cycling"]
+    assert found.verdict == CANNOT_TELL
+    assert found.by_run == (ABSENT, PRESENT, ABSENT, PRESENT)
+
+
+def test_a_disengaged_run_is_left_out_of_other_conditions() -> None:
+    won = np.full((31, 31), 0.995)
+    chances = [won, *(STEADY for _ in range(4))]
+    scores = np.stack([played(each, 20, seed, evaders=30) for seed, each in enumerate(chances)])
+    judgement = of_scores(scores)
+    assert judgement.headline["disengagement"].by_run[0] == PRESENT
+    assert verdicts(judgement)["disengagement"] != PRESENT
+    assert judgement.headline.gains["pursuer"].samples == 4
+    assert verdicts(judgement)["arms race"] == PRESENT
+    all_won = of_scores(np.stack([played(won, 20, seed, evaders=30) for seed in range(4)]))
+    assert verdicts(all_won)["disengagement"] == PRESENT
+    assert all_won.headline["cycling"].reason.startswith("one team wins nearly all")
+
+
+# ---- Words, files and bad input ------------------------------------------------------------------
+
+
+def test_words_and_json() -> None:
+    judgement = of_scores(played(circular(31), 10, evaders=30))
+    assert analysis.headline(judgement) == "cycling, forgetting (last half)"
+    heads, *rows = analysis.judgement_table(judgement)
+    assert heads == ("condition", "verdict", "95% interval", "window")
+    assert [row[0] for row in rows[: len(CONDITIONS)]] == list(CONDITIONS)
+    cycling = next(row for row in rows if row[0] == "cycling")
+    # A cosine of amplitude .45 has .32; a part of it lies in the nearest order.
+    assert cycling[2].startswith("cyclic amplitude 0.28")
+    assert "Arms race is absent, because" in analysis.explain(judgement)
+    plain = judgement.to_json()
+    assert json.loads(json.dumps(plain, allow_nan=False)) == plain
+    assert plain["windows"]["last half"]["findings"]["cycling"]["verdict"] == PRESENT
+    short = judge(logistic(5))
+    assert analysis.headline(short) == "cannot tell (whole)"
+
+
+def test_the_same_input_gives_the_same_judgement() -> None:
+    matrix = played(circular(15), 10).mean(axis=2)
+    assert judge(matrix, episodes=10) == judge(matrix, episodes=10)
+    assert judge(matrix, episodes=10, rng=1) != judge(matrix, episodes=10)
+
+
+@settings(max_examples=20, deadline=None)
+@given(
+    arrays.arrays(
+        np.float64,
+        arrays.array_shapes(min_dims=3, max_dims=3, min_side=1, max_side=14),
+        elements=st.integers(0, 4).map(lambda n: n / 4),
+    )
+)
+def test_every_matrix_has_a_judgement(scores: np.ndarray) -> None:
+    judgement = of_scores(scores)
+    for part in judgement.windows.values():
+        assert set(part.findings) == set(CONDITIONS)
+        for finding in part.findings.values():
+            assert finding.verdict in (PRESENT, ABSENT, CANNOT_TELL)
+            for estimate in finding.estimates.values():
+                assert estimate.low <= estimate.high
+    json.dumps(judgement.to_json(), allow_nan=False)
+
+
+def test_bad_input_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"level in \(0, 1\), got 1.5"):
+        judge(logistic(8), level=1.5)
+    with pytest.raises(ValueError, match="at least 1 episode of each cell, got 0"):
+        judge(logistic(8), episodes=0)
+    with pytest.raises(ValueError, match="the 3 episodes of each cell that the payoffs hold, got"):
+        judge(np.zeros((8, 8, 3)), per_episode=True, episodes=5)
+    with pytest.raises(ValueError, match="got 1.5"):
+        judge(1.5 * np.ones((8, 8)))

@@ -1,0 +1,243 @@
+"""The numbers behind a judgement, each against an independent or slower computation."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+from scipy import stats
+
+from matrices import additive, circular, logistic, staircase
+from matrixworld import analysis
+from matrixworld.analysis.engagement import one_sidedness
+from matrixworld.analysis.forgetting import mean_forgetting
+from matrixworld.analysis.measurement import Measurement, over_runs
+
+rates = arrays.arrays(
+    np.float64,
+    arrays.array_shapes(min_dims=2, max_dims=2, min_side=3, max_side=8),
+    elements=st.integers(0, 8).map(lambda n: n / 8),
+)
+
+
+def played(chance: np.ndarray, episodes: int, seed: int = 0) -> np.ndarray:
+    rng = np.random.default_rng(seed)
+    return (rng.random((*chance.shape, episodes)) < chance[..., None]).astype(float)
+
+
+# ---- Strength ------------------------------------------------------------------------------------
+
+
+def quantiles_on_a_grid(y: np.ndarray, noise: np.ndarray, probabilities: list[float]) -> list:
+    """Sum the posterior of the drift over a fine grid of drifts and step sizes."""
+    steps = np.diff(y)
+    k = len(steps)
+    errors = np.zeros((k, k))
+    for i in range(k):
+        errors[i, i] = noise[i] + noise[i + 1]
+        if i + 1 < k:
+            errors[i, i + 1] = errors[i + 1, i] = -noise[i + 1]
+    drifts = np.linspace(-1.0, 1.0, 4001)
+    density = np.zeros_like(drifts)
+    for s in np.linspace(0, 4 * steps.std(), 101)[1:]:
+        model = stats.multivariate_normal(np.zeros(k), errors + s**2 * np.eye(k))
+        density += model.pdf(steps - drifts[:, None])
+    below = np.cumsum(density) / density.sum()
+    return [float(k * drifts[np.searchsorted(below, p)]) for p in probabilities]
+
+
+@pytest.mark.parametrize("noise", [0.0, 1e-3])
+def test_gain_agrees_with_a_sum_over_a_grid(noise: float) -> None:
+    y = np.array([0.2, 0.25, 0.23, 0.31, 0.36, 0.33, 0.42, 0.5])
+    variances = np.full(len(y), noise)
+    found = analysis.strength_gain(y, variances)
+    expected = quantiles_on_a_grid(y, variances, [0.5, 0.025, 0.975])
+    assert [found.value, found.low, found.high] == pytest.approx(expected, abs=0.01)
+
+
+def test_a_jump_has_a_change_and_no_trend() -> None:
+    steady, jump = np.linspace(0.3, 0.7, 15), np.where(np.arange(15) < 7, 0.3, 0.7)
+    noise = np.full(15, 1e-4)
+    assert analysis.strength_gain(steady, noise).low > 0.3
+    assert analysis.strength_gain(jump, noise).low < 0.0
+    assert analysis.strength_change(jump, noise).low > 0.3
+
+
+def test_change_is_a_regression_with_known_noise() -> None:
+    rng = np.random.default_rng(0)
+    y = rng.random(9)
+    found = analysis.strength_change(y, np.full(9, 0.01))
+    slope, _ = np.polyfit(np.arange(9), y, 1)
+    assert found.value == pytest.approx(8 * slope)
+    assert found.high - found.value == pytest.approx(1.96 * 8 * 0.1 / np.sqrt(60), rel=1e-3)
+    # Unknown noise: the interval of ordinary regression.
+    line = stats.linregress(np.arange(9), y)
+    unknown = analysis.strength_change(y, np.zeros(9))
+    reach = 8 * line.stderr * stats.t.ppf(0.975, 7)
+    assert (unknown.low, unknown.high) == pytest.approx((8 * slope - reach, 8 * slope + reach))
+
+
+def test_gains_of_constant_teams_are_zero() -> None:
+    for function in (analysis.strength_gain, analysis.strength_change):
+        found = function(np.full(8, 0.4), np.zeros(8))
+        assert (found.low, found.value, found.high) == pytest.approx((0.0, 0.0, 0.0), abs=1e-6)
+
+
+def test_intervals_of_the_drift_cover_it() -> None:
+    inside = 0
+    rng = np.random.default_rng(1)
+    for _ in range(200):
+        true = 0.5 + np.cumsum(0.01 + 0.01 * rng.standard_normal(15))
+        found = analysis.strength_gain(true + 0.01 * rng.standard_normal(15), np.full(15, 1e-4))
+        inside += found.low <= 0.14 <= found.high
+    assert 0.93 <= inside / 200 <= 1.0
+
+
+def test_bad_strengths_are_refused() -> None:
+    for function in (analysis.strength_gain, analysis.strength_change):
+        with pytest.raises(ValueError, match="at least 4 generations, got 3"):
+            function(np.zeros(3), np.zeros(3))
+        with pytest.raises(ValueError, match="scores and noise of shape"):
+            function(np.zeros(5), np.zeros(6))
+
+
+# ---- Intransitivity ------------------------------------------------------------------------------
+
+
+@settings(deadline=None)
+@given(rates, st.integers(0, 2**32 - 1))
+def test_the_transitive_fit_is_the_nearest_monotone_matrix(matrix: np.ndarray, seed: int) -> None:
+    order = np.ix_(
+        np.argsort(matrix.mean(1), kind="stable"), np.argsort(matrix.mean(0), kind="stable")
+    )
+    values, fit = matrix[order], analysis.transitive_fit(matrix)[order]
+    assert (np.diff(fit, axis=0) >= -1e-3).all()
+    assert (np.diff(fit, axis=1) >= -1e-3).all()
+    # A projection on a convex cone: no monotone matrix lies on the other side of it.
+    rng = np.random.default_rng(seed)
+    other = np.sort(np.sort(rng.random(values.shape), axis=0), axis=1)
+    assert ((values - fit) * (other - fit)).sum() <= 1e-2
+    assert ((values - fit) * fit).sum() == pytest.approx(0.0, abs=1e-2)
+
+
+def test_transitive_matrices_are_their_own_fit() -> None:
+    rng = np.random.default_rng(0)
+    for matrix in (additive(9, 6), logistic(12), staircase(7), np.full((5, 5), 0.3)):
+        shuffled = matrix[rng.permutation(len(matrix))][:, rng.permutation(matrix.shape[1])]
+        np.testing.assert_allclose(analysis.transitive_fit(shuffled), shuffled, atol=1e-3)
+        assert analysis.cyclic_amplitude(shuffled, np.zeros_like(shuffled)).value < 1e-6
+
+
+def test_the_amplitude_of_a_cycle_is_found_under_noise() -> None:
+    chance = circular(31)
+    exact = analysis.cyclic_amplitude(chance, np.zeros_like(chance))
+    # A part of the cosine, which has .32, lies in the nearest order.
+    assert 0.26 < exact.value**0.5 < 0.45 / 2**0.5
+    scores = played(chance, 10)
+    noise = scores.var(axis=2, ddof=1) / 10
+    found = analysis.cyclic_amplitude(scores.mean(axis=2), noise)
+    # The order of equally strong generations is chance, and with it that part.
+    assert found.value**0.5 == pytest.approx(exact.value**0.5, abs=0.03)
+    assert found.low > 0.2**2
+
+
+@pytest.mark.parametrize("episodes", [4, 20])
+@pytest.mark.parametrize("chance", [np.full((15, 15), 0.5), logistic(15, 0.4), logistic(15, 0.05)])
+def test_noise_has_no_cyclic_amplitude(chance: np.ndarray, episodes: int) -> None:
+    found = []
+    for seed in range(20):
+        scores = played(chance, episodes, seed)
+        noise = scores.var(axis=2, ddof=1) / episodes
+        found.append(analysis.cyclic_amplitude(scores.mean(axis=2), noise))
+    assert np.mean([one.value for one in found]) <= 0.0
+    assert sum(one.low > 0.0 for one in found) <= 1
+    # What sorting and fitting hide is allowed for.
+    assert np.mean([one.over for one in found]) >= -0.3 * chance.var() - 0.25 * 0.25 / episodes
+
+
+def test_long_races_are_thinned_out() -> None:
+    found = analysis.cyclic_amplitude(circular(100), np.zeros((100, 100)))
+    assert 0.26 < found.value**0.5 < 0.45 / 2**0.5
+
+
+def test_bad_matrices_are_refused() -> None:
+    with pytest.raises(ValueError, match=r"at least 3 x 3 generations, got \(2, 5\)"):
+        analysis.cyclic_amplitude(np.zeros((2, 5)), np.zeros((2, 5)))
+    with pytest.raises(ValueError, match=r"noise of shape \(4, 5\), got \(5, 4\)"):
+        analysis.cyclic_amplitude(np.zeros((4, 5)), np.zeros((5, 4)))
+
+
+# ---- Forgetting ----------------------------------------------------------------------------------
+
+
+@given(rates)
+def test_forgetting_agrees_with_its_definition(matrix: np.ndarray) -> None:
+    found = analysis.forgetting(matrix)
+    n, m = matrix.shape
+    for g in range(n):
+        drops = [max(matrix[: g + 1, h]) - matrix[g, h] for h in range(m)]
+        assert found.pursuers[g] == pytest.approx(np.mean(drops))
+    for h in range(m):
+        drops = [matrix[g, h] - min(matrix[g, : h + 1]) for g in range(n)]
+        assert found.evaders[h] == pytest.approx(np.mean(drops))
+
+
+def test_held_out_forgetting_by_hand() -> None:
+    one = np.array([[0.9], [0.2], [0.5]])
+    other = np.array([[0.6], [0.7], [0.1]])
+    # `one` chooses row 0 always; measured 0, .6 - .7, .6 - .1. `other` chooses rows 0, 1, 1;
+    # measured 0, 0, .2 - .5.
+    found = analysis.held_out_forgetting(one, other).pursuers
+    np.testing.assert_allclose(found, [0.0, (-0.1 + 0.0) / 2, (0.5 - 0.3) / 2])
+    with pytest.raises(ValueError, match=r"two matrices of shape \(3, 1\), got \(1, 3\)"):
+        analysis.held_out_forgetting(one, other.T)
+
+
+def forgotten(chance: np.ndarray, seed: int) -> Measurement:
+    scores = played(chance, 10, seed)
+    halves = scores[..., ::2].mean(axis=2), scores[..., 1::2].mean(axis=2)
+    return mean_forgetting(halves, scores.var(axis=2, ddof=1) / 10, slice(15, 31))
+
+
+def test_noise_alone_is_not_forgetting() -> None:
+    found = [forgotten(np.full((31, 31), 0.5), seed) for seed in range(20)]
+    assert np.mean([one.under for one in found]) == pytest.approx(0.0, abs=0.02)
+    assert sum(one.low > 0.0 for one in found) <= 2
+    assert all(one.over > 0.2 for one in found)
+
+
+def test_intervals_of_forgetting_contain_the_truth() -> None:
+    for chance in (circular(31), logistic(31), logistic(31)[::-1]):
+        exact = analysis.forgetting(chance).pursuers[15:].mean()
+        found = [forgotten(chance, seed) for seed in range(10)]
+        assert all(one.low <= exact + 1e-9 and one.high >= exact for one in found)
+
+
+# ---- One-sidedness and several runs --------------------------------------------------------------
+
+
+def test_one_sidedness_has_the_interval_of_clopper_and_pearson() -> None:
+    found = one_sidedness(np.full((1, 2), 0.9), 50)
+    exact = stats.binomtest(90, 100).proportion_ci(0.95, method="exact")
+    assert (found.low, found.high) == pytest.approx((exact.low, exact.high))
+    assert one_sidedness(np.full((1, 2), 0.1), 50) == found
+    # Two stretches of one generation share the level.
+    wider = stats.binomtest(90, 100).proportion_ci(0.975, method="exact")
+    assert one_sidedness(np.full((2, 2), 0.9), 50).low == pytest.approx(wider.low)
+    assert one_sidedness(np.ones((4, 2)), 10).high == 1.0
+
+
+def test_the_most_one_sided_stretch_counts() -> None:
+    won, open_ = (0.99, 0.99), (0.6, 0.4)
+    assert one_sidedness([open_] * 4 + [won] * 4, 100).value == pytest.approx(0.99)
+    assert one_sidedness([won] * 2 + [open_] * 2 + [won] * 2 + [open_] * 2, 100).value < 0.8
+
+
+def test_over_runs_uses_values_that_err_to_a_known_side() -> None:
+    runs = [Measurement(0.2, 0.0, 0.5, under=x - 0.1, over=x + 0.1) for x in (0.1, 0.2, 0.3)]
+    found = over_runs(runs, 0.95)
+    reach = stats.t.ppf(0.975, 2) * 0.1 / 3**0.5
+    assert (found.low, found.high) == pytest.approx((0.1 - reach, 0.3 + reach))
+    assert over_runs(runs[:1], 0.95).low == 0.0

@@ -1,0 +1,209 @@
+"""The benchmark of the judgement: its races, counts, tables and files."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.stats import binom
+
+from evolution_scripts import SCRIPTS
+from matrixworld import analysis
+from matrixworld.toys.race_truths import CONDITIONS, WINDOWS
+
+COMMITTED = SCRIPTS / "results" / "judgement"
+
+
+class Findings(dict[str, SimpleNamespace]):
+    """Findings of one window, with gains."""
+
+    gains: dict[str, SimpleNamespace]
+
+
+def opinion(source: np.ndarray, *, per_episode: bool = False, episodes: int | None = None) -> Any:
+    """Call all but a cycle present, whatever the matches, and leave out first halves."""
+    assert source.ndim in ((3, 4) if per_episode else (2, 3))
+    assert not (per_episode and episodes)
+    windows = {}
+    for window in ("whole", "last half"):
+        windows[window] = Findings(
+            {
+                name: SimpleNamespace(verdict="absent" if name == "cycling" else "present")
+                for name in CONDITIONS
+            }
+        )
+        ends = SimpleNamespace(value=0.0, low=-0.001, high=0.001)
+        windows[window].gains = {"pursuer": ends, "evader": ends}
+    return SimpleNamespace(windows=windows, window="last half")
+
+
+@pytest.fixture
+def script(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """Import the script, with an opinion in place of the judgement."""
+    monkeypatch.setattr(analysis, "judge", opinion, raising=False)
+    monkeypatch.syspath_prepend(SCRIPTS)
+    return importlib.import_module("judgement_errors")
+
+
+@pytest.fixture
+def tables(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """Import the module of tables."""
+    monkeypatch.syspath_prepend(SCRIPTS)
+    return importlib.import_module("judgement_tables")
+
+
+@pytest.fixture
+def run(
+    script: ModuleType, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Callable[..., str]:
+    """Return a function that runs the script with options and returns what it prints."""
+
+    def run_script(*options: object) -> str:
+        monkeypatch.setattr(sys, "argv", ["judgement_errors.py", *map(str, options)])
+        script.main()
+        return capsys.readouterr().out
+
+    return run_script
+
+
+def follows(tables: ModuleType, results: Path) -> bool:
+    """Whether the tables of a directory follow from its counts."""
+    return bool(tables.report_of(results) == (results / "errors.md").read_text(encoding="utf-8"))
+
+
+def test_quick_benchmark_writes_tables_that_follow_from_counts(
+    run: Callable[..., str], tables: ModuleType, tmp_path: Path
+) -> None:
+    told = run("--quick", "--results", tmp_path)
+    assert told.startswith((tmp_path / "errors.md").read_text(encoding="utf-8"))
+    assert follows(tables, tmp_path)
+    counts = tables.read_counts(tmp_path / "counts.csv")
+    assert {row["sample"] for row in counts} == {
+        "development",
+        "held back",
+        "toy game",
+        "real race",
+    }
+    # The opinion is always the same, and has none of the first half.
+    for window in WINDOWS:
+        for condition in CONDITIONS:
+            found = tables.totals(counts, window=window, condition=condition)
+            given = "absent" if condition == "cycling" else "present"
+            given = "cannot tell" if window == "first half" else given
+            assert found[given] == sum(found.values()) > 0
+    assert tables.totals(tables.read_counts(tmp_path / "power.csv"), condition="cycling")["absent"]
+
+
+def test_an_interrupted_benchmark_continues(
+    run: Callable[..., str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    options = ("--seeds", 2, "--development", "--results", tmp_path)
+    whole = run(*options)
+    file = tmp_path / "judgements.jsonl"
+    lines = file.read_text(encoding="utf-8").splitlines(keepends=True)
+    file.write_text("".join(lines[:9]) + lines[9][:20], encoding="utf-8")
+    seen = []
+    monkeypatch.setattr(
+        analysis, "judge", lambda source, **known: seen.append(1) or opinion(source, **known)
+    )
+    assert run(*options) == whole
+    assert len(seen) == len(lines) - 9
+    assert sorted(file.read_text(encoding="utf-8").splitlines()) == sorted(map(str.strip, lines))
+
+
+def test_judgements_of_other_code_are_refused(run: Callable[..., str], tmp_path: Path) -> None:
+    (tmp_path / "judgements.jsonl").write_text('{"version": "older"}\n', encoding="utf-8")
+    with pytest.raises(ValueError, match="expected judgements of this version of the code"):
+        run("--quick", "--results", tmp_path)
+
+
+def test_races_are_those_that_the_setting_says(script: ModuleType) -> None:
+    seen = set()
+    for seed in range(40):
+        case = script.synthetic_case("cycle", seed)
+        runs, n = int(case.setting["runs"]), int(case.setting["generations"])
+        shape = (n, n) if runs == 1 else (runs, n, n)
+        episodes = int(case.setting["noise"].split(", ")[1])
+        known = case.setting["episodes known"]
+        seen.add(known)
+        assert case.scores.shape == (*shape, episodes)[: len(shape) + case.per_episode]
+        assert case.per_episode == (known == "each episode")
+        assert case.episodes == (episodes if known == "number of episodes" else None)
+        again = script.synthetic_case("cycle", seed)
+        assert np.array_equal(case.scores, again.scores)
+    assert seen == {"each episode", "number of episodes", "unknown"}
+
+
+def test_learners_that_cannot_learn_and_opponents_in_random_order(script: ModuleType) -> None:
+    frozen = script.real_case(script.FROZEN, 3)
+    assert frozen.scores.shape == (15, 15, 10)
+    held = {condition: truth.holds for condition, truth in frozen.truths["whole"].items()}
+    assert held["arms race"] is held["cycling"] is held["forgetting"] is False
+    # No generation differs from another by more than chance.
+    each = frozen.scores.mean(axis=(1, 2))
+    luck = frozen.scores.mean(axis=1).std(axis=1).mean() / np.sqrt(10)
+    assert each.std() < 2.5 * luck
+    shuffled = script.real_case(script.SHUFFLED, 3)
+    assert shuffled.truths["whole"]["arms race"].holds is False
+    assert shuffled.truths["whole"]["one-sided progress"].holds is None
+
+
+def judgement(kind: str, found: list[list[Any]], **setting: str) -> dict[str, Any]:
+    return {
+        "source": "synthetic", "kind": kind, "seed": 0, "headline": "last half", "gains": [],
+        "setting": {"noise": "win or loss, 10", "runs": "1", "episodes known": "unknown"} | setting,
+        "found": found,
+    }  # fmt: skip
+
+
+def test_counts_by_hand(tables: ModuleType) -> None:
+    both = [
+        judgement("cycle", [["last half", "cycling", True, 0.1, "present"]]),
+        judgement("cycle", [["last half", "cycling", True, 0.1, "absent"]]),
+        judgement("decline", [["whole", "cycling", False, 0.0, "present"]]),
+        judgement("decline", [["last half", "cycling", None, 0.0, "present"]]),
+    ]
+    counts = tables.count_verdicts(both)
+    assert tables.totals(counts, truth="True") == {"present": 1, "absent": 1, "cannot tell": 0}
+    assert [row["sample"] for row in counts] == ["development", "held back"]
+    # Only the headline window.
+    by_setting = tables.count_by_setting(both)
+    assert tables.totals(by_setting, truth="False")["present"] == 0
+    assert tables.totals(by_setting, setting="runs", value="1")["present"] == 1
+    text = tables.report(counts, by_setting, [])
+    assert "| cycling | development | 2 | 50.0% | 50.0% | 0.0% | 0 | - | - | - | - |" in text
+    assert "| cycling | held back | decline | whole | 1 of 1 | 100.0% | yes |" in text
+
+
+def test_coverage_by_hand(tables: ModuleType) -> None:
+    gains = [["whole", "pursuer", 0.1, 0.0, 0.2], ["whole", "evader", 0.3, 0.0, 0.2]]
+    rows = tables.count_gains([judgement("cycle", []) | {"gains": gains}])
+    assert {(row["covered"], row["missed"]) for row in rows} == {("1", "1")}
+
+
+@pytest.mark.parametrize(("count", "of"), [(0, 100), (3, 20), (19, 20)])
+def test_upper_bounds_of_rates(tables: ModuleType, count: int, of: int) -> None:
+    # By definition: at the bound, so few happen with a probability of 5 %.
+    assert binom.cdf(count, of, tables.upper_bound(count, of)) == pytest.approx(0.05)
+    assert tables.upper_bound(of, of) == 1.0
+
+
+@pytest.mark.skipif(not COMMITTED.exists(), reason="no results are committed")
+def test_committed_errors_follow_from_committed_counts(tables: ModuleType) -> None:
+    assert follows(tables, COMMITTED)
+    counts = tables.read_counts(COMMITTED / "counts.csv")
+    assert {row["condition"] for row in counts} == set(CONDITIONS)
+    assert not list(COMMITTED.glob("*.jsonl"))
+    assert sum(file.stat().st_size for file in COMMITTED.iterdir()) < 300_000
+
+
+def test_verdicts_are_plain_values(script: ModuleType) -> None:
+    found = script.judged(script.Task("synthetic", "noise only, .5", 4))
+    assert json.loads(json.dumps(found, allow_nan=False))["kind"] == "noise only, .5"
