@@ -238,17 +238,47 @@ def test_comparison_puts_races_side_by_side(payoff: np.ndarray, cycle: np.ndarra
     saved(figure)
 
 
-def test_comparison_says_the_verdicts_in_numbers(payoff: np.ndarray, cycle: np.ndarray) -> None:
-    figure = plots.comparison({"a": cycle, "b": payoff})
-    notes = [axes.texts[0].get_text() for axes in figure.axes[:2]]
-    assert notes[0].startswith("looks like cycling\nlast half: transitive share 0.0")
-    assert notes[1].startswith("looks like progress\nlast half: transitive share 0.9")
-    assert notes[1].endswith("checkerboards 0.0%")
+def heads(figure: Figure, races: int) -> list[tuple[str, str]]:
+    """Return the numbers and the judgement above each heat map."""
+    return [tuple(text.get_text() for text in axes.texts[:2]) for axes in figure.axes[:races]]
+
+
+def judged(payoff: np.ndarray) -> analysis.Judgement:
+    return analysis.judge(payoff, episodes=100)
+
+
+def test_comparison_says_what_was_judged(payoff: np.ndarray, cycle: np.ndarray) -> None:
+    judgements = {"a": judged(cycle), "b": judged(payoff)}
+    figure = plots.comparison({"a": cycle, "b": payoff}, judgements)
+    (first, cycling), (second, race) = heads(figure, 2)
+    assert first.startswith("last half: transitive share 0.0")
+    assert second.startswith("last half: transitive share 0.9")
+    assert second.endswith("checkerboards 0.0%")
+    assert [cycling, race] == [analysis.headline(each) for each in judgements.values()]
+    assert "cycling" in cycling
+    assert "arms race" in race
+
+
+def test_comparison_claims_nothing_without_a_judgement(
+    payoff: np.ndarray, cycle: np.ndarray
+) -> None:
+    figure = plots.comparison({"a": cycle, "b": payoff}, {"b": judged(payoff)})
+    assert [verdict for _, verdict in heads(figure, 2)] == ["", "arms race (last half)"]
+
+
+@pytest.mark.parametrize("races", [1, 3, 5])
+def test_the_names_of_compared_races_are_inside_the_figure(cycle: np.ndarray, races: int) -> None:
+    judgement = judged(cycle)
+    names = [str(race) for race in range(races)]
+    figure = plots.comparison(dict.fromkeys(names, cycle), dict.fromkeys(names, judgement))
+    saved(figure)
+    for axes in figure.axes[:races]:
+        assert axes.title.get_window_extent().y1 < figure.bbox.height
 
 
 def test_comparison_of_a_race_that_has_not_moved_yet() -> None:
     figure = plots.comparison({"new": np.full((2, 2), 0.5)})
-    assert figure.axes[0].texts[0].get_text() == "undecided\nlast half: no variance"
+    assert heads(figure, 1) == [("last half: no variance", "")]
     saved(figure)
 
 

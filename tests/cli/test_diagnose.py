@@ -1,18 +1,22 @@
-"""``matrixworld diagnose``."""
+"""``matrixworld diagnose`` and ``matrixworld analyze``: what they judge, print and refuse."""
 
 from __future__ import annotations
 
-import json
+import re
+import shutil
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from command_line import matrixworld_command
+from command_line import judged_in, matrixworld_command, run_together
 from matrices import circular, logistic
-from matrixworld.coevolution import start
+from matrixworld.analysis import CONDITIONS, describe, judge, summarize
+from matrixworld.coevolution import open_run, start
 from matrixworld.files import load_json
 from tiny_race import StopAt, tiny_race, tiny_single
+
+LONGER = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "eval_episodes": 4}
 
 
 @pytest.fixture(autouse=True)
@@ -23,90 +27,207 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture(scope="module")
 def job(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A directory of two finished races of twelve generations, with different seeds."""
+    """Three finished races: two that differ in the seed only, and one of another schedule."""
     output = tmp_path_factory.mktemp("job")
     for seed in (1, 2):
-        changes = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "eval_episodes": 4}
-        start(tiny_race(seed=seed, **changes), output / str(seed), threads=1).run()
+        start(tiny_race(seed=seed, **LONGER), output / str(seed), threads=1).run()
+    other = tiny_race(seed=3, schedule="specialist-specialist", sigma=0.2, **LONGER)
+    start(other, output / "other", threads=1).run()
     return output
 
 
-def words(output: str) -> str:
-    """Return the output without line breaks."""
-    return " ".join(output.split())
+def means_of(kind: str, episodes: int = 30) -> np.ndarray:
+    """Mean capture rates of a race whose truth is known."""
+    chance = circular(31) if kind == "circle" else logistic(31, 0.3)
+    return np.random.default_rng(0).binomial(episodes, chance) / episodes
 
 
-def test_a_run_is_diagnosed_by_its_episodes(job):
+def write_files() -> None:
+    np.savetxt("circle.csv", means_of("circle"), delimiter=",", header="x", comments="# ")
+    np.savez("race.npz", payoff=means_of("race"))
+
+
+# diagnose
+
+
+def test_a_run_is_judged_by_its_episodes(job):
     result = matrixworld_command("diagnose", job / "1", "--json", "found.json")
-    text = words(result.output)
-    assert "A single run, 13 pursuer and 13 evader generations:" in text
-    assert "It does not show what the same settings do with another seed" in text
-    for name in ("Arms race:", "Cycling:", "Disengagement:", "Forgetting:", "Stagnation:"):
-        assert name in text
-    assert max(map(len, result.output.splitlines())) <= 100
-    assert text.endswith("Terms are explained in docs/glossary.md. Written: found.json")
-    found = load_json(Path("found.json"))
-    assert found["runs"] == 1
-    evidence = found["findings"][0]["evidence"]
-    assert evidence["least_rise"]["over"] == "episodes"
-    assert evidence["least_rise"]["samples"] == 4
+    payoff = open_run(job / "1").payoff()
+    expected = judge(payoff.capture_rates, per_episode=True)
+    assert judged_in(result.stdout) == {
+        name: finding.verdict for name, finding in expected.headline.findings.items()
+    }
+    lines = result.stdout.splitlines()
+    head = "1 run, 13 pursuer and 13 evader generations, 4 episodes of each pair"
+    assert lines[1] == f"{job / '1'}: {head}"
+    assert re.match(r"condition +verdict +95% interval +window$", lines[2])
+    assert max(map(len, lines[2:])) <= 100
+    said = run_together(result.stdout)
+    assert "because" not in said
+    assert said.endswith("Terms are explained in docs/glossary.md. Written: found.json")
+    assert load_json(Path("found.json")) == expected.to_json()
 
 
-def test_several_runs_are_diagnosed_together(job):
-    by_name = matrixworld_command("diagnose", job / "1", job / "2", "--json", "one.json").output
-    again = matrixworld_command("diagnose", job, "--json", "one.json", "--force").output
-    assert again == by_name
-    assert "2 runs, 13 pursuer and 13 evader generations:" in words(by_name)
-    assert "This is a single run" not in words(by_name)
-    evidence = json.loads(Path("one.json").read_text())["findings"][1]["evidence"]
-    assert evidence["checkerboards"]["over"] == "runs"
+def test_reasons_and_numbers_come_after_explain(job):
+    said = run_together(matrixworld_command("diagnose", job / "1", "--explain").stdout)
+    for name in CONDITIONS:
+        assert re.search(rf"{name.capitalize()} is (present|absent|undecided), because ", said)
+    summary = summarize(open_run(job / "1").payoff().capture_rate)
+    assert run_together(describe(summary)) in said
 
 
-def test_files_of_payoffs():
-    np.savetxt("circle.csv", circular(31), delimiter=",", header="x", comments="# ")
-    np.savez("race.npz", payoff=logistic(31, 0.3))
-    circle = words(matrixworld_command("diagnose", "circle.csv").output)
-    assert "evader generations: cycling, forgetting." in circle
-    assert "Cycling: present (confidence" in circle
-    assert "a hall of fame" in circle
-    race = words(matrixworld_command("diagnose", "race.npz").output)
-    assert "evader generations: arms race." in race
-    both = words(matrixworld_command("diagnose", "race.npz", "circle.csv").output)
-    assert "Cycling: cannot tell" in both
+def test_runs_that_differ_in_the_seed_only_are_judged_together(job):
+    runs = [job / "1", job / "2"]
+    result = matrixworld_command("diagnose", *runs, "--json", "found.json", "--explain")
+    scores = [open_run(run).payoff().capture_rates for run in runs]
+    assert load_json(Path("found.json")) == judge(np.array(scores), per_episode=True).to_json()
+    said = run_together(result.stdout)
+    assert "2 runs, 13 pursuer and 13 evader generations, 4 episodes of each pair" in said
+    assert "The intervals are about this run." not in said
+    assert "Of the single runs: " in said
+    assert "From generation" not in said
 
 
-def test_what_cannot_be_diagnosed_is_refused(job):
+def test_runs_of_other_settings_are_refused_and_named(job):
+    error = matrixworld_command("diagnose", job, "--json", "found.json", code=2).stderr
+    assert error.endswith(
+        "Error: expected runs that differ in their seed only, got 2 groups (--each judges each of "
+        "them):\n"
+        f"  sigma 0.1, schedule generalist-generalist: {job / '1'}, {job / '2'}\n"
+        f"  sigma 0.2, schedule specialist-specialist: {job / 'other'}\n"
+    )
+    assert not Path("found.json").exists()
+
+
+def test_each_judges_every_group(job):
+    np.savez("file.npz", payoff=circular(31))
+    sources = [job, "file.npz"]
+    result = matrixworld_command("diagnose", *sources, "--each", "--json", "found.json")
+    names = [f"{job / '1'}, {job / '2'}", f"{job / 'other'}", "file.npz"]
+    heads = [line for line in result.stdout.splitlines() if " generations" in line]
+    assert [head.split(": ")[0] for head in heads] == names
+    assert result.stdout.count("condition ") == 3
+    found = load_json(Path("found.json"))["judgements"]
+    assert list(found) == names
+    alone = matrixworld_command("diagnose", job / "other", "--json", "other.json")
+    assert found[names[1]] == load_json(Path("other.json"))
+    table = alone.stdout.partition("condition ")[2].partition("\n\n")[0]
+    assert table in result.stdout
+
+
+def test_the_same_run_twice_is_refused(job):
+    shutil.copytree(job / "1", "copy")
+    error = run_together(matrixworld_command("diagnose", job / "1", "copy", code=2).stderr)
+    assert f"expected runs with different seeds, got the same run twice: {job / '1'}, copy" in error
+
+
+def test_files_of_means_need_their_number_of_episodes():
+    write_files()
+    unknown = matrixworld_command("diagnose", "circle.csv").stdout
+    assert judged_in(unknown)["cycling"] == judged_in(unknown)["forgetting"] == "cannot tell"
+    assert "Give the number with --episodes." in run_together(unknown)
+    known = matrixworld_command("diagnose", "circle.csv", "--episodes", 30).stdout
+    assert judged_in(known)["cycling"] == judged_in(known)["forgetting"] == "present"
+    assert "--episodes" not in known
+    race = matrixworld_command("diagnose", "race.npz", "--episodes", 30).stdout
+    assert judged_in(race)["arms race"] == "present"
+    assert judged_in(race)["cycling"] == "absent"
+    assert "What to try:\n  more generations" in race
+
+
+def test_several_files_are_one_group():
+    write_files()
+    shutil.copy("race.npz", "again.npz")
+    files = ["race.npz", "again.npz"]
+    result = matrixworld_command("diagnose", *files, "--episodes", 30, "--json", "found.json")
+    assert result.stdout.startswith("\nrace.npz, again.npz: 2 runs, 31 pursuer")
+    means = np.array([means_of("race")] * 2)
+    assert load_json(Path("found.json")) == judge(means, episodes=30).to_json()
+
+
+@pytest.mark.parametrize("command", ["diagnose", "analyze"])
+def test_another_number_of_episodes_than_the_held_one_is_refused(command, job):
+    np.savez("scores.npz", capture_rates=np.full((13, 13, 5), 0.5))
+    for source, held in ((job / "1", 4), ("scores.npz", 5)):
+        error = matrixworld_command(command, source, "--episodes", 6, code=2).stderr
+        expected = f"--episodes: expected {held}, which the payoffs hold, or no number, got 6"
+        assert expected in run_together(error)
+        matrixworld_command(command, source, "--episodes", held)
+
+
+@pytest.mark.parametrize("command", ["diagnose", "analyze"])
+def test_what_cannot_be_judged_is_refused(command, job):
+    def refused(*sources: object) -> str:
+        return run_together(matrixworld_command(command, *sources, code=2).stderr)
+
     Path("empty").mkdir()
-    refused = matrixworld_command("diagnose", "empty", code=2).output
-    assert "expected run directories, or .csv or .npz files, got 'empty'" in words(refused)
+    assert "expected run directories, or .csv or .npz files, got 'empty'" in refused("empty")
     Path("bad.csv").write_text("0.5,2\n0.5,0.5\n")
-    refused = matrixworld_command("diagnose", "bad.csv", code=2).output
-    assert "expected a capture rate in [0, 1], got 2" in words(refused)
+    assert "expected a capture rate in [0, 1], got 2" in refused("bad.csv")
     np.save("other.npy", circular(31))
+    assert "other.npy" in refused("other.npy")
     np.savez("small.npz", payoff=circular(12))
-    refused = matrixworld_command("diagnose", job / "1", "small.npz", "--json", "x.json", code=2)
-    assert "expected the generations of" in words(refused.output)
-    assert "(13, 13), got (12, 12)" in words(refused.output)
-    assert not Path("x.json").exists()
-    assert "other.npy" in matrixworld_command("diagnose", "other.npy", code=2).output
-
-
-def test_unfinished_runs_and_runs_of_one_team_are_refused():
+    said = refused(job / "1", "small.npz", "--json", "x.json")
+    assert f"settings of a run: {job / '1'} a file of unknown settings: small.npz" in said
+    np.savez("large.npz", payoff=circular(14))
+    assert "expected the shape of small.npz, (12, 12), got (14, 14)" in refused(
+        "small.npz", "large.npz"
+    )
     start(tiny_single(), "alone", threads=1).run()
-    refused = matrixworld_command("diagnose", "alone", code=2).output
-    assert "alone: expected a race, got a run in which one team evolved" in words(refused)
+    assert "alone: expected a race, got a run in which one team evolved" in refused("alone")
+    assert not Path("x.json").exists()
+
+
+@pytest.mark.parametrize("command", ["diagnose", "analyze"])
+def test_unfinished_and_damaged_runs_are_named(command, job):
     race = start(tiny_race(), "stopped", threads=1, play=StopAt(2))
     with pytest.raises(KeyboardInterrupt):
         race.run()
-    refused = matrixworld_command("diagnose", "stopped", code=2).output
-    assert "expected a finished run; matrixworld evolve --resume stopped" in words(refused)
+    refused = matrixworld_command(command, "stopped", code=2).stderr
+    assert "expected a finished run; matrixworld evolve --resume stopped" in run_together(refused)
+    shutil.copytree(job / "1", "copy")
+    content = Path("copy/payoff.npz").read_bytes()
+    Path("copy/payoff.npz").write_bytes(content[: len(content) // 2])
+    assert "payoff.npz" in matrixworld_command(command, "copy", code=1).stderr
 
 
-def test_damaged_runs_are_named(job, tmp_path):
-    copy = tmp_path / "copy"
-    copy.mkdir()
-    for file in (job / "1").iterdir():
-        (copy / file.name).write_bytes(file.read_bytes())
-    content = (copy / "payoff.npz").read_bytes()
-    (copy / "payoff.npz").write_bytes(content[: len(content) // 2])
-    assert "payoff.npz" in matrixworld_command("diagnose", copy, code=1).output
+@pytest.mark.parametrize("command", ["diagnose", "analyze"])
+def test_a_race_that_is_too_small_says_what_it_takes(command):
+    np.savez("small.npz", capture_rates=np.random.default_rng(0).random((4, 4, 2)))
+    said = run_together(matrixworld_command(command, "small.npz").stdout)
+    assert set(judged_in(matrixworld_command(command, "small.npz").stdout).values()) == {
+        "cannot tell"
+    }
+    assert "It takes at least 4 episodes of each cell" in said
+    assert "It takes at least 6 generations of each team to judge a race, and 12 to " in said
+
+
+# analyze
+
+
+def test_analyze_prints_the_judgement_and_then_all_measures():
+    write_files()
+    result = matrixworld_command("analyze", "circle.csv", "--episodes", 30, "--json", "found.json")
+    assert judged_in(result.stdout)["cycling"] == "present"
+    table, measures = result.stdout.split("\n1 run, 31 pursuer and 31 evader generations\n")
+    assert "condition" in table
+    late = summarize(means_of("circle")).last_half
+    assert re.search(rf"transitive share, last half +{late.transitive_share:.3f}", measures)
+    assert "because" not in result.stdout
+    found = load_json(Path("found.json"))
+    assert found["judgement"] == judge(means_of("circle"), episodes=30).to_json()
+    assert found["estimates"]["transitive_share"]["value"] == pytest.approx(late.transitive_share)
+
+
+def test_analyze_takes_runs_of_the_same_settings(job):
+    result = matrixworld_command("analyze", job / "1", job / "2").stdout
+    assert "2 runs, 13 pursuer and 13 evader generations, 4 episodes of each pair" in result
+    assert "interval over runs" in result
+    error = matrixworld_command("analyze", job, code=2).stderr
+    assert "expected runs that differ in their seed only, got 2 groups:\n" in error
+
+
+def test_analyze_needs_two_generations_of_each_team():
+    np.savez("one.npz", payoff=np.full((1, 3), 0.5))
+    error = matrixworld_command("analyze", "one.npz", code=2).stderr
+    assert "expected at least 2 x 2 generations, got 1 x 3" in error

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import os
+import re
 import shlex
 import shutil
 import signal
@@ -21,7 +22,7 @@ import pytest
 from click.testing import Result
 
 from command_line import FIGURES, MAIN_JOB, PNG, RACE, WORLD, matrixworld_command, words
-from matrixworld.cli import jobs, report
+from matrixworld.cli import held_out, jobs, report
 from matrixworld.cli.arguments import find_runs
 from matrixworld.cli.console import ProgressLines, progress, warnings_as_notes
 from matrixworld.cli.options import option_name
@@ -36,9 +37,11 @@ from matrixworld.coevolution import (
     SingleSettings,
     open_run,
     resume,
+    score,
     start,
 )
 from matrixworld.coevolution.runs import alternating
+from matrixworld.files import json_digest, load_json, save_json
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 
@@ -165,24 +168,63 @@ def test_the_main_job_writes_figures_and_numbers(job):
         assert path.read_bytes().startswith(PNG)
     runs = json.loads((output / "summary.json").read_text())["runs"]
     assert list(runs) == [*MAIN_JOB]
-    assert runs[MAIN_JOB[0]] == open_run(output / MAIN_JOB[0]).files.summary()
+    for name, numbers in runs.items():
+        run = open_run(output / name)
+        held_out = numbers.pop("held_out")
+        assert numbers == run.files.summary()
+        scores = score(run)
+        for team in TEAMS:
+            assert held_out[f"{team}s"] == scores[team].to_json()
+
+
+def test_the_main_job_has_equal_training_matches(tmp_path):
+    matches = {
+        name: start(RaceSettings(schedule=name), tmp_path / name).training_matches()
+        for name in MAIN_JOB
+    }
+    assert max(matches.values()) <= 1.01 * min(matches.values()), matches
 
 
 def test_the_main_job_prints_its_results(job):
     output, result = job
+    heads, present, *rows = result.stdout.splitlines()[1:9]
+    assert heads.split() == [*MAIN_JOB]
+    assert re.split("  +", present) == ["present", *["cannot tell (whole)"] * 3]
+    assert [row[:20].rstrip() for row in rows] == [
+        "gain of the pursuers", "gain of the evaders", "transitive share", "checkerboards",
+        "held-out, pursuers", "held-out, evaders",
+    ]  # fmt: skip
+    counts = "1 run, 3 pursuer and 3 evader generations, 3 episodes of each pair"
     for name in MAIN_JOB:
-        assert f"\n{name}\n" in result.stdout
-        assert f"\n{name}: the paper reports " in result.stdout
-    assert "transitive share  checkerboards  swing  lag rise" in result.stdout
+        assert f"\n{name}: {counts}\ncondition " in result.stdout
+    assert [line.split() for line in result.stdout.splitlines() if "cycling " in line][-2:] == [
+        [MAIN_JOB[0], *["cycling", "present", "cycling", "cannot", "tell", "(whole)"]],
+        [MAIN_JOB[2], *["cycling", "absent", "cycling", "cannot", "tell", "(whole)"]],
+    ]
     assert "Terms are explained in docs/glossary.md." in result.stdout
     assert f"All files are in {output}:" in result.stdout
     assert f"matrixworld replay '{output}/generalist-generalist' --pursuer 2" in result.stdout
-    assert "[2/2] generation 2: evaders" in result.stderr
+    assert "[3/3] generation 2: evaders" in result.stderr
+    assert "[1/3] pursuers against held-out opponents" in result.stderr
     assert "left" in result.stderr
 
 
+def test_held_out_scores_are_those_of_the_command(job):
+    output, result = job
+    printed = {
+        line[:20].strip(): re.findall(r"(0\.\d\d) \(0\.\d\d to 0\.\d\d\)", line)
+        for line in result.stdout.splitlines()
+    }
+    for column, name in enumerate(MAIN_JOB):
+        matrixworld_command("score", output / name, "--json", f"{name}.json")
+        found = json.loads(Path(f"{name}.json").read_text())
+        for team in TEAMS:
+            mean = found[f"{team}s"]["mean"][0]["value"]
+            assert printed[f"held-out, {team}s"][column] == f"{mean:.2f}"
+
+
 def test_a_job_builds_and_summarizes_each_run_once(undrawn, monkeypatch):
-    counts = {"built": 0, "read": 0, "summarized": 0}
+    counts = {"built": 0, "read": 0, "summarized": 0, "scored": 0}
     jobs = len(MAIN_JOB)
 
     def counted(what, function):
@@ -195,15 +237,16 @@ def test_a_job_builds_and_summarizes_each_run_once(undrawn, monkeypatch):
     monkeypatch.setattr(Race, "__init__", counted("built", Race.__init__))
     monkeypatch.setattr(RunDirectory, "payoff", counted("read", RunDirectory.payoff))
     monkeypatch.setattr(alternating, "summarize", counted("summarized", alternating.summarize))
+    monkeypatch.setattr(held_out, "score", counted("scored", held_out.score))
     matrixworld_command("evolve", "out", *words(RACE))
     # A run hands its payoff on, so the file that it wrote is not read back.
-    assert counts == {"built": jobs, "read": 0, "summarized": jobs}
+    assert counts == {"built": jobs, "read": 0, "summarized": jobs, "scored": jobs}
 
 
 def test_the_commands_that_it_suggests_work(job, copy):
     lines = [line for line in job[1].stdout.splitlines() if line.startswith("  matrixworld ")]
     commands = [shlex.split(line.replace(str(job[0]), str(copy)))[1:] for line in lines]
-    names = ["replay", "replay", "diagnose", "score", "tournament", "plot"]
+    names = ["replay", "replay", "diagnose", "analyze", "score", "tournament", "plot"]
     assert [command[0] for command in commands] == names
     for command in commands:
         assert matrixworld_command(*command).stdout
@@ -232,7 +275,7 @@ def test_all_schedules_and_the_hall_of_fame(undrawn):
     chosen = ["--schedule", "all", "--schedule", "hall-of-fame"]
     matrixworld_command("evolve", "out", *words(RACE), *chosen)
     runs = find_runs(Path("out"))
-    schedules = [*MAIN_JOB[:1], "generalist-specialist", *MAIN_JOB[1:], "hall-of-fame"]
+    schedules = [MAIN_JOB[0], "generalist-specialist", *MAIN_JOB[1:]]
     assert [path.name for path in runs] == schedules
     assert [open_run(path).settings.schedule for path in runs] == schedules
     matrixworld_command("plot", runs[-1])
@@ -286,7 +329,7 @@ def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(job, undrawn, monkeypatch,
 def test_a_real_ctrl_c(tmp_path):
     """During a team phase of a long race, after the log of the first phase was written."""
     longer = {"generations": 10, "pursuer_epochs": 60, "evader_epochs": 60, "worlds": 4}
-    many = words({**RACE, **longer, "schedule": MAIN_JOB[1]})
+    many = words({**RACE, **longer, "schedule": MAIN_JOB[0]})
     process = subprocess.Popen(
         [sys.executable, "-m", "matrixworld", "evolve", "out", *many],
         stderr=subprocess.PIPE,
@@ -310,11 +353,31 @@ def test_a_real_ctrl_c(tmp_path):
     assert results(Path("out")) == results(tmp_path / "straight")
 
 
-def test_resume_of_a_finished_job_prints_the_results_again(copy, undrawn):
-    before = {name: results(copy / name) for name in MAIN_JOB}
+def test_resume_of_a_finished_job_prints_the_same(job, copy):
+    before = {path: path.read_bytes() for path in copy.rglob("*.*") if path.is_file()}
     result = matrixworld_command("evolve", "--resume", copy)
-    assert "the paper reports" in result.stdout
-    assert {name: results(copy / name) for name in MAIN_JOB} == before
+    # The job's name has a space, so that commands have it in quotes.
+    before_paths = job[1].stdout.partition("All files are in")[0]
+    assert result.stdout.partition("All files are in")[0] == before_paths
+    assert "held-out" not in result.stderr
+    assert {path: path.read_bytes() for path in before} == before
+
+
+def test_resume_scores_races_that_have_no_scores_of_their_own(copy, undrawn):
+    names = [copy / name / "scores.json" for name in MAIN_JOB]
+    before = [name.read_bytes() for name in names]
+    names[0].unlink()
+    names[1].write_bytes(before[2])
+    result = matrixworld_command("evolve", "--resume", copy)
+    assert "[2/2] evaders against held-out opponents" in result.stderr
+    assert [name.read_bytes() for name in names] == before
+    # As if another version of the package had written it.
+    files = RunDirectory.open(copy / MAIN_JOB[2])
+    owner = f"{json_digest(files.config())}/scores.json"
+    kept = {**load_json(names[2], owner=owner), "matrixworld": "0.0"}
+    save_json(names[2], kept, owner=owner)
+    assert "held-out" in matrixworld_command("evolve", "--resume", copy).stderr
+    assert names[2].read_bytes() == before[2]
 
 
 def test_resume_takes_no_settings(copy):

@@ -17,8 +17,9 @@ from matrixworld.coevolution import open_run, start
 from matrixworld.coevolution.settings.training import MOST_SEED
 from tiny_race import tiny_race
 
-DIFFERENT = {"--hidden"}
-"""Options that differ between commands: `evolve` takes one network, `bench` measures several."""
+DIFFERENT = {"--hidden", "--episodes"}
+"""Options that differ between commands: `evolve` takes one network, `bench` measures several;
+`tournament` plays episodes, `analyze` has to be told how many there were."""
 
 BENCH = ["--rows", 7, "--cols", 6, "--pursuers", 2, "--evaders", 3, "--fov", 5]
 
@@ -87,6 +88,7 @@ OUTPUTS = {
     "replay": (["replay", "O", "--steps", 5, "--out", "new.png", "--out", "old.npz"], "old.npz"),
     "score": (["score", "run", "--episodes", 2, "--json", "old.json"], "old.json"),
     "diagnose": (["diagnose", "circle.csv", "--json", "old.json"], "old.json"),
+    "analyze": (["analyze", "circle.csv", "--json", "old.json"], "old.json"),
     "tournament": (
         ["tournament", "run", "--episodes", 2, "--output", "old.npz"],
         "old.npz",

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import re
+
 from click.testing import CliRunner, Result
 
+from matrixworld.analysis import CONDITIONS
 from matrixworld.cli import main
 from matrixworld.cli.options import option_name
 from tiny_race import TINY
 
 WORLD: dict[str, object] = {**TINY, "hidden": "4"}
 RACE = {**WORLD, "generations": 2, "pursuer_epochs": 2, "evader_epochs": 3, "joint_epochs": 2}
-MAIN_JOB = ("specialist-specialist", "generalist-generalist")
+MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
 FIGURES = {"payoff.png", "generalization.png", "lag_profile.png", "training.png", "collisions.png"}
 PNG, GIF = b"\x89PNG", b"GIF89a"
 
@@ -27,3 +30,17 @@ def matrixworld_command(*args: object, code: int = 0) -> Result:
     assert unexpected is None, result.output
     assert result.exit_code == code, result.output
     return result
+
+
+def run_together(output: str) -> str:
+    """Return an output without line breaks and indentation."""
+    return " ".join(output.split())
+
+
+def judged_in(output: str) -> dict[str, str]:
+    """Return the verdicts in the table of a judgement: those of the first window."""
+    row = re.compile(rf"({'|'.join(CONDITIONS)}) +(present|absent|cannot tell)")
+    verdicts: dict[str, str] = {}
+    for match in filter(None, map(row.match, output.splitlines())):
+        verdicts.setdefault(*match.groups())
+    return verdicts

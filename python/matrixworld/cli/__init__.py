@@ -8,6 +8,7 @@ score.py            ``score``: a run against held-out opponents
 exploit.py          ``exploit``: evolve a best response to a champion
 plot.py             ``plot``: draw the figures of finished runs again
 diagnose.py         ``diagnose``: what happened in a race, and what to try
+analyze.py          ``analyze``: all measures of payoffs, also of a matrix of one's own
 variants.py         ``variants``: the table of rules
 bench.py            ``bench``: how fast this machine plays; `bench_report` prints it
 options.py          options that several commands share, and old names of options
@@ -16,6 +17,11 @@ arguments.py        run directories as arguments
 jobs.py             several runs as one job
 figures.py          the figures of a run
 report.py           what ``evolve`` prints at the end
+race_tables.py      tables over the races of one job
+held_out.py         held-out scores of finished races, kept in run directories
+race_groups.py      races to judge: runs grouped by settings, and payoff files
+judgements.py       the table of a judgement, and what limits it
+advice.py           what to try, from a judgement and the settings of the race
 console.py          progress, notes, wrapped text and tables
 ==================  ================================================================================
 """
@@ -24,6 +30,7 @@ from __future__ import annotations
 
 import click
 
+from matrixworld.cli.analyze import analyze_command
 from matrixworld.cli.bench import bench_command
 from matrixworld.cli.diagnose import diagnose_command
 from matrixworld.cli.evolve import evolve_command
@@ -46,8 +53,8 @@ __all__ = ["main"]
 def main() -> None:
     """Pursuers and evaders on a grid that evolve against each other.
 
-    Start with `matrixworld evolve`: it runs two races in some minutes, says whether they look like
-    cycling or progress, and what to try next.
+    Start with `matrixworld evolve`: it runs three races in some minutes, judges and compares them,
+    and says what to try next.
     """
 
 
@@ -59,6 +66,7 @@ for command in (
     exploit_command,
     plot_command,
     diagnose_command,
+    analyze_command,
     variants_command,
     bench_command,
 ):

@@ -17,7 +17,8 @@ from matrixworld.policy import SCRIPTS
 UNMADE = ".unmade"
 """Marker file in a directory of several runs: not all of them have been created yet."""
 
-ORDER = [*SCHEDULES, ALTERNATING, HALL_OF_FAME]
+# From the newest opponents only to those of all generations: the generalists are the last schedule.
+ORDER = [*list(SCHEDULES)[:-1], HALL_OF_FAME, list(SCHEDULES)[-1], ALTERNATING]
 """The order in which the runs of one job are played and shown."""
 
 
@@ -27,11 +28,14 @@ def find_runs(path: Path) -> list[Path]:
     if (path / CONFIG).is_file():
         return [path]
     # Only one level down: a response to a champion lies in its run, and is no part of the job.
-    return sorted((file.parent for file in path.glob(f"*/{CONFIG}")), key=_place)
+    return sorted(
+        (file.parent for file in path.glob(f"*/{CONFIG}")), key=lambda run: place_in_job(run.name)
+    )
 
 
-def _place(run: Path) -> tuple[int, str]:
-    return ORDER.index(run.name) if run.name in ORDER else len(ORDER), run.name
+def place_in_job(name: str) -> tuple[int, str]:
+    """Return a sort key for the runs of one job, by the names of their directories."""
+    return ORDER.index(name) if name in ORDER else len(ORDER), name
 
 
 def check_made(path: Path) -> None:

@@ -9,6 +9,7 @@ import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from itertools import zip_longest
 from pathlib import Path
 from typing import TextIO
 
@@ -143,14 +144,16 @@ def print_table(rows: Sequence[Sequence[str]], align: str) -> None:
     Parameters
     ----------
     rows : sequence of sequences of str
-        The cells, of all rows equally many.
+        The cells, of all rows equally many. A cell may have several lines.
     align : str
         A format character for each column: ``"<"`` left, ``">"`` right.
     """
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    columns = zip(*rows, strict=True)
+    widths = [max(len(line) for cell in c for line in cell.split("\n")) for c in columns]
     for number, row in enumerate(rows):
-        cells = (f"{c:{a}{w}}" for c, a, w in zip(row, align, widths, strict=True))
-        click.secho("  ".join(cells).rstrip(), bold=number == 0)
+        for line in zip_longest(*(cell.split("\n") for cell in row), fillvalue=""):
+            cells = (f"{c:{a}{w}}" for c, a, w in zip(line, align, widths, strict=True))
+            click.secho("  ".join(cells).rstrip(), bold=number == 0)
 
 
 def command(name: str, *words: Path | str) -> str:

@@ -60,9 +60,11 @@ def evolve_command(
 ) -> None:
     """Let pursuers and evaders evolve against each other.
 
-    Without options: two races. In the first, each team learns against the newest opponents only
-    (specialists), in the second against all earlier ones (generalists). A race ends with a payoff
-    matrix, numbers and figures. With --against one team alone evolves against fixed opponents.
+    Without options: three races at equal numbers of training matches. In the first, each team
+    learns against the newest opponents only (specialists), in the second against living ones and a
+    hall of fame, in the third against all earlier generations (generalists). A race ends with a
+    payoff matrix, a judgement, scores against held-out opponents and figures. With --against one
+    team alone evolves against fixed opponents.
 
     OUTPUT is a new directory: the run directory of a single run, or the parent of several. The
     default is a new directory in runs/, named after variant and seed.
@@ -77,14 +79,14 @@ def evolve_command(
             root = resume[0] if len(resume) == 1 else resume[0].parent
             # The runs are restored inside the block: reading them may fail or take some time.
             with _resumable(root):
-                report(play_runs(resume_runs(resume, threads)), root)
+                report(play_runs(resume_runs(resume, threads)), root, threads)
         else:
             settings = settings_from(given)
             root = _new_directory(settings[0], output)
             # Outside the block: a job that is not completely created cannot be resumed.
             runs = _new_runs(settings, root, threads)
             with _resumable(root):
-                report(play_runs(runs), root)
+                report(play_runs(runs), root, threads)
 
 
 @contextmanager

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld.analysis import headline
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.types import TEAMS
@@ -40,11 +41,12 @@ def draw_run(run: Result) -> Sequence[Path]:
 
 
 def draw_comparison(races: Mapping[str, Result], path: Path) -> Path:
-    """Draw races side by side, each under its name; returns the file."""
+    """Draw races side by side, each under its name and its judgement; returns the file."""
     from matrixworld import plots
 
     payoffs = {name: race.payoff.capture_rate for name, race in races.items()}
-    return save_figure(plots.comparison(payoffs), path)
+    judgements = {name: race.judgement for name, race in races.items()}
+    return save_figure(plots.comparison(payoffs, judgements), path)
 
 
 def save_figure(figure: Figure, path: Path) -> Path:
@@ -62,7 +64,8 @@ def _figures(run: Result) -> dict[str, Callable[[], Figure]]:
     training: dict[str, Callable[[], Figure]] = {"training": partial(_training, run)}
     if isinstance(run.settings, SingleSettings):
         return training
-    matrix, title = run.payoff.capture_rate, run.settings.schedule
+    matrix = run.payoff.capture_rate
+    title = f"{run.settings.schedule}\n{headline(run.judgement)}"
     return training | {
         "payoff": partial(plots.payoff_heatmap, matrix, title=title),
         "generalization": partial(plots.generalization_curves, matrix),

@@ -11,8 +11,8 @@ from typing import Any
 
 import click
 
-from matrixworld.analysis import Summary
-from matrixworld.cli.arguments import UNMADE, resume_command
+from matrixworld.analysis import Judgement, Summary, judge, summarize
+from matrixworld.cli.arguments import UNMADE, place_in_job, resume_command
 from matrixworld.cli.console import note, progress
 from matrixworld.coevolution import (
     Payoff,
@@ -66,8 +66,14 @@ class Result:
 
     @cached_property
     def summary(self) -> Summary:
-        """The analysis of a race's payoff matrix, as the run has written it to summary.json."""
-        return Summary.from_dict(self.numbers["analysis"])
+        """The headline numbers of a race's payoff matrix."""
+        return summarize(self.payoff.capture_rate)
+
+    @cached_property
+    def judgement(self) -> Judgement:
+        """The judgement of a race, from the payoff that is held."""
+        # Not from summary.json, which another version of the package may have written.
+        return judge(self.payoff.capture_rates, per_episode=True)
 
 
 def open_result(path: Path) -> Result:
@@ -105,6 +111,8 @@ def create_runs(settings: Sequence[Settings], output: Path, threads: int | None)
     if len(settings) == 1:
         return [start(settings[0], output, threads=threads)]
     races = [each for each in settings if isinstance(each, RaceSettings)]
+    # The order in which --resume finds them, so that it prints and draws the same.
+    races.sort(key=lambda each: place_in_job(each.schedule))
     output.mkdir(parents=True, exist_ok=True)
     # The marker tells an incomplete job from a complete one: --resume must not play only some of
     # the runs that were asked for.
@@ -134,12 +142,12 @@ def play_runs(runs: Sequence[Run[Any]]) -> list[Result]:
             if counts[number][0] < counts[number][1]:
                 note(f"{place}{run.files.path}")
             # A finished run plays nothing, and returns its payoff from the file.
-            payoff = run.run(_part(report, place, before + after, whole))
+            payoff = run.run(part_of_job(report, place, before + after, whole))
             results.append(Result(run.files, run.settings, payoff))
     return results
 
 
-def _part(report: Report, place: str, others: int, whole: int) -> Report:
+def part_of_job(report: Report, place: str, others: int, whole: int) -> Report:
     """Return a report of one run as part of a job, in which other runs have played `others`."""
     return lambda what, done, total: report(place + what, others + done, whole)
 

@@ -56,6 +56,12 @@ episodes_option = click.option(
     metavar="INTEGER",
     help="fresh episodes of each pair of opponents",
 )
+known_episodes_option = click.option(
+    "--episodes",
+    type=click.IntRange(min=1),
+    metavar="INTEGER",
+    help="episodes behind each cell of a file that holds means only",
+)
 steps_option = click.option(
     "--steps",
     type=click.IntRange(min=1),

@@ -8,28 +8,22 @@ from typing import TYPE_CHECKING
 
 import click
 
-from matrixworld.analysis import Summary, describe
-from matrixworld.cli.console import TERMS, command, print_table, print_wrapped
+from matrixworld.cli.console import TERMS, command
 from matrixworld.cli.figures import draw_comparison, draw_run
+from matrixworld.cli.held_out import held_out_scores
+from matrixworld.cli.judgements import counts, print_head, print_judgement
+from matrixworld.cli.race_tables import print_claims, print_comparison
 from matrixworld.coevolution import SingleSettings
 from matrixworld.coevolution.types import other
 from matrixworld.files import save_json
 
 if TYPE_CHECKING:
+    from matrixworld.cli.held_out import Scores
     from matrixworld.cli.jobs import Result
 
 
-CLAIMS = {"specialist-specialist": "cycling", "generalist-generalist": "progress"}
-"""What the paper reports of its schedules (Sun et al. 2023)."""
-LOOKS = {
-    "cycling": "looks like cycling",
-    "progress": "looks like progress",
-    "undecided": "is undecided",
-}
-
-
-def report(results: Sequence[Result], root: Path) -> None:
-    """Draw the figures of finished runs, compare the races, and print the results in words.
+def report(results: Sequence[Result], root: Path, threads: int | None = None) -> None:
+    """Score and judge the races among finished runs, draw figures, and print the results.
 
     Parameters
     ----------
@@ -37,62 +31,33 @@ def report(results: Sequence[Result], root: Path) -> None:
         The runs of one job.
     root : Path
         Directory of the job: of its single run, or the parent of several.
+    threads : int, optional
+        Threads that play matches against held-out opponents. By default all cores.
     """
+    races = {each.path.name: each for each in results if each.is_race}
+    scores = held_out_scores(list(races.values()), threads)
     # Nothing is refused here: figures of an earlier report of the same runs are replaced.
     drawn = {each.path: draw_run(each) for each in results}
-    races = {each.path.name: each for each in results if each.is_race}
     for each in results:
         if not each.is_race:
             _print_single(each)
     if len(races) > 1:
         draw_comparison(races, root / "comparison.png")
-        numbers = {name: race.numbers for name, race in races.items()}
+        numbers = {n: {**race.numbers, "held_out": scores[race.path]} for n, race in races.items()}
         save_json(root / "summary.json", {"runs": numbers})
     if races:
-        _print_races(races)
-    _print_files(drawn, root, compared=len(races) > 1)
-    _print_next(results)
+        _print_races(races, scores)
+    _print_files(drawn, root, races=len(races))
+    _print_next(results, root)
 
 
-def _print_races(races: Mapping[str, Result]) -> None:
+def _print_races(races: Mapping[str, Result], scores: Mapping[Path, Scores]) -> None:
+    print_comparison(races, scores)
     for name, race in races.items():
-        click.secho(f"\n{name}", bold=True)
-        print_wrapped(describe(race.summary))
-    if len(races) > 1:
-        _print_comparison({name: race.summary for name, race in races.items()})
-    click.echo()
-    for name, race in races.items():
-        _print_claim(name, race)
-    click.echo(TERMS)
-
-
-def _print_comparison(summaries: Mapping[str, Summary]) -> None:
-    heads = ("race", "transitive share", "checkerboards", "swing", "lag rise", "")
-    rows = [
-        (
-            name,
-            _number(summary.last_half.transitive_share, ".2f"),
-            _number(summary.last_half.checkerboard_share, ".1%"),
-            f"{summary.swing:.2f}",
-            f"{summary.lag_rise:+.2f}",
-            LOOKS[summary.verdict],
-        )
-        for name, summary in summaries.items()
-    ]
-    click.echo()
-    print_table([heads, *rows], "<>>>><")
-
-
-def _number(value: float | None, form: str) -> str:
-    return "-" if value is None else format(value, form)
-
-
-def _print_claim(name: str, race: Result) -> None:
-    settings, verdict = race.settings, race.summary.verdict
-    claim = None if isinstance(settings, SingleSettings) else CLAIMS.get(settings.schedule)
-    if claim is not None:
-        here = "as here" if verdict == claim else f"this run {LOOKS[verdict]}"
-        click.echo(f"{name}: the paper reports {claim} of this schedule, {here}.")
+        print_head(f"{name}: {counts(race.judgement)}")
+        print_judgement(race.judgement)
+    print_claims(races)
+    click.echo(f"\n{TERMS}")
 
 
 def _print_single(run: Result) -> None:
@@ -108,17 +73,18 @@ def _print_single(run: Result) -> None:
         )
 
 
-def _print_files(drawn: Mapping[Path, Sequence[Path]], root: Path, *, compared: bool) -> None:
+def _print_files(drawn: Mapping[Path, Sequence[Path]], root: Path, *, races: int) -> None:
     click.echo(f"\nAll files are in {root}:")
-    if compared:
+    if races > 1:
         click.echo("  comparison.png: the races side by side; summary.json: their numbers")
     for path, figures in drawn.items():
         place = "" if path == root else f"{path.name}/: "
         click.echo(f"  {place}{', '.join(figure.name for figure in figures)}")
-    click.echo("  data of each run: payoff.npz, archive.npz, log.csv, summary.json")
+    scores = ", scores.json" if races else ""
+    click.echo(f"  data of each run: payoff.npz, archive.npz, log.csv, summary.json{scores}")
 
 
-def _print_next(results: Sequence[Result]) -> None:
+def _print_next(results: Sequence[Result], root: Path) -> None:
     # The last run: of the default job the generalists, whose late pursuers are worth watching.
     path, settings = results[-1].path, results[-1].settings
     click.echo("\nWhat to try next:")
@@ -131,10 +97,12 @@ def _print_next(results: Sequence[Result]) -> None:
     last = settings.generations
     match = f"--pursuer {last} --evader {last // 2}"
     paths = [each.path for each in results]
+    each_run = ["--each"] if len(paths) > 1 else []
     _print_commands(
         command("replay", path, match),
         command("replay", path, match, "--out match.gif"),
-        command("diagnose", path),
+        command("diagnose", root, *each_run, "--explain"),
+        command("analyze", path),
         command("score", path),
         command("tournament", *paths[:2]),
         command("plot", *paths, "--force"),

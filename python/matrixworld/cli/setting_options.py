@@ -51,7 +51,7 @@ SECTIONS: dict[str, tuple[str, ...]] = {
 }  # fmt: skip
 """The settings in the order of the help page."""
 
-MAIN_JOB = ("specialist-specialist", "generalist-generalist")
+MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
 ALL = "all"
 HELP = {
     "variant": f"game variant: {', '.join(VARIANTS)}; see matrixworld variants",
@@ -65,7 +65,7 @@ MORE_HELP = {
     "hidden": ", such as 32 or 64,64; none: no hidden layer",
 }
 """What the command line adds to the help texts of the fields."""
-DEFAULTS = {"schedule": " and ".join(MAIN_JOB), "against": ""}
+DEFAULTS = {"schedule": ", ".join(MAIN_JOB), "against": ""}
 """Defaults that are not those of the fields."""
 OTHER_NAMES = {
     "n_pursuers": "pursuers",

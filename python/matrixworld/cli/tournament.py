@@ -6,10 +6,11 @@ from pathlib import Path
 
 import click
 
-from matrixworld.analysis import Generalization, describe, generalization, summarize
+from matrixworld.analysis import Generalization, Judgement, generalization, headline, judge
 from matrixworld.cli.arguments import failures, run_of
-from matrixworld.cli.console import TERMS, print_wrapped, progress
+from matrixworld.cli.console import TERMS, progress
 from matrixworld.cli.figures import save_figure
+from matrixworld.cli.judgements import counts, print_head, print_judgement
 from matrixworld.cli.options import (
     episodes_option,
     force_option,
@@ -23,8 +24,6 @@ from matrixworld.coevolution import Payoff, SavedRun, open_run, tournament
 from matrixworld.files import save_arrays
 from matrixworld.policy import Population
 
-SHORTEST_RACE = 2
-"""Generations of each team that a summary needs."""
 SUFFIX = ".npz"
 
 
@@ -53,7 +52,8 @@ def tournament_command(
     finished: the generations that it has are played. Its own files stay as they are.
 
     The payoff is written to an .npz file, and a heat map beside it (.png). With the seed and the
-    evaluation steps of RUN the first episodes of each pair are those of RUN's own payoff.
+    evaluation steps of RUN the first episodes of each pair are those of RUN's own payoff. The race
+    of a single run is judged.
     """
     with failures():
         ours = open_run(run)
@@ -64,8 +64,14 @@ def tournament_command(
         name = f"tournament{against}-{episodes}x{steps}-seed{seed}{SUFFIX}"
         target = _checked(output or run / name, force)
         payoff = _play(ours, theirs, episodes, steps, seed, threads)
-        _save(payoff, target, _title(run, other))
-    _print(payoff, summary=other is None)
+        # Generations of two runs have no common order in time, and are not judged.
+        judgement = judge(payoff.capture_rates, per_episode=True) if other is None else None
+        _save(payoff, target, _title(run, other, judgement))
+    _print(payoff)
+    if judgement is not None:
+        print_head(counts(judgement))
+        print_judgement(judgement)
+        click.echo(f"\n{TERMS}")
     click.echo(f"\nWritten: {target}, {_figure(target).name}")
 
 
@@ -120,11 +126,13 @@ def _save(payoff: Payoff, target: Path, title: str) -> None:
     save_figure(plots.payoff_heatmap(payoff.capture_rate, title=title), _figure(target))
 
 
-def _title(run: Path, other: Path | None) -> str:
-    return run.name if other is None else f"pursuers of {run.name}\nagainst evaders of {other.name}"
+def _title(run: Path, other: Path | None, judgement: Judgement | None) -> str:
+    if other is not None:
+        return f"pursuers of {run.name}\nagainst evaders of {other.name}"
+    return run.name if judgement is None else f"{run.name}\n{headline(judgement)}"
 
 
-def _print(payoff: Payoff, *, summary: bool) -> None:
+def _print(payoff: Payoff) -> None:
     matrix = payoff.capture_rate
     scores: Generalization = generalization(matrix)
     click.echo(
@@ -135,8 +143,3 @@ def _print(payoff: Payoff, *, summary: bool) -> None:
         f"  last evaders against all pursuers, escape   {scores.evaders[-1]:.3f}\n"
         f"  last against last, capture rate             {matrix[-1, -1]:.3f}"
     )
-    # Generations of two runs have no common order in time, which the summary speaks of.
-    if summary and min(matrix.shape) >= SHORTEST_RACE:
-        click.echo()
-        print_wrapped(describe(summarize(matrix)))
-        click.echo(f"\n{TERMS}")

@@ -10,7 +10,7 @@ generalization_curves    mean score of each generation against all opponents, be
 lag_profile_curve        mean capture rate by how much later the pursuers are than the evaders
 training_curve           capture rate while pursuers and evaders learn in turn
 collision_rates          collisions by team and kind over generations
-comparison               several races side by side, with their verdicts in numbers
+comparison               several races side by side, with their judgements and numbers
 =======================  ==========================================================================
 """
 

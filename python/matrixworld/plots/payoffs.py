@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping
 from typing import Any
 
@@ -20,6 +21,11 @@ COLORMAP = "viridis"
 
 FEWEST_CELLS = 5
 """A lag whose mean rests on fewer cells is drawn faintly."""
+
+WIDEST = 42
+"""Characters of a line of a judgement in `comparison`."""
+LINE = 14
+"""Height of a line above a heat map, in points."""
 
 _SCALE = "capture rate (0 all escape, 1 all caught)"
 
@@ -126,16 +132,24 @@ def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figur
     return figure
 
 
-def comparison(payoffs: Mapping[str, ArrayLike], *, title: str | None = None) -> Figure:
+def comparison(
+    payoffs: Mapping[str, ArrayLike],
+    judgements: Mapping[str, analysis.Judgement] | None = None,
+    *,
+    title: str | None = None,
+) -> Figure:
     """Draw several races side by side, on the same scales.
 
     Each column is a race: its heat map, its lag profile and its generalisation curves, below its
-    name and the verdict of :func:`matrixworld.analysis.summarize`.
+    name, its judgement and numbers of :func:`matrixworld.analysis.summarize`.
 
     Parameters
     ----------
     payoffs : mapping of str to array_like of float
         Payoff matrices of at least 2 x 2, by the name of the race.
+    judgements : mapping of str to Judgement, optional
+        Results of :func:`matrixworld.analysis.judge` by the name of the race; a race without one
+        has numbers only.
     title : str, optional
         Title of the figure.
 
@@ -154,9 +168,9 @@ def comparison(payoffs: Mapping[str, ArrayLike], *, title: str | None = None) ->
     figure = new_figure(1.2 + 4.0 * len(payoffs), 10.0)
     grid = figure.subplots(3, len(payoffs), squeeze=False, height_ratios=(1.7, 1.0, 1.0))
     images = [
-        _draw_race(column, name, payoff)
-        for (name, payoff), column in zip(payoffs.items(), grid.T, strict=True)
+        _draw_race(column, payoff) for payoff, column in zip(payoffs.values(), grid.T, strict=True)
     ]
+    _write_heads(grid[0], payoffs, judgements or {})
     figure.colorbar(images[0], ax=list(grid[0]), label=_SCALE, shrink=0.9)
     legend_below(figure, *grid[2, 0].get_legend_handles_labels())
     # The scales are shared, so one label per row is enough.
@@ -164,16 +178,15 @@ def comparison(payoffs: Mapping[str, ArrayLike], *, title: str | None = None) ->
         axes.set_ylabel("")
     if title:
         figure.suptitle(title)
+    # A first pass of the layout: one alone leaves the names of three races above the edge.
+    layout = figure.get_layout_engine()
+    if layout is not None:
+        layout.execute(figure)
     return figure
 
 
-def _draw_race(column: NDArray[np.object_], name: str, payoff: ArrayLike) -> AxesImage:
+def _draw_race(column: NDArray[np.object_], payoff: ArrayLike) -> AxesImage:
     image = _draw_heatmap(column[0], payoff)
-    column[0].set_title(name, fontweight="bold", pad=34)
-    column[0].annotate(
-        _verdict(payoff), (0.5, 1.0), xytext=(0, 5), xycoords="axes fraction",
-        textcoords="offset points", ha="center", va="bottom", size="small",
-    )  # fmt: skip
     _draw_lag_profile(column[1], payoff)
     _draw_generalization(column[2], payoff)
     for axes, title in zip(column[1:], ("lag profile", "generalisation"), strict=True):
@@ -181,17 +194,41 @@ def _draw_race(column: NDArray[np.object_], name: str, payoff: ArrayLike) -> Axe
     return image
 
 
-def _verdict(payoff: ArrayLike) -> str:
-    summary = analysis.summarize(payoff)
-    late = summary.last_half
+def _write_heads(
+    heatmaps: NDArray[np.object_],
+    payoffs: Mapping[str, ArrayLike],
+    judgements: Mapping[str, analysis.Judgement],
+) -> None:
+    """Write name, judgement and numbers of each race above its heat map."""
+    verdicts = {
+        name: textwrap.wrap(analysis.headline(judgements[name]), WIDEST)
+        if name in judgements
+        else []
+        for name in payoffs
+    }
+    # The names of all races are at the same height.
+    lines = 1 + max(map(len, verdicts.values()))
+    for axes, (name, payoff) in zip(heatmaps, payoffs.items(), strict=True):
+        axes.set_title(name, fontweight="bold", pad=6 + LINE * lines)
+        _write_above(axes, f"last half: {_numbers(payoff)}", 5, "small")
+        _write_above(axes, "\n".join(verdicts[name]), 5 + LINE, "medium")
+
+
+def _write_above(axes: Axes, text: str, points: float, size: str) -> None:
+    axes.annotate(
+        text, (0.5, 1.0), xytext=(0, points), xycoords="axes fraction",
+        textcoords="offset points", ha="center", va="bottom", size=size,
+    )  # fmt: skip
+
+
+def _numbers(payoff: ArrayLike) -> str:
+    late = analysis.summarize(payoff).last_half
     numbers: list[str] = []
     if late.transitive_share is not None:
         numbers.append(f"transitive share {late.transitive_share:.2f}")
     if late.checkerboard_share is not None:
         numbers.append(f"checkerboards {late.checkerboard_share:.1%}")
-    verdict = summary.verdict
-    looks = verdict if verdict == "undecided" else f"looks like {verdict}"
-    return f"{looks}\nlast half: {', '.join(numbers) or 'no variance'}"
+    return ", ".join(numbers) or "no variance"
 
 
 def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:

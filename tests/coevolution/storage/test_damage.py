@@ -273,7 +273,7 @@ def test_other_files_are_not_replaced(straight, tmp_path, left_over):
 
 def test_a_command_stopped_while_it_makes_a_run_can_be_repeated(straight, tmp_path, monkeypatch):
     directory = tmp_path / "run"
-    command = ["evolve", directory, *words(RACE), "--schedule", MAIN_JOB[1]]
+    command = ["evolve", directory, *words(RACE), "--schedule", MAIN_JOB[-1]]
     with monkeypatch.context() as patch:
         patch.setattr(RunDirectory, "write_config", interrupted)
         matrixworld_command(*command, code=1)

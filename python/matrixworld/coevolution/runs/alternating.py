@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from matrixworld.analysis import Disengagement, disengagements, summarize
+from matrixworld.analysis import Disengagement, disengagements, judge, summarize
 from matrixworld.analysis.engagement import PATIENCE
 from matrixworld.checks import check_choice
 from matrixworld.coevolution.evaluation.tournament import tournament
@@ -159,9 +159,10 @@ class Race(Run[RaceSettings]):
         return np.broadcast_to(rates, (finished, 2))
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
-        """Return counts, stretches of disengagement, and the analysis of the payoff matrix."""
+        """Return counts, stretches of disengagement, numbers and judgement of the payoffs."""
         return {
             **super().summary(payoff),
             "disengagement": [str(stretch) for stretch in self.disengagements()],
             "analysis": summarize(payoff.capture_rate).to_dict(),
+            "judgement": judge(payoff.capture_rates, per_episode=True).to_json(),
         }

@@ -1,0 +1,63 @@
+"""``matrixworld analyze``: all measures of payoffs, also of a matrix of one's own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from matrixworld.analysis import Analysis, Payoffs, analyze
+from matrixworld.cli.arguments import failures
+from matrixworld.cli.console import TERMS
+from matrixworld.cli.judgements import counts, print_head, print_judgement
+from matrixworld.cli.options import (
+    force_option,
+    json_option,
+    known_episodes_option,
+    refuse_existing,
+    seed_option,
+    write_json,
+)
+from matrixworld.cli.race_groups import one_group, races_argument
+
+
+@click.command("analyze")
+@races_argument
+@known_episodes_option
+@seed_option
+@json_option
+@force_option
+def analyze_command(
+    races: list[Path], episodes: int | None, seed: int, json_file: Path | None, force: bool
+) -> None:
+    """Compute all measures of a payoff matrix, after the judgement of the race.
+
+    FILE is a .csv or .npz file: pursuers in rows, evaders in columns, capture rates from 0 to 1;
+    or one line for each pair, run and episode. RUN is a finished run directory or a directory of
+    several. Several runs must have the same settings; intervals are then over runs.
+
+    --seed is that of the bootstrap, from which some of the intervals come.
+    """
+    refuse_existing(json_file, force=force)
+    with failures():
+        group = one_group(races, episodes)
+        found = _analysis(group.payoffs, seed)
+        print_head(f"{group.name}: {counts(found.judgement)}")
+        print_judgement(found.judgement)
+        click.echo(f"\n{_measures(found)}")
+        click.echo(f"\n{TERMS}")
+        write_json(json_file, found.to_json())
+
+
+def _measures(found: Analysis) -> str:
+    """Return the table of measures; the judgement, its last part, has been printed."""
+    return str(found).partition("\nJudgement:")[0]
+
+
+def _analysis(payoffs: Payoffs, seed: int) -> Analysis:
+    if min(payoffs.matrices.shape[1:]) < 2:
+        shape = payoffs.matrices.shape[1:]
+        raise click.UsageError(f"expected at least 2 x 2 generations, got {shape[0]} x {shape[1]}")
+    if payoffs.scores is None:
+        return analyze(payoffs.matrices, episodes=payoffs.episodes, rng=seed)
+    return analyze(payoffs.scores, per_episode=True, rng=seed)

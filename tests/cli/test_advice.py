@@ -1,0 +1,98 @@
+"""Advice: what to try, from a judgement and the settings of the race."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from matrices import circular, logistic
+from matrixworld.analysis import CONDITIONS, Judgement, judge
+from matrixworld.cli.advice import ADVICE, GENERAL, advice
+from matrixworld.cli.evolve import evolve_command
+from matrixworld.cli.options import option_name
+from matrixworld.coevolution import RaceSettings
+
+SETTINGS = [
+    *(
+        RaceSettings(schedule=name)
+        for name in (
+            "specialist-specialist", "generalist-specialist", "generalist-generalist",
+            "alternating", "hall-of-fame",
+        )
+    ),
+    RaceSettings(schedule="alternating", pursuers_meet="latest", evaders_meet="uniform"),
+    RaceSettings(schedule="alternating", opponents=4, sharing="competitive"),
+    RaceSettings(evader_virulence=0.6, learner="cma", fov=5, hidden=()),
+]  # fmt: skip
+
+
+def judged(chance: np.ndarray) -> Judgement:
+    played = np.random.default_rng(0).binomial(30, chance[..., None] * np.ones(10)) / 30
+    return judge(played, per_episode=True)
+
+
+@pytest.mark.parametrize("settings", SETTINGS, ids=lambda settings: settings.schedule)
+def test_advice_changes_settings_to_others_that_a_race_can_have(settings):
+    rows = [row for row in ADVICE if row.helps(settings, CONDITIONS)]
+    assert rows
+    for row in rows:
+        changes = row.options(settings)
+        assert changes
+        assert all(value != getattr(settings, name) for name, value in changes.items()), row
+        assert replace(settings, **changes) != settings
+
+
+def test_advice_names_options_of_evolve_and_known_conditions():
+    options = {name for param in evolve_command.params for name in param.opts}
+    for row in ADVICE:
+        assert {option_name(name) for name in row.changes} <= options
+        assert set(row.conditions) <= set(CONDITIONS)
+    assert GENERAL.keys() == set(CONDITIONS)
+
+
+@pytest.mark.parametrize("settings", SETTINGS, ids=lambda settings: settings.schedule)
+@pytest.mark.parametrize("condition", CONDITIONS)
+def test_every_condition_has_advice_for_every_schedule(settings, condition):
+    rows = [row for row in ADVICE if row.helps(settings, [condition])]
+    # Where virulence is reduced and both teams learn at once nothing else is known to help.
+    assert rows or (condition, settings.schedule) == ("disengagement", "hall-of-fame")
+
+
+def test_specialists_that_cycle_are_told_of_other_schedules():
+    found = judged(circular(31))
+    assert "cycling" in found.headline.present
+    lines = advice(found, RaceSettings(schedule="specialist-specialist"))
+    assert lines[0].startswith("--schedule generalist-generalist: ")
+    assert lines[1].startswith("--schedule hall-of-fame: ")
+
+
+def test_generalists_that_cycle_are_not_told_to_be_generalists():
+    lines = advice(judged(circular(31)), RaceSettings(schedule="generalist-generalist"))
+    assert lines
+    assert not any("generalist-generalist" in line for line in lines)
+    assert lines[0].startswith("--schedule alternating --opponents 4: ")
+
+
+def test_what_the_learner_cannot_have_is_not_advised():
+    cma = RaceSettings(learner="cma", fov=5, hidden=())
+    [larger] = [row for row in ADVICE if "hidden" in row.changes]
+    assert larger.helps(RaceSettings(), ["stagnation"])
+    assert not larger.helps(cma, ["stagnation"])
+    assert larger.line(RaceSettings()) == "--hidden 64: a larger network"
+
+
+def test_values_depend_on_the_settings():
+    settings = RaceSettings(schedule="alternating", opponents=3)
+    assert advice(judged(circular(31)), settings)[0].startswith("--opponents 6: ")
+    race = RaceSettings(generations=30)
+    assert advice(judged(logistic(31, 0.3)), race)[-1].startswith("--generations 60: ")
+
+
+def test_only_what_is_present_leads_to_advice():
+    found = judged(logistic(31, 0.3))
+    assert found.headline.present == ("arms race",)
+    assert len(advice(found, RaceSettings())) == 1
+    assert advice(found, None) == [GENERAL["arms race"]]
+    assert advice(judge(circular(31)), RaceSettings()) == []
