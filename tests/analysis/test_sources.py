@@ -173,6 +173,6 @@ def test_arrays() -> None:
         found = analysis.read_payoffs(np.zeros(shape), per_episode=True)
         assert found.scores is not None
         assert found.scores.shape == (1, 2, 3, 5)
-    for bad, episodes in ((np.zeros(3), False), (np.zeros((2,) * 4), False), (MATRIX, True)):
+    for bad, per_episode in ((np.zeros(3), False), (np.zeros((2,) * 4), False), (MATRIX, True)):
         with pytest.raises(ValueError, match="none of them empty, got shape"):
-            analysis.read_payoffs(bad, episodes=episodes)
+            analysis.read_payoffs(bad, per_episode=per_episode)
