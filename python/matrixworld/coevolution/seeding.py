@@ -47,6 +47,8 @@ class Phase(IntEnum):
     BOTH_LEARN = 3
     HELD_OUT = 4
     ARCHIVE = 5
+    ELITE = 6
+    RETENTION = 7
 
 
 def learning_phase(team: Team) -> Phase:
