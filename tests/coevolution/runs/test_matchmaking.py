@@ -10,18 +10,18 @@ from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.fitness import mean_over_opponents, shared_fitness
 from matrixworld.coevolution.opponents import SAMPLERS
 from matrixworld.coevolution.seeding import Phase, training_seeds
+from matrixworld.coevolution.settings.effects import ARCHIVES, SIZED
 from tiny_race import StopAt, results, tiny_race
-
-ARCHIVES = ("maxsolve", "ipca", "lapca", "generalist")
 
 
 def alternating(name: str, **changes) -> RaceSettings:
-    options = {"schedule": "alternating", "opponents": 2, "generations": 4, "archive_size": 3}
-    return tiny_race(**{**options, "pursuers_meet": name, "evaders_meet": name, **changes})
+    options = {"schedule": "alternating", "opponents": 2, "generations": 4}
+    size = {"archive_size": 3} if name in SIZED else {}
+    return tiny_race(**{**options, **size, "pursuers_meet": name, "evaders_meet": name, **changes})
 
 
 def joint(name: str, **changes) -> RaceSettings:
-    options = {"contemporaries": 2, "hall_sample": 2, "archive_size": 3}
+    options = {"contemporaries": 2, "hall_sample": 2}
     return alternating(name, **{**options, "schedule": "hall-of-fame", "opponents": 1, **changes})
 
 
@@ -178,9 +178,9 @@ def test_sharing_by_hand():
 )
 @pytest.mark.parametrize("make", [alternating, joint])
 def test_sharing_changes_what_evolves(tmp_path, make, changes):
-    same = {"learner": "ga", "population": 8, "evader_epochs": 6, "generations": 4}
+    same = {"learner": "ga", "population": 8, "generations": 4}
     if make is alternating:
-        same["opponents"] = 4
+        same |= {"opponents": 4, "evader_epochs": 6}
     plain, shared = make("uniform", **same), make("uniform", **same, **changes)
     archives = []
     for number, settings in enumerate((plain, shared)):
