@@ -16,8 +16,8 @@ from collections.abc import Iterator
 from dataclasses import fields
 from pathlib import Path
 
-import numpy as np
 import click
+import numpy as np
 import pytest
 from click.testing import Result
 

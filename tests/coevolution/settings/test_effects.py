@@ -56,6 +56,9 @@ OTHER_VALUES: dict[str, Any] = {
 }  # fmt: skip
 """Another valid value of each setting."""
 
+SECOND_VALUES = {"anneal": False, "selection": "tournament", "optimizer": "adam", "opponents": 3}
+"""Values for runs that have the other value already."""
+
 DETERMINE_OTHERS = {
     "schedule", "learner", "team", "hidden", "variant", "optimizer", "selection", "hall_sample",
     "start",
@@ -66,9 +69,8 @@ DETERMINE_OTHERS = {
 def changed(run: Any, name: str, start: str) -> Any:
     """Return the settings with another value of one of them."""
     value = start if name == "start" else OTHER_VALUES[name]
-    # One value of two, which the run has already.
     if getattr(run, name) == value:
-        value = {"anneal": False, "selection": "tournament", "optimizer": "adam"}[name]
+        value = SECOND_VALUES[name]
     return replace(run, **{name: value})
 
 
