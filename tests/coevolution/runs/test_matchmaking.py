@@ -9,6 +9,7 @@ from matrixworld import Matches, Population, coevolution, rollout
 from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.fitness import mean_over_opponents, shared_fitness
 from matrixworld.coevolution.opponents import SAMPLERS
+from matrixworld.coevolution.runs.team_phase import TeamPhase
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.settings.effects import ARCHIVES, SIZED
 from tiny_race import StopAt, results, tiny_race
@@ -188,3 +189,21 @@ def test_sharing_changes_what_evolves(tmp_path, make, changes):
         race.run()
         archives.append(race.genomes("evader"))
     assert not np.array_equal(*archives)
+
+
+@pytest.mark.parametrize("name", ARCHIVES)
+def test_every_half_step_meets_the_newest_opponent(tmp_path, monkeypatch, name):
+    met: dict[tuple[str, int], list[bool]] = {}
+    matchup = TeamPhase._matchup
+
+    def spy(phase, epoch):
+        chosen = matchup(phase, epoch)
+        newest = len(phase.opponents.genomes) - 1
+        met.setdefault((phase.team, phase.generation), []).append(newest in chosen.opponents)
+        return chosen
+
+    monkeypatch.setattr(TeamPhase, "_matchup", spy)
+    epochs = {"pursuer_epochs": 4, "evader_epochs": 4, "generations": 6}
+    coevolution.start(alternating(name, opponents=1, **epochs), tmp_path / "run").run()
+    assert len(met) == 12
+    assert all(map(any, met.values()))
