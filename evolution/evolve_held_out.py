@@ -43,8 +43,8 @@ LEARNER = {
     "sigma": 0.15,
     "initial_weight": 0.2,
     "initial_head": 0.09,
-    "overlap_penalty": 0.2,
 }
+OVERLAP_PENALTY = 0.2  # of evaders, where they may share a cell
 QUICK_EPOCHS = 3
 EPISODES = 50  # of each pair in the table
 
@@ -108,7 +108,9 @@ def evolve(
     variant: str, team: Team, lesson: Lesson, start: np.ndarray | None, seed: int
 ) -> np.ndarray:
     """Return a team's genome after a lesson, rounded to float16; `start` None: untrained."""
+    may_share = team == "evader" and mw.VARIANTS[variant].teammate is mw.Outcome.REACH
     settings = SingleSettings(
+        overlap_penalty=OVERLAP_PENALTY if may_share else None,
         variant=variant,
         team=team,
         against=lesson.against,

@@ -87,7 +87,8 @@ def plan(
         epochs = race.total_epochs(team)
         same = {item.name for item in fields(race)} & {item.name for item in fields(SingleSettings)}
         settings = {name: getattr(race, name) for name in same}
-        settings["overlap_penalty"] = race.resolved_overlap_penalty
+        # The penalty is one of evaders; pursuers take no such setting.
+        settings["overlap_penalty"] = race.resolved_overlap_penalty if team == "evader" else None
         return SingleSettings(team=team, epochs=epochs, archive_every=epochs // 2, **settings)
 
     return Plan(race, alone("pursuer"), alone("evader"), surround, long, every, episodes)

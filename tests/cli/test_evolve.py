@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from dataclasses import fields
 from pathlib import Path
 
+import click
 import numpy as np
 import pytest
 from click.testing import Result
@@ -108,6 +109,21 @@ def test_options_become_settings(undrawn):
     )  # fmt: skip
 
 
+def test_a_setting_with_an_effect_in_one_race_of_a_job_is_left_out_of_the_others():
+    """Three races: the learner es and its step are for two of them, joint epochs for the third."""
+    schedules = (*MAIN_JOB, "hall-of-fame")
+    given = {"schedule": schedules, "learner": "es", "sigma": 0.2, "joint_epochs": 7, "elites": 4}
+    given |= {"evader_epochs": 5, "contemporaries": 3}
+    in_turns = {"learner": "es", "sigma": 0.2, "evader_epochs": 5}
+    joint = {"joint_epochs": 7, "elites": 4, "contemporaries": 3}
+    assert settings_from(given) == [
+        *(RaceSettings(schedule=name, **in_turns) for name in MAIN_JOB),
+        RaceSettings(schedule="hall-of-fame", **joint),
+    ]
+    with pytest.raises(click.UsageError, match="--opponents: expected 1 .* schedule alternating"):
+        settings_from({**given, "opponents": 2})
+
+
 def test_a_map_file_and_no_hidden_layer(undrawn, tmp_path):
     rows = [".....", ".@@..", "....."]
     lines = ["type octile", "height 3", "width 5", "map", *rows]
@@ -132,7 +148,9 @@ BAD = [
     (["--obstacles", "2"], "--obstacles: expected"),
     (["--obstacles", "no.map"], "expected a density in [0, 1) or a .map file, got 'no.map'"),
     (["--schedule", "x"], "'x' is not one of 'specialist-specialist'"),
-    (["--schedule", "hall-of-fame", "--learner", "es"], "--learner: expected ga for"),
+    (["--schedule", "hall-of-fame", "--learner", "es"], "--learner: expected no value or 'ga'"),
+    (["--mutation", "0.1"], "--mutation: expected 0.05 (the default), got 0.1; it has an effect"),
+    (["--against", "random", "--elites", "3"], "--elites: expected 2 (the default), got 3"),
     (["--team", "evader"], "--team: expected together with --against only"),
     (["--against", "random", "--generations", "3"], "--generations: expected without --against"),
     (["--against", "nobody"], "clumsy-fleer, dodger or a run directory, got 'nobody'"),

@@ -26,7 +26,8 @@ CONTEXT = multiprocessing.get_context("forkserver")
 CONTEXT.set_forkserver_preload(["killed"])
 
 HALL = {"schedule": "hall-of-fame", "contemporaries": 1, "hall_sample": 1}
-SHORT = {"generations": 1, "pursuer_epochs": 1, "evader_epochs": 1, "joint_epochs": 1}
+SHORT = {"generations": 1, "pursuer_epochs": 1, "evader_epochs": 1}
+SHORT_HALL = {**HALL, "generations": 1, "joint_epochs": 1}
 RUNS: dict[str, Any] = {
     "race": tiny_race(),
     "hall-of-fame": tiny_race(**HALL),
@@ -34,7 +35,7 @@ RUNS: dict[str, Any] = {
 }
 SHORT_RUNS: dict[str, Any] = {
     "short race": tiny_race(**SHORT),
-    "short hall-of-fame": tiny_race(**{**HALL, **SHORT}),
+    "short hall-of-fame": tiny_race(**SHORT_HALL),
     "short single": tiny_single(team="evader", learner="ga", archive_every=1, epochs=2),
 }
 

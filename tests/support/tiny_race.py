@@ -33,9 +33,10 @@ RESULTS = ("config.json", "archive.npz", "log.csv", "payoff.npz", "summary.json"
 
 
 def tiny_race(**changes: Any) -> RaceSettings:
-    """Return settings of two generations, with 2 pursuer epochs and 3 evader epochs each."""
-    epochs = {"generations": 2, "pursuer_epochs": 2, "evader_epochs": 3, "joint_epochs": 2}
-    return RaceSettings(**{**TINY, **epochs, **changes})
+    """Return settings of two generations: 2 pursuer and 3 evader epochs, or 2 joint ones."""
+    joint = changes.get("schedule") == "hall-of-fame"
+    epochs = {"joint_epochs": 2} if joint else {"pursuer_epochs": 2, "evader_epochs": 3}
+    return RaceSettings(**{**TINY, "generations": 2, **epochs, **changes})
 
 
 def tiny_single(**changes: Any) -> SingleSettings:

@@ -7,6 +7,7 @@ import pytest
 
 from matrixworld import toys
 from matrixworld.coevolution.opponents import HallOfFame, Latest, Prioritized, Uniform
+from matrixworld.toys import numbers
 from matrixworld.toys.numbers import beats_in_sum, beats_where_farthest, beats_where_nearest
 from matrixworld.toys.populations import select_proportionate
 from matrixworld.toys.rock_paper_scissors import PAPER, ROCK, SCISSORS
@@ -79,6 +80,24 @@ def test_games_by_hand():
 def test_numbers_game(name, expected, tolerance):
     finals = [toys.numbers_game(name, seed).final_objective for seed in range(4)]
     assert np.mean(finals) == pytest.approx(expected, abs=tolerance)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected", "tolerance"),
+    # Known over 20 seeds: 99.7 +- 0.1, 90.2 +- 3.0, 39.3 +- 26.1; four standard errors of four.
+    [("scalar", 99.7, 0.3), ("focusing", 90.2, 6.0), ("intransitive", 39.3, 52.0)],
+)
+def test_redrawn_bits_are_bits_flipped_half_as_often(name, expected, tolerance, monkeypatch):
+    finals = [toys.numbers_game(name, seed, flips=0.0025).final_objective for seed in range(4)]
+    assert np.mean(finals) == pytest.approx(expected, abs=tolerance)
+
+    def redraw(bits, rng, *, probability):
+        chosen = rng.random(bits.shape) < probability
+        return np.where(chosen, rng.random(bits.shape) < 0.5, bits)
+
+    monkeypatch.setattr(numbers, "flip", redraw)
+    redrawn = [toys.numbers_game(name, seed).final_objective for seed in range(4)]
+    assert np.mean(redrawn) == pytest.approx(expected, abs=tolerance)
 
 
 def test_numbers_games_differ_as_they_should():

@@ -21,6 +21,7 @@ from matrixworld.coevolution import (
     HALL_OF_FAME,
     SCHEDULES,
     SINGLE_DEFAULTS,
+    NoEffectError,
     RaceSettings,
     SingleSettings,
 )
@@ -34,8 +35,8 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "Races": (
         "schedule", "generations", "pursuer_epochs", "evader_epochs",
         "joint_epochs", "contemporaries", "hall_sample", "pursuers_meet", "evaders_meet",
-        "opponents", "archive_size", "archive_episodes", "sharing", "pursuer_virulence",
-        "evader_virulence",
+        "opponents", "archive_size", "archive_episodes", "retention_episodes", "sharing",
+        "pursuer_virulence", "evader_virulence",
     ),
     "One team alone": ("against", "team", "start", "epochs", "archive_every"),
     WORLD: (
@@ -44,8 +45,8 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "Policy": ("hidden", "activation", "initial_weight", "initial_head"),
     "Learner": (
         "learner", "population", "sigma", "optimizer", "learning_rate", "momentum", "anneal",
-        "mutation", "crossover", "selection", "tournament", "truncation", "elites", "fitness",
-        "overlap_penalty",
+        "mutation", "crossover", "selection", "tournament", "truncation", "elites",
+        "elite_episodes", "fitness", "overlap_penalty",
     ),
     "Episodes and seed": ("train_steps", "worlds", "eval_steps", "eval_episodes", "seed"),
 }  # fmt: skip
@@ -225,9 +226,29 @@ def settings_from(given: Mapping[str, Any]) -> list[RaceSettings] | list[SingleS
             given = {**given, "start": str(given["start"])}
         return [_made(SingleSettings, given)]
     _refuse(given, set(RACE), "together with --against")
-    # Each schedule is a run of its own, with all other settings equal.
+    return _races(given)
+
+
+def _races(given: Mapping[str, Any]) -> list[RaceSettings]:
+    """Return a race of each schedule, all with the given settings that have an effect in it."""
     schedules = _schedules(given.get("schedule", MAIN_JOB))
-    return [_made(RaceSettings, {**given, "schedule": schedule}) for schedule in schedules]
+    made = [_race({**given, "schedule": schedule}) for schedule in schedules]
+    # A setting may be idle in some of the races, but not in all of them.
+    for name, error in made[0][1].items():
+        if all(name in idle for _, idle in made):
+            raise click.UsageError(_in_options(str(error)))
+    return [settings for settings, _ in made]
+
+
+def _race(given: Mapping[str, Any]) -> tuple[RaceSettings, dict[str, NoEffectError]]:
+    """Return a race, and why each setting without effect in it has been left out."""
+    try:
+        return RaceSettings(**given), {}
+    except NoEffectError as error:
+        race, idle = _race({name: given[name] for name in given if name != error.name})
+        return race, {error.name: error, **idle}
+    except (OSError, TypeError, ValueError) as error:
+        raise click.UsageError(_in_options(str(error))) from error
 
 
 def _refuse(given: Mapping[str, Any], known: set[str], how: str) -> None:

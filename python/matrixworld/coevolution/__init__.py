@@ -82,6 +82,7 @@ from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.runs.start import finish, resume, start
 from matrixworld.coevolution.seeding import evaluation_seed, training_seeds
+from matrixworld.coevolution.settings.effects import NoEffectError
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSettings
 from matrixworld.coevolution.settings.training import TrainingSettings
@@ -112,6 +113,7 @@ __all__ = [
     "Learner",
     "LockedError",
     "Momentum",
+    "NoEffectError",
     "NoiseTable",
     "OtherVersionError",
     "Payoff",

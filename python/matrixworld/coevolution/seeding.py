@@ -14,6 +14,8 @@ epoch
 opponents of an epoch  run seed, `Purpose.OPPONENTS`, team, generation, epoch (both teams of a
                        hall-of-fame race: team 0)
 training matches       run seed, generation of the pursuers and of the evaders, `Phase`, epoch
+matches that choose a  run seed, generation twice, `Phase.ELITE` or `Phase.RETENTION`, team
+champion
 evaluation matches     run seed, generation of the pursuers and of the evaders
 =====================  ===========================================================================
 
@@ -47,6 +49,8 @@ class Phase(IntEnum):
     BOTH_LEARN = 3
     HELD_OUT = 4
     ARCHIVE = 5
+    ELITE = 6
+    RETENTION = 7
 
 
 def learning_phase(team: Team) -> Phase:

@@ -8,6 +8,18 @@ number of ones, the objective, is only observed:
 - intransitive: the dimension with the least difference decides. a beats b, b beats c, c beats a:
   a population can win and lose ones.
 
+A mutation rate of 0.005 a bit can be read in two ways: flip the bit, or redraw it (0 or 1 with
+equal chance). A redrawn bit changes in half of the cases, so redrawing at 0.005 is flipping at
+0.0025. This toy flips, so that the rate is the probability of a change; ``flips=0.0025`` is the
+other reading. Mean final objective and its standard deviation over 20 seeds:
+
+=========  ===========  ===========  ============
+reading    scalar       focusing     intransitive
+=========  ===========  ===========  ============
+flip       99.3 +- 0.2  85.6 +- 2.8  53.2 +- 20.4
+redraw     99.7 +- 0.1  90.2 +- 3.0  39.3 +- 26.1
+=========  ===========  ===========  ============
+
 Watson & Pollack 2001, "Coevolutionary dynamics in a minimal substrate", GECCO.
 """
 
@@ -81,7 +93,7 @@ def numbers_game(
     opponents : int, optional
         Living opponents of each individual.
     flips : float, optional
-        Probability that a bit is flipped.
+        Probability that a bit is flipped; half of the probability that it is redrawn.
     samplers : tuple of OpponentSampler, optional
         Per side, chooses among the other side's past champions. By default there are no matches
         with champions.

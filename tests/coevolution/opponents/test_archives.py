@@ -14,7 +14,6 @@ from matrixworld.coevolution.opponents import (
     Generalist,
     Latest,
     MaxSolve,
-    Uniform,
     layers_of,
     maximally_different,
     swapped,
@@ -417,17 +416,35 @@ def test_payoffs_of_another_shape_are_refused():
         LAPCA(0)
 
 
-def test_sampler_among_the_members_of_an_archive():
+def test_newest_opponent_is_met_beside_the_archive():
     payoffs = [[1, 0, 0, 0], [0, 1, 0, 0], [1, 0, 1, 0], [0, 0, 0, 1]]
-    sampler = ArchiveSampler(IPCA(), Uniform(None))
+    sampler = ArchiveSampler(IPCA(), 9)
     rng = np.random.default_rng(0)
+    # The archive is empty.
     assert sampler.sample(3, 0, rng).tolist() == Latest().sample(3, 0, rng).tolist()
     submitted(sampler.archive, payoffs, candidates=[0, 1], tests=[0, 1, 3])
-    assert sampler.sample(4, 0, rng).tolist() == [0, 1]
+    # Test 3, which no candidate solves, is not kept; it is met while it is the newest.
+    assert sampler.archive.tests.tolist() == [0, 1]
+    assert sorted(sampler.sample(4, 0, rng)) == [0, 1, 3]
     submitted(sampler.archive, payoffs, candidates=[2], tests=[2])
-    assert sampler.sample(4, 0, rng).tolist() == [0, 1, 2]
-    resumed = ArchiveSampler(IPCA(), Uniform(None))
+    assert sorted(sampler.sample(3, 0, rng)) == [0, 1, 2]
+    assert sampler.sample(4, 0, rng)[0] == 3
+    resumed = ArchiveSampler(IPCA(), 9)
     resumed.restore(sampler.state())
-    assert resumed.sample(4, 0, rng).tolist() == [0, 1, 2]
+    assert sorted(resumed.sample(4, 0, rng)) == [0, 1, 2, 3]
     with pytest.raises(ValueError, match="archive: expected generations below 2"):
         sampler.sample(2, 0, rng)
+
+
+def test_one_opponent_an_epoch_is_the_newest_and_an_archived_one_in_turns():
+    sampler = ArchiveSampler(IPCA())
+    submitted(sampler.archive, [[1, 0, 0], [0, 1, 0]], tests=[0, 1])
+    rng = np.random.default_rng(0)
+    met = [sampler.sample(4, epoch, rng).tolist() for epoch in range(40)]
+    assert met[::2] == [[3]] * 20
+    assert sorted({number for (number,) in met[1::2]}) == [0, 1]
+    # With one epoch in a generation the turns go on from generation to generation.
+    assert sampler.sample(5, 0, rng).tolist() != [4]
+    assert sampler.sample(6, 0, rng).tolist() == [5]
+    with pytest.raises(ValueError, match="count: expected at least 1, got 0"):
+        ArchiveSampler(IPCA(), 0)

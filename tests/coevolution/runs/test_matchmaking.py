@@ -9,19 +9,20 @@ from matrixworld import Matches, Population, coevolution, rollout
 from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.fitness import mean_over_opponents, shared_fitness
 from matrixworld.coevolution.opponents import SAMPLERS
+from matrixworld.coevolution.runs.team_phase import TeamPhase
 from matrixworld.coevolution.seeding import Phase, training_seeds
+from matrixworld.coevolution.settings.effects import ARCHIVES, SIZED
 from tiny_race import StopAt, results, tiny_race
-
-ARCHIVES = ("maxsolve", "ipca", "lapca", "generalist")
 
 
 def alternating(name: str, **changes) -> RaceSettings:
-    options = {"schedule": "alternating", "opponents": 2, "generations": 4, "archive_size": 3}
-    return tiny_race(**{**options, "pursuers_meet": name, "evaders_meet": name, **changes})
+    options = {"schedule": "alternating", "opponents": 2, "generations": 4}
+    size = {"archive_size": 3} if name in SIZED else {}
+    return tiny_race(**{**options, **size, "pursuers_meet": name, "evaders_meet": name, **changes})
 
 
 def joint(name: str, **changes) -> RaceSettings:
-    options = {"contemporaries": 2, "hall_sample": 2, "archive_size": 3}
+    options = {"contemporaries": 2, "hall_sample": 2}
     return alternating(name, **{**options, "schedule": "hall-of-fame", "opponents": 1, **changes})
 
 
@@ -178,9 +179,9 @@ def test_sharing_by_hand():
 )
 @pytest.mark.parametrize("make", [alternating, joint])
 def test_sharing_changes_what_evolves(tmp_path, make, changes):
-    same = {"learner": "ga", "population": 8, "evader_epochs": 6, "generations": 4}
+    same = {"learner": "ga", "population": 8, "generations": 4}
     if make is alternating:
-        same["opponents"] = 4
+        same |= {"opponents": 4, "evader_epochs": 6}
     plain, shared = make("uniform", **same), make("uniform", **same, **changes)
     archives = []
     for number, settings in enumerate((plain, shared)):
@@ -188,3 +189,21 @@ def test_sharing_changes_what_evolves(tmp_path, make, changes):
         race.run()
         archives.append(race.genomes("evader"))
     assert not np.array_equal(*archives)
+
+
+@pytest.mark.parametrize("name", ARCHIVES)
+def test_every_half_step_meets_the_newest_opponent(tmp_path, monkeypatch, name):
+    met: dict[tuple[str, int], list[bool]] = {}
+    matchup = TeamPhase._matchup
+
+    def spy(phase, epoch):
+        chosen = matchup(phase, epoch)
+        newest = len(phase.opponents.genomes) - 1
+        met.setdefault((phase.team, phase.generation), []).append(newest in chosen.opponents)
+        return chosen
+
+    monkeypatch.setattr(TeamPhase, "_matchup", spy)
+    epochs = {"pursuer_epochs": 4, "evader_epochs": 4, "generations": 6}
+    coevolution.start(alternating(name, opponents=1, **epochs), tmp_path / "run").run()
+    assert len(met) == 12
+    assert all(map(any, met.values()))

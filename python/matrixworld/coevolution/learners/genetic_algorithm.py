@@ -177,6 +177,10 @@ class GeneticAlgorithm:
     Elites are scored again in each epoch, since opponents change. All candidates of an epoch are
     scored on the same match seed.
 
+    The champion is the fittest candidate of one epoch. Its fitness is a maximum of noisy values,
+    so it overestimates the champion (winner's curse). A caller that scores the elites again can
+    name another champion by `crown`; parent selection does not change.
+
     Parameters
     ----------
     population : array_like of float, shape (n, genes)
@@ -230,6 +234,7 @@ class GeneticAlgorithm:
             raise ValueError(f"noise: expected a table for {genes} genes, got one for {noise.size}")
         self._fitness: FloatArray | None = None
         self._candidates: Genomes | None = None
+        self._crowned: int | None = None
         self.elites = elites
         self.toolbox = base.Toolbox()
         if selection == "tournament":
@@ -245,8 +250,33 @@ class GeneticAlgorithm:
     def genome(self) -> Genome:
         """Champion of the last scored population, (genes,) float32."""
         champion = 0 if self._fitness is None else int(np.argmax(self._fitness))
+        if self._crowned is not None:
+            champion = self._crowned
         genome: Genome = self._population[champion].copy()
         return genome
+
+    @property
+    def elite(self) -> Indices:
+        """Indices (elites,) of the fittest of the last scored population, the fittest first."""
+        if self._fitness is None:
+            raise RuntimeError("elite: expected a call of tell before it, got none")
+        # Stable: individuals of equal fitness keep their order on every machine.
+        return np.argsort(-self._fitness, kind="stable")[: self.elites]
+
+    def elite_genomes(self) -> Genomes:
+        """Return the genomes (elites, genes) of the elite, the fittest first."""
+        return self._population[self.elite]
+
+    def crown(self, fitness: ArrayLike) -> None:
+        """Make the best of the elite the champion until the next `tell`.
+
+        Parameters
+        ----------
+        fitness : array_like of float, shape (elites,)
+            New fitness of the elite, in the order of `elite_genomes`; of equals the first wins.
+        """
+        best = int(np.argmax(checked_fitness(fitness, self.elites)))
+        self._crowned = int(self.elite[best])
 
     @property
     def match_of_candidate(self) -> Indices:
@@ -268,8 +298,7 @@ class GeneticAlgorithm:
         fathers = self._population[self.toolbox.select(fitness, n_children, rng)]
         mothers = self._population[self.toolbox.select(fitness, n_children, rng)]
         children = self.toolbox.mutate(self.toolbox.mate(fathers, mothers, rng), rng)
-        best_first = np.argsort(-fitness, kind="stable")
-        return np.concatenate([self._population[best_first[: self.elites]], children])
+        return np.concatenate([self.elite_genomes(), children])
 
     def tell(self, fitness: ArrayLike) -> None:
         """Make the candidates the population, with this fitness."""
@@ -277,18 +306,25 @@ class GeneticAlgorithm:
             raise RuntimeError("tell: expected a call of ask before it, got none")
         self._fitness = checked_fitness(fitness, len(self._candidates))
         self._population, self._candidates = self._candidates, None
+        self._crowned = None
 
     def state(self) -> State:
-        """Return the population and its fitness (empty before the first `tell`)."""
+        """Return population, fitness (empty before the first `tell`) and crowned champion."""
         # A state holds arrays only, so an empty one stands for None.
         scored = np.zeros(0) if self._fitness is None else self._fitness
-        return {"population": self._population, "fitness": scored}
+        crowned = [] if self._crowned is None else [self._crowned]
+        return {
+            "population": self._population,
+            "fitness": scored,
+            "crowned": np.array(crowned, dtype=np.int64),
+        }
 
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`."""
         self._population = state["population"].astype(np.float32)
         scored = state["fitness"].astype(np.float64)
         self._fitness = scored if len(scored) else None
+        self._crowned = int(state["crowned"][0]) if len(state["crowned"]) else None
         self._candidates = None
 
 
@@ -322,6 +358,7 @@ ENTRY = LearnerEntry(
         "tournament": partial(check_integer, low=1),
         "truncation": partial(check_number, least=0.0, most=1.0, positive=True),
         "elites": partial(check_integer, low=0),
+        "elite_episodes": partial(check_integer, low=0),
     },
     check=_check,
     new=_new,

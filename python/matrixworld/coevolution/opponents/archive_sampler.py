@@ -1,4 +1,4 @@
-"""A sampler of the opponents that an archive has kept, by the number of their generation."""
+"""A sampler of the newest opponent and of those that an archive has kept, by generation."""
 
 from __future__ import annotations
 
@@ -7,14 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from matrixworld.coevolution.opponents.pareto import Archive, PayoffFunction
-from matrixworld.coevolution.opponents.samplers import (
-    HallOfFame,
-    Latest,
-    RoundRobin,
-    Stateless,
-    Uniform,
-    check_available,
-)
+from matrixworld.coevolution.opponents.samplers import Stateless, check_available, check_count
 from matrixworld.coevolution.types import Indices, Members, State
 
 if TYPE_CHECKING:
@@ -22,28 +15,41 @@ if TYPE_CHECKING:
 
 
 class ArchiveSampler(Stateless):
-    """A sampler among the tests of an archive whose members are numbers of generations.
+    """The newest opponent, beside the tests of an archive.
+
+    ::
+
+        one opponent an epoch:  the newest and a test of the archive in turns
+        several:                the newest, and tests of the archive, drawn evenly
+
+    Archives keep tests that tell candidates apart. An opponent that no candidate beats yet tells
+    none apart, so MaxSolve and the Pareto archives drop it. A team that played against the archive
+    alone would never meet it and could never learn to beat it. In the schemes of de Jong, where
+    candidates and tests come from living populations, individuals are evaluated against both the
+    living opponents and the archive; here the newest generation stands for the living ones.
 
     The archive holds numbers, shape (m,); the genomes of all generations stay with the caller, who
     updates the archive before the next sample::
 
         sampler.update([generation], [generation], payoff)    # `payoff` looks up the genomes
 
-    While the archive holds no test, the sample is the newest opponent.
+    While the archive holds no other test, the sample is the newest opponent.
 
     Parameters
     ----------
     archive : Archive or Generalist
         Keeps numbers of generations; saved and restored with the sampler.
-    sampler : Latest, Uniform, RoundRobin or HallOfFame
-        Samples among the kept tests. It must be stateless: the place of an opponent in the archive
-        changes.
+    count : int, optional
+        Opponents an epoch; fewer, if the archive holds fewer.
+
+    References
+    ----------
+    de Jong 2007, "A monotonic archive for Pareto-coevolution", Evolutionary Computation 15(1).
     """
 
-    def __init__(
-        self, archive: Archive | Generalist, sampler: Latest | Uniform | RoundRobin | HallOfFame
-    ) -> None:
-        self.archive, self.sampler = archive, sampler
+    def __init__(self, archive: Archive | Generalist, count: int = 1) -> None:
+        check_count("count", count)
+        self.archive, self.count = archive, count
 
     @property
     def graded(self) -> bool:
@@ -83,17 +89,18 @@ class ArchiveSampler(Stateless):
         return candidates + tests
 
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
-        """Return opponents that the archive has kept."""
+        """Return the newest opponent and tests of the archive, or one of both."""
         check_available(available)
         # Sorted, so that the sample does not depend on the order inside the archive.
         kept = np.unique(self.archive.tests).astype(np.intp)
-        # MaxSolve and LAPCA may drop all tests.
-        if not len(kept):
-            return Latest().sample(available, epoch, rng)
-        if kept[0] < 0 or kept[-1] >= available:
+        if len(kept) and (kept[0] < 0 or kept[-1] >= available):
             raise ValueError(f"archive: expected generations below {available}, got {kept}")
-        chosen: Indices = kept[self.sampler.sample(len(kept), epoch, rng)]
-        return chosen
+        newest, older = np.array([available - 1], dtype=np.intp), kept[kept < available - 1]
+        # `available` grows by one in each generation: the turns alternate with one epoch, too.
+        places = self.count - 1 if self.count > 1 else (epoch + available) % 2
+        drawn: Indices = rng.choice(older, size=min(places, len(older)), replace=False)
+        alone = self.count == 1 and len(drawn)
+        return drawn if alone else np.concatenate([newest, drawn])
 
     def state(self) -> State:
         """Return the state of the archive."""

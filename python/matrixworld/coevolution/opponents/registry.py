@@ -45,21 +45,23 @@ SAMPLERS: dict[str, Callable[[int, int], OpponentSampler]] = {
     "prioritized-hard": lambda count, size: Prioritized(hard(), count=count),
     "prioritized-even": lambda count, size: Prioritized(even, count=count),
     "shared-sampling": lambda count, size: SharedSampling(count),
-    "maxsolve": lambda count, size: ArchiveSampler(MaxSolve(size), Uniform(count)),
-    "ipca": lambda count, size: ArchiveSampler(IPCA(), Uniform(count)),
-    "lapca": lambda count, size: ArchiveSampler(LAPCA(size), Uniform(count)),
+    "maxsolve": lambda count, size: ArchiveSampler(MaxSolve(size), count),
+    "ipca": lambda count, size: ArchiveSampler(IPCA(), count),
+    "lapca": lambda count, size: ArchiveSampler(LAPCA(size), count),
     "generalist": lambda count, size: ArchiveSampler(
         # All members are generation 0 at the start.
         Generalist(np.zeros(size, dtype=np.intp), sample_size=size),
-        Uniform(count),
+        count,
     ),
 }
 """Name -> factory: (opponents an epoch, size of an archive) -> a new sampler.
 
 Half of the opponents of `hall-of-fame` are the newest; the other half, or one more, are drawn from
-the older ones. The size is the candidates of MaxSolve, the layers of LAPCA, and the team and the
-kept opponents of Generalist. To add a sampler, write a class with the interface `OpponentSampler`
-and add a row.
+the older ones. With one opponent it draws from all, as `uniform` does. Samplers with an archive
+play against the newest opponent, too (`ArchiveSampler`). The size is the candidates of MaxSolve,
+the layers of LAPCA, and the team and the kept opponents of Generalist.
+
+To add a sampler, write a class with the interface `OpponentSampler` and add a row.
 """
 
 

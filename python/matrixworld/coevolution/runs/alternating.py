@@ -13,11 +13,12 @@ from matrixworld.checks import check_choice
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.opponents.registry import ALTERNATING, SCHEDULES, available
 from matrixworld.coevolution.payoff import Payoff
+from matrixworld.coevolution.runs.champions import elite_matches, generalizes
 from matrixworld.coevolution.runs.matchmaking import Matchmaking
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.team_phase import TeamPhase
 from matrixworld.coevolution.settings.race import RaceSettings
-from matrixworld.coevolution.types import TEAMS, FloatArray, Stateful, Team, other
+from matrixworld.coevolution.types import TEAMS, FloatArray, State, Stateful, Team, other
 
 
 class DisengagementWarning(UserWarning):
@@ -92,6 +93,7 @@ class Race(Run[RaceSettings]):
         self.matchmaking.admit(
             team, range(generation - 1, generation), range(n_before, n_opponents)
         )
+        before = self.learners[team].state()
         team_phase = TeamPhase(
             self.training,
             self.learners[team],
@@ -102,12 +104,41 @@ class Race(Run[RaceSettings]):
             on_epoch=lambda: self.report(f"generation {generation}: {team}s"),
         )
         team_phase.run(range(self.settings.epochs(team)))
+        self.retain(team, generation, before)
         self.archive[team].append(self.learners[team].genome)
+
+    def retain(self, team: Team, generation: int, before: State) -> None:
+        """Undo what a team has learned in a generation if it does not generalize.
+
+        Parameters
+        ----------
+        team : {"pursuer", "evader"}
+            The team.
+        generation : int
+            The generation.
+        before : dict of str to ndarray
+            State of the learner before the generation.
+
+        Notes
+        -----
+        Only with the setting `retention_episodes`. The random numbers of the next generation are
+        others, so a discarded generation is not learned again.
+        """
+        episodes, learner = self.settings.retention_episodes, self.learners[team]
+        if not episodes:
+            return
+        opponents = self.training.population(self.genomes(other(team)))
+        if not generalizes(
+            self.training, team, generation, learner.genome, self.archive[team][-1],
+            opponents, episodes,
+        ):  # fmt: skip
+            learner.restore(before)
 
     def training_matches(self) -> int:
         """Return the number of training episodes; with archives, an upper bound of it."""
         return sum(
             self.settings.epochs(team) * self._matches_per_epoch(team, k)
+            + self.champion_matches(self._opponents(k, team), available(team, k))
             + self.matchmaking.max_admission_matches(team, k, available(team, k))
             for k in range(1, self.settings.generations + 1)
             for team in TEAMS
@@ -115,8 +146,26 @@ class Race(Run[RaceSettings]):
 
     def _matches_per_epoch(self, team: Team, k: int) -> int:
         """Return the episodes of one epoch in which `team` learns its generation `k`."""
-        opponents = min(self.settings.opponents_per_epoch, available(team, k))
-        return opponents * self.settings.population * self.settings.worlds
+        return self._opponents(k, team) * self.settings.population * self.settings.worlds
+
+    def _opponents(self, k: int, team: Team) -> int:
+        """Return the opponents of each candidate in an epoch of generation `k`."""
+        return min(self.settings.opponents_per_epoch, available(team, k))
+
+    def champion_matches(self, met: int, archived: int) -> int:
+        """Return the episodes at the end of a generation that choose a team's champion.
+
+        Parameters
+        ----------
+        met : int
+            Opponents of an individual in an epoch.
+        archived : int
+            Archived opponents.
+        """
+        settings = self.settings
+        # Retention compares two genomes.
+        retention = 2 * archived * settings.retention_episodes
+        return (elite_matches(settings, met) + retention) * settings.worlds
 
     def total_matches(self) -> int:
         """Return the episodes of the training and of the payoff matrix."""

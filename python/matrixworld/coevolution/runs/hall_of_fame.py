@@ -12,10 +12,12 @@ from matrixworld.checks import check_choice
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.runs.alternating import Race
+from matrixworld.coevolution.runs.champions import crown_elite
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.storage.run_log import SEVERAL
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Team, other
+from matrixworld.policy import Population
 from matrixworld.rollout import EpisodeStatistics, Matches
 
 Populations = dict[Team, Genomes]
@@ -139,12 +141,19 @@ class HallOfFameRace(Race):
         Run.check_settings(self)
         check_choice("schedule", self.settings.schedule, [HALL_OF_FAME])
 
+    def set_up(self) -> None:
+        """Make the opponent samplers, and room for the opponents of the fittest individuals."""
+        super().set_up()
+        # Each team's possible opponents in the last epoch, and those that its fittest has met.
+        self._met: dict[Team, tuple[Population, Indices]] = {}
+
     def learn(self, stage: int) -> None:
         """Let both teams evolve for the epochs of a generation, and archive their champions."""
         generation = 1 + stage
         new = range(generation - 1, generation)
         for team in TEAMS:
             self.matchmaking.admit(team, new, new)
+        before = {team: self.learners[team].state() for team in TEAMS}
         toolbox = base.Toolbox()
         toolbox.register("generate", self._generate, generation)
         toolbox.register("evaluate", self._evaluate, generation)
@@ -154,6 +163,11 @@ class HallOfFameRace(Race):
             fitness = toolbox.evaluate(epoch, populations)
             toolbox.update(fitness)
             self.report(f"generation {generation}: both")
+        # Both teams before either archive grows, so that the order of the teams does not matter.
+        for team in TEAMS:
+            opponents, met = self._met[team]
+            crown_elite(self.training, self.learners[team], team, generation, opponents, met)
+            self.retain(team, generation, before[team])
         for team in TEAMS:
             self.archive[team].append(self.learners[team].genome)
 
@@ -174,12 +188,15 @@ class HallOfFameRace(Race):
         n = self.settings.population
         hall_sizes = (len(halls["pursuer"]), len(halls["evader"]))
         pairs = pairings(n, self.settings.contemporaries, hall_sizes, rng)
-        scores = self._play(populations, halls, pairs, generation, epoch)
+        everyone = {t: self._with_hall(populations[t], halls[t]) for t in TEAMS}
+        scores = self._play(everyone, pairs, generation, epoch)
         players = {"pursuer": pairs.pursuer, "evader": pairs.evader}
         fitness: dict[Team, FloatArray] = {}
         for team in TEAMS:
             table = partial(table_of_individuals, players[team], players[other(team)], n)
             fitness[team] = self.training.fitness(scores, team, table)
+            fittest = players[team] == np.argmax(fitness[team])
+            self._met[team] = everyone[other(team)], players[other(team)][fittest]
             if len(sampled[team]):
                 # Columns from n on are the hall of fame.
                 self.matchmaking.samplers[team].tell(
@@ -209,23 +226,23 @@ class HallOfFameRace(Race):
 
     def _play(
         self,
-        populations: Populations,
-        halls: Populations,
+        everyone: dict[Team, Population],
         pairs: Pairings,
         generation: int,
         epoch: int,
     ) -> EpisodeStatistics:
-        pursuers, evaders = (
-            self.training.population(np.concatenate([populations[team], halls[team]]))
-            for team in TEAMS
-        )
         groups = int(pairs.group.max()) + 1
         seeds = training_seeds(
             self.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch, groups
         )
         return self.training.play(
-            pursuers, evaders, Matches.of(pairs.pursuer, pairs.evader, seeds[pairs.group])
+            everyone["pursuer"],
+            everyone["evader"],
+            Matches.of(pairs.pursuer, pairs.evader, seeds[pairs.group]),
         )
+
+    def _with_hall(self, living: Genomes, hall: Genomes) -> Population:
+        return self.training.population(np.concatenate([living, hall]))
 
     def _generator(
         self, purpose: Purpose, generation: int, epoch: int, team: Team = "pursuer"
@@ -237,10 +254,12 @@ class HallOfFameRace(Race):
         settings = self.settings
         per_group = settings.joint_epochs * settings.population * settings.worlds
         groups = settings.generations * settings.contemporaries
-        admission = 0
+        admission = champions = 0
         # The halls of fame grow with the generations.
         for k in range(1, settings.generations + 1):
             for team in TEAMS:
-                groups += min(settings.opponents_per_epoch, k)
+                sampled = min(settings.opponents_per_epoch, k)
+                groups += sampled
+                champions += self.champion_matches(settings.contemporaries + sampled, k)
                 admission += self.matchmaking.max_admission_matches(team, k, k)
-        return groups * per_group + admission
+        return groups * per_group + admission + champions

@@ -14,6 +14,7 @@ from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.learners.genetic_algorithm import mutate_gaussian
 from matrixworld.coevolution.opponents.samplers import RoundRobin
 from matrixworld.coevolution.payoff import Payoff
+from matrixworld.coevolution.runs.champions import elite_matches
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.team_phase import TeamPhase
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
@@ -154,8 +155,9 @@ class SingleTeam(Run[SingleSettings]):
         """Return the episodes of the training and of the evaluation."""
         settings = self.settings
         opponents = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
-        training = settings.epochs * settings.population * settings.worlds
-        return training + opponents * settings.eval_episodes
+        # One opponent an epoch.
+        per_run = settings.epochs * settings.population + self.n_stages * elite_matches(settings, 1)
+        return per_run * settings.worlds + opponents * settings.eval_episodes
 
     def evaluate(self) -> Payoff:
         """Play the last genome against each opponent, on episodes not used in training."""

@@ -12,6 +12,7 @@ from deap import base
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.opponents.samplers import OpponentSampler, Stateless
+from matrixworld.coevolution.runs.champions import crown_elite
 from matrixworld.coevolution.runs.training import Training
 from matrixworld.coevolution.seeding import (
     Purpose,
@@ -88,6 +89,8 @@ class TeamPhase:
             candidates = toolbox.generate(self._generator(Purpose.LEARN, matchup.epoch))
             fitness = toolbox.evaluate(candidates, matchup)
             toolbox.update(fitness)
+            met = matchup.opponents
+        crown_elite(self.training, self.learner, self.team, self.generation, self.opponents, met)
 
     def evaluate(self, candidates: Genomes, matchup: Matchup) -> FloatArray:
         """Play the matches of an epoch, and log them.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 
 import numpy as np
 
@@ -117,15 +116,35 @@ class Training:
         ndarray of float64, shape (n,)
             Fitness, higher is better.
         """
-        settings = self.settings
-        measured = partial(fitness, scores, team, measure=settings.fitness)
-        values = table(measured(overlap_penalty=settings.resolved_overlap_penalty))
-        sharing, virulence = settings.sharing, settings.virulence(team)
+        sharing, virulence = self.settings.sharing, self.settings.virulence(team)
         if sharing == "none" and virulence is None:
-            return mean_over_opponents(values)
+            return self.mean_fitness(scores, team, table)
         # Sharing is of results in [0, 1]; the penalty is subtracted afterwards.
-        payoff = table(measured(overlap_penalty=0.0))
+        values, payoff = (table(self._values(scores, team, penalty=p)) for p in (True, False))
         return shared_fitness(values, payoff, sharing=sharing, virulence=virulence)
+
+    def mean_fitness(self, scores: EpisodeStatistics, team: Team, table: Table) -> FloatArray:
+        """Return the mean fitness (n,) over opponents, without sharing and virulence.
+
+        Parameters
+        ----------
+        scores, team, table
+            As in `fitness`.
+        """
+        return mean_over_opponents(table(self._values(scores, team, penalty=True)))
+
+    def _values(self, scores: EpisodeStatistics, team: Team, *, penalty: bool) -> FloatArray:
+        settings = self.settings
+        overlap_penalty = settings.resolved_overlap_penalty if penalty else 0.0
+        return fitness(scores, team, measure=settings.fitness, overlap_penalty=overlap_penalty)
+
+    def recount_last_epoch(self) -> None:
+        """Count the matches since the last epoch in the log of that epoch."""
+        # Two rows in a hall-of-fame race, one of each team.
+        last = self.rows[-1]["matches"]
+        for row in self.rows:
+            if row["matches"] == last:
+                row |= {"matches": self.matches, "steps": self.steps}
 
     def record(
         self,

@@ -6,6 +6,7 @@ module             contents
 training           `TrainingSettings`: world, policy, learner and budget; settings as JSON values
 race               `RaceSettings`: both teams learn
 single             `SingleSettings`: one team learns against fixed opponents
+effects            when each setting has an effect; elsewhere it is refused
 =================  ===============================================================================
 
 Each field carries its help text (``dataclasses.fields(RaceSettings)[i].metadata["help"]``). The
@@ -15,6 +16,7 @@ threads is not a setting, because results do not depend on it.
 
 from __future__ import annotations
 
+from matrixworld.coevolution.settings.effects import NoEffectError
 from matrixworld.coevolution.settings.race import ALL_SCHEDULES, RaceSettings
 from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSettings
 from matrixworld.coevolution.settings.training import (
@@ -26,6 +28,7 @@ from matrixworld.coevolution.settings.training import (
 __all__ = [
     "ALL_SCHEDULES",
     "SINGLE_DEFAULTS",
+    "NoEffectError",
     "RaceSettings",
     "SingleSettings",
     "TrainingSettings",

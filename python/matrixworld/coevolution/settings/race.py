@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from matrixworld.checks import check_choice, check_integer, check_number
 from matrixworld.coevolution.fitness import LEAST_VIRULENCE, SHARING
@@ -44,6 +45,11 @@ class RaceSettings(TrainingSettings):
         10, "maxsolve: candidates kept; lapca: layers; generalist: opponents kept"
     )
     archive_episodes: int = option(3, "matches of each pair that an archive compares")
+    retention_episodes: int = option(
+        0,
+        "matches of the new and of the previous genome of a team against each archived opponent; "
+        "the new one is discarded if it is worse; 0: each new genome is kept",
+    )
     sharing: str = option("none", f"fitness sharing over several opponents: {', '.join(SHARING)}")
     pursuer_virulence: float | None = option(
         None, "reduced virulence of the pursuers, from 0.5 to 1; default: mean fitness"
@@ -63,29 +69,16 @@ class RaceSettings(TrainingSettings):
         check_integer("hall_sample", self.hall_sample, 0)
         if self.contemporaries + self.hall_sample < 1:
             raise ValueError("contemporaries and hall_sample: expected at least 1 opponent, got 0")
-        if self.schedule == HALL_OF_FAME and self.learner not in (None, "ga"):
-            raise ValueError(
-                f"learner: expected ga for the hall-of-fame schedule, got {self.learner!r}"
-            )
+        check_integer("retention_episodes", self.retention_episodes, 0)
         super().__post_init__()
 
     def _check_opponents(self) -> None:
         for name in ("pursuers_meet", "evaders_meet"):
             value = getattr(self, name)
-            if value is None:
-                continue
-            check_choice(name, value, SAMPLERS)
-            if self.schedule in SCHEDULES:
-                raise ValueError(
-                    f"{name}: expected the schedule {ALTERNATING} or {HALL_OF_FAME}, "
-                    f"got {self.schedule!r}, which has its own samplers"
-                )
+            if value is not None:
+                check_choice(name, value, SAMPLERS)
         for name in ("opponents", "archive_size", "archive_episodes"):
             check_integer(name, getattr(self, name), 1)
-        if self.opponents > 1 and self.schedule != ALTERNATING:
-            raise ValueError(
-                f"opponents: expected 1 for the schedule {self.schedule}, got {self.opponents}"
-            )
 
     def _check_sharing(self) -> None:
         check_choice("sharing", self.sharing, SHARING)
@@ -101,6 +94,11 @@ class RaceSettings(TrainingSettings):
             )
         if given and self.fitness == "rewards":
             raise ValueError(f"{given[0]}: expected a fitness from 0 to 1, got 'rewards'")
+
+    def defaults(self, name: str) -> tuple[Any, ...]:
+        """Return the values of a field that count as not given."""
+        # Asked where the learner has no effect: a hall-of-fame race always has the same one.
+        return (*super().defaults(name), *(("ga",) if name == "learner" else ()))
 
     def sampler_name(self, team: Team) -> str:
         """Return the name of the opponent sampler of `team`, a key of `SAMPLERS`."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from matrixworld.checks import check_choice, check_integer
 from matrixworld.coevolution.settings.training import (
@@ -72,6 +73,17 @@ class SingleSettings(TrainingSettings):
         check_integer("epochs", self.epochs, 1)
         check_integer("archive_every", self.archive_every, 1)
         super().__post_init__()
+
+    @property
+    def learning_teams(self) -> tuple[Team, ...]:
+        """The one team that learns."""
+        return (self.team,)
+
+    def defaults(self, name: str) -> tuple[Any, ...]:
+        """Return the values of a field that count as not given: those of either team."""
+        # Both teams: `replace(settings, team=...)` keeps the values filled in for the first team.
+        of_teams = [values[name] for values in SINGLE_DEFAULTS.values() if name in values]
+        return (*super().defaults(name), *of_teams)
 
     @property
     def default_overlap_penalty(self) -> float:

@@ -14,7 +14,8 @@ from matrixworld.checks import check_choice, check_integer, check_number
 from matrixworld.coevolution.fitness import FITNESS
 from matrixworld.coevolution.learners.optimizers import OPTIMIZERS
 from matrixworld.coevolution.learners.registry import LEARNERS, check_learner_settings
-from matrixworld.coevolution.types import Team
+from matrixworld.coevolution.settings.effects import check_effects
+from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
 from matrixworld.policy import Network
 from matrixworld.rules import VARIANTS, Outcome, Rules, rules_of
@@ -81,6 +82,11 @@ class TrainingSettings:
     tournament: int = option(5, "ga: individuals in a tournament")
     truncation: float = option(0.25, "ga: share of the population that truncation selects from")
     elites: int = option(2, "ga: fittest individuals kept unchanged")
+    elite_episodes: int = option(
+        0,
+        "ga: new matches of each elite against each of its last opponents at the end of a "
+        "generation, which decide the champion; 0: the fitness of the last epoch decides",
+    )
 
     fitness: str = option("captured-fraction", f"fitness: {', '.join(FITNESS)}")
     overlap_penalty: float | None = option(
@@ -99,6 +105,8 @@ class TrainingSettings:
         self._check_budget()
         self._check_world()
         self._check_learner()
+        # Last: whether a setting has an effect depends on others, which must be valid.
+        check_effects(self, self.defaults)
 
     def _freeze(self, name: str, value: Any) -> None:
         # The dataclass is frozen; its own __post_init__ has no other way to set a field.
@@ -128,6 +136,15 @@ class TrainingSettings:
             self._freeze("obstacles", map_as_text(config.map))
         # Only to check the layers and the activation.
         Network.for_config(config, hidden=self.hidden, activation=self.activation)
+
+    @property
+    def learning_teams(self) -> tuple[Team, ...]:
+        """Teams that learn."""
+        return TEAMS
+
+    def defaults(self, name: str) -> tuple[Any, ...]:
+        """Return the values of a field that count as not given."""
+        return tuple(item.default for item in fields(self) if item.name == name)
 
     @property
     def sharing(self) -> str:

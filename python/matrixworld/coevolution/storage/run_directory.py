@@ -48,9 +48,9 @@ from matrixworld.files import (
 )
 from matrixworld.version import __version__
 
-# Format 3 differs from 2 in the seeds of matches, in the field `overlap_penalty` of the settings
-# and in the names of arrays in the checkpoint.
-FORMAT = 3
+# Format 4 differs from 3 in the fields `elite_episodes` and `retention_episodes` of the settings,
+# and in the state of the genetic algorithm in the checkpoint.
+FORMAT = 4
 """Version of the directory's layout; another one is refused."""
 
 CONFIG, SUMMARY, LOG, LOCK = "config.json", "summary.json", "log.csv", ".lock"

@@ -37,7 +37,8 @@ COLUMNS: dict[str, type] = {
 `opponent` is the opponent's generation (-1: several opponents); `fitness_*` are over the
 candidates of the epoch; `capture_rate`, `length` and `*_faults` (agent-steps at fault in a
 collision) are means over its episodes; `matches` and `steps` are the training episodes and world
-steps played so far in the run.
+steps played so far in the run; matches after the last epoch of a generation, which choose its
+champion, count in the row of that epoch.
 """
 
 SEVERAL = -1

@@ -1,0 +1,81 @@
+"""A transitive race with perfect learners: every sampler must let it climb.
+
+A pursuer of strength s beats the evaders below s. In each generation a team becomes just strong
+enough to beat the strongest opponent that it has met, and is never weaker than before. The newest
+opponent is always the strongest, so a race climbs one step in each generation in which the team
+meets it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from matrixworld.coevolution.opponents import SAMPLERS, ArchiveSampler
+from matrixworld.coevolution.opponents.registry import available
+from matrixworld.coevolution.types import TEAMS, other
+
+GENERATIONS, EPOCHS, ARCHIVE = 20, 20, 5
+
+
+class Ladder:
+    """A race of strengths, with the samplers of both teams and the generations that they met."""
+
+    def __init__(self, name: str, count: int) -> None:
+        self.samplers = {team: SAMPLERS[name](count, ARCHIVE) for team in TEAMS}
+        self.strengths = {team: np.zeros(1, dtype=int) for team in TEAMS}
+        self.met_newest = 0
+
+    def payoff(self, team, own, opponents):
+        """Return 1 for each win (n, m) of generations `own` over `opponents`."""
+        mine = self.strengths[team][own][:, np.newaxis]
+        theirs = self.strengths[other(team)][opponents]
+        # Of equals the evader wins.
+        return (mine > theirs if team == "pursuer" else mine >= theirs).astype(float)
+
+    def learn(self, team, generation, rng):
+        sampler, n = self.samplers[team], available(team, generation)
+        before = available(team, generation - 1) if generation > 1 else 0
+        if isinstance(sampler, ArchiveSampler):
+            sampler.update(
+                np.array([generation - 1]),
+                np.arange(before, n),
+                lambda candidates, tests: self.payoff(team, candidates, tests),
+            )
+        met = set()
+        for epoch in range(EPOCHS):
+            opponents = sampler.sample(n, epoch, rng)
+            # Two candidates, so that fitness differs: the team itself, and a beginner.
+            scores = self.payoff(team, [-1, 0], opponents)
+            sampler.tell(opponents, scores)
+            met |= set(opponents.tolist())
+        self.met_newest += n - 1 in met
+        strongest = self.strengths[other(team)][sorted(met)].max()
+        reached = max(self.strengths[team][-1], strongest + (team == "pursuer"))
+        self.strengths[team] = np.append(self.strengths[team], reached)
+
+
+def climbed(name, count, seed=0):
+    """Return the race after all generations."""
+    race, rng = Ladder(name, count), np.random.default_rng(seed)
+    for generation in range(1, GENERATIONS + 1):
+        for team in TEAMS:
+            race.learn(team, generation, rng)
+    return race
+
+
+@pytest.mark.parametrize("count", [1, 2, 4])
+@pytest.mark.parametrize("name", SAMPLERS)
+def test_a_transitive_race_climbs_with_every_sampler(name, count):
+    top = [climbed(name, count, seed).strengths["evader"][-1] for seed in range(3)]
+    # With the newest opponent in every generation it climbs to 20.
+    assert min(top) >= 10
+    assert np.mean(top) >= 12
+
+
+@pytest.mark.parametrize("count", [1, 2, 4])
+@pytest.mark.parametrize("name", ["maxsolve", "ipca", "lapca", "generalist"])
+def test_archives_lose_no_newest_opponent(name, count):
+    race = climbed(name, count)
+    assert race.met_newest == 2 * GENERATIONS
+    assert race.strengths["evader"].tolist() == list(range(GENERATIONS + 1))

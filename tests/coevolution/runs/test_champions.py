@@ -1,0 +1,171 @@
+"""Matches that choose champions: re-evaluated elites, and the retention of new genomes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from matrixworld import Matches, Population, coevolution, rollout
+from matrixworld.coevolution.fitness import fitness
+from matrixworld.coevolution.seeding import Phase, training_seeds
+from tiny_race import StopAt, results, tiny_race, tiny_single
+
+ALTERNATING = {"schedule": "alternating", "opponents": 2, "generations": 3, "train_steps": 20}
+HALL = {"schedule": "hall-of-fame", "contemporaries": 2, "hall_sample": 2, "generations": 3}
+ELITE: dict[str, Any] = {"elites": 3, "elite_episodes": 2, "population": 8, "worlds": 2}
+RUNS = {
+    "elite in turns": tiny_race(**ALTERNATING, **ELITE, learner="ga"),
+    "elite of a hall of fame": tiny_race(**HALL, **ELITE, train_steps=20),
+    "elite of archives": tiny_race(
+        **ALTERNATING, **ELITE, learner="ga", pursuers_meet="ipca", evaders_meet="lapca"
+    ),
+    "elite alone": tiny_single(**ELITE, learner="ga", team="evader", train_steps=20),
+    "retention in turns": tiny_race(**ALTERNATING, retention_episodes=2, worlds=2),
+    "retention of cma": tiny_race(**ALTERNATING, retention_episodes=2, learner="cma", hidden=()),
+    "retention of a hall of fame": tiny_race(**HALL, retention_episodes=2, train_steps=20),
+    "both": tiny_race(**ALTERNATING, **ELITE, learner="ga", retention_episodes=1),
+}
+every_run = pytest.mark.parametrize("name", RUNS)
+
+
+@every_run
+@pytest.mark.parametrize("call", [5, 8])
+def test_stopped_run_ends_as_if_never_stopped(tmp_path, name, call):
+    coevolution.start(RUNS[name], tmp_path / "straight", threads=2).run()
+    run = coevolution.start(RUNS[name], tmp_path / "run", threads=1, play=StopAt(call))
+    with pytest.raises(KeyboardInterrupt):
+        run.run()
+    coevolution.resume(tmp_path / "run", threads=1).run()
+    assert results(tmp_path / "run") == results(tmp_path / "straight")
+
+
+@every_run
+def test_matches_are_counted_predicted_and_logged(tmp_path, name):
+    played = 0
+
+    def counting(*args, **options):
+        nonlocal played
+        scores = rollout(*args, **options)
+        played += scores.length.size
+        return scores
+
+    run = coevolution.start(RUNS[name], tmp_path / "run", play=counting)
+    payoff = run.run()
+    training = played - payoff.lengths.size
+    assert run.files.summary()["training_matches"] == training
+    log = run.files.log()
+    assert log["matches"][-1] == training
+    assert log["steps"][-1] == run.files.summary()["training_steps"]
+    assert (np.diff(log["matches"]) >= 0).all()
+    predicted = run.total_matches() - payoff.lengths.size
+    assert training <= predicted if name == "elite of archives" else training == predicted
+
+
+def test_the_price_by_hand(tmp_path):
+    changes = {"generations": 2, "pursuer_epochs": 1, "evader_epochs": 1, "population": 4}
+    plain = tiny_race(**changes)
+    prices = {
+        # In each generation 2 elites of both teams, 1 opponent, 5 episodes.
+        tiny_race(**changes, learner="ga", elite_episodes=5): 2 * 2 * 2 * 5,
+        # 2 genomes against all archived opponents: 1 and 2 for pursuers, 2 and 3 for evaders.
+        tiny_race(**changes, retention_episodes=5): 2 * 5 * (1 + 2 + 2 + 3),
+    }
+    before = coevolution.start(plain, tmp_path / "plain").training_matches()
+    for number, (settings, price) in enumerate(prices.items()):
+        race = coevolution.start(settings, tmp_path / str(number))
+        assert race.training_matches() - before == price
+
+
+def mean_fitness(race, team, genomes, opponents, seeds):
+    """Return the fitness of genomes against opponents, match by match."""
+    settings = race.settings
+    values = np.zeros((len(genomes), len(opponents), len(seeds[0])))
+    for i, j, e in np.ndindex(values.shape):
+        pair = {team: genomes[i : i + 1], coevolution.types.other(team): opponents[j : j + 1]}
+        scores = rollout(
+            settings.world(settings.train_steps),
+            Population(pair["pursuer"], race.network),
+            Population(pair["evader"], race.network),
+            Matches.of([0], [0], [seeds[j][e]]),
+            worlds=settings.worlds,
+        )
+        penalty = settings.resolved_overlap_penalty
+        values[i, j, e] = fitness(scores, team, measure=settings.fitness, overlap_penalty=penalty)[
+            0
+        ]
+    return values.mean(axis=(1, 2))
+
+
+def test_a_genome_is_kept_unless_it_is_worse_against_all_archived_opponents(tmp_path, monkeypatch):
+    """Every decision of a race, played again match by match."""
+    settings = tiny_race(**ALTERNATING, retention_episodes=3, learning_rate=0.5, pursuer_epochs=4)
+    race = coevolution.start(settings, tmp_path / "run", threads=1)
+    learned = []
+    retain = race.retain
+
+    def spy(team, generation, before):
+        genome = race.learners[team].genome.copy()
+        others = race.genomes(coevolution.types.other(team))
+        retain(team, generation, before)
+        learned.append((team, generation, genome, race.archive[team][-1], others))
+
+    monkeypatch.setattr(race, "retain", spy)
+    race.run()
+    kept = []
+    for team, generation, genome, previous, opponents in learned:
+        key = (settings.seed, generation, generation, Phase.RETENTION)
+        seeds = training_seeds(*key, coevolution.TEAMS.index(team), 3 * len(opponents))
+        new, old = mean_fitness(
+            race, team, np.stack([genome, previous]), opponents, seeds.reshape(-1, 3)
+        )
+        archived = race.archive[team][generation]
+        kept.append(bool(new >= old))
+        assert np.array_equal(archived, genome if new >= old else previous)
+    assert set(kept) == {True, False}
+    assert len(kept) == 6
+
+
+def test_a_discarded_generation_leaves_the_learner_as_before(tmp_path, monkeypatch):
+    monkeypatch.setattr("matrixworld.coevolution.runs.alternating.generalizes", lambda *_: False)
+    for number, settings in enumerate((RUNS["retention in turns"], RUNS["both"])):
+        race = coevolution.start(settings, tmp_path / str(number), threads=1)
+        before = {team: race.learners[team].state() for team in coevolution.TEAMS}
+        race.run()
+        for team in coevolution.TEAMS:
+            assert (race.genomes(team) == race.genomes(team)[0]).all()
+            after = race.learners[team].state()
+            assert all(np.array_equal(after[key], value) for key, value in before[team].items())
+
+
+def test_the_champion_is_the_best_elite_of_new_matches(tmp_path, monkeypatch):
+    settings = tiny_race(**ALTERNATING, **{**ELITE, "worlds": 1}, learner="ga")
+    race = coevolution.start(settings, tmp_path / "run", threads=1)
+    learner = race.learners["evader"]
+    crowned = []
+    crown = learner.crown
+    monkeypatch.setattr(
+        learner,
+        "crown",
+        lambda again: crowned.append((learner.elite_genomes(), again)) or crown(again),
+    )
+    met = []
+    sample = race.matchmaking.samplers["evader"].sample
+
+    def spy(*args):
+        met.append(sample(*args))
+        return met[-1]
+
+    object.__setattr__(race.matchmaking.samplers["evader"], "sample", spy)
+    race.run()
+    assert len(crowned) == 3
+    for generation, (genomes, again) in enumerate(crowned, start=1):
+        last = met[generation * settings.evader_epochs - 1]
+        key = (settings.seed, generation, generation, Phase.ELITE, 1)
+        seeds = training_seeds(*key, 2 * len(last)).reshape(-1, 2)
+        expected = mean_fitness(race, "evader", genomes, race.genomes("pursuer")[last], seeds)
+        assert again == pytest.approx(expected)
+        assert np.array_equal(race.archive["evader"][generation], genomes[np.argmax(again)])
+    # Not always the fittest of the last epoch, which is the first of the elite.
+    assert any(np.argmax(again) for _, again in crowned)
