@@ -112,20 +112,19 @@ def race(name: str, schedule: Schedule, budget: Budget, seed: int) -> dict[Team,
     return archive
 
 
-def payoff(archive: dict[Team, list[np.ndarray]], budget: Budget, seed: int) -> np.ndarray:
-    """Return capture rates of all generations of pursuers (rows) against all evaders (columns)."""
+def payoff(archive: dict[Team, list[np.ndarray]], budget: Budget, seed: int) -> coevolution.Payoff:
+    """Play all generations of pursuers (rows) against all generations of evaders (columns)."""
     network = mw.Network.for_config(budget.world)
     pursuers, evaders = (mw.Population(np.stack(genomes), network) for genomes in archive.values())
     # Short episodes are enough to learn; long ones distinguish trained teams better.
     world = replace(budget.world, max_steps=DEFAULTS.eval_steps)
-    played = coevolution.tournament(
+    return coevolution.tournament(
         world, pursuers, evaders, seed=seed, episodes=DEFAULTS.eval_episodes
     )
-    return played.capture_rate
 
 
 def main() -> None:
-    """Run a race by each schedule, print the summaries and draw the payoff matrices."""
+    """Run a race by each schedule, print the judgements and draw the payoff matrices."""
     parser = script_parser(__doc__, quick="a small world and few epochs")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument(
@@ -137,12 +136,16 @@ def main() -> None:
     parser.add_argument("--figure", default="arms_race.png", help="file to draw to")
     args = parser.parse_args()
     budget = QUICK if args.quick else FULL
-    payoffs = {}
+    payoffs, judgements = {}, {}
     for name in args.schedules:
         archive = race(name, coevolution.SCHEDULES[name], budget, args.seed)
-        payoffs[name] = payoff(archive, budget, args.seed)
-        print(f"\n{name}\n{analysis.describe(analysis.summarize(payoffs[name]))}\n")
-    plots.comparison(payoffs).savefig(args.figure)
+        played = payoff(archive, budget, args.seed)
+        payoffs[name] = played.capture_rate
+        judgements[name] = analysis.judge(played.capture_rates, per_episode=True)
+        print(f"\n{name}: {analysis.headline(judgements[name])}")
+        print(analysis.explain(judgements[name]))
+        print(f"{analysis.describe(analysis.summarize(payoffs[name]))}\n")
+    plots.comparison(payoffs, judgements).savefig(args.figure)
     print(f"Drawn: {args.figure}")
 
 

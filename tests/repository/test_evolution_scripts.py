@@ -37,7 +37,8 @@ def script(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> M
 def test_arms_race_runs_and_draws(tmp_path: Path) -> None:
     told = quick("arms_race", tmp_path)
     for schedule in ("specialist-specialist", "generalist-generalist"):
-        assert f"\n{schedule}\nThis run " in told
+        assert re.search(rf"^{schedule}: .+ \((last half|whole)\)$", told, re.M)
+    assert told.count("Cycling is ") == 2
     assert "at generation 12" in told
     assert [path.name for path in tmp_path.iterdir()] == ["arms_race.png"]
 

@@ -21,8 +21,8 @@ def plain_values(value: Any) -> Any:
     Returns
     -------
     object
-        Dataclasses and named tuples as dictionaries by field, arrays and tuples as lists, slices as
-        start and stop. Numbers that are not finite become None, since JSON cannot represent them.
+        Dataclasses and named tuples as dictionaries by field, arrays and tuples as lists. Numbers
+        that are not finite become None, since JSON cannot represent them.
     """
     if is_dataclass(value):
         return {item.name: plain_values(getattr(value, item.name)) for item in fields(value)}
@@ -32,8 +32,6 @@ def plain_values(value: Any) -> Any:
         return {key: plain_values(item) for key, item in value.items()}
     if isinstance(value, np.ndarray):
         return plain_values(value.tolist())
-    if isinstance(value, slice):
-        return [value.start, value.stop]
     if isinstance(value, (list, tuple)):
         return [plain_values(item) for item in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -15,7 +15,6 @@ from matrixworld.cli.options import (
     json_option,
     known_episodes_option,
     refuse_existing,
-    seed_option,
     write_json,
 )
 from matrixworld.cli.race_groups import one_group, races_argument
@@ -24,24 +23,21 @@ from matrixworld.cli.race_groups import one_group, races_argument
 @click.command("analyze")
 @races_argument
 @known_episodes_option
-@seed_option
 @json_option
 @force_option
 def analyze_command(
-    races: list[Path], episodes: int | None, seed: int, json_file: Path | None, force: bool
+    races: list[Path], episodes: int | None, json_file: Path | None, force: bool
 ) -> None:
     """Compute all measures of a payoff matrix, after the judgement of the race.
 
     FILE is a .csv or .npz file: pursuers in rows, evaders in columns, capture rates from 0 to 1;
     or one line for each pair, run and episode. RUN is a finished run directory or a directory of
     several. Several runs must have the same settings; intervals are then over runs.
-
-    --seed is that of the bootstrap, from which some of the intervals come.
     """
     refuse_existing(json_file, force=force)
     with failures():
         group = one_group(races, episodes)
-        found = _analysis(group.payoffs, seed)
+        found = _analysis(group.payoffs)
         print_head(f"{group.name}: {counts(found.judgement)}")
         print_judgement(found.judgement)
         click.echo(f"\n{_measures(found)}")
@@ -54,10 +50,10 @@ def _measures(found: Analysis) -> str:
     return str(found).partition("\nJudgement:")[0]
 
 
-def _analysis(payoffs: Payoffs, seed: int) -> Analysis:
+def _analysis(payoffs: Payoffs) -> Analysis:
     if min(payoffs.matrices.shape[1:]) < 2:
         shape = payoffs.matrices.shape[1:]
         raise click.UsageError(f"expected at least 2 x 2 generations, got {shape[0]} x {shape[1]}")
     if payoffs.scores is None:
-        return analyze(payoffs.matrices, episodes=payoffs.episodes, rng=seed)
-    return analyze(payoffs.scores, per_episode=True, rng=seed)
+        return analyze(payoffs.matrices, episodes=payoffs.episodes)
+    return analyze(payoffs.scores, per_episode=True)
