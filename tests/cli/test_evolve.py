@@ -246,8 +246,11 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
     )
     start(tiny_single(team="evader"), "again").run()
     assert results(Path("first")) == results(Path("again"))
-    rate = open_run("first").files.summary()["capture_rate"]
-    assert f"capture rate {rate:.4f} +- " in result.stdout
+    numbers = open_run("first").files.summary()
+    rate, low, high = (numbers[f"capture_rate{end}"] for end in ("", "_low", "_high"))
+    interval = f"95% interval of the mean {low:.4f} to {high:.4f}; standard deviation of an"
+    assert f"capture rate {rate:.4f} ({interval} episode" in result.stdout
+    assert f"length in steps {numbers['length']:.1f} (" in result.stdout
     assert (Path("first") / "training.png").read_bytes().startswith(PNG)
     matrixworld_command(
         "evolve", "next", "--against", "first", "--start", "hunters", *words(WORLD), code=2
