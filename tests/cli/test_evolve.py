@@ -129,7 +129,6 @@ BAD = [
     (["--obstacles", "2"], "--obstacles: expected"),
     (["--obstacles", "no.map"], "expected a density in [0, 1) or a .map file, got 'no.map'"),
     (["--schedule", "x"], "'x' is not one of 'specialist-specialist'"),
-    (["--schedule", "hall-of-fame", "--learner", "es"], "--learner: expected ga for"),
     (["--team", "evader"], "--team: expected together with --against only"),
     (["--against", "random", "--generations", "3"], "--generations: expected without --against"),
     (["--against", "nobody"], "clumsy-fleer, dodger or a run directory, got 'nobody'"),

@@ -30,9 +30,9 @@ class RaceSettings(TrainingSettings):
     generations: int = option(30, "number of generations after the untrained generation 0")
     pursuer_epochs: int = option(60, "epochs per generation in which the pursuers learn")
     evader_epochs: int = option(120, "epochs per generation in which the evaders learn")
-    joint_epochs: int = option(15, "hall-of-fame: epochs per generation, in which both teams learn")
-    contemporaries: int = option(4, "hall-of-fame: living opponents of each individual")
-    hall_sample: int = option(4, "hall-of-fame: opponents of each individual from the hall of fame")
+    joint_epochs: int = option(45, "hall-of-fame: epochs per generation, in which both teams learn")
+    contemporaries: int = option(2, "hall-of-fame: living opponents of each individual")
+    hall_sample: int = option(1, "hall-of-fame: opponents of each individual from the hall of fame")
     pursuers_meet: str | None = option(
         None,
         f"alternating, hall-of-fame: opponent sampler of the pursuers: {', '.join(SAMPLERS)}; "
@@ -63,10 +63,6 @@ class RaceSettings(TrainingSettings):
         check_integer("hall_sample", self.hall_sample, 0)
         if self.contemporaries + self.hall_sample < 1:
             raise ValueError("contemporaries and hall_sample: expected at least 1 opponent, got 0")
-        if self.schedule == HALL_OF_FAME and self.learner not in (None, "ga"):
-            raise ValueError(
-                f"learner: expected ga for the hall-of-fame schedule, got {self.learner!r}"
-            )
         super().__post_init__()
 
     def _check_opponents(self) -> None:
@@ -116,11 +112,6 @@ class RaceSettings(TrainingSettings):
     def virulence(self, team: Team) -> float | None:
         """Return the reduced virulence of `team`, None for mean fitness."""
         return self.pursuer_virulence if team == "pursuer" else self.evader_virulence
-
-    @property
-    def learner_name(self) -> str:
-        """Name of the learner, with the default of the schedule filled in."""
-        return self.learner or ("ga" if self.schedule == HALL_OF_FAME else "es")
 
     def epochs(self, team: Team) -> int:
         """Return the epochs of a generation in which `team` learns."""
