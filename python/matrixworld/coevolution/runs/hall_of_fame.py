@@ -52,8 +52,7 @@ def pairings(
     Parameters
     ----------
     match_of_candidate : ndarray of int, shape (n,)
-        Numbers 0 .. k-1 of the learners' groups, all of the same size: individuals of a group are
-        compared with each other, such as the mirrored pairs of an evolution strategy.
+        Numbers 0 .. g-1 of the learner's groups, all of the same size (see `Learner`).
     contemporaries : int
         Living opponents of each individual.
     hall : tuple of int
@@ -70,22 +69,25 @@ def pairings(
     -----
     Groups meet groups in random order, and their members meet in turn: with as many contemporaries
     as a group has members, every member meets all members of one opposing group. Between mirrored
-    samples the strength of the opponents then cancels out, like the luck of the match seed.
+    samples the strength of the opponents then cancels out, like the luck of the match seed. Where
+    all individuals are one group, each meets single opponents in random order.
     """
     n, groups = len(match_of_candidate), int(match_of_candidate.max()) + 1
-    members = np.argsort(match_of_candidate, kind="stable").reshape(groups, -1)
-    individuals, size = members.ravel(), members.shape[1]
+    size = n // groups if groups > 1 else 1
+    blocks = np.argsort(match_of_candidate, kind="stable").reshape(-1, size)
+    individuals = blocks.ravel()
     rounds = []
     for meeting in range(contemporaries):
         if meeting % size == 0:
-            opponents = rng.permuted(members[rng.permutation(groups)], axis=1)
+            opponents = blocks[rng.permutation(len(blocks))]
         rounds.append((individuals, np.roll(opponents, meeting % size, axis=1).ravel()))
     rounds += [(individuals, np.full(n, n + member)) for member in range(hall[1])]
     rounds += [(np.full(n, n + member), individuals) for member in range(hall[0])]
     pursuers, evaders = zip(*rounds, strict=True)
-    # The same seeds for the members of a group, other ones for each round.
-    group = np.arange(len(rounds))[:, np.newaxis] * groups + np.repeat(np.arange(groups), size)
-    return Pairings(np.concatenate(pursuers), np.concatenate(evaders), group.ravel())
+    # The same seeds for the members of a group, other ones in each round.
+    first = np.arange(len(rounds))[:, np.newaxis] * groups
+    seeds = first + match_of_candidate[individuals]
+    return Pairings(np.concatenate(pursuers), np.concatenate(evaders), seeds.ravel())
 
 
 def table_of_individuals(
