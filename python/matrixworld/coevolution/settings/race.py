@@ -18,11 +18,24 @@ from matrixworld.coevolution.types import Team
 ALL_SCHEDULES = (*SCHEDULES, ALTERNATING, HALL_OF_FAME)
 """Names of all schedules."""
 
+SCHEDULE_DEFAULTS: dict[str, dict[str, int]] = {
+    **{name: {"population": 48} for name in (*SCHEDULES, ALTERNATING)},
+    # Few samples and many epochs: with opponents that learn, too, more updates are worth more.
+    HALL_OF_FAME: {"population": 24},
+}
+"""Values that learned best, by schedule, at the same number of matches."""
+
 
 @with_parameters
 @dataclass(frozen=True)
 class RaceSettings(TrainingSettings):
-    """Settings of a race, in which both teams learn; ValueError or TypeError on a bad field."""
+    """Settings of a race, in which both teams learn; ValueError or TypeError on a bad field.
+
+    A field that is None and listed in `SCHEDULE_DEFAULTS` takes its value from there.
+    """
+
+    # A field of `TrainingSettings` again, with another default.
+    population: int = option(None, "candidates per epoch")
 
     schedule: str = option(
         "generalist-generalist", f"opponents of each team: {', '.join(ALL_SCHEDULES)}"
@@ -30,7 +43,7 @@ class RaceSettings(TrainingSettings):
     generations: int = option(30, "number of generations after the untrained generation 0")
     pursuer_epochs: int = option(60, "epochs per generation in which the pursuers learn")
     evader_epochs: int = option(120, "epochs per generation in which the evaders learn")
-    joint_epochs: int = option(45, "hall-of-fame: epochs per generation, in which both teams learn")
+    joint_epochs: int = option(90, "hall-of-fame: epochs per generation, in which both teams learn")
     contemporaries: int = option(2, "hall-of-fame: living opponents of each individual")
     hall_sample: int = option(1, "hall-of-fame: opponents of each individual from the hall of fame")
     pursuers_meet: str | None = option(
@@ -55,6 +68,9 @@ class RaceSettings(TrainingSettings):
     def __post_init__(self) -> None:
         # First, because other checks depend on it.
         check_choice("schedule", self.schedule, ALL_SCHEDULES)
+        for name, value in SCHEDULE_DEFAULTS[self.schedule].items():
+            if getattr(self, name) is None:
+                self._freeze(name, value)
         self._check_opponents()
         self._check_sharing()
         for name in ("generations", "pursuer_epochs", "evader_epochs", "joint_epochs"):
