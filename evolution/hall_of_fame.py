@@ -1,6 +1,6 @@
 """Do halls of fame do what their literature says? Races with and without them, at equal matches.
 
-    python evolution/hall_of_fame.py             ten seeds of each kind, 10 minutes on two cores
+    python evolution/hall_of_fame.py             ten seeds of each kind, half an hour on two cores
     python evolution/hall_of_fame.py --quick     a small world and two seeds, some seconds
 
 Two populations evolve simultaneously. Without halls of fame, individuals meet living opponents
@@ -29,7 +29,7 @@ from common import script_parser
 from matrixworld import analysis, plots
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, finish, open_run, score
 
-FULL = RaceSettings(schedule="hall-of-fame", joint_epochs=30)  # a third of the default matches
+FULL = RaceSettings(schedule="hall-of-fame")
 QUICK = replace(
     FULL, rows=10, cols=10, pursuers=3, evaders=4, generations=8, joint_epochs=3, population=8,
     train_steps=40, eval_steps=60,
@@ -168,13 +168,11 @@ def main() -> None:
     """Play missing runs, print and write the comparison, and draw one race of each kind."""
     parser = script_parser(__doc__, quick="a small world and two seeds")
     parser.add_argument("--seeds", type=int, help="races of each kind; default 10, or 2")
-    parser.add_argument("--epochs", type=int, help="of a generation; default 30, or 3")
     parser.add_argument("--runs", type=Path, default=Path("runs/hall_of_fame"))
     parser.add_argument("--results", type=Path, default=Path("hall_of_fame"))
     parser.add_argument("--threads", type=int, help="default: one for each core")
     args = parser.parse_args()
     base, few = (QUICK, 2) if args.quick else (FULL, 10)
-    base = replace(base, joint_epochs=args.epochs or base.joint_epochs)
     found = play(base, range(args.seeds or few), args.runs, args.threads)
     args.results.mkdir(parents=True, exist_ok=True)
     write_races(args.results / "races.csv", found)
