@@ -1,87 +1,189 @@
-"""Does a hall of fame prevent forgetting? Races with and without one, at equal matches.
+"""Do halls of fame do what their literature says? Races with and without them, at equal matches.
 
-    python evolution/hall_of_fame.py             five seeds of each kind, about two minutes
+    python evolution/hall_of_fame.py             ten seeds of each kind, half an hour on two cores
     python evolution/hall_of_fame.py --quick     a small world and two seeds, some seconds
 
-Two populations evolve simultaneously. Without a hall of fame, individuals meet current opponents
-only. With a hall of fame they also meet earlier champions. Both kinds of race play the same number
+Two populations evolve simultaneously. Without halls of fame, individuals meet living opponents
+only. With halls of fame they also meet earlier champions. Both kinds of race play the same number
 of matches. Runs are kept in ``--runs``; an interrupted script continues where it stopped.
 
-Method: Rosin and Belew (1997), "New methods for competitive coevolution".
+Method: Rosin and Belew (1997), "New methods for competitive coevolution". They expect of a hall of
+fame that less is forgotten, and that progress does not go in cycles.
 
-Look at forgetting and at historical progress: a hall of fame helps if their intervals over seeds
-do not overlap.
+Look at the last two columns: the difference that halls of fame make, with its interval over seeds,
+and whether it is the expected one. ``--results`` receives the table and the numbers of each race.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+import csv
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
+from scipy import stats
 from tqdm import tqdm
 
 from common import script_parser
 from matrixworld import analysis, plots
-from matrixworld.coevolution import RaceSettings, finish
+from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, finish, open_run, score
 
-HALL, CURRENT = 2, 2  # opponents of each individual in an epoch: earlier champions, current ones
-FULL = RaceSettings(
-    schedule="hall-of-fame", rows=24, cols=24, pursuers=6, evaders=10, generations=30,
-    joint_epochs=8, population=32,
-)  # fmt: skip
+FULL = RaceSettings(schedule="hall-of-fame")
 QUICK = replace(
     FULL, rows=10, cols=10, pursuers=3, evaders=4, generations=8, joint_epochs=3, population=8,
     train_steps=40, eval_steps=60,
 )  # fmt: skip
-MEASURES = (
-    "pursuer_forgetting",
-    "evader_forgetting",
-    "pursuer_historical_gain",
-    "evader_historical_gain",
-    "checkerboards",
-    "transitive_share",
-)
+LIVING, HALL = "living opponents only", "halls of fame"
+
+Row = dict[str, float]
+"""Numbers of one race: its seed, and the keys of `MEASURES`."""
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A number of a race that halls of fame are expected to change.
+
+    Parameters
+    ----------
+    label : str
+        Name in words.
+    expected : {1, -1}
+        Whether halls of fame should raise it or lower it.
+    """
+
+    label: str
+    expected: int
+
+
+MEASURES = {
+    "pursuer_forgetting": Measure("forgetting of the pursuers", -1),
+    "evader_forgetting": Measure("forgetting of the evaders", -1),
+    "checkerboards": Measure("checkerboard share, last half", -1),
+    "transitive_share": Measure("transitive share, last half", 1),
+    "lag_rise": Measure("gain of later over earlier pursuers", 1),
+    "pursuer_score": Measure("held-out score of the pursuers", 1),
+    "evader_score": Measure("held-out score of the evaders", 1),
+}
 
 
 def kinds(base: RaceSettings) -> dict[str, RaceSettings]:
     """Return the settings of both kinds of race, with the same number of matches."""
-    # A match between current opponents counts for both teams, a match against the hall for one.
+    # A match between living opponents counts for both teams, a match against the hall for one.
+    living = base.contemporaries + 2 * base.hall_sample
+    return {LIVING: replace(base, contemporaries=living, hall_sample=0), HALL: base}
+
+
+def numbers_of(run: SavedRun, threads: int | None) -> Row:
+    """Return the numbers of one finished race."""
+    matrix, scores = run.payoff().capture_rate, score(run, threads=threads)
+    of_matrix = {
+        name: analysis.MEASURES[name].of(matrix) for name in MEASURES if name in analysis.MEASURES
+    }
     return {
-        "latest only": replace(base, contemporaries=CURRENT + 2 * HALL, hall_sample=0),
-        "hall of fame": replace(base, contemporaries=CURRENT, hall_sample=HALL),
+        **of_matrix,
+        **{f"{team}_score": float(scores[team].rates[-1].mean()) for team in TEAMS},
     }
 
 
-def payoffs(base: RaceSettings, seeds: range, root: Path) -> dict[str, np.ndarray]:
-    """Return payoff matrices (seeds, generations, generations) of each kind, playing new runs."""
-    found: dict[str, list[np.ndarray]] = {name: [] for name in kinds(base)}
-    jobs = [(name, each, seed) for name, each in kinds(base).items() for seed in seeds]
-    # Each race has its own directory, where an interrupted script finds it again.
-    for name, settings, seed in tqdm(jobs, unit=" races", disable=None):
-        place = root / name.replace(" ", "-") / str(seed)
-        run = finish(replace(settings, seed=seed), place)
-        found[name].append(run.payoff().capture_rate)
-    return {name: np.stack(matrices) for name, matrices in found.items()}
+def play(base: RaceSettings, seeds: range, root: Path, threads: int | None) -> dict[str, list[Row]]:
+    """Return the numbers of all races by kind, playing the missing ones."""
+    found: dict[str, list[Row]] = {name: [] for name in kinds(base)}
+    # All kinds of a seed, then the next seed: an interrupted comparison is still one of equals.
+    jobs = [(seed, name, each) for seed in seeds for name, each in kinds(base).items()]
+    for seed, name, settings in tqdm(jobs, unit=" races", disable=None):
+        run = finish(replace(settings, seed=seed), place(root, name, seed), threads=threads)
+        found[name].append({"seed": seed, **numbers_of(run, threads)})
+    return found
+
+
+def place(root: Path, name: str, seed: int) -> Path:
+    """Return the directory of a race, where an interrupted script finds it again."""
+    return root / name.replace(" ", "-") / str(seed)
+
+
+def mean_with_interval(values: Sequence[float]) -> tuple[float, float, float]:
+    """Return the mean over seeds and the ends of its 95% interval by Student's t."""
+    mean, error = float(np.mean(values)), float(stats.sem(values))
+    if error == 0.0:
+        return mean, mean, mean
+    low, high = stats.t.interval(0.95, len(values) - 1, loc=mean, scale=error)
+    return mean, float(low), float(high)
+
+
+def verdict(low: float, high: float, expected: int) -> str:
+    """Return whether the interval of a difference lies on the expected side of 0."""
+    if low <= 0.0 <= high:
+        return "undecided"
+    return "as expected" if np.sign(low) == expected else "the opposite"
+
+
+def table(found: Mapping[str, Sequence[Row]]) -> str:
+    """Return the comparison of both kinds of race as a table in Markdown."""
+    head = f"| mean over {len(found[HALL])} seeds [95%] | expected | {' | '.join(found)} |"
+    lines = [f"{head} difference | |", "|---|---|---|---|---|---|"]
+    for name, measure in MEASURES.items():
+        by_kind = {kind: np.array([row[name] for row in rows]) for kind, rows in found.items()}
+        # Pairs of the same seed: both races start with the same genomes.
+        difference = mean_with_interval(by_kind[HALL] - by_kind[LIVING])
+        cells = [
+            measure.label,
+            "higher" if measure.expected > 0 else "lower",
+            *(written(mean_with_interval(values)) for values in by_kind.values()),
+            written(difference),
+            f"**{verdict(*difference[1:], measure.expected)}**",
+        ]
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def written(estimate: tuple[float, float, float]) -> str:
+    """Return a mean and its interval as text."""
+    mean, low, high = estimate
+    return f"{mean:.3f} [{low:.3f}, {high:.3f}]"
+
+
+def write_races(path: Path, found: Mapping[str, Sequence[Row]]) -> None:
+    """Write one line for each race: its kind, its seed and its numbers."""
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["kind", "seed", *MEASURES])
+        for kind, rows in found.items():
+            for row in rows:
+                cells = [f"{row[name]:.6f}" for name in MEASURES]
+                writer.writerow([kind, row["seed"], *cells])
+
+
+def read_races(path: Path) -> dict[str, list[Row]]:
+    """Return what `write_races` has written."""
+    found: dict[str, list[Row]] = {LIVING: [], HALL: []}
+    with path.open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            kind = row.pop("kind")
+            found[kind].append({name: float(value) for name, value in row.items()})
+    return found
 
 
 def main() -> None:
-    """Play missing runs, print the measures of both kinds, and draw one race of each."""
+    """Play missing runs, print and write the comparison, and draw one race of each kind."""
     parser = script_parser(__doc__, quick="a small world and two seeds")
-    parser.add_argument("--seeds", type=int, help="races of each kind")
+    parser.add_argument("--seeds", type=int, help="races of each kind; default 10, or 2")
     parser.add_argument("--runs", type=Path, default=Path("runs/hall_of_fame"))
-    parser.add_argument("--figure", default="hall_of_fame.png", help="file to draw to")
+    parser.add_argument("--results", type=Path, default=Path("hall_of_fame"))
+    parser.add_argument("--threads", type=int, help="default: one for each core")
     args = parser.parse_args()
-    base, few = (QUICK, 2) if args.quick else (FULL, 5)
-    found = payoffs(base, range(args.seeds or few), args.runs)
-    estimates = {name: analysis.analyze(matrices).estimates for name, matrices in found.items()}
-    print(f"| mean over seeds | {' | '.join(found)} |\n|---|{'---|' * len(found)}")
-    for measure in MEASURES:
-        cells = " | ".join(str(each[measure]) for each in estimates.values())
-        print(f"| {analysis.MEASURES[measure].label} | {cells} |")
+    base, few = (QUICK, 2) if args.quick else (FULL, 10)
+    found = play(base, range(args.seeds or few), args.runs, args.threads)
+    args.results.mkdir(parents=True, exist_ok=True)
+    write_races(args.results / "races.csv", found)
+    # From the file, so that the table follows from the rounded numbers that are kept.
+    text = table(read_races(args.results / "races.csv"))
+    (args.results / "comparison.md").write_text(text + "\n", encoding="utf-8")
+    print(text)
     # One race of each kind: a mean over seeds would hide cycles of different phase.
-    plots.comparison({name: matrices[0] for name, matrices in found.items()}).savefig(args.figure)
-    print(f"Drawn: {args.figure}, the first seed of each")
+    first = {name: open_run(place(args.runs, name, 0)).payoff().capture_rate for name in found}
+    plots.comparison(first).savefig(args.results / "seed_0.png")
+    print(f"Written: races.csv, comparison.md and seed_0.png in {args.results}")
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ import numpy as np
 import pytest
 from click.testing import Result
 
-from command_line import FIGURES, MAIN_JOB, PNG, RACE, WORLD, matrixworld_command, words
+from command_line import FIGURES, JOB, MAIN_JOB, PNG, RACE, WORLD, matrixworld_command, words
 from matrixworld.cli import held_out, jobs, report
 from matrixworld.cli.arguments import find_runs
 from matrixworld.cli.console import ProgressLines, progress, warnings_as_notes
@@ -63,7 +63,7 @@ def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
 def job(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Result]:
     """A tiny main job: its directory and its output."""
     output = tmp_path_factory.mktemp("job") / "main job"
-    return output, matrixworld_command("evolve", output, *words(RACE), "--threads", 1)
+    return output, matrixworld_command("evolve", output, *words(JOB), "--threads", 1)
 
 
 @pytest.fixture
@@ -110,15 +110,14 @@ def test_options_become_settings(undrawn):
 
 
 def test_a_setting_with_an_effect_in_one_race_of_a_job_is_left_out_of_the_others():
-    """Three races: the learner es and its step are for two of them, joint epochs for the third."""
-    schedules = (*MAIN_JOB, "hall-of-fame")
-    given = {"schedule": schedules, "learner": "es", "sigma": 0.2, "joint_epochs": 7, "elites": 4}
+    """Epochs of turns are for two races, joint epochs and living opponents for the third."""
+    given = {"schedule": MAIN_JOB, "sigma": 0.2, "joint_epochs": 7}
     given |= {"evader_epochs": 5, "contemporaries": 3}
-    in_turns = {"learner": "es", "sigma": 0.2, "evader_epochs": 5}
-    joint = {"joint_epochs": 7, "elites": 4, "contemporaries": 3}
+    in_turns = {"sigma": 0.2, "evader_epochs": 5}
+    joint = {"sigma": 0.2, "joint_epochs": 7, "contemporaries": 3}
     assert settings_from(given) == [
-        *(RaceSettings(schedule=name, **in_turns) for name in MAIN_JOB),
-        RaceSettings(schedule="hall-of-fame", **joint),
+        RaceSettings(schedule=name, **(joint if name == "hall-of-fame" else in_turns))
+        for name in MAIN_JOB
     ]
     with pytest.raises(click.UsageError, match="--opponents: expected 1 .* schedule alternating"):
         settings_from({**given, "opponents": 2})
@@ -148,7 +147,6 @@ BAD = [
     (["--obstacles", "2"], "--obstacles: expected"),
     (["--obstacles", "no.map"], "expected a density in [0, 1) or a .map file, got 'no.map'"),
     (["--schedule", "x"], "'x' is not one of 'specialist-specialist'"),
-    (["--schedule", "hall-of-fame", "--learner", "es"], "--learner: expected no value or 'ga'"),
     (["--mutation", "0.1"], "--mutation: expected 0.05 (the default), got 0.1; it has an effect"),
     (["--against", "random", "--elites", "3"], "--elites: expected 2 (the default), got 3"),
     (["--team", "evader"], "--team: expected together with --against only"),
@@ -256,7 +254,7 @@ def test_a_job_builds_and_summarizes_each_run_once(undrawn, monkeypatch):
     monkeypatch.setattr(RunDirectory, "payoff", counted("read", RunDirectory.payoff))
     monkeypatch.setattr(alternating, "summarize", counted("summarized", alternating.summarize))
     monkeypatch.setattr(held_out, "score", counted("scored", held_out.score))
-    matrixworld_command("evolve", "out", *words(RACE))
+    matrixworld_command("evolve", "out", *words(JOB))
     # A run hands its payoff on, so the file that it wrote is not read back.
     assert counts == {"built": jobs, "read": 0, "summarized": jobs, "scored": jobs}
 
@@ -283,7 +281,7 @@ def test_without_output_runs_go_to_new_directories(undrawn):
 
 def test_a_directory_with_runs_is_refused(copy):
     before = sorted(copy.rglob("*"))
-    result = matrixworld_command("evolve", copy, *words(RACE), code=2)
+    result = matrixworld_command("evolve", copy, *words(JOB), code=2)
     assert "expected a new or empty directory" in result.stderr
     assert f"--resume {copy} continues the run in it" in result.stderr
     assert sorted(copy.rglob("*")) == before
@@ -291,7 +289,7 @@ def test_a_directory_with_runs_is_refused(copy):
 
 def test_all_schedules_and_the_hall_of_fame(undrawn):
     chosen = ["--schedule", "all", "--schedule", "hall-of-fame"]
-    matrixworld_command("evolve", "out", *words(RACE), *chosen)
+    matrixworld_command("evolve", "out", *words(JOB), *chosen)
     runs = find_runs(Path("out"))
     schedules = [MAIN_JOB[0], "generalist-specialist", *MAIN_JOB[1:]]
     assert [path.name for path in runs] == schedules
@@ -307,8 +305,11 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
     )
     start(tiny_single(team="evader"), "again").run()
     assert results(Path("first")) == results(Path("again"))
-    rate = open_run("first").files.summary()["capture_rate"]
-    assert f"capture rate {rate:.4f} +- " in result.stdout
+    numbers = open_run("first").files.summary()
+    rate, low, high = (numbers[f"capture_rate{end}"] for end in ("", "_low", "_high"))
+    interval = f"95% interval of the mean {low:.4f} to {high:.4f}; standard deviation of an"
+    assert f"capture rate {rate:.4f} ({interval} episode" in result.stdout
+    assert f"length in steps {numbers['length']:.1f} (" in result.stdout
     assert (Path("first") / "training.png").read_bytes().startswith(PNG)
     matrixworld_command(
         "evolve", "next", "--against", "first", "--start", "hunters", *words(WORLD), code=2
@@ -335,7 +336,7 @@ def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(job, undrawn, monkeypatch,
     monkeypatch.setattr(
         jobs, "start", lambda settings, path, threads=None: start(settings, path, play=play)
     )
-    result = matrixworld_command("evolve", "out", *words(RACE), code=130)
+    result = matrixworld_command("evolve", "out", *words(JOB), code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
     assert find_runs(Path("out")) == [Path("out") / name for name in MAIN_JOB]
     resumed = matrixworld_command("evolve", "--resume", "out")

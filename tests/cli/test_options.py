@@ -10,7 +10,7 @@ import click
 import numpy as np
 import pytest
 
-from command_line import RACE, matrixworld_command, words
+from command_line import JOB, RACE, matrixworld_command, words
 from matrixworld.cli import main
 from matrixworld.cli.options import RENAMED
 from matrixworld.coevolution import open_run, start
@@ -146,7 +146,7 @@ def test_a_payoff_goes_to_an_npz_file(run):
 
 def test_evolve_refuses_a_directory_with_a_run_and_names_resume(run):
     before = {path: path.read_bytes() for path in run.iterdir()}
-    said = matrixworld_command("evolve", "run", *words(RACE), code=2).stderr
+    said = matrixworld_command("evolve", "run", *words(JOB), code=2).stderr
     assert "expected a new or empty directory, got 'run'" in said
     assert "matrixworld evolve --resume run continues the run in it" in said
     assert {path: path.read_bytes() for path in run.iterdir()} == before

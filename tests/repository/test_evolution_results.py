@@ -16,15 +16,34 @@ from matrixworld.coevolution import open_run
 
 def test_hall_of_fame_compares_two_kinds_of_race(tmp_path: Path) -> None:
     printed = run_quickly("hall_of_fame", tmp_path)
-    assert "| mean over seeds | latest only | hall of fame |" in printed
-    assert {path.name for path in tmp_path.iterdir()} == {"runs", "hall_of_fame.png"}
-    matches = {
-        kind: open_run(tmp_path / "runs/hall_of_fame" / kind / "0").files.log()["matches"][-1]
-        for kind in ("latest-only", "hall-of-fame")
-    }
-    # The hall holds one champion in the first generation and more later.
-    assert matches["latest-only"] - matches["hall-of-fame"] == 2 * 3 * 8
+    assert "| living opponents only | halls of fame | difference | |" in printed
+    assert {path.name for path in tmp_path.iterdir()} == {"runs", "hall_of_fame"}
+    results = tmp_path / "hall_of_fame"
+    assert {path.name for path in results.iterdir()} == {"races.csv", "comparison.md", "seed_0.png"}
+    assert printed.startswith((results / "comparison.md").read_text(encoding="utf-8"))
+    matches = [
+        open_run(tmp_path / "runs/hall_of_fame" / kind / "0").files.log()["matches"][-1]
+        for kind in ("living-opponents-only", "halls-of-fame")
+    ]
+    assert matches[0] == matches[1] == 8 * 3 * 8 * 4
     assert run_quickly("hall_of_fame", tmp_path) == printed
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "expected", "verdict"),
+    [
+        (-0.2, -0.1, -1, "as expected"),
+        (-0.2, -0.1, 1, "the opposite"),
+        (0.1, 0.2, 1, "as expected"),
+        (-0.1, 0.1, 1, "undecided"),
+        (0.0, 0.0, -1, "undecided"),
+    ],
+)
+def test_verdict_on_halls_of_fame(
+    monkeypatch: pytest.MonkeyPatch, low: float, high: float, expected: int, verdict: str
+) -> None:
+    monkeypatch.syspath_prepend(SCRIPTS)
+    assert importlib.import_module("hall_of_fame").verdict(low, high, expected) == verdict
 
 
 def test_archives_are_compared_at_one_budget(tmp_path: Path) -> None:

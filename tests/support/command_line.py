@@ -12,7 +12,9 @@ from matrixworld.cli.options import option_name
 from tiny_race import TINY
 
 WORLD: dict[str, object] = {**TINY, "hidden": "4"}
-RACE = {**WORLD, "generations": 2, "pursuer_epochs": 2, "evader_epochs": 3, "joint_epochs": 2}
+RACE = {**WORLD, "generations": 2, "pursuer_epochs": 2, "evader_epochs": 3}
+JOB = {**RACE, "joint_epochs": 2}
+"""Options of the main job, whose races have several schedules."""
 MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
 FIGURES = {"payoff.png", "generalization.png", "lag_profile.png", "training.png", "collisions.png"}
 PNG, GIF = b"\x89PNG", b"GIF89a"

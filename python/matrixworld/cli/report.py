@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -68,9 +68,20 @@ def _print_single(run: Result) -> None:
             f"  {settings.team}s after {settings.epochs} epochs against {settings.against}, in "
             f"{numbers['evaluation_matches']} fresh episodes of at most {settings.eval_steps} "
             f"steps:\n"
-            f"  capture rate {numbers['capture_rate']:.4f} +- {numbers['capture_rate_std']:.4f}, "
-            f"length {numbers['length']:.1f} +- {numbers['length_std']:.1f} steps"
+            f"  capture rate {_with_interval(numbers, 'capture_rate', '.4f')}\n"
+            f"  length in steps {_with_interval(numbers, 'length', '.1f')}"
         )
+
+
+def _with_interval(numbers: Mapping[str, Any], name: str, form: str) -> str:
+    """Return a mean over episodes, its interval and the standard deviation, in words."""
+    mean, low, high, std = (numbers[name + end] for end in ("", "_low", "_high", "_std"))
+    if low is None:
+        return f"{mean:{form}} (in every episode)"
+    return (
+        f"{mean:{form}} (95% interval of the mean {low:{form}} to {high:{form}}; standard "
+        f"deviation of an episode {std:{form}})"
+    )
 
 
 def _print_files(drawn: Mapping[Path, Sequence[Path]], root: Path, *, races: int) -> None:

@@ -25,6 +25,7 @@ from matrixworld.coevolution import (
     RaceSettings,
     SingleSettings,
 )
+from matrixworld.coevolution.settings.race import SCHEDULE_DEFAULTS
 from matrixworld.policy import SCRIPTS
 from matrixworld.rules import VARIANTS
 
@@ -147,7 +148,7 @@ def _help(name: str) -> str:
 
 def _default(name: str) -> str:
     """Return a race's default and, where it differs, one team's alone; empty for none."""
-    race = _shown(RACE[name]) if name in RACE else ""
+    race = (_by_schedule(name) or _shown(RACE[name])) if name in RACE else ""
     # SingleSettings leaves some fields to the learning team: the defaults of both are shown.
     by_team = [
         f"{values[name]} for {t}s" for t, values in SINGLE_DEFAULTS.items() if name in values
@@ -156,6 +157,17 @@ def _default(name: str) -> str:
     if name not in RACE or race == alone:
         return alone
     return f"{race}; with --against {alone}"
+
+
+def _by_schedule(name: str) -> str:
+    """Return the defaults of a field that RaceSettings leaves to the schedule; empty for others."""
+    values = {kind: each[name] for kind, each in SCHEDULE_DEFAULTS.items() if name in each}
+    if not values:
+        return ""
+    # One value serves most schedules.
+    usual, *_ = values.values()
+    others = [f"{value} for {kind}" for kind, value in values.items() if value != usual]
+    return ", ".join([str(usual), *others])
 
 
 def _shown(item: Field[Any]) -> str:

@@ -227,7 +227,8 @@ def _play(
 ) -> _Matches:
     """Play all matches of a generation, those with some champions of each side included."""
     n = len(bits[0])
-    pairs = pairings(n, opponents, (len(champions[0]), len(champions[1])), rng)
+    one_group = np.zeros(n, dtype=np.intp)
+    pairs = pairings(one_group, opponents, (len(champions[0]), len(champions[1])), rng)
     index = (pairs.pursuer, pairs.evader)
     ones = [np.array([*bits[side], *champions[side]]).sum(axis=2)[index[side]] for side in (0, 1)]
     return _Matches(n, index, (game.beats(ones[0], ones[1]), game.beats(ones[1], ones[0])))

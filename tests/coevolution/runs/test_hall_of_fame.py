@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
@@ -18,18 +16,44 @@ def hall_of_fame(**changes):
     return tiny_race(schedule="hall-of-fame", **{**options, **changes})
 
 
-def test_all_individuals_have_the_same_number_of_opponents():
-    pairs = pairings(5, 3, (1, 2), np.random.default_rng(0))
-    assert len(pairs.pursuer) == len(pairs.evader) == len(pairs.group) == 5 * (3 + 1 + 2)
-    for individual in range(5):
+@pytest.mark.parametrize("groups", [1, 3, 6])
+def test_all_individuals_have_the_same_number_of_opponents(groups):
+    pairs = pairings(np.tile(np.arange(groups), 6 // groups), 3, (1, 2), np.random.default_rng(0))
+    assert len(pairs.pursuer) == len(pairs.evader) == len(pairs.group) == 6 * (3 + 1 + 2)
+    for individual in range(6):
         opponents = pairs.evader[pairs.pursuer == individual]
-        assert sorted(opponents[opponents >= 5]) == [5, 6]
-        assert (opponents < 5).sum() == 3
+        assert sorted(opponents[opponents >= 6]) == [6, 7]
+        assert (opponents < 6).sum() == 3
         opponents = pairs.pursuer[pairs.evader == individual]
-        assert sorted(opponents[opponents >= 5]) == [5]
-        assert (opponents < 5).sum() == 3
-    assert not ((pairs.pursuer >= 5) & (pairs.evader >= 5)).any()
-    assert np.array_equal(pairs.group, np.repeat(np.arange(6), 5))
+        assert sorted(opponents[opponents >= 6]) == [6]
+        assert (opponents < 6).sum() == 3
+    assert not ((pairs.pursuer >= 6) & (pairs.evader >= 6)).any()
+    # Each round of opponents has its own seeds: one for each group of individuals.
+    assert np.array_equal(np.unique(pairs.group), np.arange(6 * groups))
+
+
+def test_mirrored_individuals_meet_the_same_opponents_on_the_same_seeds():
+    mirrored = np.tile(np.arange(4), 2)  # 0 and 4 are a pair, 1 and 5, ...
+    pairs = pairings(mirrored, 4, (1, 1), np.random.default_rng(3))
+
+    def met(individual):
+        chosen = pairs.pursuer == individual
+        return sorted(zip(pairs.evader[chosen], pairs.group[chosen], strict=True))
+
+    for one in range(4):
+        first, second = met(one), met(one + 4)
+        assert [evader for evader, _ in first] == [evader for evader, _ in second]
+        assert {group for _, group in first} == {group for _, group in second}
+        living = [evader for evader, _ in first if evader < 8]
+        # Whole pairs of evaders, too.
+        assert sorted((evader + 4) % 8 for evader in living) == living
+
+
+def test_individuals_of_one_group_meet_opponents_of_their_own():
+    pairs = pairings(np.zeros(6, dtype=int), 3, (0, 0), np.random.default_rng(0))
+    rounds = pairs.evader.reshape(3, 6) - pairs.pursuer.reshape(3, 6)
+    # Permutations, not rotations: in each round the distances differ.
+    assert all(len(set(each % 6)) > 1 for each in rounds)
 
 
 def test_matches_as_a_table_of_individuals():
@@ -57,16 +81,25 @@ def test_race(tmp_path):
     assert race.phase_rates().shape == (3, 2)
 
 
-@pytest.mark.parametrize("call", [0, 1, 3, 5, 7])
-def test_interrupted_race_ends_as_if_never_stopped(tmp_path, call):
-    coevolution.start(hall_of_fame(), tmp_path / "straight", threads=2).run()
-    race = coevolution.start(hall_of_fame(), tmp_path / "run", threads=1, play=StopAt(call))
+@pytest.mark.parametrize("learner", ["es", "ga"])
+@pytest.mark.parametrize("call", [0, 3, 7])
+def test_interrupted_race_ends_as_if_never_stopped(tmp_path, call, learner):
+    settings = hall_of_fame(learner=learner)
+    coevolution.start(settings, tmp_path / "straight", threads=2).run()
+    race = coevolution.start(settings, tmp_path / "run", threads=1, play=StopAt(call))
     with pytest.raises(KeyboardInterrupt):
         race.run()
     resumed = coevolution.resume(tmp_path / "run", threads=1)
     assert isinstance(resumed, HallOfFameRace)
     resumed.run()
     assert results(tmp_path / "run") == results(tmp_path / "straight")
+
+
+@pytest.mark.parametrize("learner", ["es", "ga", "cma"])
+def test_every_learner_plays_the_schedule(tmp_path, learner):
+    race = coevolution.start(hall_of_fame(learner=learner), tmp_path / "run")
+    race.run()
+    assert not np.array_equal(race.genomes("evader")[0], race.genomes("evader")[-1])
 
 
 def test_hall_alone_or_contemporaries_alone(tmp_path):
@@ -85,9 +118,11 @@ def test_wrong_kind_of_run_is_refused(tmp_path):
 
 
 def test_default_budget_is_that_of_the_other_schedules(tmp_path):
-    settings = coevolution.RaceSettings(fov=3, hidden=(2,), eval_episodes=1)
-    alternating = coevolution.start(settings, tmp_path / "alternating").training_matches()
-    settings = replace(settings, schedule="hall-of-fame")
-    joint = coevolution.start(settings, tmp_path / "joint").training_matches()
-    assert alternating == 259_200
-    assert joint == pytest.approx(alternating, rel=0.05)
+    small = {"fov": 3, "hidden": (2,), "eval_episodes": 1}
+    matches = [
+        coevolution.start(
+            coevolution.RaceSettings(schedule=schedule, **small), tmp_path / schedule
+        ).training_matches()
+        for schedule in ("generalist-generalist", "hall-of-fame")
+    ]
+    assert matches == [259_200] * 2

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -31,6 +33,40 @@ def test_against_scripts(tmp_path, team, against):
     assert summary["training_matches"] == 20
     assert summary["length"] == payoff.lengths.mean()
     assert summary["capture_rate_std"] == pytest.approx(payoff.capture_rates.std())
+
+
+def test_summary_has_an_interval_of_the_mean_over_the_episodes(tmp_path):
+    settings = tiny_single(against="random", eval_episodes=40)
+    run = coevolution.start(settings, tmp_path / "run")
+    payoff = run.run()
+    summary = run.files.summary()
+    for name, episodes, most in (
+        ("capture_rate", payoff.capture_rates, 1.0),
+        ("length", payoff.lengths, settings.eval_steps),
+    ):
+        values = episodes.ravel().astype(float)
+        # 2.0227 is the 97.5% quantile of Student's t with 39 degrees of freedom, from a table.
+        half = 2.0227 * values.std(ddof=1) / np.sqrt(40)
+        assert half > 0.0
+        ends = summary[f"{name}_low"], summary[f"{name}_high"]
+        expected = values.mean() - half, min(most, values.mean() + half)
+        assert ends == pytest.approx(expected, rel=1e-3)
+
+
+def test_interval_ends_at_possible_values_and_needs_different_episodes(tmp_path):
+    run = SingleTeam(tiny_single(), tmp_path / "run")
+    payoff = run.run()
+    shape = (1, 1, 20)
+    for rates, ends in (
+        (np.arange(20).reshape(shape) == 0, (0.0, 0.05 + 2.0930 * 0.05)),
+        (np.arange(20).reshape(shape) > 0, (0.95 - 2.0930 * 0.05, 1.0)),
+    ):
+        summary = run.summary(replace(payoff, capture_rates=rates.astype(np.float32)))
+        got = summary["capture_rate_low"], summary["capture_rate_high"]
+        assert got == pytest.approx(ends, rel=1e-4)
+    for rates in (np.ones(shape), np.ones((1, 1, 1))):
+        summary = run.summary(replace(payoff, capture_rates=rates.astype(np.float32)))
+        assert (summary["capture_rate_low"], summary["capture_rate_high"]) == (None, None)
 
 
 @pytest.mark.parametrize("call", range(6))

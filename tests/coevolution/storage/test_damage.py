@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import killed
-from command_line import MAIN_JOB, RACE, matrixworld_command, words
+from command_line import JOB, MAIN_JOB, RACE, matrixworld_command, words
 from matrixworld import files
 from matrixworld.cli import jobs, report
 from matrixworld.coevolution import (
@@ -295,13 +295,13 @@ def test_an_incomplete_job_is_refused(tmp_path, monkeypatch):
 
     with monkeypatch.context() as patch:
         patch.setattr(jobs, "start", second_fails)
-        matrixworld_command("evolve", directory, *words(RACE), code=1)
-    for command in (["evolve", "--resume", directory], ["evolve", directory, *words(RACE)]):
+        matrixworld_command("evolve", directory, *words(JOB), code=1)
+    for command in (["evolve", "--resume", directory], ["evolve", directory, *words(JOB)]):
         said = matrixworld_command(*command, code=2).stderr
         assert "was stopped while it created the runs" in said
     shutil.rmtree(directory)
     monkeypatch.setattr(report, "draw_comparison", lambda payoffs, path: path)
-    matrixworld_command("evolve", directory, *words(RACE))
+    matrixworld_command("evolve", directory, *words(JOB))
 
 
 def interrupted(*args, **options):

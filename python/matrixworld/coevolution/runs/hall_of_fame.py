@@ -41,18 +41,20 @@ class Pairings(NamedTuple):
 
 
 def pairings(
-    n: int, contemporaries: int, hall: tuple[int, int], rng: np.random.Generator
+    match_of_candidate: Indices,
+    contemporaries: int,
+    hall: tuple[int, int],
+    rng: np.random.Generator,
 ) -> Pairings:
-    """Return the matches of two populations of `n` individuals.
+    """Return the matches of two populations of n individuals.
 
-    Every individual plays against `contemporaries` living opponents, paired by random permutations
-    (such a match counts for both), and against every sampled member of the other team's hall of
-    fame.
+    Every individual plays against `contemporaries` living opponents (such a match counts for both),
+    and against every sampled member of the other team's hall of fame.
 
     Parameters
     ----------
-    n : int
-        Individuals of each population.
+    match_of_candidate : ndarray of int, shape (n,)
+        Numbers 0 .. g-1 of the learner's groups, all of the same size (see `Learner`).
     contemporaries : int
         Living opponents of each individual.
     hall : tuple of int
@@ -63,15 +65,31 @@ def pairings(
     Returns
     -------
     Pairings
-        The matches, n of each group.
+        The matches, n for each opponent of an individual.
+
+    Notes
+    -----
+    Groups meet groups in random order, and their members meet in turn: with as many contemporaries
+    as a group has members, every member meets all members of one opposing group. Between mirrored
+    samples the strength of the opponents then cancels out, like the luck of the match seed. Where
+    all individuals are one group, each meets single opponents in random order.
     """
-    individuals = np.arange(n)
-    groups = [(individuals, rng.permutation(n)) for _ in range(contemporaries)]
-    groups += [(individuals, np.full(n, n + member)) for member in range(hall[1])]
-    groups += [(np.full(n, n + member), individuals) for member in range(hall[0])]
-    pursuers, evaders = zip(*groups, strict=True)
-    numbers = np.repeat(np.arange(len(groups)), n)
-    return Pairings(np.concatenate(pursuers), np.concatenate(evaders), numbers)
+    n, groups = len(match_of_candidate), int(match_of_candidate.max()) + 1
+    size = n // groups if groups > 1 else 1
+    blocks = np.argsort(match_of_candidate, kind="stable").reshape(-1, size)
+    individuals = blocks.ravel()
+    rounds = []
+    for meeting in range(contemporaries):
+        if meeting % size == 0:
+            opponents = blocks[rng.permutation(len(blocks))]
+        rounds.append((individuals, np.roll(opponents, meeting % size, axis=1).ravel()))
+    rounds += [(individuals, np.full(n, n + member)) for member in range(hall[1])]
+    rounds += [(np.full(n, n + member), individuals) for member in range(hall[0])]
+    pursuers, evaders = zip(*rounds, strict=True)
+    # The same seeds for the members of a group, other ones in each round.
+    first = np.arange(len(rounds))[:, np.newaxis] * groups
+    seeds = first + match_of_candidate[individuals]
+    return Pairings(np.concatenate(pursuers), np.concatenate(evaders), seeds.ravel())
 
 
 def table_of_individuals(
@@ -103,7 +121,7 @@ def table_of_individuals(
 
 
 class HallOfFameRace(Race):
-    """Simultaneous co-evolution of two genetic algorithms with halls of fame.
+    """Simultaneous co-evolution of two populations with halls of fame.
 
     ::
 
@@ -187,7 +205,9 @@ class HallOfFameRace(Race):
         halls = {team: self.genomes(team)[sampled[other(team)]] for team in TEAMS}
         n = self.settings.population
         hall_sizes = (len(halls["pursuer"]), len(halls["evader"]))
-        pairs = pairings(n, self.settings.contemporaries, hall_sizes, rng)
+        # Both teams have the same kind of learner, and with it the same groups.
+        match = self.learners["pursuer"].match_of_candidate
+        pairs = pairings(match, self.settings.contemporaries, hall_sizes, rng)
         everyone = {t: self._with_hall(populations[t], halls[t]) for t in TEAMS}
         scores = self._play(everyone, pairs, generation, epoch)
         players = {"pursuer": pairs.pursuer, "evader": pairs.evader}

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy import stats
 
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.learners.genetic_algorithm import mutate_gaussian
@@ -27,6 +28,8 @@ from matrixworld.rollout import Rollout, rollout
 
 GIVEN = "given as genomes"
 """Value of the settings `against` and `start` if these were given as arrays."""
+CONFIDENCE = 0.95
+"""Probability with which an interval of the summary covers the true mean."""
 
 
 def check_opponents(network: Network, expected: Network) -> None:
@@ -181,14 +184,11 @@ class SingleTeam(Run[SingleSettings]):
         )
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
-        """Return counts, and mean and standard deviation over the evaluation episodes."""
-        rates, lengths = payoff.capture_rates.astype(np.float64), payoff.lengths
+        """Return counts, and the mean capture rate and length with intervals over the episodes."""
         return {
             **super().summary(payoff),
-            "capture_rate": float(rates.mean()),
-            "capture_rate_std": float(rates.std()),
-            "length": float(lengths.mean()),
-            "length_std": float(lengths.std()),
+            **_episode_summary("capture_rate", payoff.capture_rates, most=1.0),
+            **_episode_summary("length", payoff.lengths, most=self.settings.eval_steps),
         }
 
     def _restore(self) -> None:
@@ -198,6 +198,43 @@ class SingleTeam(Run[SingleSettings]):
             self.opponents = Population(self.genomes(team), archive_network(self.files, team))
         else:
             self.opponents = script_of(self.settings.against)
+
+
+def _episode_summary(name: str, episodes: ArrayLike, *, most: float) -> dict[str, float | None]:
+    """Return mean, ends of the interval, and standard deviation of a number over the episodes.
+
+    Parameters
+    ----------
+    name : str
+        Name of the number, from which the keys are made.
+    episodes : array_like of float
+        The number in each episode, of any shape.
+    most : float
+        Largest possible number; the smallest one is 0.
+
+    Returns
+    -------
+    dict of str to float or None
+        ``name``, ``name_low``, ``name_high`` and ``name_std``. The ends are None if the episodes
+        do not differ, or if there is only one.
+
+    Notes
+    -----
+    Student's t interval of the mean, cut at 0 and at `most`.
+    """
+    values = np.asarray(episodes, dtype=np.float64).ravel()
+    mean, low, high = float(values.mean()), None, None
+    # Equal episodes say nothing of their spread: the formula would give an interval of width 0.
+    if np.ptp(values) > 0.0:
+        error = float(stats.sem(values))
+        ends = stats.t.interval(CONFIDENCE, len(values) - 1, loc=mean, scale=error)
+        low, high = np.clip(ends, 0.0, most).tolist()
+    return {
+        name: mean,
+        f"{name}_low": low,
+        f"{name}_high": high,
+        f"{name}_std": float(values.std()),
+    }
 
 
 def _opponents(settings: SingleSettings, given: Population | None) -> TeamPolicy:

@@ -85,8 +85,6 @@ HIDDEN = Condition("with hidden layers", lambda s: bool(s.hidden))
 UNTRAINED = Condition("without start", lambda s: getattr(s, "start", None) is None)
 
 CONDITIONS: dict[str, tuple[Condition, ...]] = {
-    # A hall-of-fame race always has the genetic algorithm.
-    "learner": (IN_TURNS,),
     "pursuer_epochs": (IN_TURNS,),
     "evader_epochs": (IN_TURNS,),
     "joint_epochs": (JOINT,),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 from matrixworld.checks import check_choice, check_integer, check_number
 from matrixworld.coevolution.fitness import LEAST_VIRULENCE, SHARING
@@ -19,11 +18,24 @@ from matrixworld.coevolution.types import Team
 ALL_SCHEDULES = (*SCHEDULES, ALTERNATING, HALL_OF_FAME)
 """Names of all schedules."""
 
+SCHEDULE_DEFAULTS: dict[str, dict[str, int]] = {
+    **{name: {"population": 48} for name in (*SCHEDULES, ALTERNATING)},
+    # Few samples and many epochs: with opponents that learn, too, more updates are worth more.
+    HALL_OF_FAME: {"population": 24},
+}
+"""Values that learned best, by schedule, at the same number of matches."""
+
 
 @with_parameters
 @dataclass(frozen=True)
 class RaceSettings(TrainingSettings):
-    """Settings of a race, in which both teams learn; ValueError or TypeError on a bad field."""
+    """Settings of a race, in which both teams learn; ValueError or TypeError on a bad field.
+
+    A field that is None and listed in `SCHEDULE_DEFAULTS` takes its value from there.
+    """
+
+    # A field of `TrainingSettings` again, with another default.
+    population: int = option(None, "candidates per epoch")
 
     schedule: str = option(
         "generalist-generalist", f"opponents of each team: {', '.join(ALL_SCHEDULES)}"
@@ -31,9 +43,9 @@ class RaceSettings(TrainingSettings):
     generations: int = option(30, "number of generations after the untrained generation 0")
     pursuer_epochs: int = option(60, "epochs per generation in which the pursuers learn")
     evader_epochs: int = option(120, "epochs per generation in which the evaders learn")
-    joint_epochs: int = option(15, "hall-of-fame: epochs per generation, in which both teams learn")
-    contemporaries: int = option(4, "hall-of-fame: living opponents of each individual")
-    hall_sample: int = option(4, "hall-of-fame: opponents of each individual from the hall of fame")
+    joint_epochs: int = option(90, "hall-of-fame: epochs per generation, in which both teams learn")
+    contemporaries: int = option(2, "hall-of-fame: living opponents of each individual")
+    hall_sample: int = option(1, "hall-of-fame: opponents of each individual from the hall of fame")
     pursuers_meet: str | None = option(
         None,
         f"alternating, hall-of-fame: opponent sampler of the pursuers: {', '.join(SAMPLERS)}; "
@@ -61,6 +73,9 @@ class RaceSettings(TrainingSettings):
     def __post_init__(self) -> None:
         # First, because other checks depend on it.
         check_choice("schedule", self.schedule, ALL_SCHEDULES)
+        for name, value in SCHEDULE_DEFAULTS[self.schedule].items():
+            if getattr(self, name) is None:
+                self._freeze(name, value)
         self._check_opponents()
         self._check_sharing()
         for name in ("generations", "pursuer_epochs", "evader_epochs", "joint_epochs"):
@@ -95,11 +110,6 @@ class RaceSettings(TrainingSettings):
         if given and self.fitness == "rewards":
             raise ValueError(f"{given[0]}: expected a fitness from 0 to 1, got 'rewards'")
 
-    def defaults(self, name: str) -> tuple[Any, ...]:
-        """Return the values of a field that count as not given."""
-        # Asked where the learner has no effect: a hall-of-fame race always has the same one.
-        return (*super().defaults(name), *(("ga",) if name == "learner" else ()))
-
     def sampler_name(self, team: Team) -> str:
         """Return the name of the opponent sampler of `team`, a key of `SAMPLERS`."""
         if self.schedule in SCHEDULES:
@@ -114,11 +124,6 @@ class RaceSettings(TrainingSettings):
     def virulence(self, team: Team) -> float | None:
         """Return the reduced virulence of `team`, None for mean fitness."""
         return self.pursuer_virulence if team == "pursuer" else self.evader_virulence
-
-    @property
-    def learner_name(self) -> str:
-        """Name of the learner, with the default of the schedule filled in."""
-        return self.learner or ("ga" if self.schedule == HALL_OF_FAME else "es")
 
     def epochs(self, team: Team) -> int:
         """Return the epochs of a generation in which `team` learns."""

@@ -67,8 +67,7 @@ class TrainingSettings:
 
     learner: str | None = option(
         None,
-        f"{', '.join(f'{name} ({entry.title})' for name, entry in LEARNERS.items())}; "
-        "default: ga for hall-of-fame, else es",
+        f"{', '.join(f'{name} ({entry.title})' for name, entry in LEARNERS.items())}; default: es",
     )
     population: int = option(48, "candidates per epoch")
     sigma: float = option(0.1, "es: standard deviation of the samples; cma: its initial value")
