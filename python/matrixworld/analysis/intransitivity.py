@@ -144,15 +144,6 @@ def _monotone(matrix: Rates) -> Rates:
 
 
 def _isotonic_rows(values: Rates) -> Rates:
-    """Return the isotonic regression of each row, by the min-max formula."""
-    places = np.arange(values.shape[1])
-    sums = np.pad(np.cumsum(values, axis=1), ((0, 0), (1, 0)))
-    # means[row, a, b]: mean of the cells a to b; a block must not end before it begins.
-    length = places - places[:, np.newaxis] + 1
-    means = (sums[:, np.newaxis, 1:] - sums[:, :-1, np.newaxis]) / np.maximum(length, 1)
-    means[:, length < 1] = np.inf
-    # max over a <= i of the min over b >= i
-    least = np.minimum.accumulate(means[:, :, ::-1], axis=2)[:, :, ::-1]
-    least[:, length < 1] = -np.inf
-    fitted: Rates = least.max(axis=1)
-    return fitted
+    from scipy.optimize import isotonic_regression
+
+    return np.stack([isotonic_regression(row).x for row in values])
