@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from matrixworld.coevolution import SCHEDULES, RaceSettings, available
+from matrixworld.coevolution.settings import ALL_SCHEDULES
 
 # The paper's pseudo-code, generations 1 to 3 with four epochs each, by hand:
 # schedule: {k: (opponents of the pursuers, generations of e; of the evaders, generations of p)}
@@ -60,6 +61,12 @@ def test_defaults_are_those_that_were_seen_to_work():
     assert settings.learner_name == "es"
     assert settings.resolved_overlap_penalty == 0.2
     assert settings.network.genome_size == 363 * 32 + 32 + 32 * 5 + 5
+
+
+@pytest.mark.parametrize("schedule", ALL_SCHEDULES)
+def test_population_depends_on_the_schedule(schedule):
+    assert RaceSettings(schedule=schedule).population == (24 if schedule == "hall-of-fame" else 48)
+    assert RaceSettings(schedule=schedule, population=6).population == 6
 
 
 def test_overlap_is_penalised_where_teammates_may_share_a_cell():

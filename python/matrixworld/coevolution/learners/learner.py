@@ -36,7 +36,10 @@ class Learner(Protocol):
 
     @property
     def match_of_candidate(self) -> Indices:
-        """Group of each candidate, (n,) ints: one group is scored on the same match seed."""
+        """Group of each candidate, (n,) ints from 0: one group is scored on the same match seed.
+
+        All groups have the same size.
+        """
 
     def ask(self, rng: np.random.Generator) -> Genomes:
         """Return the candidates (n, genes) float32 to be scored."""

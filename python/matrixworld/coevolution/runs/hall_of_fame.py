@@ -32,7 +32,7 @@ class Pairings(NamedTuple):
     pursuer, evader : ndarray of int, shape (M,)
         Who plays; numbers below n are individuals, the others members of the hall of fame.
     group : ndarray of int, shape (M,)
-        Matches of the same group have the same seed.
+        Matches with the same number have the same seed.
     """
 
     pursuer: Indices
@@ -142,7 +142,8 @@ class HallOfFameRace(Race):
     Notes
     -----
     The halls of fame are the archive, so that payoff and analysis are those of `Race`. A stage is
-    a generation. For attributes see `Race`.
+    a generation. Any learner can take part: the individuals of an evolution strategy are its
+    samples, and its mean is the champion. For attributes see `Race`.
 
     References
     ----------
