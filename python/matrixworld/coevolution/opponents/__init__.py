@@ -13,7 +13,7 @@ prioritized       `Prioritized`: by win rate, with `hard` or `even` (Vinyals et 
 shared_sampling   `SharedSampling`: strong and different opponents (Rosin & Belew 1997)
 pareto            `Archive`, and the Pareto archives `MaxSolve` (de Jong 2005), `IPCA` (2004) and
                   `LAPCA` (2007)
-generalist        `Generalist`: better against all opponents or not at all (Simione & Nolfi 2020)
+generalist        `Generalist`: better against all opponents or not at all (Simione & Nolfi 2021)
 archive_sampler   `ArchiveSampler`: the newest opponent beside those that an archive has kept
 registry          `SAMPLERS` by name; `SCHEDULES`, which name a sampler for each team
 ================  ================================================================================

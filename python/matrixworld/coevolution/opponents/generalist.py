@@ -1,4 +1,4 @@
-"""Generalist: progress against all opponents or none (Simione & Nolfi 2020)."""
+"""Generalist: progress against all opponents or none (Simione & Nolfi 2021)."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ class Generalist:
 
     References
     ----------
-    Simione & Nolfi 2020, "Long-term progress and behavior complexification in competitive
+    Simione & Nolfi 2021, "Long-term progress and behavior complexification in competitive
     coevolution", Artificial Life 26(4).
     """
 

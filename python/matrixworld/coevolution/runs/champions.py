@@ -102,7 +102,7 @@ def generalizes(
 
     References
     ----------
-    Simione & Nolfi 2020, "Long-term progress and behavior complexification in competitive
+    Simione & Nolfi 2021, "Long-term progress and behavior complexification in competitive
     coevolution", Artificial Life 26(4): variations that gain against current opponents and lose
     against others are filtered out.
     """
