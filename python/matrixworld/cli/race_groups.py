@@ -92,7 +92,7 @@ def groups_of(paths: Sequence[Path], episodes: int | None) -> list[Group]:
 
 
 def one_group(paths: Sequence[Path], episodes: int | None, hint: str = "") -> Group:
-    """Return the only group of races; click.UsageError, which ends in `hint`, for several.
+    """Return the only group of races; click.UsageError, with `hint`, for several.
 
     Several files are one group: that they are from races of the same settings cannot be checked.
     """
