@@ -157,6 +157,24 @@ def test_noise_has_no_cyclic_amplitude(chance: np.ndarray, episodes: int) -> Non
     assert np.mean([one.over for one in found]) >= -0.3 * chance.var() - 0.25 * 0.25 / episodes
 
 
+@pytest.mark.parametrize("chance", [np.full((12, 12), 0.5), logistic(12, 0.3)])
+def test_transitive_races_have_the_checkerboards_of_their_noise(chance: np.ndarray) -> None:
+    outside = 0
+    for seed in range(8):
+        scores = played(chance, 8, seed)
+        noise = analysis.noise_reference(scores, margin=0.15)
+        boards = analysis.checkerboards(scores.mean(axis=2), margin=0.15, level=None)
+        outside += boards.share > noise.checkerboards
+        # Noise is what it takes: with many episodes there is none left.
+        assert analysis.noise_reference(played(chance, 400, seed), margin=0.15).checkerboards == 0
+    assert outside <= 3
+    cyclic = played(circular(12), 8)
+    boards = analysis.checkerboards(cyclic.mean(axis=2), margin=0.15, level=None)
+    noise = analysis.noise_reference(cyclic, margin=0.15)
+    assert boards.share > noise.checkerboards
+    assert analysis.transitive_share(cyclic.mean(axis=2)) < noise.transitive_share
+
+
 def test_long_races_are_thinned_out() -> None:
     found = analysis.cyclic_amplitude(circular(100), np.zeros((100, 100)))
     assert 0.26 < found.value**0.5 < 0.45 / 2**0.5

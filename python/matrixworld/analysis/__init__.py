@@ -94,7 +94,12 @@ from matrixworld.analysis.intervals import (
     difference_of_runs,
     interval_over_runs,
 )
-from matrixworld.analysis.intransitivity import cyclic_amplitude, transitive_fit
+from matrixworld.analysis.intransitivity import (
+    NoiseReference,
+    cyclic_amplitude,
+    noise_reference,
+    transitive_fit,
+)
 from matrixworld.analysis.judgement import (
     CONDITIONS,
     Finding,
@@ -151,6 +156,7 @@ __all__ = [
     "Measurement",
     "MultiElo",
     "Nash",
+    "NoiseReference",
     "PartSummary",
     "Payoffs",
     "Progress",
@@ -206,6 +212,7 @@ __all__ = [
     "measure_over_episodes",
     "multi_elo",
     "nash_averaging",
+    "noise_reference",
     "read_payoffs",
     "response_gain",
     "strength_change",

@@ -7,11 +7,14 @@ of time, and it may saturate. A checkerboard (see `checkerboards`) contradicts e
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld.analysis.cycles import checkerboards, transitive_share
 from matrixworld.analysis.measurement import Measurement
-from matrixworld.analysis.payoff import Rates, check_payoff, require
+from matrixworld.analysis.payoff import Rates, check_payoff, check_rates, require
 
 MOST_GENERATIONS = 40
 """More generations of a team are thinned out evenly, which keeps a fit below a second."""
@@ -107,6 +110,72 @@ def cyclic_amplitude(payoff: ArrayLike, noise: ArrayLike, *, level: float = 0.95
     reach = float(ndtri((1.0 + level) / 2.0)) * error
     over = value + SORTING * sum(matrix.shape) / matrix.size * float(variances.mean())
     return Measurement(value, value - reach, over + reach, over=over)
+
+
+class NoiseReference(NamedTuple):
+    """What a transitive race with the same noise has, at most and at least.
+
+    Parameters
+    ----------
+    checkerboards : float
+        Share of checkerboards that such a race exceeds rarely; NaN below 2 x 2 generations.
+    transitive_share : float
+        Transitive share below which such a race lies rarely; NaN if it is constant.
+    """
+
+    checkerboards: float
+    transitive_share: float
+
+
+def noise_reference(
+    scores: ArrayLike, *, margin: float, level: float = 0.95, simulations: int = 100, rng: int = 0
+) -> NoiseReference:
+    """Simulate how many checkerboards a transitive race has by episode noise alone.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (n, m, episodes)
+        Capture rate of each episode; at least two episodes of each cell.
+    margin : float
+        Margin of a checkerboard, in [0, 1).
+    level : float, optional
+        Share of the simulated races that lie on the usual side, in (0, 1).
+    simulations : int, optional
+        Number of simulated races.
+    rng : int, optional
+        Seed.
+
+    Returns
+    -------
+    NoiseReference
+        Quantiles of the simulated races. They help to read the two numbers; `cyclic_amplitude`
+        decides whether a race cycles.
+
+    Raises
+    ------
+    ValueError
+        If scores have another shape or are outside [0, 1].
+
+    Notes
+    -----
+    Parametric bootstrap: `transitive_fit` of the race plus normal noise with the variance of each
+    cell's mean.
+    """
+    array = check_rates(scores, ndim=3, what="scores (n, m, episodes)")
+    episodes = array.shape[2]
+    require(episodes >= 2, "at least 2 episodes of each cell", episodes)
+    fit = transitive_fit(array.mean(axis=2))
+    error = array.std(axis=2, ddof=1) / np.sqrt(episodes)
+    generator = np.random.default_rng(rng)
+    races = [
+        np.clip(fit + error * generator.standard_normal(fit.shape), 0.0, 1.0)
+        for _ in range(simulations)
+    ]
+    boards = [checkerboards(race, margin=margin, level=None).share for race in races]
+    shares = [transitive_share(race) for race in races]
+    return NoiseReference(
+        float(np.quantile(boards, level)), float(np.quantile(shares, 1.0 - level))
+    )
 
 
 def _thinned(size: int) -> NDArray[np.intp]:

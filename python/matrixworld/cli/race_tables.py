@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from matrixworld.analysis import Estimate, headline
+from matrixworld.analysis import Estimate, headline, noise_reference
+from matrixworld.analysis.summary import MARGIN
 from matrixworld.cli.console import print_table, print_wrapped
 from matrixworld.coevolution.types import TEAMS, Team
 
@@ -26,7 +27,8 @@ BESIDE = 3
 LEGEND = (
     "In brackets: 95% intervals. Gain: change of a team's mean payoff against all opponents of its "
     "race. Held-out: capture rate of the last pursuers and escape rate of the last evaders, mean "
-    "over opponents that no run has met."
+    "over opponents that no run has met. Noise: what an order of strength with the same episode "
+    "noise rarely exceeds (checkerboards) or falls below (transitive share)."
 )
 
 
@@ -48,12 +50,19 @@ ROWS = (
 
 def _column(name: str, race: Result, scores: Scores) -> tuple[str, ...]:
     late = race.summary.last_half
+    share, boards = _number(late.transitive_share, ".2f"), _number(late.checkerboard_share, ".1%")
+    rates = race.payoff.capture_rates[late.first_pursuers :, late.first_evaders :]
+    # A single episode of each cell does not show its noise.
+    if rates.shape[2] >= 2:
+        noise = noise_reference(rates, margin=MARGIN)
+        share += f" (noise: {noise.transitive_share:.2f})"
+        boards += f" (noise: {noise.checkerboards:.1%})"
     return (
         name,
         headline(race.judgement).replace(", ", ",\n"),
         *(_gain(race.judgement, team) for team in TEAMS),
-        _number(late.transitive_share, ".2f"),
-        _number(late.checkerboard_share, ".1%"),
+        share,
+        boards,
         *(_score(scores[f"{team}s"]) for team in TEAMS),
     )
 
