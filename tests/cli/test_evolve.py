@@ -87,8 +87,12 @@ def test_every_setting_is_an_option_of_one_section_with_its_help():
         assert f"{option_name(name)} " in shown
     race, alone = RaceSettings(), SingleSettings()
     assert f"in which the pursuers learn [default: {race.pursuer_epochs}]" in shown
-    different = f"[default: 48, 24 for hall-of-fame; with --against {alone.population}]"
-    assert f"candidates per epoch {different}" in shown
+    joint = RaceSettings(schedule="hall-of-fame").population
+    different = (
+        f"[default: {race.population}, {joint} for hall-of-fame; with --against {alone.population}]"
+    )
+    # A line may end at a hyphen.
+    assert f"candidates per epoch {different}" in shown.replace("- ", "-")
     epochs = [f"{SingleSettings(team=team).epochs} for {team}s" for team in TEAMS]
     assert f"epochs of the run [default: {', '.join(epochs)}]" in shown
 

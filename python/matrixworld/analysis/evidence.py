@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from matrixworld.analysis.cycles import two_way_parts
 from matrixworld.analysis.engagement import one_sidedness
 from matrixworld.analysis.forgetting import mean_forgetting
 from matrixworld.analysis.intervals import Estimate
 from matrixworld.analysis.intransitivity import cyclic_amplitude
 from matrixworld.analysis.lags import team_phase_rates
 from matrixworld.analysis.measurement import Measurement, over_runs
-from matrixworld.analysis.payoff import Rates
+from matrixworld.analysis.payoff import Rates, swap_teams
 from matrixworld.analysis.strength import strength_change, strength_gain
 
 FEWEST_GENERATIONS = 6
@@ -39,7 +38,7 @@ class Evidence:
     Parameters
     ----------
     numbers : dict of str to Measurement
-        By name; without known episodes only gains and changes.
+        By name; all of them only if single episodes are known.
     courses : dict of str to Course
         Strengths of the teams by the names of their gains.
     """
@@ -98,8 +97,6 @@ class RunEvidence:
         Number of episodes of each cell, if it is known.
     level : float
         Level of the intervals.
-    rng : numpy.random.Generator
-        Splits means into halves where the episodes are not known.
     """
 
     def __init__(
@@ -108,12 +105,10 @@ class RunEvidence:
         scores: Rates | None,
         episodes: int | None,
         level: float,
-        rng: np.random.Generator,
     ) -> None:
-        self._matrix, self._level = matrix, level
+        self._matrix, self._scores, self._level = matrix, scores, level
         self._episodes = 0 if episodes is None else episodes
         self._noise = _noise(matrix, scores, self._episodes)
-        self._halves = _halves(matrix, scores, self._episodes, rng)
 
     def of(self, window: Window) -> Evidence:
         """Return the numbers of a window of at least `FEWEST_GENERATIONS` generations."""
@@ -138,22 +133,37 @@ class RunEvidence:
         return (means if axis else 1.0 - means), noise
 
     def _beyond_noise(self, window: Window) -> dict[str, Measurement]:
-        cells, level = window.cells, self._level
-        one, other = self._halves
-        swapped = 1.0 - one.T, 1.0 - other.T
         first = max(1, window.pursuers[0], window.evaders[0])
         last = min(window.pursuers[1], window.evaders[1])
         # Row k - 1 of the team phase rates belongs to generation k.
         current = team_phase_rates(self._matrix)[first - 1 : last - 1]
+        episodes = self._effective_episodes(window.cells)
+        numbers = {
+            CYCLIC: self._cyclic(window.cells),
+            ONE_SIDEDNESS: one_sidedness(current, episodes, level=self._level),
+        }
+        return numbers if self._scores is None else numbers | self._forgetting(window, self._scores)
+
+    def _cyclic(self, cells: tuple[slice, slice]) -> Measurement:
+        matrix, noise = self._matrix[cells], self._noise[cells]
+        found = cyclic_amplitude(matrix, noise, level=self._level)
+        if self._scores is not None:
+            return found
+        # The noise of means is known up to a bound, and may be 0: all of the rest may be a cycle.
+        most = cyclic_amplitude(matrix, np.zeros_like(noise), level=self._level)
+        return replace(found, high=most.high, over=most.over)
+
+    def _forgetting(self, window: Window, scores: Rates) -> dict[str, Measurement]:
+        # Episodes without a partner are left out, so that both halves are equally noisy.
+        even = scores.shape[2] // 2 * 2
+        one, other = (scores[..., start:even:2].mean(axis=2) for start in (0, 1))
+        pursuers, evaders = (_later_half(each) for each in window.cells)
+        swapped = swap_teams(one), swap_teams(other)
         return {
-            CYCLIC: cyclic_amplitude(self._matrix[cells], self._noise[cells], level=level),
             PURSUERS_FORGET: mean_forgetting(
-                (one, other), self._noise, _later_half(cells[0]), level=level
+                (one, other), self._noise, pursuers, level=self._level
             ),
-            EVADERS_FORGET: mean_forgetting(
-                swapped, self._noise.T, _later_half(cells[1]), level=level
-            ),
-            ONE_SIDEDNESS: one_sidedness(current, self._effective_episodes(cells), level=level),
+            EVADERS_FORGET: mean_forgetting(swapped, self._noise.T, evaders, level=self._level),
         }
 
     def _effective_episodes(self, cells: tuple[slice, slice]) -> float:
@@ -201,7 +211,7 @@ def _later_half(generations: slice) -> slice:
 
 
 def _noise(matrix: Rates, scores: Rates | None, episodes: int) -> Rates:
-    """Return an unbiased estimate of the variance of each cell; zeros if it is unknown."""
+    """Return the variance of each cell: an estimate, of means a bound; zeros if it is unknown."""
     if episodes < 2:
         return np.zeros_like(matrix)
     if scores is not None:
@@ -209,20 +219,3 @@ def _noise(matrix: Rates, scores: Rates | None, episodes: int) -> Rates:
         return sampled
     # Scores in [0, 1] vary at most as much as wins and losses with the same mean.
     return matrix * (1.0 - matrix) / (episodes - 1)
-
-
-def _halves(
-    matrix: Rates, scores: Rates | None, episodes: int, rng: np.random.Generator
-) -> tuple[Rates, Rates]:
-    """Return the payoff matrix in two independent sets of episodes."""
-    if scores is not None and scores.shape[2] >= 2:
-        even = scores.shape[2] // 2 * 2
-        return scores[..., :even:2].mean(axis=2), scores[..., 1:even:2].mean(axis=2)
-    # Gaussian data thinning (Neufeld et al. 2024): the sum and the difference with other noise of
-    # the same variance are independent, as halves are. The variance must not come from the cell
-    # itself, whose luck it would share.
-    parts = two_way_parts(matrix)
-    expected = np.clip(matrix - parts.cyclic, 0.0, 1.0)
-    variance = expected * (1.0 - expected) / max(1, episodes - 1)
-    shift = rng.normal(size=matrix.shape) * np.sqrt(variance)
-    return matrix + shift, matrix - shift

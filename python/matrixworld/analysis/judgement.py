@@ -9,8 +9,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from matrixworld.analysis.engagement import PURSUERS_WIN
 from matrixworld.analysis.evidence import (
     CYCLIC,
@@ -51,6 +49,9 @@ HIDDEN = "one team wins nearly all matches, which hides this condition"
 NO_EPISODES = (
     f"it takes the number of episodes of each pair, at least {FEWEST_EPISODES}, to tell it from "
     "noise"
+)
+NO_SINGLE_EPISODES = (
+    f"it takes the single episodes of each pair, at least {FEWEST_EPISODES}, to tell it from noise"
 )
 TOO_SHORT = f"it takes at least {FEWEST_GENERATIONS} generations of each team"
 ALL_DISENGAGED = "fewer than two of the runs are engaged, and the others hide this condition"
@@ -160,7 +161,6 @@ def judge(
     per_episode: bool = False,
     episodes: int | None = None,
     level: float = LEVEL,
-    rng: int = 0,
 ) -> Judgement:
     """Judge a race, or several with the same settings, from the payoffs of its generations.
 
@@ -173,11 +173,9 @@ def judge(
         Whether the last dimension of the array holds the episodes of each cell.
     episodes : int, optional
         Number of episodes behind each cell of a matrix of means. Without it only the gains of the
-        teams can be judged.
+        teams can be judged. Forgetting takes the single episodes.
     level : float, optional
         Level of the intervals, in (0, 1).
-    rng : int, optional
-        Seed; only used where a matrix of means is split into halves.
 
     Returns
     -------
@@ -220,18 +218,14 @@ def judge(
     How often verdicts are wrong: ``evolution/results/judgement`` of the repository.
     """
     payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes)
-    return judge_payoffs(payoffs, level=level, rng=rng)
+    return judge_payoffs(payoffs, level=level)
 
 
-def judge_payoffs(payoffs: Payoffs, *, level: float = LEVEL, rng: int = 0) -> Judgement:
+def judge_payoffs(payoffs: Payoffs, *, level: float = LEVEL) -> Judgement:
     """Judge payoffs that have been read; see `judge`."""
     require(0.0 < level < 1.0, "a level in (0, 1)", level)
     runs, n, m = payoffs.matrices.shape
-    generator = np.random.default_rng(rng)
-    evidence = [
-        RunEvidence(matrix, scores, payoffs.episodes, level, generator)
-        for matrix, scores in payoffs
-    ]
+    evidence = [RunEvidence(matrix, scores, payoffs.episodes, level) for matrix, scores in payoffs]
     windows = {window.name: _judge_window(window, evidence, level) for window in windows_of(n, m)}
     return Judgement(runs, (n, m), payoffs.episodes, level, windows)
 
@@ -289,7 +283,7 @@ def _verdicts(estimates: Estimates) -> dict[str, Verdict]:
     verdicts: dict[str, Verdict] = {}
     for name in CONDITIONS:
         if any(key not in estimates for key in DECIDING[name]):
-            verdicts[name] = CANNOT_TELL, NO_EPISODES
+            verdicts[name] = CANNOT_TELL, NOT_KNOWN[name]
         elif name != "disengagement" and verdicts["disengagement"][0] == PRESENT:
             verdicts[name] = CANNOT_TELL, HIDDEN
         else:
@@ -405,3 +399,8 @@ DECIDING: Mapping[str, tuple[str, ...]] = {
     "stagnation": (PURSUER_CHANGE, EVADER_CHANGE),
 }
 """The numbers that decide on each condition."""
+NOT_KNOWN: Mapping[str, str] = {
+    **dict.fromkeys(CONDITIONS, NO_EPISODES),
+    "forgetting": NO_SINGLE_EPISODES,
+}
+"""Why the numbers of a condition are not known."""

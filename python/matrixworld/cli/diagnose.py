@@ -17,7 +17,6 @@ from matrixworld.cli.options import (
     json_option,
     known_episodes_option,
     refuse_existing,
-    seed_option,
     write_json,
 )
 from matrixworld.cli.race_groups import Group, groups_of, one_group, races_argument
@@ -31,7 +30,6 @@ EACH = " (--each judges each of them)"
 @click.option("--each", is_flag=True, help="judge each group of runs of the same settings")
 @click.option("--explain", "explained", is_flag=True, help="reasons and numbers in sentences, too")
 @known_episodes_option
-@seed_option
 @json_option
 @force_option
 def diagnose_command(
@@ -39,7 +37,6 @@ def diagnose_command(
     each: bool,
     explained: bool,
     episodes: int | None,
-    seed: int,
     json_file: Path | None,
     force: bool,
 ) -> None:
@@ -48,13 +45,11 @@ def diagnose_command(
     Each condition is present or absent, or its intervals cannot tell. RUN is a finished run
     directory or a directory of several, FILE a payoff matrix (.csv or .npz). Several runs are
     judged together: they must have the same settings and different seeds.
-
-    --seed matters for files without episodes only: their noise is drawn.
     """
     refuse_existing(json_file, force=force)
     with failures():
         groups = groups_of(races, episodes) if each else [one_group(races, episodes, EACH)]
-        found = {group.name: judge_payoffs(group.payoffs, rng=seed) for group in groups}
+        found = {group.name: judge_payoffs(group.payoffs) for group in groups}
         for group in groups:
             _print(group, found[group.name], explained)
         click.echo(f"\n{TERMS}")
