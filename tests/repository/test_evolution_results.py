@@ -29,6 +29,18 @@ def test_hall_of_fame_compares_two_kinds_of_race(tmp_path: Path) -> None:
     assert run_quickly("hall_of_fame", tmp_path) == printed
 
 
+def test_committed_comparison_follows_from_committed_races(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.syspath_prepend(SCRIPTS)
+    script = importlib.import_module("hall_of_fame")
+    results = SCRIPTS / "results" / "hall_of_fame"
+    found = script.read_races(results / "races.csv")
+    seeds = [[row["seed"] for row in rows] for rows in found.values()]
+    assert seeds[0] == seeds[1] == list(range(len(seeds[0])))
+    assert script.table(found) + "\n" == (results / "comparison.md").read_text(encoding="utf-8")
+
+
 @pytest.mark.parametrize(
     ("low", "high", "expected", "verdict"),
     [
