@@ -50,6 +50,9 @@ CLEARLY = 0.05
 PUBLISHED_SURROUNDING = 0.58
 """Capture rate of the published -S after training; half of it counts as reproduced."""
 
+AGREEING = 10
+"""Seeds with exactly the same number that decide on a claim."""
+
 Numbers = Mapping[str, np.ndarray]
 
 
@@ -83,19 +86,18 @@ class Claim:
     @property
     def verdict(self) -> str:
         """Verdict: reproduced, not reproduced or undecided."""
-        low, high = _ends(self.estimate)
+        low, high = self.estimate.low, self.estimate.high
+        if low is None or high is None:
+            # Seeds that all agree have no interval; few of them say nothing about others.
+            if self.estimate.samples < AGREEING:
+                return "undecided"
+            low = high = self.estimate.value
+            if low == self.than:
+                return "not reproduced"
         above, below = low > self.than, high < self.than
         if not (above or below):
-            # All seeds agree on the threshold itself, such as no capture at all.
-            return "not reproduced" if low == high else "undecided"
+            return "undecided"
         return "reproduced" if above == (self.side == "above") else "not reproduced"
-
-
-def _ends(estimate: analysis.Estimate) -> tuple[float, float]:
-    # Seeds with equal values have no interval.
-    if estimate.low is None or estimate.high is None:
-        return estimate.value, estimate.value
-    return estimate.low, estimate.high
 
 
 @dataclass(frozen=True)
@@ -323,8 +325,9 @@ def over_seeds(values: np.ndarray) -> analysis.Estimate:
 
 def printed(estimate: analysis.Estimate) -> str:
     """Return a mean and its interval as text."""
-    low, high = _ends(estimate)
-    return f"{estimate.value:.3f} [{low:.3f}, {high:.3f}]"
+    if estimate.low is None or estimate.high is None:
+        return f"{estimate.value:.3f} (all seeds)"
+    return f"{estimate.value:.3f} [{estimate.low:.3f}, {estimate.high:.3f}]"
 
 
 def tables(numbers: Numbers) -> str:

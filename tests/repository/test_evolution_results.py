@@ -74,13 +74,15 @@ def test_paper_claims_prints_intervals_and_writes_numbers(tmp_path: Path) -> Non
     table = (tmp_path / "paper_claims/claims.md").read_text()
     assert table in printed
     claims, scores = table.strip().split("\n\n")
-    assert len(claims.splitlines()) == 2 + 12
-    assert len(scores.splitlines()) == 2 + 7
+    assert len(claims.splitlines()) == 2 + 32
+    assert len(scores.splitlines()) == 2 + 9
     verdicts = [line.rsplit("**", 2)[1] for line in claims.splitlines()[2:]]
     assert set(verdicts) <= {"reproduced", "not reproduced", "undecided"}
     with np.load(tmp_path / "paper_claims/numbers.npz") as numbers:
-        assert numbers["payoff generalist-generalist"].shape == (2, 7, 7)
-        assert numbers["cross-play of evaders"].shape == (4, 2, 2, 2, 3)
+        assert numbers["captured generalist-generalist"].shape == (2, 7, 7, 10)
+        assert numbers["phases specialist-specialist"].shape == (2, 9, 2)
+        assert numbers["cross-play of evaders"].shape == (5, 2, 3, 2, 7)
+        assert numbers["held-out of pursuers"].shape == (4, 2)
 
 
 NUMBER = r"-?\d+\.\d+"
@@ -110,6 +112,9 @@ def test_committed_claims_follow_from_committed_numbers(
         ([-0.2, -0.3, -0.4], "above", "not reproduced"),
         ([-0.2, -0.3, -0.4], "below", "reproduced"),
         ([0.0, 0.0, 0.0], "above", "undecided"),
+        ([0.0] * 10, "above", "not reproduced"),
+        ([0.1] * 10, "above", "reproduced"),
+        ([0.1] * 10, "below", "not reproduced"),
     ],
 )
 def test_verdict_on_a_claim(
@@ -117,7 +122,8 @@ def test_verdict_on_a_claim(
 ) -> None:
     monkeypatch.syspath_prepend(SCRIPTS)
     script = importlib.import_module("paper_claims")
-    assert script.Claim("it is so", "a number", np.array(values), side).verdict == verdict
+    estimate = script.over_seeds(np.array(values))
+    assert script.Claim("it is so", "a number", estimate, side).verdict == verdict
 
 
 def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: Path) -> None:

@@ -7,14 +7,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from matrixworld.analysis.cycles import checkerboards
 from matrixworld.analysis.engagement import one_sidedness
 from matrixworld.analysis.forgetting import mean_forgetting
 from matrixworld.analysis.intervals import Estimate
-from matrixworld.analysis.intransitivity import cyclic_amplitude
+from matrixworld.analysis.intransitivity import cyclic_amplitude, thinned
 from matrixworld.analysis.lags import team_phase_rates
 from matrixworld.analysis.measurement import Measurement, over_runs
 from matrixworld.analysis.payoff import Rates, swap_teams
 from matrixworld.analysis.strength import strength_change, strength_gain
+from matrixworld.analysis.summary import MARGIN
 
 FEWEST_GENERATIONS = 6
 """Fewest generations of each team in a window that is judged."""
@@ -23,7 +25,7 @@ FEWEST_EPISODES = 4
 
 PURSUER_GAIN, EVADER_GAIN = "gain of the pursuers", "gain of the evaders"
 PURSUER_CHANGE, EVADER_CHANGE = "change of the pursuers", "change of the evaders"
-CYCLIC = "squared cyclic amplitude"
+CYCLIC, CHECKERBOARDS = "squared cyclic amplitude", "checkerboards"
 PURSUERS_FORGET, EVADERS_FORGET = "forgetting of the pursuers", "forgetting of the evaders"
 ONE_SIDEDNESS = "payoff of the winning team"
 
@@ -140,6 +142,7 @@ class RunEvidence:
         episodes = self._effective_episodes(window.cells)
         numbers = {
             CYCLIC: self._cyclic(window.cells),
+            CHECKERBOARDS: _checkerboards(self._matrix[window.cells]),
             ONE_SIDEDNESS: one_sidedness(current, episodes, level=self._level),
         }
         return numbers if self._scores is None else numbers | self._forgetting(window, self._scores)
@@ -203,6 +206,12 @@ def _trend_of_runs(evidence: Sequence[Evidence], name: str, level: float) -> Mea
     courses = [one.courses[name] for one in evidence]
     scores, noise = (np.mean([course[part] for course in courses], axis=0) for part in (0, 1))
     return strength_gain(scores, noise / len(evidence), level=level)
+
+
+def _checkerboards(matrix: Rates) -> Measurement:
+    """Return the share of checkerboards, which has no interval."""
+    share = checkerboards(thinned(matrix), margin=MARGIN, level=None).share
+    return Measurement(share, share, share)
 
 
 def _later_half(generations: slice) -> slice:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from matrixworld.analysis.cycles import checkerboards, transitive_share
 from matrixworld.analysis.measurement import Measurement
@@ -99,8 +99,7 @@ def cyclic_amplitude(payoff: ArrayLike, noise: ArrayLike, *, level: float = 0.95
     matrix, variances = check_payoff(payoff), np.asarray(noise, dtype=np.float64)
     require(min(matrix.shape) >= 3, "at least 3 x 3 generations", matrix.shape)
     require(variances.shape == matrix.shape, f"noise of shape {matrix.shape}", variances.shape)
-    chosen = np.ix_(*(_thinned(size) for size in matrix.shape))
-    matrix, variances = matrix[chosen], variances[chosen]
+    matrix, variances = thinned(matrix), thinned(variances)
     fit = transitive_fit(matrix)
     excess = (matrix - fit) ** 2 - variances * (1.0 - _leverages(fit))
     value = float(excess.mean())
@@ -178,11 +177,10 @@ def noise_reference(
     )
 
 
-def _thinned(size: int) -> NDArray[np.intp]:
-    """Return all generations, or `MOST_GENERATIONS` of them at even distances."""
-    kept = min(size, MOST_GENERATIONS)
-    chosen: NDArray[np.intp] = np.linspace(0, size - 1, kept).round().astype(np.intp)
-    return chosen
+def thinned(matrix: Rates) -> Rates:
+    """Return all generations of each team, or `MOST_GENERATIONS` of them at even distances."""
+    kept = (np.linspace(0, size - 1, min(size, MOST_GENERATIONS)) for size in matrix.shape)
+    return matrix[np.ix_(*(each.round().astype(np.intp) for each in kept))]
 
 
 def _leverages(fit: Rates) -> Rates:

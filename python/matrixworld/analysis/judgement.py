@@ -11,6 +11,7 @@ from typing import Any
 
 from matrixworld.analysis.engagement import PURSUERS_WIN
 from matrixworld.analysis.evidence import (
+    CHECKERBOARDS,
     CYCLIC,
     EVADER_CHANGE,
     EVADER_GAIN,
@@ -42,6 +43,9 @@ LEAST_GAIN = 0.05
 LEAST_AMPLITUDE = 0.05
 """Cycling: capture rates deviate from every order of strength by more than this (root mean
 square)."""
+LEAST_CHECKERBOARDS = 0.01
+"""Cycling: at least this share of checkerboards, so that generations beat each other in a circle
+and do not only forget."""
 LEAST_FORGETTING = 0.05
 """Forgetting: mean drop below the best ancestors above this."""
 
@@ -203,7 +207,8 @@ def judge(
       .05 and not above 0.
     - *one-sided progress*: one team's strength increases, and the other one does not gain.
     - *cycling*: no order of strength explains the capture rates. They deviate from the nearest one
-      by more than .05 after subtraction of the episode noise (`cyclic_amplitude`).
+      by more than .05 after subtraction of the episode noise (`cyclic_amplitude`), and at least 1 %
+      of the possible `checkerboards` exist, with the margin of `summarize`.
     - *forgetting*: a team falls more than .05 below the best of its ancestors, mean over
       generations and opponents (`mean_forgetting`).
     - *stagnation*: no team's strength changes by .05 or more over the window, and the race does not
@@ -351,12 +356,17 @@ def _changes(estimates: Estimates) -> list[tuple[float, float]]:
 
 
 def _cycling(estimates: Estimates, known: Known) -> Verdict:
-    return _against(
-        estimates[CYCLIC],
-        LEAST_AMPLITUDE**2,
-        "no order of strength explains the capture rates, and neither does episode noise",
-        "an order of strength and episode noise explain the capture rates",
-    )
+    low, high = _ends(estimates[CYCLIC])
+    if high < LEAST_AMPLITUDE**2:
+        return ABSENT, "an order of strength and episode noise explain the capture rates"
+    if low <= LEAST_AMPLITUDE**2:
+        return CANNOT_TELL, "the interval contains the margin"
+    if estimates[CHECKERBOARDS].value < LEAST_CHECKERBOARDS:
+        return (
+            CANNOT_TELL,
+            "no order of strength explains the capture rates, but checkerboards are rare",
+        )
+    return PRESENT, "neither an order of strength nor episode noise explains the capture rates"
 
 
 def _forgetting(estimates: Estimates, known: Known) -> Verdict:
@@ -394,7 +404,7 @@ DECIDING: Mapping[str, tuple[str, ...]] = {
     "disengagement": (ONE_SIDEDNESS,),
     "arms race": (PURSUER_GAIN, EVADER_GAIN),
     "one-sided progress": (PURSUER_GAIN, EVADER_GAIN, PURSUER_CHANGE, EVADER_CHANGE),
-    "cycling": (CYCLIC,),
+    "cycling": (CYCLIC, CHECKERBOARDS),
     "forgetting": (PURSUERS_FORGET, EVADERS_FORGET),
     "stagnation": (PURSUER_CHANGE, EVADER_CHANGE),
 }

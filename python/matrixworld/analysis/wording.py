@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from matrixworld.analysis.evidence import CYCLIC
+from matrixworld.analysis.evidence import CHECKERBOARDS, CYCLIC, EVADER_CHANGE, PURSUER_CHANGE
 from matrixworld.analysis.intervals import Estimate
 from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, Judgement, WindowJudgement
 from matrixworld.analysis.summary import MARGIN, PartSummary, Summary, TeamSummary
@@ -17,6 +17,10 @@ SHORT = {
     "forgetting of the evaders": "evaders",
 }
 """Short names of the numbers in the table."""
+
+
+SHOWN = {"one-sided progress": (PURSUER_CHANGE, EVADER_CHANGE)}
+"""Numbers in the rows of some conditions; the others stand in another row already."""
 
 
 def headline(judgement: Judgement) -> str:
@@ -69,6 +73,7 @@ def _row(part: WindowJudgement, name: str) -> tuple[str, str, str, str]:
     numbers = ", ".join(
         f"{SHORT.get(key, key)} {_number(key, estimate)}"
         for key, estimate in finding.estimates.items()
+        if key in SHOWN.get(name, finding.estimates)
     )
     return name, finding.verdict, numbers, part.window.name
 
@@ -77,6 +82,8 @@ def _number(key: str, estimate: Estimate) -> str:
     if estimate.low is None or estimate.high is None:
         return f"{estimate.value:.3f}"
     value, low, high = estimate.value, estimate.low, estimate.high
+    if key == CHECKERBOARDS:
+        return f"{value:.1%}" if low == high else f"{value:.1%} ({low:.1%} to {high:.1%})"
     if key == CYCLIC:
         # In units of the capture rate, which readers know; below 0 there is nothing but noise.
         value, low, high = (max(0.0, end) ** 0.5 for end in (value, low, high))

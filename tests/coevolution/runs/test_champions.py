@@ -17,7 +17,7 @@ HALL = {"schedule": "hall-of-fame", "contemporaries": 2, "hall_sample": 2, "gene
 ELITE: dict[str, Any] = {"elites": 3, "elite_episodes": 2, "population": 8, "worlds": 2}
 RUNS = {
     "elite in turns": tiny_race(**ALTERNATING, **ELITE, learner="ga"),
-    "elite of a hall of fame": tiny_race(**HALL, **ELITE, train_steps=20),
+    "elite of a hall of fame": tiny_race(**HALL, **ELITE, learner="ga", train_steps=20),
     "elite of archives": tiny_race(
         **ALTERNATING, **ELITE, learner="ga", pursuers_meet="ipca", evaders_meet="lapca"
     ),

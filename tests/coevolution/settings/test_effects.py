@@ -48,7 +48,7 @@ OTHER_VALUES: dict[str, Any] = {
     "elite_episodes": 2, "fitness": "capture-rate", "overlap_penalty": 0.9, "train_steps": 9,
     "worlds": 2, "eval_steps": 60, "eval_episodes": 4, "seed": 6,
     "schedule": "generalist-generalist", "generations": 3, "pursuer_epochs": 4,
-    "evader_epochs": 4, "joint_epochs": 4, "contemporaries": 3, "hall_sample": 1,
+    "evader_epochs": 4, "joint_epochs": 4, "contemporaries": 3, "hall_sample": 3,
     "pursuers_meet": "latest", "evaders_meet": "latest", "opponents": 1, "archive_size": 7,
     "archive_episodes": 7, "retention_episodes": 2, "sharing": "competitive",
     "pursuer_virulence": 0.6, "evader_virulence": 0.6, "team": "evader", "against": "fleer",
@@ -126,7 +126,10 @@ def test_conditions_are_those_of_fields():
     assert set(CONDITIONS) <= names
 
 
-@pytest.mark.parametrize("name", {*CONDITIONS} | {s for e in LEARNERS.values() for s in e.settings})
+EVERY = {*CONDITIONS} | {setting for entry in LEARNERS.values() for setting in entry.settings}
+
+
+@pytest.mark.parametrize("name", sorted(EVERY))
 def test_each_condition_is_met_by_some_run_and_not_by_another(name):
     runs = [*RUNS.values(), tiny_single(start="RUN")]
     runs = [run for run in runs if name in {item.name for item in fields(run)}]
@@ -145,7 +148,7 @@ def test_each_condition_is_met_by_some_run_and_not_by_another(name):
         ({"learner": "ga", "truncation": 0.5}, "truncation: .* with the selection truncation$"),
         ({"learner": "ga", "selection": "truncation", "tournament": 3}, "tournament: .* tournamen"),
         ({"learner": "ga", "elites": 1, "elite_episodes": 3}, "elite_episodes: .* at least 2 elit"),
-        ({"joint_epochs": 3}, "joint_epochs: expected 15 .*, got 3; .* the schedule hall-of-fame$"),
+        ({"joint_epochs": 3}, "joint_epochs: expected 90 .*, got 3; .* the schedule hall-of-fame$"),
         ({"schedule": "hall-of-fame", "evader_epochs": 3}, "evader_epochs: .* other than hall-of"),
         ({"opponents": 3}, "opponents: expected 1 .*, got 3; .* with the schedule alternating$"),
         ({"archive_size": 3}, "archive_size: .* with the samplers maxsolve, lapca, generalist$"),
@@ -161,7 +164,7 @@ def test_a_setting_without_effect_is_refused_with_the_reason(changes, message):
 
 
 def test_explicit_defaults_are_accepted():
-    assert tiny_race(mutation=0.05, joint_epochs=15, opponents=1).generations == 2
+    assert tiny_race(mutation=0.05, joint_epochs=90, opponents=1).generations == 2
     assert tiny_race(schedule="hall-of-fame", learner="ga", sigma=0.1, pursuer_epochs=60)
     # The default of either team: `replace` keeps values that were filled in for the first one.
     pursuers = tiny_single(learner="ga")
