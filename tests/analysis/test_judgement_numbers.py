@@ -30,20 +30,20 @@ def played(chance: np.ndarray, episodes: int, seed: int = 0) -> np.ndarray:
 # ---- Strength ------------------------------------------------------------------------------------
 
 
-def quantiles_on_a_grid(y: np.ndarray, noise: np.ndarray, probabilities: list[float]) -> list:
-    """Sum the posterior of the drift over a fine grid of drifts and step sizes."""
+def quantiles_on_a_grid(y: np.ndarray, noise: float, probabilities: list[float]) -> list[float]:
+    """Sum the posterior over a grid of drifts, steps and fluctuations, with full covariances."""
     steps = np.diff(y)
     k = len(steps)
-    errors = np.zeros((k, k))
-    for i in range(k):
-        errors[i, i] = noise[i] + noise[i + 1]
-        if i + 1 < k:
-            errors[i, i + 1] = errors[i + 1, i] = -noise[i + 1]
-    drifts = np.linspace(-1.0, 1.0, 4001)
+    shared = 2 * np.eye(k) - np.eye(k, k=1) - np.eye(k, k=-1)
+    drifts = np.linspace(-0.6, 0.6, 2401)
     density = np.zeros_like(drifts)
-    for s in np.linspace(0, 4 * steps.std(), 101)[1:]:
-        model = stats.multivariate_normal(np.zeros(k), errors + s**2 * np.eye(k))
-        density += model.pdf(steps - drifts[:, None])
+    middles = (np.arange(40) + 0.5) / 40 * steps.std()
+    for s in 4 * middles:
+        for t in 3 * middles:
+            covariance = (noise + t**2) * shared + s**2 * np.eye(k)
+            density += stats.multivariate_normal(np.zeros(k), covariance).pdf(
+                steps - drifts[:, None]
+            )
     below = np.cumsum(density) / density.sum()
     return [float(k * drifts[np.searchsorted(below, p)]) for p in probabilities]
 
@@ -51,9 +51,8 @@ def quantiles_on_a_grid(y: np.ndarray, noise: np.ndarray, probabilities: list[fl
 @pytest.mark.parametrize("noise", [0.0, 1e-3])
 def test_gain_agrees_with_a_sum_over_a_grid(noise: float) -> None:
     y = np.array([0.2, 0.25, 0.23, 0.31, 0.36, 0.33, 0.42, 0.5])
-    variances = np.full(len(y), noise)
-    found = analysis.strength_gain(y, variances)
-    expected = quantiles_on_a_grid(y, variances, [0.5, 0.025, 0.975])
+    found = analysis.strength_gain(y, np.full(len(y), noise))
+    expected = quantiles_on_a_grid(y, noise, [0.5, 0.025, 0.975])
     assert [found.value, found.low, found.high] == pytest.approx(expected, abs=0.01)
 
 

@@ -13,10 +13,12 @@ from numpy.typing import ArrayLike
 from matrixworld.analysis.measurement import Measurement
 from matrixworld.analysis.payoff import Rates, require
 
-GRID = 100
-"""Values of the step size over which the posterior is summed."""
-WIDEST = 4.0
-"""Largest step size of the grid, in standard deviations of the observed steps."""
+GRID = 40
+"""Values of each standard deviation over which the posterior is summed."""
+WIDEST = (4.0, 3.0)
+"""Largest standard deviations of steps and of fluctuation on the grid, in units of that of the
+observed steps."""
+_NEGLIGIBLE = 1e-8  # weight of a point of the grid that is left out
 _LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a width
 
 
@@ -45,17 +47,18 @@ def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = 0.95) -
 
     Notes
     -----
-    The model is a random walk with drift that is observed with noise (the local level model with
-    drift, Harvey 1989)::
+    The model is a random walk with drift that is observed with fluctuation and noise (the local
+    level model with drift, Harvey 1989)::
 
-        score[g]        = strength[g] + error[g]           error[g] ~ N(0, noise[g])
-        strength[g + 1] = strength[g] + drift + step[g]    step[g]  ~ N(0, s^2)
+        score[g]        = strength[g] + fluctuation[g] + error[g]
+        strength[g + 1] = strength[g] + drift + step[g]
+        step ~ N(0, s^2)    fluctuation ~ N(0, t^2)    error ~ N(0, mean noise)
 
     A team that improves steadily has small steps, and its drift is known as well as that of a
-    regression line. A team that jumps once, or drifts at random, has large steps, and its drift
-    cannot be told from 0. The prior is flat on the drift and on s, which Gelman (2006) recommends
-    for standard deviations of few observations. Given s the drift is normal; s is summed out on a
-    grid.
+    regression line, also if single generations fluctuate about it. A team that jumps once, or
+    drifts at random, has large steps, and its drift cannot be told from 0. The prior is flat on the
+    drift, on s and on t, which Gelman (2006) recommends for standard deviations of few
+    observations. Given s and t the drift is normal; both are summed out on a grid.
 
     References
     ----------
@@ -65,7 +68,7 @@ def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = 0.95) -
     """
     y, variances = _checked(scores, noise)
     steps = len(y) - 1
-    drifts, deviations, weights = _posterior(np.diff(y), _step_noise(variances))
+    drifts, deviations, weights = _posterior(np.diff(y), float(variances.mean()))
     tail = (1.0 - level) / 2.0
     low, middle, high = (
         steps * _quantile(p, drifts, deviations, weights) for p in (tail, 0.5, 1.0 - tail)
@@ -120,28 +123,26 @@ def _checked(scores: ArrayLike, noise: ArrayLike) -> tuple[Rates, Rates]:
     return y, variances
 
 
-def _step_noise(variances: Rates) -> Rates:
-    """Return the covariance (k - 1, k - 1) of the errors of the differences of neighbours."""
-    covariance = np.diag(variances[:-1] + variances[1:])
-    # Neighbouring differences share one score, with opposite signs.
-    shared = -variances[1:-1]
-    return covariance + np.diag(shared, 1) + np.diag(shared, -1)
-
-
-def _posterior(steps: Rates, noise: Rates) -> tuple[Rates, Rates, Rates]:
-    """Return mean and standard deviation of the drift for each s, and the weight of that s."""
-    s = np.linspace(0.0, WIDEST * max(float(steps.std()), _LEAST), GRID + 1)[1:]
-    # In the eigenvectors of the noise the steps are independent for every s.
-    eigenvalues, vectors = np.linalg.eigh(noise)
+def _posterior(steps: Rates, noise: float) -> tuple[Rates, Rates, Rates]:
+    """Return mean and standard deviation of the drift for each s and t, and their weights."""
+    spread = max(float(steps.std()), _LEAST)
+    middles = (np.arange(GRID) + 0.5) / GRID * spread
+    s, t = (grid.reshape(-1, 1) for grid in np.meshgrid(*(most * middles for most in WIDEST)))
+    # Neighbouring differences share a score: covariance 2, -1 on the diagonals, whose eigenvectors
+    # are sines.
+    k = np.arange(1, len(steps) + 1)
+    angles = np.pi * k / (len(steps) + 1)
+    vectors = np.sin(np.outer(k, angles)) * np.sqrt(2.0 / (len(steps) + 1))
     ones, values = vectors.sum(axis=0), vectors.T @ steps
-    precision = 1.0 / (np.maximum(eigenvalues, 0.0) + s[:, np.newaxis] ** 2)
+    precision = 1.0 / ((noise + t**2) * (2.0 - 2.0 * np.cos(angles)) + s**2)
     total = (precision * ones**2).sum(axis=1)
     drifts = (precision * ones * values).sum(axis=1) / total
     misfit = (precision * (values - drifts[:, np.newaxis] * ones) ** 2).sum(axis=1)
-    # The likelihood of s with the drift integrated out.
+    # The likelihood of s and t with the drift integrated out.
     log_weights = 0.5 * (np.log(precision).sum(axis=1) - np.log(total) - misfit)
     weights = np.exp(log_weights - log_weights.max())
-    return drifts, total**-0.5, weights / weights.sum()
+    kept = weights > _NEGLIGIBLE * weights.sum()
+    return drifts[kept], total[kept] ** -0.5, weights[kept] / weights[kept].sum()
 
 
 def _quantile(probability: float, means: Rates, deviations: Rates, weights: Rates) -> float:
