@@ -18,7 +18,7 @@ the other side, and else undecided. Numbers of a race in time are those of `anal
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -200,27 +200,34 @@ def _on_cycles(races: Mapping[str, Races]) -> list[Claim]:
         race: each.numbers("forgetting", PURSUERS_FORGET, EVADERS_FORGET)
         for race, each in races.items()
     }
-    amplitude = "squared cyclic amplitude, last half"
-    margin = LEAST_AMPLITUDE**2
+    amplitude = "cyclic amplitude, last half"
     return [
         Claim(
             "Specialists against specialists cycle", amplitude,
-            races[SPECIALISTS].together.headline["cycling"].estimates[CYCLIC], "above", margin,
+            amplitude_of(races[SPECIALISTS]), "above", LEAST_AMPLITUDE,
         ),
         Claim(
             "Generalist pursuers against specialists cycle less",
-            f"{amplitude}, difference to specialists",
+            f"squared {amplitude}, difference to specialists",
             over_seeds(squares[MIXED] - squares[SPECIALISTS]), "below",
         ),
         Claim(
             "Generalists against generalists do not cycle", amplitude,
-            races[GENERALISTS].together.headline["cycling"].estimates[CYCLIC], "below", margin,
+            amplitude_of(races[GENERALISTS]), "below", LEAST_AMPLITUDE,
         ),
         Claim(
             "Generalists forget less than specialists", "forgetting, difference to specialists",
             over_seeds(drops[GENERALISTS] - drops[SPECIALISTS]), "below",
         ),
     ]  # fmt: skip
+
+
+def amplitude_of(races: Races) -> analysis.Estimate:
+    """Return the cyclic amplitude of all seeds together, in units of the capture rate."""
+    found = races.together.headline["cycling"].estimates[CYCLIC]
+    # `judge` has its square, which noise may turn negative.
+    value, low, high = (max(0.0, end or 0.0) ** 0.5 for end in (found.value, found.low, found.high))
+    return replace(found, value=value, low=low, high=high)
 
 
 OPPONENTS = ("all generations", "early generations", "late generations", "held-out opponents")
@@ -318,9 +325,11 @@ def _on_surrounding(numbers: Numbers) -> list[Claim]:
     return found
 
 
-def over_seeds(values: np.ndarray) -> analysis.Estimate:
+def over_seeds(
+    values: np.ndarray, bounds: tuple[float, float] = (-np.inf, np.inf)
+) -> analysis.Estimate:
     """Return the mean of one number for each seed, with Student's t interval."""
-    return analysis.interval_over_runs(values)
+    return analysis.interval_over_runs(values, bounds=bounds)
 
 
 def printed(estimate: analysis.Estimate) -> str:
@@ -342,7 +351,9 @@ def tables(numbers: Numbers) -> str:
     for team, kinds in CANDIDATES.items():
         scores = standings(numbers, team)
         for kind in kinds:
-            cells = (printed(over_seeds(scores[opponents][kind])) for opponents in OPPONENTS)
+            cells = (
+                printed(over_seeds(scores[opponents][kind], (0.0, 1.0))) for opponents in OPPONENTS
+            )
             lines.append(f"| {kind} | {team}s | {' | '.join(cells)} |")
     return "\n".join(lines)
 

@@ -18,7 +18,7 @@ from tiny_race import TINY, directory_in_memory, tiny_race, tiny_single
 
 ALTERNATING = {"schedule": "alternating", "opponents": 2}
 ARCHIVES = {**ALTERNATING, "pursuers_meet": "generalist", "evaders_meet": "lapca"}
-HALL = {"schedule": "hall-of-fame", "contemporaries": 2, "hall_sample": 2}
+HALL = {"schedule": "hall-of-fame", "contemporaries": 2, "hall_sample": 1}
 LONG = {"generations": 4, "train_steps": 20}
 
 RUNS: dict[str, Any] = {
@@ -48,7 +48,7 @@ OTHER_VALUES: dict[str, Any] = {
     "elite_episodes": 2, "fitness": "capture-rate", "overlap_penalty": 0.9, "train_steps": 9,
     "worlds": 2, "eval_steps": 60, "eval_episodes": 4, "seed": 6,
     "schedule": "generalist-generalist", "generations": 3, "pursuer_epochs": 4,
-    "evader_epochs": 4, "joint_epochs": 4, "contemporaries": 3, "hall_sample": 3,
+    "evader_epochs": 4, "joint_epochs": 4, "contemporaries": 3, "hall_sample": 2,
     "pursuers_meet": "latest", "evaders_meet": "latest", "opponents": 1, "archive_size": 7,
     "archive_episodes": 7, "retention_episodes": 2, "sharing": "competitive",
     "pursuer_virulence": 0.6, "evader_virulence": 0.6, "team": "evader", "against": "fleer",
