@@ -151,6 +151,14 @@ def test_short_races_have_one_window_or_none() -> None:
     assert "at least 6 generations" in short.headline["cycling"].reason
 
 
+@pytest.mark.parametrize("shape", [(40, 12), (12, 40), (31, 6)])
+def test_sides_of_different_length(shape: tuple[int, int]) -> None:
+    rows, columns = (np.arange(size) for size in shape)
+    judgement = of_scores(played(race(0.1 * rows, 0.1 * columns), 10, evaders=30))
+    assert verdicts(judgement)["disengagement"] == ABSENT
+    assert verdicts(judgement, "whole")["arms race"] == PRESENT
+
+
 def test_gains_are_changes_of_the_mean_payoff() -> None:
     gains = of_scores(played(STEADY, 50, evaders=30)).windows["whole"].gains
     change = STEADY.mean(axis=1)[-1] - STEADY.mean(axis=1)[0]

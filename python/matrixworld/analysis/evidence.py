@@ -135,10 +135,10 @@ class RunEvidence:
         return (means if axis else 1.0 - means), noise
 
     def _beyond_noise(self, window: Window) -> dict[str, Measurement]:
-        first = max(1, window.pursuers[0], window.evaders[0])
-        last = min(window.pursuers[1], window.evaders[1])
-        # Row k - 1 of the team phase rates belongs to generation k.
-        current = team_phase_rates(self._matrix)[first - 1 : last - 1]
+        # Later generations of the longer side have no opponent of their own generation.
+        start, stop = min(window.pursuers, window.evaders, key=lambda span: span[1])
+        # Row k - 1 of the team phase rates belongs to generation k; generation 0 has none.
+        current = team_phase_rates(self._matrix)[max(0, start - 1) : stop - 1]
         episodes = self._effective_episodes(window.cells)
         numbers = {
             CYCLIC: self._cyclic(window.cells),
