@@ -222,13 +222,6 @@ def transitive_share_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -
     return Estimate(value, low, high, "episodes", episodes, "episode noise subtracted")
 
 
-def resampled_means(scores: Rates, generator: np.random.Generator) -> Rates:
-    """Return the mean of each cell over as many of its episodes, drawn with replacement."""
-    chosen = generator.integers(scores.shape[2], size=scores.shape)
-    mean: Rates = np.take_along_axis(scores, chosen, axis=2).mean(axis=2)
-    return mean
-
-
 def _sums_without_noise(scores: Rates) -> tuple[Rates, Rates]:
     """Return residual and total sum of squares, shape (2,), and their covariance, shape (2, 2)."""
     matrices = np.moveaxis(scores, 2, 0)
