@@ -1,4 +1,4 @@
-"""What is installed: its name, version, licences and page on the index, and what an import loads."""
+"""What is installed: name, version, licences, page on the index, and what an import loads."""
 
 from __future__ import annotations
 
