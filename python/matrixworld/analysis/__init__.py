@@ -100,13 +100,7 @@ from matrixworld.analysis.intransitivity import (
     noise_reference,
     transitive_fit,
 )
-from matrixworld.analysis.judgement import (
-    CONDITIONS,
-    Finding,
-    Judgement,
-    WindowJudgement,
-    judge,
-)
+from matrixworld.analysis.judgement import Finding, Judgement, WindowJudgement, judge
 from matrixworld.analysis.lags import (
     LagProfile,
     lag_profile,
@@ -130,6 +124,7 @@ from matrixworld.analysis.single_run import RunAnalysis, analyze_run
 from matrixworld.analysis.sources import Payoffs, read_payoffs
 from matrixworld.analysis.strength import strength_change, strength_gain
 from matrixworld.analysis.summary import PartSummary, Summary, TeamSummary, summarize
+from matrixworld.analysis.verdicts import CONDITIONS
 from matrixworld.analysis.wording import describe, explain, headline, judgement_table
 
 __all__ = [
