@@ -29,6 +29,7 @@ measures.py         named measures, for comparison between runs
 single_run.py       all measures of one run
 analyze.py          all measures of one run or several, with intervals
 judgement.py        arms race, cycling, forgetting, disengagement, stagnation: what is present
+verdicts.py         the rules of the judgement: from its numbers to its verdicts
 evidence.py         the numbers behind a judgement, of one run in one window
 measurement.py      a number of one run with its interval, and over several runs
 strength.py         change of a team's strength over a window
