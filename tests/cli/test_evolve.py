@@ -273,15 +273,16 @@ def test_the_commands_that_it_suggests_work(job, copy):
         assert matrixworld_command(*command).stdout
 
 
-def test_without_output_runs_go_to_new_directories(undrawn):
+def test_without_output_runs_go_to_directories_named_after_variant_and_seed(undrawn):
     one = [*words(RACE), "--schedule", "specialist-specialist"]
     first = matrixworld_command("evolve", *one).stderr
     assert first.startswith("Output directory: runs/O-seed5\n")
-    second = matrixworld_command("evolve", *one).stderr
-    assert second.startswith("Output directory: runs/O-seed5-2 (runs/O-seed5 exists)\n")
+    second = matrixworld_command("evolve", *one, code=2).stderr
+    assert "OUTPUT: expected a new or empty directory, got 'runs/O-seed5'; " in second
+    assert "matrixworld evolve --resume runs/O-seed5 continues the run" in second
     matrixworld_command("evolve", "--against", "fleer", *words(WORLD), "--epochs", 2)
     names = {path.name for path in Path("runs").iterdir()}
-    assert names == {"O-seed5", "O-seed5-2", "O-pursuer-against-fleer-seed5"}
+    assert names == {"O-seed5", "O-pursuer-against-fleer-seed5"}
 
 
 def test_a_directory_with_runs_is_refused(copy):
