@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from matrixworld.episode import Episode
+from matrixworld.episode import Episode, moment
 from matrixworld.files import replacing
 from matrixworld.render import MARK_STEPS, Scene, ansi, rgb
 from matrixworld.render.gif import write_gif
@@ -66,7 +66,7 @@ def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None
     IndexError
         If the step is outside the episode.
     """
-    now = range(episode.length + 1)[step]
+    now = moment(step, episode.length)
     captures, deaths = _marks(episode, now)
     return Scene(
         positions=episode.last_positions[now],
