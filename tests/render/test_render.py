@@ -236,7 +236,7 @@ def test_a_trail_leads_to_each_living_agent_and_fades() -> None:
     before = np.array([[0, 2], [2, 3], [1, 4], [3, 0], [0, 5]])
     between = np.array([[0, 1], [2, 3], [1, 4], [3, 0], [-1, -1]])
     drawn = scene(trail=np.stack([before, between]))
-    paper, new, old = (pixel(rgb(drawn), drawn, 0, col) for col in (2.4, 0.6, 1.6))
+    paper, new, old = (pixel(rgb(drawn), drawn, -0.1, col) for col in (2.4, 0.6, 1.6))
     assert paper == ImageColor.getrgb(colors.PAPER)
     assert new[2] < old[2] < paper[2]  # the less blue, the stronger the vermilion
 

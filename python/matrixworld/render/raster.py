@@ -200,8 +200,8 @@ class _Picture:
         stamp(self.canvas, "disc", colors.PAPER, centre, size + 2 * self.layout.halo)
         stamp(self.canvas, shape, colors.EVADER, centre, size)
         badge = (centre[0] + size * 0.45, centre[1] - size * 0.4)
-        ink = colors.EVADER if contents.all_captured else colors.PAPER
-        self._draw_label(contents.evaders, centre, badge, round(size * 0.65), ink)
+        ink, scale = (colors.EVADER, 0.55) if contents.all_captured else (colors.PAPER, 0.65)
+        self._draw_label(contents.evaders, centre, badge, round(size * scale), ink)
 
     def _draw_label(
         self, agents: list[int], inside: Point, badge: Point, size: int, ink: str

@@ -86,7 +86,7 @@ def _burst(draw: ImageDraw.ImageDraw, size: int) -> None:
 
 def _burst_outline(draw: ImageDraw.ImageDraw, size: int) -> None:
     corners = _burst_corners(size)
-    draw.line([*corners, corners[0]], fill=255, width=max(1, round(size * 0.04)), joint="curve")
+    draw.line([*corners, corners[0]], fill=255, width=max(1, round(size * 0.028)), joint="curve")
 
 
 def _burst_corners(size: int) -> list[Point]:
