@@ -14,7 +14,8 @@ import matrixworld
 from command_line import GIF, MAIN_JOB, PNG, judged_in, matrixworld_command
 from made_up_episode import made_up_episode
 from matrixworld import VARIANTS, Episode, WorldConfig, record, render, replay
-from matrixworld.cli.figures import collisions_per_1000
+from matrixworld.cli.figures import _figures, collisions_per_1000, run_title
+from matrixworld.cli.jobs import open_result
 from matrixworld.coevolution import evaluation_seed, open_run, start
 from matrixworld.rollout import Matches, rollout
 from tiny_race import StopAt, tiny_race
@@ -234,3 +235,15 @@ def test_the_package_is_a_command_too():
     command = [sys.executable, "-m", "matrixworld", "--version"]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stdout == f"matrixworld, version {matrixworld.__version__}\n"
+
+
+def test_titles_name_the_run_and_its_seed(job):
+    race, renamed = open_result(job / MAIN_JOB[0]), Path("my-race")
+    shutil.copytree(job / MAIN_JOB[0], renamed)
+    schedule, seed = race.settings.schedule, race.settings.seed
+    assert run_title(race.path, race.settings) == f"{schedule}, seed {seed}"
+    assert run_title(renamed, race.settings) == f"my-race ({schedule}), seed {seed}"
+    for draw in _figures(open_result(renamed)).values():
+        figure = draw()
+        title = figure.get_suptitle() or figure.axes[0].get_title()
+        assert title.startswith(f"my-race ({schedule}), seed {seed}\n")

@@ -51,6 +51,14 @@ def draw_comparison(races: Mapping[str, Result], path: Path) -> Path:
     return save_figure(plots.comparison(payoffs, judgements, per_episode=True), path)
 
 
+def run_title(path: Path, settings: RaceSettings | SingleSettings) -> str:
+    """Return the name of a run in figures: its directory, its schedule and its seed."""
+    name = path.absolute().name
+    if isinstance(settings, RaceSettings) and settings.schedule != name:
+        name = f"{name} ({settings.schedule})"
+    return f"{name}, seed {settings.seed}"
+
+
 def save_figure(figure: Figure, path: Path) -> Path:
     """Write a figure as PNG, complete or not at all; returns the file."""
     with replacing(path) as file:
@@ -81,10 +89,7 @@ def _figures(run: Result) -> dict[str, Callable[[], Figure]]:
 
 def _title(run: Result, shown: str) -> str:
     """Return the title of a figure: which run, and what the figure shows."""
-    settings, name = run.settings, run.path.absolute().name
-    if isinstance(settings, RaceSettings) and settings.schedule != name:
-        name = f"{name} ({settings.schedule})"
-    return f"{name}, seed {settings.seed}\n{shown}"
+    return f"{run_title(run.path, run.settings)}\n{shown}"
 
 
 def _training(run: Result) -> Figure:
