@@ -35,6 +35,12 @@ def test_the_example_has_captures_and_faults() -> None:
     assert EPISODE.fault.any()
 
 
+def test_the_short_description_of_an_episode() -> None:
+    rate = f"{EPISODE.capture_rate:.2f}"
+    expected = f"<Episode: 30 steps, 5 pursuers, 7 evaders, 12 x 16 cells, capture rate {rate}>"
+    assert repr(EPISODE) == expected
+
+
 def test_round_trip(tmp_path: Path) -> None:
     path = tmp_path / "an episode.npz"
     EPISODE.save(path)

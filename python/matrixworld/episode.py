@@ -43,7 +43,7 @@ STEP_ARRAYS = tuple(
 )
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Episode:
     """Recorded episode of T steps with P pursuers and E evaders, A = P + E agents, pursuers first.
 
@@ -132,6 +132,13 @@ class Episode:
             expected = tuple(sizes[letter] for letter in _ARRAYS[name][0].split())
             if got != expected:
                 raise ValueError(f"{name}: expected shape {expected}, got {got}")
+
+    def __repr__(self) -> str:
+        rows, cols = self.map.shape
+        return (
+            f"<Episode: {self.length} steps, {self.n_pursuers} pursuers, {self.n_evaders} evaders, "
+            f"{rows} x {cols} cells, capture rate {self.capture_rate:.2f}>"
+        )
 
     @property
     def length(self) -> int:
