@@ -41,6 +41,10 @@ def test_scenes_follow_the_episode() -> None:
     assert (scene(EPISODE, 9, trail=4).trail == EPISODE.positions[5:9]).all()  # type: ignore[union-attr]
     with pytest.raises(IndexError):
         scene(EPISODE, 31)
+    with pytest.raises(ValueError, match="trail: expected .*, got -1"):
+        scene(EPISODE, 3, trail=-1)
+    with pytest.raises(TypeError, match="step: expected an integer"):
+        scene(EPISODE, 3.5)  # type: ignore[arg-type]
 
 
 def test_the_capture_rate_is_of_the_moment_under_surround_only() -> None:

@@ -14,9 +14,9 @@ from matrixworld.config import WorldConfig
 from matrixworld.conflicts import CONFLICT_COLUMNS
 from matrixworld.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode
 from matrixworld.maps import MapLike
+from matrixworld.moments import capture_title, scene
 from matrixworld.policy import TeamPolicy, check_team
 from matrixworld.render import MARK_STEPS, Scene
-from matrixworld.replay import capture_title, scene
 from matrixworld.rules import Rules
 from matrixworld.world import World
 
