@@ -28,19 +28,6 @@ __all__ = [
     "rules_of",
 ]
 
-__all__ = [
-    "KINDS",
-    "VARIANTS",
-    "Action",
-    "Blame",
-    "Capture",
-    "Interaction",
-    "Outcome",
-    "Rewards",
-    "Rules",
-    "rules_of",
-]
-
 
 class Action(IntEnum):
     """The actions of an agent; the last four exist only in a world with ``diagonal=True``."""
