@@ -37,7 +37,8 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "Races": (
         "schedule", "generations", "pursuer_epochs", "evader_epochs",
         "joint_epochs", "contemporaries", "hall_sample", "pursuers_meet", "evaders_meet",
-        "pursuers_meet_settings", "evaders_meet_settings", "opponents", "archive_size", "archive_episodes", "retention_episodes", "sharing",
+        "pursuers_meet_settings", "evaders_meet_settings",
+        "opponents", "archive_size", "archive_episodes", "retention_episodes", "sharing",
         "pursuer_virulence", "evader_virulence",
     ),
     "One team alone": ("against", "team", "start", "epochs", "archive_every"),
@@ -46,7 +47,8 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     ),
     "Policy": ("hidden", "activation", "initial_weight", "initial_head"),
     "Learner": (
-        "learner", "learner_settings", "population", "sigma", "optimizer", "learning_rate", "momentum", "anneal",
+        "learner", "learner_settings",
+        "population", "sigma", "optimizer", "learning_rate", "momentum", "anneal",
         "mutation", "crossover", "selection", "tournament", "truncation", "elites",
         "elite_episodes", "fitness", "overlap_penalty",
     ),
@@ -214,12 +216,10 @@ def _own_value(text: str) -> bool | int | float | str:
     """Return True, False or a number if a text is one, else the text."""
     if text in ("true", "false"):
         return text == "true"
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            continue
-    return text
+    try:
+        return int(text) if re.fullmatch(r"[+-]?\d+", text) else float(text)
+    except ValueError:
+        return text
 
 
 def sizes_of(

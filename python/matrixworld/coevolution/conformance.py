@@ -42,7 +42,7 @@ def check_learner(
 
     Shapes, dtypes and names; equal results from equal generators; a state that, written to a file
     and restored in a new or in an interrupted learner, continues bit for bit; states and genomes
-    that later epochs do not change; finite candidates when all fitness values are equal.
+    that later epochs do not change. In some epochs all fitness values are equal.
 
     Parameters
     ----------
@@ -88,8 +88,7 @@ def check_learner(
         return [candidates, part.genome.copy()]
 
     _check_part(new, step)
-    _check_genome(new(), step)
-    _check_ties(new(), seed)
+    _check_constant(new(), step)
 
 
 def check_sampler(
@@ -153,8 +152,11 @@ def _plugin(
 
 
 def _fitness(candidates: Genomes, target: FloatArray, epoch: int) -> FloatArray:
-    """Return a fitness (n,) whose optimum moves a little from epoch to epoch."""
-    distance: FloatArray = ((candidates - target - 0.01 * epoch) ** 2).mean(axis=1)
+    """Return a fitness (n,) that is higher near a target; all values are equal in some epochs."""
+    # Equal values are usual at the start of a race, and a learner may then take another path.
+    if epoch % 3 == 1:
+        return np.zeros(len(candidates))
+    distance: FloatArray = ((candidates - target) ** 2).mean(axis=1)
     return -distance
 
 
@@ -196,8 +198,9 @@ def _check_equal(
             )
 
 
-def _check_genome(learner: CheckedLearner, step: Step[CheckedLearner]) -> None:
-    """Check that an archived genome stays as it is."""
+def _check_constant(learner: CheckedLearner, step: Step[CheckedLearner]) -> None:
+    """Check that groups are equal in all epochs, and that an archived genome stays as it is."""
+    groups = learner.match_of_candidate.copy()
     for epoch in range(EPOCHS):
         genome = learner.genome
         before = genome.copy()
@@ -207,16 +210,11 @@ def _check_genome(learner: CheckedLearner, step: Step[CheckedLearner]) -> None:
                 f"{learner.title}: genome: expected an array that later epochs do not change, got "
                 f"one changed in epoch {epoch}; assign a new array"
             )
-
-
-def _check_ties(learner: CheckedLearner, seed: int) -> None:
-    """Check that equal fitness values, which are usual at the start, do no harm."""
-    groups = learner.match_of_candidate
-    for epoch in range(EPOCHS):
-        learner.ask(np.random.default_rng([seed, epoch]))
-        learner.tell(np.zeros(len(groups)))
         if not np.array_equal(learner.match_of_candidate, groups):
-            raise PluginError(f"{learner.title}: match_of_candidate: expected equal numbers always")
+            raise PluginError(
+                f"{learner.title}: match_of_candidate: expected equal groups in all epochs, got "
+                f"others after epoch {epoch}"
+            )
 
 
 def _saved(part: CheckedLearner | CheckedSampler) -> State:

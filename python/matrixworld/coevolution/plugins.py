@@ -109,8 +109,9 @@ def check_name(field: str, name: str, builtin: Collection[str], group: str) -> N
     if isinstance(name, SavedName):
         return
     # Entry points last: to list them reads the files of all installed packages.
-    known = isinstance(name, str) and (name in builtin or PATH.fullmatch(name))
-    if not known and name not in installed(group):
+    if not isinstance(name, str) or not (
+        name in builtin or PATH.fullmatch(name) or name in installed(group)
+    ):
         raise ValueError(_unknown(field, name, builtin, group))
 
 
