@@ -163,9 +163,7 @@ def test_nothing_is_written_if_the_code_is_missing_or_refuses(tmp_path):
 
 def test_an_error_in_a_learner_names_it_and_keeps_the_traceback(tmp_path):
     run = start(tiny_race(learner="own_code:Fails"), tmp_path / "run", threads=1)
-    with pytest.raises(
-        PluginError, match="^learner own_code:Fails: tell: Zero.* luck$"
-    ) as caught:
+    with pytest.raises(PluginError, match="^learner own_code:Fails: tell: Zero.* luck$") as caught:
         run.run()
     # The last frame is that of the learner's own code.
     assert traceback.extract_tb(caught.value.__cause__.__traceback__)[-1].name == "tell"
