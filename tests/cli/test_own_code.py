@@ -168,7 +168,7 @@ def test_bad_options_are_refused_before_anything_is_written(mine, job, options, 
 def test_values_of_all_kinds(mine):
     mine.write_text(
         "import own_code\n"
-        "def Learner(genome, samples, *, n, x, on, word):\n"
+        "def Learner(genome, samples, *, n, x, on, word) -> own_code.HillClimber:\n"
         "    assert (n, x, on, word) == (3, -0.5, True, 'fast'), (n, x, on, word)\n"
         "    assert [type(each) for each in (n, x, on, word)] == [int, float, bool, str]\n"
         "    return own_code.HillClimber(genome, samples)\n"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from matrixworld.coevolution.opponents import Stateless
+from matrixworld.coevolution.opponents import LAPCA, ArchiveSampler, Stateless
 
 
 class HillClimber:
@@ -60,6 +60,11 @@ class Hardest:
         self.scores = state["scores"].copy()
 
 
+def layered(count, *, layers) -> ArchiveSampler:
+    """Return a sampler with an archive."""
+    return ArchiveSampler(LAPCA(layers), count)
+
+
 class Fixed(Stateless):
     """The oldest opponents."""
 
@@ -68,6 +73,38 @@ class Fixed(Stateless):
 
     def sample(self, available, epoch, rng):
         return np.arange(min(self.count, available))
+
+
+# Learners that change their arrays in place, which the package copies
+
+
+class InPlace(HillClimber):
+    def tell(self, fitness):
+        self.genome[:] = self.candidates[int(np.argmax(fitness))]
+
+
+class ReturnsViews(HillClimber):
+    def __init__(self, genome, samples, **settings):
+        super().__init__(genome, samples, **settings)
+        self.arrays = {"genome": genome, "sigma": np.array(self.sigma)}
+
+    def tell(self, fitness):
+        super().tell(fitness)
+        self.arrays["genome"][:], self.arrays["sigma"][()] = self.genome, self.sigma
+
+    def state(self):
+        return self.arrays
+
+    def restore(self, state):
+        super().restore(state)
+        self.arrays = state
+
+
+class RestoresHalf(ReturnsViews):
+    """It continues equally, but returns an old state after `restore`."""
+
+    def restore(self, state):
+        HillClimber.restore(self, state)
 
 
 # Learners that break a promise
@@ -84,24 +121,6 @@ class ForgetsSigma(HillClimber):
 
     def restore(self, state):
         self.genome = state["genome"]
-
-
-class InPlace(HillClimber):
-    def tell(self, fitness):
-        self.genome[:] = self.candidates[int(np.argmax(fitness))]
-
-
-class LeaksState(HillClimber):
-    """Its state is a view of an array that changes."""
-
-    def tell(self, fitness):
-        super().tell(fitness)
-        if not hasattr(self, "array"):
-            self.array = np.zeros(1)
-        self.array[0] = self.sigma
-
-    def state(self):
-        return {**super().state(), "more": getattr(self, "array", np.zeros(1))}
 
 
 class Float64(HillClimber):
@@ -127,6 +146,12 @@ class Pickles(HillClimber):
 class Dotted(HillClimber):
     def state(self):
         return {**super().state(), "adam.mean": np.zeros(1)}
+
+
+class Regroups(HillClimber):
+    def tell(self, fitness):
+        super().tell(fitness)
+        self.match_of_candidate = np.arange(len(fitness))
 
 
 class Uneven(HillClimber):
@@ -187,3 +212,7 @@ class Crash(Fixed):
 
 
 ANSWER = 42
+
+
+def unannotated(genome, samples):
+    return HillClimber(genome, samples)

@@ -25,7 +25,7 @@ from matrixworld.coevolution import (
     RaceSettings,
     SingleSettings,
 )
-from matrixworld.coevolution.plugins import LEARNER_GROUP, OPPONENT_GROUP, installed
+from matrixworld.coevolution.plugins import LEARNER, OPPONENT, installed
 from matrixworld.coevolution.settings.race import SCHEDULE_DEFAULTS
 from matrixworld.policy import SCRIPTS
 from matrixworld.rules import VARIANTS
@@ -80,9 +80,9 @@ OTHER_NAMES = {
 }
 """Names of settings in the errors of `WorldConfig`: the fields."""
 GROUPS = {
-    "learner": LEARNER_GROUP,
-    "pursuers_meet": OPPONENT_GROUP,
-    "evaders_meet": OPPONENT_GROUP,
+    "learner": LEARNER,
+    "pursuers_meet": OPPONENT,
+    "evaders_meet": OPPONENT,
 }
 """Settings that take names of installed entry points: their groups."""
 METAVARS = {int: "INTEGER", float: "NUMBER", str: "TEXT"}

@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import DTypeLike
 
+from matrixworld.coevolution.types import State
+
 
 class PluginError(RuntimeError):
     """Code from outside the package failed or returned what its interface does not allow.
@@ -58,8 +60,8 @@ def check_array(
         raise PluginError(f"{title}: {what}: expected finite numbers, got NaN or infinity")
 
 
-def check_state(title: str, state: Any) -> None:
-    """Raise PluginError unless a state is plain arrays by names without dots."""
+def checked_state(title: str, state: Any) -> State:
+    """Return copies of the arrays of a state; PluginError unless these can be saved by name."""
     if not isinstance(state, dict):
         raise PluginError(f"{title}: state: expected arrays by name, got {type(state).__name__}")
     for name, value in state.items():
@@ -70,3 +72,5 @@ def check_state(title: str, state: Any) -> None:
             raise PluginError(
                 f"{title}: state: expected an array of numbers or text as {name}, got {value!r}"
             )
+    # Copies: a run may restore a state of before a generation, which must not have changed since.
+    return {name: value.copy() for name, value in state.items()}

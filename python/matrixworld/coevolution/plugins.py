@@ -1,9 +1,9 @@
 """Learners and opponent samplers from outside the package, by name.
 
 Settings name a learner and its samplers: a built-in one, an entry point of an installed package
-(groups `LEARNER_GROUP` and `OPPONENT_GROUP`), or ``module:object``. The object is a class, or a
-function that returns an instance. It is called with keyword arguments: those that the run gives, as
-far as its signature names them, and the settings of its own.
+(see `LEARNER` and `OPPONENT`), or ``module:object``. The object is a class with the methods of the
+interface, or a function whose return annotation is such a class. It is called with keyword
+arguments: those that the run gives, as far as its signature names them, and its own settings.
 
 In settings a name is data: they are checked, saved and read without an import. Only `find` imports,
 when a run starts or continues.
@@ -18,18 +18,37 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from importlib.metadata import entry_points
-from typing import Any
+from typing import Any, get_type_hints
+
+import numpy as np
 
 from matrixworld.coevolution.plugin_checks import PluginError, described
-
-LEARNER_GROUP, OPPONENT_GROUP = "matrixworld.learners", "matrixworld.opponents"
-"""Groups of entry points."""
 
 PATH = re.compile(r"[^\W\d]\w*(\.[^\W\d]\w*)*:[^\W\d]\w*(\.[^\W\d]\w*)*")
 """``module:object``, both with dots or without."""
 
 ANY_NAME = inspect.Parameter.VAR_KEYWORD
 UNNAMED = (inspect.Parameter.VAR_POSITIONAL, ANY_NAME)
+
+
+@dataclass(frozen=True)
+class Interface:
+    """What a class from outside the package has to be.
+
+    Parameters
+    ----------
+    group : str
+        Group of entry points that name such classes.
+    methods : tuple of str
+        Methods that the class must have.
+    """
+
+    group: str
+    methods: tuple[str, ...]
+
+
+LEARNER = Interface("matrixworld.learners", ("ask", "tell", "state", "restore"))
+OPPONENT = Interface("matrixworld.opponents", ("sample", "tell", "state", "restore"))
 
 
 class SavedName(str):
@@ -72,7 +91,9 @@ def own_settings(field: str, given: Any) -> OwnSettings:
         raise TypeError(
             f"{field}: expected values by name, such as {{'sigma': 0.1}}, got {given!r}"
         )
-    for name, value in given.items():
+    # NumPy's numbers as Python's, which JSON can hold.
+    values = {name: v.item() if isinstance(v, np.generic) else v for name, v in given.items()}
+    for name, value in values.items():
         if not isinstance(name, str) or not name.isidentifier():
             raise ValueError(f"{field}: expected names such as sigma, got {name!r}")
         if not isinstance(value, bool | int | float | str):
@@ -81,18 +102,18 @@ def own_settings(field: str, given: Any) -> OwnSettings:
             )
         if isinstance(value, float) and not math.isfinite(value):
             raise ValueError(f"{field}: expected a finite number as {name}, got {value}")
-    return OwnSettings(given)
+    return OwnSettings(values)
 
 
-def installed(group: str) -> dict[str, list[str]]:
-    """Return the entry points of a group: name -> ``module:object`` in each package that has it."""
+def installed(interface: Interface) -> dict[str, list[str]]:
+    """Return entry points by name: ``module:object`` in each package that has the name."""
     found: dict[str, set[str]] = {}
-    for point in entry_points(group=group):
+    for point in entry_points(group=interface.group):
         found.setdefault(point.name, set()).add(f"{point.module}:{point.attr}")
     return {name: sorted(paths) for name, paths in sorted(found.items())}
 
 
-def check_name(field: str, name: str, builtin: Collection[str], group: str) -> None:
+def check_name(field: str, name: str, builtin: Collection[str], interface: Interface) -> None:
     """Raise ValueError unless a name may be one of a learner or sampler; imports nothing.
 
     Parameters
@@ -103,20 +124,20 @@ def check_name(field: str, name: str, builtin: Collection[str], group: str) -> N
         Its value. A `SavedName` is always accepted.
     builtin : collection of str
         Names in the package.
-    group : str
-        Group of entry points.
+    interface : Interface
+        `LEARNER` or `OPPONENT`.
     """
     if isinstance(name, SavedName):
         return
     # Entry points last: to list them reads the files of all installed packages.
     if not isinstance(name, str) or not (
-        name in builtin or PATH.fullmatch(name) or name in installed(group)
+        name in builtin or PATH.fullmatch(name) or name in installed(interface)
     ):
-        raise ValueError(_unknown(field, name, builtin, group))
+        raise ValueError(_unknown(field, name, builtin, interface))
 
 
-def _unknown(field: str, name: Any, builtin: Collection[str], group: str) -> str:
-    names = ", ".join([*builtin, *installed(group)])
+def _unknown(field: str, name: Any, builtin: Collection[str], interface: Interface) -> str:
+    names = ", ".join([*builtin, *installed(interface)])
     return f"{field}: expected one of {names}, or module:object, got {name!r}"
 
 
@@ -204,12 +225,12 @@ class Plugin:
                 )
 
 
-def find(field: str, name: str, builtin: Collection[str], group: str) -> Plugin:
+def find(field: str, name: str, builtin: Collection[str], interface: Interface) -> Plugin:
     """Import a class or function.
 
     Parameters
     ----------
-    field, name, builtin, group
+    field, name, builtin, interface
         As in `check_name`.
 
     Returns
@@ -224,7 +245,7 @@ def find(field: str, name: str, builtin: Collection[str], group: str) -> Plugin:
     PluginError
         If the module itself fails.
     """
-    path = str(name) if PATH.fullmatch(name) else _path_of(field, name, builtin, group)
+    path = str(name) if PATH.fullmatch(name) else _path_of(field, name, builtin, interface)
     module, _, attribute = path.partition(":")
     found: Any = _imported(field, name, module)
     try:
@@ -234,15 +255,30 @@ def find(field: str, name: str, builtin: Collection[str], group: str) -> Plugin:
         raise ValueError(
             f"{field}: expected the name of an object in {module}, got {attribute!r}"
         ) from error
-    if not callable(found):
-        raise ValueError(f"{field}: expected a class or function, got {found!r} ({path})")
+    # Before it is called: the files of a stranger's run must not name any function at all.
+    made = found if inspect.isclass(found) else _returned(found)
+    if not all(hasattr(made, method) for method in interface.methods):
+        raise ValueError(
+            f"{field}: expected a class with {', '.join(interface.methods)}, or a function whose "
+            f"return annotation is one, got {path}"
+        )
     return Plugin(field, str(name), found)
 
 
-def _path_of(field: str, name: str, builtin: Collection[str], group: str) -> str:
-    paths = installed(group).get(name, [])
+def _returned(found: Any) -> Any:
+    """Return the class in a function's return annotation; None if there is none."""
+    try:
+        return get_type_hints(found).get("return")
+    except (AttributeError, NameError, SyntaxError, TypeError):
+        return None
+
+
+def _path_of(field: str, name: str, builtin: Collection[str], interface: Interface) -> str:
+    paths = installed(interface).get(name, [])
     if not paths:
-        raise ValueError(f"{_unknown(field, str(name), builtin, group)}; install the package of it")
+        raise ValueError(
+            f"{_unknown(field, str(name), builtin, interface)}; install the package of it"
+        )
     if len(paths) > 1:
         raise ValueError(
             f"{field}: expected one installed package with {str(name)!r}, got {', '.join(paths)}"

@@ -11,6 +11,7 @@ import traceback
 import numpy as np
 import pytest
 
+import own_code
 from matrixworld.coevolution import (
     ALTERNATING,
     HALL_OF_FAME,
@@ -23,7 +24,6 @@ from matrixworld.coevolution import (
 from matrixworld.coevolution.opponents import SAMPLERS, Latest
 from matrixworld.coevolution.settings import ALL_SCHEDULES
 from matrixworld.rollout import rollout
-from own_code import HillClimber
 from tiny_race import StopAt, directory_in_memory, results, tiny_race, tiny_single
 
 LEARNER = {"learner": "own_code:HillClimber", "learner_settings": {"sigma": 0.2}}
@@ -39,6 +39,9 @@ MORE = {
 RUNS = {
     **{name: tiny_race(schedule=name, **LEARNER, **MORE.get(name, {})) for name in ALL_SCHEDULES},
     "retention": tiny_race(retention_episodes=2, **LEARNER),
+    "arrays changed in place": tiny_race(
+        retention_episodes=2, learner="own_code:ReturnsViews", learner_settings={"sigma": 0.2}
+    ),
     "pursuers alone": tiny_single(**LEARNER),
     "evaders alone": tiny_single(team="evader", **LEARNER),
 }
@@ -81,11 +84,11 @@ def test_the_learner_learns_by_its_own_rule(kind, tmp_path):
     run = start(RUNS[kind], tmp_path / "run", threads=1)
     run.run()
     for team in run.learning_teams():
-        assert isinstance(run.learners[team].learner, HillClimber)
+        assert isinstance(run.learners[team].learner, own_code.HillClimber)
         genomes = run.genomes(team)
         assert np.isfinite(genomes).all()
         assert len(np.unique(genomes, axis=0)) > 1
-    assert (tmp_path / "run" / "config.json").read_text().count("own_code:HillClimber") == 1
+    assert (tmp_path / "run" / "config.json").read_text().count(run.settings.learner_name) == 1
 
 
 def test_the_same_class_in_the_registry_gives_the_same_run(tmp_path, monkeypatch):
@@ -102,6 +105,22 @@ def test_the_same_class_in_the_registry_gives_the_same_run(tmp_path, monkeypatch
     assert open_run(tmp_path / "mine").settings.pursuers_meet == "mine"
     with pytest.raises(ValueError, match="pursuers_meet: expected one of latest, .*, got 'mine'"):
         resume(tmp_path / "mine")
+
+
+def test_an_archive_of_ones_own(tmp_path):
+    """A function that makes an `ArchiveSampler`: the archive plays its matches."""
+    race = {"schedule": ALTERNATING, "opponents": 2, "generations": 4}
+    own = {"evaders_meet": "own_code:layered", "evaders_meet_settings": {"layers": 2}}
+    built_in = {"evaders_meet": "lapca", "archive_size": 2}
+    runs = [
+        start(tiny_race(**race, **changes), tmp_path / name, threads=1)
+        for name, changes in {"own": own, "lapca": built_in}.items()
+    ]
+    first, second = (run.run() for run in runs)
+    assert np.array_equal(first.capture_rates, second.capture_rates)
+    assert runs[0].total_matches() == runs[1].total_matches()
+    logs = [(tmp_path / name / "log.csv").read_bytes() for name in ("own", "lapca")]
+    assert logs[0] == logs[1]
 
 
 def test_cma_of_the_package_by_its_path(tmp_path):

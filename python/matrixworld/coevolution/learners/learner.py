@@ -45,10 +45,7 @@ class Learner(Protocol):
 
     @property
     def genome(self) -> Genome:
-        """The genome (genes,) float32 that represents the team: champion or mean.
-
-        The archive keeps the array, so later epochs must not change it in place.
-        """
+        """The genome (genes,) float32 that represents the team: champion or mean."""
 
     @property
     def match_of_candidate(self) -> Indices:
@@ -67,7 +64,7 @@ class Learner(Protocol):
     def state(self) -> State:
         """Return all that changes, as arrays of numbers or text; called between `tell` and `ask`.
 
-        Names are identifiers. Later epochs must not change the arrays in place.
+        Names are identifiers.
         """
 
     def restore(self, state: State) -> None:

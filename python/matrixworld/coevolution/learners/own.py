@@ -14,13 +14,11 @@ from matrixworld.coevolution.plugin_checks import (
     PluginError,
     check_array,
     check_methods,
-    check_state,
+    checked_state,
     errors_of,
 )
-from matrixworld.coevolution.plugins import LEARNER_GROUP, OwnSettings, Plugin, find
+from matrixworld.coevolution.plugins import LEARNER, OwnSettings, Plugin, find
 from matrixworld.coevolution.types import Genome, Genomes, Indices, State, Team
-
-INTERFACE = ("genome", "match_of_candidate", "ask", "tell", "state", "restore")
 
 
 class CheckedLearner:
@@ -45,7 +43,7 @@ class CheckedLearner:
     def __init__(self, plugin: Plugin, learner: Learner, samples: int, genes: int) -> None:
         self.title, self.learner = plugin.title, learner
         self.samples, self.genes = samples, genes
-        check_methods(self.title, learner, INTERFACE)
+        check_methods(self.title, learner, ("genome", "match_of_candidate", *LEARNER.methods))
 
     @property
     def genome(self) -> Genome:
@@ -53,7 +51,8 @@ class CheckedLearner:
         with errors_of(self.title, "genome"):
             genome = self.learner.genome
         check_array(self.title, "genome", genome, (self.genes,), np.float32)
-        return genome
+        # A copy: the archive keeps it, and the learner may change its own array in place.
+        return np.array(genome)
 
     @property
     def match_of_candidate(self) -> Indices:
@@ -85,8 +84,7 @@ class CheckedLearner:
         """Return its state."""
         with errors_of(self.title, "state"):
             state = self.learner.state()
-        check_state(self.title, state)
-        return state
+        return checked_state(self.title, state)
 
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`."""
@@ -168,7 +166,7 @@ def own_learner(name: str, builtin: Collection[str]) -> LearnerEntry:
     LearnerEntry
         It reads no fields of the settings besides `population` and `learner_settings`.
     """
-    plugin = find("learner", name, builtin, LEARNER_GROUP)
+    plugin = find("learner", name, builtin, LEARNER)
     return LearnerEntry(
         title=name,
         settings={},

@@ -10,13 +10,11 @@ from matrixworld.coevolution.opponents.samplers import OpponentSampler
 from matrixworld.coevolution.plugin_checks import (
     PluginError,
     check_methods,
-    check_state,
+    checked_state,
     errors_of,
 )
-from matrixworld.coevolution.plugins import OwnSettings, Plugin
+from matrixworld.coevolution.plugins import OPPONENT, OwnSettings, Plugin
 from matrixworld.coevolution.types import Indices, State
-
-INTERFACE = ("sample", "tell", "state", "restore")
 
 
 class CheckedSampler:
@@ -40,7 +38,7 @@ class CheckedSampler:
 
     def __init__(self, plugin: Plugin, sampler: OpponentSampler, count: int) -> None:
         self.title, self.sampler, self.count = plugin.title, sampler, count
-        check_methods(self.title, sampler, INTERFACE)
+        check_methods(self.title, sampler, OPPONENT.methods)
 
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
         """Return the opponents of an epoch."""
@@ -58,14 +56,13 @@ class CheckedSampler:
     def tell(self, opponents: Indices, scores: ArrayLike) -> None:
         """Tell it the scores of the candidates."""
         with errors_of(self.title, "tell"):
-            self.sampler.tell(opponents, scores)
+            self.sampler.tell(opponents.copy(), scores)
 
     def state(self) -> State:
         """Return its state."""
         with errors_of(self.title, "state"):
             state = self.sampler.state()
-        check_state(self.title, state)
-        return state
+        return checked_state(self.title, state)
 
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`."""

@@ -37,7 +37,7 @@ from matrixworld.coevolution.opponents.samplers import (
     Uniform,
 )
 from matrixworld.coevolution.opponents.shared_sampling import SharedSampling
-from matrixworld.coevolution.plugins import OPPONENT_GROUP, find
+from matrixworld.coevolution.plugins import OPPONENT, find
 from matrixworld.coevolution.types import Team
 
 SAMPLERS: dict[str, Callable[[int, int], OpponentSampler]] = {
@@ -96,7 +96,7 @@ def new_sampler(settings: Any, team: Team) -> OpponentSampler:
     count = max(1, settings.opponents_per_epoch)
     if name in SAMPLERS:
         return SAMPLERS[name](count, settings.archive_size)
-    plugin = find(f"{team}s_meet", name, SAMPLERS, OPPONENT_GROUP)
+    plugin = find(f"{team}s_meet", name, SAMPLERS, OPPONENT)
     return new_own_sampler(plugin, count, settings.sampler_settings(team))
 
 

@@ -42,10 +42,7 @@ class OpponentSampler(Protocol):
         """Record the scores (n, c), in [0, 1], of n candidates against the opponents (c,)."""
 
     def state(self) -> State:
-        """Return all that changes, as arrays of numbers or text; names are identifiers.
-
-        Later epochs must not change the arrays in place.
-        """
+        """Return all that changes, as arrays of numbers or text; names are identifiers."""
 
     def restore(self, state: State) -> None:
         """Restore a state returned by `state()`, of this or of an equal sampler."""

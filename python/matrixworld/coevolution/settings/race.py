@@ -14,7 +14,7 @@ from matrixworld.coevolution.opponents.registry import (
     SAMPLERS,
     SCHEDULES,
 )
-from matrixworld.coevolution.plugins import OPPONENT_GROUP, OwnSettings, check_name, own_settings
+from matrixworld.coevolution.plugins import OPPONENT, OwnSettings, check_name, own_settings
 from matrixworld.coevolution.settings.training import (
     NO_SETTINGS,
     OWN_HELP,
@@ -106,7 +106,7 @@ class RaceSettings(TrainingSettings):
         for name in ("pursuers_meet", "evaders_meet"):
             value = getattr(self, name)
             if value is not None:
-                check_name(name, value, SAMPLERS, OPPONENT_GROUP)
+                check_name(name, value, SAMPLERS, OPPONENT)
             own = f"{name}_settings"
             self._freeze(own, own_settings(own, getattr(self, own)))
         for name in ("opponents", "archive_size", "archive_episodes"):

@@ -16,7 +16,7 @@ from matrixworld.coevolution.fitness import FITNESS
 from matrixworld.coevolution.learners.optimizers import OPTIMIZERS
 from matrixworld.coevolution.learners.registry import LEARNERS, check_learner_settings
 from matrixworld.coevolution.plugins import (
-    LEARNER_GROUP,
+    LEARNER,
     OwnSettings,
     SavedName,
     check_name,
@@ -137,7 +137,7 @@ class TrainingSettings:
 
     def _check_learner(self) -> None:
         if self.learner is not None:
-            check_name("learner", self.learner, LEARNERS, LEARNER_GROUP)
+            check_name("learner", self.learner, LEARNERS, LEARNER)
         self._freeze("learner_settings", own_settings("learner_settings", self.learner_settings))
         check_integer("population", self.population, 2)
         check_learner_settings(self)
