@@ -34,6 +34,7 @@ from matrixworld.analysis.verdicts import (
     Verdict,
     verdicts_of,
 )
+from matrixworld.short_repr import short_repr
 
 
 @dataclass(frozen=True)
@@ -112,6 +113,8 @@ class Judgement:
     episodes: int | None
     level: float
     windows: Mapping[str, WindowJudgement]
+
+    __repr__ = short_repr
 
     @property
     def window(self) -> str:
