@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import pairwise
 from typing import Any, Literal, TypeAlias, get_args
@@ -226,6 +226,10 @@ class Network:
             scale = head if number == len(layers) - 1 else weight
             weights[:] = scale * rng.standard_normal(weights.shape, dtype=np.float32)
         return genome
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields; the engine's form of them is built again on demand."""
+        return {item.name: getattr(self, item.name) for item in fields(self)}
 
     # Networks are compared and hashed by their fields, so the engine's form is not one of them.
     @cached_property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -37,7 +38,12 @@ def hard(power: float = 2.0) -> Weighting:
     """
     if not 0.0 < power < float("inf"):
         raise ValueError(f"power: expected a number above 0, got {power}")
-    return lambda x: np.asarray((1.0 - x) ** power)
+    return partial(_hard, power=power)
+
+
+# Not inside `hard`: samplers are pickled, and a function inside another one cannot be.
+def _hard(x: FloatArray, *, power: float) -> FloatArray:
+    return np.asarray((1.0 - x) ** power)
 
 
 def even(x: FloatArray) -> FloatArray:
