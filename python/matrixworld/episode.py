@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld.checks import check_integer, shown
 from matrixworld.files import read_arrays, replacing
 
 FORMAT = "matrixworld episode 2"  # marks a saved file; a new layout, a new number
@@ -73,7 +74,7 @@ class Episode:
     Raises
     ------
     TypeError
-        For another dtype.
+        For another dtype, and for a config that is not a mapping.
     ValueError
         For another shape, and for an action of a living agent outside 0 to 8.
     """
@@ -97,6 +98,9 @@ class Episode:
             if not isinstance(array, np.ndarray) or array.dtype != dtype:
                 got = getattr(array, "dtype", type(array).__name__)
                 raise TypeError(f"{name}: expected an array of {dtype}, got {got}")
+        check_integer("n_pursuers", self.n_pursuers)
+        if not isinstance(self.config, Mapping):
+            raise TypeError(f"config: expected a mapping, got {shown(self.config)}")
         self._check_shapes()
         # Gone agents keep whatever action was passed for them.
         played = self.actions[self.alive[:-1]]

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from matrixworld import _core
 from matrixworld.checks import check_bool, check_choice, check_integer
 from matrixworld.config import WorldConfig
+from matrixworld.memory import NUMBER, check_memory
 
 Script: TypeAlias = Literal[
     "random",
@@ -220,6 +221,8 @@ class Network:
         ndarray of float32, shape (genome_size,)
             The genome.
         """
+        # Twice: the random numbers of a layer come as an array of their own.
+        check_memory("genome", 2 * NUMBER * self.genome_size)
         genome = np.zeros(self.genome_size, np.float32)
         layers = self.layers(genome)
         for number, (weights, _) in enumerate(layers):

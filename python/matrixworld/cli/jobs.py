@@ -24,6 +24,7 @@ from matrixworld.coevolution import (
     resume,
     start,
 )
+from matrixworld.coevolution.settings.memory import check_run_memory
 
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
@@ -108,6 +109,8 @@ def free_directory(wanted: Path) -> Path:
 
 def create_runs(settings: Sequence[Settings], output: Path, threads: int | None) -> list[Run[Any]]:
     """Create new runs: a single one in `output` itself, several in directories inside it."""
+    for each in settings:
+        check_run_memory(each, threads)  # of all runs, before the directory is made
     if len(settings) == 1:
         return [start(settings[0], output, threads=threads)]
     races = [each for each in settings if isinstance(each, RaceSettings)]

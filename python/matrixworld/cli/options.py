@@ -12,6 +12,7 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
+from matrixworld.checks import INT_MAX, MOST_THREADS
 from matrixworld.cli.console import note
 from matrixworld.coevolution.settings.training import MOST_SEED
 from matrixworld.files import save_json
@@ -24,8 +25,6 @@ RENAMED = {
     "--evader": "--evaders",
 }
 """New names of options: the old names, which commands with the new option accept, too."""
-
-MOST_THREADS = 1024
 
 
 def _seed(ctx: click.Context, param: click.Parameter, value: int) -> int:
@@ -50,7 +49,7 @@ seed_option = click.option("--seed", **SEED)
 # mean capture rate to about +-0.1 at worst, and are what `coevolution.score` plays by default.
 episodes_option = click.option(
     "--episodes",
-    type=click.IntRange(min=2),
+    type=click.IntRange(2, INT_MAX),
     default=100,
     show_default=True,
     metavar="INTEGER",
@@ -58,13 +57,13 @@ episodes_option = click.option(
 )
 known_episodes_option = click.option(
     "--episodes",
-    type=click.IntRange(min=1),
+    type=click.IntRange(1, INT_MAX),
     metavar="INTEGER",
     help="episodes behind each cell of a file that holds means only",
 )
 steps_option = click.option(
     "--steps",
-    type=click.IntRange(min=1),
+    type=click.IntRange(1, INT_MAX),
     metavar="INTEGER",
     help="most steps of an episode  [default: as in the evaluation of RUN, or 500]",
 )

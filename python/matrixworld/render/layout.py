@@ -5,10 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from matrixworld.checks import check_integer, shown
+
 FIELD_PIXELS = 720  # wanted length of the longer side of the field
 LARGEST_CELL = 48
 NARROWEST = 464  # leaves room for the title above a small grid
 LARGEST_SIDE = 8192  # of a picture
+MOST_PIXELS = 2**26  # of a picture: 200 MB
+MOST_ANIMATED = 2**34  # pixels of all frames: minutes of work, hours on the largest grids
+
+
+def check_pixels(what: str, pixels: int, most: int) -> None:
+    """Raise ValueError if pictures together have more pixels than they may."""
+    if pixels > most:
+        raise ValueError(f"{what}: expected at most {most:,} pixels in all, got {shown(pixels)}")
 
 
 @dataclass(frozen=True)
@@ -41,12 +51,18 @@ class Layout:
         chosen = cell
         if chosen is None:
             chosen = min(max(FIELD_PIXELS // max(rows, cols), 1), LARGEST_CELL)
+        chosen = check_integer("cell", chosen)
         if chosen < 1 or max(rows, cols) * chosen > LARGEST_SIDE:
             raise ValueError(
                 f"cell: expected 1 to {LARGEST_SIDE // max(rows, cols)} pixels "
                 f"for {rows} x {cols} cells, got {cell}"
             )
         return cls(rows, cols, chosen)
+
+    @property
+    def pixels(self) -> int:
+        """Pixels of the whole picture."""
+        return self.width * self.height
 
     @property
     def width(self) -> int:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from matrixworld import colors
+from matrixworld.checks import check_integer
 from matrixworld.render.layout import Layout
 from matrixworld.render.sprites import Point, font, stamp
 
@@ -59,7 +60,7 @@ def rgb(
     ValueError
         If `cell` is below 1 or gives too large a picture, `fov` is even, or a viewer is unknown.
     """
-    if fov < 1 or fov % 2 == 0:
+    if check_integer("fov", fov, 1) % 2 == 0:
         raise ValueError(f"fov: expected an odd number from 1 up, got {fov}")
     agents = [scene.agent(viewer) for viewer in viewers]
     picture = _Picture(scene, Layout.of(scene.shape, cell))

@@ -12,6 +12,11 @@ MOST_EXTRA_NUMBERS = 2**24
 """Bound of the table's memory: 64 MiB beyond one noise vector."""
 
 
+def table_size(genes: int) -> int:
+    """Return the numbers of the table for noise vectors of a length."""
+    return genes + min(VECTORS_PER_TABLE * genes, MOST_EXTRA_NUMBERS)
+
+
 class NoiseTable:
     """Noise vectors as windows of one long row of normal numbers.
 
@@ -43,9 +48,8 @@ class NoiseTable:
         if size < 1:
             raise ValueError(f"size: expected at least 1 gene, got {size}")
         check_number("sigma", sigma, least=0.0, positive=True)
-        extra = min(VECTORS_PER_TABLE * size, MOST_EXTRA_NUMBERS)
         self.size, self.sigma = size, sigma
-        self._numbers = rng.standard_normal(size + extra, dtype=np.float32)
+        self._numbers = rng.standard_normal(table_size(size), dtype=np.float32)
         self._numbers *= np.float32(sigma)
         # Views of the table leave this class, so nothing may write to it.
         self._numbers.flags.writeable = False
