@@ -108,6 +108,8 @@ def failures() -> Iterator[None]:
     try:
         yield
     # Any other error is a mistake in the program, and its traceback is wanted.
+    except BrokenPipeError:  # the reader of the output has gone, which click handles
+        raise
     except (DamagedFileError, OtherVersionError, LockedError, OutOfMemoryError, OSError) as error:
         raise click.ClickException(str(error)) from error
     except MemoryError as error:

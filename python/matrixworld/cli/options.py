@@ -13,6 +13,7 @@ import click
 from click.core import ParameterSource
 
 from matrixworld.checks import INT_MAX, MOST_THREADS
+from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import note
 from matrixworld.coevolution.settings.training import MOST_SEED
 from matrixworld.files import save_json
@@ -131,6 +132,11 @@ def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
 
 class Commands(click.Group):
     """A group of commands that accept the old names of renamed options."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run a command; errors of files end it with a message, also while options are read."""
+        with failures():
+            return super().invoke(ctx)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
