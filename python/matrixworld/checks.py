@@ -119,6 +119,14 @@ def check_number(
     return number
 
 
+def check_floats(name: str, given: ArrayLike, dtype: type[np.floating[Any]]) -> NDArray[Any]:
+    """Return numbers as a new array of a float dtype; ValueError or TypeError if that fails."""
+    try:
+        return np.array(given, dtype)
+    except OverflowError:
+        raise ValueError(f"{name}: expected numbers that {dtype.__name__} holds") from None
+
+
 def check_bool(name: str, value: Any) -> bool:
     """Return an argument that must be True or False; raise TypeError for anything else."""
     if not isinstance(value, bool):

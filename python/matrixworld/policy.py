@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import pairwise
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
-from matrixworld.checks import check_bool, check_choice, check_integer
+from matrixworld.checks import check_bool, check_choice, check_integer, shown
 from matrixworld.config import WorldConfig
 from matrixworld.memory import NUMBER, check_memory
 
@@ -103,8 +103,9 @@ class Network:
     sampled: bool = True
 
     def __post_init__(self) -> None:
-        if not isinstance(self.hidden, Iterable):
-            raise TypeError(f"hidden: expected a sequence of ints, got {self.hidden!r}")
+        # Text, bytes and mappings can be iterated over, but hold no sizes.
+        if not isinstance(self.hidden, Iterable) or isinstance(self.hidden, str | bytes | Mapping):
+            raise TypeError(f"hidden: expected a sequence of ints, got {shown(self.hidden)}")
         sizes = tuple(check_integer("hidden", size, 1, _MAX_LAYER) for size in self.hidden)
         # A frozen dataclass lets its fields be set in this way only.
         object.__setattr__(self, "hidden", sizes)

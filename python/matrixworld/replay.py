@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from matrixworld.checks import check_integer, check_number
+from matrixworld.checks import check_instance, check_integer, check_number
 from matrixworld.episode import Episode
 from matrixworld.files import replacing
 from matrixworld.render import MARK_STEPS, Scene, ansi, rgb
@@ -73,6 +73,7 @@ def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None
     IndexError
         If the step is outside the episode.
     """
+    check_instance("episode", episode, Episode)
     now = range(episode.length + 1)[check_integer("step", step)]
     check_integer("trail", trail, 0)
     captures, deaths = _marks(episode, now)
@@ -191,6 +192,8 @@ def save(
     >>> episode = record(WorldConfig("O", max_steps=100), "chaser", "fleer", seed=1)
     >>> replay.save(episode, "chase.gif")  # doctest: +SKIP
     """
+    check_instance("episode", episode, Episode)
+    check_integer("step", step)
     suffix = Path(path).suffix.lower()
     if suffix not in (".gif", ".mp4", ".png"):
         raise ValueError(f"path: expected a name that ends in .gif, .mp4 or .png, got {path}")
@@ -271,6 +274,7 @@ def animation(
     ValueError
         If a value is out of range, or all frames together would have more than 2**34 pixels.
     """
+    check_instance("episode", episode, Episode)
     # A notebook keeps the animation in its file, so both frames and pixels are limited.
     if every is None:
         every = -(-episode.length // FRAMES) or 1
@@ -321,6 +325,7 @@ def contact_sheet(
     ValueError
         If a value is out of range, or the picture would have more than 2**26 pixels.
     """
+    check_instance("episode", episode, Episode)
     count = check_integer("rows", rows, 1) * check_integer("cols", cols, 1)
     check_pixels("contact sheet", count * Layout.of(episode.map.shape, cell).pixels, MOST_PIXELS)
     times = np.linspace(0, episode.length, count).round().astype(int)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.analysis import Estimate, mean_over_episodes
-from matrixworld.checks import check_integer, check_threads
+from matrixworld.checks import check_instance, check_integer, check_threads
 from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.seeding import Phase
@@ -146,6 +146,8 @@ def score_population(
     ValueError
         If there are fewer than 2 episodes, or if the network does not fit the world.
     """
+    check_instance("config", config, WorldConfig)
+    check_instance("population", population, Population)
     check_integer("episodes", episodes, 2)
     check_threads(threads)
     if opponents is None:

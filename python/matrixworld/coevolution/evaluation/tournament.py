@@ -13,7 +13,7 @@ from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.config import WorldConfig
 from matrixworld.memory import EPISODE, check_memory
-from matrixworld.policy import TeamPolicy
+from matrixworld.policy import TeamPolicy, check_team
 from matrixworld.rollout import EpisodeStatistics, Matches, Rollout, rollout
 
 
@@ -65,6 +65,8 @@ def tournament(
     Floreano, D. and Nolfi, S. (1997). God save the red queen! Competition in co-evolutionary
     robotics. Genetic Programming 1997. (The "master tournament".)
     """
+    for name, team in (("pursuers", pursuers), ("evaders", evaders)):
+        check_team(name, team)
     check_integer("episodes", episodes, 1)
     check_threads(threads)
     rows = []

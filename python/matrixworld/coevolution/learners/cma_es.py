@@ -10,7 +10,7 @@ from deap import cma
 from numpy.typing import ArrayLike
 from threadpoolctl import ThreadpoolController
 
-from matrixworld.checks import check_integer, check_number
+from matrixworld.checks import check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
 
@@ -92,7 +92,7 @@ class CmaEs:
     """
 
     def __init__(self, genome: ArrayLike, *, sigma: float, samples: int = 48) -> None:
-        start = np.array(genome, dtype=np.float64)
+        start = check_floats("genome", genome, np.float64)
         if start.ndim != 1 or not start.size:
             raise ValueError(f"genome: expected shape (genes,), got {start.shape}")
         check_genes(start.size)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from matrixworld.checks import check_number
+from matrixworld.checks import check_integer, check_number
 from matrixworld.coevolution.types import Genome
 
 VECTORS_PER_TABLE = 256
@@ -45,8 +45,7 @@ class NoiseTable:
     """
 
     def __init__(self, size: int, rng: np.random.Generator, *, sigma: float) -> None:
-        if size < 1:
-            raise ValueError(f"size: expected at least 1 gene, got {size}")
+        check_integer("size", size, 1)
         check_number("sigma", sigma, least=0.0, positive=True)
         self.size, self.sigma = size, sigma
         self._numbers = rng.standard_normal(table_size(size), dtype=np.float32)

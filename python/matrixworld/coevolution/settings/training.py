@@ -205,7 +205,8 @@ class TrainingSettings:
 
 def _native(value: Any) -> Any:
     """Return a number of NumPy, or of a subclass of int or float, as Python's own."""
-    if isinstance(value, np.generic):
+    # A bool of NumPy is refused as everywhere.
+    if isinstance(value, np.number):
         return value.item()
     kinds = (kind for kind in (bool, int, float) if isinstance(value, kind))
     return next((kind(value) for kind in kinds), value)
