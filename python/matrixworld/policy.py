@@ -15,6 +15,7 @@ from matrixworld import _core
 from matrixworld.checks import check_bool, check_choice, check_integer, shown
 from matrixworld.config import WorldConfig
 from matrixworld.memory import NUMBER, check_memory
+from matrixworld.short_repr import short_repr
 
 Script: TypeAlias = Literal[
     "random",
@@ -269,6 +270,8 @@ class Population:
 
     genomes: NDArray[np.float32]
     network: Network
+
+    __repr__ = short_repr
 
     def __post_init__(self) -> None:
         if not isinstance(self.network, Network):

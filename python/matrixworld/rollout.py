@@ -15,6 +15,7 @@ from matrixworld.config import WorldConfig
 from matrixworld.memory import check_memory, matches_memory
 from matrixworld.policy import Population, TeamPolicy, check_team
 from matrixworld.rules import Rules
+from matrixworld.short_repr import short_repr
 
 
 class Matches(NamedTuple):
@@ -109,6 +110,8 @@ class EpisodeStatistics:
     collisions: NDArray[np.int32]
     faults: NDArray[np.int32]
     agent_steps: NDArray[np.int64]
+
+    __repr__ = short_repr
 
 
 Rollout = Callable[..., EpisodeStatistics]

@@ -23,6 +23,7 @@ from matrixworld.memory import EPISODE, check_memory
 from matrixworld.policy import Population, TeamPolicy
 from matrixworld.rollout import Matches, Rollout, rollout
 from matrixworld.seeds import match_seed
+from matrixworld.short_repr import short_repr
 
 RATE = 8
 """Bytes of a float64."""
@@ -51,6 +52,8 @@ class HeldOutScores:
     opponents: tuple[str, ...]
     rates: NDArray[np.float64]
     left_out: str = ""
+
+    __repr__ = short_repr
 
     @property
     def matches(self) -> int:
