@@ -39,8 +39,8 @@ ARGUMENTS = {
     ],
 }
 """Arguments that make a command valid."""
-LEGAL = {(name, "-1") for name in ("--pursuer", "--evader", "--generation")}
-"""The last generation."""
+LEGAL = {(name, "-1") for name in ("--pursuer", "--evader", "--generation", "--step")}
+"""The last generation or step."""
 FILES = {"--json", "--output", "--out"}
 """Options that take any name of a file that can exist."""
 
