@@ -203,7 +203,7 @@ def test_an_episode_that_stands_still_is_a_gif_too(tmp_path: Path) -> None:
     [
         ({"fps": 0}, "fps: expected 0.1 to 50 a second, got 0"),
         ({"fps": 60}, "fps: expected 0.1 to 50 a second, got 60"),
-        ({"every": 0}, "every: expected 1 step or more, got 0"),
+        ({"every": 0}, "every: expected at least 1, got 0"),
         ({"hold": -1}, "hold: expected 0 to 600 seconds, got -1"),
         ({"cell": 0}, "cell: expected 1 to"),
         ({"fov": 2, "viewers": [0]}, "fov: expected an odd number"),
@@ -352,7 +352,7 @@ def test_a_contact_sheet_runs_from_first_to_last() -> None:
     views = np.array(contact_sheet(EPISODE, cell=14, trail=0, fov=3, viewers=["evader_1"]))
     seen = render.rgb(scene(EPISODE, 0, trail=0), cell=14, fov=3, viewers=[6])
     assert (views[:height, :width] == seen).all()
-    with pytest.raises(ValueError, match="rows, cols: expected at least 1, got 0, 3"):
+    with pytest.raises(ValueError, match="rows: expected at least 1, got 0"):
         contact_sheet(EPISODE, rows=0)
 
 
@@ -464,7 +464,8 @@ def test_which_colours_a_stream_may_have() -> None:
 
 
 @pytest.mark.parametrize(
-    ("options", "message"), [({"fps": 0}, "fps: expected more than 0"), ({"every": 0}, "every")]
+    ("options", "message"),
+    [({"fps": 0}, "fps: expected a number"), ({"every": 0}, "every")],
 )
 def test_animate_refuses(options: dict[str, int], message: str) -> None:
     with pytest.raises(ValueError, match=message):

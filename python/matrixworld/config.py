@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from enum import Enum
 from functools import cached_property
+from numbers import Real
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 
 from matrixworld import _core
 from matrixworld._core import Capture
-from matrixworld.checks import check_bool, check_choice, check_integer
+from matrixworld.checks import check_bool, check_choice, check_integer, check_real
 from matrixworld.conflicts import agent_name
 from matrixworld.maps import MapLike, read_map
 from matrixworld.rules import Rewards, Rules, rules_of
@@ -32,8 +33,8 @@ def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
         return 0.0
     if isinstance(given, bool):  # Python takes it for a number, and True for a share of 1
         raise TypeError(f"obstacles: expected a number in [0, 1) or a map, got {given!r}")
-    if isinstance(given, int | float | np.floating):
-        return float(given)
+    if isinstance(given, float | Real):  # for the type checker, a float is no Real
+        return check_real("obstacles", given)
     return read_map(given)
 
 

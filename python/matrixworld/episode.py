@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld.checks import check_integer, shown
 from matrixworld.conflicts import CONFLICT_COLUMNS, FORMS, KINDS, Conflict, conflict_of
 from matrixworld.files import read_arrays, replacing
 
@@ -81,7 +82,7 @@ class Episode:
     Raises
     ------
     TypeError
-        For another dtype.
+        For another dtype, and for a config that is not a mapping.
     ValueError
         For another shape, for an action of a living agent outside 0 to 8, and for numbers of a
         conflict that are out of range.
@@ -107,6 +108,9 @@ class Episode:
             if not isinstance(array, np.ndarray) or array.dtype != dtype:
                 got = getattr(array, "dtype", type(array).__name__)
                 raise TypeError(f"{name}: expected an array of {dtype}, got {got}")
+        check_integer("n_pursuers", self.n_pursuers)
+        if not isinstance(self.config, Mapping):
+            raise TypeError(f"config: expected a mapping, got {shown(self.config)}")
         self._check_shapes()
         # Gone agents keep whatever action was passed for them.
         played = self.actions[self.alive[:-1]]

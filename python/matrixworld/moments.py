@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.checks import check_integer
+from matrixworld.checks import check_instance, check_integer
 from matrixworld.episode import Episode, moment
 from matrixworld.render import MARK_STEPS, Scene
 
@@ -37,6 +37,7 @@ def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None
     TypeError, ValueError
         If `step` or `trail` is not an integer, or `trail` is negative.
     """
+    check_instance("episode", episode, Episode)
     now = moment(check_integer("step", step), episode.length)
     check_integer("trail", trail, 0)
     captures, deaths = _marks(episode, now)

@@ -15,12 +15,20 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from matrixworld.checks import check_instance, check_integer, check_number
 from matrixworld.episode import Episode
 from matrixworld.files import replacing
 from matrixworld.moments import scene
 from matrixworld.render import ansi, rgb
-from matrixworld.render.gif import write_gif
-from matrixworld.render.layout import SMALLEST_NUMBERED, fitting_cell
+from matrixworld.render.gif import check_timing, write_gif
+from matrixworld.render.layout import (
+    MOST_ANIMATED,
+    MOST_PIXELS,
+    SMALLEST_NUMBERED,
+    Layout,
+    check_pixels,
+    fitting_cell,
+)
 from matrixworld.render.mp4 import write_mp4
 from matrixworld.render.terminal_animation import color_mode, fits, play
 
@@ -74,8 +82,7 @@ def animate_terminal(
     ValueError
         If `fps` is not positive or `every` is below 1.
     """
-    if not fps > 0:
-        raise ValueError(f"fps: expected more than 0 drawings a second, got {fps}")
+    check_number("fps", fps, least=0.0, positive=True)
     times = _times(episode, every)
     out = sys.stdout if stream is None else stream
     if not out.isatty():
@@ -162,7 +169,8 @@ def save(
     Raises
     ------
     ValueError
-        If the suffix is another or a value is out of range.
+        If the suffix is another, a value is out of range, or all frames together would have more
+        than 2**34 pixels.
     IndexError
         If `step` is outside the episode.
     ImportError
@@ -174,14 +182,20 @@ def save(
     >>> episode = record(WorldConfig("O", max_steps=100), "chaser", "fleer", seed=1)
     >>> replay.save(episode, "chase.gif")  # doctest: +SKIP
     """
+    check_instance("episode", episode, Episode)
+    check_integer("step", step)
     suffix = Path(path).suffix.lower()
     if suffix not in (".gif", ".mp4", ".png"):
         raise ValueError(f"path: expected a name that ends in .gif, .mp4 or .png, got {path}")
     draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers, numbers=numbers)
     times = _times(episode, every)
+    if suffix == ".png":
+        picture = Image.fromarray(draw(step))
+    else:
+        _check_animation(episode, times, cell=cell, numbers=numbers, fps=fps, hold=hold)
     with replacing(path) as file:
         if suffix == ".png":
-            Image.fromarray(draw(step)).save(file, "PNG")
+            picture.save(file, "PNG")
         else:
             write = write_gif if suffix == ".gif" else write_mp4
             write(file, draw, times, fps=fps, hold=hold)
@@ -245,16 +259,19 @@ def animation(
     Raises
     ------
     ValueError
-        If a value is out of range.
+        If a value is out of range, or all frames together would have more than 2**34 pixels.
     """
+    check_instance("episode", episode, Episode)
     # A notebook keeps the animation in its file, so both frames and pixels are limited.
     if every is None:
         every = -(-episode.length // FRAMES) or 1
     if cell is None:
         cell = fitting_cell(episode.map.shape, PIXELS, SMALLEST_NUMBERED if numbers else 1)
     draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers, numbers=numbers)
+    times = _times(episode, every)
+    _check_animation(episode, times, cell=cell, numbers=numbers, fps=fps, hold=2.0)
     buffer = io.BytesIO()
-    write_gif(buffer, draw, _times(episode, every), fps=fps, hold=2.0)
+    write_gif(buffer, draw, times, fps=fps, hold=2.0)
     return Animation(buffer.getvalue())
 
 
@@ -290,11 +307,12 @@ def contact_sheet(
     Raises
     ------
     ValueError
-        If a value is out of range.
+        If a value is out of range, or the picture would have more than 2**26 pixels.
     """
-    if rows < 1 or cols < 1:
-        raise ValueError(f"rows, cols: expected at least 1, got {rows}, {cols}")
-    times = np.linspace(0, episode.length, rows * cols).round().astype(int)
+    check_instance("episode", episode, Episode)
+    count = check_integer("rows", rows, 1) * check_integer("cols", cols, 1)
+    check_pixels("contact sheet", count * _pixels(episode, cell, numbers), MOST_PIXELS)
+    times = np.linspace(0, episode.length, count).round().astype(int)
     draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers, numbers=numbers)
     pictures = [draw(t) for t in times.tolist()]
     lines = [np.concatenate(pictures[i : i + cols], axis=1) for i in range(0, len(times), cols)]
@@ -311,6 +329,7 @@ def _drawer(
     numbers: bool,
 ) -> Callable[[int], NDArray[np.uint8]]:
     """Return a function that draws a moment of the episode."""
+    check_integer("trail", trail, 0)
     side = int(episode.config.get("fov", FOV)) if fov is None else fov
 
     def draw(time: int) -> NDArray[np.uint8]:
@@ -321,9 +340,27 @@ def _drawer(
     return draw
 
 
+def _check_animation(
+    episode: Episode,
+    times: list[int],
+    *,
+    cell: int | None,
+    numbers: bool,
+    fps: float,
+    hold: float,
+) -> None:
+    """Raise ValueError or TypeError before a file is begun."""
+    check_timing(times, fps=fps, hold=hold)
+    check_pixels("animation", len(times) * _pixels(episode, cell, numbers), MOST_ANIMATED)
+
+
+def _pixels(episode: Episode, cell: int | None, numbers: bool) -> int:
+    least = SMALLEST_NUMBERED if numbers else 1
+    return Layout.of(episode.map.shape, cell, least=least).pixels
+
+
 def _times(episode: Episode, every: int) -> list[int]:
-    if every < 1:
-        raise ValueError(f"every: expected 1 step or more, got {every}")
+    check_integer("every", every, 1)
     times = list(range(0, episode.length + 1, every))
     # The end is the most interesting moment, so it is shown whatever the stride.
     return times if times[-1] == episode.length else [*times, episode.length]

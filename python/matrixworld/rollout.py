@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import _core
 from matrixworld.checks import check_integer, check_naturals, check_threads
 from matrixworld.config import WorldConfig
-from matrixworld.policy import TeamPolicy, check_team
+from matrixworld.memory import check_memory, matches_memory
+from matrixworld.policy import Population, TeamPolicy, check_team
 from matrixworld.rules import Rules
 from matrixworld.short_repr import short_repr
 
@@ -159,15 +160,28 @@ def rollout(
     other matches are played with a match. Where the rules take turns, an agent decides when its
     turn begins, and sees what earlier turns did.
     """
-    columns = _core.rollout(
-        WorldConfig.of(config).setup,
-        check_team("pursuers", pursuers),
-        check_team("evaders", evaders),
-        *(matches if _converted(matches) else Matches.of(*matches)),
-        n_worlds=check_integer("worlds", worlds, 1),
-        n_threads=check_threads(threads),
+    config, n_threads = WorldConfig.of(config), check_threads(threads)
+    teams = check_team("pursuers", pursuers), check_team("evaders", evaders)
+    columns = matches if _converted(matches) else Matches.of(*matches)
+    n_worlds = check_integer("worlds", worlds, 1)
+    needed = matches_memory(
+        config,
+        [team.network for team in (pursuers, evaders) if isinstance(team, Population)],
+        matches=len(columns.seed),
+        worlds=n_worlds,
+        threads=threads,
     )
-    return EpisodeStatistics(**columns)
+    check_memory("rollout", needed)
+    arrays = _core.rollout(
+        config.setup,
+        *teams,
+        columns.pursuer,
+        columns.evader,
+        columns.seed,
+        n_worlds=n_worlds,
+        n_threads=n_threads,
+    )
+    return EpisodeStatistics(**arrays)
 
 
 def _converted(matches: Matches) -> bool:

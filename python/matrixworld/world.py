@@ -13,6 +13,7 @@ from matrixworld.checks import SEED_MAX, check_integer
 from matrixworld.config import WorldConfig
 from matrixworld.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
 from matrixworld.maps import MapLike, read_map
+from matrixworld.memory import check_memory, thread_memory
 from matrixworld.rules import Rules
 from matrixworld.world_state import WorldState
 
@@ -89,6 +90,7 @@ class World(WorldState):
 
     def __init__(self, config: WorldConfig | Rules | str = "O", **changes: Any) -> None:
         self.config = WorldConfig.of(config, **changes)
+        check_memory("world", thread_memory(self.config))
         self._specs = array_specs(self.config)
         self._core = _core.World(self.config.setup)
         self._explained = False

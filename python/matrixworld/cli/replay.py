@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from matrixworld import replay
+from matrixworld.checks import INT_MAX, SEED_MAX
 from matrixworld.cli.arguments import failures, find_runs, run_of
 from matrixworld.cli.options import (
     SectionedCommand,
@@ -51,6 +52,13 @@ def _out(ctx: click.Context, param: click.Parameter, value: tuple[Path, ...]) ->
     return value
 
 
+def _fps(ctx: click.Context, param: click.Parameter, value: float) -> float:
+    # Not click.FloatRange, which lets nan pass.
+    if not SLOWEST <= value <= FASTEST:
+        raise click.BadParameter(f"expected {SLOWEST:g} to {FASTEST:g}, got {value:g}")
+    return value
+
+
 def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Rules:
     """Return a file, else a run directory, else the rules of a variant."""
     # Paths come first: a run may be called O, and `O` in another directory is the variant.
@@ -81,7 +89,7 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
 )
 @click.option(
     "--episode",
-    type=click.IntRange(min=0),
+    type=click.IntRange(0, SEED_MAX),
     default=0,
     show_default=True,
     metavar="NUMBER",
@@ -101,7 +109,8 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
 @force_option
 @click.option(
     "--fps",
-    type=click.FloatRange(SLOWEST, FASTEST),
+    type=float,
+    callback=_fps,
     default=10.0,
     show_default=True,
     metavar="NUMBER",
@@ -109,7 +118,7 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
 )
 @click.option(
     "--every",
-    type=click.IntRange(min=1),
+    type=click.IntRange(1, INT_MAX),
     default=1,
     show_default=True,
     metavar="STEPS",

@@ -228,7 +228,7 @@ def sizes_of(
     """Return layer sizes such as 32 or 64,64."""
     if value is None or value == "none":
         return None if value is None else ()
-    if not re.fullmatch(r"\d+(,\d+)*", value):
+    if not re.fullmatch(r"\d{1,9}(,\d{1,9})*", value):
         raise click.BadParameter(f"expected sizes such as 32 or 64,64, or none, got {value!r}")
     return tuple(int(size) for size in value.split(","))
 

@@ -5,11 +5,21 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from matrixworld.checks import check_integer, shown
+
 FIELD_PIXELS = 720  # wanted length of the longer side of the field
 LARGEST_CELL = 48
 SMALLEST_NUMBERED = 20  # cell size in pixels below which the number of an agent is unreadable
 NARROWEST = 464  # leaves room for the title above a small grid
 LARGEST_SIDE = 8192  # of a picture
+MOST_PIXELS = 2**26  # of a picture: 200 MB
+MOST_ANIMATED = 2**34  # pixels of all frames: minutes of work, hours on the largest grids
+
+
+def check_pixels(what: str, pixels: int, most: int) -> None:
+    """Raise ValueError if pictures together have more pixels than they may."""
+    if pixels > most:
+        raise ValueError(f"{what}: expected at most {most:,} pixels in all, got {shown(pixels)}")
 
 
 def fitting_cell(shape: tuple[int, ...], pixels: int, least: int = 1) -> int:
@@ -45,12 +55,17 @@ class Layout:
         """
         rows, cols = shape
         chosen = fitting_cell(shape, FIELD_PIXELS, least) if cell is None else cell
-        if not least <= chosen <= LARGEST_SIDE // max(rows, cols):
+        if not least <= check_integer("cell", chosen) <= LARGEST_SIDE // max(rows, cols):
             raise ValueError(
                 f"cell: expected {least} to {LARGEST_SIDE // max(rows, cols)} pixels "
                 f"for {rows} x {cols} cells, got {chosen}"
             )
         return cls(rows, cols, chosen)
+
+    @property
+    def pixels(self) -> int:
+        """Pixels of the whole picture."""
+        return self.width * self.height
 
     @property
     def width(self) -> int:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from matrixworld import colors
+from matrixworld.checks import check_integer
 from matrixworld.render.layout import SMALLEST_NUMBERED, Layout
 from matrixworld.render.sprites import Point, font, stamp
 
@@ -71,7 +72,7 @@ def rgb(
         If `cell` is below 1 (20 with numbers) or gives too large a picture, `fov` is even, or a
         viewer is unknown.
     """
-    if fov < 1 or fov % 2 == 0:
+    if check_integer("fov", fov, 1) % 2 == 0:
         raise ValueError(f"fov: expected an odd number from 1 up, got {fov}")
     agents = [scene.agent(viewer) for viewer in viewers]
     least = SMALLEST_NUMBERED if numbers else 1

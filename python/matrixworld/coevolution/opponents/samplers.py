@@ -8,6 +8,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld.checks import check_integer
 from matrixworld.coevolution.types import FloatArray, Indices, State
 
 
@@ -174,9 +175,8 @@ class HallOfFame(Stateless):
 
 
 def check_count(name: str, value: int, *, least: int = 1) -> None:
-    """Raise ValueError if a number is below `least`."""
-    if value < least:
-        raise ValueError(f"{name}: expected at least {least}, got {value}")
+    """Raise ValueError if a number is below `least`, TypeError if it is not an integer."""
+    check_integer(name, value, least)
 
 
 def check_available(available: int) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from matrixworld.checks import shown
 from matrixworld.coevolution.learners.registry import new_learner, starting_genomes, untrained
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME, new_sampler
 from matrixworld.coevolution.progress import Report, silent
@@ -52,9 +53,13 @@ def start(
     ------
     FileExistsError
         If the directory is not empty.
+    TypeError
+        If the settings are of another class.
     """
     if isinstance(settings, SingleSettings):
         return SingleTeam(settings, directory, threads=threads, play=play)
+    if not isinstance(settings, RaceSettings):
+        raise TypeError(f"settings: expected RaceSettings or SingleSettings, got {shown(settings)}")
     kind = HallOfFameRace if settings.schedule == HALL_OF_FAME else Race
     return kind(settings, directory, threads=threads, play=play)
 

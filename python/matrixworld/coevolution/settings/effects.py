@@ -48,6 +48,10 @@ class NoEffectError(ValueError):
         super().__init__(message)
         self.name = name
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle both arguments; an exception alone would keep the message only."""
+        return type(self), (self.name, str(self))
+
 
 SIZED = ("maxsolve", "lapca", "generalist")
 """Samplers with an archive of a given size."""

@@ -116,7 +116,8 @@ class TrainingSettings:
     seed: int = option(0, "seed of the run")
 
     def __post_init__(self) -> None:
-        self._freeze("hidden", tuple(int(size) for size in self.hidden))
+        for item in fields(self):
+            self._freeze(item.name, _native(getattr(self, item.name)))
         self._check_budget()
         self._check_world()
         self._check_learner()
@@ -150,8 +151,8 @@ class TrainingSettings:
         config = self.world(self.train_steps)
         if config.map is not None:
             self._freeze("obstacles", map_as_text(config.map))
-        # Only to check the layers and the activation.
-        Network.for_config(config, hidden=self.hidden, activation=self.activation)
+        network = Network.for_config(config, hidden=self.hidden, activation=self.activation)
+        self._freeze("hidden", network.hidden)
 
     @property
     def learning_teams(self) -> tuple[Team, ...]:
@@ -217,6 +218,15 @@ class TrainingSettings:
     def default_overlap_penalty(self) -> float:
         """The overlap penalty where teammates may share a cell."""
         return OVERLAP_PENALTY
+
+
+def _native(value: Any) -> Any:
+    """Return a number of NumPy, or of a subclass of int or float, as Python's own."""
+    # A bool of NumPy is refused as everywhere.
+    if isinstance(value, np.number):
+        return value.item()
+    kinds = (kind for kind in (bool, int, float) if isinstance(value, kind))
+    return next((kind(value) for kind in kinds), value)
 
 
 def map_as_text(obstacles: NDArray[np.bool_]) -> tuple[str, ...]:
