@@ -155,6 +155,11 @@ ACCEPTED = {
     ("Episode", "config", "a dict"): "no settings",
     ("SingleSettings", "against", "text with a null"): "read when the run starts",
     ("SingleSettings", "start", "text with a null"): "read when the run starts",
+    **{
+        (settings, f"{what}_settings", "a dict"): "no settings of one's own"
+        for settings in ("TrainingSettings", "SingleSettings", "RaceSettings")
+        for what in ("learner", "pursuers_meet", "evaders_meet")
+    },
 }
 """Values of the table that are legal, each with what they mean."""
 
