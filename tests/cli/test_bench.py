@@ -228,7 +228,7 @@ def test_a_wrong_answer_of_threads_ends_it(monkeypatch):
 # Interrupting
 
 
-@pytest.mark.parametrize("repeats", [0, 3, 12])
+@pytest.mark.parametrize("repeats", [0, 3, 15])
 def test_ctrl_c_gives_what_was_measured_so_far(monkeypatch, repeats):
     repeat, calls = Measurement.repeat, iter(range(repeats))
 
@@ -245,6 +245,6 @@ def test_ctrl_c_gives_what_was_measured_so_far(monkeypatch, repeats):
         return
     assert "Stopped. The figures are from the time before." in result.stderr
     lines = load_json(Path("a.json"))["lines"]
-    assert len(lines) == min(repeats, 10)
+    assert len(lines) == min(repeats, 13)
     assert sum(line["repeats"] for line in lines) == repeats
     assert result.stdout.count("\nstep only ") == 2
