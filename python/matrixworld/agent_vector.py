@@ -85,17 +85,24 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     ((128, 363), Discrete(5))
     """
 
+    single_observation_space: spaces.Box
+    single_action_space: spaces.Discrete
+    observation_space: spaces.Space[NDArray[Any]]
+    action_space: spaces.Space[NDArray[Any]]
+
     def __init__(self, worlds: VectorEnv, team: str | None = None) -> None:
         check_instance("worlds", worlds, VectorEnv)
         if team is not None:
             check_choice("team", team, TEAMS)
-        self.worlds, self.team = worlds, team
+        self.worlds: VectorEnv = worlds
+        self.team: str | None = team
         n_pursuers, n_agents = worlds.config.n_pursuers, worlds.config.n_agents
         parts = {"pursuer": range(n_pursuers), "evader": range(n_pursuers, n_agents)}
         self._agents = parts.get(team or "", range(n_agents))
         self._slice = slice(self._agents.start, self._agents.stop)
-        self.num_envs = worlds.n_worlds * len(self._agents)
-        self.metadata, self.render_mode = worlds.metadata, worlds.render_mode
+        self.num_envs: int = worlds.n_worlds * len(self._agents)
+        self.metadata: dict[str, Any] = worlds.metadata
+        self.render_mode: str | None = worlds.render_mode
         seen = worlds.observations
         self.single_observation_space = spaces.Box(0, 1, seen.shape[2:], seen.dtype.type)
         self.single_action_space = spaces.Discrete(worlds.config.n_actions)

@@ -128,6 +128,11 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     A further array of `array_specs` or `episode_specs` appears under its own name.
     """  # noqa: E501  (a row of a table is one line)
 
+    single_observation_space: spaces.Box
+    single_action_space: spaces.MultiDiscrete
+    observation_space: spaces.Space[NDArray[Any]]
+    action_space: spaces.Space[NDArray[Any]]
+
     def __init__(
         self,
         config: WorldConfig | Rules | str = "O",
@@ -144,14 +149,18 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         **changes: Unpack[WorldSettings],
     ) -> None:
         check_keywords(changes, WorldSettings.__annotations__, VectorEnv)
-        self.config = WorldConfig.of(config, **changes)
-        self.num_envs = check_integer("n_worlds", n_worlds, 1)
+        self.config: WorldConfig = WorldConfig.of(config, **changes)
+        self.num_envs: int = check_integer("n_worlds", n_worlds, 1)
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode: expected None or 'rgb_array', got {render_mode!r}")
         self.render_mode = render_mode
         mode = _mode(autoreset_mode)
-        self.metadata = {"autoreset_mode": mode, "render_modes": ["rgb_array"], "render_fps": 10}
-        self.copy = check_bool("copy", copy)
+        self.metadata: dict[str, Any] = {
+            "autoreset_mode": mode,
+            "render_modes": ["rgb_array"],
+            "render_fps": 10,
+        }
+        self.copy: bool = check_bool("copy", copy)
         if check_bool("action_mask", action_mask):
             check_maskable(self.config)
         left_out = set() if check_bool("state", state) else {"state"}
@@ -169,16 +178,17 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         self._views = kept["views"]
         # `reshape` of a contiguous array makes a view, so the batch writes into observations.
         seen = (*self._views.shape[:2], -1) if check_bool("flatten", flatten) else self._views.shape
-        self.observations = self._views.reshape(seen)
-        self.rewards = kept["rewards"]
-        self.terminations, self.truncations = kept["terminations"], kept["truncations"]
-        self.infos = make_infos(kept, self.observations)
+        self.observations: NDArray[Any] = self._views.reshape(seen)
+        self.rewards: NDArray[np.float32] = kept["rewards"]
+        self.terminations: NDArray[np.bool_] = kept["terminations"]
+        self.truncations: NDArray[np.bool_] = kept["truncations"]
+        self.infos: dict[str, Any] = make_infos(kept, self.observations)
         if action_mask:
             self.infos["action_mask"] = action_masks(self._views, self.config.n_actions)
         self._make_spaces()
-        self.actions = np.zeros((self.n_worlds, self.config.n_agents), np.int64)
-        self.pursuers = TeamView(self, slice(0, self.config.n_pursuers))
-        self.evaders = TeamView(self, slice(self.config.n_pursuers, None))
+        self.actions: NDArray[np.int64] = np.zeros((self.n_worlds, self.config.n_agents), np.int64)
+        self.pursuers: TeamView = TeamView(self, slice(0, self.config.n_pursuers))
+        self.evaders: TeamView = TeamView(self, slice(self.config.n_pursuers, None))
         self._generators: tuple[np.random.Generator, ...] | None = None
         self._seeded = False
         # A batch starts with fixed seeds, which would make every unseeded run the same.
