@@ -45,12 +45,12 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         self._reset_world(seed, options)
         self._actions = np.zeros(self.config.n_agents, np.int64)
         self._views = self.world.views()
-        self.rewards = dict.fromkeys(self.agents, 0.0)
+        self.rewards: dict[str, float] = dict.fromkeys(self.agents, 0.0)
         self._cumulative_rewards = dict.fromkeys(self.agents, 0.0)
-        self.terminations = dict.fromkeys(self.agents, False)
-        self.truncations = dict.fromkeys(self.agents, False)
+        self.terminations: dict[str, bool] = dict.fromkeys(self.agents, False)
+        self.truncations: dict[str, bool] = dict.fromkeys(self.agents, False)
         infos = self._infos(self.status, self._views)
-        self.infos = dict(zip(self.agents, infos, strict=True))
+        self.infos: dict[str, dict[str, Any]] = dict(zip(self.agents, infos, strict=True))
         self._skip_agent_selection: str | None = None
         self._select_actors()
 

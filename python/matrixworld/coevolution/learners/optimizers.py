@@ -111,9 +111,9 @@ class Momentum:
 
     def __init__(self, size: int, *, momentum: float = 0.9) -> None:
         check_momentum("momentum", momentum)
-        self.momentum = momentum
-        self.velocity = np.zeros(size, dtype=np.float32)
-        self.updates = 0
+        self.momentum: float = momentum
+        self.velocity: Genome = np.zeros(size, dtype=np.float32)
+        self.updates: int = 0
 
     def step(self, gradient: Genome, rate: float) -> Genome:
         """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""
