@@ -241,4 +241,6 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
 
     def close_extras(self, **kwargs: Any) -> None:
         """Close the worlds."""
-        self.worlds.close(**kwargs)
+        # Some versions of Gymnasium also close an environment whose constructor raised.
+        if hasattr(self, "worlds"):
+            self.worlds.close(**kwargs)
