@@ -271,7 +271,7 @@ def test_an_error_while_drawing_keeps_the_old_file(
 def test_a_film_needs_the_extra(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
     (tmp_path / "old.mp4").write_bytes(b"kept")
-    with pytest.raises(ImportError, match=r"pip install 'matrixworld\[video\]'"):
+    with pytest.raises(ImportError, match=r"pip install 'matrixworld-pursuit\[video\]'"):
         save(EPISODE, tmp_path / "old.mp4")
     assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [("old.mp4", b"kept")]
 
