@@ -3,7 +3,8 @@
 ==================  ===============================================================================
 games               `Rules`, `VARIANTS`, `Rewards`, `WorldConfig`, `read_map`, `Action`
 worlds              `World` (one), `Batch` (many)
-environments        `parallel_env`, `aec_env` (PettingZoo), `VectorEnv` (many worlds at once)
+environments        `parallel_env`, `aec_env` (PettingZoo), `VectorEnv` (many worlds at once),
+                    `AgentVectorEnv` (many agents at once)
 policies, matches   `Network`, `Population`, `SCRIPTS`, `Matches`, `rollout`, `EpisodeStatistics`
 episodes            `record`, `Recorder`, `Episode`; modules `replay` and `render`
 safety              `SafetyMonitor`, `SafetySummary`, `Conflict`
@@ -12,6 +13,7 @@ evolution           packages `coevolution` and `analysis`, module `plots`
 """
 
 from matrixworld._core import Autoreset, Blame, Capture, Interaction, Outcome
+from matrixworld.agent_vector import AgentVectorEnv
 from matrixworld.arrays import array_specs, episode_specs
 from matrixworld.batch import Batch
 from matrixworld.config import WorldConfig
@@ -34,6 +36,7 @@ __all__ = [
     "SCRIPTS",
     "VARIANTS",
     "Action",
+    "AgentVectorEnv",
     "Autoreset",
     "Batch",
     "Blame",

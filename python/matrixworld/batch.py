@@ -6,12 +6,19 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from typing_extensions import Unpack
 
 from matrixworld import _core
 from matrixworld._core import Autoreset
 from matrixworld.arrays import array_specs, integers, new_arrays
-from matrixworld.checks import SEED_MAX, check_integer, check_naturals, check_threads
-from matrixworld.config import WorldConfig
+from matrixworld.checks import (
+    SEED_MAX,
+    check_integer,
+    check_keywords,
+    check_naturals,
+    check_threads,
+)
+from matrixworld.config import WorldConfig, WorldSettings
 from matrixworld.maps import MapLike, read_map
 from matrixworld.memory import batch_memory, check_memory
 from matrixworld.rules import Rules
@@ -66,16 +73,19 @@ class Batch:
         threads: int | None = None,
         autoreset: Autoreset = Autoreset.DISABLED,
         buffers: dict[str, NDArray[Any]] | None = None,
-        **changes: Any,
+        **changes: Unpack[WorldSettings],
     ) -> None:
-        self.config = WorldConfig.of(config, **changes)
-        self.n_worlds = check_integer("n_worlds", n_worlds, 1)
+        check_keywords(changes, WorldSettings.__annotations__, Batch)
+        self.config: WorldConfig = WorldConfig.of(config, **changes)
+        self.n_worlds: int = check_integer("n_worlds", n_worlds, 1)
         if not isinstance(autoreset, Autoreset):
             raise TypeError(f"autoreset: expected a matrixworld.Autoreset, got {autoreset!r}")
         if not isinstance(buffers, dict | None):
             raise TypeError(f"buffers: expected a dict of arrays, got {buffers!r}")
         n_threads = check_threads(threads)
-        self.buffers = self._default_buffers() if buffers is None else buffers
+        self.buffers: dict[str, NDArray[Any]] = (
+            self._default_buffers() if buffers is None else buffers
+        )
         # New arrays take memory only as they are written into, so they are counted here, too.
         arrays = sum(getattr(array, "nbytes", 0) for array in self.buffers.values())
         worlds = batch_memory(self.config, self.n_worlds, threads)

@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from typing_extensions import Unpack
 
 from matrixworld import _core
 from matrixworld.arrays import array_specs, integers
 from matrixworld.checks import SEED_MAX, check_integer
-from matrixworld.config import WorldConfig
+from matrixworld.config import WorldConfig, WorldSettings
 from matrixworld.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
 from matrixworld.maps import MapLike, read_map
 from matrixworld.memory import check_memory, thread_memory
@@ -88,7 +89,12 @@ class World(WorldState):
     [0.05, -0.05, -0.15]
     """
 
-    def __init__(self, config: WorldConfig | Rules | str = "O", **changes: Any) -> None:
+    config: WorldConfig
+    keeps_conflicts: bool
+
+    def __init__(
+        self, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
+    ) -> None:
         self.config = WorldConfig.of(config, **changes)
         check_memory("world", thread_memory(self.config))
         self._specs = array_specs(self.config)

@@ -8,9 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from pettingzoo import AECEnv
+from typing_extensions import Unpack
 
 from matrixworld.checks import check_integer
-from matrixworld.envs.base import MatrixWorldBase, Status
+from matrixworld.config import WorldConfig
+from matrixworld.envs.base import EnvSettings, MatrixWorldBase, Status
+from matrixworld.rules import Rules
 
 View = NDArray[np.uint8]
 
@@ -18,23 +21,36 @@ View = NDArray[np.uint8]
 class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[misc]
     """An environment in which one agent acts after the other.
 
-    Takes the arguments of `matrixworld.envs.base.MatrixWorldBase`. Actions are collected until all
-    agents of a turn have chosen; then the turn is played.
+    Actions are collected until all agents of a turn have chosen; then the turn is played.
+
+    Parameters
+    ----------
+    config, **settings
+        Arguments of `matrixworld.envs.base.MatrixWorldBase`.
     """
 
     agent_selection: str
     _to_commit: list[str]  # agents of this turn that have not chosen yet
+
+    def __init__(
+        self, config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
+    ) -> None:
+        super().__init__(config, **settings)
+        # Where teams or agents take turns, they see what earlier ones did: that game is not the one
+        # in which all choose at once.
+        self.metadata["is_parallelizable"] = self.world.n_turns == 1
 
     def reset(self, seed: int | None = None, options: Mapping[str, Any] | None = None) -> None:
         """Start an episode; see `MatrixWorldParallel.reset`."""
         self._reset_world(seed, options)
         self._actions = np.zeros(self.config.n_agents, np.int64)
         self._views = self.world.views()
-        self.rewards = dict.fromkeys(self.agents, 0.0)
+        self.rewards: dict[str, float] = dict.fromkeys(self.agents, 0.0)
         self._cumulative_rewards = dict.fromkeys(self.agents, 0.0)
-        self.terminations = dict.fromkeys(self.agents, False)
-        self.truncations = dict.fromkeys(self.agents, False)
-        self.infos = dict(zip(self.agents, self.status.infos(), strict=True))
+        self.terminations: dict[str, bool] = dict.fromkeys(self.agents, False)
+        self.truncations: dict[str, bool] = dict.fromkeys(self.agents, False)
+        infos = self._infos(self.status, self._views)
+        self.infos: dict[str, dict[str, Any]] = dict(zip(self.agents, infos, strict=True))
         self._skip_agent_selection: str | None = None
         self._select_actors()
 
@@ -92,15 +108,15 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
             self.world.play_turn(self._actions)
         status = Status.of(self.world)
         paid = (status.rewards.astype(float) - before).tolist()
-        infos, terminations = status.infos(), status.terminations.tolist()
-        truncations = status.truncations.tolist()
+        terminations, truncations = status.terminations.tolist(), status.truncations.tolist()
+        self._views = self.world.views()
+        infos = self._infos(status, self._views)
         for agent in self.agents:
             i = self._index[agent]
             self.rewards[agent] = paid[i]
             self.terminations[agent] = terminations[i]
             self.truncations[agent] = truncations[i]
             self.infos[agent] = infos[i]
-        self._views = self.world.views()
         if self.world.turn == 0 and self._drawing is not None:
             self._drawing.note(self._actions)
         if not (status.terminated or status.truncated):

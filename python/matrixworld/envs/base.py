@@ -10,14 +10,27 @@ from typing import Any
 import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
+from typing_extensions import Unpack
 
 from matrixworld.arrays import WORLD_FIELDS, OutputField
-from matrixworld.checks import check_bool
-from matrixworld.config import WorldConfig
+from matrixworld.checks import check_bool, check_keywords
+from matrixworld.config import WorldConfig, WorldSettings
 from matrixworld.envs.drawing import Drawing
 from matrixworld.episode import Episode
+from matrixworld.masks import action_masks, check_maskable
 from matrixworld.rules import KINDS, VARIANTS, Rules
 from matrixworld.world import World
+
+
+class EnvSettings(WorldSettings, total=False):
+    """Keyword arguments of an environment, for type checkers; see `MatrixWorldBase`."""
+
+    render_mode: str | None
+    fields_of_view: bool | Iterable[str]
+    record: bool
+    action_mask: bool
+    max_cycles: int | None
+
 
 RENDER_MODES = ("human", "rgb_array", "ansi")
 
@@ -151,6 +164,9 @@ class MatrixWorldBase:
         The agents whose fields of view pictures outline: True for all, or their names.
     record : bool, optional
         Whether to keep every step for `recorded`. With a render mode steps are always kept.
+    action_mask : bool, optional
+        Whether infos have an ``action_mask``, int8 of shape (n_actions,): 1 for the moves that run
+        into neither an obstacle nor the border. Needs a `fov` of at least 3. The default is False.
     max_cycles : int, optional
         Another name for ``max_steps`` of the config, as other PettingZoo environments call it.
     **changes
@@ -189,19 +205,24 @@ class MatrixWorldBase:
         render_mode: str | None = None,
         fields_of_view: bool | Iterable[str] = False,
         record: bool = False,
+        action_mask: bool = False,
         max_cycles: int | None = None,
-        **changes: Any,
+        **changes: Unpack[WorldSettings],
     ) -> None:
+        check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
         if max_cycles is not None:
             changes["max_steps"] = max_cycles
         if render_mode not in (None, *RENDER_MODES):
             raise ValueError(
                 f"render_mode: expected None or one of {RENDER_MODES}, got {render_mode!r}"
             )
-        self.config = WorldConfig.of(config, **changes)
+        self.config: WorldConfig = WorldConfig.of(config, **changes)
+        self._has_masks = check_bool("action_mask", action_mask)
+        if self._has_masks:
+            check_maskable(self.config)
         self.world = World(self.config)
         self.render_mode = render_mode
-        self.metadata = metadata_of(self.config)
+        self.metadata: dict[str, Any] = metadata_of(self.config)
         names = [self.config.agent_name(agent) for agent in range(self.config.n_agents)]
         self.possible_agents = names
         self.agents: list[str] = []
@@ -224,14 +245,14 @@ class MatrixWorldBase:
     def _make_spaces(self) -> None:
         config = self.config
         view, whole = (3, config.fov, config.fov), (3, config.rows, config.cols)
-        self.observation_spaces = {
+        self.observation_spaces: dict[str, spaces.Box] = {
             name: spaces.Box(0, 1, view, np.uint8)  # not shared: each has a generator of its own
             for name in self.possible_agents
         }
-        self.action_spaces = {
+        self.action_spaces: dict[str, spaces.Discrete] = {
             name: spaces.Discrete(config.n_actions) for name in self.possible_agents
         }
-        self.state_space = spaces.Box(0, 1, whole, np.uint8)
+        self.state_space: spaces.Box = spaces.Box(0, 1, whole, np.uint8)
 
     def observation_space(self, agent: str) -> spaces.Box:
         """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view."""
@@ -249,6 +270,14 @@ class MatrixWorldBase:
     def status(self) -> Status:
         """The last step for all agents at once, in arrays in which an agent keeps its index."""
         return Status.of(self.world)
+
+    def _infos(self, status: Status, views: NDArray[np.uint8]) -> list[dict[str, Any]]:
+        """Return the info of each agent, in which `views` are what the agents see now."""
+        infos = status.infos()
+        if self._has_masks:
+            masks = action_masks(views, self.config.n_actions)
+            infos = [info | {"action_mask": mask} for info, mask in zip(infos, masks, strict=True)]
+        return infos
 
     def _reset_world(self, seed: int | None, options: Mapping[str, Any] | None) -> None:
         given = dict(options or {})

@@ -111,11 +111,12 @@ class EvolutionStrategy:
         if anneal_over is not None:
             check_integer("anneal_over", anneal_over, 1)
         check_momentum("momentum", momentum)
-        self.genome = check_floats("genome", genome, np.float32)
+        self.genome: Genome = check_floats("genome", genome, np.float32)
         if self.genome.shape != (noise.size,):
             raise ValueError(f"genome: expected shape ({noise.size},), got {self.genome.shape}")
-        self.samples = samples
-        self.learning_rate, self.anneal_over = learning_rate, anneal_over
+        self.samples: int = samples
+        self.learning_rate: float = learning_rate
+        self.anneal_over: int | None = anneal_over
         self._optimizer = new_optimizer(optimizer, noise.size, momentum=momentum)
         self._table = noise
         self._noise: list[Genome] = []

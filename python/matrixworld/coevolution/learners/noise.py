@@ -47,7 +47,8 @@ class NoiseTable:
     def __init__(self, size: int, rng: np.random.Generator, *, sigma: float) -> None:
         check_integer("size", size, 1)
         check_number("sigma", sigma, least=0.0, positive=True)
-        self.size, self.sigma = size, sigma
+        self.size: int = size
+        self.sigma: float = sigma
         self._numbers = rng.standard_normal(table_size(size), dtype=np.float32)
         self._numbers *= np.float32(sigma)
         # Views of the table leave this class, so nothing may write to it.

@@ -98,8 +98,9 @@ class Prioritized:
     ) -> None:
         check_count("count", count)
         check_number("decay", decay, least=0.0, most=1.0, positive=True)
-        self.weighting = hard() if weighting is None else weighting
-        self.count, self.decay = count, decay
+        self.weighting: Weighting = hard() if weighting is None else weighting
+        self.count: int = count
+        self.decay: float = decay
         self._wins, self._games = np.zeros(0), np.zeros(0)
 
     def win_rates(self, available: int) -> FloatArray:

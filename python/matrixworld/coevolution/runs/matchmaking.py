@@ -44,7 +44,9 @@ class Matchmaking:
     def __init__(
         self, settings: RaceSettings, training: Training, archive: Mapping[Team, list[Genome]]
     ) -> None:
-        self.settings, self.training, self.archive = settings, training, archive
+        self.settings: RaceSettings = settings
+        self.training: Training = training
+        self.archive: Mapping[Team, list[Genome]] = archive
         self.samplers: dict[Team, OpponentSampler] = {
             team: new_sampler(settings, team) for team in TEAMS
         }
