@@ -28,6 +28,7 @@ NOT_COPIED = {
     "Stateless": INTERFACE,
     "Batch": "its buffers belong to the caller",
     "VectorEnv": "it holds a batch",
+    "AgentVectorEnv": "it holds a `VectorEnv`",
     "ProgressBar": "it holds a terminal",
     "RunLog": "only the run that holds the lock of the directory writes it",
     "TeamPhase": "it exists while a run learns, and calls the run",
