@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.files import read_arrays, replacing
+from matrixworld.files import replacing
+from matrixworld.reading import UNPACKED, DamagedFileError, parse_json, read_npz
 
 FORMAT = "matrixworld episode 2"  # marks a saved file; a new layout, a new number
 
@@ -148,8 +149,11 @@ class Episode:
             The file, of the format npz, without pickle.
         """
         arrays = {name: getattr(self, name) for name in _ARRAYS}
+        # Readers refuse what expands to more: it may be meant to fill the memory.
+        small = sum(array.nbytes for array in arrays.values()) < UNPACKED // 2
+        write = np.savez_compressed if small else np.savez
         with replacing(path) as file:
-            np.savez_compressed(
+            write(
                 file,
                 format=np.array(FORMAT),
                 n_pursuers=np.array(self.n_pursuers),
@@ -175,18 +179,23 @@ class Episode:
         ------
         OSError
             If the file cannot be read.
-        ValueError
-            If the file is cut, altered, or not an episode. The message names the file.
+        DamagedFileError
+            A ValueError: if the file is cut, altered, not an episode, or beyond the limits in
+            `matrixworld.reading`. The message names the file.
         """
-        entries = read_arrays(Path(path))
+        path = Path(path)
+        entries = read_npz(path)
         if str(entries.pop("format", "")) != FORMAT:
-            raise ValueError(f"{path}: expected a file marked '{FORMAT}'")
+            raise DamagedFileError(path, f"expected a file marked '{FORMAT}'")
         names = {each.name for each in fields(cls)}
         if entries.keys() != names:
-            raise ValueError(f"{path}: expected entries {sorted(names)}, got {sorted(entries)}")
+            problem = f"expected entries {sorted(names)}, got {sorted(entries)}"
+            raise DamagedFileError(path, problem)
         arrays = {name: entries[name] for name in _ARRAYS}
         try:
-            config = json.loads(str(entries["config"]))
+            config = parse_json(path, str(entries["config"]))
             return cls(n_pursuers=int(entries["n_pursuers"]), config=config, **arrays)
-        except (TypeError, ValueError) as error:
-            raise ValueError(f"{path}: not an episode ({error})") from error
+        except DamagedFileError:
+            raise
+        except (OverflowError, TypeError, ValueError) as error:
+            raise DamagedFileError(path, f"not an episode ({error})") from error

@@ -11,7 +11,8 @@ from matrixworld.cli.jobs import Result, part_of_job
 from matrixworld.coevolution import open_run, score
 from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.files import DamagedFileError, json_digest, load_json, save_json
+from matrixworld.files import json_digest, load_json, save_json
+from matrixworld.reading import DamagedFileError
 from matrixworld.version import __version__
 
 SCORES = "scores.json"
