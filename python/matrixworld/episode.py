@@ -12,12 +12,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld.checks import check_integer
 from matrixworld.files import replacing
 from matrixworld.reading import UNPACKED, DamagedFileError, parse_json, read_npz
 
 FORMAT = "matrixworld episode 2"  # marks a saved file; a new layout, a new number
 
 N_ACTIONS = 9  # stay and eight directions
+MOST_FOV = 255  # as in the engine
 
 # Shape and dtype of each array. T is the number of steps, S = T + 1 that of moments.
 _ARRAYS: dict[str, tuple[str, str]] = {
@@ -76,7 +78,8 @@ class Episode:
     TypeError
         For another dtype.
     ValueError
-        For another shape, and for an action of a living agent outside 0 to 8.
+        For another shape, an action of a living agent outside 0 to 8, and a position outside the
+        map.
     """
 
     positions: NDArray[np.int32]
@@ -103,12 +106,25 @@ class Episode:
         played = self.actions[self.alive[:-1]]
         if ((played < 0) | (played >= N_ACTIONS)).any():
             raise ValueError(f"actions: expected 0 to {N_ACTIONS - 1}, got {np.unique(played)}")
+        self._check_cells()
+
+    def _check_cells(self) -> None:
+        """Raise ValueError for a position outside the map; (-1, -1) stands for a gone agent."""
+        lowest = np.where(self.alive, 0, -1)[..., None]
+        for name in ("positions", "last_positions"):
+            cells = getattr(self, name)
+            outside = (cells < lowest) | (cells >= self.map.shape)
+            if outside.any():
+                got = cells[outside.any(axis=2)][0].tolist()
+                raise ValueError(f"{name}: expected cells of a map {self.map.shape}, got {got}")
 
     def _check_shapes(self) -> None:
         steps, agents = (*self.actions.shape, 0, 0)[:2]
         if not 0 <= self.n_pursuers <= agents:
             raise ValueError(f"n_pursuers: expected 0 to {agents} (agents), got {self.n_pursuers}")
         rows, cols = (*self.map.shape, 0, 0)[:2]
+        if not rows * cols:
+            raise ValueError(f"map: expected at least one cell, got shape {self.map.shape}")
         sizes = {"S": steps + 1, "T": steps, "A": agents, "E": agents - self.n_pursuers}
         sizes |= {"2": 2, "3": 3, "rows": rows, "cols": cols}
         for name, (letters, _) in _ARRAYS.items():
@@ -194,6 +210,8 @@ class Episode:
         arrays = {name: entries[name] for name in _ARRAYS}
         try:
             config = parse_json(path, str(entries["config"]))
+            if "fov" in config:
+                check_integer("fov", config["fov"], 1, MOST_FOV)
             return cls(n_pursuers=int(entries["n_pursuers"]), config=config, **arrays)
         except DamagedFileError:
             raise

@@ -59,12 +59,8 @@ NO_COMMENT = b"\0\0"
 
 NO_MATCH = "altered or from another run, its checksum does not match its content"
 
-# Each flag exists on some systems only.
-PLAIN = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
-NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | PLAIN
-"""Flags to open a file that must not exist yet, not even as a symbolic link."""
-ALL_MAY = 0o666
-"""Permissions of a new file, from which the system removes those of the process's umask."""
+NO_LINK = getattr(os, "O_NOFOLLOW", 0)
+"""Flag to open a file, but not through a symbolic link, where the system has it."""
 PERMISSIONS = 0o777
 """Bits of a file's mode that are its permissions."""
 
@@ -138,9 +134,9 @@ def replacing(path: str | os.PathLike[str], *, keep_as: Path | None = None) -> I
     # random, so that writers do not share it, and nobody can put a link there before.
     temporary = target.with_name(f".{secrets.token_hex(8)}{TEMPORARY}")
     with naming(target, temporary):
-        handle = os.open(temporary, NEW, ALL_MAY)
         try:
-            with open(handle, "wb") as file:
+            # x: never through a link that has this name. The mode is 0o666 without the umask.
+            with open(temporary, "xb") as file:
                 if older is not None:
                     os.chmod(temporary, older.st_mode & PERMISSIONS)
                 yield file
@@ -307,7 +303,7 @@ def locked(path: Path) -> Iterator[None]:
     check_replaceable(path)
     # The file is never removed: a process that still has it open would lock another file than one
     # that makes it anew.
-    handle = os.open(path, os.O_RDWR | os.O_CREAT | PLAIN, 0o644)
+    handle = os.open(path, os.O_RDWR | os.O_CREAT | NO_LINK, 0o644)
     try:
         try:
             _lock(handle)

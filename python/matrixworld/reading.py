@@ -274,7 +274,10 @@ def _header(file: IO[bytes]) -> tuple[tuple[int, ...], np.dtype[Any]]:
     version = np.lib.format.read_magic(file)
     if version not in HEADERS:
         raise ValueError(f"expected an array of version 1.0 or 2.0, got {version}")
-    shape, _, dtype = HEADERS[version](file)
+    try:
+        shape, _, dtype = HEADERS[version](file)
+    except MemoryError:  # of Python's parser, in which the header is deeper than its stack
+        raise ValueError("expected the header of an array, got deeper nested text") from None
     return shape, dtype
 
 

@@ -70,8 +70,18 @@ def _kept(race: Result) -> Scores | None:
     except (FileNotFoundError, DamagedFileError):
         return None
     # Other versions may have other held-out opponents.
-    played = kept["matrixworld"], kept["episodes"], kept["seed"]
-    return kept if played == (__version__, EPISODES, SEED) else None
+    played = kept.get("matrixworld"), kept.get("episodes"), kept.get("seed")
+    return kept if played == (__version__, EPISODES, SEED) and _holds_means(kept) else None
+
+
+def _holds_means(kept: Scores) -> bool:
+    """Return whether scores have what is printed of them."""
+    try:
+        means = [kept[f"{team}s"]["mean"] for team in TEAMS]
+        found = [mean[end] for [mean] in means for end in ("value", "low", "high")]
+    except (KeyError, TypeError, ValueError):
+        return False
+    return all(type(number) is float for number in found)
 
 
 def _owner(race: Result) -> str:

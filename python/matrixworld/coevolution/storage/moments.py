@@ -15,7 +15,7 @@ other.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
@@ -54,6 +54,12 @@ FORMS: dict[str, dict[str, Form]] = {
 """Arrays that each file of a run must hold; see `check_arrays`."""
 
 SEVERAL = "; the files are from several moments of the run"
+COUNTS = (STAGES, "training_matches", "training_steps", "evaluation_matches")
+"""Entries of the summary, integers, of every kind of run."""
+MEANS = [f"{name}{end}" for name in ("capture_rate", "length") for end in ("", "_std")]
+ENDS = [f"{name}{end}" for name in ("capture_rate", "length") for end in ("_low", "_high")]
+"""Entries of the summary of one team: numbers, and ends of intervals, which may be None."""
+
 TRIES = 100
 """Most times that a read is repeated while another process changes the files."""
 
@@ -73,6 +79,9 @@ def stated(path: Path, arrays: Arrays) -> Stated:
 def check_form(path: Path, name: str, arrays: Arrays) -> None:
     """Raise DamagedFileError unless a file `name` of a run holds what it must."""
     check_arrays(path, arrays, FORMS[name])
+    for key, form in FORMS[name].items():
+        if form == COUNT and arrays[key] < 0:
+            raise DamagedFileError(path, f"{key}: expected at least 0, got {arrays[key]}")
     if name == "payoff":
         _check_payoff(path, arrays)
 
@@ -85,6 +94,19 @@ def _check_payoff(path: Path, arrays: Arrays) -> None:
         if not (array.size and np.isfinite(array).all() and ((array >= 0) & (array <= most)).all()):
             upper = "" if most == np.inf else f" to {most:g}"
             raise DamagedFileError(path, f"{name}: expected finite numbers from 0{upper}, and one")
+
+
+def check_summary(path: Path, kind: str, values: Mapping[str, Any]) -> None:
+    """Raise DamagedFileError unless a summary has the entries that the package reads."""
+    expected: dict[str, tuple[type, ...]] = dict.fromkeys(COUNTS, (int,))
+    if kind == "single":
+        expected |= dict.fromkeys(MEANS, (int, float))
+        expected |= dict.fromkeys(ENDS, (int, float, type(None)))
+    for name, kinds in expected.items():
+        # Not isinstance: True is an int.
+        if name not in values or type(values[name]) not in kinds:
+            got = repr(values[name]) if name in values else "none"
+            raise DamagedFileError(path, f"expected a number {name!r}, got {got}")
 
 
 def check_same(file: Stated, last: Stated) -> None:

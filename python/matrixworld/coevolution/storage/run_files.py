@@ -36,6 +36,7 @@ from matrixworld.coevolution.storage.moments import (
     check_log,
     check_pair,
     check_same,
+    check_summary,
     counted,
     stated,
     steady,
@@ -60,9 +61,6 @@ SETTINGS_OF_KIND: dict[str, type[RaceSettings] | type[SingleSettings]] = {
     "single": SingleSettings,
 }
 """Class of the settings of each kind of run."""
-
-SUMMARY_COUNTS = (STAGES, "training_matches", "training_steps", "evaluation_matches")
-"""Entries of summary.json that every kind of run has."""
 
 Archive = dict[Team, Genomes]
 
@@ -190,9 +188,7 @@ class RunFiles:
         """Return summary.json; FileNotFoundError while the run is not finished."""
         path = self.path / SUMMARY
         values = load_json(path, owner=self._owner_of(SUMMARY))
-        for name in SUMMARY_COUNTS:
-            if type(values.get(name)) is not int:
-                raise DamagedFileError(path, f"expected an integer {name!r}, got {values}")
+        check_summary(path, self.config()["kind"], values)
         return values
 
     @property

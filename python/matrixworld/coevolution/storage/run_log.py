@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.files import ALL_MAY, PLAIN, check_replaceable, naming
+from matrixworld.files import NO_LINK, check_replaceable, naming
 from matrixworld.reading import DamagedFileError, read_content
 
 Row = dict[str, Any]
@@ -116,7 +116,7 @@ def _checked(path: Path, length: int, checksum: str) -> bytes:
 
 def _opener(path: str, flags: int) -> int:
     # Not through a symbolic link, which may point to any file of the user.
-    return os.open(path, flags | PLAIN, ALL_MAY)
+    return os.open(path, flags | NO_LINK, 0o666)
 
 
 def _written(value: Any) -> str:
