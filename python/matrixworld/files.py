@@ -134,9 +134,10 @@ def replacing(path: str | os.PathLike[str], *, keep_as: Path | None = None) -> I
     # random, so that writers do not share it, and nobody can put a link there before.
     temporary = target.with_name(f".{secrets.token_hex(8)}{TEMPORARY}")
     with naming(target, temporary):
+        # x: a file that must not exist, not even as a link. Its mode is 0o666 without the umask.
+        made = open(temporary, "xb")  # noqa: SIM115, closed below, but not removed if it exists
         try:
-            # x: never through a link that has this name. The mode is 0o666 without the umask.
-            with open(temporary, "xb") as file:
+            with made as file:
                 if older is not None:
                     os.chmod(temporary, older.st_mode & PERMISSIONS)
                 yield file

@@ -45,8 +45,12 @@ class NoEffectError(ValueError):
     """
 
     def __init__(self, name: str, message: str) -> None:
-        super().__init__(message)
+        # All arguments, so that the error can be pickled.
+        super().__init__(name, message)
         self.name = name
+
+    def __str__(self) -> str:
+        return str(self.args[1])
 
 
 SIZED = ("maxsolve", "lapca", "generalist")
