@@ -29,7 +29,7 @@ MIB = 2**20
 LIMITS = {
     "JSON": 16 * MIB,  # 3 kB for settings; a byte for each cell of a fixed map: 4000 x 4000 cells
     "map": 16 * MIB,  # the same map in a file
-    "CSV": 256 * MIB,  # 100 races of 31 x 31 pairs with 100 episodes each, one line an episode
+    "CSV": 64 * MIB,  # 25 races of 31 x 31 pairs with 100 episodes each, one line an episode
     "log": 4096 * MIB,  # 110 bytes an epoch: 39 million epochs
     "npz": 4096 * MIB,  # 3 MB for an archive of 300 generations of both teams
 }

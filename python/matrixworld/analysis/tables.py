@@ -38,7 +38,7 @@ def read_table(path: Path) -> tuple[Rates, bool]:
     ------
     ValueError
         If the file has another format; the message names file and line. As DamagedFileError if it
-        is not a regular file, not text, or has more than 256 MiB.
+        is not a regular file, not text, or has more than 64 MiB.
     FileNotFoundError
         If the file does not exist.
 

@@ -53,6 +53,8 @@ FORMS: dict[str, dict[str, Form]] = {
 }
 """Arrays that each file of a run must hold; see `check_arrays`."""
 
+MOST = np.finfo(np.float64).max
+"""Largest number of a payoff: it is finite."""
 SEVERAL = "; the files are from several moments of the run"
 COUNTS = (STAGES, "training_matches", "training_steps", "evaluation_matches")
 """Entries of the summary, integers, of every kind of run."""
@@ -89,11 +91,12 @@ def check_form(path: Path, name: str, arrays: Arrays) -> None:
 def _check_payoff(path: Path, arrays: Arrays) -> None:
     for name in FORMS["payoff"]:
         array = arrays[name]
-        most = 1.0 if name == "capture_rates" else np.inf
-        # Also false for NaN. An empty payoff has no mean.
-        if not (array.size and np.isfinite(array).all() and ((array >= 0) & (array <= most)).all()):
-            upper = "" if most == np.inf else f" to {most:g}"
-            raise DamagedFileError(path, f"{name}: expected finite numbers from 0{upper}, and one")
+        if not array.size:
+            raise DamagedFileError(path, f"{name}: expected at least one number, got none")
+        low, high, most = array.min(), array.max(), 1.0 if name == "capture_rates" else MOST
+        if not 0 <= low <= high <= most:  # NaN is not, either
+            expected = f"numbers from 0 to {most:g}"
+            raise DamagedFileError(path, f"{name}: expected {expected}, got {low} to {high}")
 
 
 def check_summary(path: Path, kind: str, values: Mapping[str, Any]) -> None:
