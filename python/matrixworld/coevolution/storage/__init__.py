@@ -4,7 +4,7 @@
 module             contents
 =================  ===============================================================================
 run_files          `RunFiles`: the files of a run, their checksums, and how they are read
-moments            which of them may stand beside each other
+consistency        which of them may stand beside each other
 run_directory      `RunDirectory`: the same files to write; checkpoints and the lock
 run_log            `RunLog`, `read_log`: log.csv, one row per epoch
 saved_run          `open_run`: a run to look at, finished or not; `SavedRun`

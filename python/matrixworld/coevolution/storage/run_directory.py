@@ -16,7 +16,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from matrixworld.coevolution.storage.moments import STAGE, counted
+from matrixworld.coevolution.storage.consistency import STAGE, counted
 from matrixworld.coevolution.storage.run_files import (
     ARCHIVE,
     CHECKPOINT,

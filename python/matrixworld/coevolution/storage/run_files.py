@@ -14,7 +14,7 @@ checkpoint.npz        position in the run, and the state from which training con
 Several processes may read a directory; one writes to it, under its lock. The checksums of all files
 but the log include that of config.json, so that a file of another run is refused; length and
 checksum of the log are in the checkpoint. Files of different moments of the same run are refused
-(see `moments`). payoff.npz and summary.json follow from the other files:
+(see `consistency`). payoff.npz and summary.json follow from the other files:
 if they are deleted, resuming the run makes them again.
 """
 
@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.settings.training import settings_from_json
-from matrixworld.coevolution.storage.moments import (
+from matrixworld.coevolution.storage.consistency import (
     STAGES,
     Stated,
     check_form,

@@ -22,7 +22,7 @@ from matrixworld.coevolution import (
     open_run,
     resume,
 )
-from matrixworld.coevolution.storage import moments
+from matrixworld.coevolution.storage import consistency
 from matrixworld.coevolution.storage.run_log import COLUMNS
 from tiny_race import RESULTS, StopAt, directory_in_memory, results, tiny_race, tiny_single
 
@@ -259,7 +259,7 @@ def test_errors_of_a_directory_that_nobody_changes_are_raised_at_once(place):
         raise DamagedFileError(place / "x", "damaged")
 
     with pytest.raises(DamagedFileError):
-        moments.steady(read, [place / "x", place / "missing"])
+        consistency.steady(read, [place / "x", place / "missing"])
     assert len(calls) == 1
 
 
@@ -270,8 +270,8 @@ def test_reads_are_repeated_a_limited_number_of_times(place):
 
     (place / "x").touch()
     with pytest.raises(DamagedFileError):
-        moments.steady(read, [place / "x"])
-    assert (place / "x").stat().st_size == moments.TRIES + 1
+        consistency.steady(read, [place / "x"])
+    assert (place / "x").stat().st_size == consistency.TRIES + 1
 
 
 def test_reading_a_mixture_changes_nothing(place):
