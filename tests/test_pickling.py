@@ -33,7 +33,6 @@ NOT_COPIED = {
     "RunLog": "only the run that holds the lock of the directory writes it",
     "TeamPhase": "it exists while a run learns, and calls the run",
     "VariantModule": "a module",
-    "DamagedFileError": "tested with the readers of files",
 }
 """Public classes without a copy, each with the reason."""
 

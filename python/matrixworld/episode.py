@@ -14,11 +14,13 @@ from numpy.typing import NDArray
 
 from matrixworld.checks import check_integer, shown
 from matrixworld.conflicts import CONFLICT_COLUMNS, FORMS, KINDS, Conflict, conflict_of
-from matrixworld.files import read_arrays, replacing
+from matrixworld.files import replacing
+from matrixworld.reading import UNPACKED, DamagedFileError, parse_json, read_npz
 
 FORMAT = "matrixworld episode 3"  # marks a saved file; a new layout, a new number
 
 N_ACTIONS = 9  # stay and eight directions
+MOST_FOV = 255  # as in the engine
 BOTH_AGENTS = 0b11  # a set of the two agents of a conflict, as bits
 
 # Shape and dtype of each array. T is the number of steps, S = T + 1 that of moments.
@@ -84,8 +86,8 @@ class Episode:
     TypeError
         For another dtype, and for a config that is not a mapping.
     ValueError
-        For another shape, for an action of a living agent outside 0 to 8, and for numbers of a
-        conflict that are out of range.
+        For another shape, an action of a living agent outside 0 to 8, a position outside the map,
+        and for numbers of a conflict that are out of range.
     """
 
     positions: NDArray[np.int32]
@@ -116,8 +118,19 @@ class Episode:
         played = self.actions[self.alive[:-1]]
         if ((played < 0) | (played >= N_ACTIONS)).any():
             raise ValueError(f"actions: expected 0 to {N_ACTIONS - 1}, got {np.unique(played)}")
+        self._check_cells()
         if self.conflict_table is not None:
             _check_conflicts(self.conflict_table, self.length, self.map.shape, self.alive.shape[1])
+
+    def _check_cells(self) -> None:
+        """Raise ValueError for a position outside the map; (-1, -1) stands for a gone agent."""
+        lowest = np.where(self.alive, 0, -1)[..., None]
+        for name in ("positions", "last_positions"):
+            cells = getattr(self, name)
+            outside = (cells < lowest) | (cells >= self.map.shape)
+            if outside.any():
+                got = cells[outside.any(axis=2)][0].tolist()
+                raise ValueError(f"{name}: expected cells of a map {self.map.shape}, got {got}")
 
     def _names(self) -> list[str]:
         """Return the names of the arrays that this recording has."""
@@ -128,6 +141,8 @@ class Episode:
         if not 0 <= self.n_pursuers <= agents:
             raise ValueError(f"n_pursuers: expected 0 to {agents} (agents), got {self.n_pursuers}")
         rows, cols = (*self.map.shape, 0, 0)[:2]
+        if not rows * cols:
+            raise ValueError(f"map: expected at least one cell, got shape {self.map.shape}")
         sizes = {"S": steps + 1, "T": steps, "A": agents, "E": agents - self.n_pursuers}
         sizes |= {"2": 2, "3": 3, "rows": rows, "cols": cols}
         sizes |= {"N": 0 if self.conflict_table is None else len(self.conflict_table), "11": 11}
@@ -205,8 +220,11 @@ class Episode:
             The file, of the format npz, without pickle.
         """
         arrays = {name: getattr(self, name) for name in self._names()}
+        # Readers refuse what expands to more: it may be meant to fill the memory.
+        small = sum(array.nbytes for array in arrays.values()) < UNPACKED // 2
+        write = np.savez_compressed if small else np.savez
         with replacing(path) as file:
-            np.savez_compressed(
+            write(
                 file,
                 format=np.array(FORMAT),
                 n_pursuers=np.array(self.n_pursuers),
@@ -232,21 +250,28 @@ class Episode:
         ------
         OSError
             If the file cannot be read.
-        ValueError
-            If the file is cut, altered, or not an episode. The message names the file.
+        DamagedFileError
+            A ValueError: if the file is cut, altered, not an episode, or beyond the limits in
+            `matrixworld.reading`. The message names the file.
         """
-        entries = read_arrays(Path(path))
+        path = Path(path)
+        entries = read_npz(path)
         if str(entries.pop("format", "")) != FORMAT:
-            raise ValueError(f"{path}: expected a file marked '{FORMAT}'")
+            raise DamagedFileError(path, f"expected a file marked '{FORMAT}'")
         names = {each.name for each in fields(cls)}
         if entries.keys() | {CONFLICTS} != names:
-            raise ValueError(f"{path}: expected entries {sorted(names)}, got {sorted(entries)}")
+            problem = f"expected entries {sorted(names)}, got {sorted(entries)}"
+            raise DamagedFileError(path, problem)
         arrays = {name: entries[name] for name in _ARRAYS if name in entries}
         try:
-            config = json.loads(str(entries["config"]))
+            config = parse_json(path, str(entries["config"]))
+            if "fov" in config:
+                check_integer("fov", config["fov"], 1, MOST_FOV)
             return cls(n_pursuers=int(entries["n_pursuers"]), config=config, **arrays)
-        except (TypeError, ValueError) as error:
-            raise ValueError(f"{path}: not an episode ({error})") from error
+        except DamagedFileError:
+            raise
+        except (OverflowError, TypeError, ValueError) as error:
+            raise DamagedFileError(path, f"not an episode ({error})") from error
 
 
 def moment(step: int, length: int) -> int:

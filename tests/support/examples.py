@@ -200,6 +200,7 @@ def _of_runs(directory: Path) -> Iterator[Any]:
     yield coevolution.best_response(saved, "pursuer", 100, directory / "response", eval_episodes=5)
     yield from (
         coevolution.NoEffectError("sigma", "sigma: expected no value"),
+        coevolution.DamagedFileError(Path("payoff.npz"), "cut or altered"),
         coevolution.PluginError("learner mine:Learner: ask: ValueError: no"),
         coevolution.OtherVersionError("another version"),
         coevolution.LockedError("locked"),

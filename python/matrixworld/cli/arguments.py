@@ -10,10 +10,11 @@ import click
 
 from matrixworld.cli.console import command
 from matrixworld.coevolution.opponents.registry import ALTERNATING, HALL_OF_FAME, SCHEDULES
-from matrixworld.coevolution.storage.run_directory import CONFIG, OtherVersionError
-from matrixworld.files import DamagedFileError, LockedError
+from matrixworld.coevolution.storage.run_files import CONFIG, OtherVersionError
+from matrixworld.files import LockedError
 from matrixworld.memory import OutOfMemoryError
 from matrixworld.policy import SCRIPTS
+from matrixworld.reading import DamagedFileError
 
 UNMADE = ".unmade"
 """Marker file in a directory of several runs: not all of them have been created yet."""

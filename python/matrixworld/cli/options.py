@@ -17,7 +17,7 @@ from matrixworld.checks import INT_MAX, MOST_THREADS
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import INTERRUPTED, note
 from matrixworld.coevolution.settings.training import MOST_SEED
-from matrixworld.files import save_json
+from matrixworld.files import check_replaceable, save_json
 
 RENAMED = {
     "--overlap-penalty": "--crowding",
@@ -116,15 +116,17 @@ def refuse_existing(*files: Path | None, force: bool) -> None:
     no part of the output behind.
     """
     for file in filter(None, files):
-        if file.is_dir():
-            # Even with --force: a directory may hold a run.
-            raise click.UsageError(f"{file}: expected a file, got a directory")
-        if file.exists() and not force:
-            raise click.UsageError(f"{file}: exists; give --force to replace it")
         if not file.parent.is_dir():
             raise click.UsageError(
                 f"{file}: expected a directory that exists, got {str(file.parent)!r}"
             )
+        try:
+            existing = check_replaceable(file)
+        except FileExistsError as error:
+            # Even with --force: a directory may hold a run, and a link may point to any file.
+            raise click.UsageError(str(error)) from error
+        if existing and not force:
+            raise click.UsageError(f"{file}: exists; give --force to replace it")
 
 
 def write_json(file: Path | None, values: Mapping[str, Any]) -> None:

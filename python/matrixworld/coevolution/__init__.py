@@ -90,10 +90,12 @@ from matrixworld.coevolution.settings.effects import NoEffectError
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSettings
 from matrixworld.coevolution.settings.training import TrainingSettings
-from matrixworld.coevolution.storage.run_directory import OtherVersionError, RunDirectory
+from matrixworld.coevolution.storage.run_directory import RunDirectory
+from matrixworld.coevolution.storage.run_files import OtherVersionError
 from matrixworld.coevolution.storage.saved_run import SavedRun, last_generation, open_run
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.files import DamagedFileError, LockedError
+from matrixworld.files import LockedError
+from matrixworld.reading import DamagedFileError
 from matrixworld.rollout import Rollout
 
 __all__ = [

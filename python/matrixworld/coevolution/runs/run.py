@@ -23,9 +23,10 @@ from matrixworld.coevolution.settings.memory import check_run_memory
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.settings.training import settings_to_json
-from matrixworld.coevolution.storage.run_directory import RunDirectory
+from matrixworld.coevolution.storage.run_directory import Checkpoint, RunDirectory
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, State, Stateful, Team
 from matrixworld.policy import Network
+from matrixworld.reading import DamagedFileError
 from matrixworld.rollout import Rollout, rollout
 
 AnySettings = TypeVar("AnySettings", RaceSettings, SingleSettings)
@@ -241,6 +242,7 @@ class Run(ABC, Generic[AnySettings]):
     def summary(self, payoff: Payoff) -> dict[str, Any]:
         """Return the most important numbers of the run, which summary.json holds."""
         return {
+            "stages": self.stage,
             "training_matches": self.training.matches,
             "training_steps": self.training.steps,
             "evaluation_matches": int(payoff.lengths.size),
@@ -283,6 +285,16 @@ class Run(ABC, Generic[AnySettings]):
 
     def _restore(self) -> None:
         checkpoint = self.files.restore()
+        try:
+            self._take(checkpoint)
+        except DamagedFileError:
+            raise
+        except (IndexError, KeyError, OverflowError, TypeError, ValueError) as error:
+            # Its checksum was correct: it is from other learners, or forged.
+            problem = f"expected the state of a run of these settings ({error!r})"
+            raise DamagedFileError(self.files.path / "checkpoint.npz", problem) from error
+
+    def _take(self, checkpoint: Checkpoint) -> None:
         state = checkpoint.state
         self.stage = int(state["stage"])
         self.stage_capture_rates = state["stage_capture_rates"].tolist()

@@ -13,7 +13,8 @@ from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
-from matrixworld.coevolution.storage.run_directory import CONFIG, OtherVersionError, RunDirectory
+from matrixworld.coevolution.storage.run_directory import RunDirectory
+from matrixworld.coevolution.storage.run_files import CONFIG
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
 from matrixworld.rollout import Rollout, rollout
 
@@ -157,6 +158,4 @@ def resume(directory: str | Path, *, threads: int | None = None, play: Rollout =
         If another process runs it.
     """
     kind = RunDirectory.open(directory).config()["kind"]
-    if kind not in KINDS:
-        raise OtherVersionError(f"{directory}: expected a run of {', '.join(KINDS)}, got {kind!r}")
     return KINDS[kind].resume(directory, threads=threads, play=play)

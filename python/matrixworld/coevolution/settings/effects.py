@@ -45,12 +45,12 @@ class NoEffectError(ValueError):
     """
 
     def __init__(self, name: str, message: str) -> None:
-        super().__init__(message)
+        # All arguments, so that the error can be pickled.
+        super().__init__(name, message)
         self.name = name
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle both arguments; an exception alone would keep the message only."""
-        return type(self), (self.name, str(self))
+    def __str__(self) -> str:
+        return str(self.args[1])
 
 
 SIZED = ("maxsolve", "lapca", "generalist")
