@@ -7,6 +7,7 @@
 #include "bindings/bindings.hpp"
 #include "bindings/numpy_arrays.hpp"
 #include "bindings/numpy_buffers.hpp"
+#include "bindings/one_call.hpp"
 #include "play/batch.hpp"
 #include "play/mlp.hpp"
 
@@ -68,6 +69,9 @@ Snapshot to_snapshot(const py::dict& from, const Config& config) {
 // A world with a scratch of its own, in which its agents stay between two calls.
 class SingleWorld {
   public:
+    static constexpr const char* kName = "World";
+    InUse in_use;
+
     explicit SingleWorld(std::shared_ptr<const Setup> setup)
         : setup_(std::move(setup)), world_(setup_), scratch_(*setup_), observer_(*setup_) {
         source_.observer = &observer_;
@@ -226,9 +230,13 @@ std::vector<Placement> to_placements(const py::object& pursuers, const py::objec
 }
 
 // A batch with the caller's arrays. Steps and resets run without the GIL, after all checks that need
-// Python objects.
+// Python objects. Other threads may write to the arguments meanwhile, so what decides about memory
+// is copied, and the copy is checked.
 class BufferedBatch {
   public:
+    static constexpr const char* kName = "Batch or VectorEnv";
+    InUse in_use;
+
     BufferedBatch(const std::shared_ptr<const Setup>& setup, int n_worlds, int n_threads,
                   Autoreset autoreset, const py::dict& buffers)
         : held_(hold_batch(setup->config, n_worlds, buffers)),
@@ -242,9 +250,11 @@ class BufferedBatch {
         if (mask) require_shape("mask", *mask, {n});
         const std::vector<Placement> placements = to_placements(pursuers, evaders, map, n);
         const std::uint64_t* first_seed = seeds ? seeds->data() : nullptr;
-        const auto* chosen = mask ? reinterpret_cast<const std::uint8_t*>(mask->data()) : nullptr;
+        std::vector<std::uint8_t> chosen;
+        if (mask) chosen.assign(mask->data(), mask->data() + n);
         const py::gil_scoped_release release;
-        batch_.reset(first_seed, episode, chosen, placements, held_.buffers);
+        batch_.reset(first_seed, episode, mask ? chosen.data() : nullptr, placements,
+                     held_.buffers);
     }
 
     void step(const py::array& actions) {
@@ -268,27 +278,27 @@ class BufferedBatch {
 void bind_worlds(py::module_& m) {
     py::class_<SingleWorld>(m, "World")
         .def(py::init<std::shared_ptr<const Setup>>(), py::arg("setup"))
-        .def("reset", &SingleWorld::reset, py::arg("seed"), py::arg("episode"), py::arg("pursuers"),
-             py::arg("evaders"), py::arg("map"))
-        .def("step", &SingleWorld::step, py::arg("actions"), py::arg("explain"))
-        .def("play_turn", &SingleWorld::play_turn, py::arg("actions"), py::arg("explain"))
-        .def("turn", &SingleWorld::turn)
-        .def("n_turns", &SingleWorld::n_turns)
-        .def("actors", &SingleWorld::actors)
-        .def("write", &SingleWorld::write, py::arg("arrays"))
-        .def("conflicts", &SingleWorld::conflicts)
-        .def("snapshot", &SingleWorld::snapshot)
-        .def("restore", &SingleWorld::restore, py::arg("snapshot"))
-        .def("logits", &SingleWorld::logits, py::arg("network"), py::arg("genome"));
+        .def("reset", one_call(&SingleWorld::reset), py::arg("seed"), py::arg("episode"),
+             py::arg("pursuers"), py::arg("evaders"), py::arg("map"))
+        .def("step", one_call(&SingleWorld::step), py::arg("actions"), py::arg("explain"))
+        .def("play_turn", one_call(&SingleWorld::play_turn), py::arg("actions"), py::arg("explain"))
+        .def("turn", one_call(&SingleWorld::turn))
+        .def("n_turns", one_call(&SingleWorld::n_turns))
+        .def("actors", one_call(&SingleWorld::actors))
+        .def("write", one_call(&SingleWorld::write), py::arg("arrays"))
+        .def("conflicts", one_call(&SingleWorld::conflicts))
+        .def("snapshot", one_call(&SingleWorld::snapshot))
+        .def("restore", one_call(&SingleWorld::restore), py::arg("snapshot"))
+        .def("logits", one_call(&SingleWorld::logits), py::arg("network"), py::arg("genome"));
 
     py::class_<BufferedBatch>(m, "Batch")
         .def(py::init<const std::shared_ptr<const Setup>&, int, int, Autoreset, const py::dict&>(),
              py::arg("setup"), py::arg("n_worlds"), py::arg("n_threads"), py::arg("autoreset"),
              py::arg("buffers"))
-        .def("reset", &BufferedBatch::reset, py::arg("seeds"), py::arg("episode"), py::arg("mask"),
-             py::arg("pursuers"), py::arg("evaders"), py::arg("map"))
-        .def("step", &BufferedBatch::step, py::arg("actions"))
-        .def("snapshot", &BufferedBatch::snapshot, py::arg("world"));
+        .def("reset", one_call(&BufferedBatch::reset), py::arg("seeds"), py::arg("episode"),
+             py::arg("mask"), py::arg("pursuers"), py::arg("evaders"), py::arg("map"))
+        .def("step", one_call(&BufferedBatch::step), py::arg("actions"))
+        .def("snapshot", one_call(&BufferedBatch::snapshot), py::arg("world"));
 }
 
 }  // namespace matrixworld

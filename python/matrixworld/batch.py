@@ -27,8 +27,8 @@ class Batch:
     config : WorldConfig, Rules or str, optional
         A configuration, rules, or the name of a variant. The default is "O".
     threads : int, optional
-        Threads that share the worlds of a step. The default is one for each core. No result depends
-        on it.
+        Threads that share the worlds of a step. The default is one for each core that the process
+        may use. No result depends on it.
     autoreset : Autoreset, optional
         What happens to a world whose episode has ended. ``DISABLED`` (the default): the world stays
         as it is, with rewards of 0, until it is reset. ``NEXT_STEP``: the next step ignores the

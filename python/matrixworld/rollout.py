@@ -136,7 +136,7 @@ def rollout(
     worlds : int, optional
         Episodes of each match, W. The default is 1.
     threads : int, optional
-        Threads that share the episodes. The default is one for each core.
+        Threads that share the episodes. The default is one for each core that the process may use.
 
     Returns
     -------

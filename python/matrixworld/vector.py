@@ -63,8 +63,8 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         Whether ``infos["state"]`` holds the whole worlds, ``(W, 3, rows, cols)``. The default is
         False.
     threads : int, optional
-        Threads that share the worlds of a step. The default is one for each core. No result depends
-        on it.
+        Threads that share the worlds of a step. The default is one for each core that the process
+        may use. No result depends on it.
     render_mode : {None, "rgb_array"}, optional
         What `render` returns. The default is None.
     **changes
