@@ -55,6 +55,15 @@ class Batch:
     ------
     ValueError, TypeError
         If a buffer has another name, shape, dtype or memory layout, and as `WorldConfig` does.
+
+    Notes
+    -----
+    One thread of Python at a time may use a batch: `reset`, `step` and `world` raise RuntimeError
+    while another thread's call is in progress, and then nothing has changed. Give each thread a
+    batch of its own, or hold a `threading.Lock` in each call.
+
+    A process may be forked. The child's batch goes on where the parent's was, and starts threads of
+    its own. Only a batch that another thread was using at that moment is refused in the child.
     """
 
     def __init__(

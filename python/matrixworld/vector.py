@@ -98,6 +98,9 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     **Nothing is copied.** `reset` and `step` return the same arrays every time, and the next step
     overwrites them: copy what you keep. `pursuers` and `evaders` are views of the same arrays.
 
+    **One thread of Python at a time.** A call while another thread's call is in progress raises
+    RuntimeError. Forked processes may go on with an environment, see `Batch`.
+
     ``infos`` has the same keys at every step:
 
     | key | shape | |
