@@ -9,10 +9,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
 from matrixworld._core import Autoreset
-from matrixworld.arrays import array_specs, integers
+from matrixworld.arrays import array_specs, integers, new_arrays
 from matrixworld.checks import SEED_MAX, check_integer, check_naturals, check_threads
 from matrixworld.config import WorldConfig
 from matrixworld.maps import MapLike, read_map
+from matrixworld.memory import batch_memory, check_memory
 from matrixworld.rules import Rules
 from matrixworld.world import World
 
@@ -80,21 +81,25 @@ class Batch:
         self.n_worlds = check_integer("n_worlds", n_worlds, 1)
         if not isinstance(autoreset, Autoreset):
             raise TypeError(f"autoreset: expected a matrixworld.Autoreset, got {autoreset!r}")
+        if not isinstance(buffers, dict | None):
+            raise TypeError(f"buffers: expected a dict of arrays, got {buffers!r}")
+        n_threads = check_threads(threads)
         self.buffers = self._default_buffers() if buffers is None else buffers
-        if not isinstance(self.buffers, dict):
-            raise TypeError(f"buffers: expected a dict of arrays, got {self.buffers!r}")
+        # New arrays take memory only as they are written into, so they are counted here, too.
+        arrays = sum(getattr(array, "nbytes", 0) for array in self.buffers.values())
+        worlds = batch_memory(self.config, self.n_worlds, threads)
+        check_memory("batch", {"worlds": worlds, "arrays": arrays})
         # The engine checks the buffers and keeps them alive.
         self._core = _core.Batch(
-            self.config.setup, self.n_worlds, check_threads(threads), autoreset, self.buffers
+            self.config.setup, self.n_worlds, n_threads, autoreset, self.buffers
         )
         self.reset(0)
 
     def _default_buffers(self) -> dict[str, NDArray[Any]]:
-        return {
-            name: np.zeros((self.n_worlds, *shape), dtype)
-            for name, (shape, dtype) in array_specs(self.config).items()
-            if name not in ("views", "state")  # large, and slow to write
-        }
+        specs = array_specs(self.config)
+        # Both are large, and slow to write.
+        chosen = {name: spec for name, spec in specs.items() if name not in ("views", "state")}
+        return new_arrays(chosen, self.n_worlds)
 
     def reset(
         self,

@@ -21,7 +21,20 @@ INT_MAX = 2**31 - 1
 SEED_MAX = 2**64 - 1
 """The largest seed, and the largest number of an episode."""
 
-_MAX_THREADS = 1024
+MOST_THREADS = 1024
+"""The most threads that anything may use."""
+
+_LONGEST = 100
+"""The most characters of a value in a message."""
+
+
+def shown(value: object) -> str:
+    """Return a value as a message names it: as Python writes it, unless that is very long."""
+    try:
+        text = repr(value.item() if isinstance(value, np.generic) else value)
+    except ValueError:  # Python does not write integers of thousands of digits
+        return f"a very large {type(value).__name__}"
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
 
 
 def check_integer(name: str, value: Any, low: int = -INT_MAX, high: int = INT_MAX) -> int:
@@ -49,23 +62,29 @@ def check_integer(name: str, value: Any, low: int = -INT_MAX, high: int = INT_MA
         If it lies outside `low` to `high`.
     """
     if isinstance(value, bool | np.bool_):
-        raise TypeError(f"{name}: expected an integer, got {value!r}")
+        raise TypeError(f"{name}: expected an integer, got {shown(value)}")
     try:
         number = operator.index(value)
     except TypeError:
-        raise TypeError(f"{name}: expected an integer, got {value!r}") from None
+        raise TypeError(f"{name}: expected an integer, got {shown(value)}") from None
     if not low <= number <= high:
         # A caller below the lower limit does not need to read the engine's upper limit.
         expected = f"at least {low}" if number < low and high == INT_MAX else f"{low} to {high}"
-        raise ValueError(f"{name}: expected {expected}, got {number}")
+        raise ValueError(f"{name}: expected {expected}, got {shown(number)}")
     return number
 
 
 def check_real(name: str, value: Any) -> float:
-    """Return a real argument as a float; raise TypeError for anything else and for a bool."""
+    """Return a real argument as a float.
+
+    Raises TypeError for anything else and for a bool, ValueError for a number that no float holds.
+    """
     if isinstance(value, bool) or not isinstance(value, Real):
-        raise TypeError(f"{name}: expected a number, got {value!r}")
-    return float(value)
+        raise TypeError(f"{name}: expected a number, got {shown(value)}")
+    try:
+        return float(value)
+    except OverflowError:
+        raise ValueError(f"{name}: expected a finite number, got {shown(value)}") from None
 
 
 def check_number(
@@ -97,31 +116,41 @@ def check_number(
         If it is not finite or lies outside the limits.
     """
     number = check_real(name, value)
+    # NaN compares as False with everything.
     if not least <= number <= most or number == np.inf or (positive and number == 0.0):
         above = "above" if positive else "at least"
         upper = "" if most == np.inf else f" and at most {most:g}"
-        raise ValueError(f"{name}: expected a number {above} {least:g}{upper}, got {value}")
+        raise ValueError(f"{name}: expected a number {above} {least:g}{upper}, got {shown(value)}")
     return number
+
+
+def check_floats(name: str, given: ArrayLike, dtype: type[np.floating[Any]]) -> NDArray[Any]:
+    """Return numbers as a new array of a float dtype; ValueError or TypeError if that fails."""
+    try:
+        return np.array(given, dtype)
+    except OverflowError:
+        raise ValueError(f"{name}: expected numbers that {dtype.__name__} holds") from None
 
 
 def check_bool(name: str, value: Any) -> bool:
     """Return an argument that must be True or False; raise TypeError for anything else."""
     if not isinstance(value, bool):
-        raise TypeError(f"{name}: expected True or False, got {value!r}")
+        raise TypeError(f"{name}: expected True or False, got {shown(value)}")
     return value
 
 
 def check_instance(name: str, value: Any, kind: type) -> None:
     """Raise TypeError unless an argument is an instance of a type that `matrixworld` exports."""
     if not isinstance(value, kind):
-        raise TypeError(f"{name}: expected a matrixworld.{kind.__name__}, got {value!r}")
+        raise TypeError(f"{name}: expected a matrixworld.{kind.__name__}, got {shown(value)}")
 
 
 def check_choice(name: str, value: Any, choices: Iterable[str]) -> None:
     """Raise ValueError, listing the choices, unless `value` is one of them."""
     known = list(choices)
-    if value not in known:
-        raise ValueError(f"{name}: expected one of {', '.join(known)}, got {value!r}")
+    # The type first: an array would compare element by element.
+    if not isinstance(value, str) or value not in known:
+        raise ValueError(f"{name}: expected one of {', '.join(known)}, got {shown(value)}")
 
 
 def check_threads(threads: int | None) -> int:
@@ -129,7 +158,7 @@ def check_threads(threads: int | None) -> int:
 
     Raises ValueError outside 1 to 1024 and TypeError for a value that is not an integer.
     """
-    return usable_cores() if threads is None else check_integer("threads", threads, 1, _MAX_THREADS)
+    return usable_cores() if threads is None else check_integer("threads", threads, 1, MOST_THREADS)
 
 
 def usable_cores() -> int:
@@ -142,14 +171,14 @@ def usable_cores() -> int:
         cores = len(os.sched_getaffinity(0))
     else:
         cores = os.cpu_count() or 1
-    return max(1, min(cores, _MAX_THREADS, ceil(control_group_cores())))
+    return max(1, min(cores, MOST_THREADS, ceil(control_group_cores())))
 
 
 @cache
 def control_group_cores(
     own_groups: Path = Path("/proc/self/cgroup"), groups: Path = Path("/sys/fs/cgroup")
 ) -> float:
-    """Return how many cores' time the control groups of this process allow, `_MAX_THREADS` at most.
+    """Return how many cores' time the control groups of this process allow, `MOST_THREADS` at most.
 
     Parameters
     ----------
@@ -165,7 +194,7 @@ def control_group_cores(
         re.match(r"(\d+) (\d+)", _text(folder / "cpu.max")) for folder in (group, *group.parents)
     )
     cores = (int(limit[1]) / int(limit[2]) for limit in limits if limit)
-    return min(cores, default=float(_MAX_THREADS))
+    return min(cores, default=float(MOST_THREADS))
 
 
 def _text(file: Path) -> str:

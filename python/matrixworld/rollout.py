@@ -12,8 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import _core
 from matrixworld.checks import check_integer, check_naturals, check_threads
 from matrixworld.config import WorldConfig
-from matrixworld.policy import TeamPolicy, check_team
+from matrixworld.memory import check_memory, matches_memory
+from matrixworld.policy import Population, TeamPolicy, check_team
 from matrixworld.rules import Rules
+from matrixworld.short_repr import short_repr
 
 
 class Matches(NamedTuple):
@@ -109,6 +111,8 @@ class EpisodeStatistics:
     faults: NDArray[np.int32]
     agent_steps: NDArray[np.int64]
 
+    __repr__ = short_repr
+
 
 Rollout = Callable[..., EpisodeStatistics]
 """Type of `rollout` and of pure functions with the same arguments that replace it."""
@@ -159,15 +163,28 @@ def rollout(
     Ctrl-C ends a rollout of the main thread within about 0.1 s, after the steps that its threads
     are playing, with KeyboardInterrupt. Nothing is left behind.
     """
-    columns = _core.rollout(
-        WorldConfig.of(config).setup,
-        check_team("pursuers", pursuers),
-        check_team("evaders", evaders),
-        *(matches if _converted(matches) else Matches.of(*matches)),
-        n_worlds=check_integer("worlds", worlds, 1),
-        n_threads=check_threads(threads),
+    config, n_threads = WorldConfig.of(config), check_threads(threads)
+    teams = check_team("pursuers", pursuers), check_team("evaders", evaders)
+    columns = matches if _converted(matches) else Matches.of(*matches)
+    n_worlds = check_integer("worlds", worlds, 1)
+    needed = matches_memory(
+        config,
+        [team.network for team in (pursuers, evaders) if isinstance(team, Population)],
+        matches=len(columns.seed),
+        worlds=n_worlds,
+        threads=threads,
     )
-    return EpisodeStatistics(**columns)
+    check_memory("rollout", needed)
+    arrays = _core.rollout(
+        config.setup,
+        *teams,
+        columns.pursuer,
+        columns.evader,
+        columns.seed,
+        n_worlds=n_worlds,
+        n_threads=n_threads,
+    )
+    return EpisodeStatistics(**arrays)
 
 
 def _converted(matches: Matches) -> bool:

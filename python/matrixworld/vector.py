@@ -13,7 +13,7 @@ from gymnasium.vector.utils import batch_space
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld._core import Autoreset
-from matrixworld.arrays import BATCH_FIELDS, array_specs, episode_specs
+from matrixworld.arrays import BATCH_FIELDS, Specs, array_specs, episode_specs, new_arrays
 from matrixworld.batch import Batch
 from matrixworld.checks import check_bool, check_integer
 from matrixworld.config import WorldConfig
@@ -350,8 +350,9 @@ def _buffers(
     config: WorldConfig, n_worlds: int, views: np.dtype[Any], left_out: set[str]
 ) -> dict[str, NDArray[Any]]:
     specs = array_specs(config) | episode_specs(config)
-    return {
-        name: np.zeros((n_worlds, *shape), views if name.endswith("views") else dtype)
+    chosen: Specs = {
+        name: (shape, views if name.endswith("views") else dtype)
         for name, (shape, dtype) in specs.items()
         if name not in left_out
     }
+    return new_arrays(chosen, n_worlds)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import shutil
 from collections import defaultdict
 from pathlib import Path
@@ -17,9 +18,10 @@ from matrixworld.coevolution import open_run, start
 from matrixworld.coevolution.settings.training import MOST_SEED
 from tiny_race import tiny_race
 
-DIFFERENT = {"--hidden", "--episodes"}
+DIFFERENT = {"--hidden", "--episodes", "--explain"}
 """Options that differ between commands: `evolve` takes one network, `bench` measures several;
-`tournament` plays episodes, `analyze` has to be told how many there were."""
+`tournament` plays episodes, `analyze` has to be told how many there were; `diagnose` explains a
+judgement, `replay` the steps of an episode."""
 
 BENCH = ["--rows", 7, "--cols", 6, "--pursuers", 2, "--evaders", 3, "--fov", 5]
 
@@ -150,6 +152,22 @@ def test_evolve_refuses_a_directory_with_a_run_and_names_resume(run):
     assert "expected a new or empty directory, got 'run'" in said
     assert "matrixworld evolve --resume run continues the run in it" in said
     assert {path: path.read_bytes() for path in run.iterdir()} == before
+
+
+# Ctrl-C
+
+
+@pytest.mark.parametrize("words", [words for words, _ in OUTPUTS.values()], ids=OUTPUTS)
+def test_ctrl_c_prints_the_command_that_starts_again(run, monkeypatch, words):
+    def stopped(**options: object) -> None:
+        raise KeyboardInterrupt
+
+    shutil.copytree(run, "run2")
+    np.savetxt("circle.csv", np.full((6, 6), 0.5), delimiter=",")
+    monkeypatch.setattr(main.commands[words[0]], "callback", stopped)
+    said = matrixworld_command(*words, code=130).stderr
+    assert said.endswith(f"To start again:\n  {shlex.join(['matrixworld', *map(str, words)])}\n")
+    assert "Aborted" not in said
 
 
 # Old names

@@ -29,6 +29,7 @@ measures.py         named measures, for comparison between runs
 single_run.py       all measures of one run
 analyze.py          all measures of one run or several, with intervals
 judgement.py        arms race, cycling, forgetting, disengagement, stagnation: what is present
+verdicts.py         the rules of the judgement: from its numbers to its verdicts
 evidence.py         the numbers behind a judgement, of one run in one window
 measurement.py      a number of one run with its interval, and over several runs
 strength.py         change of a team's strength over a window
@@ -67,6 +68,7 @@ from matrixworld.analysis.engagement import (
 )
 from matrixworld.analysis.episode_intervals import (
     difference_over_episodes,
+    generalization_over_episodes,
     linear_over_episodes,
     mean_over_episodes,
     transitive_share_over_episodes,
@@ -100,13 +102,7 @@ from matrixworld.analysis.intransitivity import (
     noise_reference,
     transitive_fit,
 )
-from matrixworld.analysis.judgement import (
-    CONDITIONS,
-    Finding,
-    Judgement,
-    WindowJudgement,
-    judge,
-)
+from matrixworld.analysis.judgement import Finding, Judgement, WindowJudgement, judge
 from matrixworld.analysis.lags import (
     LagProfile,
     lag_profile,
@@ -130,6 +126,7 @@ from matrixworld.analysis.single_run import RunAnalysis, analyze_run
 from matrixworld.analysis.sources import Payoffs, read_payoffs
 from matrixworld.analysis.strength import strength_change, strength_gain
 from matrixworld.analysis.summary import PartSummary, Summary, TeamSummary, summarize
+from matrixworld.analysis.verdicts import CONDITIONS
 from matrixworld.analysis.wording import describe, explain, headline, judgement_table
 
 __all__ = [
@@ -194,6 +191,7 @@ __all__ = [
     "forgetting",
     "game_value",
     "generalization",
+    "generalization_over_episodes",
     "global_progress",
     "headline",
     "held_out_forgetting",

@@ -114,7 +114,8 @@ def bench_command(
     threads = check_threads(threads)
     machine, world = _machine(), settings[0].world(settings[0].eval_steps)
     print_machine(machine, variant, world)
-    measured, stopped = _measure(settings, world, threads, seconds)
+    with failures():
+        measured, stopped = _measure(settings, world, threads, seconds)
     if measured:
         figures = figures_of(measured, machine, world, races[0])
         print_figures(figures, default=variant == "O" and not given)

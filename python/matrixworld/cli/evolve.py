@@ -21,7 +21,6 @@ from matrixworld.cli.jobs import (
     Settings,
     create_runs,
     default_directory,
-    free_directory,
     play_runs,
     resume_runs,
 )
@@ -32,8 +31,8 @@ from matrixworld.cli.options import (
     threads_option,
 )
 from matrixworld.cli.report import report
-from matrixworld.cli.setting_options import setting_options, settings_from
-from matrixworld.coevolution import Run, RunDirectory
+from matrixworld.cli.setting_options import in_options, setting_options, settings_from
+from matrixworld.coevolution import PluginError, Run, RunDirectory
 
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
@@ -67,7 +66,8 @@ def evolve_command(
     team alone evolves against fixed opponents.
 
     OUTPUT is a new directory: the run directory of a single run, or the parent of several. The
-    default is a new directory in runs/, named after variant and seed.
+    default is a directory in runs/, named after variant and seed. A run that exists is never
+    replaced.
 
     Ctrl-C stops. --resume continues from the last checkpoint, with the same results. Results do
     not depend on --threads.
@@ -79,7 +79,7 @@ def evolve_command(
             root = resume[0] if len(resume) == 1 else resume[0].parent
             # The runs are restored inside the block: reading them may fail or take some time.
             with _resumable(root):
-                report(play_runs(resume_runs(resume, threads)), root, threads)
+                report(play_runs(_old_runs(resume, threads)), root, threads)
         else:
             settings = settings_from(given)
             root = _new_directory(settings[0], output)
@@ -91,14 +91,17 @@ def evolve_command(
 
 @contextmanager
 def _resumable(root: Path) -> Iterator[None]:
-    """Tell the user how to continue after Ctrl-C, or an error such as a full disk."""
+    """Tell the user how to continue after Ctrl-C, or an error such as a full disk.
+
+    An error in the code of the user's own learner keeps its traceback.
+    """
     hint = f"\nStopped. Finished parts are saved; to continue:\n  {resume_command(root)}"
     try:
         yield
     except KeyboardInterrupt:
         note(hint)
         raise click.exceptions.Exit(INTERRUPTED) from None
-    except OSError:
+    except (OSError, PluginError):
         note(hint)
         raise
 
@@ -114,15 +117,12 @@ def _refuse_settings(output: Path | None, given: dict[str, Any]) -> None:
 
 def _new_directory(settings: Settings, output: Path | None) -> Path:
     """Return the directory of new runs, and print it if it is not `output`."""
-    if output is not None:
-        if output.exists():
-            _check_free(output)
-        return output
-    wanted = default_directory(settings)
-    free = free_directory(wanted)
-    why = "" if free == wanted else f" ({wanted} exists)"
-    note(f"Output directory: {free}{why}")
-    return free
+    root = output or default_directory(settings)
+    if root.exists():
+        _check_free(root)
+    if output is None:
+        note(f"Output directory: {root}")
+    return root
 
 
 def _check_free(root: Path) -> None:
@@ -131,7 +131,11 @@ def _check_free(root: Path) -> None:
     try:
         RunDirectory(root).check_empty()
     except FileExistsError as error:
-        hint = f"; {resume_command(root)} continues the run in it" if find_runs(root) else ""
+        hint = (
+            f"; {resume_command(root)} continues the run in it, or prints its result again"
+            if find_runs(root)
+            else ""
+        )
         raise click.UsageError(
             f"OUTPUT: expected a new or empty directory, got {str(root)!r}{hint}"
         ) from error
@@ -142,4 +146,12 @@ def _new_runs(settings: list[Any], root: Path, threads: int | None) -> list[Run[
     try:
         return create_runs(settings, root, threads)
     except ValueError as error:
-        raise click.UsageError(str(error)) from error
+        raise click.UsageError(in_options(str(error))) from error
+
+
+def _old_runs(paths: list[Path], threads: int | None) -> list[Run[Any]]:
+    # The package of a learner of the user's own may be missing, or have changed.
+    try:
+        return resume_runs(paths, threads)
+    except ValueError as error:
+        raise click.ClickException(str(error)) from error

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -21,9 +20,11 @@ from matrixworld.coevolution import (
     Run,
     RunDirectory,
     SingleSettings,
+    check_own_code,
     resume,
     start,
 )
+from matrixworld.coevolution.settings.memory import check_run_memory
 
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
@@ -98,16 +99,15 @@ def default_directory(settings: Settings) -> Path:
     return RUNS / f"{variant}{what}-seed{settings.seed}"
 
 
-def free_directory(wanted: Path) -> Path:
-    """Return `wanted`, or with a number added (``runs/O-seed0-2``) if it exists."""
-    if not wanted.exists():
-        return wanted
-    numbered = (wanted.with_name(f"{wanted.name}-{number}") for number in count(2))
-    return next(path for path in numbered if not path.exists())
-
-
 def create_runs(settings: Sequence[Settings], output: Path, threads: int | None) -> list[Run[Any]]:
-    """Create new runs: a single one in `output` itself, several in directories inside it."""
+    """Create new runs: a single one in `output` itself, several in directories inside it.
+
+    Nothing is written if a run needs too much memory, or a learner or sampler of the user's own is
+    bad.
+    """
+    for each in settings:
+        check_run_memory(each, threads)
+        check_own_code(each)
     if len(settings) == 1:
         return [start(settings[0], output, threads=threads)]
     races = [each for each in settings if isinstance(each, RaceSettings)]

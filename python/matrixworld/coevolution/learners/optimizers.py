@@ -6,7 +6,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from matrixworld.checks import check_choice, check_number
+from matrixworld.checks import check_choice, check_integer, check_number, shown
 from matrixworld.coevolution.types import Genome, State
 
 OPTIMIZERS = {"adam": "Adam", "momentum": "classical momentum"}
@@ -49,6 +49,10 @@ class Adam:
     def __init__(
         self, size: int, *, beta1: float = 0.9, beta2: float = 0.999, epsilon: float = 1e-8
     ) -> None:
+        check_integer("size", size, 1)
+        check_momentum("beta1", beta1)
+        check_momentum("beta2", beta2)
+        check_number("epsilon", epsilon, least=0.0)
         self.beta1, self.beta2, self.epsilon = beta1, beta2, epsilon
         self.mean = np.zeros(size, dtype=np.float32)
         self.square = np.zeros(size, dtype=np.float32)
@@ -108,6 +112,7 @@ class Momentum:
     """
 
     def __init__(self, size: int, *, momentum: float = 0.9) -> None:
+        check_integer("size", size, 1)
         check_momentum("momentum", momentum)
         self.momentum = momentum
         self.velocity = np.zeros(size, dtype=np.float32)
@@ -139,6 +144,6 @@ def new_optimizer(name: str, size: int, *, momentum: float) -> Optimizer:
 
 
 def check_momentum(name: str, momentum: Any) -> None:
-    """Raise ValueError unless `momentum` is in [0, 1)."""
+    """Raise ValueError unless a number, a share of the past that is kept, is in [0, 1)."""
     if check_number(name, momentum, least=0.0) >= 1.0:
-        raise ValueError(f"{name}: expected a number below 1, got {momentum}")
+        raise ValueError(f"{name}: expected a number below 1, got {shown(momentum)}")

@@ -55,6 +55,14 @@ class Candidates(list[Individual]):
         super().__init__(Individual(genome) for genome in genomes)
         self.genomes = genomes
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle array and fitness; copies of single genomes would not be views of the array."""
+        return type(self), (self.genomes,), [individual.fitness for individual in self]
+
+    def __setstate__(self, fitness: list[Maximize]) -> None:
+        for individual, each in zip(self, fitness, strict=True):
+            individual.fitness = each
+
 
 Evaluate = Callable[[Candidates], ArrayLike]
 """Function that scores all candidates in one call and returns their fitness (n,)."""

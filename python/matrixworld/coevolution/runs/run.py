@@ -13,10 +13,12 @@ from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
+from matrixworld.checks import check_threads
 from matrixworld.coevolution.learners.registry import new_learner, starting_genomes, untrained
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.training import Training
+from matrixworld.coevolution.settings.memory import check_run_memory
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.settings.training import settings_to_json
@@ -59,7 +61,8 @@ class Run(ABC, Generic[AnySettings]):
     FileExistsError
         If a directory for a new run is not empty.
     TypeError, ValueError
-        If this kind of run cannot have these settings.
+        If this kind of run cannot have these settings, or if the run needs more memory than the
+        machine has available (`matrixworld.coevolution.settings.memory.run_memory`).
     """
 
     kind: ClassVar[str]
@@ -76,6 +79,8 @@ class Run(ABC, Generic[AnySettings]):
         # Everything that can be wrong is checked before the directory is made.
         self.settings: AnySettings = settings
         self.check_settings()
+        check_threads(threads)
+        check_run_memory(settings, threads)
         self.training = Training(settings, play, threads)
         self.network: Network = self.training.network
         self.stage = 0

@@ -143,6 +143,10 @@ class RunDirectory:
         # Runs of other settings, or of another seed, have another one.
         return json_digest(self._new_config or self.config())
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the path alone: a copy reads from the directory what it needs."""
+        return type(self), (self.path,)
+
     # Making a new run:
 
     def check_empty(self) -> None:
