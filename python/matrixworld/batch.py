@@ -35,8 +35,8 @@ class Batch:
     config : WorldConfig, Rules or str, optional
         A configuration, rules, or the name of a variant. The default is "O".
     threads : int, optional
-        Threads that share the worlds of a step. The default is one for each core. No result depends
-        on it.
+        Threads that share the worlds of a step. The default is one for each core that the process
+        may use. No result depends on it.
     autoreset : Autoreset, optional
         What happens to a world whose episode has ended. ``DISABLED`` (the default): the world stays
         as it is, with rewards of 0, until it is reset. ``NEXT_STEP``: the next step ignores the
@@ -63,6 +63,15 @@ class Batch:
     ------
     ValueError, TypeError
         If a buffer has another name, shape, dtype or memory layout, and as `WorldConfig` does.
+
+    Notes
+    -----
+    One thread of Python at a time may use a batch: `reset`, `step` and `world` raise RuntimeError
+    while another thread's call is in progress, and then nothing has changed. Give each thread a
+    batch of its own, or hold a `threading.Lock` in each call.
+
+    A process may be forked. The child's batch goes on where the parent's was, and starts threads of
+    its own. Only a batch that another thread was using at that moment is refused in the child.
     """
 
     def __init__(

@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import inspect
 import operator
+import os
+import re
 from collections.abc import Callable, Iterable
 from difflib import get_close_matches
+from functools import cache
+from math import ceil
 from numbers import Real
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -176,11 +181,55 @@ def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[...,
 
 
 def check_threads(threads: int | None) -> int:
-    """Return the number of threads for the engine; None becomes 0, its sign for one per core.
+    """Return the number of threads for the engine; None becomes `usable_cores`.
 
     Raises ValueError outside 1 to 1024 and TypeError for a value that is not an integer.
     """
-    return 0 if threads is None else check_integer("threads", threads, 1, MOST_THREADS)
+    return usable_cores() if threads is None else check_integer("threads", threads, 1, MOST_THREADS)
+
+
+def usable_cores() -> int:
+    """Return the number of cores that this process may use, the default number of threads.
+
+    These are the cores of the process's CPU affinity, or fewer where its control groups allow less
+    time (Linux, version 2), as in a container with a CPU limit.
+    """
+    if hasattr(os, "sched_getaffinity"):
+        cores = len(os.sched_getaffinity(0))
+    else:
+        cores = os.cpu_count() or 1
+    return max(1, min(cores, MOST_THREADS, ceil(control_group_cores())))
+
+
+@cache
+def control_group_cores(
+    own_groups: Path = Path("/proc/self/cgroup"), groups: Path = Path("/sys/fs/cgroup")
+) -> float:
+    """Return how many cores' time the control groups of this process allow, `MOST_THREADS` at most.
+
+    Parameters
+    ----------
+    own_groups : Path, optional
+        The file that names the group of this process.
+    groups : Path, optional
+        The directory of all groups, one below the other; each may limit those below it.
+    """
+    own = re.search(r"^0::/(.*)$", _text(own_groups), re.MULTILINE)  # the line of version 2
+    group = groups / own[1] if own else groups
+    # "150000 100000": 150 ms in every 100 ms. Without a limit: "max 100000", or no file.
+    limits = (
+        re.match(r"(\d+) (\d+)", _text(folder / "cpu.max")) for folder in (group, *group.parents)
+    )
+    cores = (int(limit[1]) / int(limit[2]) for limit in limits if limit)
+    return min(cores, default=float(MOST_THREADS))
+
+
+def _text(file: Path) -> str:
+    """Return a text of the system, or an empty one where there is none to read."""
+    try:
+        return file.read_text("utf-8")
+    except OSError:
+        return ""
 
 
 def check_naturals(name: str, given: ArrayLike, dtype: type[np.integer[Any]]) -> NDArray[Any]:

@@ -12,6 +12,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from matrixworld.checks import usable_cores
+
 if TYPE_CHECKING:  # worlds and networks check their memory, so they import this module
     from matrixworld.config import WorldConfig
     from matrixworld.policy import Network
@@ -127,8 +129,8 @@ def _address_space() -> int | None:
 
 
 def thread_count(threads: int | None, pieces: int) -> int:
-    """Return the number of threads that share pieces of work; None: one per core."""
-    return min(threads or os.cpu_count() or 1, pieces)
+    """Return the number of threads that share pieces of work; None: one per usable core."""
+    return min(threads or usable_cores(), pieces)
 
 
 def batch_memory(config: WorldConfig, n_worlds: int, threads: int | None) -> int:
@@ -141,7 +143,7 @@ def batch_memory(config: WorldConfig, n_worlds: int, threads: int | None) -> int
     n_worlds : int
         Worlds.
     threads : int or None
-        Threads; None: one per core.
+        Threads; None: one per usable core.
     """
     drawn = WORLD_CELL * config.rows * config.cols if config.density else 0
     world = WORLD + WORLD_AGENT * config.n_agents + drawn
@@ -172,7 +174,7 @@ def matches_memory(
     matches, worlds : int
         Matches, and episodes of each.
     threads : int or None
-        Threads; None: one per core.
+        Threads; None: one per usable core.
     """
     # A layer whose width is no multiple of the vector registers is copied; tables of the first
     # layer are as large as its weights at most.

@@ -68,8 +68,8 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         Whether ``infos["action_mask"]`` marks the moves that run into neither an obstacle nor the
         border; needs a `fov` of at least 3. The default is False.
     threads : int, optional
-        Threads that share the worlds of a step. The default is one for each core. No result depends
-        on it.
+        Threads that share the worlds of a step. The default is one for each core that the process
+        may use. No result depends on it.
     render_mode : {None, "rgb_array"}, optional
         What `render` returns. The default is None.
     **changes
@@ -103,6 +103,9 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
 
     What `reset` and `step` return belongs to the caller. With ``copy=False``, and in the attributes
     always, it is the same arrays at every step: copy what you keep.
+
+    **One thread of Python at a time.** A call while another thread's call is in progress raises
+    RuntimeError. Forked processes may go on with an environment, see `Batch`.
 
     ``infos`` has the same keys at every step:
 

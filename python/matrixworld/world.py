@@ -69,7 +69,7 @@ class World(WorldState):
     Notes
     -----
     A copy (`copy.deepcopy`, `pickle`) is at the same moment of the same episode, and goes on
-    independently.
+    independently. Where several threads of Python use one world, their calls follow each other.
 
     Examples
     --------

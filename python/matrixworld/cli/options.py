@@ -76,7 +76,7 @@ threads_option = click.option(
     "--threads",
     type=click.IntRange(1, MOST_THREADS),
     metavar="INTEGER",
-    help="threads that play matches  [default: one per core]",
+    help="threads that play matches  [default: one per usable core]",
 )
 json_option = click.option(
     "--json",
