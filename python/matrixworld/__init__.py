@@ -4,7 +4,8 @@
 games               `Rules`, `VARIANTS`, `Rewards`, `WorldConfig`, `read_map`, `Action`
 worlds              `World` (one), `Batch` (many)
 environments        `parallel_env`, `aec_env` (PettingZoo), `VectorEnv` (many worlds at once)
-policies, matches   `Network`, `Population`, `SCRIPTS`, `Matches`, `rollout`, `EpisodeStatistics`
+policies, matches   `Network`, `Population`, `SCRIPTS`, `Matches`, `rollout`, `EpisodeStatistics`,
+                    `NetworkPolicy`
 episodes            `record`, `Recorder`, `Episode`; modules `replay` and `render`
 safety              `SafetyMonitor`, `SafetySummary`, `Conflict`
 evolution           packages `coevolution` and `analysis`, module `plots`
@@ -19,6 +20,7 @@ from matrixworld.conflicts import Conflict
 from matrixworld.envs import aec_env, parallel_env
 from matrixworld.episode import Episode
 from matrixworld.maps import read_map
+from matrixworld.play import NetworkPolicy
 from matrixworld.policy import SCRIPTS, Network, Population
 from matrixworld.recorder import Recorder, record, record_actions
 from matrixworld.rollout import EpisodeStatistics, Matches, rollout
@@ -44,6 +46,7 @@ __all__ = [
     "Interaction",
     "Matches",
     "Network",
+    "NetworkPolicy",
     "Outcome",
     "Population",
     "Recorder",
