@@ -11,6 +11,7 @@ draws           the engine's random numbers, by seed, episode, purpose, agent an
 scripts         the scripted policies, for many agents at once
 decide          `decide`: the actions of a team
 network_policy  `NetworkPolicy`: a genome that acts on observations
+matches         `capture_rates`: matches in which functions play
 exports         networks for PyTorch and ONNX
 ==============  ===================================================================================
 """
@@ -18,6 +19,7 @@ exports         networks for PyTorch and ONNX
 from __future__ import annotations
 
 from matrixworld.play.decide import MOMENT, Callback, Moment, Plays, decide
+from matrixworld.play.matches import capture_rates
 from matrixworld.play.network_policy import NetworkPolicy
 
-__all__ = ["MOMENT", "Callback", "Moment", "NetworkPolicy", "Plays", "decide"]
+__all__ = ["MOMENT", "Callback", "Moment", "NetworkPolicy", "Plays", "capture_rates", "decide"]
