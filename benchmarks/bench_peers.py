@@ -122,9 +122,9 @@ def parallel_env(env: Any, clock: Clock) -> float:
     return clock.rate(play)
 
 
-def vector_env(n_worlds: int, clock: Clock) -> float:
+def vector_env(n_worlds: int, clock: Clock, *, copy: bool = True) -> float:
     """Return world-steps per second of `VectorEnv`."""
-    env = mw.VectorEnv("O", n_worlds, threads=1, autoreset_mode="SameStep")
+    env = mw.VectorEnv("O", n_worlds, copy=copy, threads=1, autoreset_mode="SameStep")
     actions = RandomActions(env.config, n_worlds)
     env.reset(seed=0)
 
@@ -162,6 +162,8 @@ def print_environments(python: str, clock: Clock) -> None:
         "`parallel_env`": parallel_env(mw.parallel_env("O"), clock),
         "`VectorEnv`, 1 world": vector_env(1, clock),
         f"`VectorEnv`, {MANY} worlds": vector_env(MANY, clock),
+        "`VectorEnv(copy=False)`, 1 world": vector_env(1, clock, copy=False),
+        f"`VectorEnv(copy=False)`, {MANY} worlds": vector_env(MANY, clock, copy=False),
     }
     n_agents = mw.WorldConfig("O").n_agents
     rows = [

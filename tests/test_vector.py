@@ -1,14 +1,16 @@
-"""VectorEnv against single worlds, Gymnasium's interface, and arrays without copies."""
+"""VectorEnv against single worlds, Gymnasium's interface, and who owns the arrays."""
 
 from __future__ import annotations
 
 import copy
+import itertools
 import pickle
 from typing import Any
 
 import gymnasium
 import numpy as np
 import pytest
+from gymnasium.error import ClosedEnvironmentError
 from gymnasium.vector import AutoresetMode
 
 import matrixworld as mw
@@ -151,8 +153,39 @@ def leaves(value: Any) -> list[np.ndarray]:
     )
 
 
-def test_the_same_arrays_at_every_step() -> None:
-    env = make(state=True)
+@pytest.mark.parametrize("mode", MODES)
+def test_what_was_returned_stays(mode: AutoresetMode) -> None:
+    """Every array of `reset` and `step` is the caller's: later steps do not change it."""
+    env = make(state=True, action_mask=True, autoreset_mode=mode)
+    returned = [env.reset(seed=0)]
+    returned += [env.step(a) for a in random_actions(2, 5, 9, 4, env.config.n_agents)]
+    once = copy.deepcopy(returned)
+    kept = [leaf for each in returned for part in each for leaf in leaves(part)]
+    inside = [env.actions, env.observations, env.rewards, *leaves(env.infos)]
+    assert not any(np.shares_memory(array, own) for array in kept for own in inside)
+    env.step(np.zeros((4, env.config.n_agents), int))
+    env.reset(seed=5)
+    for before, after in zip(once, returned, strict=True):
+        for one, other in zip(before, after, strict=True):
+            np.testing.assert_equal(one, other)
+    assert any(not np.array_equal(one[0], other[0]) for one, other in itertools.pairwise(returned))
+
+
+def test_copies_agree_with_the_arrays() -> None:
+    env = make(autoreset_mode="SameStep")
+    env.reset(seed=2)
+    for actions in random_actions(2, 5, 9, 4, env.config.n_agents):
+        observations, rewards, terminations, truncations, infos = env.step(actions)
+        np.testing.assert_array_equal(observations, env.observations)
+        np.testing.assert_array_equal(rewards, env.rewards)
+        np.testing.assert_array_equal(terminations, env.terminations)
+        np.testing.assert_array_equal(truncations, env.truncations)
+        assert infos.keys() == env.infos.keys()
+        np.testing.assert_equal(infos, env.infos)
+
+
+def test_the_same_arrays_at_every_step_without_copies() -> None:
+    env = make(state=True, copy=False, action_mask=True)
     observations, infos = env.reset(seed=0)
     before = [id(array) for array in leaves(infos)]
     for actions in random_actions(2, 5, 9, 4, env.config.n_agents):
@@ -227,15 +260,56 @@ def test_spaces(mode: AutoresetMode) -> None:
     env.close()
 
 
+def test_closed() -> None:
+    env = make(render_mode="rgb_array")
+    env.reset(seed=1)
+    env.close()
+    actions = np.zeros((4, env.config.n_agents), int)
+    for name, call in (
+        ("step", lambda: env.step(actions)),
+        ("reset", lambda: env.reset(seed=1)),
+        ("render", env.render),
+    ):
+        with pytest.raises(ClosedEnvironmentError, match=rf"{name}: .* closed by close\(\)"):
+            call()
+
+
+def test_seeds_are_told() -> None:
+    env = make()
+    assert env.np_random_seed != make().np_random_seed
+    told = env.np_random_seed
+    env.reset()
+    assert env.np_random_seed == tuple(env.infos["seed"]) == told
+    first = env.reset(seed=told[0])[0][0]
+    np.testing.assert_array_equal(make().reset(seed=list(told))[0][0], first)
+    env.reset(seed=9)
+    assert env.np_random_seed == (9, 10, 11, 12)
+    numbers = [generator.random() for generator in env.np_random]
+    assert numbers == [np.random.default_rng(seed).random() for seed in (9, 10, 11, 12)]
+    env.reset()
+    assert [generator.random() for generator in env.np_random] != numbers
+    env.reset(seed=9)
+    assert [generator.random() for generator in env.np_random] == numbers
+
+
+def test_a_first_reset_of_some_worlds() -> None:
+    """The other worlds have random seeds, too."""
+    seeds = [make() for _ in range(2)]
+    for env in seeds:
+        env.reset(options={"reset_mask": np.array([True, False, False, False])})
+        assert not env.infos["episode_number"].any()
+    assert len({*seeds[0].np_random_seed, *seeds[1].np_random_seed}) == 8
+
+
 def test_seeds() -> None:
     env, other = make(), make()
-    first = env.reset(seed=9)[0].copy()
+    first = env.reset(seed=9)[0]
     np.testing.assert_array_equal(other.reset(seed=[9, 10, 11, 12])[0], first)
-    second = env.reset()[0].copy()
+    second = env.reset()[0]
     assert not np.array_equal(first, second)
     np.testing.assert_array_equal(other.reset()[0], second)
     np.testing.assert_array_equal(env.reset(seed=9, options={"episode": 1})[0], second)
-    unseeded = [make().reset()[0].copy() for _ in range(2)]
+    unseeded = [make().reset()[0] for _ in range(2)]
     assert not np.array_equal(*unseeded)
 
 
@@ -294,6 +368,13 @@ def test_environments_are_independent() -> None:
             "dtype: expected uint8 or float32, got float64",
         ),
         (lambda: make(flatten=1), TypeError, "flatten: expected True or False, got 1"),
+        (lambda: make(copy=0), TypeError, "copy: expected True or False, got 0"),
+        (lambda: make(action_mask=1), TypeError, "action_mask: expected True or False, got 1"),
+        (
+            lambda: mw.VectorEnv("O", fov=1, action_mask=True),
+            ValueError,
+            "action_mask: expected a fov of at least 3, got 1",
+        ),
         (lambda: make(state="yes"), TypeError, "state: expected True or False, got 'yes'"),
         (
             lambda: make(autoreset_mode="Never"),

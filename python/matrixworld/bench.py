@@ -33,6 +33,7 @@ from matrixworld.version import __version__
 from matrixworld.world import World
 
 STEP, VIEWS, VECTOR_ENV = "step only", "step and views", "VectorEnv"
+IN_PLACE = "VectorEnv, copy=False"
 MATCHES = "matches"
 
 MANY = 1024
@@ -192,7 +193,7 @@ class Measurement:
     Parameters
     ----------
     what : str
-        `STEP`, `VIEWS`, `VECTOR_ENV` or `MATCHES`.
+        `STEP`, `VIEWS`, `VECTOR_ENV`, `IN_PLACE` or `MATCHES`.
     size : int
         Worlds, or matches, in a call.
     threads : int
@@ -277,7 +278,7 @@ def measurements(
     cases = [(many, 1), (1, 1), (many, threads)]
     steps = [
         _steps(config, what, size, number, alive[size])
-        for what in (STEP, VIEWS, VECTOR_ENV)
+        for what in (STEP, VIEWS, VECTOR_ENV, IN_PLACE)
         for size, number in dict.fromkeys(cases)
         if number == 1 or what != STEP
     ]
@@ -314,8 +315,8 @@ def _batch(config: WorldConfig, worlds: int, threads: int, *names: str) -> Batch
     return Batch(worlds, config, threads=threads, autoreset=mode, buffers=buffers)
 
 
-def _vector_env(config: WorldConfig, worlds: int, threads: int) -> VectorEnv:
-    env = VectorEnv(config, worlds, threads=threads, autoreset_mode="SameStep")
+def _vector_env(config: WorldConfig, worlds: int, threads: int, copy: bool) -> VectorEnv:
+    env = VectorEnv(config, worlds, threads=threads, copy=copy, autoreset_mode="SameStep")
     env.reset(seed=0)
     return env
 
@@ -323,8 +324,8 @@ def _vector_env(config: WorldConfig, worlds: int, threads: int) -> VectorEnv:
 def _steps(config: WorldConfig, what: str, worlds: int, threads: int, alive: float) -> Measurement:
     actions = RandomActions(config, worlds)
     played: Any
-    if what == VECTOR_ENV:
-        played = _vector_env(config, worlds, threads)
+    if what in (VECTOR_ENV, IN_PLACE):
+        played = _vector_env(config, worlds, threads, copy=what == VECTOR_ENV)
     else:
         played = _batch(config, worlds, threads, *(["views"] if what == VIEWS else []))
     return Measurement(

@@ -7,35 +7,32 @@ from typing import Any
 
 import numpy as np
 from gymnasium import spaces
+from gymnasium.error import ClosedEnvironmentError
+from gymnasium.utils import seeding
 from gymnasium.vector import AutoresetMode
 from gymnasium.vector import VectorEnv as GymnasiumVectorEnv
 from gymnasium.vector.utils import batch_space
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld._core import Autoreset
-from matrixworld.arrays import BATCH_FIELDS, array_specs, episode_specs
 from matrixworld.batch import Batch
 from matrixworld.checks import check_bool, check_integer
 from matrixworld.config import WorldConfig
+from matrixworld.masks import action_masks, check_maskable
 from matrixworld.render import rgb
-from matrixworld.rules import KINDS, Rules
+from matrixworld.rules import Rules
+from matrixworld.vector_arrays import (
+    Results,
+    TeamView,
+    copied,
+    make_buffers,
+    make_infos,
+    view_dtype,
+)
 from matrixworld.world import World
 
 OPTIONS = ("reset_mask", "episode", "pursuers", "evaders", "obstacles")
 """Keys that ``options`` of a reset may have."""
-
-EPISODE_KEYS = {
-    name.removeprefix("episode_"): name for name in BATCH_FIELDS if name.startswith("episode_")
-}
-"""The keys of ``infos["episode"]``, and the arrays of `episode_specs` that they are."""
-
-# Arrays that infos leave out: `reset` and `step` return them, or infos have them in another form.
-_NOT_IN_INFOS = {
-    *("rewards", "terminations", "truncations", "views", "last_positions"),
-    *("ended", "final_views", *EPISODE_KEYS.values()),
-}
-# Gymnasium has its own meaning for ``infos["episode"]``.
-_RENAMED = {"steps": "step", "episode": "episode_number"}
 
 
 class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
@@ -47,6 +44,10 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         A configuration, rules, or the name of a variant. The default is "O".
     n_worlds : int, optional
         W. The default is 1.
+    copy : bool, optional
+        Whether `reset` and `step` return copies that belong to the caller, as in Gymnasium's own
+        vector environments. With False they return the arrays that every step overwrites, which is
+        faster. The default is True.
     autoreset_mode : gymnasium.vector.AutoresetMode or str, optional
         What happens after the end of an episode. ``NextStep`` (the default): the next step ignores
         that world's actions and starts its seed's next episode. ``SameStep``: the last step also
@@ -62,6 +63,9 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     state : bool, optional
         Whether ``infos["state"]`` holds the whole worlds, ``(W, 3, rows, cols)``. The default is
         False.
+    action_mask : bool, optional
+        Whether ``infos["action_mask"]`` marks the moves that run into neither an obstacle nor the
+        border; needs a `fov` of at least 3. The default is False.
     threads : int, optional
         Threads that share the worlds of a step. The default is one for each core. No result depends
         on it.
@@ -73,13 +77,13 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     Attributes
     ----------
     observations : ndarray
-        What each agent sees.
+        What each agent sees. Every step overwrites this array and the following ones.
     rewards, terminations, truncations : ndarray, shape (W, A)
         Results of the last step: float32, bool, bool.
-    actions : ndarray of int64, shape (W, A)
-        Actions for a `step` without arguments, to be filled in place.
     infos : dict
         See Notes.
+    actions : ndarray of int64, shape (W, A)
+        Actions for a `step` without arguments, to be filled in place.
     pursuers, evaders : TeamView
         The teams' parts of these arrays.
 
@@ -90,13 +94,14 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
 
     Notes
     -----
-    Rewards, terminations and truncations are ``(W, A)``, one for each agent; Gymnasium's vector
-    environments of single agents have ``(W,)``. An agent terminates when it disappears or its world
-    terminates, and stays terminated. ``infos["acted"]`` marks the agents that acted in this step: a
-    learner uses the transitions of these.
+    Rewards, terminations and truncations are ``(W, A)``, one for each agent. Gymnasium's vector
+    environments of single agents, and the wrappers for them, have ``(W,)``: `AgentVectorEnv` has
+    this form, with each agent as a sub-environment. An agent terminates when it disappears or its
+    world terminates, and stays terminated. ``infos["acted"]`` marks the agents that acted in this
+    step: a learner uses the transitions of these.
 
-    **Nothing is copied.** `reset` and `step` return the same arrays every time, and the next step
-    overwrites them: copy what you keep. `pursuers` and `evaders` are views of the same arrays.
+    What `reset` and `step` return belongs to the caller. With ``copy=False``, and in the attributes
+    always, it is the same arrays at every step: copy what you keep.
 
     ``infos`` has the same keys at every step:
 
@@ -115,6 +120,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     | ``terminated``, ``truncated`` | (W,) bool | of the worlds |
     | ``step`` | (W,) int32 | rounds played in the episode |
     | ``seed``, ``episode_number`` | (W,) uint64 | the episode, as `World.reset` takes it |
+    | ``action_mask`` | (W, A, n_actions) int8 | 1 for moves to a free cell and for staying; only with ``action_mask=True`` |
     | ``final_obs``, ``_final_obs`` | as observations; (W,) bool | last observations of an episode; whether it ended in this step |
     | ``episode``, ``_episode`` | dict of `EPISODE_KEYS`; (W,) bool | statistics of the last ended episode, as in `EpisodeStatistics`; whether it ended in this step |
 
@@ -126,10 +132,12 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         config: WorldConfig | Rules | str = "O",
         n_worlds: int = 1,
         *,
+        copy: bool = True,
         autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
         dtype: DTypeLike = np.uint8,
         flatten: bool = False,
         state: bool = False,
+        action_mask: bool = False,
         threads: int | None = None,
         render_mode: str | None = None,
         **changes: Any,
@@ -141,11 +149,14 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         self.render_mode = render_mode
         mode = _mode(autoreset_mode)
         self.metadata = {"autoreset_mode": mode, "render_modes": ["rgb_array"], "render_fps": 10}
+        self.copy = check_bool("copy", copy)
+        if check_bool("action_mask", action_mask):
+            check_maskable(self.config)
         left_out = set() if check_bool("state", state) else {"state"}
         if mode is not AutoresetMode.SAME_STEP:
             # In the other modes the observations stay those of the episode's end for one step.
             left_out.add("final_views")
-        kept = _buffers(self.config, self.num_envs, _view_dtype(dtype), left_out)
+        kept = make_buffers(self.config, self.num_envs, view_dtype(dtype), left_out)
         self._batch = Batch(
             self.num_envs,
             self.config,
@@ -153,31 +164,23 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
             autoreset=Autoreset[mode.name],
             buffers=kept,
         )
-        self._seeded = False
-        self._name_arrays(kept, check_bool("flatten", flatten))
+        self._views = kept["views"]
+        # `reshape` of a contiguous array makes a view, so the batch writes into observations.
+        seen = (*self._views.shape[:2], -1) if check_bool("flatten", flatten) else self._views.shape
+        self.observations = self._views.reshape(seen)
+        self.rewards = kept["rewards"]
+        self.terminations, self.truncations = kept["terminations"], kept["truncations"]
+        self.infos = make_infos(kept, self.observations)
+        if action_mask:
+            self.infos["action_mask"] = action_masks(self._views, self.config.n_actions)
         self._make_spaces()
         self.actions = np.zeros((self.n_worlds, self.config.n_agents), np.int64)
         self.pursuers = TeamView(self, slice(0, self.config.n_pursuers))
         self.evaders = TeamView(self, slice(self.config.n_pursuers, None))
-
-    def _name_arrays(self, kept: dict[str, NDArray[Any]], flatten: bool) -> None:
-        shape = kept["views"].shape
-        # `reshape` of a contiguous array makes a view, so the batch writes into observations.
-        seen = (*shape[:2], -1) if flatten else shape
-        self.observations = kept["views"].reshape(seen)
-        self.rewards = kept["rewards"]
-        self.terminations, self.truncations = kept["terminations"], kept["truncations"]
-        self.infos: dict[str, Any] = {
-            _RENAMED.get(name, name): array
-            for name, array in kept.items()
-            if name not in _NOT_IN_INFOS
-        }
-        self.infos |= {f"cost_{kind}": kept["fault"][..., k] for k, kind in enumerate(KINDS)}
-        # Without a copy of its own, the end of an episode is what the observations show then.
-        final = kept.get("final_views", kept["views"])
-        self.infos |= {"final_obs": final.reshape(seen), "_final_obs": kept["ended"]}
-        self.infos["episode"] = {key: kept[name] for key, name in EPISODE_KEYS.items()}
-        self.infos["_episode"] = kept["ended"]
+        self._generators: tuple[np.random.Generator, ...] | None = None
+        self._seeded = False
+        # A batch starts with fixed seeds, which would make every unseeded run the same.
+        self._batch.reset(np.random.SeedSequence().generate_state(self.num_envs, np.uint64))
 
     def _make_spaces(self) -> None:
         shape, dtype = self.observations.shape[1:], self.observations.dtype
@@ -192,6 +195,18 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     def n_worlds(self) -> int:
         """The number of worlds, W; Gymnasium's name is ``num_envs``."""
         return self.num_envs
+
+    @property
+    def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
+        """The seed of each world; before the first reset the one that a reset without seed uses."""
+        return tuple(self.infos["seed"].tolist())
+
+    @property  # type: ignore[misc]
+    def np_random(self) -> tuple[np.random.Generator, ...]:  # type: ignore[override]
+        """A generator of each seed in `np_random_seed`; worlds never draw from them."""
+        if self._generators is None:
+            self._generators = tuple(seeding.np_random(seed)[0] for seed in self.np_random_seed)
+        return self._generators
 
     def reset(
         self,
@@ -222,17 +237,25 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         ------
         ValueError
             For other options, and as `Batch.reset` does; then no world has changed.
+        gymnasium.error.ClosedEnvironmentError
+            After `close`.
         """
+        self._start(seed, options)
+        return self._returned((self.observations, self.infos))
+
+    def _start(self, seed: int | ArrayLike | None, options: Mapping[str, Any] | None) -> None:
+        self._require_open("reset")
         given = dict(options or {})
         unknown = set(given) - set(OPTIONS)
         if unknown:
             raise ValueError(f"options: expected some of {OPTIONS}, got {sorted(unknown)}")
-        # The batch starts with fixed seeds, which would make every unseeded run the same.
         if seed is None and not self._seeded:
-            seed = np.random.SeedSequence().generate_state(self.n_worlds, np.uint64)
+            seed = self.infos["seed"]
         self._batch.reset(seed, mask=given.pop("reset_mask", None), **given)
         self._seeded = True
-        return self.observations, self.infos
+        if seed is not None:
+            self._generators = None
+        self._write_masks()
 
     def step(
         self, actions: ArrayLike | None = None
@@ -262,11 +285,31 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
             Before the first reset.
         ValueError, TypeError
             As `Batch.step` does.
+        gymnasium.error.ClosedEnvironmentError
+            After `close`.
         """
+        self._play(actions)
+        return self._returned(
+            (self.observations, self.rewards, self.terminations, self.truncations, self.infos)
+        )
+
+    def _play(self, actions: ArrayLike | None) -> None:
+        self._require_open("step")
         if not self._seeded:
             raise RuntimeError("call reset() before the first step")
         self._batch.step(self.actions if actions is None else actions)
-        return self.observations, self.rewards, self.terminations, self.truncations, self.infos
+        self._write_masks()
+
+    def _write_masks(self) -> None:
+        if "action_mask" in self.infos:
+            self.infos["action_mask"][:] = action_masks(self._views, self.config.n_actions)
+
+    def _returned(self, results: Results) -> Results:
+        return copied(results) if self.copy else results
+
+    def _require_open(self, call: str) -> None:
+        if self.closed:
+            raise ClosedEnvironmentError(f"{call}: the environment was closed by close()")
 
     def world(self, number: int) -> World:
         """Return an independent copy of one world, to draw it or to plan in it."""
@@ -274,58 +317,10 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
 
     def render(self) -> tuple[NDArray[np.uint8], ...] | None:
         """Return a picture of each world, (height, width, 3) uint8; None without a render mode."""
+        self._require_open("render")
         if self.render_mode is None:
             return None
         return tuple(rgb(self.world(number).scene()) for number in range(self.n_worlds))
-
-
-class TeamView:
-    """One team's part of a `VectorEnv`'s arrays, without copies.
-
-    Parameters
-    ----------
-    env : VectorEnv
-        The environment.
-    agents : slice
-        The team's agents; n is their number.
-
-    Attributes
-    ----------
-    observations : ndarray, shape (W, n, ...)
-        What each agent sees.
-    actions : ndarray of int64, shape (W, n)
-        Actions of a `step` without arguments, to be filled in place.
-    rewards, terminations, truncations, alive, acted, cost : ndarray, shape (W, n)
-        As in `VectorEnv` and its infos.
-    positions : ndarray of int32, shape (W, n, 2)
-        Rows and columns.
-    involved, fault : ndarray of bool, shape (W, n, 3)
-        Collisions by kind.
-    observation_space, action_space : gymnasium.spaces.Space
-        Spaces of one agent.
-    """
-
-    def __init__(self, env: VectorEnv, agents: slice) -> None:
-        self.agents = agents
-        self.observations = env.observations[:, agents]
-        self.actions = env.actions[:, agents]
-        self.rewards = env.rewards[:, agents]
-        self.terminations = env.terminations[:, agents]
-        self.truncations = env.truncations[:, agents]
-        self.alive: NDArray[np.bool_] = env.infos["alive"][:, agents]
-        self.acted: NDArray[np.bool_] = env.infos["acted"][:, agents]
-        self.cost: NDArray[np.float32] = env.infos["cost"][:, agents]
-        self.positions: NDArray[np.int32] = env.infos["positions"][:, agents]
-        self.involved: NDArray[np.bool_] = env.infos["involved"][:, agents]
-        self.fault: NDArray[np.bool_] = env.infos["fault"][:, agents]
-        shape, dtype = self.observations.shape[2:], self.observations.dtype
-        self.observation_space = spaces.Box(0, 1, shape, dtype.type)
-        self.action_space = spaces.Discrete(env.config.n_actions)
-
-    @property
-    def size(self) -> int:
-        """The number of agents, n."""
-        return int(self.actions.shape[1])
 
 
 def _mode(given: AutoresetMode | str) -> AutoresetMode:
@@ -334,21 +329,3 @@ def _mode(given: AutoresetMode | str) -> AutoresetMode:
             return mode
     expected = ", ".join(mode.value for mode in AutoresetMode)
     raise ValueError(f"autoreset_mode: expected one of {expected}, got {given!r}")
-
-
-def _view_dtype(dtype: DTypeLike) -> np.dtype[Any]:
-    chosen = np.dtype(dtype)
-    if chosen not in (np.uint8, np.float32):
-        raise ValueError(f"dtype: expected uint8 or float32, got {chosen}")
-    return chosen
-
-
-def _buffers(
-    config: WorldConfig, n_worlds: int, views: np.dtype[Any], left_out: set[str]
-) -> dict[str, NDArray[Any]]:
-    specs = array_specs(config) | episode_specs(config)
-    return {
-        name: np.zeros((n_worlds, *shape), views if name.endswith("views") else dtype)
-        for name, (shape, dtype) in specs.items()
-        if name not in left_out
-    }

@@ -19,7 +19,8 @@ from matrixworld.files import load_json
 
 WORLD = ["--rows", 7, "--cols", 6, "--pursuers", 2, "--evaders", 3, "--fov", 5]
 QUICK = ["bench", *WORLD, "--seconds", 0.02, "--hidden", "4"]
-STEPS = ["step only"] * 2 + ["step and views"] * 3 + ["VectorEnv"] * 3
+STEPS = [*["step only"] * 2, *["step and views"] * 3]
+STEPS += [*["VectorEnv"] * 3, *["VectorEnv, copy=False"] * 3]
 
 
 @pytest.fixture(autouse=True)
@@ -61,7 +62,7 @@ def test_it_prints_the_machine_a_table_and_durations():
     assert "An agent-step is one step of a living agent" in text
     assert "matches of matrixworld evolve in this world with --hidden 4 take about" in text
     assert "VectorEnv, with 1024 worlds and 2 threads, plays 100 million agent-steps in" in text
-    assert "60 of 60 timings" in result.stderr
+    assert "of 75 timings" in result.stderr
 
 
 def test_the_file_holds_the_figures():
@@ -90,7 +91,7 @@ def test_the_file_holds_the_figures():
 def test_one_thread_has_no_speedup():
     matrixworld_command(*QUICK, "TO", "--threads", 1, "--json", "a.json")
     lines = json.loads(Path("a.json").read_text())["lines"]
-    assert len(lines) == 7
+    assert len(lines) == 9
     assert {line["over_one_thread"] for line in lines} == {None}
 
 
@@ -227,7 +228,7 @@ def test_a_wrong_answer_of_threads_ends_it(monkeypatch):
 # Interrupting
 
 
-@pytest.mark.parametrize("repeats", [0, 3, 12])
+@pytest.mark.parametrize("repeats", [0, 3, 15])
 def test_ctrl_c_gives_what_was_measured_so_far(monkeypatch, repeats):
     repeat, calls = Measurement.repeat, iter(range(repeats))
 
@@ -244,6 +245,6 @@ def test_ctrl_c_gives_what_was_measured_so_far(monkeypatch, repeats):
         return
     assert "Stopped. The figures are from the time before." in result.stderr
     lines = load_json(Path("a.json"))["lines"]
-    assert len(lines) == min(repeats, 10)
+    assert len(lines) == min(repeats, 13)
     assert sum(line["repeats"] for line in lines) == repeats
     assert result.stdout.count("\nstep only ") == 2
