@@ -52,9 +52,6 @@ class BuiltInTeam:
         Its agents.
     learners : range
         The agents of the other team.
-    opponents : tuple
-        What can play for it: scripts, populations of one genome, functions. Set it to change what
-        episodes that begin from then on draw from.
     chosen : ndarray of int64, shape (W,)
         The place in `opponents` of each world's opponent, when its episode began.
 
@@ -70,10 +67,22 @@ class BuiltInTeam:
         teams = range(config.n_pursuers), range(config.n_pursuers, config.n_agents)
         self.agents, self.learners = teams if team == "pursuer" else teams[::-1]
         self._team, self._config = team, config
-        self.opponents = self.resolve(opponents)
+        self._opponents = self.resolve(opponents)
         self.chosen = np.zeros(n_worlds, np.int64)
-        # Set opponents do not change an episode that has begun.
-        self._playing: list[Plays] = [self.opponents[0]] * n_worlds
+        # Opponents that are set later do not change an episode that has begun.
+        self._playing: list[Plays] = [self._opponents[0]] * n_worlds
+
+    @property
+    def opponents(self) -> tuple[Plays, ...]:
+        """What can play for the team: scripts, populations of one genome, functions.
+
+        Set it to change what episodes that begin from then on draw from.
+        """
+        return self._opponents
+
+    @opponents.setter
+    def opponents(self, opponents: Opponents) -> None:
+        self._opponents = self.resolve(opponents)
 
     def resolve(self, opponents: Opponents) -> tuple[Plays, ...]:
         """Return opponents as `decide` takes them; raises as the class does."""
@@ -158,6 +167,15 @@ def built_in_team(
     if pursuers is not None:
         return BuiltInTeam("pursuer", pursuers, config, n_worlds)
     return None if evaders is None else BuiltInTeam("evader", evaders, config, n_worlds)
+
+
+def set_opponents(team: BuiltInTeam | None, opponents: Opponents) -> None:
+    """Set the opponents of an environment; raise ValueError if it plays no team itself."""
+    if team is None:
+        raise ValueError(
+            "opponents: expected an environment that plays a team (pursuers= or evaders=)"
+        )
+    team.opponents = opponents
 
 
 def _several(opponents: Any) -> list[Any]:

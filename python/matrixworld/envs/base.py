@@ -12,7 +12,7 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from matrixworld.arrays import WORLD_FIELDS, OutputField
-from matrixworld.built_in import Opponents, built_in_team
+from matrixworld.built_in import Opponents, built_in_team, set_opponents
 from matrixworld.checks import check_bool
 from matrixworld.config import WorldConfig
 from matrixworld.envs.drawing import Drawing
@@ -285,7 +285,8 @@ class MatrixWorldBase:
             seed = int(np.random.SeedSequence().generate_state(1, np.uint64)[0])
         self.world.reset(seed, **given)
         if built_in is not None:
-            built_in.opponents = opponents or built_in.opponents
+            if opponents is not None:
+                built_in.opponents = opponents
             built_in.begin(self.world.seed, self.world.episode)
         self._seeded = True
         self.agents = self.possible_agents[:]
@@ -300,8 +301,12 @@ class MatrixWorldBase:
 
     @property
     def opponents(self) -> tuple[Plays, ...]:
-        """What can play for the built-in team; empty without one. Each episode draws one."""
+        """What can play for the built-in team; episodes that begin draw from it. May be set."""
         return () if self._built_in is None else self._built_in.opponents
+
+    @opponents.setter
+    def opponents(self, opponents: Opponents) -> None:
+        set_opponents(self._built_in, opponents)
 
     @property
     def opponent(self) -> int | None:
