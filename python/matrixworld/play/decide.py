@@ -69,23 +69,18 @@ def decide(
     if not len(world):
         return
     agent = place + agents.start
-    views = moment["views"][world, agent].astype(np.uint8, copy=False)
+    at = Moments(*(moment[name][world].astype(np.uint64) for name in ("seed", "episode", "steps")))
     if isinstance(policy, str):
         is_pursuer = agents.start < config.n_pursuers
-        maps = moment["state"][:, 2][world] != 0
-        sight = Sight(views, moment["positions"][world, agent], maps, is_pursuer, config.n_actions)
-        chosen = script_actions(policy, sight, _moments(moment, world), agent)
+        sight = Sight(moment, world, agent, is_pursuer, config.n_actions)
+        chosen = script_actions(policy, sight, at)
     elif isinstance(policy, Population):
-        draws = decision_draws(_moments(moment, world), agent)
-        chosen = network_actions(policy.network, policy.genomes[0], views, unit(draws))
+        views, units = moment["views"][world, agent], unit(decision_draws(at, agent))
+        chosen = network_actions(policy.network, policy.genomes[0], views, units)
     else:
+        views = moment["views"][world, agent].astype(np.uint8, copy=False)
         chosen = called(policy, views, config.n_actions)
     actions[world, agent] = chosen
-
-
-def _moments(moment: Moment, world: NDArray[np.intp]) -> Moments:
-    seed, episode, steps = (moment[name][world] for name in ("seed", "episode", "steps"))
-    return Moments(seed, episode, steps.astype(np.uint64))
 
 
 def network_actions(

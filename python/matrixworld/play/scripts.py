@@ -10,9 +10,10 @@ Arrays over n agents; an agent has up to K goals, as rows and columns relative t
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,83 +25,91 @@ Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
 # Rows and columns of the actions: stay, north, east, south, west, and the diagonals.
-STEPS = np.array([[0, 0], [-1, 0], [0, 1], [1, 0], [0, -1], [-1, 1], [1, 1], [1, -1], [-1, -1]])
+ROW_STEP = np.array([0, -1, 0, 1, 0, -1, 1, 1, -1])
+COL_STEP = np.array([0, 0, 1, 0, -1, 1, 1, -1, -1])
 
 SLIP_STEPS = 256
 _FAR = 2**31 - 1  # the worth of a move without goals, as in the engine
 _CHARGE = 2**14
+_OBSTACLES = 2  # the channel of a world's state
 _STRIDE = 12  # steps; crosses a usual field of view
 
 
 @dataclass(frozen=True)
 class Offsets:
-    """Cells relative to each agent: rows and columns (n, K, 2), and which of them exist (n, K)."""
+    """Cells relative to each agent: rows and columns (n, K), and which of them exist (n, K)."""
 
-    cells: Ints
+    rows: Ints
+    cols: Ints
     exist: Bools
 
     @classmethod
-    def of_channel(cls, channel: NDArray[np.uint8]) -> Offsets:
+    def of_channel(cls, channel: NDArray[Any]) -> Offsets:
         """Return the cells that are set in a channel of the agents' views, (n, fov, fov)."""
         n, fov, _ = channel.shape
         owner, cell = np.nonzero(channel.reshape(n, -1))
         counts = np.bincount(owner, minlength=n)
         place = np.arange(len(owner)) - (np.cumsum(counts) - counts)[owner]
-        cells = np.zeros((n, int(counts.max(initial=0)), 2), np.int64)
-        cells[owner, place] = np.stack([cell // fov, cell % fov], axis=1) - fov // 2
-        return cls(cells, np.arange(cells.shape[1]) < counts[:, None])
+        cells = np.zeros((n, int(counts.max(initial=0))), np.int64)
+        cells[owner, place] = cell
+        exist = np.arange(cells.shape[1]) < counts[:, None]
+        return cls(cells // fov - fov // 2, cells % fov - fov // 2, exist)
 
     def only(self, kept: Bools) -> Offsets:
         """Return the same cells, of which some do not exist any longer."""
-        return Offsets(self.cells, self.exist & kept)
+        return Offsets(self.rows, self.cols, self.exist & kept)
 
 
 @dataclass(frozen=True)
 class Sight:
-    """What n agents see, and where they are.
+    """What n agents of a team see, and where they are.
 
     Parameters
     ----------
-    views : ndarray of uint8, shape (n, 3, fov, fov)
-        Their views.
-    positions : ndarray of int, shape (n, 2)
-        Rows and columns.
-    maps : ndarray of bool, shape (n, rows, cols)
-        Obstacles of their worlds.
+    moment : mapping of str to ndarray
+        The worlds' present moment, with a leading axis of W worlds.
+    world, agent : ndarray of int, shape (n,)
+        The worlds of the agents, and their numbers in them.
     is_pursuer : bool
-        Whether they are pursuers; all are of one team.
+        Whether they are pursuers.
     n_actions : int
         5, or 9 with diagonal moves.
     """
 
-    views: NDArray[np.uint8]
-    positions: Ints
-    maps: Bools
+    moment: Mapping[str, NDArray[Any]]
+    world: NDArray[np.intp]
+    agent: NDArray[np.intp]
     is_pursuer: bool
     n_actions: int
 
     @cached_property
     def adversaries(self) -> Offsets:
         """Cells that hold adversaries, each once."""
-        return Offsets.of_channel(self.views[:, 0 if self.is_pursuer else 1])
+        return Offsets.of_channel(self._channel(0 if self.is_pursuer else 1))
 
     @cached_property
     def teammates(self) -> Offsets:
         """Cells that hold teammates, each once."""
-        return Offsets.of_channel(self.views[:, 1 if self.is_pursuer else 0])
+        return Offsets.of_channel(self._channel(1 if self.is_pursuer else 0))
 
-    def moves(self, there: Ints, cells: Ints) -> Ints:
-        """Return the least number of moves between cells, over the last axis."""
-        apart = np.abs(there - cells)
-        return np.asarray(apart.max(-1) if self.n_actions == len(STEPS) else apart.sum(-1))
+    def _channel(self, number: int) -> NDArray[Any]:
+        return np.asarray(self.moment["views"][self.world, self.agent, number])
 
-    def is_free(self, cells: Ints) -> Bools:
-        """Whether cells (n, K, 2) are inside the grid and hold no obstacle."""
-        n, rows, cols = self.maps.shape
-        at = self.positions[:, None] + cells
-        inside = ((at >= 0) & (at < (rows, cols))).all(axis=-1)
-        row, col = at[..., 0].clip(0, rows - 1), at[..., 1].clip(0, cols - 1)
-        return np.asarray(inside & ~self.maps[np.arange(n)[:, None], row, col])
+    def moves(self, rows: Ints, cols: Ints) -> Ints:
+        """Return the least number of moves over distances in rows and in columns."""
+        diagonal = self.n_actions == len(ROW_STEP)
+        join: Callable[..., Ints] = np.maximum if diagonal else np.add
+        return join(np.abs(rows), np.abs(cols))
+
+    def is_free(self, rows: Ints, cols: Ints) -> Bools:
+        """Whether cells (n, K), relative to the agents, are in the grid and hold no obstacle."""
+        obstacles = self.moment["state"][:, _OBSTACLES]
+        n_rows, n_cols = obstacles.shape[1:]
+        own = self.moment["positions"][self.world, self.agent]
+        row, col = own[:, :1] + rows, own[:, 1:] + cols
+        inside = (row >= 0) & (row < n_rows) & (col >= 0) & (col < n_cols)
+        at = self.world[:, None], row.clip(0, n_rows - 1), col.clip(0, n_cols - 1)
+        return np.asarray(inside & (obstacles[at] == 0))
 
 
 # ---- Goals -------------------------------------------------------------------------------------
@@ -114,8 +123,10 @@ def adversaries(sight: Sight) -> Offsets:
 def unclaimed_adversaries(sight: Sight) -> Offsets:
     """Return adversaries to which no teammate in view is nearer; if there are none, all."""
     every, mates = sight.adversaries, sight.teammates
-    own = sight.moves(np.zeros(2, np.int64), every.cells)
-    theirs = sight.moves(mates.cells[:, None], every.cells[:, :, None])
+    own = sight.moves(every.rows, every.cols)
+    theirs = sight.moves(
+        mates.rows[:, None] - every.rows[..., None], mates.cols[:, None] - every.cols[..., None]
+    )
     nearer = np.asarray(((theirs < own[..., None]) & mates.exist[:, None]).any(axis=-1))
     unclaimed = every.only(~nearer)
     return every.only(~(nearer & unclaimed.exist.any(axis=1, keepdims=True)))
@@ -124,32 +135,33 @@ def unclaimed_adversaries(sight: Sight) -> Offsets:
 def open_sides(sight: Sight) -> Offsets:
     """Return free cells beside adversaries without those on which a teammate stands."""
     every, mates = sight.adversaries, sight.teammates
-    sides = STEPS[1 : sight.n_actions]
-    n = len(every.cells)
-    beside = (every.cells[:, :, None] + sides).reshape(n, -1, 2)
-    exist = np.repeat(every.exist, len(sides), axis=1)
-    taken = (beside[:, :, None] == mates.cells[:, None]).all(axis=-1) & mates.exist[:, None]
-    return Offsets(beside, exist & ~taken.any(axis=-1) & sight.is_free(beside))
+    n = len(sight.world)
+    sides = slice(1, sight.n_actions)
+    rows = (every.rows[..., None] + ROW_STEP[sides]).reshape(n, -1)
+    cols = (every.cols[..., None] + COL_STEP[sides]).reshape(n, -1)
+    exist = np.repeat(every.exist, sight.n_actions - 1, axis=1) & sight.is_free(rows, cols)
+    taken = (rows[..., None] == mates.rows[:, None]) & (cols[..., None] == mates.cols[:, None])
+    return Offsets(rows, cols, exist & ~(taken & mates.exist[:, None]).any(axis=-1))
 
 
 # ---- Worth -------------------------------------------------------------------------------------
 
 
-def far(sight: Sight, goals: Offsets, there: Ints) -> Ints:
-    """Return the moves from a cell to each agent's nearest goal, (n,)."""
-    moves = np.where(goals.exist, sight.moves(there, goals.cells), _FAR)
-    return np.asarray(moves.min(axis=1, initial=_FAR))
+def far(sight: Sight, goals: Offsets, action: int) -> Ints:
+    """Return the moves to each agent's nearest goal after an action, (n,)."""
+    moves = sight.moves(goals.rows - ROW_STEP[action], goals.cols - COL_STEP[action])
+    return np.asarray(np.where(goals.exist, moves, _FAR).min(axis=1, initial=_FAR))
 
 
-def near(sight: Sight, goals: Offsets, there: Ints) -> Ints:
+def near(sight: Sight, goals: Offsets, action: int) -> Ints:
     """Return minus the moves to the nearest goal, (n,)."""
-    return -far(sight, goals, there)
+    return -far(sight, goals, action)
 
 
-def far_from_all(sight: Sight, goals: Offsets, there: Ints) -> Ints:
+def far_from_all(sight: Sight, goals: Offsets, action: int) -> Ints:
     """Return minus a push that falls with the square of the distance to each goal, (n,)."""
-    push = _CHARGE // (1 + sight.moves(there, goals.cells)) ** 2
-    return np.asarray(-np.where(goals.exist, push, 0).sum(axis=1))
+    moves = sight.moves(goals.rows - ROW_STEP[action], goals.cols - COL_STEP[action])
+    return np.asarray(-np.where(goals.exist, _CHARGE // (1 + moves) ** 2, 0).sum(axis=1))
 
 
 @dataclass(frozen=True)
@@ -157,7 +169,7 @@ class Row:
     """A script: its goals, the worth of a cell, slips of `SLIP_STEPS`, steps in one direction."""
 
     goals: Callable[[Sight], Offsets] | None
-    worth: Callable[[Sight, Offsets, Ints], Ints] = near
+    worth: Callable[[Sight, Offsets, int], Ints] = near
     slips: int = 0
     stride: int = 0
 
@@ -175,7 +187,7 @@ ROWS: dict[Script, Row] = {
 }
 
 
-def script_actions(script: Script, sight: Sight, at: Moments, agents: Ints) -> Ints:
+def script_actions(script: Script, sight: Sight, at: Moments) -> Ints:
     """Return the actions of n agents that play a script.
 
     Parameters
@@ -186,8 +198,6 @@ def script_actions(script: Script, sight: Sight, at: Moments, agents: Ints) -> I
         What the agents see.
     at : Moments
         Seed, episode and step of each.
-    agents : ndarray of int, shape (n,)
-        Their numbers in their worlds.
 
     Returns
     -------
@@ -195,7 +205,7 @@ def script_actions(script: Script, sight: Sight, at: Moments, agents: Ints) -> I
         The actions.
     """
     row = ROWS[script]
-    draws = decision_draws(at, agents)
+    draws = decision_draws(at, sight.agent)
     slips = draws % SLIP_STEPS < row.slips
     slip = below(draws, sight.n_actions)
     if row.goals is None:
@@ -203,14 +213,14 @@ def script_actions(script: Script, sight: Sight, at: Moments, agents: Ints) -> I
     goals = row.goals(sight)
     chosen = _best_moves(row, sight, goals, draws)
     if row.stride:
-        chosen = np.where(goals.exist.any(axis=1), chosen, _walk_on(row, sight, at, agents, chosen))
+        chosen = np.where(goals.exist.any(axis=1), chosen, _walk_on(row, sight, at, chosen))
     return np.where(slips, slip, chosen)
 
 
 def _best_moves(row: Row, sight: Sight, goals: Offsets, draws: NDArray[np.uint32]) -> Ints:
-    steps = STEPS[: sight.n_actions]
-    worth = np.stack([row.worth(sight, goals, step) for step in steps], axis=1)
-    free = sight.is_free(np.broadcast_to(steps, (len(draws), *steps.shape)))
+    actions = range(sight.n_actions)
+    worth = np.stack([row.worth(sight, goals, action) for action in actions], axis=1)
+    free = sight.is_free(ROW_STEP[None, : len(actions)], COL_STEP[None, : len(actions)])
     free[:, 0] = True  # an agent can always stay
     best = worth == np.where(free, worth, np.iinfo(np.int64).min).max(axis=1, keepdims=True)
     best &= free
@@ -218,7 +228,8 @@ def _best_moves(row: Row, sight: Sight, goals: Offsets, draws: NDArray[np.uint32
     return np.asarray(np.argmax(best.cumsum(axis=1) == rank[:, None] + 1, axis=1))
 
 
-def _walk_on(row: Row, sight: Sight, at: Moments, agents: Ints, otherwise: Ints) -> Ints:
+def _walk_on(row: Row, sight: Sight, at: Moments, otherwise: Ints) -> Ints:
     """Return the direction of the present stride, or another action where it is not free."""
-    moves = 1 + below(stride_draws(at, agents, row.stride), sight.n_actions - 1)
-    return np.where(sight.is_free(STEPS[moves][:, None])[:, 0], moves, otherwise)
+    moves = 1 + below(stride_draws(at, sight.agent, row.stride), sight.n_actions - 1)
+    free = sight.is_free(ROW_STEP[moves][:, None], COL_STEP[moves][:, None])
+    return np.where(free[:, 0], moves, otherwise)
