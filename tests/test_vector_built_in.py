@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+import gymnasium
 import numpy as np
 import pytest
 from gymnasium.vector import AutoresetMode
+from gymnasium.wrappers.vector import RecordEpisodeStatistics
 
 import matrixworld as mw
 from matrixworld.coevolution.types import other
@@ -192,3 +194,37 @@ def test_an_illegal_action_changes_nothing() -> None:
     with pytest.raises(ValueError, match=r"actions: expected 0 to 4, got 9 \(world 1, agent 2\)"):
         envs.step([[0, 0, 0], [0, 0, 9]])
     assert np.array_equal(envs.world(1).state(), state)
+
+
+# ---- Agents as sub-environments ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("n_worlds", [1, 3])
+@pytest.mark.parametrize("team", TEAMS)
+def test_agents_of_the_other_team_are_sub_environments(team: str, n_worlds: int) -> None:
+    config = config_of("D", max_steps=7)
+    worlds, twin = (mw.VectorEnv(config, n_worlds, **{f"{team}s": "hunter"}) for _ in range(2))
+    envs = RecordEpisodeStatistics(mw.AgentVectorEnv(worlds))
+    n = len(worlds.agents)
+    assert envs.num_envs == n_worlds * n
+    seen, _ = envs.reset(seed=2)
+    whole, _ = twin.reset(seed=2)
+    ended = 0
+    for actions in random_actions(4, 5, 20, n_worlds * n):
+        assert np.array_equal(seen, whole.reshape(seen.shape))
+        seen, rewards, _, _, infos = envs.step(actions)
+        whole, expected, *_ = twin.step(actions.reshape(n_worlds, n))
+        assert np.array_equal(rewards, expected.reshape(-1))
+        ended += int(infos.get("_episode", np.zeros(1)).sum())
+    assert ended >= n_worlds * n
+    mine = mw.AgentVectorEnv(mw.VectorEnv(config, 1, **{f"{team}s": "hunter"}), other(team))
+    assert mine.num_envs == n
+    with pytest.raises(ValueError, match="team: expected the one that the caller plays, got"):
+        mw.AgentVectorEnv(worlds, team)
+
+
+def test_gymnasium_makes_them() -> None:
+    envs = gymnasium.make_vec("matrixworld/pursuit_evasion_o_v0", num_envs=2, evaders="evolved-2")
+    seen, infos = envs.reset(seed=0)
+    assert seen.shape == (2, 8, 3, 11, 11)
+    assert infos["opponent"].tolist() == [0, 0]

@@ -3,7 +3,8 @@
 ==================  ===============================================================================
 games               `Rules`, `VARIANTS`, `Rewards`, `WorldConfig`, `read_map`, `Action`
 worlds              `World` (one), `Batch` (many)
-environments        `parallel_env`, `aec_env` (PettingZoo), `VectorEnv` (many worlds at once)
+environments        `parallel_env`, `aec_env` (PettingZoo), `VectorEnv` (many worlds at once),
+                    `AgentVectorEnv` (many agents at once)
 policies, matches   `Network`, `Population`, `SCRIPTS`, `Matches`, `rollout`, `EpisodeStatistics`,
                     `NetworkPolicy`, `score_policy`
 episodes            `record`, `Recorder`, `Episode`; modules `replay` and `render`
@@ -15,6 +16,7 @@ evolution           packages `coevolution` and `analysis`, module `plots`
 from typing import TYPE_CHECKING, Any
 
 from matrixworld._core import Autoreset, Blame, Capture, Interaction, Outcome
+from matrixworld.agent_vector import AgentVectorEnv
 from matrixworld.arrays import array_specs, episode_specs
 from matrixworld.batch import Batch
 from matrixworld.config import WorldConfig
@@ -41,6 +43,7 @@ __all__ = [
     "SCRIPTS",
     "VARIANTS",
     "Action",
+    "AgentVectorEnv",
     "Autoreset",
     "Batch",
     "Blame",

@@ -6,12 +6,19 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from typing_extensions import Unpack
 
 from matrixworld import _core
 from matrixworld._core import Autoreset
 from matrixworld.arrays import array_specs, integers
-from matrixworld.checks import SEED_MAX, check_integer, check_naturals, check_threads
-from matrixworld.config import WorldConfig
+from matrixworld.checks import (
+    SEED_MAX,
+    check_integer,
+    check_keywords,
+    check_naturals,
+    check_threads,
+)
+from matrixworld.config import WorldConfig, WorldSettings
 from matrixworld.maps import MapLike, read_map
 from matrixworld.rules import Rules
 from matrixworld.world import World
@@ -65,8 +72,9 @@ class Batch:
         threads: int | None = None,
         autoreset: Autoreset = Autoreset.DISABLED,
         buffers: dict[str, NDArray[Any]] | None = None,
-        **changes: Any,
+        **changes: Unpack[WorldSettings],
     ) -> None:
+        check_keywords(changes, WorldSettings.__annotations__, Batch)
         self.config = WorldConfig.of(config, **changes)
         self.n_worlds = check_integer("n_worlds", n_worlds, 1)
         if not isinstance(autoreset, Autoreset):

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import inspect
 import operator
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from difflib import get_close_matches
 from numbers import Real
 from typing import Any
 
@@ -117,6 +119,31 @@ def check_choice(name: str, value: Any, choices: Iterable[str]) -> None:
     known = list(choices)
     if value not in known:
         raise ValueError(f"{name}: expected one of {', '.join(known)}, got {value!r}")
+
+
+def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[..., Any]) -> None:
+    """Raise TypeError for a keyword argument that is unknown, and name the nearest one.
+
+    Parameters
+    ----------
+    given : iterable of str
+        Keyword arguments beyond the parameters of `of`.
+    known : iterable of str
+        Those that are legal.
+    of : callable
+        The function or class that was called; messages name its own parameters, too.
+    """
+    legal = set(known)
+    for name in given:
+        if name in legal:
+            continue
+        parameters = inspect.signature(of).parameters.values()
+        names = sorted(
+            legal | {each.name for each in parameters if each.kind is not each.VAR_KEYWORD}
+        )
+        nearest = get_close_matches(name, names, 1)
+        meant = f"; did you mean {nearest[0]}?" if nearest else ""
+        raise TypeError(f"keywords: expected some of {', '.join(names)}, got {name}{meant}")
 
 
 def check_threads(threads: int | None) -> int:

@@ -5,14 +5,15 @@ from __future__ import annotations
 import warnings
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import Unpack
 
 from matrixworld import _core
 from matrixworld._core import Capture
-from matrixworld.checks import check_bool, check_integer
+from matrixworld.checks import check_bool, check_integer, check_keywords
 from matrixworld.maps import MapLike, read_map
 from matrixworld.rules import Rewards, Rules, rules_of
 
@@ -22,6 +23,23 @@ Obstacles: TypeAlias = "float | MapLike | None"
 _SIDE = 40
 # The paper's team sizes: surrounding one evader takes up to four pursuers.
 _TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}
+
+
+class WorldSettings(TypedDict, total=False):
+    """Keyword arguments that set or change fields of a `WorldConfig`, for type checkers.
+
+    Functions that make worlds and environments accept them.
+    """
+
+    rows: int | None
+    cols: int | None
+    n_pursuers: int | None
+    n_evaders: int | None
+    fov: int
+    diagonal: bool
+    max_steps: int
+    obstacles: Obstacles
+    rewards: Rewards | None
 
 
 def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
@@ -143,7 +161,9 @@ class WorldConfig:
             warnings.warn("these rules can never capture an evader", stacklevel=2)
 
     @classmethod
-    def of(cls, config: WorldConfig | Rules | str = "O", **changes: Any) -> WorldConfig:
+    def of(
+        cls, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
+    ) -> WorldConfig:
         """Return a config with some fields changed.
 
         Parameters
@@ -151,15 +171,24 @@ class WorldConfig:
         config : WorldConfig, Rules or str, optional
             The config to start from, or the rules of a new one.
         **changes
-            Fields and their new values.
+            Fields but `rules`, and their new values.
 
         Returns
         -------
         WorldConfig
             `config` itself if it is a WorldConfig and nothing changes.
+
+        Raises
+        ------
+        TypeError
+            For an unknown keyword, and as `WorldConfig` does.
+        ValueError
+            As `WorldConfig` does.
         """
+        check_keywords(changes, WorldSettings.__annotations__, cls.of)
         if isinstance(config, WorldConfig):
-            return replace(config, **changes) if changes else config
+            values: dict[str, Any] = {**changes}  # fields are narrower than what `__init__` takes
+            return replace(config, **values) if values else config
         return cls(config, **changes)
 
     @property

@@ -13,13 +13,14 @@ from gymnasium.vector import AutoresetMode
 from gymnasium.vector import VectorEnv as GymnasiumVectorEnv
 from gymnasium.vector.utils import batch_space
 from numpy.typing import ArrayLike, DTypeLike, NDArray
+from typing_extensions import Unpack
 
 from matrixworld._core import Autoreset
 from matrixworld.batch import Batch
 from matrixworld.built_in import Opponents, built_in_team, set_opponents
 from matrixworld.built_in_worlds import BuiltInWorlds
-from matrixworld.checks import check_bool, check_integer
-from matrixworld.config import WorldConfig
+from matrixworld.checks import check_bool, check_integer, check_keywords
+from matrixworld.config import WorldConfig, WorldSettings
 from matrixworld.masks import action_masks, check_maskable
 from matrixworld.play import Plays
 from matrixworld.render import rgb
@@ -153,8 +154,9 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         render_mode: str | None = None,
         pursuers: Opponents | None = None,
         evaders: Opponents | None = None,
-        **changes: Any,
+        **changes: Unpack[WorldSettings],
     ) -> None:
+        check_keywords(changes, WorldSettings.__annotations__, VectorEnv)
         self.config = WorldConfig.of(config, **changes)
         self.num_envs = check_integer("n_worlds", n_worlds, 1)
         if render_mode not in (None, "rgb_array"):

@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from typing_extensions import Unpack
 
 from matrixworld import _core
 from matrixworld.arrays import array_specs, integers
 from matrixworld.checks import SEED_MAX, check_integer
-from matrixworld.config import WorldConfig
+from matrixworld.config import WorldConfig, WorldSettings
 from matrixworld.conflicts import Conflict, conflict_of
 from matrixworld.maps import MapLike, read_map
 from matrixworld.rules import Rules
@@ -84,7 +85,9 @@ class World(WorldState):
     [0.05, -0.05, -0.15]
     """
 
-    def __init__(self, config: WorldConfig | Rules | str = "O", **changes: Any) -> None:
+    def __init__(
+        self, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
+    ) -> None:
         self.config = WorldConfig.of(config, **changes)
         self._specs = array_specs(self.config)
         self._core = _core.World(self.config.setup)

@@ -8,9 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from pettingzoo import AECEnv
+from typing_extensions import Unpack
 
 from matrixworld.checks import check_integer
-from matrixworld.envs.base import MatrixWorldBase, Status
+from matrixworld.config import WorldConfig
+from matrixworld.envs.base import EnvSettings, MatrixWorldBase, Status
+from matrixworld.rules import Rules
 
 View = NDArray[np.uint8]
 
@@ -24,6 +27,14 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
 
     agent_selection: str
     _to_commit: list[str]  # agents of this turn that have not chosen yet
+
+    def __init__(
+        self, config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
+    ) -> None:
+        super().__init__(config, **settings)
+        # Where teams or agents take turns, they see what earlier ones did: that game is not the one
+        # in which all choose at once.
+        self.metadata["is_parallelizable"] = self.world.n_turns == 1
 
     def reset(self, seed: int | None = None, options: Mapping[str, Any] | None = None) -> None:
         """Start an episode; see `MatrixWorldParallel.reset`."""
@@ -119,14 +130,14 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         status = self.status
         for earlier in ended:
             status.add_collisions(earlier)
-        infos, terminations = status.infos(), status.terminations.tolist()
+        self._views = self.world.views()
+        infos, terminations = self._infos(status, self._views), status.terminations.tolist()
         truncations = status.truncations.tolist()
         for agent in self.agents:
             i = self._index[agent]
             self.terminations[agent] = terminations[i]
             self.truncations[agent] = truncations[i]
             self.infos[agent] = infos[i]
-        self._views = self.world.views()
 
     def _living_actors(self) -> list[str]:
         """Return the caller's living agents of the next turn; none when the world is terminated."""

@@ -10,16 +10,31 @@ from typing import Any
 import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
+from typing_extensions import Unpack
 
 from matrixworld.arrays import WORLD_FIELDS, OutputField
 from matrixworld.built_in import Opponents, built_in_team, set_opponents
-from matrixworld.checks import check_bool
-from matrixworld.config import WorldConfig
+from matrixworld.checks import check_bool, check_keywords
+from matrixworld.config import WorldConfig, WorldSettings
 from matrixworld.envs.drawing import Drawing
 from matrixworld.episode import Episode
+from matrixworld.masks import action_masks, check_maskable
 from matrixworld.play import MOMENT, Plays
 from matrixworld.rules import KINDS, VARIANTS, Rules
 from matrixworld.world import World
+
+
+class EnvSettings(WorldSettings, total=False):
+    """Keyword arguments of an environment, for type checkers; see `MatrixWorldBase`."""
+
+    render_mode: str | None
+    fields_of_view: bool | Iterable[str]
+    record: bool
+    action_mask: bool
+    max_cycles: int | None
+    pursuers: Opponents | None
+    evaders: Opponents | None
+
 
 RENDER_MODES = ("human", "rgb_array", "ansi")
 
@@ -163,6 +178,9 @@ class MatrixWorldBase:
         The agents whose fields of view pictures outline: True for all, or their names.
     record : bool, optional
         Whether to keep every step for `recorded`. With a render mode steps are always kept.
+    action_mask : bool, optional
+        Whether infos have an ``action_mask``, int8 of shape (n_actions,): 1 for the moves that run
+        into neither an obstacle nor the border. Needs a `fov` of at least 3. The default is False.
     max_cycles : int, optional
         Another name for ``max_steps`` of the config, as other PettingZoo environments call it.
     pursuers, evaders : Opponents, optional
@@ -205,11 +223,13 @@ class MatrixWorldBase:
         render_mode: str | None = None,
         fields_of_view: bool | Iterable[str] = False,
         record: bool = False,
+        action_mask: bool = False,
         max_cycles: int | None = None,
         pursuers: Opponents | None = None,
         evaders: Opponents | None = None,
-        **changes: Any,
+        **changes: Unpack[WorldSettings],
     ) -> None:
+        check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
         if max_cycles is not None:
             changes["max_steps"] = max_cycles
         if render_mode not in (None, *RENDER_MODES):
@@ -217,6 +237,9 @@ class MatrixWorldBase:
                 f"render_mode: expected None or one of {RENDER_MODES}, got {render_mode!r}"
             )
         self.config = WorldConfig.of(config, **changes)
+        self._has_masks = check_bool("action_mask", action_mask)
+        if self._has_masks:
+            check_maskable(self.config)
         self.world = World(self.config)
         self.render_mode = render_mode
         self.metadata = metadata_of(self.config)
@@ -269,6 +292,14 @@ class MatrixWorldBase:
     def status(self) -> Status:
         """The last step for all agents at once, in arrays in which an agent keeps its index."""
         return Status.of(self.world)
+
+    def _infos(self, status: Status, views: NDArray[np.uint8]) -> list[dict[str, Any]]:
+        """Return the info of each agent, in which `views` are what the agents see now."""
+        infos = status.infos()
+        if self._has_masks:
+            masks = action_masks(views, self.config.n_actions)
+            infos = [info | {"action_mask": mask} for info, mask in zip(infos, masks, strict=True)]
+        return infos
 
     def _reset_world(self, seed: int | None, options: Mapping[str, Any] | None) -> None:
         given = dict(options or {})

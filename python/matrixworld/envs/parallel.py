@@ -56,7 +56,9 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
             As `World.reset` does. The environment then stays as it was.
         """
         self._reset_world(seed, options)
-        return self._by_agent(self.agents, self.world.views()), self._infos(self.agents)
+        views = self.world.views()
+        infos = self._infos(self.status, views)
+        return self._by_agent(self.agents, views), self._by_agent(self.agents, infos)
 
     def step(
         self, actions: Mapping[str, Any]
@@ -104,12 +106,12 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         self.world.step(committed)
         if self._drawing is not None:
             self._drawing.note(self._actions)
-        status = Status.of(self.world)
-        observations = self._by_agent(acting, self.world.views())
+        status, views = Status.of(self.world), self.world.views()
+        observations = self._by_agent(acting, views)
         rewards = self._by_agent(acting, status.rewards.tolist())
         terminations = self._by_agent(acting, status.terminations.tolist())
         truncations = self._by_agent(acting, status.truncations.tolist())
-        infos = self._by_agent(acting, status.infos())
+        infos = self._by_agent(acting, self._infos(status, views))
         # All that acted get their last results; agents that ended leave only now.
         self.agents = [a for a in acting if not (terminations[a] or truncations[a])]
         return observations, rewards, terminations, truncations, infos
@@ -131,6 +133,3 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
 
     def _by_agent(self, agents: list[str], values: Any) -> dict[str, Any]:
         return {agent: values[self._index[agent]] for agent in agents}
-
-    def _infos(self, agents: list[str]) -> dict[str, dict[str, Any]]:
-        return self._by_agent(agents, self.status.infos())

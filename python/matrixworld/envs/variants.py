@@ -13,14 +13,18 @@ from importlib.machinery import ModuleSpec
 from types import ModuleType
 from typing import Any, TypeAlias
 
+import gymnasium
 from pettingzoo.env_registry.registration import register
 from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, OrderEnforcingWrapper
+from typing_extensions import Unpack
 
 from matrixworld.config import WorldConfig
 from matrixworld.envs.aec import MatrixWorldAEC
+from matrixworld.envs.base import EnvSettings
 from matrixworld.envs.parallel import MatrixWorldParallel
 from matrixworld.envs.variant_texts import VARIANT_TEXTS
 from matrixworld.rules import OUTCOME_TEXTS, Capture, Interaction, Rules
+from matrixworld.vector import VectorEnv
 
 AECWrapper: TypeAlias = OrderEnforcingWrapper
 
@@ -43,7 +47,9 @@ see `matrixworld.envs`.
 Versions: v0, the first."""
 
 
-def parallel_env(config: WorldConfig | Rules | str = "O", **settings: Any) -> MatrixWorldParallel:
+def parallel_env(
+    config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
+) -> MatrixWorldParallel:
     """Make an environment of PettingZoo's parallel API: all agents act at once.
 
     Where the rules take turns, a step plays a whole round with actions that were all chosen before
@@ -65,7 +71,9 @@ def parallel_env(config: WorldConfig | Rules | str = "O", **settings: Any) -> Ma
     return MatrixWorldParallel(config, **settings)
 
 
-def raw_aec_env(config: WorldConfig | Rules | str = "O", **settings: Any) -> MatrixWorldAEC:
+def raw_aec_env(
+    config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
+) -> MatrixWorldAEC:
     """Make an AEC environment without PettingZoo's wrappers.
 
     Parameters
@@ -81,7 +89,7 @@ def raw_aec_env(config: WorldConfig | Rules | str = "O", **settings: Any) -> Mat
     return MatrixWorldAEC(config, **settings)
 
 
-def aec_env(config: WorldConfig | Rules | str = "O", **settings: Any) -> AECWrapper:
+def aec_env(config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]) -> AECWrapper:
     """Make an environment of PettingZoo's AEC API: one agent acts after the other.
 
     Where the rules take turns, this is the game itself: an agent observes what earlier agents did.
@@ -115,12 +123,15 @@ class VariantModule(ModuleType):
     env, raw_env, parallel_env : callable
         `aec_env`, `raw_aec_env` and `parallel_env` with the rules of the variant; they take the
         other arguments.
+    vector_env : callable
+        `matrixworld.VectorEnv` with the rules of the variant; ``num_envs`` is the number of worlds.
     """
 
     __all__: list[str]
     env: Callable[..., AECWrapper]
     raw_env: Callable[..., MatrixWorldAEC]
     parallel_env: Callable[..., MatrixWorldParallel]
+    vector_env: Callable[..., VectorEnv]
 
     def __init__(self, variant: str) -> None:
         name = f"pursuit_evasion_{variant.lower()}_v0"
@@ -128,21 +139,25 @@ class VariantModule(ModuleType):
         # `import` and `importlib.util.find_spec` ask modules for it; there is nothing to load.
         self.__spec__ = ModuleSpec(self.__name__, loader=None, origin=__name__)
         self.__package__ = "matrixworld.envs"
-        self.__all__ = ["env", "parallel_env", "raw_env"]
+        self.__all__ = ["env", "parallel_env", "raw_env", "vector_env"]
 
-        def env(**settings: Any) -> AECWrapper:
+        def env(**settings: Unpack[EnvSettings]) -> AECWrapper:
             """Make the AEC environment, in PettingZoo's wrappers; see `matrixworld.aec_env`."""
             return aec_env(variant, **settings)
 
-        def raw_env(**settings: Any) -> MatrixWorldAEC:
+        def raw_env(**settings: Unpack[EnvSettings]) -> MatrixWorldAEC:
             """Make the AEC environment without wrappers; see `matrixworld.aec_env`."""
             return raw_aec_env(variant, **settings)
 
-        def parallel(**settings: Any) -> MatrixWorldParallel:
+        def parallel(**settings: Unpack[EnvSettings]) -> MatrixWorldParallel:
             """Make the parallel environment; see `matrixworld.parallel_env`."""
             return parallel_env(variant, **settings)
 
-        self._add(env=env, raw_env=raw_env, parallel_env=parallel)
+        def vector(num_envs: int = 1, **settings: Any) -> VectorEnv:
+            """Make many worlds with Gymnasium's interface; see `matrixworld.VectorEnv`."""
+            return VectorEnv(variant, num_envs, **settings)
+
+        self._add(env=env, raw_env=raw_env, parallel_env=parallel, vector_env=vector)
 
     def _add(self, **makers: Callable[..., Any]) -> None:
         for name, maker in makers.items():
@@ -152,13 +167,18 @@ class VariantModule(ModuleType):
 
 
 def add_module(variant: str, package: str) -> VariantModule:
-    """Make the module of a variant importable from `package`, and known to ``pettingzoo.make``."""
+    """Make the module of a variant importable from `package`, and register its environments.
+
+    ``pettingzoo.make`` and ``gymnasium.make_vec`` know them by the same id.
+    """
     module = VariantModule(variant)
     name = module.__name__.rpartition(".")[2]
     sys.modules[module.__name__] = module
     setattr(sys.modules[package], name, module)
     register("aec", f"matrixworld/{name}", module.env)
     register("parallel", f"matrixworld/{name}", module.parallel_env)
+    # A text, not the function: Gymnasium writes its specifications as JSON.
+    gymnasium.register(f"matrixworld/{name}", vector_entry_point=f"{module.__name__}:vector_env")
     return module
 
 

@@ -1,0 +1,275 @@
+"""Agents as sub-environments: the arrays of VectorEnv, Gymnasium's wrappers, ends of episodes."""
+
+from __future__ import annotations
+
+import copy
+from pathlib import Path
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.error import ClosedEnvironmentError
+from gymnasium.vector import AutoresetMode
+from gymnasium.wrappers import vector as wrappers
+
+import matrixworld as mw
+from rows import config_of, random_actions
+
+MODES = list(AutoresetMode)
+TEAMS = (None, "pursuer", "evader")
+
+
+def worlds_of(name: str = "D", n_worlds: int = 3, **settings: Any) -> mw.VectorEnv:
+    return mw.VectorEnv(config_of(name, max_steps=9), n_worlds, **settings)
+
+
+def actions_of(env: mw.AgentVectorEnv, steps: int) -> np.ndarray:
+    return random_actions(3, env.single_action_space.n, steps, env.num_envs)
+
+
+# ---- Arrays ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("copied", [True, False])
+def test_they_are_the_arrays_of_the_worlds(team: str, mode: AutoresetMode, copied: bool) -> None:
+    settings = {"autoreset_mode": mode, "flatten": True, "dtype": "float32", "action_mask": True}
+    env = mw.AgentVectorEnv(worlds_of(copy=copied, **settings), team)
+    twin = worlds_of(**settings)
+    agents = {None: slice(0, 7), "pursuer": slice(0, 3), "evader": slice(3, 7)}[team]
+
+    def assert_equal(flat: np.ndarray, whole: np.ndarray) -> None:
+        expected = whole[:, agents].reshape(env.num_envs, *whole.shape[2:])
+        np.testing.assert_array_equal(flat, expected)
+        assert flat.dtype == whole.dtype
+
+    def assert_infos(flat: dict[str, Any], whole: dict[str, Any]) -> None:
+        keys = {"alive", "acted", "positions", "involved", "fault", "cost", "action_mask"}
+        assert flat.keys() == keys | {f"cost_{k}" for k in mw.KINDS} | {"final_obs", "_final_obs"}
+        for key in flat.keys() - {"_final_obs"}:
+            assert_equal(flat[key], whole[key])
+        n = env.num_envs // 3
+        np.testing.assert_array_equal(flat["_final_obs"], whole["_final_obs"].repeat(n))
+
+    seen, infos = env.reset(seed=4)
+    whole_seen, whole_infos = twin.reset(seed=4)
+    assert_equal(seen, whole_seen)
+    assert_infos(infos, whole_infos)
+    for actions in actions_of(env, 12):
+        whole = np.zeros((3, 7), int)
+        whole[:, agents] = actions.reshape(3, -1)
+        seen, rewards, terminations, truncations, infos = env.step(actions)
+        results = twin.step(whole)
+        assert_equal(seen, results[0])
+        assert_equal(rewards, results[1])
+        over = (results[4]["terminated"] | results[4]["truncated"])[:, None]
+        assert_equal(terminations, results[2] & over)
+        assert_equal(truncations, results[3])
+        assert_infos(infos, results[4])
+
+
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("n_worlds", [1, 3])
+def test_what_was_returned_stays(team: str | None, n_worlds: int) -> None:
+    env = mw.AgentVectorEnv(worlds_of(n_worlds=n_worlds), team)
+    returned = [env.reset(seed=0)] + [env.step(actions) for actions in actions_of(env, 6)]
+    once = copy.deepcopy(returned)
+    env.step(actions_of(env, 1)[0])
+    env.reset(seed=9)
+    for before, after in zip(once, returned, strict=True):
+        for one, other in zip(before, after, strict=True):
+            np.testing.assert_equal(one, other)
+
+
+def test_without_copies_arrays_are_overwritten() -> None:
+    env = mw.AgentVectorEnv(worlds_of(copy=False))
+    assert np.shares_memory(env.reset(seed=0)[0], env.worlds.observations)
+
+
+def test_spaces() -> None:
+    env = mw.AgentVectorEnv(worlds_of(action_mask=True))
+    observations, infos = env.reset(seed=1)
+    assert env.single_observation_space.shape == (3, 5, 5)
+    assert env.single_action_space == gymnasium.spaces.Discrete(5)
+    for _ in range(5):
+        assert env.observation_space.contains(observations)
+        actions = env.action_space.sample(mask=tuple(infos["action_mask"]))
+        assert env.action_space.contains(actions)
+        assert (infos["action_mask"][np.arange(env.num_envs), actions] == 1).all()
+        observations, *_, infos = env.step(actions)
+        assert not infos["cost_obstacle"].any()
+
+
+def test_the_other_team_plays_the_worlds_actions() -> None:
+    env, twin = mw.AgentVectorEnv(worlds_of(), "pursuer"), worlds_of()
+    env.reset(seed=1)
+    twin.reset(seed=1)
+    for row in random_actions(6, 5, 6, 3, 7):
+        env.worlds.evaders.actions[:] = row[:, 3:]
+        env.step(row[:, :3].ravel())
+        twin.step(row)
+        np.testing.assert_array_equal(env.worlds.observations, twin.observations)
+
+
+def test_seeds_are_told() -> None:
+    env = mw.AgentVectorEnv(worlds_of(), "pursuer")
+    env.reset(seed=7)
+    assert env.np_random_seed == (7,) * 3 + (8,) * 3 + (9,) * 3
+    assert len(env.np_random) == env.num_envs
+
+
+# ---- Ends of episodes --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_every_agent_ends_once_with_its_world(mode: AutoresetMode) -> None:
+    env = mw.AgentVectorEnv(worlds_of(autoreset_mode=mode))
+    env.reset(seed=2)
+    ends, episodes, gone_before = 0, 0, 0
+    for actions in actions_of(env, 30):
+        dead = ~env.worlds.infos["alive"]
+        _, rewards, terminations, truncations, infos = env.step(actions)
+        assert not (terminations & truncations).any()
+        ended = (terminations | truncations).reshape(3, -1)
+        assert (ended == ended[:, :1]).all()
+        np.testing.assert_array_equal(ended[:, 0], infos["_final_obs"].reshape(3, -1)[:, 0])
+        assert not rewards[~infos["acted"]].any()
+        waiting = dead & ended
+        assert terminations.reshape(3, -1)[waiting].all()
+        ends, episodes = ends + ended.sum(), episodes + ended[:, 0].sum()
+        gone_before += waiting.sum()
+        if mode is AutoresetMode.DISABLED and ended.any():
+            env.reset(options={"reset_mask": ended.ravel()})
+    assert ends == episodes * 7
+    assert episodes > 3
+    assert gone_before > 3
+
+
+@pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
+def test_masked_transitions_end_where_agents_disappear(mode: str) -> None:
+    """Of the steps of an episode in which an agent acted, the last one is its end, and no other."""
+    env = mw.AgentVectorEnv(worlds_of(autoreset_mode=mode))
+    env.reset(seed=2)
+    ends: dict[tuple[int, int], list[bool]] = {}
+    for actions in actions_of(env, 60):
+        episode = env.worlds.infos["episode_number"].repeat(7)
+        _, _, terminations, truncations, infos = env.step(actions)
+        is_end = terminations | truncations | ~infos["alive"]
+        for agent in np.flatnonzero(infos["acted"]):
+            ends.setdefault((int(agent), int(episode[agent])), []).append(bool(is_end[agent]))
+    whole = [steps for (agent, number), steps in ends.items() if (agent, number + 1) in ends]
+    assert all(steps == [False] * (len(steps) - 1) + [True] for steps in whole)
+    assert len({len(steps) for steps in whole}) > 5  # some agents disappeared earlier than others
+    assert len(whole) > 3 * env.num_envs
+
+
+# ---- Gymnasium's wrappers ----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
+@pytest.mark.parametrize("team", TEAMS)
+def test_record_episode_statistics(team: str | None, mode: str) -> None:
+    env = wrappers.RecordEpisodeStatistics(
+        mw.AgentVectorEnv(worlds_of(autoreset_mode=mode), team), buffer_length=10_000
+    )
+    inside = env.env.worlds
+    env.reset(seed=3)
+    team_of = {None: [0, 1], "pursuer": [0], "evader": [1]}[team]
+    episodes = 0
+    for actions in actions_of(env.env, 40):
+        *_, infos = env.step(actions)
+        for w in np.flatnonzero(inside.infos["_episode"]):
+            episodes += 1
+            of_world = slice(w * env.num_envs // 3, (w + 1) * env.num_envs // 3)
+            assert infos["_episode"][of_world].all()
+            expected = inside.infos["episode"]["return"][w, team_of].sum()
+            assert infos["episode"]["r"][of_world].sum() == pytest.approx(expected, abs=1e-3)
+            assert set(infos["episode"]["l"][of_world]) == {inside.infos["episode"]["length"][w]}
+    assert episodes > 3
+    assert len(env.return_queue) == episodes * env.num_envs // 3
+
+
+def test_normalizing_wrappers() -> None:
+    env = mw.AgentVectorEnv(worlds_of(dtype="float32", flatten=True))
+    plain = mw.AgentVectorEnv(worlds_of(dtype="float32", flatten=True))
+    wrapped = wrappers.NormalizeObservation(wrappers.NormalizeReward(env))
+    wrapped.reset(seed=1)
+    plain.reset(seed=1)
+    for actions in actions_of(env, 30):
+        seen, rewards, terminations, _, _ = wrapped.step(actions)
+        expected = plain.step(actions)
+        assert seen.shape == expected[0].shape
+        assert np.isfinite(seen).all()
+        np.testing.assert_array_equal(np.sign(rewards), np.sign(expected[1]))
+        np.testing.assert_array_equal(terminations, expected[2])
+    np.testing.assert_allclose(seen.mean(), 0, atol=0.5)
+    assert 0.1 < rewards[rewards != 0].std() < 10
+
+
+def test_dict_info_to_list() -> None:
+    env = wrappers.DictInfoToList(mw.AgentVectorEnv(worlds_of(autoreset_mode="SameStep")))
+    _, infos = env.reset(seed=1)
+    assert len(infos) == env.num_envs
+    for actions in actions_of(env.env, 12):
+        _, _, terminations, truncations, infos = env.step(actions)
+        np.testing.assert_array_equal(["final_obs" in i for i in infos], terminations | truncations)
+        assert {type(info["acted"]) for info in infos} == {np.bool_}
+
+
+def test_pictures_outline_the_agent_s_view() -> None:
+    env = mw.AgentVectorEnv(worlds_of(n_worlds=2, render_mode="rgb_array"), "pursuer")
+    env.reset(seed=1)
+    pictures = env.render()
+    assert pictures is not None
+    assert len(pictures) == env.num_envs
+    assert len({picture.tobytes() for picture in pictures}) == env.num_envs
+    assert mw.AgentVectorEnv(worlds_of()).render() is None
+
+
+@pytest.mark.filterwarnings("ignore")  # of MoviePy
+def test_record_video(tmp_path: Path) -> None:
+    pytest.importorskip("moviepy")
+    env = mw.AgentVectorEnv(worlds_of(n_worlds=2, render_mode="rgb_array"), "pursuer")
+    video = wrappers.RecordVideo(env, str(tmp_path), episode_trigger=lambda number: number == 0)
+    video.reset(seed=1)
+    for actions in actions_of(env, 12):
+        video.step(actions)
+    video.close()
+    assert [path.suffix for path in tmp_path.iterdir()] == [".mp4"]
+
+
+# ---- Bad input ---------------------------------------------------------------------------------
+
+
+def test_refuses() -> None:
+    with pytest.raises(TypeError, match="worlds: expected a matrixworld.VectorEnv, got 'O'"):
+        mw.AgentVectorEnv("O")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="team: expected one of pursuer, evader, got 'both'"):
+        mw.AgentVectorEnv(worlds_of(), "both")
+    env = mw.AgentVectorEnv(worlds_of())
+    with pytest.raises(RuntimeError, match="reset\\(\\) before the first step"):
+        env.step(np.zeros(21, int))
+    env.reset(seed=1)
+    before = env.worlds.infos["positions"].copy()
+    for actions, error, says in (
+        (np.zeros((3, 7), int), ValueError, r"actions: expected shape \(21,\), got \(3, 7\)"),
+        (np.zeros(21), TypeError, "actions: expected integers"),
+        (np.full(21, 5), ValueError, "expected 0 to 4, got 5"),
+    ):
+        with pytest.raises(error, match=says):
+            env.step(actions)
+    uneven = np.zeros(21, bool)
+    uneven[8] = True
+    with pytest.raises(
+        ValueError, match="same value for all agents of a world, got both in world 1"
+    ):
+        env.reset(options={"reset_mask": uneven})
+    with pytest.raises(ValueError, match=r"reset_mask: expected shape \(21,\), got \(3,\)"):
+        env.reset(options={"reset_mask": np.ones(3, bool)})
+    np.testing.assert_array_equal(env.worlds.infos["positions"], before)
+    env.close()
+    assert env.worlds.closed
+    with pytest.raises(ClosedEnvironmentError):
+        env.step(np.zeros(21, int))
