@@ -199,7 +199,7 @@ class Source(NamedTuple):
 
 SOURCES = {
     "synthetic": Source(synthetic_case, tuple(KINDS), 1.0),
-    "power": Source(power_case, tuple(POWER), 2.0),
+    "power": Source(power_case, tuple(POWER), 6.0),
     "toy game": Source(toy_case, tuple(toys.RACES), 0.25),
     "real race": Source(real_case, (FROZEN, SHUFFLED), 0.25),
 }

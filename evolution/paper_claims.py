@@ -27,7 +27,7 @@ import numpy as np
 from common import script_parser
 from matrixworld import analysis
 from matrixworld.analysis.evidence import CYCLIC, EVADERS_FORGET, PURSUERS_FORGET
-from matrixworld.analysis.judgement import LEAST_AMPLITUDE
+from matrixworld.analysis.verdicts import LEAST_AMPLITUDE
 from matrixworld.coevolution import Team
 from paper_runs import (
     CANDIDATES,

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from matrixworld import _core
 from matrixworld.checks import check_bool, check_choice, check_integer
 from matrixworld.config import WorldConfig
+from matrixworld.short_repr import short_repr
 
 Script: TypeAlias = Literal[
     "random",
@@ -261,6 +262,8 @@ class Population:
 
     genomes: NDArray[np.float32]
     network: Network
+
+    __repr__ = short_repr
 
     def __post_init__(self) -> None:
         if not isinstance(self.network, Network):

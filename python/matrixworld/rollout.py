@@ -14,6 +14,7 @@ from matrixworld.checks import check_integer, check_naturals, check_threads
 from matrixworld.config import WorldConfig
 from matrixworld.policy import TeamPolicy, check_team
 from matrixworld.rules import Rules
+from matrixworld.short_repr import short_repr
 
 
 class Matches(NamedTuple):
@@ -108,6 +109,8 @@ class EpisodeStatistics:
     collisions: NDArray[np.int32]
     faults: NDArray[np.int32]
     agent_steps: NDArray[np.int64]
+
+    __repr__ = short_repr
 
 
 Rollout = Callable[..., EpisodeStatistics]

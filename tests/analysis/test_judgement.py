@@ -13,7 +13,7 @@ from hypothesis.extra import numpy as arrays
 from matrices import circular, logistic
 from matrixworld import analysis
 from matrixworld.analysis import CONDITIONS, Judgement, judge
-from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT
+from matrixworld.analysis.verdicts import ABSENT, CANNOT_TELL, PRESENT
 
 
 def played(
@@ -232,7 +232,7 @@ def test_words_and_json() -> None:
     cycling = next(row for row in rows if row[0] == "cycling")
     # A cosine of amplitude .45 has .32; a part of it lies in the nearest order.
     assert cycling[2].startswith("cyclic amplitude 0.28")
-    assert "Arms race is absent, because" in analysis.explain(judgement)
+    assert "Arms race: absent, because" in analysis.explain(judgement)
     plain = judgement.to_json()
     assert json.loads(json.dumps(plain, allow_nan=False)) == plain
     assert plain["windows"]["last half"]["findings"]["cycling"]["verdict"] == PRESENT

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import os
 import re
@@ -12,8 +11,6 @@ import signal
 import subprocess
 import sys
 import time
-import warnings
-from collections.abc import Iterator
 from dataclasses import fields
 from pathlib import Path
 
@@ -25,13 +22,10 @@ from click.testing import Result
 from command_line import FIGURES, JOB, MAIN_JOB, PNG, RACE, WORLD, matrixworld_command, words
 from matrixworld.cli import held_out, jobs, report
 from matrixworld.cli.arguments import find_runs
-from matrixworld.cli.console import ProgressLines, progress, warnings_as_notes
 from matrixworld.cli.options import option_name
 from matrixworld.cli.setting_options import SECTIONS, settings_from
 from matrixworld.coevolution import (
     TEAMS,
-    DisengagementWarning,
-    ProgressBar,
     Race,
     RaceSettings,
     RunDirectory,
@@ -273,15 +267,16 @@ def test_the_commands_that_it_suggests_work(job, copy):
         assert matrixworld_command(*command).stdout
 
 
-def test_without_output_runs_go_to_new_directories(undrawn):
+def test_without_output_runs_go_to_directories_named_after_variant_and_seed(undrawn):
     one = [*words(RACE), "--schedule", "specialist-specialist"]
     first = matrixworld_command("evolve", *one).stderr
     assert first.startswith("Output directory: runs/O-seed5\n")
-    second = matrixworld_command("evolve", *one).stderr
-    assert second.startswith("Output directory: runs/O-seed5-2 (runs/O-seed5 exists)\n")
+    second = matrixworld_command("evolve", *one, code=2).stderr
+    assert "OUTPUT: expected a new or empty directory, got 'runs/O-seed5'; " in second
+    assert "matrixworld evolve --resume runs/O-seed5 continues the run" in second
     matrixworld_command("evolve", "--against", "fleer", *words(WORLD), "--epochs", 2)
     names = {path.name for path in Path("runs").iterdir()}
-    assert names == {"O-seed5", "O-seed5-2", "O-pursuer-against-fleer-seed5"}
+    assert names == {"O-seed5", "O-pursuer-against-fleer-seed5"}
 
 
 def test_a_directory_with_runs_is_refused(copy):
@@ -418,37 +413,3 @@ def test_a_locked_run_and_a_damaged_run_give_an_error_of_one_line(copy):
     (copy / MAIN_JOB[0] / "payoff.npz").write_bytes(b"nothing")
     damaged = matrixworld_command("plot", copy, code=1)
     assert "payoff.npz: cut or altered" in damaged.stderr
-
-
-# Progress
-
-
-class Terminal(io.StringIO):
-    def isatty(self) -> bool:
-        return True
-
-
-def test_progress_lines_without_a_terminal():
-    seconds: Iterator[float] = iter([0.0, 2.0, 4.0])
-    out = io.StringIO()
-    lines = ProgressLines(out, clock=lambda: next(seconds))
-    for done in (100, 150, 300, 350, 600):
-        lines("evaders", done, 1000)
-    assert out.getvalue().splitlines() == [
-        " 30%  300 of 1,000 matches, 100 a second, 00:07 left (evaders)",
-        " 60%  600 of 1,000 matches, 125 a second, 00:03 left (evaders)",
-    ]
-
-
-def test_progress_bar_in_a_terminal():
-    with progress(Terminal()) as report_bar, progress(io.StringIO()) as report_lines:
-        assert isinstance(report_bar, ProgressBar)
-        assert isinstance(report_lines, ProgressLines)
-
-
-def test_warnings_for_users_are_lines_of_their_own(capsys):
-    with warnings_as_notes():
-        warnings.warn("the pursuers win nearly everything", DisengagementWarning, stacklevel=1)
-    assert capsys.readouterr().err == "Warning: the pursuers win nearly everything\n"
-    with pytest.raises(DeprecationWarning), warnings_as_notes():
-        warnings.warn("for developers", DeprecationWarning, stacklevel=1)

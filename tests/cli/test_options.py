@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import shutil
 from collections import defaultdict
 from pathlib import Path
@@ -150,6 +151,22 @@ def test_evolve_refuses_a_directory_with_a_run_and_names_resume(run):
     assert "expected a new or empty directory, got 'run'" in said
     assert "matrixworld evolve --resume run continues the run in it" in said
     assert {path: path.read_bytes() for path in run.iterdir()} == before
+
+
+# Ctrl-C
+
+
+@pytest.mark.parametrize("words", [words for words, _ in OUTPUTS.values()], ids=OUTPUTS)
+def test_ctrl_c_prints_the_command_that_starts_again(run, monkeypatch, words):
+    def stopped(**options: object) -> None:
+        raise KeyboardInterrupt
+
+    shutil.copytree(run, "run2")
+    np.savetxt("circle.csv", np.full((6, 6), 0.5), delimiter=",")
+    monkeypatch.setattr(main.commands[words[0]], "callback", stopped)
+    said = matrixworld_command(*words, code=130).stderr
+    assert said.endswith(f"To start again:\n  {shlex.join(['matrixworld', *map(str, words)])}\n")
+    assert "Aborted" not in said
 
 
 # Old names

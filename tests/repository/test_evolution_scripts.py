@@ -38,7 +38,7 @@ def test_arms_race_runs_and_draws(tmp_path: Path) -> None:
     told = quick("arms_race", tmp_path)
     for schedule in ("specialist-specialist", "generalist-generalist"):
         assert re.search(rf"^{schedule}: .+ \((last half|whole)\)$", told, re.M)
-    assert told.count("Cycling is ") == 2
+    assert told.count("Cycling: ") == 2
     assert "at generation 12" in told
     assert [path.name for path in tmp_path.iterdir()] == ["arms_race.png"]
 
@@ -197,3 +197,24 @@ def test_safe_coevolution_evaluates_each_champion_separately(script: ModuleType)
             rate = np.mean(captured)
             assert score == pytest.approx(rate if team == "pursuer" else 1 - rate)
             np.testing.assert_allclose(rates, 1000 * collisions / steps, rtol=1e-9)
+
+
+@pytest.mark.parametrize("script", ["catching_fleers"], indirect=True)
+def test_catching_fleers_tests_every_training_in_teams_of_several_sizes(
+    script: ModuleType, tmp_path: Path
+) -> None:
+    told = run_quickly("catching_fleers", tmp_path)
+    table = {row[0]: row[1:] for row in rows(told)}
+    plan = script.QUICK
+    assert len(table) == len(script.SCRIPTED) + len(plan.changes)
+    # Recorded episodes give the same captures as the script's rollouts.
+    world = plan.base.world(plan.base.eval_steps)
+    size = plan.teams[-1]
+    episodes = [
+        mw.record(
+            mw.WorldConfig.of(world, n_pursuers=size), "chaser", "dodger", seed=0, episode=k
+        ).capture_rate
+        for k in range(plan.episodes)
+    ]
+    assert float(table["chaser"][-1]) == pytest.approx(np.mean(episodes), abs=0.005)
+    assert run_quickly("catching_fleers", tmp_path) == told

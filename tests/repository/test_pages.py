@@ -16,6 +16,7 @@ from PIL import Image
 
 import matrixworld as mw
 from matrixworld import envs
+from matrixworld.coevolution import RaceSettings
 from matrixworld.envs import INFO_KEYS, OPTIONS, RENDER_MODES
 from matrixworld.envs.variant_texts import VARIANT_TEXTS
 
@@ -156,6 +157,16 @@ def test_the_list_of_games_links_to_every_page() -> None:
     linked = set(re.findall(r"\]\(variants/(\w+)\.md\)", text))
     missing = [variant for variant in mw.VARIANTS if variant.lower() not in linked]
     assert not missing, f"docs/README.md, The nine games: add {missing} to the table"
+
+
+def test_rules_of_one_s_own_go_wherever_a_variant_goes() -> None:
+    text = (DOCS / "README.md").read_text(encoding="utf-8")
+    names: dict[str, Any] = {}
+    exec("\n".join(re.findall(r"^```python\n(.*?)^```$", text, re.M | re.S)), names)
+    rules = names["rules"]
+    assert names["world"].config.rules == names["env"].config.rules == rules
+    assert names["episode"].length > 0
+    assert RaceSettings(variant=rules).rules == rules
 
 
 def test_links_between_pages() -> None:

@@ -29,6 +29,7 @@ measures.py         named measures, for comparison between runs
 single_run.py       all measures of one run
 analyze.py          all measures of one run or several, with intervals
 judgement.py        arms race, cycling, forgetting, disengagement, stagnation: what is present
+verdicts.py         the rules of the judgement: from its numbers to its verdicts
 evidence.py         the numbers behind a judgement, of one run in one window
 measurement.py      a number of one run with its interval, and over several runs
 strength.py         change of a team's strength over a window
@@ -100,13 +101,7 @@ from matrixworld.analysis.intransitivity import (
     noise_reference,
     transitive_fit,
 )
-from matrixworld.analysis.judgement import (
-    CONDITIONS,
-    Finding,
-    Judgement,
-    WindowJudgement,
-    judge,
-)
+from matrixworld.analysis.judgement import Finding, Judgement, WindowJudgement, judge
 from matrixworld.analysis.lags import (
     LagProfile,
     lag_profile,
@@ -130,6 +125,7 @@ from matrixworld.analysis.single_run import RunAnalysis, analyze_run
 from matrixworld.analysis.sources import Payoffs, read_payoffs
 from matrixworld.analysis.strength import strength_change, strength_gain
 from matrixworld.analysis.summary import PartSummary, Summary, TeamSummary, summarize
+from matrixworld.analysis.verdicts import CONDITIONS
 from matrixworld.analysis.wording import describe, explain, headline, judgement_table
 
 __all__ = [

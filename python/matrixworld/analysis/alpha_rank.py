@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis.payoff import Rates, check_payoff, require
+from matrixworld.short_repr import short_repr
 
 ALPHA = 100.0
 """Default selection strength: a mutant that gains .01 takes over a population of 50 with
@@ -41,6 +42,8 @@ class AlphaRank:
     pairs: Rates
     pursuers: Rates
     evaders: Rates
+
+    __repr__ = short_repr
 
 
 def alpha_rank(

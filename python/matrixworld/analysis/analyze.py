@@ -29,6 +29,7 @@ from matrixworld.analysis.plain_values import plain_values
 from matrixworld.analysis.single_run import RunAnalysis, analyze_run
 from matrixworld.analysis.sources import Source, read_payoffs
 from matrixworld.analysis.wording import explain, headline
+from matrixworld.short_repr import short_repr
 
 _OTHERS = {
     "elo_log_loss": ("log loss of Elo, nats", 0.0, math.inf),
@@ -69,6 +70,8 @@ class Analysis:
     global_progress: Progress | None
     judgement: Judgement
     level: float
+
+    __repr__ = short_repr
 
     def to_json(self) -> dict[str, Any]:
         """Return plain values that JSON can represent: arrays as lists, NaN as None."""

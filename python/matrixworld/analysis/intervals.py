@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis.payoff import Rates, require
+from matrixworld.short_repr import short_repr
 
 LEVEL = 0.95
 """Default confidence level: share of intervals that should contain the true value."""
@@ -70,6 +71,8 @@ class Band:
     mean: Rates
     low: Rates | None
     high: Rates | None
+
+    __repr__ = short_repr
 
 
 def interval_over_runs(

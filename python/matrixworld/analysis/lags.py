@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.analysis.payoff import Rates, check_payoff
+from matrixworld.short_repr import short_repr
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,6 +28,8 @@ class LagProfile:
     lags: NDArray[np.int64]
     means: Rates
     cells: NDArray[np.int64]
+
+    __repr__ = short_repr
 
     def at(self, lag: int) -> float:
         """Return the mean at one lag, or raise ValueError if the profile does not contain it."""

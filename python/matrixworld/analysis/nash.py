@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis.payoff import Mask, Rates, check_payoff, swap_teams
+from matrixworld.short_repr import short_repr
 
 # Capture rates closer than this count as equal: the tolerance of the linear programmes.
 _TIE = 1e-7
@@ -44,6 +45,8 @@ class Nash:
     evaders: Rates
     pursuer_averages: Rates
     evader_averages: Rates
+
+    __repr__ = short_repr
 
 
 def nash_averaging(payoff: ArrayLike) -> Nash:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis.payoff import SHRINKAGE, Rates, check_payoff, logits, require, shrink
+from matrixworld.short_repr import short_repr
 
 ELO_POINTS = 400.0 / math.log(10.0)
 """Points of the chess scale for one unit of these ratings, a natural logit."""
@@ -41,6 +42,8 @@ class Elo:
     offset: float
     shrinkage: float
 
+    __repr__ = short_repr
+
     @property
     def logits(self) -> Rates:
         """Logits of the shrunken rates; shape (n, m)."""
@@ -68,6 +71,8 @@ class MultiElo:
     elo: Elo
     u: Rates
     v: Rates
+
+    __repr__ = short_repr
 
     @property
     def logits(self) -> Rates:

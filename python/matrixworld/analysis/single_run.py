@@ -24,6 +24,7 @@ from matrixworld.analysis.nash import Nash, nash_averaging
 from matrixworld.analysis.payoff import Rates, check_payoff, check_rates, require
 from matrixworld.analysis.ratings import MultiElo, log_loss, multi_elo
 from matrixworld.analysis.summary import Summary, summarize
+from matrixworld.short_repr import short_repr
 
 RANKED_PAIRS = 1024
 """Most pairs for alpha-Rank here, which keeps it under a second; longer runs are thinned out."""
@@ -46,6 +47,8 @@ class RankedGenerations:
     pursuers: tuple[int, ...]
     evaders: tuple[int, ...]
     ranks: AlphaRank
+
+    __repr__ = short_repr
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,6 +99,8 @@ class RunAnalysis:
     nash: Nash
     alpha_rank: RankedGenerations
     dominance: Dominance | None
+
+    __repr__ = short_repr
 
 
 def analyze_run(payoff: ArrayLike, scores: ArrayLike | None = None) -> RunAnalysis:

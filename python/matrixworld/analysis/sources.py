@@ -15,6 +15,7 @@ from matrixworld.analysis.payoff import Rates, check_rates, check_runs, require
 from matrixworld.analysis.tables import read_table
 from matrixworld.checks import check_integer
 from matrixworld.files import read_arrays
+from matrixworld.short_repr import short_repr
 
 Source = ArrayLike | str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
 """An array, a file, or several files of one run each."""
@@ -42,6 +43,8 @@ class Payoffs:
     matrices: Rates
     scores: Rates | None
     episodes: int | None
+
+    __repr__ = short_repr
 
     def __iter__(self) -> Iterator[tuple[Rates, Rates | None]]:
         """Iterate over matrix (n, m) and scores (n, m, episodes) or None of each run."""

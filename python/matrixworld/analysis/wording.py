@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from matrixworld.analysis.evidence import CHECKERBOARDS, CYCLIC, EVADER_CHANGE, PURSUER_CHANGE
 from matrixworld.analysis.intervals import Estimate
-from matrixworld.analysis.judgement import ABSENT, CANNOT_TELL, PRESENT, Judgement, WindowJudgement
+from matrixworld.analysis.judgement import Judgement, WindowJudgement
 from matrixworld.analysis.summary import MARGIN, PartSummary, Summary, TeamSummary
+from matrixworld.analysis.verdicts import ABSENT, CANNOT_TELL, PRESENT
 
 SHORT = {
     "squared cyclic amplitude": "cyclic amplitude",
@@ -106,19 +107,18 @@ def explain(judgement: Judgement) -> str:
         which verdict on their own.
     """
     return "\n".join(
-        f"{name.capitalize()} is {_VERDICTS[finding.verdict]}, because {finding.reason}."
+        f"{name.capitalize()}: {finding.verdict}, because {finding.reason}."
         f"{_counts(finding.by_run)}"
         for name, finding in judgement.headline.findings.items()
     )
 
 
-_VERDICTS = {PRESENT: "present", ABSENT: "absent", CANNOT_TELL: "undecided"}
-
-
 def _counts(by_run: tuple[str, ...]) -> str:
     if len(by_run) == 1:
         return ""
-    counts = ", ".join(f"{by_run.count(verdict)} {verdict}" for verdict in _VERDICTS)
+    counts = ", ".join(
+        f"{by_run.count(verdict)} {verdict}" for verdict in (PRESENT, ABSENT, CANNOT_TELL)
+    )
     return f" Of the single runs: {counts}."
 
 

@@ -21,7 +21,6 @@ from matrixworld.cli.jobs import (
     Settings,
     create_runs,
     default_directory,
-    free_directory,
     play_runs,
     resume_runs,
 )
@@ -67,7 +66,8 @@ def evolve_command(
     team alone evolves against fixed opponents.
 
     OUTPUT is a new directory: the run directory of a single run, or the parent of several. The
-    default is a new directory in runs/, named after variant and seed.
+    default is a directory in runs/, named after variant and seed. A run that exists is never
+    replaced.
 
     Ctrl-C stops. --resume continues from the last checkpoint, with the same results. Results do
     not depend on --threads.
@@ -114,15 +114,12 @@ def _refuse_settings(output: Path | None, given: dict[str, Any]) -> None:
 
 def _new_directory(settings: Settings, output: Path | None) -> Path:
     """Return the directory of new runs, and print it if it is not `output`."""
-    if output is not None:
-        if output.exists():
-            _check_free(output)
-        return output
-    wanted = default_directory(settings)
-    free = free_directory(wanted)
-    why = "" if free == wanted else f" ({wanted} exists)"
-    note(f"Output directory: {free}{why}")
-    return free
+    root = output or default_directory(settings)
+    if root.exists():
+        _check_free(root)
+    if output is None:
+        note(f"Output directory: {root}")
+    return root
 
 
 def _check_free(root: Path) -> None:
@@ -131,7 +128,11 @@ def _check_free(root: Path) -> None:
     try:
         RunDirectory(root).check_empty()
     except FileExistsError as error:
-        hint = f"; {resume_command(root)} continues the run in it" if find_runs(root) else ""
+        hint = (
+            f"; {resume_command(root)} continues the run in it, or prints its result again"
+            if find_runs(root)
+            else ""
+        )
         raise click.UsageError(
             f"OUTPUT: expected a new or empty directory, got {str(root)!r}{hint}"
         ) from error

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -96,14 +95,6 @@ def default_directory(settings: Settings) -> Path:
     if isinstance(settings, SingleSettings):
         what = f"-{settings.team}-against-{Path(settings.against).name}"
     return RUNS / f"{variant}{what}-seed{settings.seed}"
-
-
-def free_directory(wanted: Path) -> Path:
-    """Return `wanted`, or with a number added (``runs/O-seed0-2``) if it exists."""
-    if not wanted.exists():
-        return wanted
-    numbered = (wanted.with_name(f"{wanted.name}-{number}") for number in count(2))
-    return next(path for path in numbered if not path.exists())
 
 
 def create_runs(settings: Sequence[Settings], output: Path, threads: int | None) -> list[Run[Any]]:

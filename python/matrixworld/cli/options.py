@@ -5,6 +5,7 @@ The options of a run's settings are in `setting_options`.
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -12,7 +13,7 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
-from matrixworld.cli.console import note
+from matrixworld.cli.console import INTERRUPTED, note
 from matrixworld.coevolution.settings.training import MOST_SEED
 from matrixworld.files import save_json
 
@@ -26,6 +27,8 @@ RENAMED = {
 """New names of options: the old names, which commands with the new option accept, too."""
 
 MOST_THREADS = 1024
+TYPED = "matrixworld.typed"
+"""Key of the words after ``matrixworld`` in the group's context."""
 
 
 def _seed(ctx: click.Context, param: click.Parameter, value: int) -> int:
@@ -131,14 +134,24 @@ def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
 
 
 class Commands(click.Group):
-    """A group of commands that accept the old names of renamed options."""
+    """A group of commands: they accept old names of options, and Ctrl-C says how to go on."""
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Return the command's name, the command, and its arguments with new names."""
+        ctx.meta[TYPED] = list(args)
         name, command, rest = super().resolve_command(ctx, args)
         return name, command, rest if command is None else with_new_names(command, rest)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command; after Ctrl-C, print the command that starts it again."""
+        try:
+            return super().invoke(ctx)
+        except KeyboardInterrupt:
+            again = shlex.join(["matrixworld", *ctx.meta.get(TYPED, [])])
+            note(f"\nStopped. No file is half written. To start again:\n  {again}")
+            raise click.exceptions.Exit(INTERRUPTED) from None
 
 
 def with_new_names(command: click.Command, args: Sequence[str]) -> list[str]:

@@ -121,8 +121,25 @@ def _shown(settings: RaceSettings | None, names: Sequence[str]) -> str:
 
 def _different(settings: Sequence[Any]) -> list[str]:
     """Return the names of the fields, but the seed, in which settings differ."""
-    names = [item.name for item in fields(RaceSettings) if item.name != "seed"]
-    return [n for n in names if any(getattr(s, n) != getattr(settings[0], n) for s in settings)]
+    values = [_resolved(each) for each in settings]
+    return [name for name in values[0] if any(v[name] != values[0][name] for v in values)]
+
+
+def _resolved(settings: RaceSettings) -> dict[str, Any]:
+    """Return the fields, but the seed, with the values that a default stands for."""
+    world = settings.world(settings.train_steps)
+    given = {item.name: getattr(settings, item.name) for item in fields(RaceSettings)}
+    del given["seed"]
+    return {
+        **given,
+        "variant": settings.rules,
+        "rows": world.rows,
+        "cols": world.cols,
+        "pursuers": world.n_pursuers,
+        "evaders": world.n_evaders,
+        "learner": settings.learner_name,
+        "overlap_penalty": settings.resolved_overlap_penalty,
+    }
 
 
 def _race(path: Path) -> Result:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.coevolution.types import FloatArray
+from matrixworld.short_repr import short_repr
 
 
 @dataclass(frozen=True)
@@ -41,6 +42,8 @@ class Payoff:
     agent_steps: FloatArray
     pursuer_survivors: FloatArray
     evader_survivors: FloatArray
+
+    __repr__ = short_repr
 
     @property
     def capture_rate(self) -> FloatArray:

@@ -10,6 +10,10 @@ from tqdm import tqdm
 SECONDS = 0.5
 """Minimum time between two updates of the bar, in seconds."""
 
+# What matters most comes first: in a narrow terminal tqdm cuts the line at its right end.
+LAYOUT = "{percentage:3.0f}%|{bar:16}| {remaining} left, {rate_fmt}, {n_fmt} of {total_fmt}, {desc}"
+"""The parts of the bar's line, as tqdm names them; 60 columns show bar, time left and rate."""
+
 Report = Callable[[str, int, int], None]
 """Called often, as ``report(activity, episodes played, total episodes)``."""
 
@@ -47,6 +51,8 @@ class ProgressBar:
                 unit=f" {self._unit}",
                 unit_scale=True,
                 mininterval=SECONDS,
+                bar_format=LAYOUT,
+                dynamic_ncols=True,
             )
         self._bar.set_description_str(activity, refresh=False)
         self._bar.update(done - self._bar.n)

@@ -146,7 +146,11 @@ def test_the_command(race, tmp_path):
     assert f"  the response            {result.after.mean():.3f}\n" in told
     assert "96 matches of evolution and 40 of evaluation" in told
     assert f"matrixworld replay {made}" in told
-    assert matrixworld_command(*command).stdout == told
+    before = {path: path.read_bytes() for path in made.iterdir()}
+    refused = matrixworld_command(*command, code=2).stderr
+    assert f"{made}: exists; --continue goes on with the response in it" in refused
+    assert {path: path.read_bytes() for path in made.iterdir()} == before
+    assert matrixworld_command(*command, "--continue").stdout == told
     matrixworld_command("replay", made)
 
 
@@ -159,9 +163,9 @@ def test_the_command_goes_on_after_ctrl_c(race, tmp_path, monkeypatch):
 
     monkeypatch.setattr(exploit, "best_response", interrupted)
     stopped = matrixworld_command(*command, code=130)
-    assert f"The same command continues the run in {tmp_path / 'x'}" in stopped.stderr
+    assert f"--continue goes on with the run in {tmp_path / 'x'}." in stopped.stderr
     monkeypatch.undo()
-    assert "192 matches of evolution" in matrixworld_command(*command).stdout
+    assert "192 matches of evolution" in matrixworld_command(*command, "--continue").stdout
 
 
 def test_words_for_a_gain_and_for_none(race, tmp_path):
@@ -180,7 +184,16 @@ def test_words_for_a_gain_and_for_none(race, tmp_path):
     [
         ([], 2, "Missing option '--champion'"),
         (["--champion", "pursuer", "--matches", "47"], 2, "expected at least 48 (one epoch)"),
-        (["--champion", "pursuer", "--output", "{race}"], 2, "expected a single run, got 'race'"),
+        (
+            ["--champion", "pursuer", "--output", "{race}", "--continue"],
+            2,
+            "expected a single run, got 'race'",
+        ),
+        (
+            ["--champion", "pursuer", "--output", "new", "--continue"],
+            2,
+            "--continue: expected a response in new, which holds no run",
+        ),
     ],
 )
 def test_the_command_refuses(race, options, code, message):

@@ -21,6 +21,7 @@ from matrixworld.config import WorldConfig
 from matrixworld.policy import Population, TeamPolicy
 from matrixworld.rollout import Matches, Rollout, rollout
 from matrixworld.seeds import match_seed
+from matrixworld.short_repr import short_repr
 
 
 @dataclass(frozen=True)
@@ -46,6 +47,8 @@ class HeldOutScores:
     opponents: tuple[str, ...]
     rates: NDArray[np.float64]
     left_out: str = ""
+
+    __repr__ = short_repr
 
     @property
     def matches(self) -> int:

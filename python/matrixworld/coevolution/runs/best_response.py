@@ -20,6 +20,7 @@ from matrixworld.coevolution.types import FloatArray, Team, other
 from matrixworld.files import save_json
 from matrixworld.policy import Population, TeamPolicy
 from matrixworld.rollout import Rollout, rollout
+from matrixworld.short_repr import short_repr
 
 RESPONSE = "best_response.json"
 POPULATION = 48
@@ -55,6 +56,8 @@ class BestResponse:
     after: FloatArray
     gain: ResponseGain
     directory: Path
+
+    __repr__ = short_repr
 
     def to_json(self) -> dict[str, Any]:
         """Return the result as values that JSON can hold, without the single episodes."""

@@ -1,0 +1,154 @@
+"""What does it take to catch evaders that flee? Longer training, more pursuers, wider views.
+
+    python evolution/catching_fleers.py             half an hour on two cores; can be interrupted
+    python evolution/catching_fleers.py --quick     a small world, some seconds
+
+The scripts ``fleer`` and ``dodger`` run from the pursuers that they see. The pursuers of a default
+race capture few of them. Here pursuers train against fleers alone, with one change at a time, and
+then hunt fleers and dodgers in teams of 8 to 64. A team captures an evader together, so its size in
+the test is a question of its own. Scripted pursuers stand beside the trained ones.
+
+Look at a row from left to right for the effect of team size, and at a column from top to bottom for
+the effect of training. The interval is Student's t over training seeds. Scripts do not learn, and
+have none.
+
+Not tried: a memory. The networks of the engine decide by what an agent sees in this step.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import matrixworld as mw
+from common import script_parser
+from matrixworld import coevolution
+from matrixworld.analysis import interval_over_runs
+from matrixworld.coevolution import SingleSettings
+
+SCRIPTED = ("chaser", "hunter")
+EVADERS = ("fleer", "dodger")
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Training, tests and their sizes.
+
+    Parameters
+    ----------
+    base : SingleSettings
+        Training that the others change.
+    changes : mapping of str to mapping
+        Changed settings by the name of the training.
+    teams : tuple of int
+        Team sizes of the test.
+    seeds : int
+        Number of training seeds, from 0.
+    episodes : int
+        Episodes of each test.
+    """
+
+    base: SingleSettings
+    changes: dict[str, dict[str, object]]
+    teams: tuple[int, ...]
+    seeds: int
+    episodes: int
+
+
+def plan(base: SingleSettings, *, large: int, fov: int, **sizes: object) -> Plan:
+    """Return a plan: the base, and it with one change each."""
+    changes: dict[str, dict[str, object]] = {
+        "fleers": {},
+        "fleers, four times as long": {"epochs": 4 * base.epochs},
+        "random evaders": {"against": "random"},
+        "clumsy fleers": {"against": "clumsy-fleer"},
+        f"fleers, {large} pursuers": {"pursuers": large},
+        f"fleers, a view of {fov} x {fov} cells": {"fov": fov},
+    }
+    return Plan(base, changes, **sizes)  # type: ignore[arg-type]
+
+
+FULL = plan(
+    SingleSettings(against="fleer", population=48, epochs=300, archive_every=300, eval_episodes=50),
+    large=32,
+    fov=21,
+    teams=(8, 16, 32, 64),
+    seeds=3,
+    episodes=100,
+)
+QUICK = plan(
+    SingleSettings(
+        against="fleer", rows=10, cols=10, pursuers=3, evaders=4, population=4, epochs=3,
+        archive_every=3, train_steps=20, eval_steps=30, eval_episodes=3,
+    ),
+    large=6,
+    fov=15,
+    teams=(3, 6),
+    seeds=2,
+    episodes=3,
+)  # fmt: skip
+
+
+def trained(plan: Plan, change: dict[str, object], root: Path) -> list[mw.Population]:
+    """Return the last pursuers of each seed; start or continue the runs if necessary."""
+    found = []
+    for seed in range(plan.seeds):
+        settings = replace(plan.base, seed=seed, **change)  # type: ignore[arg-type]
+        with coevolution.ProgressBar() as bar:
+            run = coevolution.finish(settings, root / str(seed), report=bar)
+        team = run.teams["pursuer"]
+        found.append(mw.Population(team.genomes[-1:], team.network))
+    return found
+
+
+def captured(plan: Plan, pursuers: mw.Population | str, evaders: str, size: int, fov: int) -> float:
+    """Return the mean capture rate of a team of this size, in episodes of the base's world."""
+    world = plan.base.world(plan.base.eval_steps)
+    return float(
+        mw.rollout(
+            mw.WorldConfig.of(world, n_pursuers=size, fov=fov),
+            pursuers,
+            evaders,
+            mw.Matches.of(0, 0, plan.base.seed),
+            worlds=plan.episodes,
+        ).capture_rate.mean()
+    )
+
+
+def row(plan: Plan, name: str, teams: list[mw.Population | str], fov: int) -> str:
+    """Return a line of the table: capture rates by evader and team size."""
+    cells = []
+    for evaders in EVADERS:
+        for size in plan.teams:
+            rates = [captured(plan, team, evaders, size, fov) for team in teams]
+            cells.append(shown(rates))
+    return f"| {name} | {' | '.join(cells)} |"
+
+
+def shown(rates: list[float]) -> str:
+    """Return a mean, with its interval over seeds if there are several."""
+    found = interval_over_runs(rates, bounds=(0.0, 1.0))
+    if found.low is None:
+        return f"{found.value:.2f}"
+    return f"{found.value:.2f} [{found.low:.2f}, {found.high:.2f}]"
+
+
+def main() -> None:
+    """Train what is missing; print the table."""
+    parser = script_parser(__doc__, quick="a small world and few epochs")
+    parser.add_argument("--runs", type=Path, default=Path("runs/catching_fleers"))
+    args = parser.parse_args()
+    chosen = QUICK if args.quick else FULL
+    root = args.runs / ("quick" if args.quick else "full")
+    heads = [f"{evaders}, {size} pursuers" for evaders in EVADERS for size in chosen.teams]
+    lines = [f"| pursuers | {' | '.join(heads)} |", "|---" * (len(heads) + 1) + "|"]
+    lines += [row(chosen, script, [script], chosen.base.fov) for script in SCRIPTED]
+    for name, change in chosen.changes.items():
+        runs = trained(chosen, change, root / name.replace(",", "").replace(" ", "-"))
+        fov = replace(chosen.base, **change).fov  # type: ignore[arg-type]
+        lines.append(row(chosen, f"trained against {name}", list(runs), fov))
+    print(*lines, sep="\n")
+
+
+if __name__ == "__main__":
+    main()
