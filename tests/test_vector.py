@@ -324,6 +324,28 @@ def test_a_reset_with_positions_and_map() -> None:
     np.testing.assert_array_equal(env.infos["state"][:, 2], [ground, ground])
 
 
+@pytest.mark.parametrize("variant", mw.VARIANTS)
+def test_make_vec(variant: str) -> None:
+    name = f"matrixworld/pursuit_evasion_{variant.lower()}_v0"
+    env = gymnasium.make_vec(name, num_envs=3, rows=12, n_evaders=2, autoreset_mode="SameStep")
+    assert isinstance(env, mw.VectorEnv)
+    assert env.n_worlds == 3
+    assert env.config.rules == mw.VARIANTS[variant]
+    assert (env.config.rows, env.config.n_evaders) == (12, 2)
+    assert env.spec is not None
+    assert "kwargs" in env.spec.to_json()
+    again = gymnasium.make_vec(env.spec)
+    np.testing.assert_array_equal(env.reset(seed=5)[0], again.reset(seed=5)[0])
+
+
+def test_make_vec_by_the_module_and_by_the_mode() -> None:
+    name = "matrixworld:matrixworld/pursuit_evasion_o_v0"
+    env = gymnasium.make_vec(name, num_envs=2, vectorization_mode="vector_entry_point")
+    module = mw.envs.pursuit_evasion_o_v0
+    twin = module.vector_env(num_envs=2)
+    np.testing.assert_array_equal(env.reset(seed=5)[0], twin.reset(seed=5)[0])
+
+
 def test_pictures() -> None:
     env = make(render_mode="rgb_array")
     env.reset(seed=4)

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pettingzoo.utils.conversions import aec_to_parallel
 
 import matrixworld as mw
 from matrixworld.envs import raw_aec_env
@@ -158,6 +159,32 @@ def test_a_copy_in_the_middle_of_a_round(name: str, make: Any) -> None:
     twin = copy.deepcopy(env)
     assert play(twin, rows) == play(env, rows)
     np.testing.assert_array_equal(twin.state(), env.state())
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_only_simultaneous_rules_are_parallelizable(name: str) -> None:
+    env = mw.aec_env(config_of(name))
+    at_once = env.unwrapped.config.rules.interaction is mw.Interaction.SIMULTANEOUS
+    assert env.metadata["is_parallelizable"] == at_once
+    assert mw.parallel_env(config_of(name)).metadata["is_parallelizable"]
+    if not at_once:
+        with pytest.raises(AssertionError, match="not generally safe"):
+            aec_to_parallel(env)
+        return
+    converted, parallel = aec_to_parallel(env), mw.parallel_env(config_of(name))
+    converted.reset(seed=1)
+    parallel.reset(seed=1)
+    for row in random_actions(3, 5, 20, len(parallel.possible_agents)):
+        assert converted.agents == parallel.agents
+        actions = dict(zip(parallel.possible_agents, row.tolist(), strict=True))
+        played = {agent: actions[agent] for agent in parallel.agents}
+        if not played:
+            break
+        results = converted.step(played), parallel.step(played)
+        for agent in played:
+            for part in (0, 2, 3, 4):  # rewards are sums of float32 in another order
+                np.testing.assert_equal(*(result[part][agent] for result in results))
+    assert not parallel.agents
 
 
 def test_refused() -> None:

@@ -14,6 +14,8 @@ EXAMPLES = dict(re.findall(r"^## (\w+).*?^```python\n(.*?)^```$", PAGE, re.MULTI
 NEEDS = {
     "PettingZoo": ["pettingzoo"],
     "SuperSuit": ["supersuit"],
+    "Gymnasium": ["gymnasium"],
+    "Stable": ["stable_baselines3"],
     "TorchRL": ["torchrl"],
     "RLlib": ["ray.rllib", "supersuit"],
     "PyTorch": ["torch"],

@@ -3,6 +3,7 @@
 ``from matrixworld.envs import pursuit_evasion_o_v0; env = pursuit_evasion_o_v0.parallel_env()``
 
 The docstring of each module says what its game models. This page describes what all of them share.
+``vector_env(num_envs=16)`` makes a `matrixworld.VectorEnv`; ``gymnasium.make_vec`` knows it by the same id.
 For rules of your own use `matrixworld.parallel_env` and `matrixworld.aec_env`.
 
 ## Observation
@@ -48,6 +49,7 @@ The same keys for every agent at every step, as plain values:
 | ``capture_rate``, ``ever_capture_rate`` | shares of the evaders: captured (now under surround, at some time under occupation); captured at some time |
 | ``pursuer_survival_rate``, ``evader_survival_rate`` | shares of the team that are alive |
 | ``step`` | rounds played |
+| ``action_mask`` | only with ``action_mask=True``: int8 of shape (n_actions,), 1 for moves that run into neither an obstacle nor the border, and for staying |
 
 ``env.status`` holds the same for all agents at once, as arrays in which an agent keeps its index.
 
@@ -55,10 +57,12 @@ The same keys for every agent at every step, as plain values:
 
 ``rows=40, cols=40, n_pursuers, n_evaders`` (8 and 30; 20 and 5 where capture is by surrounding),
 ``fov=11, diagonal=False, max_steps=500`` (or ``max_cycles``), ``obstacles`` (a share of the cells, or a
-map), ``rewards``, ``render_mode`` (``"human"``, ``"rgb_array"``, ``"ansi"``), ``fields_of_view``, ``record``.
-``pursuers`` or ``evaders`` name what plays one of the teams, whose agents are then not in
+map), ``rewards``, ``render_mode`` (``"human"``, ``"rgb_array"``, ``"ansi"``), ``fields_of_view``, ``record``,
+``action_mask``. ``pursuers`` or ``evaders`` name what plays one of the teams, whose agents are then not in
 ``possible_agents``: a script, a held-out opponent, a run directory, a policy, or a list of which each
-episode draws one. ``reset(seed=, options=)`` takes ``pursuers`` and ``evaders`` (positions), ``obstacles`` (a map) and
+episode draws one.
+
+``reset(seed=, options=)`` takes ``pursuers`` and ``evaders`` (positions), ``obstacles`` (a map) and
 ``episode``; with a built-in team also ``opponents``, what plays for it from then on.
 """  # noqa: E501  (a table's row is one line)
 

@@ -21,8 +21,12 @@ View = NDArray[np.uint8]
 class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[misc]
     """An environment in which one agent acts after the other.
 
-    Takes the arguments of `matrixworld.envs.base.MatrixWorldBase`. Actions are collected until all
-    agents of a turn have chosen; then the turn is played.
+    Actions are collected until all agents of a turn have chosen; then the turn is played.
+
+    Parameters
+    ----------
+    config, **settings
+        Arguments of `matrixworld.envs.base.MatrixWorldBase`.
     """
 
     agent_selection: str

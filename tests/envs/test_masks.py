@@ -1,0 +1,109 @@
+"""Action masks: the moves that run into neither an obstacle nor the border."""
+
+from __future__ import annotations
+
+import io
+from contextlib import redirect_stdout
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from rows import CUSTOM, config_of
+
+NAMES = [*mw.VARIANTS, *CUSTOM]
+STEPS = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)]
+
+
+def expected_mask(position: Any, obstacles: np.ndarray, n_actions: int) -> list[int]:
+    """Return the mask of one agent from the map, cell by cell."""
+    if position[0] < 0:
+        return [1] * n_actions
+    mask = [1]
+    for d_row, d_col in STEPS[1:n_actions]:
+        row, col = position[0] + d_row, position[1] + d_col
+        inside = 0 <= row < obstacles.shape[0] and 0 <= col < obstacles.shape[1]
+        mask.append(int(inside and not obstacles[row, col]))
+    return mask
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("diagonal", [False, True])
+def test_masks_of_vector_environments(name: str, diagonal: bool) -> None:
+    config = config_of(name, obstacles=0.2, diagonal=diagonal, max_steps=6)
+    env = mw.VectorEnv(config, 5, state=True, action_mask=True, autoreset_mode="SameStep")
+    _, infos = env.reset(seed=3)
+    for _ in range(14):
+        masks = infos["action_mask"]
+        assert (masks.shape, masks.dtype) == ((5, config.n_agents, config.n_actions), np.int8)
+        for w in range(5):
+            ground = infos["state"][w, 2].astype(bool)
+            for agent, position in enumerate(infos["positions"][w]):
+                expected = expected_mask(position, ground, config.n_actions)
+                assert masks[w, agent].tolist() == expected
+        actions = [env.single_action_space.sample(mask=tuple(of_world)) for of_world in masks]
+        *_, infos = env.step(actions)
+        assert not infos["involved"][..., 0].any()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_masked_actions_never_run_into_obstacles(name: str) -> None:
+    env = mw.parallel_env(config_of(name, obstacles=0.2, diagonal=True), action_mask=True)
+    _, infos = env.reset(seed=1)
+    blocked = 0
+    while env.agents:
+        masks = {agent: infos[agent]["action_mask"] for agent in env.agents}
+        blocked += sum(int((mask == 0).sum()) for mask in masks.values())
+        actions = {agent: env.action_space(agent).sample(mask) for agent, mask in masks.items()}
+        assert all(masks[agent][action] for agent, action in actions.items())
+        _, _, _, _, infos = env.step(actions)
+        assert not any(info["involved_obstacle"] for info in infos.values())
+    assert blocked
+
+
+@pytest.mark.parametrize("name", ["O", "TO", "swarm-SD"])
+def test_masks_in_turns(name: str) -> None:
+    """An agent that is asked to act has the mask of the cell on which it stands."""
+    env = mw.aec_env(config_of(name, obstacles=0.2), action_mask=True)
+    env.reset(seed=2)
+    inside = env.unwrapped
+    acted = 0
+    for agent in env.agent_iter():
+        _, _, terminated, truncated, info = env.last()
+        if terminated or truncated:
+            env.step(None)
+            continue
+        position = inside.status.positions[inside.possible_agents.index(agent)]
+        ground = env.state()[2].astype(bool)
+        assert info["action_mask"].tolist() == expected_mask(position, ground, 5)
+        env.step(env.action_space(agent).sample(info["action_mask"]))
+        acted += 1
+    assert acted > 10
+
+
+@pytest.mark.filterwarnings("ignore:Observation numpy array is all zeros")
+@pytest.mark.filterwarnings("ignore:options. expected some of .*ignored 'options'")
+@pytest.mark.parametrize("name", ["O", "TO"])
+def test_pettingzoo_s_own_tests_use_the_mask(name: str) -> None:
+    from pettingzoo.test import api_test, parallel_api_test
+
+    config = config_of(name, obstacles=0.2)
+    with redirect_stdout(io.StringIO()):
+        api_test(mw.aec_env(config, action_mask=True), num_cycles=60)
+        parallel_api_test(mw.parallel_env(config, action_mask=True), num_cycles=60)
+
+
+def test_without_the_option_there_is_no_mask() -> None:
+    env = mw.parallel_env(config_of("O"))
+    _, infos = env.reset(seed=1)
+    assert "action_mask" not in infos["pursuer_0"]
+    assert "action_mask" not in mw.VectorEnv("O").infos
+
+
+def test_a_mask_needs_a_view_of_the_neighbours() -> None:
+    with pytest.raises(ValueError, match="action_mask: expected a fov of at least 3, got 1"):
+        mw.parallel_env("O", fov=1, action_mask=True)
+    with pytest.raises(TypeError, match="action_mask: expected True or False, got 'yes'"):
+        mw.aec_env("O", action_mask="yes")
+    mw.parallel_env("O", fov=1)
