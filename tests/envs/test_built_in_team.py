@@ -128,6 +128,21 @@ def test_an_info_tells_of_the_agent_s_own_turn(team: str) -> None:
     assert faults == env.recorded.fault[:, mine, 0].sum() > 0
 
 
+@pytest.mark.parametrize(("evaders", "gone"), [([[0, 1]], 1), ([[0, 1], [4, 4]], 2)])
+def test_an_agent_can_be_gone_before_its_first_turn(evaders: list[list[int]], gone: int) -> None:
+    """The built-in pursuer captures an evader in the first turn, and disappears with it."""
+    settings = {"rows": 5, "cols": 5, "n_pursuers": 1, "n_evaders": len(evaders), "fov": 5}
+    env = mw.envs.raw_aec_env(CUSTOM["swarm-D"], pursuers="chaser", record=True, **settings)
+    env.reset(seed=1, options={"pursuers": [[0, 0]], "evaders": evaders})
+    told = {}
+    for agent in env.agent_iter():
+        told[agent] = env.last(observe=False)[1:3]
+        env.step(None)
+    assert told.pop("evader_0") == (-10.0, True)
+    assert list(told.values()) == [(0.0, True)] * (gone - 1)
+    assert env.recorded.length == 1
+
+
 # ---- Conformance -------------------------------------------------------------------------------
 
 zeros_are_seen = pytest.mark.filterwarnings("ignore:Observation numpy array is all zeros")
