@@ -183,7 +183,8 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
             autoreset=Autoreset[mode.name],
             buffers=kept,
         )
-        self._built_in = None if team is None else BuiltInWorlds(team, kept)
+        waits = mode is not AutoresetMode.SAME_STEP
+        self._built_in = None if team is None else BuiltInWorlds(team, kept, waits)
         mine = of_agents(kept, self.agents)
         self._views = mine["views"]
         # `reshape` that joins the last axes makes a view, so the batch writes into observations.
