@@ -12,6 +12,7 @@ import numpy as np
 
 from matrixworld._core import Blame, Capture, Interaction, Outcome
 from matrixworld.checks import check_bool, check_instance, check_real
+from matrixworld.conflicts import KINDS
 
 __all__ = [
     "KINDS",
@@ -26,22 +27,6 @@ __all__ = [
     "Rules",
     "rules_of",
 ]
-
-__all__ = [
-    "KINDS",
-    "VARIANTS",
-    "Action",
-    "Blame",
-    "Capture",
-    "Interaction",
-    "Outcome",
-    "Rewards",
-    "Rules",
-    "rules_of",
-]
-
-KINDS = ("obstacle", "teammate", "adversary")
-"""The kinds of collision, in the order of the last axis of ``involved`` and ``fault``."""
 
 
 class Action(IntEnum):

@@ -118,6 +118,7 @@ def _spread(count: int) -> list[int]:
 def _palette(pictures: list[NDArray[np.uint8]]) -> Image.Image:
     """Return 256 colours: those of the project exactly, and the most frequent of some pictures."""
     names = [*colors.TEAMS, colors.PAPER, colors.GRID, colors.INK, colors.OBSTACLE]
+    names += [colors.CAPTURE, colors.COLLISION]
     exact = np.array([ImageColor.getrgb(name) for name in names])
     together = Image.fromarray(np.concatenate(pictures)).quantize(PALETTE_COLORS - len(exact))
     common = np.array(together.getpalette()).reshape(-1, 3)

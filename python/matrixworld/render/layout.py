@@ -7,8 +7,14 @@ from typing import ClassVar
 
 FIELD_PIXELS = 720  # wanted length of the longer side of the field
 LARGEST_CELL = 48
+SMALLEST_NUMBERED = 20  # cell size in pixels below which the number of an agent is unreadable
 NARROWEST = 464  # leaves room for the title above a small grid
 LARGEST_SIDE = 8192  # of a picture
+
+
+def fitting_cell(shape: tuple[int, ...], pixels: int, least: int = 1) -> int:
+    """Return the cell size with which the longer side of the field has about so many pixels."""
+    return min(max(pixels // max(shape), least), LARGEST_CELL)
 
 
 @dataclass(frozen=True)
@@ -32,19 +38,17 @@ class Layout:
     cell: int
 
     @classmethod
-    def of(cls, shape: tuple[int, int], cell: int | None = None) -> Layout:
+    def of(cls, shape: tuple[int, int], cell: int | None = None, *, least: int = 1) -> Layout:
         """Return the layout with a given cell size, or with one that suits the grid.
 
-        Raises ValueError if the cell is below 1 or the picture would be too large.
+        Raises ValueError if the cell is below the least or the picture would be too large.
         """
         rows, cols = shape
-        chosen = cell
-        if chosen is None:
-            chosen = min(max(FIELD_PIXELS // max(rows, cols), 1), LARGEST_CELL)
-        if chosen < 1 or max(rows, cols) * chosen > LARGEST_SIDE:
+        chosen = fitting_cell(shape, FIELD_PIXELS, least) if cell is None else cell
+        if not least <= chosen <= LARGEST_SIDE // max(rows, cols):
             raise ValueError(
-                f"cell: expected 1 to {LARGEST_SIDE // max(rows, cols)} pixels "
-                f"for {rows} x {cols} cells, got {cell}"
+                f"cell: expected {least} to {LARGEST_SIDE // max(rows, cols)} pixels "
+                f"for {rows} x {cols} cells, got {chosen}"
             )
         return cls(rows, cols, chosen)
 
