@@ -75,11 +75,13 @@ class Batch:
         **changes: Unpack[WorldSettings],
     ) -> None:
         check_keywords(changes, WorldSettings.__annotations__, Batch)
-        self.config = WorldConfig.of(config, **changes)
-        self.n_worlds = check_integer("n_worlds", n_worlds, 1)
+        self.config: WorldConfig = WorldConfig.of(config, **changes)
+        self.n_worlds: int = check_integer("n_worlds", n_worlds, 1)
         if not isinstance(autoreset, Autoreset):
             raise TypeError(f"autoreset: expected a matrixworld.Autoreset, got {autoreset!r}")
-        self.buffers = self._default_buffers() if buffers is None else buffers
+        self.buffers: dict[str, NDArray[Any]] = (
+            self._default_buffers() if buffers is None else buffers
+        )
         if not isinstance(self.buffers, dict):
             raise TypeError(f"buffers: expected a dict of arrays, got {self.buffers!r}")
         # The engine checks the buffers and keeps them alive.

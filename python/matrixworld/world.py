@@ -91,7 +91,7 @@ class World(WorldState):
     def __init__(
         self, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
     ) -> None:
-        self.config = WorldConfig.of(config, **changes)
+        self.config: WorldConfig = WorldConfig.of(config, **changes)
         self._specs = array_specs(self.config)
         self._core = _core.World(self.config.setup)
         self._explained = False

@@ -107,11 +107,12 @@ class EvolutionStrategy:
     ) -> None:
         if samples < 2 or samples % 2:
             raise ValueError(f"samples: expected an even number of at least 2, got {samples}")
-        self.genome = np.array(genome, dtype=np.float32)
+        self.genome: Genome = np.array(genome, dtype=np.float32)
         if self.genome.shape != (noise.size,):
             raise ValueError(f"genome: expected shape ({noise.size},), got {self.genome.shape}")
-        self.samples = samples
-        self.learning_rate, self.anneal_over = learning_rate, anneal_over
+        self.samples: int = samples
+        self.learning_rate: float = learning_rate
+        self.anneal_over: int | None = anneal_over
         self._optimizer = new_optimizer(optimizer, noise.size, momentum=momentum)
         self._table = noise
         self._noise: list[Genome] = []

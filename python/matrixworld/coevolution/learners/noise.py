@@ -44,7 +44,8 @@ class NoiseTable:
             raise ValueError(f"size: expected at least 1 gene, got {size}")
         check_number("sigma", sigma, least=0.0, positive=True)
         extra = min(VECTORS_PER_TABLE * size, MOST_EXTRA_NUMBERS)
-        self.size, self.sigma = size, sigma
+        self.size: int = size
+        self.sigma: float = sigma
         self._numbers = rng.standard_normal(size + extra, dtype=np.float32)
         self._numbers *= np.float32(sigma)
         # Views of the table leave this class, so nothing may write to it.

@@ -49,10 +49,12 @@ class Adam:
     def __init__(
         self, size: int, *, beta1: float = 0.9, beta2: float = 0.999, epsilon: float = 1e-8
     ) -> None:
-        self.beta1, self.beta2, self.epsilon = beta1, beta2, epsilon
-        self.mean = np.zeros(size, dtype=np.float32)
-        self.square = np.zeros(size, dtype=np.float32)
-        self.updates = 0
+        self.beta1: float = beta1
+        self.beta2: float = beta2
+        self.epsilon: float = epsilon
+        self.mean: Genome = np.zeros(size, dtype=np.float32)
+        self.square: Genome = np.zeros(size, dtype=np.float32)
+        self.updates: int = 0
 
     def step(self, gradient: Genome, rate: float) -> Genome:
         """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""
@@ -109,9 +111,9 @@ class Momentum:
 
     def __init__(self, size: int, *, momentum: float = 0.9) -> None:
         check_momentum("momentum", momentum)
-        self.momentum = momentum
-        self.velocity = np.zeros(size, dtype=np.float32)
-        self.updates = 0
+        self.momentum: float = momentum
+        self.velocity: Genome = np.zeros(size, dtype=np.float32)
+        self.updates: int = 0
 
     def step(self, gradient: Genome, rate: float) -> Genome:
         """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""

@@ -16,7 +16,7 @@ from matrixworld.coevolution.types import Genome, Genomes
 class Maximize(base.Fitness):  # type: ignore[misc]
     """DEAP fitness of one value; higher is better."""
 
-    weights = (1.0,)
+    weights: tuple[float, ...] = (1.0,)
 
     def __init__(self, values: tuple[float, ...] = ()) -> None:
         # DEAP's own constructor checks the weights for each new fitness, which takes longer than
@@ -37,8 +37,8 @@ class Individual:
     __slots__ = ("fitness", "genome")
 
     def __init__(self, genome: Genome) -> None:
-        self.genome = genome
-        self.fitness = Maximize()
+        self.genome: Genome = genome
+        self.fitness: Maximize = Maximize()
 
 
 class Candidates(list[Individual]):

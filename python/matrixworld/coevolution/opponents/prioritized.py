@@ -93,8 +93,9 @@ class Prioritized:
         check_count("count", count)
         if not 0.0 < decay <= 1.0:
             raise ValueError(f"decay: expected a number above 0 and at most 1, got {decay}")
-        self.weighting = hard() if weighting is None else weighting
-        self.count, self.decay = count, decay
+        self.weighting: Weighting = hard() if weighting is None else weighting
+        self.count: int = count
+        self.decay: float = decay
         self._wins, self._games = np.zeros(0), np.zeros(0)
 
     def win_rates(self, available: int) -> FloatArray:

@@ -44,7 +44,9 @@ class Matchmaking:
     def __init__(
         self, settings: RaceSettings, training: Training, archive: Mapping[Team, list[Genome]]
     ) -> None:
-        self.settings, self.training, self.archive = settings, training, archive
+        self.settings: RaceSettings = settings
+        self.training: Training = training
+        self.archive: Mapping[Team, list[Genome]] = archive
         # A hall-of-fame race without sampled opponents has samplers, too, but never asks them.
         count = max(1, settings.opponents_per_epoch)
         self.samplers: dict[Team, OpponentSampler] = {

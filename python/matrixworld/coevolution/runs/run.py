@@ -13,6 +13,7 @@ from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
+from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.learners.registry import new_learner, starting_genomes, untrained
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Report, silent
@@ -76,18 +77,19 @@ class Run(ABC, Generic[AnySettings]):
         # Everything that can be wrong is checked before the directory is made.
         self.settings: AnySettings = settings
         self.check_settings()
-        self.training = Training(settings, play, threads)
+        self.training: Training = Training(settings, play, threads)
         self.network: Network = self.training.network
-        self.stage = 0
+        self.stage: int = 0
         self.stage_capture_rates: list[float] = []
         count = starting_genomes(settings)
-        self.learners = {
+        self.learners: dict[Team, Learner] = {
             team: new_learner(settings, team, self.first_population(team, count))
             for team in self.learning_teams()
         }
         self.archive: dict[Team, list[Genome]] = self.first_archive()
         self.set_up()
         self._report: Report = silent
+        self.files: RunDirectory
         if isinstance(directory, RunDirectory):
             self.files = directory
             with self.files.lock():
