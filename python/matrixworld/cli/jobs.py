@@ -20,6 +20,7 @@ from matrixworld.coevolution import (
     Run,
     RunDirectory,
     SingleSettings,
+    check_own_code,
     resume,
     start,
 )
@@ -98,7 +99,12 @@ def default_directory(settings: Settings) -> Path:
 
 
 def create_runs(settings: Sequence[Settings], output: Path, threads: int | None) -> list[Run[Any]]:
-    """Create new runs: a single one in `output` itself, several in directories inside it."""
+    """Create new runs: a single one in `output` itself, several in directories inside it.
+
+    Learners and samplers of the user's own are tried first: none is written if one is bad.
+    """
+    for each in settings:
+        check_own_code(each)
     if len(settings) == 1:
         return [start(settings[0], output, threads=threads)]
     races = [each for each in settings if isinstance(each, RaceSettings)]

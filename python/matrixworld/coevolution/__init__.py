@@ -22,6 +22,8 @@ settings              everything that defines a run, with help texts
 learners              evolution strategy, genetic algorithm, CMA-ES; as DEAP toolboxes, too
 opponents             opponent samplers, archives, and the schedules of races
 fitness               from the results of matches to the fitness of candidates
+conformance           checks of a learner or sampler of your own
+plugins               learners and samplers from outside the package; `plugin_checks`
 progress              progress bars
 payoff                `Payoff`: results of two archives against each other
 seeding               seeds of matches and random generators
@@ -35,6 +37,7 @@ package imports only from those below it in the table.
 from __future__ import annotations
 
 from matrixworld.coevolution import opponents
+from matrixworld.coevolution.conformance import check_learner, check_sampler
 from matrixworld.coevolution.evaluation.held_out_opponents import held_out
 from matrixworld.coevolution.evaluation.held_out_scores import (
     HeldOutScores,
@@ -75,13 +78,14 @@ from matrixworld.coevolution.opponents.registry import (
     available,
 )
 from matrixworld.coevolution.payoff import Payoff
+from matrixworld.coevolution.plugin_checks import PluginError
 from matrixworld.coevolution.progress import ProgressBar, Report
 from matrixworld.coevolution.runs.alternating import DisengagementWarning, Race
 from matrixworld.coevolution.runs.best_response import BestResponse, best_response
 from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.single import SingleTeam
-from matrixworld.coevolution.runs.start import finish, resume, start
+from matrixworld.coevolution.runs.start import check_own_code, finish, resume, start
 from matrixworld.coevolution.seeding import evaluation_seed, training_seeds
 from matrixworld.coevolution.settings.effects import NoEffectError
 from matrixworld.coevolution.settings.race import RaceSettings
@@ -118,6 +122,7 @@ __all__ = [
     "NoiseTable",
     "OtherVersionError",
     "Payoff",
+    "PluginError",
     "ProgressBar",
     "Race",
     "RaceSettings",
@@ -134,6 +139,9 @@ __all__ = [
     "available",
     "best_response",
     "centred_ranks",
+    "check_learner",
+    "check_own_code",
+    "check_sampler",
     "competitive_sharing",
     "evaluation_seed",
     "finish",

@@ -200,7 +200,7 @@ def rewritten(directory, change):
         (lambda config: config.pop("format"), r"expected format 4, got None"),
         (lambda config: config["settings"].pop("seed"), r"missing fields \['seed'\]"),
         (lambda config: config["settings"].update(speed=1), r"unknown fields \['speed'\]"),
-        (lambda config: config["settings"].update(learner="annealing"), "learner: expected one of"),
+        (lambda config: config["settings"].update(fitness="beauty"), "fitness: expected one of"),
         (lambda config: config["settings"].update(schedule="random"), "schedule: expected one of"),
         (lambda config: config["settings"].update(rows="many"), "rows"),
         (lambda config: config.update(kind="islands"), "islands"),

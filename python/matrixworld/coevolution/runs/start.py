@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
+from matrixworld.coevolution.learners.registry import new_learner, starting_genomes, untrained
+from matrixworld.coevolution.opponents.registry import HALL_OF_FAME, new_sampler
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.alternating import Race
 from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
@@ -56,6 +57,28 @@ def start(
         return SingleTeam(settings, directory, threads=threads, play=play)
     kind = HallOfFameRace if settings.schedule == HALL_OF_FAME else Race
     return kind(settings, directory, threads=threads, play=play)
+
+
+def check_own_code(settings: RaceSettings | SingleSettings) -> None:
+    """Make the learners and opponent samplers of a run once, and nothing else.
+
+    Parameters
+    ----------
+    settings : RaceSettings or SingleSettings
+        Settings of the run.
+
+    Raises
+    ------
+    ValueError
+        If a learner or sampler cannot be imported, or refuses its settings.
+    PluginError
+        If its code fails.
+    """
+    genomes = starting_genomes(settings)
+    for team in settings.learning_teams:
+        new_learner(settings, team, untrained(settings, team, genomes))
+        if isinstance(settings, RaceSettings):
+            new_sampler(settings, team)
 
 
 def finish(
