@@ -88,10 +88,13 @@ class World(WorldState):
     [0.05, -0.05, -0.15]
     """
 
+    config: WorldConfig
+    keeps_conflicts: bool
+
     def __init__(
         self, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
     ) -> None:
-        self.config: WorldConfig = WorldConfig.of(config, **changes)
+        self.config = WorldConfig.of(config, **changes)
         self._specs = array_specs(self.config)
         self._core = _core.World(self.config.setup)
         self._explained = False
