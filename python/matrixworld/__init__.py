@@ -5,12 +5,15 @@ games               `Rules`, `VARIANTS`, `Rewards`, `WorldConfig`, `read_map`, `
 worlds              `World` (one), `Batch` (many)
 environments        `parallel_env`, `aec_env` (PettingZoo), `VectorEnv` (many worlds at once),
                     `AgentVectorEnv` (many agents at once)
-policies, matches   `Network`, `Population`, `SCRIPTS`, `Matches`, `rollout`, `EpisodeStatistics`
+policies, matches   `Network`, `Population`, `SCRIPTS`, `Matches`, `rollout`, `EpisodeStatistics`,
+                    `NetworkPolicy`, `score_policy`
 episodes            `record`, `Recorder`, `Episode`; modules `replay` and `render`
 safety              `SafetyMonitor`, `SafetySummary`, `Conflict`
 evolution           packages `coevolution` and `analysis`, module `plots`
 ==================  ===============================================================================
 """
+
+from typing import TYPE_CHECKING, Any
 
 from matrixworld._core import Autoreset, Blame, Capture, Interaction, Outcome
 from matrixworld.agent_vector import AgentVectorEnv
@@ -21,6 +24,7 @@ from matrixworld.conflicts import Conflict
 from matrixworld.envs import aec_env, parallel_env
 from matrixworld.episode import Episode
 from matrixworld.maps import read_map
+from matrixworld.play import NetworkPolicy
 from matrixworld.policy import SCRIPTS, Network, Population
 from matrixworld.recorder import Recorder, record, record_actions
 from matrixworld.rollout import EpisodeStatistics, Matches, rollout
@@ -30,6 +34,9 @@ from matrixworld.seeds import match_seed
 from matrixworld.vector import VectorEnv
 from matrixworld.version import __version__ as __version__
 from matrixworld.world import World
+
+if TYPE_CHECKING:
+    from matrixworld.coevolution import score_policy
 
 __all__ = [
     "KINDS",
@@ -47,6 +54,7 @@ __all__ = [
     "Interaction",
     "Matches",
     "Network",
+    "NetworkPolicy",
     "Outcome",
     "Population",
     "Recorder",
@@ -66,4 +74,14 @@ __all__ = [
     "record",
     "record_actions",
     "rollout",
+    "score_policy",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    # Co-evolution takes longer to import than all the rest, so it waits for its first use.
+    if name == "score_policy":
+        from matrixworld.coevolution import score_policy
+
+        return score_policy
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

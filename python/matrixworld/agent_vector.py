@@ -32,9 +32,9 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     worlds : VectorEnv
         The W worlds. Their settings hold here, too: ``copy``, the autoreset mode, dtype and so on.
     team : {None, "pursuer", "evader"}, optional
-        The team whose agents are sub-environments; None (the default) for the agents of both. The
-        other team plays what ``worlds.actions`` holds for it at a step: fill
-        ``worlds.evaders.actions[:]`` before it. At first that is staying.
+        The team whose agents are sub-environments; None (the default) for all agents that the
+        caller plays. If that is both teams, the other one plays what ``worlds.actions`` holds for
+        it at a step: fill ``worlds.evaders.actions[:]`` before it. At first that is staying.
 
     Attributes
     ----------
@@ -48,7 +48,7 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     TypeError
         If `worlds` is not a VectorEnv.
     ValueError
-        For an unknown team.
+        For an unknown team, and for one that the worlds play themselves.
 
     Notes
     -----
@@ -96,10 +96,11 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
             check_choice("team", team, TEAMS)
         self.worlds: VectorEnv = worlds
         self.team: str | None = team
-        n_pursuers, n_agents = worlds.config.n_pursuers, worlds.config.n_agents
-        parts = {"pursuer": range(n_pursuers), "evader": range(n_pursuers, n_agents)}
-        self._agents = parts.get(team or "", range(n_agents))
-        self._slice = slice(self._agents.start, self._agents.stop)
+        parts = {"pursuer": worlds.pursuers.agents, "evader": worlds.evaders.agents}
+        self._slice = parts.get(team or "", slice(None))  # of the agents in the worlds' arrays
+        self._agents = worlds.agents[self._slice]
+        if not self._agents:
+            raise ValueError(f"team: expected the one that the caller plays, got {team!r}")
         self.num_envs: int = worlds.n_worlds * len(self._agents)
         self.metadata: dict[str, Any] = worlds.metadata
         self.render_mode: str | None = worlds.render_mode

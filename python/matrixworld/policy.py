@@ -199,7 +199,7 @@ class Network:
         expected = (CHANNELS, self.fov, self.fov)
         if views.shape[1:] != expected:
             raise ValueError(f"views: expected shape (n, {str(expected)[1:]}, got {views.shape}")
-        x = views.reshape(len(views), -1).astype(np.float32)
+        x = views.reshape(len(views), self.sizes[0]).astype(np.float32)
         *hidden, last = self.layers(genome)
         for weights, bias in hidden:
             x = x @ weights + bias

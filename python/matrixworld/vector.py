@@ -17,9 +17,12 @@ from typing_extensions import Unpack
 
 from matrixworld._core import Autoreset
 from matrixworld.batch import Batch
+from matrixworld.built_in import Opponents, built_in_team, set_opponents
+from matrixworld.built_in_worlds import BuiltInWorlds
 from matrixworld.checks import check_bool, check_integer, check_keywords
 from matrixworld.config import WorldConfig, WorldSettings
 from matrixworld.masks import action_masks, check_maskable
+from matrixworld.play import Plays
 from matrixworld.render import rgb
 from matrixworld.rules import Rules
 from matrixworld.vector_arrays import (
@@ -28,12 +31,13 @@ from matrixworld.vector_arrays import (
     copied,
     make_buffers,
     make_infos,
+    of_agents,
     view_dtype,
 )
 from matrixworld.world import World
 
 OPTIONS = ("reset_mask", "episode", "pursuers", "evaders", "obstacles")
-"""Keys that ``options`` of a reset may have."""
+"""Keys that ``options`` of a reset may have; ``opponents``, too, with a built-in team."""
 
 
 class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
@@ -72,6 +76,10 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         may use. No result depends on it.
     render_mode : {None, "rgb_array"}, optional
         What `render` returns. The default is None.
+    pursuers, evaders : Opponents, optional
+        What plays for one of the teams, if the environment plays it itself; see
+        `matrixworld.built_in`. Each episode draws one of several. All arrays of agents are then
+        those of the other team, and A is its number of agents. By default the caller plays both.
     **changes
         Fields of the configuration to change.
 
@@ -86,7 +94,9 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     actions : ndarray of int64, shape (W, A)
         Actions for a `step` without arguments, to be filled in place.
     pursuers, evaders : TeamView
-        The teams' parts of these arrays.
+        The teams' parts of these arrays; of a built-in team without agents.
+    agents : range
+        The numbers of the A agents in their worlds.
 
     Raises
     ------
@@ -126,6 +136,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     | ``seed``, ``episode_number`` | (W,) uint64 | the episode, as `World.reset` takes it |
     | ``action_mask`` | (W, A, n_actions) int8 | 1 for moves to a free cell and for staying; only with ``action_mask=True`` |
     | ``final_obs``, ``_final_obs`` | as observations; (W,) bool | last observations of an episode; whether it ended in this step |
+    | ``opponent`` | (W,) int64 | place in `opponents`; only with a built-in team, whose last one is in ``episode``, too |
     | ``episode``, ``_episode`` | dict of `EPISODE_KEYS`; (W,) bool | statistics of the last ended episode, as in `EpisodeStatistics`; whether it ended in this step |
 
     A further array of `array_specs` or `episode_specs` appears under its own name.
@@ -149,6 +160,8 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         action_mask: bool = False,
         threads: int | None = None,
         render_mode: str | None = None,
+        pursuers: Opponents | None = None,
+        evaders: Opponents | None = None,
         **changes: Unpack[WorldSettings],
     ) -> None:
         check_keywords(changes, WorldSettings.__annotations__, VectorEnv)
@@ -166,7 +179,12 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         self.copy: bool = check_bool("copy", copy)
         if check_bool("action_mask", action_mask):
             check_maskable(self.config)
-        left_out = set() if check_bool("state", state) else {"state"}
+        team = built_in_team(self.config, pursuers, evaders, self.num_envs)
+        everyone = range(self.config.n_agents)
+        self.agents: range = everyone if team is None else team.learners
+        unseen = set() if check_bool("state", state) else {"state"}
+        # Scripts of a built-in team read it.
+        left_out = set() if team is not None else set(unseen)
         if mode is not AutoresetMode.SAME_STEP:
             # In the other modes the observations stay those of the episode's end for one step.
             left_out.add("final_views")
@@ -178,20 +196,28 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
             autoreset=Autoreset[mode.name],
             buffers=kept,
         )
-        self._views = kept["views"]
-        # `reshape` of a contiguous array makes a view, so the batch writes into observations.
+        waits = mode is not AutoresetMode.SAME_STEP
+        self._built_in = None if team is None else BuiltInWorlds(team, kept, waits)
+        mine = of_agents(kept, self.agents)
+        self._views = mine["views"]
+        # `reshape` that joins the last axes makes a view, so the batch writes into observations.
         seen = (*self._views.shape[:2], -1) if check_bool("flatten", flatten) else self._views.shape
         self.observations: NDArray[Any] = self._views.reshape(seen)
-        self.rewards: NDArray[np.float32] = kept["rewards"]
-        self.terminations: NDArray[np.bool_] = kept["terminations"]
-        self.truncations: NDArray[np.bool_] = kept["truncations"]
-        self.infos: dict[str, Any] = make_infos(kept, self.observations)
+        self.rewards: NDArray[np.float32] = mine["rewards"]
+        self.terminations: NDArray[np.bool_] = mine["terminations"]
+        self.truncations: NDArray[np.bool_] = mine["truncations"]
+        shown = {name: array for name, array in mine.items() if name not in unseen}
+        self.infos: dict[str, Any] = make_infos(shown, self.observations)
+        if self._built_in is not None:
+            self.infos["opponent"] = self._built_in.team.chosen
+            self.infos["episode"]["opponent"] = self._built_in.last
         if action_mask:
             self.infos["action_mask"] = action_masks(self._views, self.config.n_actions)
         self._make_spaces()
-        self.actions: NDArray[np.int64] = np.zeros((self.n_worlds, self.config.n_agents), np.int64)
-        self.pursuers: TeamView = TeamView(self, slice(0, self.config.n_pursuers))
-        self.evaders: TeamView = TeamView(self, slice(self.config.n_pursuers, None))
+        self.actions: NDArray[np.int64] = np.zeros((self.n_worlds, len(self.agents)), np.int64)
+        first_evader = max(0, self.config.n_pursuers - self.agents.start)
+        self.pursuers: TeamView = TeamView(self, slice(0, first_evader))
+        self.evaders: TeamView = TeamView(self, slice(first_evader, None))
         self._generators: tuple[np.random.Generator, ...] | None = None
         self._seeded = False
         # A batch starts with fixed seeds, which would make every unseeded run the same.
@@ -200,9 +226,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     def _make_spaces(self) -> None:
         shape, dtype = self.observations.shape[1:], self.observations.dtype
         self.single_observation_space = spaces.Box(0, 1, shape, dtype.type)
-        self.single_action_space = spaces.MultiDiscrete(
-            [self.config.n_actions] * self.config.n_agents
-        )
+        self.single_action_space = spaces.MultiDiscrete([self.config.n_actions] * len(self.agents))
         self.observation_space = batch_space(self.single_observation_space, self.num_envs)
         self.action_space = batch_space(self.single_action_space, self.num_envs)
 
@@ -210,6 +234,15 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     def n_worlds(self) -> int:
         """The number of worlds, W; Gymnasium's name is ``num_envs``."""
         return self.num_envs
+
+    @property
+    def opponents(self) -> tuple[Plays, ...]:
+        """What can play for the built-in team; episodes that begin draw from it. May be set."""
+        return () if self._built_in is None else self._built_in.team.opponents
+
+    @opponents.setter
+    def opponents(self, opponents: Opponents) -> None:
+        set_opponents(None if self._built_in is None else self._built_in.team, opponents)
 
     @property
     def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
@@ -239,7 +272,8 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         options : mapping, optional
             Any of `OPTIONS`: ``reset_mask``, bool, shape (W,), the worlds to reset; ``episode``,
             the number of the seed's episode; ``pursuers`` and ``evaders``, positions, shape (n, 2)
-            or (W, n, 2); ``obstacles``, a map for these episodes.
+            or (W, n, 2); ``obstacles``, a map for these episodes. With a built-in team also
+            ``opponents``: what plays for it in episodes that begin from now on.
 
         Returns
         -------
@@ -261,12 +295,19 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     def _start(self, seed: int | ArrayLike | None, options: Mapping[str, Any] | None) -> None:
         self._require_open("reset")
         given = dict(options or {})
-        unknown = set(given) - set(OPTIONS)
+        built_in = self._built_in
+        known = OPTIONS if built_in is None else (*OPTIONS, "opponents")
+        unknown = set(given) - set(known)
         if unknown:
-            raise ValueError(f"options: expected some of {OPTIONS}, got {sorted(unknown)}")
+            raise ValueError(f"options: expected some of {known}, got {sorted(unknown)}")
         if seed is None and not self._seeded:
             seed = self.infos["seed"]
-        self._batch.reset(seed, mask=given.pop("reset_mask", None), **given)
+        mask, opponents = given.pop("reset_mask", None), given.pop("opponents", None)
+        if built_in is not None and opponents is not None:
+            opponents = built_in.team.resolve(opponents)  # refused before a world has changed
+        self._batch.reset(seed, mask=mask, **given)
+        if built_in is not None:
+            built_in.begin(mask, opponents)
         self._seeded = True
         if seed is not None:
             self._generators = None
@@ -312,7 +353,12 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         self._require_open("step")
         if not self._seeded:
             raise RuntimeError("call reset() before the first step")
-        self._batch.step(self.actions if actions is None else actions)
+        given = self.actions if actions is None else actions
+        if self._built_in is None:
+            self._batch.step(given)
+        else:
+            self._batch.step(self._built_in.actions(given))
+            self._built_in.note_step()
         self._write_masks()
 
     def _write_masks(self) -> None:

@@ -66,6 +66,17 @@ def make_buffers(
     return new_arrays(chosen, n_worlds)
 
 
+def of_agents(buffers: dict[str, NDArray[Any]], agents: range) -> dict[str, NDArray[Any]]:
+    """Return the same arrays with some agents only, without copies."""
+    fields = WORLD_FIELDS | BATCH_FIELDS
+    return {
+        name: array[:, agents.start : agents.stop]
+        if fields[name].axes[:1] == ("agents",)
+        else array
+        for name, array in buffers.items()
+    }
+
+
 def make_infos(buffers: dict[str, NDArray[Any]], observations: NDArray[Any]) -> dict[str, Any]:
     """Return the infos of a vector environment: its buffers under the names of `VectorEnv`."""
     infos: dict[str, Any] = {

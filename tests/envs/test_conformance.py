@@ -13,18 +13,15 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.envs import parallel_env, raw_aec_env
+from pettingzoo_tests import (
+    api_test,
+    max_cycles_test,
+    parallel_api_test,
+    parallel_seed_test,
+    render_test,
+    seed_test,
+)
 from rows import CUSTOM, config_of
-
-with warnings.catch_warnings():  # with pygame installed, PettingZoo imports outdated environments
-    warnings.simplefilter("ignore", DeprecationWarning)
-    from pettingzoo.test import (
-        api_test,
-        max_cycles_test,
-        parallel_api_test,
-        parallel_seed_test,
-        render_test,
-        seed_test,
-    )
 
 NAMES = [*mw.VARIANTS, *CUSTOM]
 

@@ -44,6 +44,7 @@ from matrixworld.coevolution.evaluation.held_out_scores import (
     score,
     score_population,
 )
+from matrixworld.coevolution.evaluation.policy_scores import score_policy
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import (
     FITNESS,
@@ -158,6 +159,7 @@ __all__ = [
     "reduced_virulence",
     "resume",
     "score",
+    "score_policy",
     "score_population",
     "select_tournament",
     "select_truncation",

@@ -44,15 +44,16 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
         """Start an episode; see `MatrixWorldParallel.reset`."""
         self._reset_world(seed, options)
         self._actions = np.zeros(self.config.n_agents, np.int64)
-        self._views = self.world.views()
+        self.agent_selection, self._to_commit = self.agents[0], []
         self.rewards: dict[str, float] = dict.fromkeys(self.agents, 0.0)
         self._cumulative_rewards = dict.fromkeys(self.agents, 0.0)
         self.terminations: dict[str, bool] = dict.fromkeys(self.agents, False)
         self.truncations: dict[str, bool] = dict.fromkeys(self.agents, False)
-        infos = self._infos(self.status, self._views)
-        self.infos: dict[str, dict[str, Any]] = dict(zip(self.agents, infos, strict=True))
+        self.infos: dict[str, dict[str, Any]] = {}
         self._skip_agent_selection: str | None = None
-        self._select_actors()
+        self._play_until_actors()
+        self._accumulate_rewards()
+        self._deads_step_first()
 
     def observe(self, agent: str) -> View:
         """Return what an agent sees after the last played turn, uint8 of shape (3, fov, fov)."""
@@ -95,41 +96,56 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
             self.agent_selection = self._to_commit.pop(0)
             return
         self._play_turn()
+        self._play_until_actors()
         self._accumulate_rewards()
         self._deads_step_first()
 
     def _play_turn(self) -> None:
-        """Play the turn that was chosen, and select the agents that act next."""
+        """Play a turn and pay it."""
         # Rewards accumulate over a round in the world; an AEC step pays the difference of its turn.
         before = self.world.rewards.astype(float) if self.world.turn else 0.0
+        self._decide(self._actions, self.world.actors)
         self.world.play_turn(self._actions)
-        # Turns of agents that are gone are played at once: PettingZoo never asks them to act.
-        while self.world.turn and not self._living_actors():
-            self.world.play_turn(self._actions)
-        status = Status.of(self.world)
-        paid = (status.rewards.astype(float) - before).tolist()
-        terminations, truncations = status.terminations.tolist(), status.truncations.tolist()
+        paid = (self.world.rewards.astype(float) - before).tolist()
+        for agent in self.agents:
+            self.rewards[agent] += paid[self._index[agent]]
+        if self.world.turn == 0 and self._drawing is not None:
+            self._drawing.note(self._actions)
+
+    def _play_until_actors(self) -> None:
+        """Play turns in which no living agent of the caller acts, and select those that act next.
+
+        They are turns of agents that are gone, which PettingZoo never asks to act, and of the team
+        that the environment plays itself.
+        """
+        ended: list[Status] = []
+        while not (actors := self._living_actors()):
+            if self.world.turn == 0 and (self.world.terminated or self.world.truncated):
+                break
+            if self.world.turn == 0:  # the next turn forgets the collisions of this round
+                ended.append(self.status)
+            self._play_turn()
+        self._report(ended)
+        if actors:
+            self.agent_selection, *self._to_commit = actors
+
+    def _report(self, ended: list[Status]) -> None:
+        """Tell all agents the results of this round, and of rounds that ended before it."""
+        status = self.status
+        for earlier in ended:
+            status.add_collisions(earlier)
         self._views = self.world.views()
-        infos = self._infos(status, self._views)
+        infos, terminations = self._infos(status, self._views), status.terminations.tolist()
+        truncations = status.truncations.tolist()
         for agent in self.agents:
             i = self._index[agent]
-            self.rewards[agent] = paid[i]
             self.terminations[agent] = terminations[i]
             self.truncations[agent] = truncations[i]
             self.infos[agent] = infos[i]
-        if self.world.turn == 0 and self._drawing is not None:
-            self._drawing.note(self._actions)
-        if not (status.terminated or status.truncated):
-            self._select_actors()
 
     def _living_actors(self) -> list[str]:
-        """Return the living agents of the next turn; none when the world has terminated."""
+        """Return the caller's living agents of the next turn; none when the world is terminated."""
         if self.world.terminated:
             return []
-        alive = self.world.alive
-        return [self.possible_agents[i] for i in self.world.actors if alive[i]]
-
-    def _select_actors(self) -> None:
-        while not (actors := self._living_actors()):  # the first agents of a round may be gone
-            self.world.play_turn(self._actions)
-        self.agent_selection, *self._to_commit = actors
+        alive, actors = self.world.alive, self.world.actors
+        return [self._names[i] for i in actors if i in self._names and alive[i]]

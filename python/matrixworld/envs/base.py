@@ -13,11 +13,13 @@ from numpy.typing import NDArray
 from typing_extensions import Unpack
 
 from matrixworld.arrays import WORLD_FIELDS, OutputField
+from matrixworld.built_in import Opponents, built_in_team, set_opponents
 from matrixworld.checks import check_bool, check_keywords
 from matrixworld.config import WorldConfig, WorldSettings
 from matrixworld.envs.drawing import Drawing
 from matrixworld.episode import Episode
 from matrixworld.masks import action_masks, check_maskable
+from matrixworld.play import MOMENT, Plays
 from matrixworld.rules import KINDS, VARIANTS, Rules
 from matrixworld.world import World
 
@@ -30,12 +32,17 @@ class EnvSettings(WorldSettings, total=False):
     record: bool
     action_mask: bool
     max_cycles: int | None
+    pursuers: Opponents | None
+    evaders: Opponents | None
 
 
 RENDER_MODES = ("human", "rgb_array", "ansi")
 
 OPTIONS = ("episode", "pursuers", "evaders", "obstacles")
-"""The keys that ``options`` of a reset may hold; each is an argument of `World.reset`."""
+"""The keys that ``options`` of a reset may hold; each is an argument of `World.reset`.
+
+An environment that plays a team itself knows ``opponents``, too.
+"""
 
 # World arrays that infos leave out: `step` returns them, or they are attributes of `Status` only.
 _NOT_IN_INFOS = {
@@ -127,6 +134,13 @@ class Status:
         vars(status).update(arrays)  # infos may have outputs that are not declared above
         return status
 
+    def add_collisions(self, earlier: Status) -> None:
+        """Add the collisions and captors of an earlier round, for a report of several rounds."""
+        np.logical_or(self.involved, earlier.involved, out=self.involved)
+        np.logical_or(self.fault, earlier.fault, out=self.fault)
+        np.maximum(self.captors, earlier.captors, out=self.captors)
+        self.cost[:] = self.fault.sum(axis=1)
+
     def infos(self) -> list[dict[str, Any]]:
         """Return the info of each agent: a dict of `INFO_KEYS` with plain values."""
         n_agents = len(self.alive)
@@ -169,6 +183,10 @@ class MatrixWorldBase:
         into neither an obstacle nor the border. Needs a `fov` of at least 3. The default is False.
     max_cycles : int, optional
         Another name for ``max_steps`` of the config, as other PettingZoo environments call it.
+    pursuers, evaders : Opponents, optional
+        What plays for one of the teams, if the environment plays it itself; see
+        `matrixworld.built_in`. Each episode draws one of several. Agents of that team are not in
+        `possible_agents`. By default the caller plays both teams.
     **changes
         Fields of `WorldConfig` to change.
 
@@ -179,7 +197,7 @@ class MatrixWorldBase:
     config : WorldConfig
         Its settings.
     possible_agents : list of str
-        Names of all agents: ``pursuer_0`` and so on, then ``evader_0`` and so on.
+        Names of the caller's agents: ``pursuer_0`` and so on, then ``evader_0`` and so on.
     agents : list of str
         Names of the agents that still play; empty before the first reset and after the end.
 
@@ -207,6 +225,8 @@ class MatrixWorldBase:
         record: bool = False,
         action_mask: bool = False,
         max_cycles: int | None = None,
+        pursuers: Opponents | None = None,
+        evaders: Opponents | None = None,
         **changes: Unpack[WorldSettings],
     ) -> None:
         check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
@@ -223,10 +243,12 @@ class MatrixWorldBase:
         self.world = World(self.config)
         self.render_mode = render_mode
         self.metadata: dict[str, Any] = metadata_of(self.config)
-        names = [self.config.agent_name(agent) for agent in range(self.config.n_agents)]
-        self.possible_agents = names
+        self._built_in = built_in_team(self.config, pursuers, evaders)
+        played = range(self.config.n_agents) if self._built_in is None else self._built_in.learners
+        self._names = {agent: self.config.agent_name(agent) for agent in played}
+        self._index = {name: agent for agent, name in self._names.items()}
+        self.possible_agents = list(self._index)
         self.agents: list[str] = []
-        self._index = {name: agent for agent, name in enumerate(names)}
         viewers = self._viewers(fields_of_view)
         kept = check_bool("record", record) or render_mode is not None
         self._drawing = Drawing(self.world, render_mode, viewers) if kept else None
@@ -281,17 +303,46 @@ class MatrixWorldBase:
 
     def _reset_world(self, seed: int | None, options: Mapping[str, Any] | None) -> None:
         given = dict(options or {})
-        for unknown in set(given) - set(OPTIONS):
-            warnings.warn(f"options: expected some of {OPTIONS}, ignored {unknown!r}", stacklevel=3)
+        built_in = self._built_in
+        known = OPTIONS if built_in is None else (*OPTIONS, "opponents")
+        for unknown in set(given) - set(known):
+            warnings.warn(f"options: expected some of {known}, ignored {unknown!r}", stacklevel=3)
             del given[unknown]
+        opponents = given.pop("opponents", None)
+        if built_in is not None and opponents is not None:
+            opponents = built_in.resolve(opponents)
         if seed is None and not self._seeded:
             # The first episode without a seed is a random one; later ones continue its seed.
             seed = int(np.random.SeedSequence().generate_state(1, np.uint64)[0])
         self.world.reset(seed, **given)
+        if built_in is not None:
+            if opponents is not None:
+                built_in.opponents = opponents
+            built_in.begin(self.world.seed, self.world.episode)
         self._seeded = True
         self.agents = self.possible_agents[:]
         if self._drawing is not None:
             self._drawing.begin()
+
+    def _decide(self, actions: NDArray[np.int64], agents: range) -> None:
+        """Write the actions of the team that the environment plays itself, if it plays one."""
+        if self._built_in is not None:
+            moment = {name: array[None] for name, array in self.world.read(*MOMENT).items()}
+            self._built_in.decide(moment, agents, actions[None])
+
+    @property
+    def opponents(self) -> tuple[Plays, ...]:
+        """What can play for the built-in team; episodes that begin draw from it. May be set."""
+        return () if self._built_in is None else self._built_in.opponents
+
+    @opponents.setter
+    def opponents(self, opponents: Opponents) -> None:
+        set_opponents(self._built_in, opponents)
+
+    @property
+    def opponent(self) -> int | None:
+        """The place in `opponents` of this episode's opponent, when it began; None without one."""
+        return None if self._built_in is None else int(self._built_in.chosen[0])
 
     def render(self) -> NDArray[np.uint8] | str | None:
         """Draw the present moment.

@@ -41,8 +41,9 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
             starts. The first seed is drawn from the operating system.
         options : mapping, optional
             Arguments of `World.reset` under the keys of `OPTIONS`: ``pursuers`` and ``evaders``
-            (cells, shape (n, 2)), ``obstacles`` (a map), ``episode`` (a number). Other keys are
-            ignored with a warning.
+            (cells, shape (n, 2)), ``obstacles`` (a map), ``episode`` (a number). With a built-in
+            team also ``opponents``: what plays for it from now on. Other keys are ignored with a
+            warning.
 
         Returns
         -------
@@ -100,7 +101,9 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
                 raise RuntimeError("the episode has ended, or never began: call reset()")
             return {}, {}, {}, {}, {}
         acting = self.agents
-        self.world.step(self._committed(actions))
+        committed = self._committed(actions)
+        self._decide(committed, range(self.config.n_agents))
+        self.world.step(committed)
         if self._drawing is not None:
             self._drawing.note(self._actions)
         status, views = Status.of(self.world), self.world.views()

@@ -6,6 +6,7 @@ module             contents
 tournament         `tournament`: the payoff matrix of two archives
 held_out           `held_out`: opponents that no run trains against
 held_out_scores    `score`: the teams of a run against held-out opponents
+policy_scores      `score_policy`: any policy against held-out opponents
 =================  ===============================================================================
 """
 
@@ -22,6 +23,7 @@ from matrixworld.coevolution.evaluation.held_out_scores import (
     score,
     score_population,
 )
+from matrixworld.coevolution.evaluation.policy_scores import score_policy
 from matrixworld.coevolution.evaluation.tournament import tournament
 
 __all__ = [
@@ -31,6 +33,7 @@ __all__ = [
     "held_out_genomes",
     "held_out_scripts",
     "score",
+    "score_policy",
     "score_population",
     "tournament",
 ]

@@ -160,9 +160,7 @@ def score_population(
     # Rates of the opponents so far, and the statistics of one more.
     check_memory("scores", count * episodes * (EPISODE + 2 * RATE * len(opponents)))
     for number, opponent in enumerate(opponents.values()):
-        # The generation is not part of the key: all genomes play the same episodes.
-        key = (TEAMS.index(team), number, int(Phase.HELD_OUT))
-        matches = _matches(team, count, match_seed(seed, *key))
+        matches = _matches(team, count, held_out_seed(seed, team, number))
         sides = (population, opponent) if team == "pursuer" else (opponent, population)
         scores = play(config, *sides, matches, worlds=episodes, threads=threads)
         captured = np.asarray(scores.capture_rate, np.float64)
@@ -172,6 +170,12 @@ def score_population(
     return HeldOutScores(
         team, tuple(numbers), tuple(opponents), np.stack(columns, axis=1), left_out
     )
+
+
+def held_out_seed(seed: int, team: Team, number: int) -> int:
+    """Return the seed of the matches of a team against held-out opponent `number`."""
+    # The generation is not part of the key: all genomes play the same episodes.
+    return match_seed(seed, TEAMS.index(team), number, int(Phase.HELD_OUT))
 
 
 def _matches(team: Team, count: int, seed: int) -> Matches:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from matrixworld.checks import check_choice
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings.race import RaceSettings
@@ -17,6 +18,7 @@ from matrixworld.coevolution.storage.run_directory import RunDirectory
 from matrixworld.coevolution.storage.run_files import CONFIG
 from matrixworld.coevolution.types import TEAMS, Genomes, Team
 from matrixworld.episode import Episode
+from matrixworld.play import NetworkPolicy
 from matrixworld.policy import SCRIPTS, Network, Population, Script, TeamPolicy
 from matrixworld.reading import DamagedFileError
 from matrixworld.recorder import record
@@ -151,6 +153,45 @@ class SavedRun:
             evader=h,
             episode=episode,
         )
+
+    def policy(
+        self,
+        team: Team,
+        generation: int = -1,
+        *,
+        sampled: bool | None = None,
+        seed: int | None = None,
+    ) -> NetworkPolicy:
+        """Return a genome of the run as a policy that acts on observations.
+
+        Parameters
+        ----------
+        team : {"pursuer", "evader"}
+            The team.
+        generation : int, optional
+            The generation; negative numbers count from the end. The default is the last one.
+        sampled, seed : optional
+            As for `NetworkPolicy`.
+
+        Returns
+        -------
+        NetworkPolicy
+            The policy. It also plays as a built-in team of an environment, and exports its network
+            to PyTorch and ONNX.
+
+        Raises
+        ------
+        ValueError
+            If there is no such team, or a script plays for it.
+        IndexError
+            If there is no such generation.
+        """
+        check_choice("team", team, TEAMS)
+        policy = self.teams[team]
+        if isinstance(policy, str):
+            raise ValueError(f"team: expected one that learned, got {team}: {policy} plays for it")
+        genome = policy.genomes[self._generation(team, generation)]
+        return NetworkPolicy(policy.network, genome, sampled=sampled, seed=seed)
 
     def _generation(self, name: Team, index: int) -> int:
         team = self.teams[name]

@@ -1,0 +1,190 @@
+"""A genome as a policy: it acts on observations, and other libraries can run it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld.checks import check_bool
+from matrixworld.play.decide import network_actions
+from matrixworld.play.exports import onnx_model, torch_module
+from matrixworld.policy import CHANNELS, Network, Population
+
+if TYPE_CHECKING:
+    import onnx
+    import torch
+
+
+class NetworkPolicy:
+    """A policy network with its weights, to act on observations outside of the engine.
+
+    Call it with observations to get actions. `SavedRun.policy` returns one for a generation of a
+    run.
+
+    Parameters
+    ----------
+    network : Network
+        The network.
+    genome : ndarray of float32, shape (genome_size,)
+        Its weights and biases.
+    sampled : bool, optional
+        Whether actions are drawn from the probabilities, or are those with the largest one. The
+        default is what the network says.
+    seed : int, optional
+        Seed of the draws. The default is one from the operating system.
+
+    Attributes
+    ----------
+    network : Network
+        The network, with `sampled` as given.
+    genome : ndarray of float32, shape (genome_size,)
+        A copy of the weights and biases.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `Population` does.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from matrixworld import Network, NetworkPolicy, parallel_env
+    >>> network = Network(hidden=(16,), fov=5)
+    >>> policy = NetworkPolicy(network, network.initial(np.random.default_rng(0)), seed=1)
+    >>> env = parallel_env("O", rows=8, cols=8, n_pursuers=2, n_evaders=2, fov=5)
+    >>> observations, infos = env.reset(seed=0)
+    >>> actions = {agent: policy(seen) for agent, seen in observations.items()}
+    >>> policy.probabilities(np.stack(list(observations.values()))).shape
+    (4, 5)
+    """
+
+    def __init__(
+        self,
+        network: Network,
+        genome: NDArray[np.float32],
+        *,
+        sampled: bool | None = None,
+        seed: int | None = None,
+    ) -> None:
+        genomes = Population(genome, network).genomes
+        if len(genomes) != 1:
+            raise ValueError(f"genome: expected a single one, got {len(genomes)}")
+        self.genome = genomes[0].copy()
+        self.network = network
+        if sampled is not None:
+            self.network = replace(network, sampled=check_bool("sampled", sampled))
+        self._rng = np.random.default_rng(seed)
+
+    def __repr__(self) -> str:
+        """Return the network without its weights."""
+        return f"NetworkPolicy({self.network!r})"
+
+    def __call__(self, observations: ArrayLike) -> Any:
+        """Return actions for observations.
+
+        Parameters
+        ----------
+        observations : array_like of int or float
+            One observation, shape (3, fov, fov) or flattened, or any number of them, with further
+            axes in front.
+
+        Returns
+        -------
+        int, or ndarray of int64
+            The action; for several observations an array with the axes in front.
+
+        Raises
+        ------
+        ValueError
+            If the shape is another.
+        TypeError
+            If the observations are not numbers.
+        """
+        views, leading = self._views(observations)
+        units = self._rng.random(len(views), np.float32)
+        actions = network_actions(self.network, self.genome, views, units)
+        return actions.reshape(leading) if leading else int(actions[0])
+
+    def logits(self, observations: ArrayLike) -> NDArray[np.float32]:
+        """Return the outputs of the network, (..., n_actions), for observations as in a call."""
+        views, leading = self._views(observations)
+        return self.network.logits(self.genome, views).reshape(*leading, -1)
+
+    def probabilities(self, observations: ArrayLike) -> NDArray[np.float32]:
+        """Return the probability of each action: the softmax of the outputs.
+
+        Parameters
+        ----------
+        observations : array_like of int or float
+            As in a call.
+
+        Returns
+        -------
+        ndarray of float32, shape (..., n_actions)
+            They add up to 1 over the last axis. A policy that does not sample takes the largest.
+        """
+        logits = self.logits(observations)
+        weights = np.exp(logits - logits.max(axis=-1, keepdims=True))
+        return np.asarray(weights / weights.sum(axis=-1, keepdims=True))
+
+    def _views(self, observations: ArrayLike) -> tuple[NDArray[Any], tuple[int, ...]]:
+        """Return observations as (n, 3, fov, fov), and the axes in front of an observation."""
+        array = np.asarray(observations)
+        if array.dtype.kind not in "buif":
+            raise TypeError(f"observations: expected numbers, got dtype {array.dtype}")
+        view = (CHANNELS, self.network.fov, self.network.fov)
+        size = self.network.sizes[0]
+        for tail in (view, (size,)):
+            if array.shape[-len(tail) :] == tail:
+                return array.reshape(-1, *view), array.shape[: -len(tail)]
+        raise ValueError(
+            f"observations: expected shape (..., {str(view)[1:]} or (..., {size}), "
+            f"got {array.shape}"
+        )
+
+    def layers(self) -> list[tuple[NDArray[np.float32], NDArray[np.float32]]]:
+        """Return a copy of the weights (inputs, outputs) and biases (outputs,) of each layer.
+
+        An observation is flattened in its own order: channel, row, column. The activation follows
+        every layer but the last, whose outputs are the logits.
+        """
+        return [(w.copy(), b.copy()) for w, b in self.network.layers(self.genome)]
+
+    def population(self) -> Population:
+        """Return the genome as a population of one, which rollouts and environments take."""
+        return Population(self.genome, self.network)
+
+    def to_torch(self) -> torch.nn.Sequential:
+        """Return the network as a PyTorch module: observations (n, ...) to logits (n, n_actions).
+
+        Returns
+        -------
+        torch.nn.Sequential
+            Flatten, then Linear and activation in turn. Inputs are float32; the softmax of the
+            outputs are the probabilities. It can be trained further.
+
+        Raises
+        ------
+        ImportError
+            If PyTorch is not installed.
+        """
+        return torch_module(self.network, self.layers())
+
+    def to_onnx(self) -> onnx.ModelProto:
+        """Return the network as an ONNX model, for example to save with ``onnx.save``.
+
+        Returns
+        -------
+        onnx.ModelProto
+            Input ``observations``, float32 (n, 3, fov, fov); outputs ``logits`` and
+            ``probabilities``, float32 (n, n_actions). Opset 13.
+
+        Raises
+        ------
+        ImportError
+            If the package onnx is not installed.
+        """
+        return onnx_model(self.network, self.layers())

@@ -1,0 +1,121 @@
+"""Any policy is scored as ``matrixworld score`` scores the genomes of a run."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from command_line import matrixworld_command
+from matrixworld.coevolution import TEAMS, open_run, score_population, start
+from matrixworld.play import capture_rates
+from rows import config_of
+from tiny_race import tiny_race
+
+
+def genome_of(config: mw.WorldConfig, **fields: Any) -> mw.NetworkPolicy:
+    network = mw.Network.for_config(config, (6,), **fields)
+    genome = network.initial(np.random.default_rng(1), 0.5, 1.0)
+    return mw.NetworkPolicy(network, genome, seed=0)
+
+
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("name", ["O", "SB", "TO", "swarm-D"])
+def test_a_function_has_the_scores_of_the_genome_that_it_plays(name: str, team: Any) -> None:
+    config = config_of(name, obstacles=0.1, max_steps=12)
+    policy = genome_of(config, sampled=False)
+    calls = []
+
+    def play(observations: np.ndarray) -> np.ndarray:
+        calls.append(observations.shape)
+        return policy(observations)
+
+    scores = mw.score_policy(play, team, config, episodes=7, seed=3)
+    expected = score_population(config, team, policy.population(), episodes=7, seed=3)
+    assert np.array_equal(scores.rates, expected.rates)
+    assert scores.opponents == expected.opponents
+    assert scores.left_out == expected.left_out != ""
+    assert scores.mean() == expected.mean()
+    assert all(shape[1:] == (3, 5, 5) and shape[0] >= 1 for shape in calls)
+    inside = mw.score_policy(policy, team, config, episodes=7, seed=3)
+    assert np.array_equal(inside.rates, expected.rates)
+
+
+def test_a_policy_of_a_run_has_the_scores_that_the_command_prints(tmp_path: Path) -> None:
+    path = tmp_path / "race"
+    start(tiny_race(fov=11, rows=7, cols=7, hidden=(2,)), path, threads=1).run()
+    kept = tmp_path / "scores.json"
+    matrixworld_command("score", path, "--episodes", "40", "--seed", "6", "--json", kept)
+    printed = json.loads(kept.read_text())
+    run = open_run(path)
+    for team in TEAMS:
+        policy, world = run.policy(team, seed=1), run.settings.world(run.settings.eval_steps)
+        scores = mw.score_policy(policy, team, world, episodes=40, seed=6).to_json()
+        assert scores["mean"] == printed[f"{team}s"]["mean"]
+        assert scores["against"] == printed[f"{team}s"]["against"]
+        # Its own random numbers give other actions, with the same probabilities.
+        drawn = mw.score_policy(policy.__call__, team, world, episodes=40, seed=6).mean()
+        [mean] = printed[f"{team}s"]["mean"]
+        assert drawn.low < mean["high"]
+        assert mean["low"] < drawn.high
+        assert drawn.value != mean["value"]
+
+
+@pytest.mark.parametrize("name", ["R", "SDB", "TO", "swarm-SD"])
+def test_matches_outside_of_the_engine_are_the_engine_s(name: str) -> None:
+    config = config_of(name, max_steps=12)
+    evaders = genome_of(config).population()
+    for pursuers in ("hunter", "random"):
+        played = capture_rates(config, pursuers, evaders, seed=9, episodes=6)
+        matches = mw.Matches.of(0, 0, np.uint64(9))
+        expected = mw.rollout(config, pursuers, evaders, matches, worlds=6)
+        assert np.array_equal(played, expected.capture_rate[0].astype(float))
+
+
+def test_opponents_can_be_functions_and_policies() -> None:
+    config = config_of("R")
+    opponents = {"north": lambda seen: [1] * len(seen), "net": genome_of(config), "still": "still"}
+    scores = mw.score_policy(genome_of(config), "pursuer", config, opponents=opponents, episodes=3)
+    assert scores.opponents == ("north", "net", "still")
+    assert scores.rates.shape == (1, 3, 3)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ({"policy": 3}, TypeError, "policy: expected a function, a NetworkPolicy or a Population"),
+        ({"team": "both"}, ValueError, "team: expected one of pursuer, evader, got 'both'"),
+        ({"episodes": 1}, ValueError, "episodes: expected at least 2, got 1"),
+        ({"seed": -1}, ValueError, "seed: expected 0 to"),
+        ({"policy": lambda seen: 1}, ValueError, "actions of the policy: expected shape"),
+        ({"opponents": {"mad": "mad"}}, ValueError, "opponents: expected one of random"),
+        (
+            {"opponents": {"big": genome_of(mw.WorldConfig("R"))}},
+            ValueError,
+            "evaders: expected a network for fov 5 and 5 actions, got fov 11",
+        ),
+        ({"opponents": {}}, ValueError, "opponents: expected at least one, got none"),
+    ],
+)
+def test_wrong_arguments_are_refused(
+    arguments: dict[str, Any], error: type[Exception], message: str
+) -> None:
+    given = {"policy": lambda seen: [0] * len(seen), "team": "pursuer", "episodes": 2}
+    with pytest.raises(error, match=message):
+        mw.score_policy(config=config_of("R"), **{**given, **arguments})
+
+
+def test_the_package_is_imported_without_co_evolution() -> None:
+    import subprocess
+    import sys
+
+    code = (
+        "import sys, matrixworld as mw; mw.parallel_env('O', evaders='fleer'); "
+        "assert 'matrixworld.coevolution' not in sys.modules; mw.score_policy; "
+        "assert 'matrixworld.coevolution' in sys.modules; from matrixworld import score_policy"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)

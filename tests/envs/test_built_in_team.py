@@ -1,0 +1,316 @@
+"""Environments that play one team themselves: scripts, held-out genomes, champions, functions."""
+
+from __future__ import annotations
+
+import copy
+import io
+import pickle
+from contextlib import redirect_stdout
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld.coevolution import TEAMS, held_out, open_run, start
+from matrixworld.coevolution.types import other
+from matrixworld.play import MOMENT, decide
+from pettingzoo_tests import api_test, parallel_api_test, parallel_seed_test, seed_test
+from rows import CUSTOM, config_of
+from tiny_race import tiny_race
+
+TOGETHER = ["D", "R", "S", "SDB", "wall-R"]
+IN_TURNS = ["TO", "swarm-D", "swarm-SD", "agents-R", "agents-S"]
+
+
+def genome_of(config: mw.WorldConfig, seed: int, **fields: Any) -> mw.Population:
+    network = mw.Network.for_config(config, (6,), **fields)
+    return mw.Population(network.initial(np.random.default_rng(seed), 0.5, 1.0), network)
+
+
+def built_in(team: str, policy: Any) -> dict[str, Any]:
+    return {f"{team}s": policy}
+
+
+def chosen(env: Any, policy: Any, agents: list[str]) -> dict[str, int]:
+    """Return what a policy chooses for some agents, with the random numbers of a rollout."""
+    moment = {name: array[None] for name, array in env.world.read(*MOMENT).items()}
+    actions = np.zeros((1, env.config.n_agents), np.int64)
+    for agent in agents:
+        team, number = agent.split("_")
+        i = int(number) + (env.config.n_pursuers if team == "evader" else 0)
+        decide(policy, env.config, moment, range(i, i + 1), actions)
+        actions[0, i] = int(actions[0, i])
+    every = [env.config.agent_name(i) for i in range(env.config.n_agents)]
+    return {agent: int(actions[0, every.index(agent)]) for agent in agents}
+
+
+def play_parallel(env: Any, policy: Any, seed: int, episode: int) -> mw.Episode:
+    env.reset(seed=seed, options={"episode": episode})
+    while env.agents:
+        env.step(chosen(env, policy, env.agents))
+    return env.recorded
+
+
+def play_aec(env: Any, policy: Any, seed: int, episode: int) -> tuple[mw.Episode, dict[str, float]]:
+    """Return an episode, and what each agent was paid."""
+    env.reset(seed=seed, options={"episode": episode})
+    paid = dict.fromkeys(env.possible_agents, 0.0)
+    for agent in env.agent_iter():
+        _, reward, terminated, truncated, _ = env.last()
+        paid[agent] += reward
+        over = terminated or truncated
+        env.step(None if over else chosen(env, policy, [agent])[agent])
+    return env.recorded, paid
+
+
+def same(played: mw.Episode, recorded: mw.Episode) -> None:
+    for name in ("positions", "alive", "rewards", "involved", "fault", "captured"):
+        assert np.array_equal(getattr(played, name), getattr(recorded, name)), name
+
+
+# ---- The same episodes as in rollouts ----------------------------------------------------------
+
+
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("name", TOGETHER)
+def test_a_parallel_episode_is_the_engine_s(name: str, team: str) -> None:
+    config = config_of(name, obstacles=0.1)
+    for seed, (mine, theirs) in enumerate(
+        [
+            ("random", "chaser"),
+            ("clumsy-fleer", "hunter"),
+            (genome_of(config, 1), genome_of(config, 2)),
+            (genome_of(config, 3, sampled=False), "dodger"),
+        ]
+    ):
+        env = mw.parallel_env(config, record=True, **built_in(team, theirs))
+        assert [agent.split("_")[0] for agent in env.possible_agents[:1]] == [other(team)]
+        sides = (theirs, mine) if team == "pursuer" else (mine, theirs)
+        same(play_parallel(env, mine, seed, 2), mw.record(config, *sides, seed=seed, episode=2))
+
+
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("name", [*TOGETHER[::2], *IN_TURNS])
+def test_an_aec_episode_is_the_engine_s(name: str, team: str) -> None:
+    """Where the rules take turns, the built-in team sees what earlier turns did."""
+    config = config_of(name, obstacles=0.1, max_steps=10)
+    for seed, (mine, theirs) in enumerate(
+        [("random", "hunter"), (genome_of(config, 1), genome_of(config, 2))]
+    ):
+        env = mw.envs.raw_aec_env(config, record=True, **built_in(team, theirs))
+        sides = (theirs, mine) if team == "pursuer" else (mine, theirs)
+        recorded = mw.record(config, *sides, seed=seed, episode=2)
+        played, paid = play_aec(env, mine, seed, 2)
+        same(played, recorded)
+        # No reward is lost, whichever team's turn it was paid in.
+        total = recorded.rewards.sum(axis=0, dtype=np.float64)
+        for agent, reward in paid.items():
+            assert reward == pytest.approx(total[env._index[agent]], abs=1e-4)
+
+
+@pytest.mark.parametrize("team", TEAMS)
+def test_an_info_tells_of_the_agent_s_own_turn(team: str) -> None:
+    """Also where the built-in team plays the next round before it is told."""
+    config = config_of("swarm-S", obstacles=0.3)
+    env = mw.envs.raw_aec_env(config, record=True, **built_in(team, "still"))
+    env.reset(seed=1)
+    faults = 0
+    for _ in range(40):
+        agents = [env.agent_selection, *env._to_commit]
+        for _ in agents:
+            env.step(1)
+        faults += sum(env.infos[agent]["fault_obstacle"] for agent in agents)
+        if any(env.truncations.values()):
+            break
+    mine = slice(0, 6) if team == "evader" else slice(6, 8)
+    assert faults == env.recorded.fault[:, mine, 0].sum() > 0
+
+
+@pytest.mark.parametrize(("evaders", "gone"), [([[0, 1]], 1), ([[0, 1], [4, 4]], 2)])
+def test_an_agent_can_be_gone_before_its_first_turn(evaders: list[list[int]], gone: int) -> None:
+    """The built-in pursuer captures an evader in the first turn, and disappears with it."""
+    settings = {"rows": 5, "cols": 5, "n_pursuers": 1, "n_evaders": len(evaders), "fov": 5}
+    env = mw.envs.raw_aec_env(CUSTOM["swarm-D"], pursuers="chaser", record=True, **settings)
+    env.reset(seed=1, options={"pursuers": [[0, 0]], "evaders": evaders})
+    told = {}
+    for agent in env.agent_iter():
+        told[agent] = env.last(observe=False)[1:3]
+        env.step(None)
+    assert told.pop("evader_0") == (-10.0, True)
+    assert list(told.values()) == [(0.0, True)] * (gone - 1)
+    assert env.recorded.length == 1
+
+
+# ---- Conformance -------------------------------------------------------------------------------
+
+zeros_are_seen = pytest.mark.filterwarnings("ignore:Observation numpy array is all zeros")
+foreign_option = pytest.mark.filterwarnings("ignore:options. expected some of .*ignored 'options'")
+
+
+@zeros_are_seen
+@foreign_option
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("name", [*mw.VARIANTS, *CUSTOM])
+def test_pettingzoo_api(name: str, team: str) -> None:
+    settings = built_in(team, ["chaser", "random"])
+    config = config_of(name, obstacles=0.1)
+    with redirect_stdout(io.StringIO()):
+        api_test(mw.aec_env(config, **settings), num_cycles=60)
+        parallel_api_test(mw.parallel_env(config, **settings), num_cycles=60)
+        seed_test(lambda: mw.aec_env(config, **settings), num_cycles=20)
+        parallel_seed_test(lambda: mw.parallel_env(config, **settings), num_cycles=20)
+
+
+def test_only_the_other_team_has_spaces_observations_and_results() -> None:
+    env = mw.parallel_env(config_of("R"), evaders="fleer")
+    observations, infos = env.reset(seed=0)
+    assert env.possible_agents == ["pursuer_0", "pursuer_1", "pursuer_2"] == env.agents
+    assert list(observations) == list(infos) == env.agents == list(env.observation_spaces)
+    results = env.step(dict.fromkeys(env.agents, 0))
+    assert all(list(each) == ["pursuer_0", "pursuer_1", "pursuer_2"] for each in results)
+    with pytest.raises(ValueError, match=r"actions: expected names of agents, got \['evader_0'\]"):
+        env.step({**dict.fromkeys(env.agents, 0), "evader_0": 0})
+    assert env.status.positions.shape == (7, 2)
+
+
+def test_copies_go_on_in_the_same_way() -> None:
+    config = config_of("R")
+    env = mw.parallel_env(config, evaders=["random", genome_of(config, 1)])
+    env.reset(seed=3)
+    env.step(dict.fromkeys(env.agents, 1))
+    twins = copy.deepcopy(env), pickle.loads(pickle.dumps(env))  # noqa: S301
+    for _ in range(4):
+        for twin in (env, *twins):
+            twin.step(dict.fromkeys(env.agents, 2))
+    assert all(np.array_equal(twin.state(), env.state()) for twin in twins)
+
+
+# ---- What can play -----------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("runs") / "race"
+    start(tiny_race(), path, threads=1).run()
+    return path
+
+
+def test_held_out_genomes_runs_and_policies_are_opponents(run: Path) -> None:
+    saved = open_run(run)
+    config = saved.settings.world(12)
+    archive = saved.teams["evader"].genomes
+    policy = saved.policy("evader", 1)
+    for given, genomes in [
+        (str(run), archive[-1:]),
+        (run, archive[-1:]),
+        (saved, archive),
+        (saved.teams["evader"], archive),
+        (policy, archive[1:2]),
+        ([policy, run], archive[1:3]),
+    ]:
+        opponents = mw.parallel_env(config, evaders=given).opponents
+        assert np.array_equal(np.concatenate([each.genomes for each in opponents]), genomes)
+    [evolved] = mw.parallel_env("SB", pursuers="evolved-2").opponents
+    assert np.array_equal(evolved.genomes, held_out("pursuer", "SB")["evolved-2"].genomes)
+
+
+def test_a_function_gets_the_observations_of_living_agents() -> None:
+    seen = []
+
+    def north(observations: np.ndarray) -> list[int]:
+        seen.append(observations)
+        return [1] * len(observations)
+
+    env = mw.parallel_env(config_of("D", rows=5, cols=5), evaders=north, record=True)
+    env.reset(seed=0)
+    while env.agents:
+        env.step(dict.fromkeys(env.agents, 0))
+    episode = env.recorded
+    alive = episode.alive[:-1, 3:]
+    assert [len(each) for each in seen] == alive.sum(axis=1).tolist()
+    assert alive[-1].sum() < 4
+    assert (episode.actions[:, 3:][alive] == 1).all()
+    assert seen[0].dtype == np.uint8
+    assert seen[0].shape == (4, 3, 5, 5)
+
+
+@pytest.mark.parametrize(
+    ("given", "error", "message"),
+    [
+        (
+            {"evaders": "flier"},
+            ValueError,
+            "evaders: expected one of random, .*evolved-2, or a run",
+        ),
+        ({"pursuers": 3}, TypeError, "pursuers: expected the name of a script .* got 3"),
+        ({"evaders": []}, ValueError, "evaders: expected at least one opponent, got none"),
+        ({"evaders": "fleer", "pursuers": "chaser"}, ValueError, "pursuers, evaders: expected one"),
+        ({"evaders": "evolved-1", "fov": 5}, ValueError, "evaders: expected a network for fov 5"),
+        (
+            {"evaders": "evolved-1", "diagonal": True},
+            ValueError,
+            "fov 11 and 9 actions, got fov 11",
+        ),
+    ],
+)
+def test_what_cannot_play_is_refused(
+    given: dict[str, Any], error: type[Exception], message: str
+) -> None:
+    with pytest.raises(error, match=message):
+        mw.parallel_env("O", **given)
+
+
+# ---- Leagues -----------------------------------------------------------------------------------
+
+
+def test_each_episode_draws_an_opponent_by_its_seed() -> None:
+    league = ["still", "random", "fleer"]
+    env, again = (mw.parallel_env(config_of("R"), evaders=league) for _ in range(2))
+    drawn = []
+    for seed in range(300):
+        env.reset(seed=seed)
+        drawn.append(env.opponent)
+    counts = np.bincount(drawn)
+    assert len(counts) == 3
+    assert counts.min() > 70
+    for seed in (7, 3, 250):
+        again.reset(seed=seed)
+        assert again.opponent == drawn[seed]
+    again.reset(seed=5, options={"episode": 2})
+    second = again.opponent
+    again.reset(seed=5)
+    again.reset()
+    again.reset()
+    assert again.opponent == second
+
+
+def test_the_opponent_that_was_drawn_plays() -> None:
+    env = mw.parallel_env(config_of("R"), evaders=["still", "fleer"], record=True)
+    for seed in range(8):
+        env.reset(seed=seed)
+        while env.agents:
+            env.step(dict.fromkeys(env.agents, 0))
+        stayed = not env.recorded.actions[:, 3:].any()
+        assert stayed == (env.opponents[env.opponent] == "still")
+
+
+def test_a_reset_changes_the_opponents_from_then_on() -> None:
+    config = config_of("R")
+    env = mw.parallel_env(config, evaders="still")
+    env.reset(seed=0, options={"opponents": ["fleer", genome_of(config, 1)]})
+    assert env.opponents[0] == "fleer"
+    env.reset(seed=1)
+    assert len(env.opponents) == 2
+    with pytest.raises(ValueError, match="evaders: expected one of"):
+        env.reset(seed=2, options={"opponents": "nobody"})
+    with pytest.raises(ValueError, match="evaders: expected shape"):
+        env.reset(seed=2, options={"opponents": "still", "evaders": [[0, 0]]})
+    assert len(env.opponents) == 2
+    assert env.world.seed == 1
+    plain = mw.parallel_env(config)
+    assert plain.opponents == ()
+    assert plain.opponent is None
+    with pytest.warns(UserWarning, match="ignored 'opponents'"):
+        plain.reset(seed=0, options={"opponents": "still"})

@@ -1,0 +1,175 @@
+"""Genomes as policies: actions, probabilities, and the same function in other libraries."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld.coevolution import open_run, start
+from tiny_race import tiny_race, tiny_single
+
+VIEWS = (np.random.default_rng(5).random((200, 3, 5, 5)) < 0.3).astype(np.uint8)
+
+
+def policy_of(**fields: Any) -> mw.NetworkPolicy:
+    network = mw.Network(**({"hidden": (16, 8), "fov": 5} | fields))
+    genome = network.initial(np.random.default_rng(1), 0.5, 2.0)
+    biases = np.random.default_rng(2).normal(0, 0.5, genome.shape).astype(np.float32)
+    return mw.NetworkPolicy(network, genome + 0.1 * biases, seed=3)
+
+
+def test_probabilities_are_those_of_the_engine() -> None:
+    policy = policy_of(activation="tanh")
+    world = mw.World("O", rows=9, cols=9, n_pursuers=6, n_evaders=6, fov=5)
+    engine = world._core.logits(policy.network.core, policy.genome)
+    expected = np.exp(engine) / np.exp(engine).sum(axis=1, keepdims=True)
+    assert np.allclose(policy.probabilities(world.views()), expected, atol=1e-6)
+    assert np.allclose(policy.logits(world.views()), engine, atol=1e-5)
+
+
+def test_actions_are_drawn_from_the_probabilities_with_a_seed() -> None:
+    policy, again = policy_of(), policy_of()
+    seen = np.repeat(VIEWS[:1], 20_000, axis=0)
+    actions = policy(seen)
+    assert actions.dtype == np.int64
+    assert np.array_equal(actions, again(seen))
+    assert not np.array_equal(actions, policy(seen))
+    shares = np.bincount(actions, minlength=5) / len(actions)
+    assert np.allclose(shares, policy.probabilities(VIEWS[0]), atol=0.015)
+
+
+def test_a_policy_that_does_not_sample_takes_the_most_probable_action() -> None:
+    drawn = policy_of()
+    policy = mw.NetworkPolicy(drawn.network, drawn.genome, sampled=False)
+    assert np.array_equal(policy(VIEWS), policy.probabilities(VIEWS).argmax(axis=1))
+    assert not policy.network.sampled
+    assert drawn.network.sampled
+
+
+def test_observations_come_single_or_in_batches_flat_or_not_in_any_dtype() -> None:
+    policy = policy_of(sampled=False)
+    actions = policy(VIEWS)
+    one = policy(VIEWS[0])
+    assert type(one) is int
+    assert one == actions[0]
+    assert policy.probabilities(VIEWS[0]).shape == (5,)
+    for same in (
+        VIEWS.astype(np.float32),
+        VIEWS.astype(bool),
+        VIEWS.reshape(200, 75).astype(float),
+    ):
+        assert np.array_equal(policy(same), actions)
+    assert np.array_equal(policy(VIEWS.reshape(10, 20, 3, 5, 5)), actions.reshape(10, 20))
+    assert policy.logits(VIEWS.reshape(10, 20, 75)).shape == (10, 20, 5)
+    assert policy(VIEWS[:0]).shape == (0,)
+
+
+def test_wrong_observations_are_refused() -> None:
+    policy = policy_of()
+    with pytest.raises(ValueError, match=r"observations: expected shape \(..., 3, 5, 5\) or"):
+        policy(np.zeros((2, 3, 7, 7)))
+    with pytest.raises(TypeError, match="observations: expected numbers, got dtype <U1"):
+        policy(["a"])
+    with pytest.raises(ValueError, match="genome: expected a single one, got 2"):
+        mw.NetworkPolicy(policy.network, np.zeros((2, policy.network.genome_size), np.float32))
+
+
+def test_a_policy_owns_its_genome_and_can_be_copied() -> None:
+    policy = policy_of()
+    for weights, biases in policy.layers():
+        weights[:] = biases[:] = 0
+    assert policy.genome.any()
+    expected = policy_of()(VIEWS)
+    for twin in (copy.deepcopy(policy), pickle.loads(pickle.dumps(policy))):  # noqa: S301
+        assert np.array_equal(twin(VIEWS), expected)
+
+
+def test_layers_are_the_function_in_numpy() -> None:
+    policy = policy_of(activation="relu")
+    x = VIEWS.reshape(200, -1).astype(np.float32)
+    *hidden, (last, bias) = policy.layers()
+    for weights, biases in hidden:
+        x = np.maximum(x @ weights + biases, 0)
+    assert np.allclose(x @ last + bias, policy.logits(VIEWS), atol=1e-6)
+
+
+@pytest.mark.parametrize("hidden", [(), (16,), (16, 8)])
+@pytest.mark.parametrize("activation", ["relu", "tanh"])
+def test_pytorch_has_the_same_probabilities(hidden: tuple[int, ...], activation: str) -> None:
+    torch = pytest.importorskip("torch", reason="PyTorch is not installed")
+    policy = policy_of(hidden=hidden, activation=activation)
+    module = policy.to_torch()
+    assert isinstance(module, torch.nn.Sequential)
+    with torch.no_grad():
+        logits = module(torch.from_numpy(VIEWS).float())
+    probabilities = torch.softmax(logits, dim=1).numpy()
+    assert np.abs(probabilities - policy.probabilities(VIEWS)).max() < 1e-6
+    assert all(parameter.requires_grad for parameter in module.parameters())
+
+
+@pytest.mark.parametrize("hidden", [(), (16,), (16, 8)])
+@pytest.mark.parametrize("activation", ["relu", "tanh"])
+def test_onnx_has_the_same_probabilities(
+    hidden: tuple[int, ...], activation: str, tmp_path: Path
+) -> None:
+    onnx = pytest.importorskip("onnx", reason="the package onnx is not installed")
+    from onnx.reference import ReferenceEvaluator
+
+    policy = policy_of(hidden=hidden, activation=activation)
+    path = tmp_path / "policy.onnx"
+    onnx.save(policy.to_onnx(), path)
+    inputs = {"observations": VIEWS.astype(np.float32)}
+    logits, probabilities = ReferenceEvaluator(str(path)).run(None, inputs)
+    assert np.abs(logits - policy.logits(VIEWS)).max() < 1e-5
+    assert np.abs(probabilities - policy.probabilities(VIEWS)).max() < 1e-6
+
+
+def test_onnxruntime_has_the_same_probabilities() -> None:
+    pytest.importorskip("onnx", reason="the package onnx is not installed")
+    runtime = pytest.importorskip("onnxruntime", reason="onnxruntime is not installed")
+    policy = policy_of(activation="tanh")
+    session = runtime.InferenceSession(policy.to_onnx().SerializeToString())
+    for n in (1, 200):
+        inputs = {"observations": VIEWS[:n].astype(np.float32)}
+        [probabilities] = session.run(["probabilities"], inputs)
+        assert np.abs(probabilities - policy.probabilities(VIEWS[:n])).max() < 1e-6
+
+
+@pytest.mark.parametrize(("method", "package"), [("to_torch", "torch"), ("to_onnx", "onnx")])
+def test_a_missing_library_is_named(
+    method: str, package: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(__import__("sys").modules, package, None)
+    with pytest.raises(ImportError, match=f"{method}: expected .* pip install {package}"):
+        getattr(policy_of(), method)()
+
+
+# ---- Policies of saved runs --------------------------------------------------------------------
+
+
+def test_a_generation_of_a_run_plays_in_an_environment(tmp_path: Path) -> None:
+    start(tiny_race(), tmp_path / "race", threads=1).run()
+    run = open_run(tmp_path / "race")
+    policy = run.policy("pursuer", -1, seed=0)
+    assert np.array_equal(policy.genome, run.teams["pursuer"].genomes[-1])
+    assert np.array_equal(run.policy("pursuer", 0).genome, run.teams["pursuer"].genomes[0])
+    env = mw.parallel_env(run.settings.world(12))
+    observations, _ = env.reset(seed=0)
+    while env.agents:
+        observations, *_ = env.step({agent: policy(observations[agent]) for agent in env.agents})
+    with pytest.raises(IndexError, match="pursuer: expected a generation from 0 to 2, got 9"):
+        run.policy("pursuer", 9)
+    with pytest.raises(ValueError, match="team: expected one of pursuer, evader, got 'both'"):
+        run.policy("both")
+
+
+def test_a_scripted_team_has_no_policy(tmp_path: Path) -> None:
+    start(tiny_single(team="pursuer", against="random"), tmp_path / "run", threads=1).run()
+    with pytest.raises(ValueError, match="team: expected one that learned, got evader: random"):
+        open_run(tmp_path / "run").policy("evader")

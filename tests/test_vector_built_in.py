@@ -1,0 +1,253 @@
+"""Vector environments that play one team themselves."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.vector import AutoresetMode
+from gymnasium.wrappers.vector import RecordEpisodeStatistics
+
+import matrixworld as mw
+from matrixworld.coevolution.types import other
+from matrixworld.play import decide
+from rows import config_of, random_actions
+
+TEAMS = ("pursuer", "evader")
+MODES = list(AutoresetMode)
+
+
+def genome_of(config: mw.WorldConfig, seed: int, **fields: Any) -> mw.Population:
+    network = mw.Network.for_config(config, (6,), **fields)
+    return mw.Population(network.initial(np.random.default_rng(seed), 0.5, 1.0), network)
+
+
+def chosen(envs: mw.VectorEnv, policy: Any) -> np.ndarray:
+    """Return what a policy chooses for the caller's team, with the random numbers of a rollout."""
+    actions = np.zeros((envs.n_worlds, envs.config.n_agents), np.int64)
+    decide(policy, envs.config, envs._built_in._moment, envs.agents, actions)
+    return actions[:, envs.agents.start : envs.agents.stop]
+
+
+@pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("name", ["R", "S"])
+def test_episodes_are_those_of_rollouts(name: str, team: str, mode: AutoresetMode) -> None:
+    config = config_of(name, obstacles=0.1, max_steps=12)
+    for mine, theirs in [
+        ("clumsy-chaser", "hunter"),
+        (genome_of(config, 1), genome_of(config, 2)),
+        ("random", genome_of(config, 3, sampled=False)),
+    ]:
+        envs = mw.VectorEnv(config, 4, autoreset_mode=mode, **{f"{team}s": theirs})
+        sides = (theirs, mine) if team == "pursuer" else (mine, theirs)
+        matches = mw.Matches.of(0, 0, np.arange(30, 34))
+        expected = mw.rollout(config, *sides, matches, worlds=3)
+        _, infos = envs.reset(seed=30)
+        played = np.zeros(4, int)
+        while (played < 3).any():
+            _, _, _, _, infos = envs.step(chosen(envs, mine))
+            for world in infos["_episode"].nonzero()[0]:
+                if played[world] < 3:
+                    episode = infos["episode"]
+                    match = world, played[world]
+                    assert episode["length"][world] == expected.length[match]
+                    assert episode["capture_rate"][world] == expected.capture_rate[match]
+                    assert episode["return"][world][0] == expected.pursuer_return[match]
+                    assert (episode["faults"][world] == expected.faults[match]).all()
+                played[world] += 1
+            if mode is AutoresetMode.DISABLED and infos["_episode"].any():
+                envs.reset(options={"reset_mask": infos["_episode"]})
+
+
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("name", ["TO", "swarm-S", "D"])
+def test_worlds_are_those_of_parallel_environments(name: str, team: str) -> None:
+    """Also where the rules take turns: all agents choose before the round."""
+    config = config_of(name, obstacles=0.1)
+    settings = {f"{team}s": ["hunter", "random"]}
+    envs = mw.VectorEnv(config, 3, autoreset_mode="Disabled", **settings)
+    singles = [mw.parallel_env(config, **settings) for _ in range(3)]
+    seen, infos = envs.reset(seed=8)
+    for world, single in enumerate(singles):
+        single.reset(seed=8 + world)
+        assert infos["opponent"][world] == single.opponent
+    for actions in random_actions(1, 5, 12, 3, len(envs.agents)):
+        running = [bool(single.agents) for single in singles]
+        seen, rewards, *_ = envs.step(actions)
+        for world in np.flatnonzero(running):
+            single = singles[world]
+            row = dict(zip(single.possible_agents, actions[world].tolist(), strict=True))
+            observations, paid, *_ = single.step({a: row[a] for a in single.agents})
+            for agent, reward in paid.items():
+                place = single.possible_agents.index(agent)
+                assert reward == rewards[world, place]
+                assert np.array_equal(observations[agent], seen[world, place])
+
+
+@pytest.mark.parametrize("copy", [True, False])
+@pytest.mark.parametrize("team", TEAMS)
+def test_arrays_are_those_of_the_other_team(team: str, copy: bool) -> None:
+    config = config_of("D", max_steps=6)
+    settings = {"copy": copy, "action_mask": True, "autoreset_mode": "SameStep"}
+    envs = mw.VectorEnv(config, 2, flatten=True, **settings, **{f"{team}s": "still"})
+    n = len(envs.agents)
+    assert n == (4 if team == "pursuer" else 3)
+    assert envs.single_action_space.shape == (n,)
+    assert envs.observation_space.shape == (2, n, 75) == envs.observations.shape
+    mine, theirs = (getattr(envs, f"{each}s") for each in (other(team), team))
+    assert mine.size == n
+    assert theirs.size == 0
+    assert np.shares_memory(mine.actions, envs.actions)
+    assert np.shares_memory(mine.observations, envs.observations)
+    seen, infos = envs.reset(seed=1)
+    assert seen.shape == (2, n, 75)
+    for _ in range(7):
+        seen, rewards, terminations, truncations, infos = envs.step(
+            envs.action_space.sample() if copy else None
+        )
+        assert rewards.shape == terminations.shape == truncations.shape == (2, n)
+        for key in ("alive", "acted", "cost", "fault", "positions", "final_obs", "action_mask"):
+            assert infos[key].shape[:2] == (2, n), key
+        assert "state" not in infos
+    whole = mw.VectorEnv(config, 2, state=True, **{f"{team}s": "still"})
+    assert whole.reset(seed=0)[1]["state"].shape == (2, 3, 7, 6)
+    with pytest.raises(ValueError, match=rf"actions: expected shape \(2, {n}\), got \(2, 7\)"):
+        envs.step(np.zeros((2, 7), int))
+    with pytest.raises(TypeError, match="actions: expected integers"):
+        envs.step(np.zeros((2, n)))
+
+
+def test_a_league_changes_from_episode_to_episode() -> None:
+    """Opponents that are set play from the next episodes on; the present ones go on."""
+    config = config_of("R", max_steps=5)
+    envs = mw.VectorEnv(config, 40, evaders=["still", "fleer", "random"])
+    _, infos = envs.reset(seed=0)
+    first = infos["opponent"].copy()
+    assert set(first) == {0, 1, 2}
+    envs.opponents = ["still"]
+    envs.opponents = [*envs.opponents, lambda seen: np.ones(len(seen), int)]
+    assert len(envs.opponents) == 2
+    begun = np.zeros(40, bool)
+    for _ in range(4):
+        *_, infos = envs.step(np.zeros((40, 3), int))
+        assert (infos["opponent"] == first).all()
+        assert not begun.any()
+    *_, infos = envs.step(np.zeros((40, 3), int))
+    ended = infos["_episode"]
+    assert (infos["episode"]["opponent"] == first)[ended].all()
+    *_, infos = envs.step(np.zeros((40, 3), int))
+    assert set(infos["opponent"][ended]) == {0, 1}
+    assert (
+        infos["opponent"]
+        == mw.VectorEnv(config, 40, evaders=["still", "random"]).reset(
+            seed=0, options={"episode": 1}
+        )[1]["opponent"]
+    )[ended].all()
+    envs.reset(seed=4, options={"opponents": "fleer"})
+    assert envs.opponents == ("fleer",)
+
+
+def test_the_same_seed_gives_the_same_episodes() -> None:
+    config = config_of("R", obstacles=0.2)
+    league = ["clumsy-fleer", genome_of(config, 5), "dodger"]
+    first_world = []
+    for n_worlds in (1, 6):
+        envs = mw.VectorEnv(config, n_worlds, evaders=league)
+        rewards = []
+        for _ in range(2):
+            envs.reset(seed=3)
+            actions = random_actions(2, 5, 30, 6, 3)[:, :n_worlds]
+            rewards.append(np.stack([envs.step(row)[1] for row in actions]))
+        assert np.array_equal(*rewards)
+        first_world.append(rewards[0][:, 0])
+    assert np.array_equal(*first_world)
+
+
+def test_a_refused_reset_changes_nothing() -> None:
+    envs = mw.VectorEnv(config_of("R"), 2, evaders="still")
+    envs.reset(seed=3)
+    state = envs.world(0).state()
+    for options in (
+        {"opponents": "nobody"},
+        {"opponents": "fleer", "evaders": [[0, 0]]},
+        {"foe": 1},
+    ):
+        with pytest.raises(ValueError, match="evaders: expected|options: expected"):
+            envs.reset(seed=4, options=options)
+    assert envs.opponents == ("still",)
+    assert np.array_equal(envs.world(0).state(), state)
+    plain = mw.VectorEnv(config_of("R"), 2)
+    with pytest.raises(ValueError, match="options: expected some of"):
+        plain.reset(options={"opponents": "still"})
+    with pytest.raises(ValueError, match="opponents: expected an environment that plays a team"):
+        plain.opponents = "still"
+    assert plain.opponents == ()
+
+
+def test_an_illegal_action_changes_nothing() -> None:
+    envs = mw.VectorEnv(config_of("R"), 2, evaders="random")
+    envs.reset(seed=3)
+    state = envs.world(1).state()
+    with pytest.raises(ValueError, match=r"actions: expected 0 to 4, got 9 \(world 1, agent 2\)"):
+        envs.step([[0, 0, 0], [0, 0, 9]])
+    assert np.array_equal(envs.world(1).state(), state)
+
+
+# ---- Agents as sub-environments ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("n_worlds", [1, 3])
+@pytest.mark.parametrize("team", TEAMS)
+def test_agents_of_the_other_team_are_sub_environments(team: str, n_worlds: int) -> None:
+    config = config_of("D", max_steps=7)
+    worlds, twin = (mw.VectorEnv(config, n_worlds, **{f"{team}s": "hunter"}) for _ in range(2))
+    envs = RecordEpisodeStatistics(mw.AgentVectorEnv(worlds))
+    n = len(worlds.agents)
+    assert envs.num_envs == n_worlds * n
+    seen, _ = envs.reset(seed=2)
+    whole, _ = twin.reset(seed=2)
+    ended = 0
+    for actions in random_actions(4, 5, 20, n_worlds * n):
+        assert np.array_equal(seen, whole.reshape(seen.shape))
+        seen, rewards, _, _, infos = envs.step(actions)
+        whole, expected, *_ = twin.step(actions.reshape(n_worlds, n))
+        assert np.array_equal(rewards, expected.reshape(-1))
+        ended += int(infos.get("_episode", np.zeros(1)).sum())
+    assert ended >= n_worlds * n
+    mine = mw.AgentVectorEnv(mw.VectorEnv(config, 1, **{f"{team}s": "hunter"}), other(team))
+    assert mine.num_envs == n
+    with pytest.raises(ValueError, match="team: expected the one that the caller plays, got"):
+        mw.AgentVectorEnv(worlds, team)
+
+
+def test_gymnasium_makes_them() -> None:
+    envs = gymnasium.make_vec("matrixworld/pursuit_evasion_o_v0", num_envs=2, evaders="evolved-2")
+    seen, infos = envs.reset(seed=0)
+    assert seen.shape == (2, 8, 3, 11, 11)
+    assert infos["opponent"].tolist() == [0, 0]
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_functions_are_asked_for_agents_that_act_only(mode: AutoresetMode) -> None:
+    asked = []
+
+    class Still(list):  # iterable, as modules of PyTorch can be
+        def __call__(self, seen: np.ndarray) -> np.ndarray:
+            asked.append(len(seen))
+            return np.zeros(len(seen), int)
+
+    config = config_of("D", max_steps=6)
+    envs, both = (
+        mw.VectorEnv(config, 5, autoreset_mode=mode, evaders=Still()),
+        mw.VectorEnv(config, 5, autoreset_mode=mode),
+    )
+    envs.reset(seed=1)
+    both.reset(seed=1)
+    for actions in random_actions(4, 5, 20, 5, 3):
+        before = sum(asked)
+        envs.step(actions)
+        *_, infos = both.step(np.concatenate([actions, np.zeros((5, 4), int)], axis=1))
+        assert sum(asked) - before == infos["acted"][:, 3:].sum()
