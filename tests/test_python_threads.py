@@ -25,6 +25,9 @@ def busy_batch() -> mw.Batch:
 CALLS: dict[str, Callable[[mw.Batch], object]] = {
     "step": lambda batch: batch.step(np.zeros((40, 38), np.uint8)),
     "reset": lambda batch: batch.reset(0),
+    "decide": lambda batch: batch.decide(
+        ["hunter"], np.zeros(40, np.int32), range(8), np.zeros((40, 38), np.int64)
+    ),
     "world": lambda batch: batch.world(0),
 }
 

@@ -12,7 +12,6 @@ from gymnasium.wrappers.vector import RecordEpisodeStatistics
 
 import matrixworld as mw
 from matrixworld.coevolution.types import other
-from matrixworld.play import decide
 from rows import config_of, random_actions
 
 TEAMS = ("pursuer", "evader")
@@ -27,7 +26,7 @@ def genome_of(config: mw.WorldConfig, seed: int, **fields: Any) -> mw.Population
 def chosen(envs: mw.VectorEnv, policy: Any) -> np.ndarray:
     """Return what a policy chooses for the caller's team, with the random numbers of a rollout."""
     actions = np.zeros((envs.n_worlds, envs.config.n_agents), np.int64)
-    decide(policy, envs.config, envs._built_in._moment, envs.agents, actions)
+    envs._batch.decide([policy], np.zeros(envs.n_worlds, int), envs.agents, actions)
     return actions[:, envs.agents.start : envs.agents.stop]
 
 

@@ -68,6 +68,27 @@ void with_integers(const std::string& name, const py::array& given, const Shape&
                          text(array.dtype()));
 }
 
+inline void require_index(const char* name, std::int32_t index, int n) {
+    if (index >= 0 && index < n) return;
+    throw py::value_error(std::string(name) + ": expected 0 to " + std::to_string(n - 1) +
+                          ", got " + std::to_string(index));
+}
+
+// The memory of an array that the engine writes to. Nothing may be converted here: a converted copy
+// would be written to instead of the caller's array.
+inline void* writeable(const std::string& name, const py::array& array, const Shape& shape) {
+    require_shape(name, array, shape);
+    if (!(array.flags() & py::array::c_style) || !array.writeable()) {
+        throw py::value_error(name + ": expected a writeable C-contiguous array");
+    }
+    return const_cast<void*>(array.data());
+}
+
+inline std::int64_t* writeable_actions(const py::array& array, const Shape& shape) {
+    require_dtype("actions", array, py::dtype::of<std::int64_t>());
+    return static_cast<std::int64_t*>(writeable("actions", array, shape));
+}
+
 // A map of obstacles, (rows, cols) uint8; None gives an empty one.
 inline ByteArray to_map(const py::object& map) {
     if (map.is_none()) return {};

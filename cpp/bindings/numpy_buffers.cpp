@@ -48,8 +48,7 @@ const OutputField* find_in(const Tables& tables, const std::string& name) {
                           py::str(py::list(arrays)).cast<std::string>());
 }
 
-// The memory of one array, after all checks. Nothing may be converted here: a converted copy would
-// be written to instead of the caller's array.
+// The memory of one array, after all checks.
 void add_array(const OutputField& field, const Config& config, const Shape& leading,
                const py::handle& given, Buffers& buffers) {
     if (!py::isinstance<py::array>(given)) {
@@ -60,11 +59,8 @@ void add_array(const OutputField& field, const Config& config, const Shape& lead
     // Views are the one kind of field with a choice of dtypes.
     const bool floats = field.write_floats && array.dtype().is(py::dtype::of<float>());
     if (!floats) require_dtype(field.name, array, numpy_dtype(field.dtype));
-    require_shape(field.name, array, shape_of(field, config, leading));
-    if (!(array.flags() & py::array::c_style) || !array.writeable()) {
-        throw py::value_error(field.name + ": expected a writeable C-contiguous array");
-    }
-    buffers.add(field, config, const_cast<void*>(array.data()), floats);
+    void* const data = writeable(field.name, array, shape_of(field, config, leading));
+    buffers.add(field, config, data, floats);
 }
 
 // Goes through the caller's arrays, not through the table: reading a single array of a world, which

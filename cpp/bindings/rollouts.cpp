@@ -1,10 +1,10 @@
 // Networks, rollouts and recorded episodes for Python.
 #include <pybind11/stl.h>
 
-#include <optional>
 #include <string>
 
 #include "bindings/bindings.hpp"
+#include "bindings/candidates.hpp"
 #include "bindings/numpy_arrays.hpp"
 #include "bindings/numpy_buffers.hpp"
 #include "bindings/signals.hpp"
@@ -14,13 +14,6 @@ namespace matrixworld {
 
 namespace {
 
-std::string script_names() {
-    std::string names;
-    for (const Script& script : scripts())
-        names += (names.empty() ? "" : ", ") + std::string(script.name);
-    return names;
-}
-
 // Python names activations; the engine's None is not among them, it is for the last layer.
 Network make_network(int fov, const std::vector<int>& hidden, int n_actions,
                      const std::string& activation, bool sampled) {
@@ -29,49 +22,6 @@ Network make_network(int fov, const std::vector<int>& hidden, int n_actions,
     }
     return Network(fov, hidden, n_actions,
                    activation == "relu" ? Activation::Relu : Activation::Tanh, sampled);
-}
-
-// Candidates and the Python array that owns the memory of their genomes.
-struct HeldCandidates {
-    Candidates candidates;
-    Array<float> genomes;
-};
-
-// From a script's name, or from (Network, genomes (n, genome_size) float32).
-HeldCandidates to_candidates(const char* team, const py::object& given, const Config& config) {
-    HeldCandidates held;
-    if (py::isinstance<py::str>(given)) {
-        const auto name = given.cast<std::string>();
-        held.candidates.script = find_script(name);
-        if (!held.candidates.script) {
-            throw py::value_error(std::string(team) + ": expected one of " + script_names() +
-                                  ", got '" + name + "'");
-        }
-        return held;
-    }
-    const auto pair = given.cast<std::pair<Network, Array<float>>>();
-    const Network& network = pair.first;
-    held.genomes = pair.second;
-    if (network.fov != config.fov || network.n_actions() != config.n_actions()) {
-        throw py::value_error(std::string(team) + ": expected a network for fov " +
-                              std::to_string(config.fov) + " and " +
-                              std::to_string(config.n_actions()) + " actions, got fov " +
-                              std::to_string(network.fov) + " and " +
-                              std::to_string(network.n_actions()) + " actions");
-    }
-    // The number of genomes is free, the rest of the shape is not.
-    const py::ssize_t n = held.genomes.ndim() > 0 ? held.genomes.shape(0) : 0;
-    require_shape(std::string(team) + " genomes", held.genomes, {n, network.genome_size()});
-    held.candidates.network = network;
-    held.candidates.genomes = held.genomes.data();
-    held.candidates.n = static_cast<int>(n);
-    return held;
-}
-
-void require_index(const char* name, std::int32_t index, int n) {
-    if (index >= 0 && index < n) return;
-    throw py::value_error(std::string(name) + ": expected 0 to " + std::to_string(n - 1) +
-                          ", got " + std::to_string(index));
 }
 
 // One statistic of all episodes, (M, W, ...).

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "bindings/bindings.hpp"
+#include "bindings/candidates.hpp"
 #include "bindings/numpy_arrays.hpp"
 #include "bindings/numpy_buffers.hpp"
 #include "bindings/one_caller.hpp"
@@ -104,6 +105,17 @@ class SingleWorld {
         if (++turn_ < world_.n_turns()) return;
         world_.end_round();
         turn_ = 0;
+    }
+
+    // Writes the actions that a policy chooses now for living agents of one team.
+    void decide(const py::object& policy, int first, int last, const py::array& actions) const {
+        const Config& config = setup_->config;
+        const HeldCandidates held = to_policy("policy", policy, config);
+        require_agents(first, last, config);
+        std::int64_t* const out = writeable_actions(actions, {config.n_agents()});
+        if (world_.over()) return;
+        LoadedPolicy loaded(held.candidates, *setup_);
+        loaded.load(0).decide(world_, scratch_.occupancy, first, last, out);
     }
 
     int turn() const { return turn_; }
@@ -264,6 +276,31 @@ class BufferedBatch {
         });
     }
 
+    // Policies are candidates of one genome, or None where something else decides.
+    void decide(const py::list& policies, const Array<std::int32_t>& chosen, int first, int last,
+                const py::array& actions) {
+        const InUse::Call call(in_use_);
+        const Config& config = batch_.setup().config;
+        const int n = batch_.n_worlds();
+        std::vector<HeldCandidates> held;
+        std::vector<Candidates> candidates;
+        for (const py::handle given : policies) {
+            const auto policy = py::reinterpret_borrow<py::object>(given);
+            held.push_back(policy.is_none() ? HeldCandidates{}
+                                            : to_policy("policies", policy, config));
+            candidates.push_back(held.back().candidates);
+        }
+        require_shape("chosen", chosen, {n});
+        const std::vector<std::int32_t> numbers(chosen.data(), chosen.data() + n);
+        for (const std::int32_t number : numbers) {
+            require_index("chosen", number, static_cast<int>(candidates.size()));
+        }
+        require_agents(first, last, config);
+        std::int64_t* const out = writeable_actions(actions, {n, config.n_agents()});
+        const py::gil_scoped_release release;
+        batch_.decide(candidates, numbers, first, last, out);
+    }
+
     // Between two steps no round is in progress: the next turn is turn 0.
     py::dict snapshot(int w) {
         const InUse::Call call(in_use_);
@@ -285,6 +322,8 @@ void bind_worlds(py::module_& m) {
              py::arg("pursuers"), py::arg("evaders"), py::arg("map"))
         .def("step", locked(&SingleWorld::step), py::arg("actions"), py::arg("explain"))
         .def("play_turn", locked(&SingleWorld::play_turn), py::arg("actions"), py::arg("explain"))
+        .def("decide", locked(&SingleWorld::decide), py::arg("policy"), py::arg("first"),
+             py::arg("last"), py::arg("actions"))
         .def("turn", locked(&SingleWorld::turn))
         .def("n_turns", locked(&SingleWorld::n_turns))
         .def("actors", locked(&SingleWorld::actors))
@@ -301,6 +340,8 @@ void bind_worlds(py::module_& m) {
         .def("reset", &BufferedBatch::reset, py::arg("seeds"), py::arg("episode"), py::arg("mask"),
              py::arg("pursuers"), py::arg("evaders"), py::arg("map"))
         .def("step", &BufferedBatch::step, py::arg("actions"))
+        .def("decide", &BufferedBatch::decide, py::arg("policies"), py::arg("chosen").noconvert(),
+             py::arg("first"), py::arg("last"), py::arg("actions"))
         .def("snapshot", &BufferedBatch::snapshot, py::arg("world"));
 }
 

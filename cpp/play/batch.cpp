@@ -1,6 +1,7 @@
 #include "play/batch.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace matrixworld {
 
@@ -51,14 +52,49 @@ void Batch::reset(const std::uint64_t* seeds, std::uint64_t episode, const std::
     for_each_world([&](World& world, std::size_t w, Workspace& workspace) {
         if (mask && !mask[w]) return;
         const EpisodeKey key = seeds ? EpisodeKey{seeds[w], episode} : next_episode(world);
-        begin(world, w, key, workspace.scratch, placement(w));
+        Scratch& scratch = *workspace.scratch;
+        begin(world, w, key, scratch, placement(w));
         OutputSource& source = workspace.source;
-        source.look_at(world, workspace.scratch.occupancy);
+        source.look_at(world, scratch.occupancy);
         source.acts = source.ended = false;  // a reset is no step
         for (const Written when : {Written::StepStart, Written::Step, Written::Moment}) {
             buffers.write(when, source, w);
         }
-        world.leave(workspace.scratch);
+        world.leave(scratch);
+    });
+}
+
+void Batch::decide(const std::vector<Candidates>& policies, const std::vector<std::int32_t>& chosen,
+                   int first, int last, std::int64_t* actions) {
+    std::vector<std::size_t> acting;
+    for (std::size_t w = 0; w < worlds_.size(); ++w) {
+        const Candidates& policy = policies[chosen[w]];
+        if (!worlds_[w].over() && (policy.network || policy.script)) acting.push_back(w);
+    }
+    // Worlds with the same policy follow each other, so that a thread seldom loads another one.
+    std::stable_sort(acting.begin(), acting.end(),
+                     [&](std::size_t v, std::size_t w) { return chosen[v] < chosen[w]; });
+    struct Memory {
+        int policy = -1;
+        std::optional<LoadedPolicy> loaded;
+    };
+    std::vector<Memory> memories(workspaces_.size());
+    const auto n = static_cast<std::int64_t>(acting.size());
+    workers_.run((n + kWorldsPerPiece - 1) / kWorldsPerPiece, [&](std::int64_t piece, int thread) {
+        auto& [policy, loaded] = memories[thread];
+        workspaces_[thread]->serve_networks(*setup_);
+        Scratch& scratch = *workspaces_[thread]->scratch;
+        const std::int64_t end = std::min((piece + 1) * kWorldsPerPiece, n);
+        for (std::int64_t i = piece * kWorldsPerPiece; i < end; ++i) {
+            const std::size_t w = acting[i];
+            if (policy != chosen[w]) loaded.emplace(policies[chosen[w]], *setup_);
+            policy = chosen[w];
+            Policy& decider = loaded->load(0);
+            worlds_[w].enter(scratch);
+            decider.decide(worlds_[w], scratch.occupancy, first, last,
+                           actions + w * setup_->config.n_agents());
+            worlds_[w].leave(scratch);
+        }
     });
 }
 
@@ -75,7 +111,7 @@ void Batch::play(const Buffers& buffers) {
 }
 
 void Batch::play(World& world, std::size_t w, Workspace& workspace, const Buffers& buffers) {
-    Scratch& scratch = workspace.scratch;
+    Scratch& scratch = *workspace.scratch;
     OutputSource& source = workspace.source;
     const bool was_over = world.over();
     source.look_at(world, scratch.occupancy);

@@ -13,6 +13,7 @@
 #include "game/world.hpp"
 #include "play/buffers.hpp"
 #include "play/episode_statistics.hpp"
+#include "play/policy.hpp"
 #include "play/threads.hpp"
 
 namespace matrixworld {
@@ -81,20 +82,36 @@ class Batch {
         play(buffers);
     }
 
+    // Writes the actions that policies[chosen[w]] chooses for the living agents [first, last) of
+    // world w, which belong to one team, into actions (W, A). A world stays as it is; its actions do,
+    // too, if it is over or its policy has neither network nor script.
+    void decide(const std::vector<Candidates>& policies, const std::vector<std::int32_t>& chosen,
+                int first, int last, std::int64_t* actions);
+
     int n_worlds() const { return static_cast<int>(worlds_.size()); }
     const Setup& setup() const { return *setup_; }
 
     // The state of world w, from which another world can go on.
-    Snapshot snapshot(int w) const { return worlds_[w].snapshot(workspaces_[0]->scratch); }
+    Snapshot snapshot(int w) const { return worlds_[w].snapshot(*workspaces_[0]->scratch); }
 
   private:
     // The memory of one thread. Worlds enter it one after the other to be played and written.
     struct Workspace {
-        explicit Workspace(const Setup& setup) : scratch(setup, false), observer(setup) {
+        explicit Workspace(const Setup& setup)
+            : scratch(std::make_unique<Scratch>(setup, false)), observer(setup) {
             source.observer = &observer;
         }
 
-        Scratch scratch;
+        // Brings into the scratch what networks read. Keeping it costs time in each step, so a batch
+        // that never decides does without.
+        void serve_networks(const Setup& setup) {
+            if (serves_networks) return;
+            scratch = std::make_unique<Scratch>(setup);
+            serves_networks = true;
+        }
+
+        std::unique_ptr<Scratch> scratch;
+        bool serves_networks = false;
         Observer observer;
         OutputSource source;
     };

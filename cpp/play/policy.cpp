@@ -8,8 +8,8 @@ constexpr int kAgentsPerBlock = 2 * kDrawsPerBlock;  // 32 bits of a block for e
 
 }  // namespace
 
-void Policy::decide(const World& world, const Occupancy& occupancy, int first, int last,
-                    std::vector<std::uint8_t>& actions) {
+// Lists the living agents and their draws.
+void Policy::draw(const World& world, int first, int last) {
     const auto room = static_cast<std::size_t>(last - first);
     agents_.resize(room);
     draws_.resize(room);
@@ -32,9 +32,6 @@ void Policy::decide(const World& world, const Occupancy& occupancy, int first, i
     agents_.resize(n);
     draws_.resize(n);
     chosen_.resize(n);
-    if (n == 0) return;
-    choose(world, occupancy);
-    for (std::size_t i = 0; i < n; ++i) actions[agents_[i]] = chosen_[i];
 }
 
 void NetworkPolicy::choose(const World& world, const Occupancy& occupancy) {
@@ -86,6 +83,25 @@ int ScriptedPolicy::walk_on(const World& world, int agent) const {
     const int stride = world.steps() / script_.stride;
     const Block block = world.key().block(Purpose::Walk, agent, stride);
     return 1 + below(block[0], world.config().n_actions() - 1);
+}
+
+LoadedPolicy::LoadedPolicy(const Candidates& candidates, const Setup& setup)
+    : candidates_(&candidates) {
+    if (candidates.network) {
+        auto policy = std::make_unique<NetworkPolicy>(*candidates.network, setup.grid);
+        network_ = policy.get();
+        policy_ = std::move(policy);
+    } else {
+        policy_ = std::make_unique<ScriptedPolicy>(*candidates.script, setup.config.fov);
+    }
+}
+
+Policy& LoadedPolicy::load(int candidate) {
+    if (network_ && candidate != loaded_) {
+        network_->load(candidates_->genomes + candidate * candidates_->network->genome_size());
+        loaded_ = candidate;
+    }
+    return *policy_;
 }
 
 }  // namespace matrixworld

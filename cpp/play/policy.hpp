@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "game/world.hpp"
@@ -15,8 +17,14 @@ class Policy {
     virtual ~Policy() = default;
 
     // Writes actions[agent] for the living agents in [first, last), which belong to one team.
+    template <typename Integer>
     void decide(const World& world, const Occupancy& occupancy, int first, int last,
-                std::vector<std::uint8_t>& actions);
+                Integer* actions) {
+        draw(world, first, last);
+        if (agents_.empty()) return;
+        choose(world, occupancy);
+        for (std::size_t i = 0; i < agents_.size(); ++i) actions[agents_[i]] = chosen_[i];
+    }
 
   protected:
     // Writes chosen_[i] for each agents_[i]. Called once for all agents of a turn, not once for each,
@@ -26,6 +34,9 @@ class Policy {
     std::vector<int> agents_;           // the living agents that act, ascending
     std::vector<std::uint32_t> draws_;  // by agent that acts: 32 random bits
     std::vector<std::uint8_t> chosen_;  // by agent that acts: its action
+
+  private:
+    void draw(const World& world, int first, int last);
 };
 
 class NetworkPolicy : public Policy {
@@ -53,6 +64,29 @@ class ScriptedPolicy : public Policy {
     const Script& script_;
     Sight sight_;
     Offsets goals_;  // of the agent that decides
+};
+
+// One team's candidates: n genomes of one network, or one script.
+struct Candidates {
+    std::optional<Network> network;
+    const float* genomes = nullptr;  // (n, genome_size), owned by the caller
+    int n = 1;
+    const Script* script = nullptr;  // without a network
+};
+
+// The policy of candidates, which must stay in memory. It keeps the genome that it read last, because
+// a thread mostly plays several worlds with the same genome one after the other.
+class LoadedPolicy {
+  public:
+    LoadedPolicy(const Candidates& candidates, const Setup& setup);
+
+    Policy& load(int candidate);
+
+  private:
+    const Candidates* candidates_;
+    std::unique_ptr<Policy> policy_;
+    NetworkPolicy* network_ = nullptr;  // the policy, unless it is a script
+    int loaded_ = -1;
 };
 
 }  // namespace matrixworld

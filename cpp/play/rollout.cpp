@@ -11,35 +11,6 @@ namespace {
 // Enough worlds that taking a piece costs nothing, few enough that threads end at the same time.
 constexpr std::int64_t kWorldsPerPiece = 16;
 
-// A team's policy in the memory of one thread. It keeps the genome that it read last, because the
-// pieces that a thread takes one after the other mostly belong to the same match.
-class LoadedPolicy {
-  public:
-    LoadedPolicy(const Candidates& candidates, const Setup& setup) : candidates_(candidates) {
-        if (candidates.network) {
-            auto policy = std::make_unique<NetworkPolicy>(*candidates.network, setup.grid);
-            network_ = policy.get();
-            policy_ = std::move(policy);
-        } else {
-            policy_ = std::make_unique<ScriptedPolicy>(*candidates.script, setup.config.fov);
-        }
-    }
-
-    Policy& load(int candidate) {
-        if (network_ && candidate != loaded_) {
-            network_->load(candidates_.genomes + candidate * candidates_.network->genome_size());
-            loaded_ = candidate;
-        }
-        return *policy_;
-    }
-
-  private:
-    const Candidates& candidates_;
-    std::unique_ptr<Policy> policy_;
-    NetworkPolicy* network_ = nullptr;  // the policy, unless it is a script
-    int loaded_ = -1;
-};
-
 // The memory of one thread: a world, its scratch and both teams' policies.
 class Workspace {
   public:
@@ -79,10 +50,12 @@ class Workspace {
             world_.actors(turn, first, last);
             const Occupancy& occupancy = scratch_.occupancy;
             if (first < n_pursuers) {
-                pursuers.decide(world_, occupancy, first, std::min(last, n_pursuers), actions_);
+                pursuers.decide(world_, occupancy, first, std::min(last, n_pursuers),
+                                actions_.data());
             }
             if (last > n_pursuers) {
-                evaders.decide(world_, occupancy, std::max(first, n_pursuers), last, actions_);
+                evaders.decide(world_, occupancy, std::max(first, n_pursuers), last,
+                               actions_.data());
             }
             world_.play_turn(turn, actions_.data(), scratch_);
         }

@@ -6,24 +6,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "game/world.hpp"
 #include "play/episode_statistics.hpp"
-#include "play/mlp.hpp"
 #include "play/policy.hpp"
 #include "play/threads.hpp"
 
 namespace matrixworld {
-
-// One team's candidates: n genomes of one network, or one script.
-struct Candidates {
-    std::optional<Network> network;
-    const float* genomes = nullptr;  // (n, genome_size), owned by the caller
-    int n = 1;
-    const Script* script = nullptr;  // without a network
-};
 
 struct Match {
     int pursuer;  // number of the pursuers' candidate

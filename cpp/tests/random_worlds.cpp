@@ -287,6 +287,45 @@ void play_rollout(const Rules& rules, Random& random) {
     require(watched.length == moments - 1, "the length is the number of steps");
 }
 
+// The policies of both teams decide in a batch as they do in the worlds one after the other, by any
+// number of threads. A world may have a policy that decides nothing.
+void play_decisions(const Rules& rules, Random& random) {
+    const auto setup = std::make_shared<const Setup>(random_config(rules, random));
+    const Config& config = setup->config;
+    const int n_worlds = random.between(1, 40);
+    std::vector<std::unique_ptr<Side>> sides;
+    std::vector<Candidates> policies(1);
+    for (int i = 0; i < 3; ++i) {
+        sides.push_back(random_side(config, random));
+        policies.push_back(sides.back()->candidates);
+    }
+    std::vector<std::int32_t> chosen(static_cast<std::size_t>(n_worlds));
+    for (auto& number : chosen) number = random.below(static_cast<int>(policies.size()));
+    const Buffers nowhere;
+    Batch batch(setup, n_worlds, random.between(1, 4), Autoreset::Disabled);
+    batch.reset(nullptr, 0, nullptr, {}, nowhere);
+    const auto n_agents = static_cast<std::size_t>(config.n_agents());
+    for (int step = 0; step < 4; ++step) {
+        std::vector<std::int64_t> actions(chosen.size() * n_agents, 0);
+        std::vector<std::int64_t> expected = actions;
+        for (const auto& [first, last] :
+             {std::pair{0, config.n_pursuers}, std::pair{config.n_pursuers, config.n_agents()}}) {
+            batch.decide(policies, chosen, first, last, actions.data());
+            for (std::size_t w = 0; w < chosen.size(); ++w) {
+                Scratch scratch(*setup);
+                World world(setup);
+                world.restore(batch.snapshot(static_cast<int>(w)), scratch);
+                if (world.over() || chosen[w] == 0) continue;
+                LoadedPolicy(policies[chosen[w]], *setup)
+                    .load(0)
+                    .decide(world, scratch.occupancy, first, last, &expected[w * n_agents]);
+            }
+        }
+        require(actions == expected, "policies decide in a batch as in single worlds");
+        batch.step(actions.data(), nowhere);
+    }
+}
+
 // ---- The build and the limits ----------------------------------------------------------------
 
 void check_build() {
@@ -389,6 +428,7 @@ int run_all() {
         }
         n_failed += run((row + "a batch").c_str(), [&] { play_batch(rules, random); });
         n_failed += run((row + "a rollout").c_str(), [&] { play_rollout(rules, random); });
+        n_failed += run((row + "decisions").c_str(), [&] { play_decisions(rules, random); });
     }
     return n_failed;
 }

@@ -132,6 +132,11 @@ class World(metaclass=_Pybind11Type):
     def play_turn(self, actions: _Integers, explain: bool) -> None:
         """Play the next turn with actions (A,); only those of the actors are read."""
 
+    def decide(
+        self, policy: _Candidates, first: int, last: int, actions: NDArray[np.int64]
+    ) -> None:
+        """Write what a genome or a script chooses for agents [first, last) into actions (A,)."""
+
     def turn(self) -> int:
         """The number of the next turn of the round."""
 
@@ -182,6 +187,16 @@ class Batch(metaclass=_Pybind11Type):
 
     def step(self, actions: _Integers) -> None:
         """Play one round with actions (W, A)."""
+
+    def decide(
+        self,
+        policies: list[_Candidates | None],
+        chosen: NDArray[np.int32],
+        first: int,
+        last: int,
+        actions: NDArray[np.int64],
+    ) -> None:
+        """Write what policies[chosen[w]] chooses for agents [first, last) into actions (W, A)."""
 
     def snapshot(self, world: int) -> dict[str, Any]:
         """The state of one of the worlds, for `World.restore`."""

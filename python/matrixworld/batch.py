@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,7 @@ from matrixworld.checks import (
 from matrixworld.config import WorldConfig, WorldSettings
 from matrixworld.maps import MapLike, read_map
 from matrixworld.memory import batch_memory, check_memory
+from matrixworld.policy import TeamPolicy, check_agents, check_team
 from matrixworld.rules import Rules
 from matrixworld.world import World
 
@@ -66,9 +68,9 @@ class Batch:
 
     Notes
     -----
-    One thread of Python at a time may use a batch: `reset`, `step` and `world` raise RuntimeError
-    while another thread's call is in progress, and then nothing has changed. Give each thread a
-    batch of its own, or hold a `threading.Lock` in each call.
+    One thread of Python at a time may use a batch: `reset`, `step`, `decide` and `world` raise
+    RuntimeError while another thread's call is in progress, and then nothing has changed. Give each
+    thread a batch of its own, or hold a `threading.Lock` in each call.
 
     A process may be forked. The child's batch goes on where the parent's was, and starts threads of
     its own. Only a batch that another thread was using at that moment is refused in the child.
@@ -210,6 +212,42 @@ class Batch:
         """
         self._core.step(integers("actions", actions))
         return self.buffers
+
+    def decide(
+        self,
+        policies: Sequence[TeamPolicy | None],
+        chosen: ArrayLike,
+        agents: range,
+        actions: NDArray[np.int64],
+    ) -> None:
+        """Write the actions that policies choose at this moment for agents of one team.
+
+        A policy uses the random numbers that it has in a rollout for the same seed, episode, step
+        and agent. The worlds stay as they are.
+
+        Parameters
+        ----------
+        policies : sequence of Population, str or None
+            Populations of one genome and names of scripts; None leaves a world's actions as they
+            are.
+        chosen : array_like of int, shape (W,)
+            The place in `policies` of each world's policy.
+        agents : range
+            The agents that act; all are of one team.
+        actions : ndarray of int64, shape (W, A)
+            Where to write. Entries of gone agents, of other agents and of ended worlds stay as they
+            are.
+
+        Raises
+        ------
+        ValueError, TypeError
+            If a policy or an array does not fit the worlds; then nothing was written.
+        """
+        teams = [
+            policy if policy is None else check_team("policies", policy) for policy in policies
+        ]
+        numbers = np.ascontiguousarray(check_naturals("chosen", chosen, np.int32))
+        self._core.decide(teams, numbers, *check_agents(agents), actions)
 
     def __getstate__(self) -> dict[str, Any]:
         """Refuse copies and pickles: a copy could not share the caller's buffers."""

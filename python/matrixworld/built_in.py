@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.config import WorldConfig
-from matrixworld.play import Callback, Moment, NetworkPolicy, Plays, check_fits, decide
-from matrixworld.play.draws import below, episode_draws
+from matrixworld.play import Callback, NetworkPolicy, Plays, ask, check_fits
 from matrixworld.policy import SCRIPTS, Population
+from matrixworld.world import World
 
 if TYPE_CHECKING:
     from matrixworld.coevolution import SavedRun, Team
@@ -30,6 +30,10 @@ actions (n,)."""
 
 Opponents: TypeAlias = "Opponent | Iterable[Opponent]"
 """One or several of them; each episode draws one."""
+
+
+_PURPOSE = 2**32
+"""What opponents' random numbers are drawn for; the engine's own purposes are small numbers."""
 
 
 class BuiltInTeam:
@@ -54,6 +58,8 @@ class BuiltInTeam:
         The agents of the other team.
     chosen : ndarray of int64, shape (W,)
         The place in `opponents` of each world's opponent, when its episode began.
+    playing : list
+        The opponent of each world's episode. Opponents that are set later do not change it.
 
     Raises
     ------
@@ -69,8 +75,7 @@ class BuiltInTeam:
         self._team, self._config = team, config
         self._opponents = self.resolve(opponents)
         self.chosen = np.zeros(n_worlds, np.int64)
-        # Opponents that are set later do not change an episode that has begun.
-        self._playing: list[Plays] = [self._opponents[0]] * n_worlds
+        self.playing: list[Plays] = [self._opponents[0]] * n_worlds
 
     @property
     def opponents(self) -> tuple[Plays, ...]:
@@ -85,7 +90,7 @@ class BuiltInTeam:
         self._opponents = self.resolve(opponents)
 
     def resolve(self, opponents: Opponents) -> tuple[Plays, ...]:
-        """Return opponents as `decide` takes them; raises as the class does."""
+        """Return opponents in the form that is played; raises as the class does."""
         name = f"{self._team}s"
         found = [
             policy
@@ -108,41 +113,46 @@ class BuiltInTeam:
         worlds : ndarray of bool, shape (W,), optional
             The worlds in which an episode begins. The default is all.
         """
-        keys = (np.atleast_1d(np.asarray(key, np.uint64)) for key in (seed, episode))
-        drawn = below(episode_draws(*keys), len(self.opponents))
-        begins = np.ones(len(drawn), np.bool_) if worlds is None else worlds
-        self.chosen[begins] = drawn[begins]
-        for world in np.flatnonzero(begins):
-            self._playing[world] = self.opponents[drawn[world]]
+        seeds, episodes = (np.atleast_1d(np.asarray(key, np.uint64)) for key in (seed, episode))
+        begun = np.arange(len(seeds)) if worlds is None else np.flatnonzero(worlds)
+        for world in begun:
+            place = _drawn(int(seeds[world]), int(episodes[world]), len(self.opponents))
+            self.chosen[world] = place
+            self.playing[world] = self.opponents[place]
 
-    def decide(
-        self,
-        moment: Moment,
-        agents: range,
-        actions: NDArray[np.int64],
-        running: NDArray[np.bool_] | None = None,
-    ) -> None:
-        """Write the actions of the team's agents among `agents`.
+    def decide(self, world: World, agents: range, actions: NDArray[np.int64]) -> None:
+        """Write the actions of the team's agents among `agents` in the only world.
 
         Parameters
         ----------
-        moment : mapping of str to ndarray
-            The arrays of `matrixworld.play.MOMENT`, each with a leading axis of W worlds.
+        world : World
+            The world.
         agents : range
             The agents that act.
-        actions : ndarray of int64, shape (W, A)
+        actions : ndarray of int64, shape (A,)
             Where to write.
-        running : ndarray of bool, shape (W,), optional
-            The worlds in which agents act. The default is all.
         """
         acting = range(max(agents.start, self.agents.start), min(agents.stop, self.agents.stop))
-        by_policy: dict[int, list[int]] = {}
-        for world, policy in enumerate(self._playing):
-            by_policy.setdefault(id(policy), []).append(world)
-        for worlds in by_policy.values():
-            plays = np.zeros(len(self._playing), np.bool_)
-            plays[worlds] = True if running is None else running[worlds]
-            decide(self._playing[worlds[0]], self._config, moment, acting, actions, plays)
+        [policy] = self.playing
+        if not acting:
+            return
+        if not callable(policy):
+            world.decide(policy, acting, actions)
+            return
+        asked = np.zeros((1, len(actions)), np.bool_)
+        asked[0, acting] = world.alive[acting]
+        ask(policy, world.views()[None], asked, actions[None], self._config.n_actions)
+
+
+def _drawn(seed: int, episode: int, n: int) -> int:
+    """Return the place of an episode's opponent among n, all equally likely."""
+    if n == 1:
+        return 0
+    # The engine's generator: a counter (0, 0, purpose, 0) and its key. NumPy adds 1 to the counter
+    # before it draws. The upper half of the product is a number below n.
+    counter = (_PURPOSE << 128) - 1
+    word = np.random.Philox(key=[seed, episode], counter=counter).random_raw()
+    return int(word) * n >> 64
 
 
 def built_in_team(

@@ -309,3 +309,10 @@ def check_team(name: str, team: TeamPolicy) -> Any:
         raise TypeError(f"{name}: expected a Population or the name of a script, got {team!r}")
     check_choice(name, team, SCRIPTS)
     return team
+
+
+def check_agents(agents: range) -> tuple[int, int]:
+    """Return the first agent of a range and one past the last; its step must be 1."""
+    if not isinstance(agents, range) or agents.step != 1:
+        raise TypeError(f"agents: expected a range with step 1, got {agents!r}")
+    return agents.start, agents.stop

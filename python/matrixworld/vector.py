@@ -182,9 +182,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         team = built_in_team(self.config, pursuers, evaders, self.num_envs)
         everyone = range(self.config.n_agents)
         self.agents: range = everyone if team is None else team.learners
-        unseen = set() if check_bool("state", state) else {"state"}
-        # Scripts of a built-in team read it.
-        left_out = set() if team is not None else set(unseen)
+        left_out = set() if check_bool("state", state) else {"state"}
         if mode is not AutoresetMode.SAME_STEP:
             # In the other modes the observations stay those of the episode's end for one step.
             left_out.add("final_views")
@@ -197,7 +195,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
             buffers=kept,
         )
         waits = mode is not AutoresetMode.SAME_STEP
-        self._built_in = None if team is None else BuiltInWorlds(team, kept, waits)
+        self._built_in = None if team is None else BuiltInWorlds(team, self._batch, waits)
         mine = of_agents(kept, self.agents)
         self._views = mine["views"]
         # `reshape` that joins the last axes makes a view, so the batch writes into observations.
@@ -206,8 +204,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         self.rewards: NDArray[np.float32] = mine["rewards"]
         self.terminations: NDArray[np.bool_] = mine["terminations"]
         self.truncations: NDArray[np.bool_] = mine["truncations"]
-        shown = {name: array for name, array in mine.items() if name not in unseen}
-        self.infos: dict[str, Any] = make_infos(shown, self.observations)
+        self.infos: dict[str, Any] = make_infos(mine, self.observations)
         if self._built_in is not None:
             self.infos["opponent"] = self._built_in.team.chosen
             self.infos["episode"]["opponent"] = self._built_in.last

@@ -15,6 +15,7 @@ from matrixworld.config import WorldConfig, WorldSettings
 from matrixworld.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
 from matrixworld.maps import MapLike, read_map
 from matrixworld.memory import check_memory, thread_memory
+from matrixworld.policy import TeamPolicy, check_agents, check_team
 from matrixworld.rules import Rules
 from matrixworld.world_state import WorldState
 
@@ -227,6 +228,29 @@ class World(WorldState):
         self._core.play_turn(integers("actions", actions), keeps_list)
         self._explained = keeps_list
         return self.rewards
+
+    def decide(self, policy: TeamPolicy, agents: range, actions: NDArray[np.int64]) -> None:
+        """Write the actions that a policy chooses at this moment for agents of one team.
+
+        The policy uses the random numbers that it has in a rollout for the same seed, episode, step
+        and agent. The world stays as it is.
+
+        Parameters
+        ----------
+        policy : Population or str
+            A population of one genome, or the name of a script.
+        agents : range
+            The agents that act; all are of one team.
+        actions : ndarray of int64, shape (A,)
+            Where to write. Entries of gone agents and of other agents stay as they are; in an ended
+            episode all do.
+
+        Raises
+        ------
+        ValueError, TypeError
+            If the policy or an array does not fit the world.
+        """
+        self._core.decide(check_team("policy", policy), *check_agents(agents), actions)
 
     def _require_open(self) -> None:
         if self.terminated or self.truncated:

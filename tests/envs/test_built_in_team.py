@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
+from matrixworld import _core
 from matrixworld.coevolution import TEAMS, held_out, open_run, start
 from matrixworld.coevolution.types import other
-from matrixworld.play import MOMENT, decide
 from pettingzoo_tests import api_test, parallel_api_test, parallel_seed_test, seed_test
 from rows import CUSTOM, config_of
 from tiny_race import tiny_race
@@ -35,15 +35,13 @@ def built_in(team: str, policy: Any) -> dict[str, Any]:
 
 def chosen(env: Any, policy: Any, agents: list[str]) -> dict[str, int]:
     """Return what a policy chooses for some agents, with the random numbers of a rollout."""
-    moment = {name: array[None] for name, array in env.world.read(*MOMENT).items()}
-    actions = np.zeros((1, env.config.n_agents), np.int64)
+    actions = np.zeros(env.config.n_agents, np.int64)
     for agent in agents:
         team, number = agent.split("_")
         i = int(number) + (env.config.n_pursuers if team == "evader" else 0)
-        decide(policy, env.config, moment, range(i, i + 1), actions)
-        actions[0, i] = int(actions[0, i])
+        env.world.decide(policy, range(i, i + 1), actions)
     every = [env.config.agent_name(i) for i in range(env.config.n_agents)]
-    return {agent: int(actions[0, every.index(agent)]) for agent in agents}
+    return {agent: int(actions[every.index(agent)]) for agent in agents}
 
 
 def play_parallel(env: Any, policy: Any, seed: int, episode: int) -> mw.Episode:
@@ -272,6 +270,8 @@ def test_each_episode_draws_an_opponent_by_its_seed() -> None:
     for seed in range(300):
         env.reset(seed=seed)
         drawn.append(env.opponent)
+        # One draw of the engine's generator, with a purpose of its own.
+        assert env.opponent == _core.philox([0, 0, 2**32, 0], [seed, 0])[0] * 3 >> 64
     counts = np.bincount(drawn)
     assert len(counts) == 3
     assert counts.min() > 70

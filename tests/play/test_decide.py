@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld import _core
-from matrixworld.play import MOMENT, decide
-from matrixworld.play.draws import below, philox
-from matrixworld.play.scripts import ROWS
-from matrixworld.policy import Script
+from matrixworld.play import ask
 from rows import config_of
 
 
@@ -22,17 +18,17 @@ def play(config: mw.WorldConfig, teams: dict[range, Any], seed: int, episode: in
     world.reset(seed, episode=episode)
     recorder = mw.Recorder(world)
     while not (world.terminated or world.truncated):
-        actions = np.zeros((1, config.n_agents), np.int64)
+        actions = np.zeros(config.n_agents, np.int64)
         first = True
         while first or world.turn:
             first = False
-            moment = {name: array[None] for name, array in world.read(*MOMENT).items()}
             for team, policy in teams.items():
                 turn = world.actors
                 acting = range(max(team.start, turn.start), min(team.stop, turn.stop))
-                decide(policy, config, moment, acting, actions)
-            world.play_turn(actions[0])
-        recorder.note(actions[0])
+                if acting:
+                    world.decide(policy, acting, actions)
+            world.play_turn(actions)
+        recorder.note(actions)
     return recorder.episode()
 
 
@@ -51,10 +47,6 @@ def same_as_recorded(config: mw.WorldConfig, pursuers: Any, evaders: Any, seed: 
     played = play(config, teams, seed, 3)
     for name in ("positions", "rewards", "involved", "captured"):
         assert np.array_equal(getattr(played, name), getattr(recorded, name))
-
-
-def test_every_script_has_a_row() -> None:
-    assert tuple(ROWS) == get_args(Script)
 
 
 @pytest.mark.parametrize("script", mw.SCRIPTS)
@@ -78,20 +70,6 @@ def test_networks_act_as_in_rollouts(name: str, activation: str, sampled: bool) 
         same_as_recorded(config, pursuers, evaders, seed)
 
 
-def test_random_numbers_are_the_engine_s() -> None:
-    rng = np.random.default_rng(0)
-    counters = rng.integers(0, 2**64, (4, 50), np.uint64)
-    keys = rng.integers(0, 2**64, (2, 50), np.uint64)
-    expected = [
-        _core.philox(c.tolist(), k.tolist()) for c, k in zip(counters.T, keys.T, strict=True)
-    ]
-    assert philox(tuple(counters), tuple(keys)).T.tolist() == expected
-    words = counters[0]
-    assert below(words, 9).tolist() == [int(word) * 9 >> 64 for word in words]
-    halves = (words >> np.uint64(32)).astype(np.uint32)
-    assert below(halves, 5).tolist() == [int(word) * 5 >> 32 for word in halves]
-
-
 @pytest.mark.parametrize(
     ("answer", "error", "message"),
     [
@@ -102,10 +80,71 @@ def test_random_numbers_are_the_engine_s() -> None:
     ],
 )
 def test_wrong_answers_of_a_callable_are_refused(answer: Any, error: Any, message: str) -> None:
-    config = config_of("O")
-    world = mw.World(config)
-    moment = {name: array[None] for name, array in world.read(*MOMENT).items()}
-    actions = np.full((1, config.n_agents), 7)
+    world = mw.World(config_of("O"))
+    actions = np.full((1, world.config.n_agents), 7)
+    asked = np.arange(world.config.n_agents)[None] < 3
     with pytest.raises(error, match=message):
-        decide(lambda seen: answer, config, moment, range(3), actions)
+        ask(lambda seen: answer, world.views()[None], asked, actions, 5)
     assert (actions == 7).all()
+
+
+# ---- Batches -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["D", "SB", "TO", "agents-R"])
+def test_worlds_of_a_batch_decide_as_single_worlds(name: str) -> None:
+    """Each with the policy that was chosen for it, for any number of threads."""
+    config = config_of(name, obstacles=0.1, max_steps=9)
+    league = ["hunter", genomes(config, 1), None, genomes(config, 2, sampled=False), "random"]
+    n_worlds = 50
+    place = np.random.default_rng(0).integers(len(league), size=n_worlds)
+    batches = [mw.Batch(n_worlds, config, threads=threads) for threads in (1, 3)]
+    for batch in batches:
+        batch.reset(5)
+    agents = range(config.n_pursuers, config.n_agents)
+    for _ in range(11):  # two steps more than an episode has
+        expected = np.full((n_worlds, config.n_agents), 7)
+        for world, row in enumerate(expected):
+            if league[place[world]] is not None:
+                batches[0].world(world).decide(league[place[world]], agents, row)
+        for batch in batches:
+            actions = np.full_like(expected, 7)
+            batch.decide(league, place, agents, actions)
+            assert np.array_equal(actions, expected)
+            assert (actions[:, : config.n_pursuers] == 7).all()
+            batch.step(actions % 5)
+    assert (expected == 7).all()
+
+
+def test_a_refused_decision_writes_nothing() -> None:
+    config = config_of("R")  # 3 pursuers, 4 evaders
+    batch = mw.Batch(2, config)
+    actions = np.full((2, 7), 7)
+    network = mw.Network(fov=3)
+    other_views = mw.Population(network.initial(np.random.default_rng(0)), network)
+    one = genomes(config, 0)
+    two = mw.Population(np.stack([one.genomes[0]] * 2), one.network)
+    read_only = actions.copy()
+    read_only.flags.writeable = False
+    team = range(3, 7)
+    for policies, chosen, agents, out, error, message in [
+        (["flier"], [0, 0], team, actions, ValueError, "policies: expected one of random, still"),
+        ([3], [0, 0], team, actions, TypeError, "policies: expected a Population or the name"),
+        ([other_views], [0, 0], team, actions, ValueError, "policies: expected a network for fov"),
+        ([two], [0, 0], team, actions, ValueError, "policies: expected a single genome, got 2"),
+        (["still"], [0, 1], team, actions, ValueError, "chosen: expected 0 to 0, got 1"),
+        (["still"], [0, -1], team, actions, ValueError, "chosen: expected"),
+        (["still"], [0], team, actions, ValueError, r"chosen: expected shape \(2,\), got \(1,\)"),
+        (["still"], [0.0, 0.0], team, actions, TypeError, "chosen: expected an integer"),
+        (["still"], [0, 0], range(8), actions, ValueError, "agents: expected a range in 0 to 7"),
+        (["still"], [0, 0], range(2, 5), actions, ValueError, "agents: expected agents of one"),
+        (["still"], [0, 0], range(0, 3, 2), actions, TypeError, "agents: expected a range with"),
+        (["still"], [0, 0], team, actions[:1], ValueError, "actions: expected shape"),
+        (["still"], [0, 0], team, actions.astype(np.int32), TypeError, "actions: expected dtype"),
+        (["still"], [0, 0], team, read_only, ValueError, "actions: expected a writeable"),
+    ]:
+        with pytest.raises(error, match=message):
+            batch.decide(policies, chosen, agents, out)
+    assert (actions == 7).all()
+    with pytest.raises(ValueError, match=r"actions: expected shape \(7,\), got \(2, 7\)"):
+        batch.world(0).decide("still", team, actions)

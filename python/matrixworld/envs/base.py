@@ -19,7 +19,7 @@ from matrixworld.config import WorldConfig, WorldSettings
 from matrixworld.envs.drawing import Drawing
 from matrixworld.episode import Episode
 from matrixworld.masks import action_masks, check_maskable
-from matrixworld.play import MOMENT, Plays
+from matrixworld.play import Plays
 from matrixworld.rules import KINDS, VARIANTS, Rules
 from matrixworld.world import World
 
@@ -327,8 +327,7 @@ class MatrixWorldBase:
     def _decide(self, actions: NDArray[np.int64], agents: range) -> None:
         """Write the actions of the team that the environment plays itself, if it plays one."""
         if self._built_in is not None:
-            moment = {name: array[None] for name, array in self.world.read(*MOMENT).items()}
-            self._built_in.decide(moment, agents, actions[None])
+            self._built_in.decide(self.world, agents, actions)
 
     @property
     def opponents(self) -> tuple[Plays, ...]:

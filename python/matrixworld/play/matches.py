@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Protocol
+from collections.abc import Iterator, Mapping
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,11 +11,15 @@ from numpy.typing import NDArray
 from matrixworld.arrays import array_specs
 from matrixworld.batch import Batch
 from matrixworld.config import WorldConfig
-from matrixworld.play.decide import MOMENT, Moment, Plays, check_fits, decide
-from matrixworld.policy import Population
+from matrixworld.play.functions import Plays, ask
+from matrixworld.play.network_policy import check_fits
+from matrixworld.policy import Population, TeamPolicy
 from matrixworld.world import World
 
-_READ = (*MOMENT, "terminated", "truncated", "capture_rate")
+_READ = ("views", "alive", "terminated", "truncated", "capture_rate")
+
+Moment: TypeAlias = Mapping[str, NDArray[Any]]
+"""The arrays `_READ` of W worlds, each with a leading axis of worlds."""
 
 
 def capture_rates(
@@ -28,7 +32,7 @@ def capture_rates(
     config : WorldConfig
         The settings of the worlds.
     pursuers, evaders : Population, str or callable
-        What plays for the teams, as `decide` takes it.
+        What plays for the teams; a population has one genome.
     seed : int
         The seed of the match. Episode j is the seed's episode j, as in `matrixworld.rollout`.
     episodes : int
@@ -51,11 +55,17 @@ def capture_rates(
     actions = np.zeros((episodes, config.n_agents), np.int64)
     while (running := _running(worlds.moment())).any():
         for turn in worlds.turns():
-            moment = worlds.moment()
             for team, policy in teams.items():
                 acting = range(max(team.start, turn.start), min(team.stop, turn.stop))
-                if len(acting):
-                    decide(policy, config, moment, acting, actions, _running(moment))
+                if not acting:
+                    continue
+                if callable(policy):
+                    moment = worlds.moment()
+                    asked = np.zeros(actions.shape, np.bool_)
+                    asked[:, acting] = moment["alive"][:, acting] & _running(moment)[:, None]
+                    ask(policy, moment["views"], asked, actions, config.n_actions)
+                else:
+                    worlds.decide(policy, acting, actions)
             worlds.play(actions, running)
     return np.asarray(worlds.moment()["capture_rate"], np.float64)
 
@@ -70,6 +80,8 @@ class _Worlds(Protocol):
     def moment(self) -> Moment: ...
 
     def turns(self) -> Iterator[range]: ...
+
+    def decide(self, policy: TeamPolicy, agents: range, actions: NDArray[np.int64]) -> None: ...
 
     def play(self, actions: NDArray[np.int64], running: NDArray[np.bool_]) -> None: ...
 
@@ -91,6 +103,9 @@ class _Together:
 
     def turns(self) -> Iterator[range]:
         yield self._agents
+
+    def decide(self, policy: TeamPolicy, agents: range, actions: NDArray[np.int64]) -> None:
+        self._batch.decide([policy], np.zeros(len(actions), np.int32), agents, actions)
 
     def play(self, actions: NDArray[np.int64], running: NDArray[np.bool_]) -> None:
         self._batch.step(actions)
@@ -114,6 +129,10 @@ class _InTurns:
         yield world.actors
         while world.turn:
             yield world.actors
+
+    def decide(self, policy: TeamPolicy, agents: range, actions: NDArray[np.int64]) -> None:
+        for world, row in zip(self._worlds, actions, strict=True):
+            world.decide(policy, agents, row)
 
     def play(self, actions: NDArray[np.int64], running: NDArray[np.bool_]) -> None:
         for number in np.flatnonzero(running):

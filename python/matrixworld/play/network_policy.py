@@ -9,13 +9,38 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.checks import check_bool
-from matrixworld.play.decide import network_actions
+from matrixworld.config import WorldConfig
 from matrixworld.play.exports import onnx_model, torch_module
 from matrixworld.policy import CHANNELS, Network, Population
 
 if TYPE_CHECKING:
     import onnx
     import torch
+
+
+def check_fits(name: str, network: Network, config: WorldConfig) -> None:
+    """Raise ValueError unless a network has the views and actions of a world."""
+    if (network.fov, network.n_actions) != (config.fov, config.n_actions):
+        raise ValueError(
+            f"{name}: expected a network for fov {config.fov} and {config.n_actions} actions, "
+            f"got fov {network.fov} and {network.n_actions} actions"
+        )
+
+
+def network_actions(
+    network: Network,
+    genome: NDArray[np.float32],
+    views: NDArray[np.uint8],
+    units: NDArray[np.floating[Any]],
+) -> NDArray[np.int64]:
+    """Return the actions of a network, (n,); `units` are numbers in [0, 1), one for each view."""
+    logits = network.logits(genome, views)
+    if not network.sampled:
+        return np.asarray(np.argmax(logits, axis=1))
+    # The action is the number of cumulated weights that do not exceed unit * total.
+    cumulated = np.exp(logits - logits.max(axis=1, keepdims=True)).cumsum(axis=1)
+    threshold = units * cumulated[:, -1]
+    return np.asarray((cumulated[:, :-1] <= threshold[:, None]).sum(axis=1))
 
 
 class NetworkPolicy:
