@@ -89,7 +89,7 @@ py::dict axis_sizes(const Setup& setup) {
     return sizes;
 }
 
-// For tests: the generator against NumPy's.
+// For draws that belong to no world, such as the choice of an opponent, with purposes of their own.
 std::array<std::uint64_t, 4> philox_block(std::array<std::uint64_t, 4> counter,
                                           std::array<std::uint64_t, 2> key) {
     return philox(counter, key[0], key[1]);

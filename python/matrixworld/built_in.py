@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld import _core
 from matrixworld.config import WorldConfig
 from matrixworld.play import Callback, NetworkPolicy, Plays, ask, check_fits
 from matrixworld.policy import SCRIPTS, Population
@@ -146,13 +147,8 @@ class BuiltInTeam:
 
 def _drawn(seed: int, episode: int, n: int) -> int:
     """Return the place of an episode's opponent among n, all equally likely."""
-    if n == 1:
-        return 0
-    # The engine's generator: a counter (0, 0, purpose, 0) and its key. NumPy adds 1 to the counter
-    # before it draws. The upper half of the product is a number below n.
-    counter = (_PURPOSE << 128) - 1
-    word = np.random.Philox(key=[seed, episode], counter=counter).random_raw()
-    return int(word) * n >> 64
+    word = _core.philox([0, 0, _PURPOSE, 0], [seed, episode])[0]
+    return word * n >> 64  # the upper half of the product, as the engine draws integers below n
 
 
 def built_in_team(

@@ -266,6 +266,8 @@ def test_what_cannot_play_is_refused(
 def test_each_episode_draws_an_opponent_by_its_seed() -> None:
     league = ["still", "random", "fleer"]
     env, again = (mw.parallel_env(config_of("R"), evaders=league) for _ in range(2))
+    env.reset(seed=2**64 - 1, options={"episode": 2**63})
+    assert env.opponent == _core.philox([0, 0, 2**32, 0], [2**64 - 1, 2**63])[0] * 3 >> 64
     drawn = []
     for seed in range(300):
         env.reset(seed=seed)
