@@ -15,8 +15,6 @@ NEEDS = {
     "PettingZoo": ["pettingzoo"],
     "SuperSuit": ["supersuit"],
     "Gymnasium": ["gymnasium"],
-    "TorchRL": ["torchrl"],
-    "RLlib": ["ray.rllib", "supersuit"],
     "PyTorch": ["torch"],
 }
 
