@@ -58,7 +58,7 @@ MOMENTS = {
     "D": Moment("Stars: evaders taken down by the pursuers that died with them.", 9, 36),
     "R": Moment("Hollow: evaders that were reached, with their pursuers on the cell.", 15, 32),
     "B": Moment("Rings: agents that would have entered a teammate's cell, and waited.", 38, 22),
-    "O": Moment("Stars: where evaders were caught in the last steps.", 15, 32),
+    "O": Moment("Stars: where evaders were caught in the last steps.", 11, 30),
     "S": Moment("Hollow: evaders that pursuers and walls surround.", 15, 24, **PACK),
     "SB": Moment("A ring closes; agents that pressed on bounced off each other.", 103, 10, **PACK),
     "SD": Moment("Stars: where evaders were surrounded and removed.", 12, 10, **PACK),

@@ -16,6 +16,7 @@ from gymnasium.wrappers import vector as wrappers
 import matrixworld as mw
 from rows import config_of, random_actions
 
+GYMNASIUM = tuple(map(int, gymnasium.__version__.split(".")[:2]))
 MODES = list(AutoresetMode)
 TEAMS = (None, "pursuer", "evader")
 
@@ -171,6 +172,8 @@ def test_masked_transitions_end_where_agents_disappear(mode: str) -> None:
 @pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
 @pytest.mark.parametrize("team", TEAMS)
 def test_record_episode_statistics(team: str | None, mode: str) -> None:
+    if mode == "SameStep" and GYMNASIUM < (1, 4):
+        pytest.skip("this version's wrapper leaves out the first step of each further episode")
     env = wrappers.RecordEpisodeStatistics(
         mw.AgentVectorEnv(worlds_of(autoreset_mode=mode), team), buffer_length=10_000
     )
@@ -208,6 +211,7 @@ def test_normalizing_wrappers() -> None:
     assert 0.1 < rewards[rewards != 0].std() < 10
 
 
+@pytest.mark.skipif(GYMNASIUM < (1, 3), reason="this version's wrapper needs a mask of each key")
 def test_dict_info_to_list() -> None:
     env = wrappers.DictInfoToList(mw.AgentVectorEnv(worlds_of(autoreset_mode="SameStep")))
     _, infos = env.reset(seed=1)

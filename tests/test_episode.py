@@ -35,6 +35,12 @@ def test_the_example_has_captures_and_faults() -> None:
     assert EPISODE.fault.any()
 
 
+def test_the_short_description_of_an_episode() -> None:
+    rate = f"{EPISODE.capture_rate:.2f}"
+    expected = f"<Episode: 30 steps, 5 pursuers, 7 evaders, 12 x 16 cells, capture rate {rate}>"
+    assert repr(EPISODE) == expected
+
+
 def test_round_trip(tmp_path: Path) -> None:
     path = tmp_path / "an episode.npz"
     EPISODE.save(path)
@@ -97,14 +103,14 @@ def test_foreign_files_are_refused(tmp_path: Path) -> None:
         Episode.load(path)
     with path.open("wb") as file:
         np.savez(file, payoff=np.zeros(3))
-    with pytest.raises(ValueError, match="foreign: expected a file marked 'matrixworld episode 2'"):
+    with pytest.raises(ValueError, match="foreign: expected a file marked 'matrixworld episode 3'"):
         Episode.load(path)
     with path.open("wb") as file:
         np.save(file, np.zeros(3))
     with pytest.raises(ValueError, match="foreign: cut, altered or not an npz file"):
         Episode.load(path)
     with path.open("wb") as file:
-        np.savez(file, format=np.array("matrixworld episode 2"), map=np.zeros((2, 2), bool))
+        np.savez(file, format=np.array("matrixworld episode 3"), map=np.zeros((2, 2), bool))
     with pytest.raises(
         ValueError, match=r"foreign: expected entries \['actions', .* got \['map'\]"
     ):
@@ -116,9 +122,10 @@ def test_foreign_files_are_refused(tmp_path: Path) -> None:
 def test_objects_are_not_unpickled(tmp_path: Path) -> None:
     path = tmp_path / "pickled"
     with path.open("wb") as file:
-        np.savez(file, format=np.array("matrixworld episode 2"), map=np.array([{}], object))
+        np.savez(file, format=np.array("matrixworld episode 3"), map=np.array([{}], object))
     with pytest.raises(
-        ValueError, match=r"pickled: cut, altered or not an npz file .*allow_pickle"
+        ValueError,
+        match=r"pickled: cut, altered or not an npz file .*numbers or text, got dtype object",
     ):
         Episode.load(path)
 
@@ -152,6 +159,52 @@ def test_wrong_dtypes_and_shapes_are_refused(name: str) -> None:
         dataclasses.replace(EPISODE, **{name: array.tolist()})
     with pytest.raises(ValueError, match="expected shape"):
         dataclasses.replace(EPISODE, **{name: array[None]})
+
+
+def explained(*rows: tuple[int, ...]) -> Episode:
+    return dataclasses.replace(EPISODE, conflict_table=np.array(rows, np.int32).reshape(-1, 11))
+
+
+def test_conflicts_are_kept_in_files_and_told_by_step(tmp_path: Path) -> None:
+    episode = explained(
+        (4, 0, 1, 0, 0, 3, 2, 5, 3, 3, 0), (4, 0, 0, 0, 7, -1, -1, 3, 1, 0, 1), (9,) + (0,) * 10
+    )
+    episode.save(tmp_path / "kept.npz")
+    for each in (episode, Episode.load(tmp_path / "kept.npz")):
+        assert list(map(str, each.explain(4))) == [
+            "pursuer_0 and pursuer_3 both headed for (2, 5): both bounce",
+            "evader_2 ran into the obstacle or border at (-1, 3): evader_2 disappears",
+        ]
+        assert each.explain(4) == each.explain(-27)
+        assert each.explain(5) == []
+    assert explained().explain() == []
+
+
+def test_a_recording_without_conflicts_cannot_explain() -> None:
+    with pytest.raises(ValueError, match="conflict_table: expected a recording with conflicts"):
+        EPISODE.explain(3)
+
+
+@pytest.mark.parametrize(
+    ("column", "value", "message"),
+    [
+        (0, 0, "step: expected 1 to 30, got 0"),
+        (0, 31, "step: expected 1 to 30, got 31"),
+        (2, 3, "kind: expected 0 to 2, got 3"),
+        (3, -1, "form: expected 0 to 2, got -1"),
+        (4, 12, "first: expected 0 to 11, got 12"),
+        (5, -2, "second: expected -1 to 11, got -2"),
+        (6, 13, "row: expected -1 to 12, got 13"),
+        (10, 4, "doomed: expected 0 to 3, got 4"),
+    ],
+)
+def test_conflicts_out_of_range_are_refused(column: int, value: int, message: str) -> None:
+    row = [4, 0, 1, 0, 0, 3, 2, 5, 3, 3, 0]
+    row[column] = value
+    with pytest.raises(ValueError, match=f"conflict_table, {message}"):
+        explained(tuple(row))
+    with pytest.raises(ValueError, match=r"conflict_table: expected shape \(2, 11\), got \(2, 4\)"):
+        dataclasses.replace(EPISODE, conflict_table=np.zeros((2, 4), np.int32))
 
 
 def test_unknown_actions_are_refused() -> None:

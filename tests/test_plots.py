@@ -59,8 +59,12 @@ def test_heatmap_shows_the_matrix_with_pursuers_upwards(payoff: np.ndarray) -> N
     assert axes.get_title() == "A race"
     assert labels(axes) == ("evader generation", "pursuer generation")
     assert colorbar.get_ylabel().startswith("capture rate")
-    (diagonal,) = axes.lines
-    np.testing.assert_array_equal(diagonal.get_xdata(), diagonal.get_ydata())
+    above, below = (line.get_xydata() for line in axes.lines)
+    np.testing.assert_array_equal(above, below[:, ::-1])
+    # Corners of cells only: no line crosses a cell of equal generations.
+    assert set(np.abs(above[:, 0] - above[:, 1])) == {0.0, 1.0}
+    assert (above[:, 1] - above[:, 0]).min() == 0
+    np.testing.assert_array_equal(above % 1, 0.5)
     assert saved(figure).size == tuple(round(plots.DPI * s) for s in figure.get_size_inches())
 
 
@@ -68,7 +72,8 @@ def test_heatmap_of_an_oblong_matrix_marks_equal_generations_only() -> None:
     figure = plots.payoff_heatmap(np.full((8, 5), 0.5))
     axes = figure.axes[0]
     assert (*axes.get_xlim(), *axes.get_ylim()) == (-0.5, 4.5, -0.5, 7.5)
-    assert list(axes.lines[0].get_xdata()) == [-0.5, 4.5]
+    for line in axes.lines:
+        np.testing.assert_array_equal(line.get_xydata()[[0, -1]], [[-0.5, -0.5], [4.5, 4.5]])
     saved(figure)
 
 
@@ -95,6 +100,46 @@ def test_generalization_curves_and_baselines(payoff: np.ndarray) -> None:
         "on trained pursuers",
     ]
     saved(figure)
+
+
+def episodes_of(payoff: np.ndarray, count: int = 6) -> np.ndarray:
+    """Return capture rates of single episodes around those of a matrix."""
+    noise = np.random.default_rng(0).normal(0, 0.2, (*payoff.shape, count))
+    return np.clip(payoff[..., None] + noise, 0, 1)
+
+
+def test_generalization_curves_show_the_interval_over_episodes(payoff: np.ndarray) -> None:
+    scores = episodes_of(payoff)
+    figure = plots.generalization_curves(scores, per_episode=True)
+    (axes,) = figure.axes
+    expected = analysis.generalization(scores.mean(axis=2))
+    for line, curve in zip(axes.lines, expected, strict=True):
+        np.testing.assert_allclose(line.get_ydata(), curve)
+    pursuers, evaders, _ = axes.collections
+    for drawn, band in zip(
+        (pursuers, evaders), analysis.generalization_over_episodes(scores), strict=True
+    ):
+        heights = drawn.get_paths()[0].vertices[:, 1]
+        assert heights.min() == pytest.approx(band.low.min())
+        assert heights.max() == pytest.approx(band.high.max())
+    assert legend_texts(figure)[-1] == "95% interval over episodes"
+    saved(figure)
+    single = plots.generalization_curves(scores[:, :, :1], per_episode=True)
+    assert not single.axes[0].collections
+    assert len(legend_texts(single)) == 2
+
+
+def test_a_long_title_is_wrapped(payoff: np.ndarray) -> None:
+    title = "runs/2026/a-directory-with-a-long-name/generalist-generalist, seed 0\nforgetting"
+    for draw in (plots.payoff_heatmap, plots.generalization_curves, plots.lag_profile_curve):
+        figure = draw(payoff, title=title)  # type: ignore[operator]
+        saved(figure)
+        lines = figure.axes[0].get_title().split("\n")
+        assert lines[-1] == "forgetting"
+        assert "".join(lines[:-1]).replace(" ", "") == title.split("\n")[0].replace(" ", "")
+        box = figure.axes[0].title.get_window_extent()
+        assert box.x0 >= 0
+        assert box.x1 <= figure.bbox.width
 
 
 def test_a_baseline_outside_the_unit_interval_is_refused(payoff: np.ndarray) -> None:
@@ -274,6 +319,35 @@ def test_the_names_of_compared_races_are_inside_the_figure(cycle: np.ndarray, ra
     saved(figure)
     for axes in figure.axes[:races]:
         assert axes.title.get_window_extent().y1 < figure.bbox.height
+
+
+def test_many_compared_races_are_in_rows(payoff: np.ndarray) -> None:
+    names = [f"some-job-of-{n}/O-seed{n}/generalist-generalist, seed {n}" for n in range(10)]
+    figure = plots.comparison(dict.fromkeys(names, payoff), dict.fromkeys(names, judged(payoff)))
+    assert saved(figure).width < 2700
+    heatmaps = [axes for axes in figure.axes if axes.images and axes.get_title()]
+    assert [each.get_title().replace("\n", "").replace(" ", "") for each in heatmaps] == [
+        name.replace(" ", "") for name in names
+    ]
+    boxes = [each.title.get_window_extent() for each in heatmaps]
+    assert min(box.x0 for box in boxes) >= 0
+    assert max(box.x1 for box in boxes) <= figure.bbox.width
+    for number, box in enumerate(boxes):
+        assert not any(box.overlaps(other) for other in boxes[number + 1 :])
+        assert not any(box.overlaps(text.get_window_extent()) for text in heatmaps[number].texts)
+    (legend,) = figure.legends
+    assert 0 <= legend.get_window_extent().x0 < legend.get_window_extent().x1 <= figure.bbox.width
+
+
+@pytest.mark.parametrize("races", [1, 2, 3, 5])
+def test_the_legend_of_a_comparison_is_inside_the_figure(payoff: np.ndarray, races: int) -> None:
+    scores = dict.fromkeys(map(str, range(races)), episodes_of(payoff))
+    figure = plots.comparison(scores, per_episode=True)
+    saved(figure)
+    box = figure.legends[0].get_window_extent()
+    assert 0 <= box.x0 < box.x1 <= figure.bbox.width
+    (image,) = figure.axes[0].images
+    np.testing.assert_allclose(image.get_array(), scores["0"].mean(axis=2))
 
 
 def test_comparison_of_a_race_that_has_not_moved_yet() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from pathlib import Path
 
 import numpy as np
@@ -131,3 +132,56 @@ def test_the_drawing_of_the_present_moment_is_that_of_the_episode(name: str) -> 
         expected = replay.scene(recorder.episode(), title=shown.title)
         np.testing.assert_array_equal(render.rgb(shown, cell=12), render.rgb(expected, cell=12))
     assert world.steps > 2
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_recording_explains_every_step_as_the_world_does(name: str, tmp_path: Path) -> None:
+    config = config_of(name, obstacles=0.1)
+    episode = mw.record(config, "random", "fleer", seed=12, episode=3)
+    episode.save(tmp_path / "kept.npz")
+    world = mw.World(config)
+    world.reset(12, episode=3)
+    told = [list(world.step(row, explain=True)) and world.conflicts for row in episode.actions]
+    for recording in (episode, mw.Episode.load(tmp_path / "kept.npz")):
+        assert [recording.explain(step) for step in range(1, recording.length + 1)] == told
+        assert recording.explain() == told[-1]
+        assert recording.explain(0) == []
+    assert any(told)
+
+
+def test_environments_of_turns_record_conflicts() -> None:
+    config = config_of("TO", obstacles=0.1)
+    env = mw.aec_env(config, record=True)
+    env.reset(seed=4)
+    rng = np.random.default_rng(0)
+    for agent in env.agent_iter():
+        _, _, terminated, truncated, _ = env.last()
+        done = terminated or truncated
+        env.step(None if done else int(rng.integers(env.action_space(agent).n)))
+    kept = env.unwrapped.recorded
+    np.testing.assert_array_equal(
+        kept.conflict_table, mw.record_actions(config, kept.actions, seed=4).conflict_table
+    )
+    assert kept.conflict_table[:, 1].max() > 0
+
+
+def test_a_recorder_begins_between_rounds() -> None:
+    world = mw.World("TO", rows=6, cols=6, n_pursuers=2, n_evaders=2)
+    recorder = mw.Recorder(world)
+    world.play_turn([0] * 4)
+    with pytest.raises(RuntimeError, match=r"expected begin\(\) between two rounds, got turn 1"):
+        recorder.begin()
+
+
+def test_a_copy_of_a_recorded_world_goes_on_with_its_recording() -> None:
+    recorder = copy.deepcopy(mw.Recorder(mw.World("SB", rows=4, cols=4, n_pursuers=6, n_evaders=2)))
+    recorder.world.step([mw.Action.EAST] * 8)
+    recorder.note([mw.Action.EAST] * 8)
+    assert recorder.episode().explain(1) == recorder.world.conflicts != []
+
+
+def test_a_step_outside_the_episode_is_not_explained() -> None:
+    episode = mw.record(mw.WorldConfig("O", max_steps=5), "still", "still", seed=0)
+    for step in (6, -7):
+        with pytest.raises(IndexError, match=f"step: expected -6 to 5, got {step}"):
+            episode.explain(step)

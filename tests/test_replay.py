@@ -22,7 +22,7 @@ from made_up_episode import made_up_episode
 from matrixworld import colors, render
 from matrixworld.episode import Episode
 from matrixworld.render import terminal_animation as term
-from matrixworld.replay import animate_terminal, animation, contact_sheet, save, scene
+from matrixworld.replay import animate_terminal, animation, contact_sheet, print_moment, save, scene
 
 EPISODE = made_up_episode()
 
@@ -41,6 +41,10 @@ def test_scenes_follow_the_episode() -> None:
     assert (scene(EPISODE, 9, trail=4).trail == EPISODE.positions[5:9]).all()  # type: ignore[union-attr]
     with pytest.raises(IndexError):
         scene(EPISODE, 31)
+    with pytest.raises(ValueError, match="trail: expected .*, got -1"):
+        scene(EPISODE, 3, trail=-1)
+    with pytest.raises(TypeError, match="step: expected an integer"):
+        scene(EPISODE, 3.5)  # type: ignore[arg-type]
 
 
 def test_the_capture_rate_is_of_the_moment_under_surround_only() -> None:
@@ -199,7 +203,7 @@ def test_an_episode_that_stands_still_is_a_gif_too(tmp_path: Path) -> None:
     [
         ({"fps": 0}, "fps: expected 0.1 to 50 a second, got 0"),
         ({"fps": 60}, "fps: expected 0.1 to 50 a second, got 60"),
-        ({"every": 0}, "every: expected 1 step or more, got 0"),
+        ({"every": 0}, "every: expected at least 1, got 0"),
         ({"hold": -1}, "hold: expected 0 to 600 seconds, got -1"),
         ({"cell": 0}, "cell: expected 1 to"),
         ({"fov": 2, "viewers": [0]}, "fov: expected an odd number"),
@@ -267,7 +271,7 @@ def test_an_error_while_drawing_keeps_the_old_file(
 def test_a_film_needs_the_extra(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
     (tmp_path / "old.mp4").write_bytes(b"kept")
-    with pytest.raises(ImportError, match=r"pip install 'matrixworld\[video\]'"):
+    with pytest.raises(ImportError, match=r"pip install 'matrixworld-pursuit\[video\]'"):
         save(EPISODE, tmp_path / "old.mp4")
     assert [(path.name, path.read_bytes()) for path in tmp_path.iterdir()] == [("old.mp4", b"kept")]
 
@@ -277,6 +281,27 @@ def test_a_picture_of_one_moment(tmp_path: Path) -> None:
     wanted = render.rgb(scene(EPISODE, 7), cell=9, fov=5, viewers=[5, 1])
     with Image.open(tmp_path / "7.PNG") as image:
         assert (np.array(image) == wanted).all()
+
+
+def test_pictures_with_numbers(tmp_path: Path) -> None:
+    save(EPISODE, tmp_path / "7.png", step=7, numbers=True)
+    wanted = render.rgb(scene(EPISODE, 7), numbers=True)
+    with Image.open(tmp_path / "7.png") as image:
+        assert (np.array(image) == wanted).all()
+    save(EPISODE, tmp_path / "all.gif", every=30, numbers=True)
+    assert (next(frames(tmp_path / "all.gif"))[0].shape) == wanted.shape
+    wide = made_up_episode(rows=40, cols=40, steps=2)
+    with Image.open(io.BytesIO(animation(wide, numbers=True).data)) as image:
+        assert image.size == (40 * 20 + 24, 40 * 20 + 50)
+    assert contact_sheet(wide, numbers=True).width == 3 * (40 * 20 + 24)
+
+
+def test_a_moment_in_a_terminal_or_a_file() -> None:
+    file = io.StringIO()
+    print_moment(EPISODE, file, step=-3)
+    assert file.getvalue() == render.ansi(scene(EPISODE, 28), color="none") + "\n"
+    print_moment(EPISODE, file, color="256")
+    assert "\x1b[38;5;" in file.getvalue()
 
 
 def test_a_field_of_view_is_as_large_as_the_world_says(tmp_path: Path) -> None:
@@ -327,7 +352,7 @@ def test_a_contact_sheet_runs_from_first_to_last() -> None:
     views = np.array(contact_sheet(EPISODE, cell=14, trail=0, fov=3, viewers=["evader_1"]))
     seen = render.rgb(scene(EPISODE, 0, trail=0), cell=14, fov=3, viewers=[6])
     assert (views[:height, :width] == seen).all()
-    with pytest.raises(ValueError, match="rows, cols: expected at least 1, got 0, 3"):
+    with pytest.raises(ValueError, match="rows: expected at least 1, got 0"):
         contact_sheet(EPISODE, rows=0)
 
 
@@ -439,7 +464,8 @@ def test_which_colours_a_stream_may_have() -> None:
 
 
 @pytest.mark.parametrize(
-    ("options", "message"), [({"fps": 0}, "fps: expected more than 0"), ({"every": 0}, "every")]
+    ("options", "message"),
+    [({"fps": 0}, "fps: expected a number"), ({"every": 0}, "every")],
 )
 def test_animate_refuses(options: dict[str, int], message: str) -> None:
     with pytest.raises(ValueError, match=message):

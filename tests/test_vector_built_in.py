@@ -228,3 +228,26 @@ def test_gymnasium_makes_them() -> None:
     seen, infos = envs.reset(seed=0)
     assert seen.shape == (2, 8, 3, 11, 11)
     assert infos["opponent"].tolist() == [0, 0]
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_functions_are_asked_for_agents_that_act_only(mode: AutoresetMode) -> None:
+    asked = []
+
+    class Still(list):  # iterable, as modules of PyTorch can be
+        def __call__(self, seen: np.ndarray) -> np.ndarray:
+            asked.append(len(seen))
+            return np.zeros(len(seen), int)
+
+    config = config_of("D", max_steps=6)
+    envs, both = (
+        mw.VectorEnv(config, 5, autoreset_mode=mode, evaders=Still()),
+        mw.VectorEnv(config, 5, autoreset_mode=mode),
+    )
+    envs.reset(seed=1)
+    both.reset(seed=1)
+    for actions in random_actions(4, 5, 20, 5, 3):
+        before = sum(asked)
+        envs.step(actions)
+        *_, infos = both.step(np.concatenate([actions, np.zeros((5, 4), int)], axis=1))
+        assert sum(asked) - before == infos["acted"][:, 3:].sum()

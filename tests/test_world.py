@@ -407,14 +407,42 @@ def test_json(config: mw.WorldConfig) -> None:
     plain = json.loads(json.dumps(config.to_json()))
     assert set(plain) == {item.name for item in dataclasses.fields(config)}
     assert plain["rules"]["capture"] == config.rules.capture.name
-    enums = {"interaction": mw.Interaction, "capture": mw.Capture}
-    rules = {
-        name: value if isinstance(value, bool) else enums.get(name, mw.Outcome)[value]
-        for name, value in plain.pop("rules").items()
-    }
-    paid = plain.pop("rewards")
-    rewards = mw.Rewards(**paid | {"blame": mw.Blame[paid["blame"]]})
-    again = mw.WorldConfig(mw.Rules(**rules), rewards=rewards, **plain)
+    again = mw.WorldConfig.from_json(plain)
+    assert again.rules == config.rules
+    assert again.rewards == config.rewards
+    assert again.to_json() == config.to_json()
+
+
+@pytest.mark.parametrize(
+    ("changes", "error", "message"),
+    [
+        ({"speed": 1}, ValueError, r"config: expected \['cols', .* got .*'speed'"),
+        ({"rules": "O"}, TypeError, "rules: expected a mapping, got str"),
+        ({"rules": {}}, ValueError, r"rules: expected \['capture', .* got \[\]"),
+        ({"rules": {"capture": "FLOOD"}}, ValueError, "capture: expected one of OCCUPATION, SURR"),
+        ({"rewards": {"blame": []}}, ValueError, r"blame: expected one of FAULT, .* got \[\]"),
+        ({"rewards": {"evader_step": "1"}}, TypeError, "evader_step: expected a number, got '1'"),
+        ({"obstacles": "/dev/zero"}, TypeError, "obstacles: expected a number or a list"),
+        ({"rows": 0}, ValueError, "rows"),
+    ],
+)
+def test_plain_settings_are_checked(
+    changes: dict[str, object], error: type[Exception], message: str
+) -> None:
+    plain = mw.WorldConfig().to_json()
+    for name, value in changes.items():
+        part = plain.get(name)
+        plain[name] = part | value if isinstance(value, dict) and value and part else value
+    with pytest.raises(error, match=message):
+        mw.WorldConfig.from_json(plain)
+    with pytest.raises(TypeError, match="config: expected a mapping, got list"):
+        mw.WorldConfig.from_json([])  # type: ignore[arg-type]
+
+
+def test_settings_of_a_recording() -> None:
+    config = mw.WorldConfig("SDB", rows=6, cols=7, obstacles=0.1, max_steps=9)
+    episode = mw.record(config, "chaser", "fleer", seed=3)
+    again = mw.WorldConfig.from_json(episode.config)
     assert again.to_json() == config.to_json()
 
 

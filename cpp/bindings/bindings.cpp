@@ -99,7 +99,10 @@ std::array<std::uint64_t, 4> philox_block(std::array<std::uint64_t, 4> counter,
 
 // Enumerations become Python's own (`enum.Enum`), with the names that the package exports. Keyword
 // arguments only: a long row of numbers in a fixed order would be easy to get wrong.
-PYBIND11_MODULE(_core, m) {
+//
+// No GIL is needed: setups and networks never change, a world's methods take its lock, a batch refuses
+// a second caller, and rollouts share nothing (see one_caller.hpp).
+PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
     m.doc() = "The engine of matrixworld. Use it through the package.";
 
     py::native_enum<Outcome>(m, "Outcome", "enum.Enum", "What a collision does to an agent.")

@@ -7,6 +7,7 @@
 #include "bindings/bindings.hpp"
 #include "bindings/numpy_arrays.hpp"
 #include "bindings/numpy_buffers.hpp"
+#include "bindings/signals.hpp"
 #include "play/rollout.hpp"
 
 namespace matrixworld {
@@ -118,19 +119,22 @@ py::dict rollout(const std::shared_ptr<const Setup>& setup, const py::object& pu
     require_shape("pursuer", pursuer, {n});
     require_shape("evader", evader, {n});
     require_shape("seed", seed, {n});
-    // Genomes are looked up by pointer arithmetic later, so every index is checked here.
+    // Genomes are looked up by pointer arithmetic later, so every index is checked here: in a copy,
+    // to which no other thread can write.
     std::vector<Match> matches;
+    matches.reserve(static_cast<std::size_t>(n));
     for (py::ssize_t i = 0; i < n; ++i) {
-        require_index("pursuer", pursuer.at(i), left.candidates.n);
-        require_index("evader", evader.at(i), right.candidates.n);
         matches.push_back({pursuer.at(i), evader.at(i), seed.at(i)});
+        require_index("pursuer", matches.back().pursuer, left.candidates.n);
+        require_index("evader", matches.back().evader, right.candidates.n);
     }
     // The arrays stay alive in `left` and `right`; no Python object is touched without the GIL.
     std::vector<EpisodeStatistics> statistics;
+    const Workers::Poll poll = signal_poll();
     {
         const py::gil_scoped_release release;
-        statistics =
-            play_matches(setup, left.candidates, right.candidates, matches, n_worlds, n_threads);
+        statistics = play_matches(setup, left.candidates, right.candidates, matches, n_worlds,
+                                  n_threads, poll);
     }
     return to_columns(statistics, setup->config, {n, n_worlds});
 }
@@ -213,11 +217,12 @@ py::dict record(const std::shared_ptr<const Setup>& setup, const py::object& pur
     const HeldCandidates right = to_candidates("evaders", evaders, setup->config);
     require_index("pursuer", pursuer, left.candidates.n);
     require_index("evader", evader, right.candidates.n);
-    // The GIL is kept: one episode is short.
+    // The GIL is kept, because one episode is mostly short. If it is long, signals can end it.
     Recorder recorder(*setup, of_moments, of_steps);
     play_episode(setup, left.candidates, right.candidates, {pursuer, evader, seed}, episode,
                  [&](const World& world, const Occupancy& occupancy,
                      const std::vector<std::uint8_t>* actions) {
+                     handle_signals();
                      recorder.note(world, occupancy, actions);
                  });
     return recorder.arrays();

@@ -7,6 +7,7 @@
 #include "bindings/bindings.hpp"
 #include "bindings/numpy_arrays.hpp"
 #include "bindings/numpy_buffers.hpp"
+#include "bindings/one_caller.hpp"
 #include "play/batch.hpp"
 #include "play/mlp.hpp"
 
@@ -65,7 +66,8 @@ Snapshot to_snapshot(const py::dict& from, const Config& config) {
     return snapshot;
 }
 
-// A world with a scratch of its own, in which its agents stay between two calls.
+// A world with a scratch of its own, in which its agents stay between two calls. No method releases
+// the GIL, or calls what may release it, between two accesses to the world.
 class SingleWorld {
   public:
     explicit SingleWorld(std::shared_ptr<const Setup> setup)
@@ -86,15 +88,14 @@ class SingleWorld {
     }
 
     void step(const py::array& actions, bool explain) {
-        const std::vector<std::uint8_t> committed = commit(actions, 0, setup_->config.n_agents());
+        const std::vector<std::uint8_t> committed = commit(actions, false);
         conflicts_.clear();
         world_.step(committed.data(), scratch_, explain ? &conflicts_ : nullptr);
     }
 
     // The next turn of the round.
     void play_turn(const py::array& actions, bool explain) {
-        const auto [first, last] = actors();
-        const std::vector<std::uint8_t> committed = commit(actions, first, last);
+        const std::vector<std::uint8_t> committed = commit(actions, true);
         if (turn_ == 0) {
             conflicts_.clear();
             world_.begin_round();
@@ -138,8 +139,9 @@ class SingleWorld {
 
     // (turn, kind, form, first, second, (row, col), at_fault, held, doomed)
     py::list conflicts() const {
+        const std::vector<Conflict> conflicts = conflicts_;  // new tuples may start Python's GC
         py::list list;
-        for (const Conflict& c : conflicts_) {
+        for (const Conflict& c : conflicts) {
             const int row = world_.grid().row(c.cell);
             const int col = world_.grid().col(c.cell);
             list.append(py::make_tuple(c.turn, static_cast<int>(c.kind), static_cast<int>(c.form),
@@ -171,10 +173,12 @@ class SingleWorld {
     }
 
   private:
-    std::vector<std::uint8_t> commit(const py::array& actions, int first, int last) const {
+    // The actions of all agents, or of those that act in the next turn.
+    std::vector<std::uint8_t> commit(const py::array& actions, bool of_turn) const {
         const int n_agents = setup_->config.n_agents();
         std::vector<std::uint8_t> committed(static_cast<std::size_t>(n_agents), 0);
         with_integers("actions", actions, {n_agents}, [&](const auto* given) {
+            const auto [first, last] = of_turn ? actors() : std::pair{0, n_agents};
             commit_actions(world_, 0, first, last, given, committed.data());
         });
         return committed;
@@ -226,7 +230,8 @@ std::vector<Placement> to_placements(const py::object& pursuers, const py::objec
 }
 
 // A batch with the caller's arrays. Steps and resets run without the GIL, after all checks that need
-// Python objects.
+// Python objects. Other threads may write to the arguments meanwhile, so what decides about memory
+// is copied, and the copy is checked.
 class BufferedBatch {
   public:
     BufferedBatch(const std::shared_ptr<const Setup>& setup, int n_worlds, int n_threads,
@@ -237,17 +242,21 @@ class BufferedBatch {
     void reset(const std::optional<Array<std::uint64_t>>& seeds, std::uint64_t episode,
                const std::optional<Array<bool>>& mask, const py::object& pursuers,
                const py::object& evaders, const py::object& map) {
+        const InUse::Call call(in_use_);
         const int n = batch_.n_worlds();
         if (seeds) require_shape("seeds", *seeds, {n});
         if (mask) require_shape("mask", *mask, {n});
         const std::vector<Placement> placements = to_placements(pursuers, evaders, map, n);
         const std::uint64_t* first_seed = seeds ? seeds->data() : nullptr;
-        const auto* chosen = mask ? reinterpret_cast<const std::uint8_t*>(mask->data()) : nullptr;
+        std::vector<std::uint8_t> chosen;
+        if (mask) chosen.assign(mask->data(), mask->data() + n);
         const py::gil_scoped_release release;
-        batch_.reset(first_seed, episode, chosen, placements, held_.buffers);
+        batch_.reset(first_seed, episode, mask ? chosen.data() : nullptr, placements,
+                     held_.buffers);
     }
 
     void step(const py::array& actions) {
+        const InUse::Call call(in_use_);
         const Shape shape{batch_.n_worlds(), batch_.setup().config.n_agents()};
         with_integers("actions", actions, shape, [&](const auto* given) {
             const py::gil_scoped_release release;
@@ -256,9 +265,13 @@ class BufferedBatch {
     }
 
     // Between two steps no round is in progress: the next turn is turn 0.
-    py::dict snapshot(int w) const { return to_dict(batch_.snapshot(w), batch_.setup().config, 0); }
+    py::dict snapshot(int w) {
+        const InUse::Call call(in_use_);
+        return to_dict(batch_.snapshot(w), batch_.setup().config, 0);
+    }
 
   private:
+    InUse in_use_;
     HeldBuffers held_;
     Batch batch_;
 };
@@ -268,18 +281,18 @@ class BufferedBatch {
 void bind_worlds(py::module_& m) {
     py::class_<SingleWorld>(m, "World")
         .def(py::init<std::shared_ptr<const Setup>>(), py::arg("setup"))
-        .def("reset", &SingleWorld::reset, py::arg("seed"), py::arg("episode"), py::arg("pursuers"),
-             py::arg("evaders"), py::arg("map"))
-        .def("step", &SingleWorld::step, py::arg("actions"), py::arg("explain"))
-        .def("play_turn", &SingleWorld::play_turn, py::arg("actions"), py::arg("explain"))
-        .def("turn", &SingleWorld::turn)
-        .def("n_turns", &SingleWorld::n_turns)
-        .def("actors", &SingleWorld::actors)
-        .def("write", &SingleWorld::write, py::arg("arrays"))
-        .def("conflicts", &SingleWorld::conflicts)
-        .def("snapshot", &SingleWorld::snapshot)
-        .def("restore", &SingleWorld::restore, py::arg("snapshot"))
-        .def("logits", &SingleWorld::logits, py::arg("network"), py::arg("genome"));
+        .def("reset", locked(&SingleWorld::reset), py::arg("seed"), py::arg("episode"),
+             py::arg("pursuers"), py::arg("evaders"), py::arg("map"))
+        .def("step", locked(&SingleWorld::step), py::arg("actions"), py::arg("explain"))
+        .def("play_turn", locked(&SingleWorld::play_turn), py::arg("actions"), py::arg("explain"))
+        .def("turn", locked(&SingleWorld::turn))
+        .def("n_turns", locked(&SingleWorld::n_turns))
+        .def("actors", locked(&SingleWorld::actors))
+        .def("write", locked(&SingleWorld::write), py::arg("arrays"))
+        .def("conflicts", locked(&SingleWorld::conflicts))
+        .def("snapshot", locked(&SingleWorld::snapshot))
+        .def("restore", locked(&SingleWorld::restore), py::arg("snapshot"))
+        .def("logits", locked(&SingleWorld::logits), py::arg("network"), py::arg("genome"));
 
     py::class_<BufferedBatch>(m, "Batch")
         .def(py::init<const std::shared_ptr<const Setup>&, int, int, Autoreset, const py::dict&>(),

@@ -53,7 +53,7 @@ void require_room(const Config& config, const ByteArray& map) {
                                     " cells, got " + std::to_string(map.size()));
     }
     const int blocked =
-        map.size() ? static_cast<int>(map.cast<int>().sum()) : config.n_random_obstacles();
+        map.size() ? static_cast<int>((map != 0).count()) : config.n_random_obstacles();
     if (config.n_agents() > area - blocked) {
         throw std::invalid_argument("obstacle map: expected at least " +
                                     std::to_string(config.n_agents()) + " free cells, got " +
@@ -84,8 +84,17 @@ int free_index(const Config& config, const ByteArray& map, int row, int col) {
 
 // ---- What worlds share ------------------------------------------------------------------------
 
-Setup::Setup(Config given) : config(std::move(given)), grid(config.rows, config.cols) {
+namespace {
+
+// Before a grid is made of it: the sizes of a grid are computed with ints.
+Config checked(Config config) {
     config.validate();
+    return config;
+}
+
+}  // namespace
+
+Setup::Setup(Config given) : config(checked(std::move(given))), grid(config.rows, config.cols) {
     terrain = std::make_shared<const Terrain>(grid, config.fov / 2, config.map);
     // A table of the eight sums replaces three branches for every agent that collides.
     for (int team = 0; team < kTeams; ++team) {

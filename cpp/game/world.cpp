@@ -86,9 +86,9 @@ void World::play_turn(int number, const std::uint8_t* actions, Scratch& scratch,
     first_turn_ = false;
 }
 
-// The round counts even where the episode ended in the middle of it.
+// The round counts even where the episode ended in the middle of it, but none counts after the last.
 void World::end_round() {
-    ++steps_;
+    steps_ = std::min(steps_ + 1, config().max_steps);
     truncated_ = steps_ >= config().max_steps;
 }
 

@@ -7,17 +7,11 @@
 
 namespace matrixworld {
 
-namespace {
-
 void require_range(const char* name, long value, long low, long high) {
-    if (value < low || value > high) {
-        throw std::invalid_argument(std::string(name) + ": expected " + std::to_string(low) +
-                                    " to " + std::to_string(high) + ", got " +
-                                    std::to_string(value));
-    }
+    if (value >= low && value <= high) return;
+    throw std::invalid_argument(std::string(name) + ": expected " + std::to_string(low) + " to " +
+                                std::to_string(high) + ", got " + std::to_string(value));
 }
-
-}  // namespace
 
 int Config::n_random_obstacles() const {
     return static_cast<int>(std::lround(density * rows * cols));
@@ -43,7 +37,7 @@ void Config::validate() const {
         throw std::invalid_argument("obstacle map: expected " + std::to_string(area) +
                                     " cells, got " + std::to_string(map.size()));
     }
-    const long blocked = map.size() ? map.cast<long>().sum() : n_random_obstacles();
+    const long blocked = map.size() ? (map != 0).count() : n_random_obstacles();
     const long agents = static_cast<long>(n_pursuers) + n_evaders;
     if (agents > area - blocked) {
         throw std::invalid_argument("more agents than free cells: expected at most " +

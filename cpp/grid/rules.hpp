@@ -90,6 +90,9 @@ struct Rewards {
     bool capture_repeats = false;
 };
 
+// Throws std::invalid_argument that says what was expected and what came.
+void require_range(const char* name, long value, long low, long high);
+
 // Everything that is fixed for a world before its first episode.
 struct Config {
     Rules rules;

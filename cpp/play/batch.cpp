@@ -7,7 +7,7 @@ namespace matrixworld {
 namespace {
 
 // Enough worlds that taking a piece costs nothing, few enough that threads end at the same time.
-constexpr int kWorldsPerPiece = 16;
+constexpr std::int64_t kWorldsPerPiece = 16;
 
 EpisodeKey next_episode(const World& world) { return {world.key().seed, world.key().episode + 1}; }
 
@@ -27,10 +27,10 @@ Batch::Batch(std::shared_ptr<const Setup> setup, int n_worlds, int n_threads, Au
 
 template <typename Play>
 void Batch::for_each_world(Play play) {
-    const int n_pieces = (n_worlds() + kWorldsPerPiece - 1) / kWorldsPerPiece;
-    workers_.run(n_pieces, [&](int piece, int thread) {
-        const int end = std::min((piece + 1) * kWorldsPerPiece, n_worlds());
-        for (int w = piece * kWorldsPerPiece; w < end; ++w) {
+    const std::int64_t n_pieces = (n_worlds() + kWorldsPerPiece - 1) / kWorldsPerPiece;
+    workers_.run(n_pieces, [&](std::int64_t piece, int thread) {
+        const std::int64_t end = std::min((piece + 1) * kWorldsPerPiece, std::int64_t{n_worlds()});
+        for (std::int64_t w = piece * kWorldsPerPiece; w < end; ++w) {
             play(worlds_[w], static_cast<std::size_t>(w), *workspaces_[thread]);
         }
     });

@@ -25,8 +25,8 @@ enum class Autoreset : std::uint8_t {
 };
 
 // Checks the actions (A,) of a world's living agents [first, last) and writes them to `committed`.
-// Other entries are neither checked nor written. Throws std::invalid_argument that names world,
-// agent and value.
+// Other entries are neither checked nor written. Each action is read once. Throws
+// std::invalid_argument that names world, agent and value.
 template <typename Integer>
 void commit_actions(const World& world, std::size_t number, int first, int last,
                     const Integer* actions, std::uint8_t* committed) {
@@ -44,14 +44,21 @@ void commit_actions(const World& world, std::size_t number, int first, int last,
     }
 }
 
-// Are all n values at least 0 and below the limit? One loop without branches, which the compiler
-// turns into vector instructions: nearly always all actions of a batch are legal.
+// Copies n values as bytes, and returns whether all of them are at least 0 and below the limit. Each
+// value is read once and the copies are judged, since another thread may be writing to the values.
+// Two loops without branches, which the compiler turns into vector instructions: nearly always all
+// actions of a batch are legal.
 template <typename Integer>
-bool all_below(int limit, const Integer* values, std::size_t n) {
-    using Unsigned = std::make_unsigned_t<Integer>;  // negative values become large ones
-    Unsigned most = 0;
-    for (std::size_t i = 0; i < n; ++i) most = std::max(most, static_cast<Unsigned>(values[i]));
-    return most < static_cast<Unsigned>(limit);
+bool copy_below(int limit, const Integer* values, std::size_t n, std::uint8_t* copies) {
+    std::make_unsigned_t<Integer> bits = 0;  // of all values; those of a negative one are high
+    for (std::size_t i = 0; i < n; ++i) {
+        const Integer value = values[i];
+        bits |= static_cast<std::make_unsigned_t<Integer>>(value);
+        copies[i] = static_cast<std::uint8_t>(value);
+    }
+    std::uint8_t most = 0;
+    for (std::size_t i = 0; i < n; ++i) most = std::max(most, copies[i]);
+    return bits <= UINT8_MAX && most < limit;
 }
 
 class Batch {
@@ -115,11 +122,9 @@ class Batch {
 template <typename Integer>
 void Batch::commit(const Integer* actions) {
     const std::size_t n_agents = static_cast<std::size_t>(setup_->config.n_agents());
-    if (all_below(setup_->config.n_actions(), actions, actions_.size())) {
-        std::copy_n(actions, actions_.size(), actions_.begin());
-        return;
-    }
+    if (copy_below(setup_->config.n_actions(), actions, actions_.size(), actions_.data())) return;
     // Some action is out of range, which is allowed for gone agents and in worlds that are over.
+    std::fill(actions_.begin(), actions_.end(), std::uint8_t{0});
     for (std::size_t w = 0; w < worlds_.size(); ++w) {
         if (worlds_[w].over()) continue;
         commit_actions(worlds_[w], w, 0, static_cast<int>(n_agents), actions + w * n_agents,

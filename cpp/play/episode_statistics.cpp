@@ -1,5 +1,6 @@
 #include "play/episode_statistics.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace matrixworld {
@@ -18,6 +19,10 @@ std::array<int, kTeams> overlaps(const World& world, const Occupancy& occupancy)
         sums[static_cast<int>(world.team(a))] += static_cast<double>(n - 1) / n;
     }
     return {static_cast<int>(std::lround(sums[0])), static_cast<int>(std::lround(sums[1]))};
+}
+
+std::int32_t at_most_int32(std::int64_t count) {
+    return static_cast<std::int32_t>(std::min<std::int64_t>(count, INT32_MAX));
 }
 
 // Four sums side by side, because each addition of one sum waits for the one before it.
@@ -54,8 +59,8 @@ void StatisticsAccumulator::add(const World& world, const Occupancy& occupancy) 
         if (report == 0) continue;  // nearly all agents
         const int t = static_cast<int>(world.team(a));
         for (int kind = 0; kind < kKinds; ++kind) {
-            sums_.collisions[t * kKinds + kind] += report >> kind & 1;
-            sums_.faults[t * kKinds + kind] += report >> (kKinds + kind) & 1;
+            n_collisions_[t * kKinds + kind] += report >> kind & 1;
+            n_faults_[t * kKinds + kind] += report >> (kKinds + kind) & 1;
         }
     }
 }
@@ -72,6 +77,10 @@ EpisodeStatistics StatisticsAccumulator::total(const World& world) const {
     statistics.capture_rate = share(world.n_captured(), config.n_evaders);
     statistics.ever_capture_rate = share(world.n_ever_captured(), config.n_evaders);
     statistics.captured_fraction = share(captured / config.max_steps, config.n_evaders);
+    for (int i = 0; i < kTeams * kKinds; ++i) {
+        statistics.collisions[i] = at_most_int32(n_collisions_[i]);
+        statistics.faults[i] = at_most_int32(n_faults_[i]);
+    }
     for (int t = 0; t < kTeams; ++t) {
         statistics.survivors[t] = world.n_living(static_cast<Team>(t));
         statistics.overlap[t] =

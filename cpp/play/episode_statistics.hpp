@@ -10,7 +10,8 @@
 namespace matrixworld {
 
 // Means over steps are over max_steps. After an early end the share of captured evaders counts as it
-// was at the end, and overlap counts as 0.
+// was at the end, and overlap counts as 0. A count that is too large for its type is reported as the
+// largest number of the type.
 struct EpisodeStatistics {
     float capture_rate = 0;                // share of the evaders that count as captured at the end
     float ever_capture_rate = 0;           // share of the evaders captured at some time
@@ -40,7 +41,9 @@ class StatisticsAccumulator {
     // Counts over steps. Whole numbers, so that a mean is rounded only once, at the end.
     std::int64_t n_captured_ = 0;  // evaders that count as captured, over steps
     std::array<std::int64_t, kTeams> n_overlapping_{};  // agents beyond the first on a cell
-    std::array<std::int64_t, kTeams> n_living_{};       // as the next step begins
+    std::array<std::int64_t, kTeams * kKinds> n_collisions_{};
+    std::array<std::int64_t, kTeams * kKinds> n_faults_{};
+    std::array<std::int64_t, kTeams> n_living_{};  // as the next step begins
 };
 
 }  // namespace matrixworld

@@ -1,23 +1,17 @@
 #include "play/mlp.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
 namespace matrixworld {
 
 Network::Network(int fov, std::vector<int> hidden, int n_actions, Activation activation,
                  bool sampled)
     : fov(fov), activation(activation), sampled(sampled) {
+    require_range("fov", fov, 1, kMaxFieldOfView);
     sizes.push_back(kChannels * fov * fov);
     sizes.insert(sizes.end(), hidden.begin(), hidden.end());
     sizes.push_back(n_actions);
-    for (int size : sizes) {
-        if (size < 1) {
-            throw std::invalid_argument("layer sizes: expected at least 1, got " +
-                                        std::to_string(size));
-        }
-    }
+    for (int size : sizes) require_range("layer sizes", size, 1, kMaxLayer);
 }
 
 Eigen::Index Network::genome_size() const {

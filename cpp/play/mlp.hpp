@@ -16,8 +16,11 @@
 
 namespace matrixworld {
 
+constexpr int kMaxLayer = 1 << 20;  // units; the largest layer, so that sizes fit their types
+
 // The genome is, layer by layer, the weights (inputs, outputs) row by row and then the biases.
-// Throws std::invalid_argument for sizes below 1.
+// Throws std::invalid_argument for sizes below 1 and above kMaxLayer, and for a field of view that
+// no world has.
 struct Network {
     Network(int fov, std::vector<int> hidden, int n_actions, Activation activation, bool sampled);
 

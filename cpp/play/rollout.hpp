@@ -13,6 +13,7 @@
 #include "play/episode_statistics.hpp"
 #include "play/mlp.hpp"
 #include "play/policy.hpp"
+#include "play/threads.hpp"
 
 namespace matrixworld {
 
@@ -36,10 +37,13 @@ using StepCallback = std::function<void(const World& world, const Occupancy& occ
                                         const std::vector<std::uint8_t>* actions)>;
 
 // Plays n_worlds episodes of every match and returns their statistics, (n matches, n_worlds), flat.
+// The calling thread calls `poll` about every 50 ms; if that throws, all threads stop after their
+// round, and the exception leaves this function. Throws std::invalid_argument for more episodes than
+// memory can hold.
 std::vector<EpisodeStatistics> play_matches(const std::shared_ptr<const Setup>& setup,
                                             const Candidates& pursuers, const Candidates& evaders,
                                             const std::vector<Match>& matches, int n_worlds,
-                                            int n_threads);
+                                            int n_threads, const Workers::Poll& poll = {});
 
 // Plays one of these episodes and calls `callback` at each of its moments.
 EpisodeStatistics play_episode(const std::shared_ptr<const Setup>& setup,

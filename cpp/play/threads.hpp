@@ -2,105 +2,52 @@
 // determined, so the result of a piece must depend on its number alone. For example
 //
 //     Workers workers(4);
-//     workers.run(n, [&](int piece, int thread) { out[piece] = solve(piece, memory[thread]); });
+//     workers.run(n, [&](std::int64_t piece, int thread) {
+//         out[piece] = solve(piece, memory[thread]);
+//     });
+//
+// A process may be forked while it has a pool. The child has no thread but the one that forked, so
+// the child abandons its copy of the pool and starts threads of its own when they are needed.
 #pragma once
 
-#include <atomic>
-#include <condition_variable>
-#include <exception>
+#include <algorithm>
+#include <cstdint>
 #include <functional>
-#include <mutex>
-#include <thread>
-#include <vector>
+#include <memory>
 
 namespace matrixworld {
 
+// The number of forks that lie between this process and the one that loaded the engine. It differs
+// between a process and its children.
+int fork_depth();
+
 class Workers {
   public:
-    // 0 threads: as many as the machine has cores. The calling thread works, too, so one fewer is
-    // started.
-    explicit Workers(int n_threads) {
-        const int n =
-            n_threads > 0 ? n_threads : static_cast<int>(std::thread::hardware_concurrency());
-        try {
-            for (int i = 1; i < n; ++i) threads_.emplace_back([this, i] { wait_for_work(i); });
-        } catch (...) {  // the system has no more threads: join those that have started
-            stop();
-            throw;
-        }
-    }
+    using Work = std::function<void(std::int64_t piece, int thread)>;
+    // Called now and then by the thread that called `run`, for example to look for signals. If it
+    // throws, the work stops.
+    using Poll = std::function<void()>;
 
-    ~Workers() { stop(); }
+    // The calling thread works, too, so one fewer is started, by the first `run`.
+    explicit Workers(int n_threads) : n_threads_(std::max(n_threads, 1)) {}
 
-    Workers(const Workers&) = delete;
-    Workers& operator=(const Workers&) = delete;
-
-    int n_threads() const { return static_cast<int>(threads_.size()) + 1; }
+    int n_threads() const { return n_threads_; }
 
     // Calls work(piece, thread) for every piece below n_pieces, and rethrows the first exception.
-    void run(int n_pieces, const std::function<void(int, int)>& work) {
-        {
-            const std::lock_guard<std::mutex> lock(mutex_);
-            work_ = &work;
-            n_pieces_ = n_pieces;
-            next_ = 0;
-            busy_ = static_cast<int>(threads_.size());
-            failure_ = nullptr;
-            ++job_;  // a sleeping thread compares this number, so no spurious wake-up works twice
-        }
-        start_.notify_all();
-        take_pieces(0);
-        // `work` is the caller's: it must not return before all threads have stopped using it.
-        std::unique_lock<std::mutex> lock(mutex_);
-        done_.wait(lock, [this] { return busy_ == 0; });
-        if (failure_) std::rethrow_exception(failure_);
-    }
+    void run(std::int64_t n_pieces, const Work& work, const Poll& poll = {});
+
+    // To be called by long work at short intervals: calls `poll` about every 50 ms, and throws if
+    // the work is to stop.
+    void check(int thread);
 
   private:
-    void stop() {
-        {
-            const std::lock_guard<std::mutex> lock(mutex_);
-            stop_ = true;
-        }
-        start_.notify_all();
-        for (std::thread& thread : threads_) thread.join();
-    }
+    class Pool;
+    struct DeletePool {
+        void operator()(Pool* pool) const;
+    };
 
-    void wait_for_work(int thread) {
-        long seen = 0;
-        std::unique_lock<std::mutex> lock(mutex_);
-        while (true) {
-            start_.wait(lock, [&] { return stop_ || job_ != seen; });
-            if (stop_) return;
-            seen = job_;
-            lock.unlock();
-            take_pieces(thread);
-            lock.lock();
-            if (--busy_ == 0) done_.notify_one();
-        }
-    }
-
-    void take_pieces(int thread) {
-        try {
-            for (int piece = next_++; piece < n_pieces_; piece = next_++) (*work_)(piece, thread);
-        } catch (...) {
-            const std::lock_guard<std::mutex> lock(mutex_);
-            if (!failure_) failure_ = std::current_exception();
-            next_ = n_pieces_;  // no thread takes another piece
-        }
-    }
-
-    std::vector<std::thread> threads_;
-    std::mutex mutex_;
-    std::condition_variable start_;
-    std::condition_variable done_;
-    const std::function<void(int, int)>* work_ = nullptr;
-    std::atomic<int> next_{0};
-    int n_pieces_ = 0;
-    int busy_ = 0;
-    long job_ = 0;
-    bool stop_ = false;
-    std::exception_ptr failure_;
+    int n_threads_;
+    std::unique_ptr<Pool, DeletePool> pool_;
 };
 
 }  // namespace matrixworld

@@ -1,6 +1,7 @@
 // Plays random worlds, batches and rollouts under every combination of the rules, for a build with
 // sanitizers and with assertions that throw (MATRIXWORLD_SANITIZE). Checks the invariants of each;
 // prints those that fail and exits with 1 if any does.
+#include <climits>
 #include <cstdio>
 
 #include "invariants.hpp"
@@ -316,7 +317,26 @@ void check_limits() {
     require(refuses([](Config& c) { c.density = 1.0; }), "obstacles everywhere");
     require(refuses([](Config& c) { c.density = 0.999; }), "no room between obstacles");
     require(refuses([](Config& c) { c.map = ByteArray::Zero(3); }), "a map of another size");
+    require(refuses([](Config& c) { c.rows = INT_MAX; }), "rows that overflow");
+    require(refuses([](Config& c) { c.cols = INT_MAX; }), "columns that overflow");
     require(refused([] { Network(11, {0}, 5, Activation::Relu, true); }), "an empty layer");
+    require(refused([] { Network(INT_MAX, {}, 5, Activation::Relu, true); }),
+            "a view that overflows");
+    require(refused([] { Network(11, {INT_MAX}, 5, Activation::Relu, true); }),
+            "too large a layer");
+}
+
+// Sizes of a rollout beyond every memory: refused, or too large to allocate, but never computed wrong.
+void check_large_rollout() {
+    const auto setup = std::make_shared<const Setup>(Config());
+    Candidates candidates;
+    candidates.script = find_script("still");
+    const std::vector<Match> none;
+    for (const int n_worlds : {0, -1}) {
+        require(refused([&] { play_matches(setup, candidates, candidates, none, n_worlds, 1); }),
+                "no worlds");
+    }
+    require(play_matches(setup, candidates, candidates, none, INT_MAX, 1).empty(), "no matches");
 }
 
 // The largest grid and the widest views: where indices are largest.
@@ -358,6 +378,7 @@ int run_all() {
     Random random(20);
     int n_failed = run("build", check_build);
     n_failed += run("limits", check_limits);
+    n_failed += run("large rollout", check_large_rollout);
     n_failed += run("large world", [&] { check_large(random); });
     int number = 0;
     for (const Rules& rules : all_rules()) {

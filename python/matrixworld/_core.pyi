@@ -196,7 +196,7 @@ def rollout(
     n_worlds: int,
     n_threads: int,
 ) -> dict[str, NDArray[Any]]:
-    """Episode statistics of M matches: arrays (M, n_worlds, ...) by name; 0 threads: one a core."""
+    """Episode statistics of M matches: arrays (M, n_worlds, ...) by name."""
 
 def record(
     setup: Setup,

@@ -85,18 +85,25 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     ((128, 363), Discrete(5))
     """
 
+    single_observation_space: spaces.Box
+    single_action_space: spaces.Discrete
+    observation_space: spaces.Space[NDArray[Any]]
+    action_space: spaces.Space[NDArray[Any]]
+
     def __init__(self, worlds: VectorEnv, team: str | None = None) -> None:
         check_instance("worlds", worlds, VectorEnv)
         if team is not None:
             check_choice("team", team, TEAMS)
-        self.worlds, self.team = worlds, team
+        self.worlds: VectorEnv = worlds
+        self.team: str | None = team
         parts = {"pursuer": worlds.pursuers.agents, "evader": worlds.evaders.agents}
         self._slice = parts.get(team or "", slice(None))  # of the agents in the worlds' arrays
         self._agents = worlds.agents[self._slice]
         if not self._agents:
             raise ValueError(f"team: expected the one that the caller plays, got {team!r}")
-        self.num_envs = worlds.n_worlds * len(self._agents)
-        self.metadata, self.render_mode = worlds.metadata, worlds.render_mode
+        self.num_envs: int = worlds.n_worlds * len(self._agents)
+        self.metadata: dict[str, Any] = worlds.metadata
+        self.render_mode: str | None = worlds.render_mode
         seen = worlds.observations
         self.single_observation_space = spaces.Box(0, 1, seen.shape[2:], seen.dtype.type)
         self.single_action_space = spaces.Discrete(worlds.config.n_actions)
@@ -235,4 +242,6 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
 
     def close_extras(self, **kwargs: Any) -> None:
         """Close the worlds."""
-        self.worlds.close(**kwargs)
+        # Some versions of Gymnasium also close an environment whose constructor raised.
+        if hasattr(self, "worlds"):
+            self.worlds.close(**kwargs)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from matrixworld import _core
 from matrixworld.config import WorldConfig
+from matrixworld.memory import check_memory
 
 Specs: TypeAlias = dict[str, tuple[tuple[int, ...], DTypeLike]]
 
@@ -138,6 +140,19 @@ def _specs(fields: dict[str, OutputField], config: WorldConfig) -> Specs:
         name: (tuple(sizes[axis] for axis in field.axes), field.dtype)
         for name, field in fields.items()
     }
+
+
+def new_arrays(specs: Specs, n_worlds: int) -> dict[str, NDArray[Any]]:
+    """Return an array of zeros for each of some specs, with a leading axis of worlds.
+
+    Raises OutOfMemoryError if they need more memory than is available.
+    """
+    sizes = {
+        name: n_worlds * math.prod(shape) * np.dtype(dtype).itemsize
+        for name, (shape, dtype) in specs.items()
+    }
+    check_memory("arrays", sizes)
+    return {name: np.zeros((n_worlds, *shape), dtype) for name, (shape, dtype) in specs.items()}
 
 
 def integers(name: str, given: ArrayLike) -> NDArray[Any]:

@@ -10,7 +10,7 @@ from typing_extensions import Unpack
 
 from matrixworld import _core
 from matrixworld._core import Autoreset
-from matrixworld.arrays import array_specs, integers
+from matrixworld.arrays import array_specs, integers, new_arrays
 from matrixworld.checks import (
     SEED_MAX,
     check_integer,
@@ -20,6 +20,7 @@ from matrixworld.checks import (
 )
 from matrixworld.config import WorldConfig, WorldSettings
 from matrixworld.maps import MapLike, read_map
+from matrixworld.memory import batch_memory, check_memory
 from matrixworld.rules import Rules
 from matrixworld.world import World
 
@@ -34,8 +35,8 @@ class Batch:
     config : WorldConfig, Rules or str, optional
         A configuration, rules, or the name of a variant. The default is "O".
     threads : int, optional
-        Threads that share the worlds of a step. The default is one for each core. No result depends
-        on it.
+        Threads that share the worlds of a step. The default is one for each core that the process
+        may use. No result depends on it.
     autoreset : Autoreset, optional
         What happens to a world whose episode has ended. ``DISABLED`` (the default): the world stays
         as it is, with rewards of 0, until it is reset. ``NEXT_STEP``: the next step ignores the
@@ -62,6 +63,15 @@ class Batch:
     ------
     ValueError, TypeError
         If a buffer has another name, shape, dtype or memory layout, and as `WorldConfig` does.
+
+    Notes
+    -----
+    One thread of Python at a time may use a batch: `reset`, `step` and `world` raise RuntimeError
+    while another thread's call is in progress, and then nothing has changed. Give each thread a
+    batch of its own, or hold a `threading.Lock` in each call.
+
+    A process may be forked. The child's batch goes on where the parent's was, and starts threads of
+    its own. Only a batch that another thread was using at that moment is refused in the child.
     """
 
     def __init__(
@@ -75,25 +85,31 @@ class Batch:
         **changes: Unpack[WorldSettings],
     ) -> None:
         check_keywords(changes, WorldSettings.__annotations__, Batch)
-        self.config = WorldConfig.of(config, **changes)
-        self.n_worlds = check_integer("n_worlds", n_worlds, 1)
+        self.config: WorldConfig = WorldConfig.of(config, **changes)
+        self.n_worlds: int = check_integer("n_worlds", n_worlds, 1)
         if not isinstance(autoreset, Autoreset):
             raise TypeError(f"autoreset: expected a matrixworld.Autoreset, got {autoreset!r}")
-        self.buffers = self._default_buffers() if buffers is None else buffers
-        if not isinstance(self.buffers, dict):
-            raise TypeError(f"buffers: expected a dict of arrays, got {self.buffers!r}")
+        if not isinstance(buffers, dict | None):
+            raise TypeError(f"buffers: expected a dict of arrays, got {buffers!r}")
+        n_threads = check_threads(threads)
+        self.buffers: dict[str, NDArray[Any]] = (
+            self._default_buffers() if buffers is None else buffers
+        )
+        # New arrays take memory only as they are written into, so they are counted here, too.
+        arrays = sum(getattr(array, "nbytes", 0) for array in self.buffers.values())
+        worlds = batch_memory(self.config, self.n_worlds, threads)
+        check_memory("batch", {"worlds": worlds, "arrays": arrays})
         # The engine checks the buffers and keeps them alive.
         self._core = _core.Batch(
-            self.config.setup, self.n_worlds, check_threads(threads), autoreset, self.buffers
+            self.config.setup, self.n_worlds, n_threads, autoreset, self.buffers
         )
         self.reset(0)
 
     def _default_buffers(self) -> dict[str, NDArray[Any]]:
-        return {
-            name: np.zeros((self.n_worlds, *shape), dtype)
-            for name, (shape, dtype) in array_specs(self.config).items()
-            if name not in ("views", "state")  # large, and slow to write
-        }
+        specs = array_specs(self.config)
+        # Both are large, and slow to write.
+        chosen = {name: spec for name, spec in specs.items() if name not in ("views", "state")}
+        return new_arrays(chosen, self.n_worlds)
 
     def reset(
         self,

@@ -8,7 +8,6 @@ call plays the matches of an epoch of ``matrixworld evolve``.
 
 from __future__ import annotations
 
-import os
 import platform
 import statistics
 import time
@@ -25,6 +24,7 @@ from matrixworld import _core
 from matrixworld._core import Autoreset
 from matrixworld.arrays import array_specs, episode_specs
 from matrixworld.batch import Batch
+from matrixworld.checks import usable_cores
 from matrixworld.config import WorldConfig
 from matrixworld.policy import Network, Population
 from matrixworld.rollout import EpisodeStatistics, Matches, rollout
@@ -100,14 +100,6 @@ def processor_name(cpuinfo: Path = Path("/proc/cpuinfo")) -> str:
     # Linux only has cpuinfo, and on some machines it names no model.
     known = (*names, platform.processor(), platform.machine())
     return next((name for name in known if name), "unknown")
-
-
-def usable_cores() -> int:
-    """Return the number of cores that this process may use."""
-    # A process may be bound to fewer cores than the machine has, as in many containers.
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
 
 
 def check_worlds(config: WorldConfig, threads: int) -> None:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.config import WorldConfig
-from matrixworld.play import Callback, Moment, NetworkPolicy, Plays, decide
+from matrixworld.play import Callback, Moment, NetworkPolicy, Plays, check_fits, decide
 from matrixworld.play.draws import below, episode_draws
 from matrixworld.policy import SCRIPTS, Population
 
@@ -115,7 +115,13 @@ class BuiltInTeam:
         for world in np.flatnonzero(begins):
             self._playing[world] = self.opponents[drawn[world]]
 
-    def decide(self, moment: Moment, agents: range, actions: NDArray[np.int64]) -> None:
+    def decide(
+        self,
+        moment: Moment,
+        agents: range,
+        actions: NDArray[np.int64],
+        running: NDArray[np.bool_] | None = None,
+    ) -> None:
         """Write the actions of the team's agents among `agents`.
 
         Parameters
@@ -126,6 +132,8 @@ class BuiltInTeam:
             The agents that act.
         actions : ndarray of int64, shape (W, A)
             Where to write.
+        running : ndarray of bool, shape (W,), optional
+            The worlds in which agents act. The default is all.
         """
         acting = range(max(agents.start, self.agents.start), min(agents.stop, self.agents.stop))
         by_policy: dict[int, list[int]] = {}
@@ -133,7 +141,7 @@ class BuiltInTeam:
             by_policy.setdefault(id(policy), []).append(world)
         for worlds in by_policy.values():
             plays = np.zeros(len(self._playing), np.bool_)
-            plays[worlds] = True
+            plays[worlds] = True if running is None else running[worlds]
             decide(self._playing[worlds[0]], self._config, moment, acting, actions, plays)
 
 
@@ -173,14 +181,16 @@ def set_opponents(team: BuiltInTeam | None, opponents: Opponents) -> None:
     """Set the opponents of an environment; raise ValueError if it plays no team itself."""
     if team is None:
         raise ValueError(
-            "opponents: expected an environment that plays a team (pursuers= or evaders=)"
+            "opponents: expected an environment that plays a team (pursuers= or evaders=), got one "
+            "whose caller plays both"
         )
     team.opponents = opponents
 
 
 def _several(opponents: Any) -> list[Any]:
-    several = isinstance(opponents, Iterable) and not isinstance(opponents, str)
-    return list(opponents) if several else [opponents]
+    # Functions can be iterable: torch.nn.Sequential iterates over its layers.
+    one = isinstance(opponents, str) or callable(opponents) or not isinstance(opponents, Iterable)
+    return [opponents] if one else list(opponents)
 
 
 def _resolved(name: str, team: Team, given: Any, config: WorldConfig) -> Iterable[Plays]:
@@ -221,10 +231,5 @@ def _named(name: str, team: Team, given: str | Path, config: WorldConfig) -> Pop
 
 
 def _genomes(name: str, population: Population, config: WorldConfig) -> list[Plays]:
-    network = population.network
-    if (network.fov, network.n_actions) != (config.fov, config.n_actions):
-        raise ValueError(
-            f"{name}: expected a network for fov {config.fov} and {config.n_actions} actions, "
-            f"got fov {network.fov} and {network.n_actions} actions"
-        )
-    return [Population(genome, network) for genome in population.genomes]
+    check_fits(name, population.network, config)
+    return [Population(genome, population.network) for genome in population.genomes]

@@ -20,7 +20,10 @@ class BuiltInWorlds:
     team : BuiltInTeam
         The team.
     buffers : dict of str to ndarray
-        The arrays that the batch writes: those of `MOMENT`, and ``ended``.
+        The arrays that the batch writes: those of `MOMENT`, ``terminated``, ``truncated`` and
+        ``ended``.
+    waits : bool
+        Whether a world whose episode has ended waits for the next step or for a reset.
 
     Attributes
     ----------
@@ -30,11 +33,12 @@ class BuiltInWorlds:
         The place in ``team.opponents`` of the opponent in each world's last ended episode.
     """
 
-    def __init__(self, team: BuiltInTeam, buffers: dict[str, NDArray[Any]]) -> None:
+    def __init__(self, team: BuiltInTeam, buffers: dict[str, NDArray[Any]], waits: bool) -> None:
         self.team = team
         self.last = np.zeros_like(team.chosen)
         self._moment = {name: buffers[name] for name in MOMENT}
         self._ended = buffers["ended"]
+        self._over = (buffers["terminated"], buffers["truncated"]) if waits else None
         self._actions: NDArray[np.int64] = np.zeros(buffers["alive"].shape, np.int64)
         self._episodes = self._keys()
 
@@ -61,7 +65,8 @@ class BuiltInWorlds:
         if chosen.shape != expected:
             raise ValueError(f"actions: expected shape {expected}, got {chosen.shape}")
         self._actions[:, learners.start : learners.stop] = chosen
-        self.team.decide(self._moment, range(self._actions.shape[1]), self._actions)
+        running = None if self._over is None else ~np.logical_or(*self._over)
+        self.team.decide(self._moment, range(self._actions.shape[1]), self._actions, running)
         return self._actions
 
     def note_step(self) -> None:

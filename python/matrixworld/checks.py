@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import inspect
 import operator
+import os
+import re
 from collections.abc import Callable, Iterable
 from difflib import get_close_matches
+from functools import cache
+from math import ceil
 from numbers import Real
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,7 +23,20 @@ INT_MAX = 2**31 - 1
 SEED_MAX = 2**64 - 1
 """The largest seed, and the largest number of an episode."""
 
-_MAX_THREADS = 1024
+MOST_THREADS = 1024
+"""The most threads that anything may use."""
+
+_LONGEST = 100
+"""The most characters of a value in a message."""
+
+
+def shown(value: object) -> str:
+    """Return a value as a message names it: as Python writes it, unless that is very long."""
+    try:
+        text = repr(value.item() if isinstance(value, np.generic) else value)
+    except ValueError:  # Python does not write integers of thousands of digits
+        return f"a very large {type(value).__name__}"
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
 
 
 def check_integer(name: str, value: Any, low: int = -INT_MAX, high: int = INT_MAX) -> int:
@@ -46,23 +64,29 @@ def check_integer(name: str, value: Any, low: int = -INT_MAX, high: int = INT_MA
         If it lies outside `low` to `high`.
     """
     if isinstance(value, bool | np.bool_):
-        raise TypeError(f"{name}: expected an integer, got {value!r}")
+        raise TypeError(f"{name}: expected an integer, got {shown(value)}")
     try:
         number = operator.index(value)
     except TypeError:
-        raise TypeError(f"{name}: expected an integer, got {value!r}") from None
+        raise TypeError(f"{name}: expected an integer, got {shown(value)}") from None
     if not low <= number <= high:
         # A caller below the lower limit does not need to read the engine's upper limit.
         expected = f"at least {low}" if number < low and high == INT_MAX else f"{low} to {high}"
-        raise ValueError(f"{name}: expected {expected}, got {number}")
+        raise ValueError(f"{name}: expected {expected}, got {shown(number)}")
     return number
 
 
 def check_real(name: str, value: Any) -> float:
-    """Return a real argument as a float; raise TypeError for anything else and for a bool."""
+    """Return a real argument as a float.
+
+    Raises TypeError for anything else and for a bool, ValueError for a number that no float holds.
+    """
     if isinstance(value, bool) or not isinstance(value, Real):
-        raise TypeError(f"{name}: expected a number, got {value!r}")
-    return float(value)
+        raise TypeError(f"{name}: expected a number, got {shown(value)}")
+    try:
+        return float(value)
+    except OverflowError:
+        raise ValueError(f"{name}: expected a finite number, got {shown(value)}") from None
 
 
 def check_number(
@@ -94,31 +118,41 @@ def check_number(
         If it is not finite or lies outside the limits.
     """
     number = check_real(name, value)
+    # NaN compares as False with everything.
     if not least <= number <= most or number == np.inf or (positive and number == 0.0):
         above = "above" if positive else "at least"
         upper = "" if most == np.inf else f" and at most {most:g}"
-        raise ValueError(f"{name}: expected a number {above} {least:g}{upper}, got {value}")
+        raise ValueError(f"{name}: expected a number {above} {least:g}{upper}, got {shown(value)}")
     return number
+
+
+def check_floats(name: str, given: ArrayLike, dtype: type[np.floating[Any]]) -> NDArray[Any]:
+    """Return numbers as a new array of a float dtype; ValueError or TypeError if that fails."""
+    try:
+        return np.array(given, dtype)
+    except OverflowError:
+        raise ValueError(f"{name}: expected numbers that {dtype.__name__} holds") from None
 
 
 def check_bool(name: str, value: Any) -> bool:
     """Return an argument that must be True or False; raise TypeError for anything else."""
     if not isinstance(value, bool):
-        raise TypeError(f"{name}: expected True or False, got {value!r}")
+        raise TypeError(f"{name}: expected True or False, got {shown(value)}")
     return value
 
 
 def check_instance(name: str, value: Any, kind: type) -> None:
     """Raise TypeError unless an argument is an instance of a type that `matrixworld` exports."""
     if not isinstance(value, kind):
-        raise TypeError(f"{name}: expected a matrixworld.{kind.__name__}, got {value!r}")
+        raise TypeError(f"{name}: expected a matrixworld.{kind.__name__}, got {shown(value)}")
 
 
 def check_choice(name: str, value: Any, choices: Iterable[str]) -> None:
     """Raise ValueError, listing the choices, unless `value` is one of them."""
     known = list(choices)
-    if value not in known:
-        raise ValueError(f"{name}: expected one of {', '.join(known)}, got {value!r}")
+    # The type first: an array would compare element by element.
+    if not isinstance(value, str) or value not in known:
+        raise ValueError(f"{name}: expected one of {', '.join(known)}, got {shown(value)}")
 
 
 def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[..., Any]) -> None:
@@ -147,11 +181,55 @@ def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[...,
 
 
 def check_threads(threads: int | None) -> int:
-    """Return the number of threads for the engine; None becomes 0, its sign for one per core.
+    """Return the number of threads for the engine; None becomes `usable_cores`.
 
     Raises ValueError outside 1 to 1024 and TypeError for a value that is not an integer.
     """
-    return 0 if threads is None else check_integer("threads", threads, 1, _MAX_THREADS)
+    return usable_cores() if threads is None else check_integer("threads", threads, 1, MOST_THREADS)
+
+
+def usable_cores() -> int:
+    """Return the number of cores that this process may use, the default number of threads.
+
+    These are the cores of the process's CPU affinity, or fewer where its control groups allow less
+    time (Linux, version 2), as in a container with a CPU limit.
+    """
+    if hasattr(os, "sched_getaffinity"):
+        cores = len(os.sched_getaffinity(0))
+    else:
+        cores = os.cpu_count() or 1
+    return max(1, min(cores, MOST_THREADS, ceil(control_group_cores())))
+
+
+@cache
+def control_group_cores(
+    own_groups: Path = Path("/proc/self/cgroup"), groups: Path = Path("/sys/fs/cgroup")
+) -> float:
+    """Return how many cores' time the control groups of this process allow, `MOST_THREADS` at most.
+
+    Parameters
+    ----------
+    own_groups : Path, optional
+        The file that names the group of this process.
+    groups : Path, optional
+        The directory of all groups, one below the other; each may limit those below it.
+    """
+    own = re.search(r"^0::/(.*)$", _text(own_groups), re.MULTILINE)  # the line of version 2
+    group = groups / own[1] if own else groups
+    # "150000 100000": 150 ms in every 100 ms. Without a limit: "max 100000", or no file.
+    limits = (
+        re.match(r"(\d+) (\d+)", _text(folder / "cpu.max")) for folder in (group, *group.parents)
+    )
+    cores = (int(limit[1]) / int(limit[2]) for limit in limits if limit)
+    return min(cores, default=float(MOST_THREADS))
+
+
+def _text(file: Path) -> str:
+    """Return a text of the system, or an empty one where there is none to read."""
+    try:
+        return file.read_text("utf-8")
+    except OSError:
+        return ""
 
 
 def check_naturals(name: str, given: ArrayLike, dtype: type[np.integer[Any]]) -> NDArray[Any]:

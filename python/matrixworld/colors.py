@@ -28,8 +28,13 @@ GRID = "#E3E3E3"
 PURSUER = VERMILLION
 EVADER = BLUE
 OBSTACLE = "#4D4D4D"
-CAPTURE = ORANGE
+CAPTURE = YELLOW  # much lighter than both teams; pictures draw it with an outline of INK
 COLLISION = PURPLE
 
 TEAMS = (PURSUER, EVADER)  # in the order of every team axis
 CONFLICTS = (INK, PURPLE, GREEN)  # in the order of every kind axis: obstacle, teammate, adversary
+
+# Backgrounds of cells in a terminal, on which text in the colours of both teams is readable.
+CAPTURE_GROUND = "#F7F0A0"
+COLLISION_GROUND = "#E9BFD6"
+FREE = "#BDBDBD"  # the dot on a free cell

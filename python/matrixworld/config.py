@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
+from enum import Enum
 from functools import cached_property
+from numbers import Real
 from typing import Any, TypeAlias, TypedDict
 
 import numpy as np
@@ -13,7 +16,14 @@ from typing_extensions import Unpack
 
 from matrixworld import _core
 from matrixworld._core import Capture
-from matrixworld.checks import check_bool, check_integer, check_keywords
+from matrixworld.checks import (
+    check_bool,
+    check_choice,
+    check_integer,
+    check_keywords,
+    check_real,
+)
+from matrixworld.conflicts import agent_name
 from matrixworld.maps import MapLike, read_map
 from matrixworld.rules import Rewards, Rules, rules_of
 
@@ -47,9 +57,28 @@ def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
         return 0.0
     if isinstance(given, bool):  # Python takes it for a number, and True for a share of 1
         raise TypeError(f"obstacles: expected a number in [0, 1) or a map, got {given!r}")
-    if isinstance(given, int | float | np.floating):
-        return float(given)
+    if isinstance(given, float | Real):  # for the type checker, a float is no Real
+        return check_real("obstacles", given)
     return read_map(given)
+
+
+def _all_fields(what: str, kind: type[Any], plain: object) -> dict[str, Any]:
+    """Return a copy of the values of all fields of a dataclass; refuse a missing or unknown one."""
+    if not isinstance(plain, Mapping):
+        raise TypeError(f"{what}: expected a mapping, got {type(plain).__name__}")
+    names = {item.name for item in fields(kind)}
+    if plain.keys() != names:
+        raise ValueError(f"{what}: expected {sorted(names)}, got {sorted(map(str, plain))}")
+    return dict(plain)
+
+
+def _enum_member(kind: type[Any], name: str, value: object) -> Any:
+    """Return the value of a field, the member of that name where the field is an enumeration."""
+    expected = type(getattr(kind(), name))
+    if not issubclass(expected, Enum):
+        return value
+    check_choice(name, value, expected.__members__)
+    return expected[str(value)]
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -213,9 +242,7 @@ class WorldConfig:
 
     def agent_name(self, agent: int) -> str:
         """Return the name of an agent: ``pursuer_0`` and so on, then ``evader_0`` and so on."""
-        if agent < self.n_pursuers:
-            return f"pursuer_{agent}"
-        return f"evader_{agent - self.n_pursuers}"
+        return agent_name(agent, self.n_pursuers)
 
     def check_map(self, obstacles: NDArray[np.bool_] | None) -> None:
         """Raise ValueError unless a map has the size of the world; None passes."""
@@ -241,6 +268,51 @@ class WorldConfig:
         if self.map is not None:
             plain["obstacles"] = ["".join(".#"[int(cell)] for cell in row) for row in self.map]
         return plain
+
+    @classmethod
+    def from_json(cls, plain: Mapping[str, Any]) -> WorldConfig:
+        """Return the settings that `to_json` returned.
+
+        Parameters
+        ----------
+        plain : mapping
+            All settings as plain values, such as ``episode.config`` of a recorded episode.
+
+        Returns
+        -------
+        WorldConfig
+            The same settings.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a setting is missing, unknown or not valid.
+
+        Examples
+        --------
+        A world like the recorded one:
+
+        >>> import matrixworld as mw
+        >>> episode = mw.record(mw.WorldConfig("SB", max_steps=20), "chaser", "fleer", seed=1)
+        >>> config = mw.WorldConfig.from_json(episode.config)
+        >>> config.rules == mw.VARIANTS["SB"], config.max_steps
+        (True, 20)
+        >>> start = episode.positions[0]
+        >>> world = mw.World(config)
+        >>> world.reset(
+        ...     pursuers=start[: config.n_pursuers],
+        ...     evaders=start[config.n_pursuers :],
+        ...     obstacles=episode.map,
+        ... )
+        """
+        values = _all_fields("config", cls, plain)
+        # A text would be the path of a map: plain values must not choose a file to read.
+        if not isinstance(values["obstacles"], float | int | list):
+            raise TypeError(f"obstacles: expected a number or a list, got {values['obstacles']!r}")
+        for name, kind in (("rules", Rules), ("rewards", Rewards)):
+            given = _all_fields(name, kind, values[name])
+            values[name] = kind(**{key: _enum_member(kind, key, given[key]) for key in given})
+        return cls(**values)
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the fields; the engine's form of them is built again on demand."""

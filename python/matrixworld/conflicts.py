@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
-from matrixworld.config import WorldConfig
-from matrixworld.rules import KINDS
+KINDS = ("obstacle", "teammate", "adversary")
+"""The kinds of collision, in the order of the last axis of ``involved`` and ``fault``."""
 
-_FORMS = ("vertex", "edge", "chain")
+FORMS = ("vertex", "edge", "chain")
+"""The forms of a conflict, in the order of their numbers in the engine."""
+
+CONFLICT_COLUMNS = (
+    *("turn", "kind", "form", "first", "second"),
+    *("row", "col", "at_fault", "held", "doomed"),
+)
+"""What the numbers of a conflict mean. The second agent is -1 for an obstacle; the last three
+numbers have bit 0 set for the first agent and bit 1 for the second."""
 
 
 @dataclass(frozen=True)
@@ -52,36 +60,39 @@ class Conflict:
         return self.text
 
 
-def conflict_of(record: tuple[Any, ...], config: WorldConfig) -> Conflict:
-    """Return a conflict from the engine's record of it.
+def agent_name(agent: int, n_pursuers: int) -> str:
+    """Return the name of an agent: ``pursuer_0`` and so on, then ``evader_0`` and so on."""
+    return f"pursuer_{agent}" if agent < n_pursuers else f"evader_{agent - n_pursuers}"
+
+
+def conflict_of(numbers: Sequence[int], n_pursuers: int) -> Conflict:
+    """Return a conflict from its numbers.
 
     Parameters
     ----------
-    record : tuple
-        Turn, kind, form, first agent, second agent (negative for an obstacle), cell, and three
-        ints (at fault, held, doomed) whose bits 0 and 1 stand for the first and the second agent.
-    config : WorldConfig
-        The settings of the world, for the names of the agents.
+    numbers : sequence of int
+        The numbers that `CONFLICT_COLUMNS` names.
+    n_pursuers : int
+        Number of pursuers, for the names of the agents.
 
     Returns
     -------
     Conflict
         The same with names.
     """
-    turn, kind, form, first, second, cell, *bits = record
-    agents = (first,) if second < 0 else (first, second)
-    # Bit 0 of each number stands for the first agent, bit 1 for the second.
+    turn, kind, form, first, second, row, col, *bits = numbers
+    agents, cell = (first,) if second < 0 else (first, second), (row, col)
     at_fault, held, doomed = (
         tuple(agent for side, agent in enumerate(agents) if bit >> side & 1) for bit in bits
     )
-    names = [config.agent_name(agent) for agent in agents]
+    names = [agent_name(agent, n_pursuers) for agent in agents]
     if second < 0:
         event = f"{names[0]} ran into the obstacle or border at {cell}"
     else:
-        event = _EVENTS[_FORMS[form]](names, cell)
-    outcome = _outcome(agents, held, doomed, config)
+        event = _EVENTS[FORMS[form]](names, cell)
+    outcome = _outcome(agents, held, doomed, n_pursuers)
     return Conflict(
-        KINDS[kind], _FORMS[form], agents, cell, at_fault, held, doomed, turn, f"{event}: {outcome}"
+        KINDS[kind], FORMS[form], agents, cell, at_fault, held, doomed, turn, f"{event}: {outcome}"
     )
 
 
@@ -93,12 +104,12 @@ _EVENTS = {
 
 
 def _outcome(
-    agents: tuple[int, ...], held: tuple[int, ...], doomed: tuple[int, ...], config: WorldConfig
+    agents: tuple[int, ...], held: tuple[int, ...], doomed: tuple[int, ...], n_pursuers: int
 ) -> str:
     if len(agents) == 2 and held == agents:
         return "both bounce"
     if len(agents) == 2 and doomed == agents:
         return "both disappear"
-    parts = [f"{config.agent_name(agent)} bounces" for agent in held]
-    parts += [f"{config.agent_name(agent)} disappears" for agent in doomed]
+    parts = [f"{agent_name(agent, n_pursuers)} bounces" for agent in held]
+    parts += [f"{agent_name(agent, n_pursuers)} disappears" for agent in doomed]
     return ", ".join(parts) or "nobody is stopped"

@@ -4,7 +4,7 @@
 a crash the directory holds the old file or the new one, never a part of one. `save_arrays` and
 `save_json` add a SHA-256 of the content and of the owner's name, so that loading refuses a file
 that is cut or altered, that belongs to another run, or that has another file's name. Nothing is
-pickled.
+pickled. Limits of what is read are in `matrixworld.reading`.
 """
 
 from __future__ import annotations
@@ -13,16 +13,26 @@ import hashlib
 import io
 import json
 import os
+import secrets
+import stat
 import sys
-import zipfile
-import zlib
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from matrixworld.reading import (
+    LIMITS,
+    Arrays,
+    DamagedFileError,
+    kind_of_file,
+    parse_npz,
+    read_content,
+    read_json,
+)
 
 # Both locks fail at once, instead of waiting, if another process holds them.
 if sys.platform == "win32":
@@ -37,8 +47,6 @@ else:
         fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
-Arrays = dict[str, NDArray[Any]]
-
 CHECKSUM = "sha256"
 """Key of the checksum in a JSON object."""
 TEMPORARY = ".tmp"
@@ -51,34 +59,10 @@ NO_COMMENT = b"\0\0"
 
 NO_MATCH = "altered or from another run, its checksum does not match its content"
 
-UNREADABLE = (
-    AttributeError,  # another format of NumPy, up to Python 3.10
-    EOFError,
-    KeyError,
-    OSError,
-    RuntimeError,  # an altered flag of the zip archive
-    TypeError,  # another format of NumPy, from Python 3.11 on
-    ValueError,  # pickled objects, among others
-    zipfile.BadZipFile,
-    zlib.error,
-)
-"""What NumPy raises while it reads a damaged .npz file."""
-
-
-class DamagedFileError(ValueError):
-    """A file is cut, altered or not of the expected form.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-    problem : str
-        What is wrong with it.
-    """
-
-    def __init__(self, path: Path, problem: str) -> None:
-        super().__init__(f"{path}: {problem}")
-        self.path = path
+NO_LINK = getattr(os, "O_NOFOLLOW", 0)
+"""Flag to open a file, but not through a symbolic link, where the system has it."""
+PERMISSIONS = 0o777
+"""Bits of a file's mode that are its permissions."""
 
 
 class LockedError(RuntimeError):
@@ -88,14 +72,42 @@ class LockedError(RuntimeError):
 # Writing:
 
 
+def check_replaceable(path: Path) -> os.stat_result | None:
+    """Return the status of a regular file, None if there is no file of that name.
+
+    Raises
+    ------
+    FileExistsError
+        If the name is that of a directory, symbolic link, FIFO or device. None of them is replaced
+        or written to: in a directory by others a link may point to any file of the user.
+    """
+    try:
+        status = path.lstat()
+    except FileNotFoundError:
+        return None
+    found = kind_of_file(status.st_mode)
+    if found:
+        raise FileExistsError(f"{path}: expected a file, got {found}")
+    return status
+
+
 @contextmanager
-def naming(path: Path) -> Iterator[None]:
-    """Add the file's name to system errors that lack it, such as that of a full disk."""
+def naming(path: Path, temporary: Path | None = None) -> Iterator[None]:
+    """Add the file's name to system errors that lack it, such as that of a full disk.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    temporary : Path, optional
+        Another name of it, which tells the user nothing.
+    """
     try:
         yield
     except OSError as error:
-        if error.filename is None:
-            error.filename = str(path)
+        # An error without a number has a message of the package, which names the file.
+        if error.errno is not None and error.filename in (None, str(temporary or path)):
+            error.filename, error.filename2 = str(path), None
         raise
 
 
@@ -106,17 +118,28 @@ def replacing(path: str | os.PathLike[str], *, keep_as: Path | None = None) -> I
     Parameters
     ----------
     path : path-like
-        Name of the file; an older file of that name is replaced in one step.
+        Name of the file; an older file of that name is replaced in one step. The new file has its
+        permissions.
     keep_as : Path, optional
         New name of the older file. By default it is lost.
+
+    Raises
+    ------
+    FileExistsError
+        If the name is that of a directory, symbolic link, FIFO or device.
     """
     target = Path(path)
-    # In the same directory, because a rename is atomic within one file system only. The number of
-    # the process separates writers that do not lock the directory.
-    temporary = target.with_name(f".{target.name}.{os.getpid()}{TEMPORARY}")
-    with naming(target):
+    older = check_replaceable(target)
+    # In the same directory, because a rename is atomic within one file system only. The name is
+    # random, so that writers do not share it, and nobody can put a link there before.
+    temporary = target.with_name(f".{secrets.token_hex(8)}{TEMPORARY}")
+    with naming(target, temporary):
+        # x: a file that must not exist, not even as a link. Its mode is 0o666 without the umask.
+        made = open(temporary, "xb")  # noqa: SIM115, closed below, but not removed if it exists
         try:
-            with open(temporary, "wb") as file:
+            with made as file:
+                if older is not None:
+                    os.chmod(temporary, older.st_mode & PERMISSIONS)
                 yield file
                 # The content must be on the disk before the name is: a rename may survive a power
                 # cut that the content does not.
@@ -150,8 +173,9 @@ def is_temporary(name: str) -> bool:
 def remove_temporary_files(path: Path) -> None:
     """Remove the incomplete files that killed writers left in a directory."""
     for left in path.iterdir():
-        if is_temporary(left.name):
-            left.unlink()
+        # A directory of such a name is not from this package.
+        if is_temporary(left.name) and not stat.S_ISDIR(left.lstat().st_mode):
+            left.unlink(missing_ok=True)
 
 
 # Arrays:
@@ -177,6 +201,8 @@ def save_arrays(
     ------
     TypeError
         If an array holds objects, which would be pickled.
+    ValueError
+        If the file would be larger than what is read.
     """
     plain: dict[str, Any] = {name: np.asarray(array) for name, array in arrays.items()}
     for name, array in plain.items():
@@ -184,6 +210,7 @@ def save_arrays(
             raise TypeError(f"{name}: expected numbers or text, got dtype {array.dtype}")
     buffer = io.BytesIO()
     np.savez(buffer, **plain)
+    _check_size(path, "npz", buffer.tell())
     with replacing(path, keep_as=keep_as) as file:
         file.write(_sealed(buffer.getvalue(), owner))
 
@@ -196,34 +223,20 @@ def load_arrays(path: Path, *, owner: str = "") -> Arrays:
     DamagedFileError
         If the file is cut, altered or of another owner.
     """
-    content = path.read_bytes()
+    content = read_content(path, "npz")
     # Checked before NumPy parses anything: an altered byte may still be a readable array.
     body, seal = content[:-SEAL_LENGTH], content[-SEAL_LENGTH:]
     if not seal.startswith(SEAL):
         raise DamagedFileError(path, "cut or altered, its checksum is missing")
     if seal != _seal(body, owner):
         raise DamagedFileError(path, NO_MATCH)
-    return _arrays_of(path, content)
+    return parse_npz(path, content)
 
 
-def read_arrays(path: Path) -> Arrays:
-    """Return the arrays of any .npz file, with a checksum or without.
-
-    Raises
-    ------
-    DamagedFileError
-        If the file cannot be read without unpickling.
-    """
-    return _arrays_of(path, path.read_bytes())
-
-
-def _arrays_of(path: Path, content: bytes) -> Arrays:
-    # From memory: NumPy leaves a damaged file open.
-    try:
-        with np.load(io.BytesIO(content), allow_pickle=False) as file:
-            return {name: file[name] for name in file.files}
-    except UNREADABLE as error:
-        raise DamagedFileError(path, f"cut, altered or not an npz file ({error})") from error
+def _check_size(path: Path, kind: str, size: int) -> None:
+    """Raise ValueError if a file to write would be larger than what is read."""
+    if size > LIMITS[kind]:
+        raise ValueError(f"{path}: expected at most {LIMITS[kind]:,} bytes ({kind}), got {size:,}")
 
 
 def _sealed(archive: bytes, owner: str) -> bytes:
@@ -245,8 +258,10 @@ def save_json(path: Path, values: Mapping[str, Any], *, owner: str = "") -> None
     """Write a JSON object that carries its checksum; `owner` is as in `save_arrays`."""
     # NaN is not JSON: other programs could not read the file.
     text = json.dumps({**values, CHECKSUM: json_digest(values, owner)}, indent=2, allow_nan=False)
+    content = text.encode() + b"\n"
+    _check_size(path, "JSON", len(content))
     with replacing(path) as file:
-        file.write(text.encode() + b"\n")
+        file.write(content)
 
 
 def load_json(path: Path, *, owner: str = "") -> dict[str, Any]:
@@ -257,12 +272,7 @@ def load_json(path: Path, *, owner: str = "") -> dict[str, Any]:
     DamagedFileError
         If the file is cut, altered or of another owner.
     """
-    try:
-        values = json.loads(path.read_bytes())
-    except ValueError as error:
-        raise DamagedFileError(path, f"cut or altered, cannot be read ({error})") from error
-    if not isinstance(values, dict):
-        raise DamagedFileError(path, "altered, expected a JSON object")
+    values = read_json(path)
     if values.pop(CHECKSUM, None) != json_digest(values, owner):
         raise DamagedFileError(path, NO_MATCH)
     return values
@@ -291,9 +301,10 @@ def locked(path: Path) -> Iterator[None]:
     -----
     The system releases the lock when the process ends, even if it is killed.
     """
+    check_replaceable(path)
     # The file is never removed: a process that still has it open would lock another file than one
     # that makes it anew.
-    handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
+    handle = os.open(path, os.O_RDWR | os.O_CREAT | NO_LINK, 0o644)
     try:
         try:
             _lock(handle)

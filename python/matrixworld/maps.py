@@ -10,6 +10,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld.reading import read_text
+
 MapLike: TypeAlias = "NDArray[np.bool_] | Sequence[str] | str | PathLike[str]"
 """An obstacle map in any form that `read_map` takes."""
 
@@ -38,7 +40,8 @@ def read_map(source: MapLike) -> NDArray[np.bool_]:
     TypeError
         If `source` has another type.
     ValueError
-        If the map is empty, its rows differ in length, or a character is unknown.
+        If the map is empty, its rows differ in length, or a character is unknown. Of a path also
+        (as DamagedFileError) if it is not a regular file, or a file of more than 16 MiB.
     FileNotFoundError
         If the path does not exist.
 
@@ -90,7 +93,7 @@ def _from_rows(rows: list[str], name: str) -> NDArray[np.bool_]:
 
 def _from_file(path: Path) -> NDArray[np.bool_]:
     # A character beyond ASCII is replaced, and then reported as unknown with the number of its row.
-    lines = path.read_text(encoding="ascii", errors="replace").rstrip().splitlines()
+    lines = read_text(path, "map", encoding="ascii", errors="replace").rstrip().splitlines()
     header = dict(line.split(maxsplit=1) for line in lines[:3] if len(line.split()) > 1)
     if lines[3:4] != ["map"] or set(header) != {"type", "height", "width"}:
         raise ValueError(

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import pairwise
 from typing import Any, Literal, TypeAlias, get_args
@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import _core
-from matrixworld.checks import check_bool, check_choice, check_integer
+from matrixworld.checks import check_bool, check_choice, check_integer, shown
 from matrixworld.config import WorldConfig
+from matrixworld.memory import NUMBER, check_memory
 from matrixworld.short_repr import short_repr
 
 Script: TypeAlias = Literal[
@@ -103,8 +104,9 @@ class Network:
     sampled: bool = True
 
     def __post_init__(self) -> None:
-        if not isinstance(self.hidden, Iterable):
-            raise TypeError(f"hidden: expected a sequence of ints, got {self.hidden!r}")
+        # Text, bytes and mappings can be iterated over, but hold no sizes.
+        if not isinstance(self.hidden, Iterable) or isinstance(self.hidden, str | bytes | Mapping):
+            raise TypeError(f"hidden: expected a sequence of ints, got {shown(self.hidden)}")
         sizes = tuple(check_integer("hidden", size, 1, _MAX_LAYER) for size in self.hidden)
         # A frozen dataclass lets its fields be set in this way only.
         object.__setattr__(self, "hidden", sizes)
@@ -221,12 +223,18 @@ class Network:
         ndarray of float32, shape (genome_size,)
             The genome.
         """
+        # Twice: the random numbers of a layer come as an array of their own.
+        check_memory("genome", 2 * NUMBER * self.genome_size)
         genome = np.zeros(self.genome_size, np.float32)
         layers = self.layers(genome)
         for number, (weights, _) in enumerate(layers):
             scale = head if number == len(layers) - 1 else weight
             weights[:] = scale * rng.standard_normal(weights.shape, dtype=np.float32)
         return genome
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields; the engine's form of them is built again on demand."""
+        return {item.name: getattr(self, item.name) for item in fields(self)}
 
     # Networks are compared and hashed by their fields, so the engine's form is not one of them.
     @cached_property

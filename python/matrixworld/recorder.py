@@ -11,11 +11,12 @@ from matrixworld import _core
 from matrixworld.arrays import integers
 from matrixworld.checks import INT_MAX, SEED_MAX, check_integer
 from matrixworld.config import WorldConfig
+from matrixworld.conflicts import CONFLICT_COLUMNS
 from matrixworld.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode
 from matrixworld.maps import MapLike
+from matrixworld.moments import capture_title, scene
 from matrixworld.policy import TeamPolicy, check_team
 from matrixworld.render import MARK_STEPS, Scene
-from matrixworld.replay import capture_title, scene
 from matrixworld.rules import Rules
 from matrixworld.world import World
 
@@ -26,21 +27,33 @@ class Recorder:
     Parameters
     ----------
     world : World
-        The world that the caller plays. Its present moment is the first of the recording.
+        The world that the caller plays. Its present moment is the first of the recording. From now
+        on it keeps the conflicts of every step, which the recording contains.
+
+    Raises
+    ------
+    RuntimeError
+        If a round is being played turn by turn.
     """
 
     def __init__(self, world: World) -> None:
         self.world = world
+        world.keeps_conflicts = True
         self._config = world.config.to_json()
         self.begin()
 
     def begin(self) -> None:
-        """Start a new recording with the world's present moment."""
+        """Start a new recording with the world's present moment, which is between two rounds."""
+        if self.world.turn:
+            raise RuntimeError(
+                f"expected begin() between two rounds, got turn {self.world.turn} of a round"
+            )
         self._map = self.world.map
         self._start = self.world.steps
         self._kept: dict[str, list[NDArray[Any]]] = {
             name: [] for name in (*MOMENT_ARRAYS, "actions", *STEP_ARRAYS)
         }
+        self._conflicts: list[NDArray[np.int32]] = []
         self._keep(*MOMENT_ARRAYS)
 
     def note(self, actions: ArrayLike) -> None:
@@ -73,6 +86,7 @@ class Recorder:
                 f"{noted}, and the world has played {played}"
             )
         self._kept["actions"].append(row.astype(np.int8))
+        self._conflicts.append(self.world.conflict_table())
         self._keep(*MOMENT_ARRAYS, *STEP_ARRAYS)
 
     def _keep(self, *names: str) -> None:
@@ -123,7 +137,17 @@ class Recorder:
             map=self._map,
             n_pursuers=self.world.config.n_pursuers,
             config=self._config,
+            conflict_table=_numbered(self._conflicts[len(self._conflicts) - steps :]),
         )
+
+
+def _numbered(tables: list[NDArray[np.int32]]) -> NDArray[np.int32]:
+    """Return the conflicts of all steps as one table that begins with the number of the step."""
+    steps = np.repeat(np.arange(1, len(tables) + 1, dtype=np.int32), [len(t) for t in tables])
+    return np.column_stack([steps, np.concatenate([_NO_CONFLICTS, *tables])])
+
+
+_NO_CONFLICTS = np.empty((0, len(CONFLICT_COLUMNS)), np.int32)
 
 
 def record_actions(
@@ -207,7 +231,8 @@ def record(
         As `rollout` does.
     """
     config = WorldConfig.of(config)
-    arrays = _core.record(
+    # The engine chooses the actions; a world that plays them again gives everything else.
+    chosen = _core.record(
         config.setup,
         check_team("pursuers", pursuers),
         check_team("evaders", evaders),
@@ -215,9 +240,7 @@ def record(
         evader=check_integer("evader", evader, 0, INT_MAX),
         seed=check_integer("seed", seed, 0, SEED_MAX),
         episode=check_integer("episode", episode, 0, SEED_MAX),
-        of_moments=MOMENT_ARRAYS,
-        of_steps=STEP_ARRAYS,
+        of_moments=(),
+        of_steps=(),
     )
-    world = World(config)
-    world.reset(seed, episode=episode)  # its map is the same at every moment of the episode
-    return Episode(**arrays, map=world.map, n_pursuers=config.n_pursuers, config=config.to_json())
+    return record_actions(config, chosen["actions"], seed=seed, episode=episode)

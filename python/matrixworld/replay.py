@@ -9,17 +9,26 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TextIO
+from typing import Any, TextIO
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from matrixworld.checks import check_instance, check_integer, check_number
 from matrixworld.episode import Episode
 from matrixworld.files import replacing
-from matrixworld.render import MARK_STEPS, Scene, ansi, rgb
-from matrixworld.render.gif import write_gif
-from matrixworld.render.layout import LARGEST_CELL
+from matrixworld.moments import scene
+from matrixworld.render import ansi, rgb
+from matrixworld.render.gif import check_timing, write_gif
+from matrixworld.render.layout import (
+    MOST_ANIMATED,
+    MOST_PIXELS,
+    SMALLEST_NUMBERED,
+    Layout,
+    check_pixels,
+    fitting_cell,
+)
 from matrixworld.render.mp4 import write_mp4
 from matrixworld.render.terminal_animation import color_mode, fits, play
 
@@ -29,6 +38,7 @@ __all__ = [
     "animate_terminal",
     "animation",
     "contact_sheet",
+    "print_moment",
     "save",
     "scene",
 ]
@@ -39,50 +49,6 @@ PIXELS = 480
 """Wanted length of the longer side of its field."""
 FOV = 11
 """Side of a field of view if the episode does not state it."""
-
-
-def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None = None) -> Scene:
-    """Return one moment of an episode, to be drawn.
-
-    Parameters
-    ----------
-    episode : Episode
-        The recording.
-    step : int, optional
-        The number of steps played before the moment. Negative numbers count from the end; the
-        default is the end.
-    trail : int, optional
-        Steps back that the trails of the agents go.
-    title : str, optional
-        A line of text. By default the step and the share of the evaders that are captured.
-
-    Returns
-    -------
-    Scene
-        The arrays to draw.
-
-    Raises
-    ------
-    IndexError
-        If the step is outside the episode.
-    """
-    now = range(episode.length + 1)[step]
-    captures, deaths = _marks(episode, now)
-    return Scene(
-        positions=episode.last_positions[now],
-        alive=episode.alive[now],
-        captured=episode.captured[now],
-        map=episode.map,
-        n_pursuers=episode.n_pursuers,
-        involved=episode.involved[now - 1] if now else None,
-        fault=episode.fault[now - 1] if now else None,
-        trail=episode.positions[max(0, now - trail) : now],
-        captures=captures,
-        deaths=deaths,
-        title=capture_title(episode, now, f"step {now} of {episode.length}")
-        if title is None
-        else title,
-    )
 
 
 def animate_terminal(
@@ -116,16 +82,45 @@ def animate_terminal(
     ValueError
         If `fps` is not positive or `every` is below 1.
     """
-    if not fps > 0:
-        raise ValueError(f"fps: expected more than 0 drawings a second, got {fps}")
+    check_number("fps", fps, least=0.0, positive=True)
     times = _times(episode, every)
     out = sys.stdout if stream is None else stream
     if not out.isatty():
-        out.write(ansi(scene(episode), color="none") + "\n")
+        print_moment(episode, out, color="none")
         return
-    mode = color_mode(out) if color is None else color
-    compact = mode != "none" and not fits(episode.map.shape, out)
-    play((ansi(scene(episode, t), color=mode, compact=compact) for t in times), out, fps=fps)
+    look = _text_look(episode, out, color)
+    play((ansi(scene(episode, t), **look) for t in times), out, fps=fps)
+
+
+def print_moment(
+    episode: Episode, stream: TextIO | None = None, *, step: int = -1, color: str | None = None
+) -> None:
+    """Print one moment of an episode as text.
+
+    Parameters
+    ----------
+    episode : Episode
+        The recording.
+    stream : file, optional
+        Where to print it. The default is standard output.
+    step : int, optional
+        The moment, as for `scene`. The default is the end.
+    color : {"true", "256", "none"}, optional
+        As for `animate_terminal`.
+
+    Raises
+    ------
+    IndexError
+        If the step is outside the episode.
+    """
+    out = sys.stdout if stream is None else stream
+    out.write(ansi(scene(episode, step), **_text_look(episode, out, color)) + "\n")
+
+
+def _text_look(episode: Episode, stream: TextIO, color: str | None) -> dict[str, Any]:
+    """Return the keyword arguments of `render.ansi` that suit a stream."""
+    mode = color_mode(stream) if color is None else color
+    return {"color": mode, "compact": mode != "none" and not fits(episode.map.shape, stream)}
 
 
 def save(
@@ -140,6 +135,7 @@ def save(
     trail: int = 6,
     fov: int | None = None,
     viewers: Sequence[int | str] = (),
+    numbers: bool = False,
 ) -> None:
     """Write an episode as an animation, a film, or a picture of one moment.
 
@@ -167,11 +163,14 @@ def save(
         Side of the fields of view in cells. By default that of the episode's world.
     viewers : sequence of int or str, optional
         The agents whose fields of view are outlined, by number or name.
+    numbers : bool, optional
+        Whether agents carry their numbers in their teams, as in `render.rgb`.
 
     Raises
     ------
     ValueError
-        If the suffix is another or a value is out of range.
+        If the suffix is another, a value is out of range, or all frames together would have more
+        than 2**34 pixels.
     IndexError
         If `step` is outside the episode.
     ImportError
@@ -183,14 +182,20 @@ def save(
     >>> episode = record(WorldConfig("O", max_steps=100), "chaser", "fleer", seed=1)
     >>> replay.save(episode, "chase.gif")  # doctest: +SKIP
     """
+    check_instance("episode", episode, Episode)
+    check_integer("step", step)
     suffix = Path(path).suffix.lower()
     if suffix not in (".gif", ".mp4", ".png"):
         raise ValueError(f"path: expected a name that ends in .gif, .mp4 or .png, got {path}")
-    draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers)
+    draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers, numbers=numbers)
     times = _times(episode, every)
+    if suffix == ".png":
+        picture = Image.fromarray(draw(step))
+    else:
+        _check_animation(episode, times, cell=cell, numbers=numbers, fps=fps, hold=hold)
     with replacing(path) as file:
         if suffix == ".png":
-            Image.fromarray(draw(step)).save(file, "PNG")
+            picture.save(file, "PNG")
         else:
             write = write_gif if suffix == ".gif" else write_mp4
             write(file, draw, times, fps=fps, hold=hold)
@@ -227,6 +232,7 @@ def animation(
     trail: int = 6,
     fov: int | None = None,
     viewers: Sequence[int | str] = (),
+    numbers: bool = False,
 ) -> Animation:
     """Return an animation that a notebook shows, and stores in itself.
 
@@ -242,12 +248,8 @@ def animation(
         Steps from one frame to the next. The default shows at most `FRAMES` frames.
     cell : int, optional
         Pixels per cell. The default gives about `PIXELS` pixels a side.
-    trail : int, optional
-        Steps back that the trails of the agents go.
-    fov : int, optional
-        Side of the fields of view in cells. By default that of the episode's world.
-    viewers : sequence of int or str, optional
-        The agents whose fields of view are outlined, by number or name.
+    trail, fov, viewers, numbers : optional
+        As for `save`.
 
     Returns
     -------
@@ -257,16 +259,19 @@ def animation(
     Raises
     ------
     ValueError
-        If a value is out of range.
+        If a value is out of range, or all frames together would have more than 2**34 pixels.
     """
+    check_instance("episode", episode, Episode)
     # A notebook keeps the animation in its file, so both frames and pixels are limited.
     if every is None:
         every = -(-episode.length // FRAMES) or 1
     if cell is None:
-        cell = min(max(PIXELS // max(episode.map.shape), 1), LARGEST_CELL)
-    draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers)
+        cell = fitting_cell(episode.map.shape, PIXELS, SMALLEST_NUMBERED if numbers else 1)
+    draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers, numbers=numbers)
+    times = _times(episode, every)
+    _check_animation(episode, times, cell=cell, numbers=numbers, fps=fps, hold=2.0)
     buffer = io.BytesIO()
-    write_gif(buffer, draw, _times(episode, every), fps=fps, hold=2.0)
+    write_gif(buffer, draw, times, fps=fps, hold=2.0)
     return Animation(buffer.getvalue())
 
 
@@ -279,6 +284,7 @@ def contact_sheet(
     trail: int = 6,
     fov: int | None = None,
     viewers: Sequence[int | str] = (),
+    numbers: bool = False,
 ) -> Image.Image:
     """Draw moments of an episode, evenly spread from first to last, as one picture.
 
@@ -290,12 +296,8 @@ def contact_sheet(
         How many moments are below and beside each other.
     cell : int, optional
         Pixels per cell. By default the size of the grid decides.
-    trail : int, optional
-        Steps back that the trails of the agents go.
-    fov : int, optional
-        Side of the fields of view in cells. By default that of the episode's world.
-    viewers : sequence of int or str, optional
-        The agents whose fields of view are outlined, by number or name.
+    trail, fov, viewers, numbers : optional
+        As for `save`.
 
     Returns
     -------
@@ -305,12 +307,13 @@ def contact_sheet(
     Raises
     ------
     ValueError
-        If a value is out of range.
+        If a value is out of range, or the picture would have more than 2**26 pixels.
     """
-    if rows < 1 or cols < 1:
-        raise ValueError(f"rows, cols: expected at least 1, got {rows}, {cols}")
-    times = np.linspace(0, episode.length, rows * cols).round().astype(int)
-    draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers)
+    check_instance("episode", episode, Episode)
+    count = check_integer("rows", rows, 1) * check_integer("cols", cols, 1)
+    check_pixels("contact sheet", count * _pixels(episode, cell, numbers), MOST_PIXELS)
+    times = np.linspace(0, episode.length, count).round().astype(int)
+    draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers, numbers=numbers)
     pictures = [draw(t) for t in times.tolist()]
     lines = [np.concatenate(pictures[i : i + cols], axis=1) for i in range(0, len(times), cols)]
     return Image.fromarray(np.concatenate(lines))
@@ -323,46 +326,41 @@ def _drawer(
     trail: int,
     fov: int | None,
     viewers: Sequence[int | str],
+    numbers: bool,
 ) -> Callable[[int], NDArray[np.uint8]]:
     """Return a function that draws a moment of the episode."""
+    check_integer("trail", trail, 0)
     side = int(episode.config.get("fov", FOV)) if fov is None else fov
 
     def draw(time: int) -> NDArray[np.uint8]:
-        return rgb(scene(episode, time, trail=trail), cell=cell, fov=side, viewers=viewers)
+        return rgb(
+            scene(episode, time, trail=trail), cell=cell, fov=side, viewers=viewers, numbers=numbers
+        )
 
     return draw
 
 
+def _check_animation(
+    episode: Episode,
+    times: list[int],
+    *,
+    cell: int | None,
+    numbers: bool,
+    fps: float,
+    hold: float,
+) -> None:
+    """Raise ValueError or TypeError before a file is begun."""
+    check_timing(times, fps=fps, hold=hold)
+    check_pixels("animation", len(times) * _pixels(episode, cell, numbers), MOST_ANIMATED)
+
+
+def _pixels(episode: Episode, cell: int | None, numbers: bool) -> int:
+    least = SMALLEST_NUMBERED if numbers else 1
+    return Layout.of(episode.map.shape, cell, least=least).pixels
+
+
 def _times(episode: Episode, every: int) -> list[int]:
-    if every < 1:
-        raise ValueError(f"every: expected 1 step or more, got {every}")
+    check_integer("every", every, 1)
     times = list(range(0, episode.length + 1, every))
     # The end is the most interesting moment, so it is shown whatever the stride.
     return times if times[-1] == episode.length else [*times, episode.length]
-
-
-def capture_title(episode: Episode, now: int, start: str) -> str:
-    """Return a line of text: `start`, and how many of the evaders are captured."""
-    caught, of = int(episode.counted[now].sum()), episode.n_evaders
-    share = f" ({caught / of:.0%})" if of else ""
-    return f"{start}    captured {caught} of {of}{share}"
-
-
-def _marks(episode: Episode, now: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return row, column and age of the captures and of the other deaths of the last steps."""
-    captures: list[tuple[int, int, int]] = []
-    deaths: list[tuple[int, int, int]] = []
-    for step in range(max(1, now - MARK_STEPS + 1), now + 1):
-        caught = _newly_captured(episode, step)
-        # An evader that disappears in its capture is marked as captured, not as dead.
-        gone = episode.alive[step - 1] & ~episode.alive[step]
-        for marks, agents in ((captures, caught), (deaths, gone & ~caught)):
-            last_positions = episode.last_positions[step, agents].tolist()
-            marks.extend((row, col, now - step) for row, col in last_positions)
-    return np.array(captures, int).reshape(-1, 3), np.array(deaths, int).reshape(-1, 3)
-
-
-def _newly_captured(episode: Episode, step: int) -> NDArray[np.bool_]:
-    """Return which agents were captured for the first time in this step, shape (A,)."""
-    evaders = episode.ever_captured[step] & ~episode.ever_captured[step - 1]
-    return np.concatenate([np.zeros(episode.n_pursuers, bool), evaders])

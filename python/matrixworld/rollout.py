@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import _core
 from matrixworld.checks import check_integer, check_naturals, check_threads
 from matrixworld.config import WorldConfig
-from matrixworld.policy import TeamPolicy, check_team
+from matrixworld.memory import check_memory, matches_memory
+from matrixworld.policy import Population, TeamPolicy, check_team
 from matrixworld.rules import Rules
 from matrixworld.short_repr import short_repr
 
@@ -139,7 +140,7 @@ def rollout(
     worlds : int, optional
         Episodes of each match, W. The default is 1.
     threads : int, optional
-        Threads that share the episodes. The default is one for each core.
+        Threads that share the episodes. The default is one for each core that the process may use.
 
     Returns
     -------
@@ -158,16 +159,32 @@ def rollout(
     A pure function: the same arguments give the same bits, for any number of threads and whatever
     other matches are played with a match. Where the rules take turns, an agent decides when its
     turn begins, and sees what earlier turns did.
+
+    Ctrl-C ends a rollout of the main thread within about 0.1 s, after the steps that its threads
+    are playing, with KeyboardInterrupt. Nothing is left behind.
     """
-    columns = _core.rollout(
-        WorldConfig.of(config).setup,
-        check_team("pursuers", pursuers),
-        check_team("evaders", evaders),
-        *(matches if _converted(matches) else Matches.of(*matches)),
-        n_worlds=check_integer("worlds", worlds, 1),
-        n_threads=check_threads(threads),
+    config, n_threads = WorldConfig.of(config), check_threads(threads)
+    teams = check_team("pursuers", pursuers), check_team("evaders", evaders)
+    columns = matches if _converted(matches) else Matches.of(*matches)
+    n_worlds = check_integer("worlds", worlds, 1)
+    needed = matches_memory(
+        config,
+        [team.network for team in (pursuers, evaders) if isinstance(team, Population)],
+        matches=len(columns.seed),
+        worlds=n_worlds,
+        threads=threads,
     )
-    return EpisodeStatistics(**columns)
+    check_memory("rollout", needed)
+    arrays = _core.rollout(
+        config.setup,
+        *teams,
+        columns.pursuer,
+        columns.evader,
+        columns.seed,
+        n_worlds=n_worlds,
+        n_threads=n_threads,
+    )
+    return EpisodeStatistics(**arrays)
 
 
 def _converted(matches: Matches) -> bool:

@@ -11,7 +11,8 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from matrixworld._core import Blame, Capture, Interaction, Outcome
-from matrixworld.checks import check_bool, check_instance, check_real
+from matrixworld.checks import check_bool, check_instance, check_real, shown
+from matrixworld.conflicts import KINDS
 
 __all__ = [
     "KINDS",
@@ -26,22 +27,6 @@ __all__ = [
     "Rules",
     "rules_of",
 ]
-
-__all__ = [
-    "KINDS",
-    "VARIANTS",
-    "Action",
-    "Blame",
-    "Capture",
-    "Interaction",
-    "Outcome",
-    "Rewards",
-    "Rules",
-    "rules_of",
-]
-
-KINDS = ("obstacle", "teammate", "adversary")
-"""The kinds of collision, in the order of the last axis of ``involved`` and ``fault``."""
 
 
 class Action(IntEnum):
@@ -255,7 +240,7 @@ class Rewards:
 def _reward(name: str, value: object) -> float:
     number = check_real(name, value)
     if not abs(number) <= _LARGEST:  # true for NaN as well
-        raise ValueError(f"{name}: expected a finite number, got {value!r}")
+        raise ValueError(f"{name}: expected a finite number, got {shown(value)}")
     return number
 
 

@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.checks import check_naturals
+from matrixworld.checks import SEED_MAX, check_integer, check_naturals
 from matrixworld.rate_intervals import rate_intervals
 from matrixworld.rules import KINDS
 
@@ -291,8 +291,11 @@ class SafetyMonitor:
         Raises
         ------
         ValueError
-            If no episode was collected.
+            If no episode was collected, or the seed is out of range.
+        TypeError
+            If the seed is not an integer.
         """
+        seed = check_integer("seed", seed, 0, SEED_MAX)
         if not self.episodes:
             raise ValueError("safety: expected at least one whole episode, got none")
         collisions, faults = np.concatenate(self._collisions), np.concatenate(self._faults)

@@ -72,8 +72,8 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         Whether ``infos["action_mask"]`` marks the moves that run into neither an obstacle nor the
         border; needs a `fov` of at least 3. The default is False.
     threads : int, optional
-        Threads that share the worlds of a step. The default is one for each core. No result depends
-        on it.
+        Threads that share the worlds of a step. The default is one for each core that the process
+        may use. No result depends on it.
     render_mode : {None, "rgb_array"}, optional
         What `render` returns. The default is None.
     pursuers, evaders : Opponents, optional
@@ -114,6 +114,9 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     What `reset` and `step` return belongs to the caller. With ``copy=False``, and in the attributes
     always, it is the same arrays at every step: copy what you keep.
 
+    **One thread of Python at a time.** A call while another thread's call is in progress raises
+    RuntimeError. Forked processes may go on with an environment, see `Batch`.
+
     ``infos`` has the same keys at every step:
 
     | key | shape | |
@@ -139,6 +142,11 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     A further array of `array_specs` or `episode_specs` appears under its own name.
     """  # noqa: E501  (a row of a table is one line)
 
+    single_observation_space: spaces.Box
+    single_action_space: spaces.MultiDiscrete
+    observation_space: spaces.Space[NDArray[Any]]
+    action_space: spaces.Space[NDArray[Any]]
+
     def __init__(
         self,
         config: WorldConfig | Rules | str = "O",
@@ -157,18 +165,23 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         **changes: Unpack[WorldSettings],
     ) -> None:
         check_keywords(changes, WorldSettings.__annotations__, VectorEnv)
-        self.config = WorldConfig.of(config, **changes)
-        self.num_envs = check_integer("n_worlds", n_worlds, 1)
+        self.config: WorldConfig = WorldConfig.of(config, **changes)
+        self.num_envs: int = check_integer("n_worlds", n_worlds, 1)
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode: expected None or 'rgb_array', got {render_mode!r}")
         self.render_mode = render_mode
         mode = _mode(autoreset_mode)
-        self.metadata = {"autoreset_mode": mode, "render_modes": ["rgb_array"], "render_fps": 10}
-        self.copy = check_bool("copy", copy)
+        self.metadata: dict[str, Any] = {
+            "autoreset_mode": mode,
+            "render_modes": ["rgb_array"],
+            "render_fps": 10,
+        }
+        self.copy: bool = check_bool("copy", copy)
         if check_bool("action_mask", action_mask):
             check_maskable(self.config)
         team = built_in_team(self.config, pursuers, evaders, self.num_envs)
-        self.agents = range(self.config.n_agents) if team is None else team.learners
+        everyone = range(self.config.n_agents)
+        self.agents: range = everyone if team is None else team.learners
         unseen = set() if check_bool("state", state) else {"state"}
         # Scripts of a built-in team read it.
         left_out = set() if team is not None else set(unseen)
@@ -183,26 +196,28 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
             autoreset=Autoreset[mode.name],
             buffers=kept,
         )
-        self._built_in = None if team is None else BuiltInWorlds(team, kept)
+        waits = mode is not AutoresetMode.SAME_STEP
+        self._built_in = None if team is None else BuiltInWorlds(team, kept, waits)
         mine = of_agents(kept, self.agents)
         self._views = mine["views"]
         # `reshape` that joins the last axes makes a view, so the batch writes into observations.
         seen = (*self._views.shape[:2], -1) if check_bool("flatten", flatten) else self._views.shape
-        self.observations = self._views.reshape(seen)
-        self.rewards = mine["rewards"]
-        self.terminations, self.truncations = mine["terminations"], mine["truncations"]
+        self.observations: NDArray[Any] = self._views.reshape(seen)
+        self.rewards: NDArray[np.float32] = mine["rewards"]
+        self.terminations: NDArray[np.bool_] = mine["terminations"]
+        self.truncations: NDArray[np.bool_] = mine["truncations"]
         shown = {name: array for name, array in mine.items() if name not in unseen}
-        self.infos = make_infos(shown, self.observations)
+        self.infos: dict[str, Any] = make_infos(shown, self.observations)
         if self._built_in is not None:
             self.infos["opponent"] = self._built_in.team.chosen
             self.infos["episode"]["opponent"] = self._built_in.last
         if action_mask:
             self.infos["action_mask"] = action_masks(self._views, self.config.n_actions)
         self._make_spaces()
-        self.actions = np.zeros((self.n_worlds, len(self.agents)), np.int64)
+        self.actions: NDArray[np.int64] = np.zeros((self.n_worlds, len(self.agents)), np.int64)
         first_evader = max(0, self.config.n_pursuers - self.agents.start)
-        self.pursuers = TeamView(self, slice(0, first_evader))
-        self.evaders = TeamView(self, slice(first_evader, None))
+        self.pursuers: TeamView = TeamView(self, slice(0, first_evader))
+        self.evaders: TeamView = TeamView(self, slice(first_evader, None))
         self._generators: tuple[np.random.Generator, ...] | None = None
         self._seeded = False
         # A batch starts with fixed seeds, which would make every unseeded run the same.

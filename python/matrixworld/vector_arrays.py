@@ -8,7 +8,14 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import DTypeLike, NDArray
 
-from matrixworld.arrays import BATCH_FIELDS, WORLD_FIELDS, array_specs, episode_specs
+from matrixworld.arrays import (
+    BATCH_FIELDS,
+    WORLD_FIELDS,
+    Specs,
+    array_specs,
+    episode_specs,
+    new_arrays,
+)
 from matrixworld.config import WorldConfig
 from matrixworld.rules import KINDS
 
@@ -51,11 +58,12 @@ def make_buffers(
 ) -> dict[str, NDArray[Any]]:
     """Return an array of zeros for each output of a batch that is not left out."""
     specs = array_specs(config) | episode_specs(config)
-    return {
-        name: np.zeros((n_worlds, *shape), views if name.endswith("views") else dtype)
+    chosen: Specs = {
+        name: (shape, views if name.endswith("views") else dtype)
         for name, (shape, dtype) in specs.items()
         if name not in left_out
     }
+    return new_arrays(chosen, n_worlds)
 
 
 def of_agents(buffers: dict[str, NDArray[Any]], agents: range) -> dict[str, NDArray[Any]]:
@@ -129,12 +137,12 @@ class TeamView:
     """
 
     def __init__(self, env: VectorEnv, agents: slice) -> None:
-        self.agents = agents
-        self.observations = env.observations[:, agents]
-        self.actions = env.actions[:, agents]
-        self.rewards = env.rewards[:, agents]
-        self.terminations = env.terminations[:, agents]
-        self.truncations = env.truncations[:, agents]
+        self.agents: slice = agents
+        self.observations: NDArray[Any] = env.observations[:, agents]
+        self.actions: NDArray[np.int64] = env.actions[:, agents]
+        self.rewards: NDArray[np.float32] = env.rewards[:, agents]
+        self.terminations: NDArray[np.bool_] = env.terminations[:, agents]
+        self.truncations: NDArray[np.bool_] = env.truncations[:, agents]
         self.alive: NDArray[np.bool_] = env.infos["alive"][:, agents]
         self.acted: NDArray[np.bool_] = env.infos["acted"][:, agents]
         self.cost: NDArray[np.float32] = env.infos["cost"][:, agents]
@@ -142,8 +150,8 @@ class TeamView:
         self.involved: NDArray[np.bool_] = env.infos["involved"][:, agents]
         self.fault: NDArray[np.bool_] = env.infos["fault"][:, agents]
         shape, dtype = self.observations.shape[2:], self.observations.dtype
-        self.observation_space = spaces.Box(0, 1, shape, dtype.type)
-        self.action_space = spaces.Discrete(env.config.n_actions)
+        self.observation_space: spaces.Box = spaces.Box(0, 1, shape, dtype.type)
+        self.action_space: spaces.Discrete = spaces.Discrete(env.config.n_actions)
 
     @property
     def size(self) -> int:

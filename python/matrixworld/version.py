@@ -1,3 +1,26 @@
-"""The package's version, for modules that should not import the whole package to know it."""
+"""The package's version, and the name under which it is installed.
+
+Modules import them from here, which does not import the whole package. The build reads
+`__version__` from this file, and the name is the one in ``pyproject.toml``.
+"""
 
 __version__ = "0.1.0"
+
+#: What ``pip`` installs. `matrixworld` on the Python package index is another project.
+DISTRIBUTION = "matrixworld-pursuit"
+
+
+def install_hint(extra: str) -> str:
+    """Return the command that installs what an optional part of the package needs.
+
+    Parameters
+    ----------
+    extra : str
+        One of the extras in ``pyproject.toml``, for example ``"video"``.
+
+    Returns
+    -------
+    str
+        A command for a shell.
+    """
+    return f"pip install '{DISTRIBUTION}[{extra}]'"

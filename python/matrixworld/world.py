@@ -12,8 +12,9 @@ from matrixworld import _core
 from matrixworld.arrays import array_specs, integers
 from matrixworld.checks import SEED_MAX, check_integer
 from matrixworld.config import WorldConfig, WorldSettings
-from matrixworld.conflicts import Conflict, conflict_of
+from matrixworld.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
 from matrixworld.maps import MapLike, read_map
+from matrixworld.memory import check_memory, thread_memory
 from matrixworld.rules import Rules
 from matrixworld.world_state import WorldState
 
@@ -49,6 +50,9 @@ class World(WorldState):
     ----------
     config : WorldConfig
         The settings.
+    keeps_conflicts : bool
+        Whether every step keeps the list of `conflicts`, as with ``explain=True``. A `Recorder`
+        sets it.
     positions, alive, rewards, ...
         The arrays that `matrixworld.array_specs` lists; see `WorldState`.
 
@@ -65,7 +69,7 @@ class World(WorldState):
     Notes
     -----
     A copy (`copy.deepcopy`, `pickle`) is at the same moment of the same episode, and goes on
-    independently.
+    independently. Where several threads of Python use one world, their calls follow each other.
 
     Examples
     --------
@@ -85,13 +89,18 @@ class World(WorldState):
     [0.05, -0.05, -0.15]
     """
 
+    config: WorldConfig
+    keeps_conflicts: bool
+
     def __init__(
         self, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
     ) -> None:
         self.config = WorldConfig.of(config, **changes)
+        check_memory("world", thread_memory(self.config))
         self._specs = array_specs(self.config)
         self._core = _core.World(self.config.setup)
         self._explained = False
+        self.keeps_conflicts = False
         self.reset(0)
 
     def reset(
@@ -181,8 +190,9 @@ class World(WorldState):
             raise RuntimeError(
                 f"turn {self.turn} of {self.n_turns} is next: finish the round by play_turn()"
             )
-        self._core.step(integers("actions", actions), explain)
-        self._explained = explain
+        keeps_list = explain or self.keeps_conflicts
+        self._core.step(integers("actions", actions), keeps_list)
+        self._explained = keeps_list
         return self.rewards
 
     def play_turn(self, actions: ArrayLike, *, explain: bool = False) -> NDArray[np.float32]:
@@ -212,7 +222,8 @@ class World(WorldState):
         if not self.turn:
             self._require_open()
         # A list that misses the first turns of a round would be incomplete, so it is not kept.
-        keeps_list = explain and (self._explained or not self.turn)
+        wanted = explain or self.keeps_conflicts
+        keeps_list = wanted and (self._explained or not self.turn)
         self._core.play_turn(integers("actions", actions), keeps_list)
         self._explained = keeps_list
         return self.rewards
@@ -239,23 +250,45 @@ class World(WorldState):
     @property
     def conflicts(self) -> list[Conflict]:
         """The conflicts of the last step; RuntimeError unless it had ``explain=True``."""
+        table = self.conflict_table().tolist()
+        return [conflict_of(numbers, self.config.n_pursuers) for numbers in table]
+
+    def conflict_table(self) -> NDArray[np.int32]:
+        """Return the conflicts of the last step as numbers.
+
+        Returns
+        -------
+        ndarray of int32, shape (n, 10)
+            A row for each conflict; `matrixworld.conflicts.CONFLICT_COLUMNS` names the columns.
+
+        Raises
+        ------
+        RuntimeError
+            Unless the step had ``explain=True``.
+        """
         if not self._explained:
             raise RuntimeError("no list of conflicts was kept: play the step with explain=True")
-        return [conflict_of(record, self.config) for record in self._core.conflicts()]
+        rows = [(*record[:5], *record[5], *record[6:]) for record in self._core.conflicts()]
+        return np.array(rows, np.int32).reshape(-1, len(CONFLICT_COLUMNS))
 
     def __getstate__(self) -> dict[str, Any]:
         """Return all that the future of the world depends on, without the list of conflicts."""
-        return {"config": self.config, "moment": self._core.snapshot()}
+        return {
+            "config": self.config,
+            "moment": self._core.snapshot(),
+            "keeps_conflicts": self.keeps_conflicts,
+        }
 
     @classmethod
     def at(cls, config: WorldConfig, moment: dict[str, Any]) -> World:
         """Return a world that continues from a snapshot of the engine."""
         world = cls.__new__(cls)
-        world.__setstate__({"config": config, "moment": moment})
+        world.__setstate__({"config": config, "moment": moment, "keeps_conflicts": False})
         return world
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.config = state["config"]
+        self.keeps_conflicts = state["keeps_conflicts"]
         self._specs = array_specs(self.config)
         self._core = _core.World(self.config.setup)
         # The engine's world starts anew with the same settings and is then set to the moment.

@@ -51,6 +51,24 @@ def test_linear_measures_cover_the_noise_free_measure() -> None:
     assert 0.91 < np.mean(covered) < 0.99
 
 
+def test_generalization_has_the_interval_of_each_mean() -> None:
+    scores = np.random.default_rng(3).random((4, 3, 5))
+    pursuers, evaders = analysis.generalization_over_episodes(scores, level=0.9)
+    expected = analysis.generalization(scores.mean(axis=2))
+    for band, curve, cells in (
+        (pursuers, expected.pursuers, scores),
+        (evaders, expected.evaders, 1 - scores.swapaxes(0, 1)),
+    ):
+        np.testing.assert_allclose(band.mean, curve)
+        for g in range(len(curve)):
+            one = analysis.linear_over_episodes(cells[g : g + 1], np.mean, level=0.9)
+            assert (band.low[g], band.high[g]) == pytest.approx(ends(one))
+    sure = analysis.generalization_over_episodes(np.eye(2)[..., None] * [1.0, 1.0, 0.9])[0]
+    assert sure.high.max() < 1
+    with pytest.raises(ValueError, match="at least 2 episodes a cell, got 1"):
+        analysis.generalization_over_episodes(scores[..., :1])
+
+
 def test_cells_may_share_their_episodes() -> None:
     rng = np.random.default_rng(4)
     shared = rng.random((300, 1, 1, 6)) * np.ones((1, 4, 4, 1))

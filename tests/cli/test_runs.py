@@ -12,8 +12,10 @@ import pytest
 
 import matrixworld
 from command_line import GIF, MAIN_JOB, PNG, judged_in, matrixworld_command
-from matrixworld import VARIANTS, Episode, WorldConfig, record, replay
-from matrixworld.cli.figures import collisions_per_1000
+from made_up_episode import made_up_episode
+from matrixworld import VARIANTS, Episode, WorldConfig, record, render, replay
+from matrixworld.cli.figures import _figures, collisions_per_1000, run_title
+from matrixworld.cli.jobs import open_result
 from matrixworld.coevolution import evaluation_seed, open_run, start
 from matrixworld.rollout import Matches, rollout
 from tiny_race import StopAt, tiny_race
@@ -139,6 +141,30 @@ def test_replay_of_a_variant_is_a_game_of_scripts():
     assert result.stdout.endswith(f"{episode.length} steps  a.npz, a.PNG\n")
 
 
+def test_replay_explains_every_step_or_one():
+    game = ["replay", "SB", "--rows", 7, "--cols", 7, "--steps", 20, "--seed", 3]
+    episode = record(WorldConfig("SB", rows=7, cols=7, max_steps=20), "chaser", "fleer", seed=3)
+    lines = [f"step {t}  {text}" for t in range(1, 21) for text in episode.explain(t)]
+    every = matrixworld_command(*game, "--explain").stdout.splitlines()
+    assert every[:-1] == lines
+    drawn = render.ansi(replay.scene(episode, 17), color="none").splitlines()
+    for step in (17, -4):
+        shown = matrixworld_command(*game, "--step", step, "--explain").stdout.splitlines()
+        assert shown[:-1] == drawn + [line for line in lines if line.startswith("step 17 ")]
+    result = matrixworld_command(*game, "--step", 0, "--explain", "--out", "x.png", "--numbers")
+    assert result.stdout.startswith("step 0  no conflicts\n")
+    replay.save(episode, "y.png", step=0, numbers=True)
+    assert Path("x.png").read_bytes() == Path("y.png").read_bytes()
+    still = ["replay", "O", "--pursuer", "still", "--evader", "still", "--steps", 2]
+    assert matrixworld_command(*still, "--explain").stdout.startswith("no conflicts\n")
+
+
+def test_replay_cannot_explain_a_recording_without_conflicts():
+    made_up_episode().save("walks.npz")
+    result = matrixworld_command("replay", "walks.npz", "--explain", code=1)
+    assert "conflict_table: expected a recording with conflicts, got none" in result.stderr
+
+
 def test_replay_plays_the_last_generations_by_default(job):
     run = job / MAIN_JOB[1]
     chosen = ["--pursuer", 2, "--evader", 2, "--episode", 0]
@@ -161,6 +187,9 @@ def test_replay_plays_the_last_generations_by_default(job):
         (["O", "--obstacles", "many"], 2, "expected a density in [0, 1) or a .map file"),
         (["O", "--steps", "1", "--view", "pursuer_8", "--out", "x.png"], 1, "got 'pursuer_8'"),
         (["O", "--view", "pursuer_0"], 2, "--view: expected a picture to --out together with it"),
+        (["O", "--numbers", "--out", "x.npz"], 2, "--numbers: expected a picture to --out"),
+        (["O", "--step", "3", "--out", "x.gif"], 2, "--step: expected a .png to --out"),
+        (["O", "--steps", "5", "--step", "6"], 2, "--step: expected -6 to 5, got 6"),
         (["O", "--out", "x.avi"], 2, "ends in .gif, .mp4, .png, .npz: x.avi"),
     ],
 )
@@ -182,6 +211,14 @@ def test_plot_draws_the_comparison_to_the_given_file(copy, monkeypatch):
     result = matrixworld_command("plot", *map(copy.joinpath, MAIN_JOB), "--comparison", "both.png")
     assert result.stdout == "both.png\n"
     assert Path("both.png").read_bytes().startswith(PNG)
+
+
+def test_plot_compares_at_least_two_races(copy):
+    one = copy / MAIN_JOB[0]
+    before = {path: path.read_bytes() for path in one.iterdir()}
+    said = matrixworld_command("plot", one, "--comparison", "x.png", "--force", code=2).stderr
+    assert "--comparison: expected at least two races, got 1" in said
+    assert {path: path.read_bytes() for path in one.iterdir()} == before
 
 
 def test_plot_needs_a_finished_run():
@@ -206,3 +243,15 @@ def test_the_package_is_a_command_too():
     command = [sys.executable, "-m", "matrixworld", "--version"]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stdout == f"matrixworld, version {matrixworld.__version__}\n"
+
+
+def test_titles_name_the_run_and_its_seed(job):
+    race, renamed = open_result(job / MAIN_JOB[0]), Path("my-race")
+    shutil.copytree(job / MAIN_JOB[0], renamed)
+    schedule, seed = race.settings.schedule, race.settings.seed
+    assert run_title(race.path, race.settings) == f"{schedule}, seed {seed}"
+    assert run_title(renamed, race.settings) == f"my-race ({schedule}), seed {seed}"
+    for draw in _figures(open_result(renamed)).values():
+        figure = draw()
+        title = figure.get_suptitle() or figure.axes[0].get_title()
+        assert title.startswith(f"my-race ({schedule}), seed {seed}\n")

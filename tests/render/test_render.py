@@ -124,6 +124,70 @@ def test_the_number_is_readable_in_the_picture() -> None:
     assert (pursuers_on_one_cell(10) == pursuers_on_one_cell(11)).all()  # from ten on, a plus
 
 
+def numbered(scene: Scene) -> NDArray[np.uint8]:
+    return rgb(scene, cell=24, numbers=True)
+
+
+def test_agents_carry_their_numbers_on_request() -> None:
+    plain = rgb(scene(), cell=24)
+    assert (numbered(scene()) != plain).any()
+    # Two agents that change places look the same, but for their numbers.
+    swapped = scene(positions=np.array([[2, 3], [0, 0], [1, 4], [3, 0], [-1, -1]]))
+    assert (rgb(swapped, cell=24) == plain).all()
+    assert (numbered(swapped) != numbered(scene())).any()
+    hollow = scene(captured=np.array([True, False, True]))
+    assert (numbered(hollow) != rgb(hollow, cell=24)).any()
+
+
+def test_agents_on_one_cell_carry_up_to_three_numbers() -> None:
+    def together(*agents: int) -> NDArray[np.uint8]:
+        positions = np.array([[0, 0] if i in agents else [3, i] for i in range(6)])
+        return numbered(
+            Scene(
+                positions=positions,
+                alive=np.array([i in agents for i in range(6)]),
+                captured=np.zeros(0, bool),
+                map=np.zeros((4, 6), bool),
+                n_pursuers=6,
+            )
+        )[Layout.header :]
+
+    assert (together(0, 1) != together(0, 2)).any()
+    assert (together(0, 1, 2) != together(0, 1)).any()
+    assert (together(0, 1, 2, 3) != together(0, 1, 2)).any()
+    assert (together(0, 1, 2, 3) == together(0, 1, 2, 3, 4)).all()
+
+
+def test_numbers_need_cells_of_some_size() -> None:
+    with pytest.raises(ValueError, match="cell: expected 20 to 1365 pixels .* got 19"):
+        rgb(scene(), cell=19, numbers=True)
+    large = Scene(
+        positions=np.array([[0, 0]]),
+        alive=np.ones(1, bool),
+        captured=np.zeros(0, bool),
+        map=np.zeros((90, 60), bool),
+        n_pursuers=1,
+    )
+    assert rgb(large, numbers=True).shape == (90 * 20 + 50, 60 * 20 + 24, 3)
+
+
+def test_the_colours_of_teams_and_marks_differ_for_colour_blind_readers() -> None:
+    """Lightness differs where hue may not: as grey levels, marks are far from both teams."""
+    names = (colors.CAPTURE, colors.COLLISION)
+    grey = {name: ImageColor.getcolor(name, "L") for name in (*colors.TEAMS, *names)}
+    for mark in names:
+        assert all(abs(grey[mark] - grey[team]) > 30 for team in colors.TEAMS)
+
+
+def test_trails_of_two_teams_on_the_same_cells_are_both_seen() -> None:
+    trail = np.array([[[0, 5], [2, 3], [1, 4], [0, 5], [-1, -1]]])
+    drawn = scene(positions=np.array([[0, 4], [2, 3], [1, 4], [0, 4], [-1, -1]]), trail=trail)
+    picture = rgb(drawn)
+    above, below = (pixel(picture, drawn, side, 4.7) for side in (-0.1, 0.1))
+    assert above[0] > above[2]  # vermilion
+    assert below[2] > below[0]  # blue
+
+
 def test_both_teams_on_one_cell_are_both_seen() -> None:
     alone, shared = scene(), scene(positions=np.array([[0, 0], [1, 4], [1, 4], [3, 0], [-1, -1]]))
     assert count(rgb(shared), colors.PURSUER) > 1.5 * count(rgb(alone), colors.PURSUER) / 2
@@ -172,7 +236,7 @@ def test_a_trail_leads_to_each_living_agent_and_fades() -> None:
     before = np.array([[0, 2], [2, 3], [1, 4], [3, 0], [0, 5]])
     between = np.array([[0, 1], [2, 3], [1, 4], [3, 0], [-1, -1]])
     drawn = scene(trail=np.stack([before, between]))
-    paper, new, old = (pixel(rgb(drawn), drawn, 0, col) for col in (2.4, 0.6, 1.6))
+    paper, new, old = (pixel(rgb(drawn), drawn, -0.1, col) for col in (2.4, 0.6, 1.6))
     assert paper == ImageColor.getrgb(colors.PAPER)
     assert new[2] < old[2] < paper[2]  # the less blue, the stronger the vermilion
 

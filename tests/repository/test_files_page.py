@@ -11,6 +11,7 @@ import numpy as np
 import matrixworld as mw
 from matrixworld.coevolution import start
 from matrixworld.coevolution.storage.run_log import COLUMNS
+from matrixworld.reading import DEPTH, LIMITS, UNPACKED
 from tiny_race import tiny_race
 
 PAGE = (Path(__file__).parents[2] / "docs" / "files.md").read_text(encoding="utf-8")
@@ -59,6 +60,13 @@ def test_the_files_of_a_run(tmp_path: Path) -> None:
     stated = named("## A run directory")
     made = {path.name for path in run.iterdir() if not path.name.startswith(".")}
     assert {name for name in made if ".previous" not in name} <= set(stated)
+
+
+def test_the_limits() -> None:
+    rows = re.findall(r"^\| (\w+) \| ([\d,]+) \|", PAGE.split("## Files by others\n")[1], re.M)
+    assert {kind: int(most.replace(",", "")) for kind, most in rows} == LIMITS
+    assert f"at most {UNPACKED:,} bytes" in PAGE
+    assert f"nested {DEPTH} levels deep" in PAGE
 
 
 def test_a_recorded_episode(tmp_path: Path) -> None:

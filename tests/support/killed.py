@@ -90,7 +90,7 @@ class Events:
         """Open a file; writing is an event that happens when half of the content is written."""
         self.happen()
         file = open(path, mode, **options)  # noqa: SIM115, the caller closes it
-        return HalfWritten(file, self) if set(mode) & set("wa") else file
+        return HalfWritten(file, self) if set(mode) & set("wax") else file
 
 
 class HalfWritten:

@@ -68,6 +68,7 @@ from matrixworld.analysis.engagement import (
 )
 from matrixworld.analysis.episode_intervals import (
     difference_over_episodes,
+    generalization_over_episodes,
     linear_over_episodes,
     mean_over_episodes,
     transitive_share_over_episodes,
@@ -190,6 +191,7 @@ __all__ = [
     "forgetting",
     "game_value",
     "generalization",
+    "generalization_over_episodes",
     "global_progress",
     "headline",
     "held_out_forgetting",

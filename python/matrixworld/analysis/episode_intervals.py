@@ -13,8 +13,10 @@ from matrixworld.analysis.cycles import transitive_share
 from matrixworld.analysis.intervals import (
     LEVEL,
     UNBOUNDED,
+    Band,
     Bounds,
     Estimate,
+    band_over_runs,
     check_level,
     does_not_vary,
     t_ends,
@@ -171,6 +173,40 @@ def linear_over_episodes(
     if does_not_vary(each):
         return without_interval(value, episodes, "no interval: all episodes are equal")
     return Estimate(value, *t_ends(each, level, bounds), "episodes", episodes)
+
+
+def generalization_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> tuple[Band, Band]:
+    """Return `generalization` of pursuers and of evaders with t intervals over episodes.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (n, m, episodes)
+        Capture rates in [0, 1] of independent episodes, at least two of each cell.
+    level : float, optional
+        Confidence level of each point, in (0, 1). A whole curve leaves the band more often.
+
+    Returns
+    -------
+    pursuers, evaders : Band
+        Mean payoffs of the n and of the m generations. Where all episodes are equal, the band has
+        no width, which is no certainty.
+
+    Raises
+    ------
+    ValueError
+        As `linear_over_episodes`.
+
+    Notes
+    -----
+    The interval is about other episodes of the same opponents, not about other opponents. As in
+    `linear_over_episodes`, episode e of all cells is one measurement of each mean.
+    """
+    array = _check_cells(scores, level)
+    captured, escaped = array.mean(axis=1).T, 1.0 - array.mean(axis=0).T
+    pursuers, evaders = (
+        band_over_runs(each, level=level, bounds=(0.0, 1.0)) for each in (captured, escaped)
+    )
+    return pursuers, evaders
 
 
 def transitive_share_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 from numpy.typing import ArrayLike
 
@@ -60,6 +60,12 @@ class Measure:
     of: Callable[[Rates], float]
     noise: Noise
 
+    def __reduce__(self) -> str | tuple[Any, ...]:
+        """Pickle a row of `MEASURES` by its name, because its function may be a lambda."""
+        if MEASURES.get(self.name) is self:
+            return _row_named, (self.name,)
+        return super().__reduce__()
+
 
 # Early generations have few ancestors, so they have little to forget.
 def _late_forgetting(drops: Rates) -> float:
@@ -69,6 +75,10 @@ def _late_forgetting(drops: Rates) -> float:
 # Without a level: races cycle at low capture rates, too, where no cell crosses one half.
 def _checkerboard_share(matrix: Rates) -> float:
     return checkerboards(last_half(matrix), margin=MARGIN, level=None).share
+
+
+def _row_named(name: str) -> Measure:
+    return MEASURES[name]
 
 
 Row = tuple[str, str, float, float, Callable[[Rates], float], Noise]

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld.analysis.payoff import Rates, check_rates, check_runs, require
 from matrixworld.analysis.tables import read_table
 from matrixworld.checks import check_integer
-from matrixworld.files import read_arrays
+from matrixworld.reading import read_npz
 from matrixworld.short_repr import short_repr
 
 Source = ArrayLike | str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
@@ -78,7 +78,8 @@ def read_payoffs(
     Raises
     ------
     ValueError
-        If a shape or suffix is another one, a file is damaged, rates are outside [0, 1], or
+        If a shape or suffix is another one, a file is damaged or beyond the limits in
+        `matrixworld.reading` (both as DamagedFileError), rates are outside [0, 1], or
         `episodes` is below 1 or not the number of episodes that the source holds. The message
         names the file.
     TypeError
@@ -137,7 +138,7 @@ def _read_file(path: Path, per_episode: bool) -> Payoffs:
 
 
 def _read_arrays(path: Path) -> tuple[NDArray[Any], bool]:
-    arrays = read_arrays(path)
+    arrays = read_npz(path)
     name = _chosen(path, list(arrays))
     return arrays[name], name == PER_EPISODE
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import csv
+import io
 import math
 from pathlib import Path
 
 import numpy as np
 
 from matrixworld.analysis.payoff import Rates
+from matrixworld.reading import DamagedFileError, read_text
 
 Line = tuple[int, list[str]]
 """Line number in the file, from 1, and cells."""
@@ -35,7 +37,8 @@ def read_table(path: Path) -> tuple[Rates, bool]:
     Raises
     ------
     ValueError
-        If the file has another format. The message names file and line.
+        If the file has another format; the message names file and line. As DamagedFileError if it
+        is not a regular file, not text, or has more than 64 MiB.
     FileNotFoundError
         If the file does not exist.
 
@@ -58,14 +61,12 @@ def read_table(path: Path) -> tuple[Rates, bool]:
 
 
 def _lines(path: Path) -> list[Line]:
+    # utf-8-sig: spreadsheets write a byte order mark.
+    text = io.StringIO(read_text(path, "CSV", encoding="utf-8-sig"), newline="")
     try:
-        # utf-8-sig: spreadsheets write a byte order mark.
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            rows = [
-                (i, [cell.strip() for cell in row]) for i, row in enumerate(csv.reader(file), 1)
-            ]
-    except (UnicodeDecodeError, csv.Error) as error:
-        raise ValueError(f"{path}: expected a CSV file of text, got: {error}") from error
+        rows = [(i, [cell.strip() for cell in row]) for i, row in enumerate(csv.reader(text), 1)]
+    except csv.Error as error:
+        raise DamagedFileError(path, f"expected a CSV file of text, got: {error}") from error
     # Line numbers of the file are kept for error messages.
     kept = [(i, row) for i, row in rows if any(row) and not row[0].startswith("#")]
     if not kept:

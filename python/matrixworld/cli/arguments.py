@@ -10,9 +10,11 @@ import click
 
 from matrixworld.cli.console import command
 from matrixworld.coevolution.opponents.registry import ALTERNATING, HALL_OF_FAME, SCHEDULES
-from matrixworld.coevolution.storage.run_directory import CONFIG, OtherVersionError
-from matrixworld.files import DamagedFileError, LockedError
+from matrixworld.coevolution.storage.run_files import CONFIG, OtherVersionError
+from matrixworld.files import LockedError
+from matrixworld.memory import OutOfMemoryError
 from matrixworld.policy import SCRIPTS
+from matrixworld.reading import DamagedFileError
 
 UNMADE = ".unmade"
 """Marker file in a directory of several runs: not all of them have been created yet."""
@@ -103,9 +105,14 @@ def resume_command(root: Path) -> str:
 
 @contextmanager
 def failures() -> Iterator[None]:
-    """End the command with a message instead of a traceback on errors that files cause."""
+    """End the command with a message, not a traceback, on errors of files and memory."""
     try:
         yield
     # Any other error is a mistake in the program, and its traceback is wanted.
-    except (DamagedFileError, OtherVersionError, LockedError, OSError) as error:
+    except BrokenPipeError:  # the reader of the output has gone, which click handles
+        raise
+    except (DamagedFileError, OtherVersionError, LockedError, OutOfMemoryError, OSError) as error:
         raise click.ClickException(str(error)) from error
+    except MemoryError as error:
+        # Estimates count what grows with the options, and other programs take memory meanwhile.
+        raise click.ClickException("this machine has too little memory for these sizes") from error

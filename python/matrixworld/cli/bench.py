@@ -15,8 +15,8 @@ from matrixworld.bench import (
     check_matches,
     check_worlds,
     measurements,
-    usable_cores,
 )
+from matrixworld.checks import check_threads
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.bench_report import figures_of, print_figures, print_machine
 from matrixworld.cli.console import INTERRUPTED, note, progress
@@ -111,10 +111,11 @@ def bench_command(
     # One row of races for each network; the first network is that of the world's own lines.
     races = [_races({**given, "variant": variant, "hidden": sizes}) for sizes in hidden]
     settings = [race for race, *_ in races]
-    threads = threads or usable_cores()
+    threads = check_threads(threads)
     machine, world = _machine(), settings[0].world(settings[0].eval_steps)
     print_machine(machine, variant, world)
-    measured, stopped = _measure(settings, world, threads, seconds)
+    with failures():
+        measured, stopped = _measure(settings, world, threads, seconds)
     if measured:
         figures = figures_of(measured, machine, world, races[0])
         print_figures(figures, default=variant == "O" and not given)

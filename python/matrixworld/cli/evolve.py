@@ -31,8 +31,8 @@ from matrixworld.cli.options import (
     threads_option,
 )
 from matrixworld.cli.report import report
-from matrixworld.cli.setting_options import setting_options, settings_from
-from matrixworld.coevolution import Run, RunDirectory
+from matrixworld.cli.setting_options import in_options, setting_options, settings_from
+from matrixworld.coevolution import PluginError, Run, RunDirectory
 
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
@@ -79,7 +79,7 @@ def evolve_command(
             root = resume[0] if len(resume) == 1 else resume[0].parent
             # The runs are restored inside the block: reading them may fail or take some time.
             with _resumable(root):
-                report(play_runs(resume_runs(resume, threads)), root, threads)
+                report(play_runs(_old_runs(resume, threads)), root, threads)
         else:
             settings = settings_from(given)
             root = _new_directory(settings[0], output)
@@ -91,14 +91,17 @@ def evolve_command(
 
 @contextmanager
 def _resumable(root: Path) -> Iterator[None]:
-    """Tell the user how to continue after Ctrl-C, or an error such as a full disk."""
+    """Tell the user how to continue after Ctrl-C, or an error such as a full disk.
+
+    An error in the code of the user's own learner keeps its traceback.
+    """
     hint = f"\nStopped. Finished parts are saved; to continue:\n  {resume_command(root)}"
     try:
         yield
     except KeyboardInterrupt:
         note(hint)
         raise click.exceptions.Exit(INTERRUPTED) from None
-    except OSError:
+    except (OSError, PluginError):
         note(hint)
         raise
 
@@ -143,4 +146,12 @@ def _new_runs(settings: list[Any], root: Path, threads: int | None) -> list[Run[
     try:
         return create_runs(settings, root, threads)
     except ValueError as error:
-        raise click.UsageError(str(error)) from error
+        raise click.UsageError(in_options(str(error))) from error
+
+
+def _old_runs(paths: list[Path], threads: int | None) -> list[Run[Any]]:
+    # The package of a learner of the user's own may be missing, or have changed.
+    try:
+        return resume_runs(paths, threads)
+    except ValueError as error:
+        raise click.ClickException(str(error)) from error

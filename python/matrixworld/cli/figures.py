@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from matrixworld.analysis import headline
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
+from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.files import replacing
@@ -44,9 +45,18 @@ def draw_comparison(races: Mapping[str, Result], path: Path) -> Path:
     """Draw races side by side, each under its name and its judgement; returns the file."""
     from matrixworld import plots
 
-    payoffs = {name: race.payoff.capture_rate for name, race in races.items()}
-    judgements = {name: race.judgement for name, race in races.items()}
-    return save_figure(plots.comparison(payoffs, judgements), path)
+    named = {f"{name}, seed {race.settings.seed}": race for name, race in races.items()}
+    payoffs = {name: race.payoff.capture_rates for name, race in named.items()}
+    judgements = {name: race.judgement for name, race in named.items()}
+    return save_figure(plots.comparison(payoffs, judgements, per_episode=True), path)
+
+
+def run_title(path: Path, settings: RaceSettings | SingleSettings) -> str:
+    """Return the name of a run in figures: its directory, its schedule and its seed."""
+    name = path.absolute().name
+    if isinstance(settings, RaceSettings) and settings.schedule != name:
+        name = f"{name} ({settings.schedule})"
+    return f"{name}, seed {settings.seed}"
 
 
 def save_figure(figure: Figure, path: Path) -> Path:
@@ -64,14 +74,22 @@ def _figures(run: Result) -> dict[str, Callable[[], Figure]]:
     training: dict[str, Callable[[], Figure]] = {"training": partial(_training, run)}
     if isinstance(run.settings, SingleSettings):
         return training
-    matrix = run.payoff.capture_rate
-    title = f"{run.settings.schedule}\n{headline(run.judgement)}"
+    matrix, of_episodes = run.payoff.capture_rate, run.payoff.capture_rates
     return training | {
-        "payoff": partial(plots.payoff_heatmap, matrix, title=title),
-        "generalization": partial(plots.generalization_curves, matrix),
-        "lag_profile": partial(plots.lag_profile_curve, matrix),
-        "collisions": lambda: plots.collision_rates(collisions_per_1000(run.payoff)),
+        "payoff": lambda: plots.payoff_heatmap(matrix, title=_title(run, headline(run.judgement))),
+        "generalization": lambda: plots.generalization_curves(
+            of_episodes, per_episode=True, title=_title(run, "Mean score against all opponents")
+        ),
+        "lag_profile": lambda: plots.lag_profile_curve(matrix, title=_title(run, "Lag profile")),
+        "collisions": lambda: plots.collision_rates(
+            collisions_per_1000(run.payoff), title=_title(run, "Collisions per 1000 agent-steps")
+        ),
     }
+
+
+def _title(run: Result, shown: str) -> str:
+    """Return the title of a figure: which run, and what the figure shows."""
+    return f"{run_title(run.path, run.settings)}\n{shown}"
 
 
 def _training(run: Result) -> Figure:
@@ -80,19 +98,25 @@ def _training(run: Result) -> Figure:
     log, settings = run.files.log(), run.settings
     rates, learners = log["capture_rate"], log["team"] == "evader"
     if isinstance(settings, SingleSettings):
-        title = f"Capture rate while {settings.team}s learn"
+        title = _title(run, f"Capture rate while {settings.team}s learn")
         window = max(1, settings.epochs // LONGEST)
         return plots.training_curve(rates, learners, window=window, title=title)
     # The same window for both teams, so it must fit into the shorter team phase.
     window = max(1, min(settings.epochs(team) for team in TEAMS) // WINDOWS)
     generations = log["generation"]
-    if settings.schedule != HALL_OF_FAME:
-        return plots.training_curve(rates, learners, generations=generations, window=window)
-    # Both teams learn from the same matches there, and each logs a row of them: keep one.
-    once = ~learners
-    title = "Capture rate while both teams learn"
+    if settings.schedule == HALL_OF_FAME:
+        # Both teams learn from the same matches there, and each logs a row of them: keep one.
+        once = ~learners
+        return plots.training_curve(
+            rates[once],
+            None,
+            generations=generations[once],
+            window=window,
+            title=_title(run, "Capture rate while both teams learn"),
+        )
+    title = _title(run, "Capture rate while pursuers and evaders learn in turn")
     return plots.training_curve(
-        rates[once], None, generations=generations[once], window=window, title=title
+        rates, learners, generations=generations, window=window, title=title
     )
 
 

@@ -11,7 +11,8 @@ from matrixworld.cli.jobs import Result, part_of_job
 from matrixworld.coevolution import open_run, score
 from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.files import DamagedFileError, json_digest, load_json, save_json
+from matrixworld.files import json_digest, load_json, save_json
+from matrixworld.reading import DamagedFileError
 from matrixworld.version import __version__
 
 SCORES = "scores.json"
@@ -69,8 +70,18 @@ def _kept(race: Result) -> Scores | None:
     except (FileNotFoundError, DamagedFileError):
         return None
     # Other versions may have other held-out opponents.
-    played = kept["matrixworld"], kept["episodes"], kept["seed"]
-    return kept if played == (__version__, EPISODES, SEED) else None
+    played = kept.get("matrixworld"), kept.get("episodes"), kept.get("seed")
+    return kept if played == (__version__, EPISODES, SEED) and _holds_means(kept) else None
+
+
+def _holds_means(kept: Scores) -> bool:
+    """Return whether scores have what is printed of them."""
+    try:
+        means = [kept[f"{team}s"]["mean"] for team in TEAMS]
+        found = [mean[end] for [mean] in means for end in ("value", "low", "high")]
+    except (KeyError, TypeError, ValueError):
+        return False
+    return all(type(number) is float for number in found)
 
 
 def _owner(race: Result) -> str:

@@ -20,9 +20,11 @@ from matrixworld.coevolution import (
     Run,
     RunDirectory,
     SingleSettings,
+    check_own_code,
     resume,
     start,
 )
+from matrixworld.coevolution.settings.memory import check_run_memory
 
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
@@ -98,7 +100,14 @@ def default_directory(settings: Settings) -> Path:
 
 
 def create_runs(settings: Sequence[Settings], output: Path, threads: int | None) -> list[Run[Any]]:
-    """Create new runs: a single one in `output` itself, several in directories inside it."""
+    """Create new runs: a single one in `output` itself, several in directories inside it.
+
+    Nothing is written if a run needs too much memory, or a learner or sampler of the user's own is
+    bad.
+    """
+    for each in settings:
+        check_run_memory(each, threads)
+        check_own_code(each)
     if len(settings) == 1:
         return [start(settings[0], output, threads=threads)]
     races = [each for each in settings if isinstance(each, RaceSettings)]

@@ -13,9 +13,11 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
+from matrixworld.checks import INT_MAX, MOST_THREADS
+from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import INTERRUPTED, note
 from matrixworld.coevolution.settings.training import MOST_SEED
-from matrixworld.files import save_json
+from matrixworld.files import check_replaceable, save_json
 
 RENAMED = {
     "--overlap-penalty": "--crowding",
@@ -26,7 +28,6 @@ RENAMED = {
 }
 """New names of options: the old names, which commands with the new option accept, too."""
 
-MOST_THREADS = 1024
 TYPED = "matrixworld.typed"
 """Key of the words after ``matrixworld`` in the group's context."""
 
@@ -53,7 +54,7 @@ seed_option = click.option("--seed", **SEED)
 # mean capture rate to about +-0.1 at worst, and are what `coevolution.score` plays by default.
 episodes_option = click.option(
     "--episodes",
-    type=click.IntRange(min=2),
+    type=click.IntRange(2, INT_MAX),
     default=100,
     show_default=True,
     metavar="INTEGER",
@@ -61,13 +62,13 @@ episodes_option = click.option(
 )
 known_episodes_option = click.option(
     "--episodes",
-    type=click.IntRange(min=1),
+    type=click.IntRange(1, INT_MAX),
     metavar="INTEGER",
     help="episodes behind each cell of a file that holds means only",
 )
 steps_option = click.option(
     "--steps",
-    type=click.IntRange(min=1),
+    type=click.IntRange(1, INT_MAX),
     metavar="INTEGER",
     help="most steps of an episode  [default: as in the evaluation of RUN, or 500]",
 )
@@ -75,7 +76,7 @@ threads_option = click.option(
     "--threads",
     type=click.IntRange(1, MOST_THREADS),
     metavar="INTEGER",
-    help="threads that play matches  [default: one per core]",
+    help="threads that play matches  [default: one per usable core]",
 )
 json_option = click.option(
     "--json",
@@ -115,15 +116,17 @@ def refuse_existing(*files: Path | None, force: bool) -> None:
     no part of the output behind.
     """
     for file in filter(None, files):
-        if file.is_dir():
-            # Even with --force: a directory may hold a run.
-            raise click.UsageError(f"{file}: expected a file, got a directory")
-        if file.exists() and not force:
-            raise click.UsageError(f"{file}: exists; give --force to replace it")
         if not file.parent.is_dir():
             raise click.UsageError(
                 f"{file}: expected a directory that exists, got {str(file.parent)!r}"
             )
+        try:
+            existing = check_replaceable(file)
+        except FileExistsError as error:
+            # Even with --force: a directory may hold a run, and a link may point to any file.
+            raise click.UsageError(str(error)) from error
+        if existing and not force:
+            raise click.UsageError(f"{file}: exists; give --force to replace it")
 
 
 def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
@@ -147,7 +150,8 @@ class Commands(click.Group):
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command; after Ctrl-C, print the command that starts it again."""
         try:
-            return super().invoke(ctx)
+            with failures():  # options are read here, too, and name files
+                return super().invoke(ctx)
         except KeyboardInterrupt:
             again = shlex.join(["matrixworld", *ctx.meta.get(TYPED, [])])
             note(f"\nStopped. No file is half written. To start again:\n  {again}")

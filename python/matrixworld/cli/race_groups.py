@@ -14,7 +14,7 @@ from matrixworld.analysis import Payoffs, read_payoffs
 from matrixworld.cli.arguments import all_of, find_runs
 from matrixworld.cli.jobs import Result, open_result
 from matrixworld.coevolution.settings.race import RaceSettings
-from matrixworld.files import DamagedFileError
+from matrixworld.reading import DamagedFileError
 
 FILES = (".csv", ".npz")
 

@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from matrixworld import replay
+from matrixworld.checks import INT_MAX, SEED_MAX
 from matrixworld.cli.arguments import failures, find_runs, run_of
 from matrixworld.cli.options import (
     SectionedCommand,
@@ -22,7 +23,7 @@ from matrixworld.cli.options import (
 from matrixworld.cli.setting_options import world_options
 from matrixworld.coevolution import open_run
 from matrixworld.config import WorldConfig
-from matrixworld.episode import Episode
+from matrixworld.episode import Episode, moment
 from matrixworld.policy import SCRIPTS, TeamPolicy
 from matrixworld.recorder import record
 from matrixworld.rules import VARIANTS, Rules, rules_of
@@ -40,6 +41,7 @@ Examples:
   matrixworld replay runs/O-seed0/generalist-generalist --pursuer 30 --evader 15
   matrixworld replay my-race --out match.gif
   matrixworld replay SB --pursuer surrounder --obstacles 0.1
+  matrixworld replay my-race --step 17 --explain
 """
 
 
@@ -47,6 +49,13 @@ def _out(ctx: click.Context, param: click.Parameter, value: tuple[Path, ...]) ->
     for path in value:
         if path.suffix.lower() not in SUFFIXES:
             raise click.BadParameter(f"expected a name that ends in {', '.join(SUFFIXES)}: {path}")
+    return value
+
+
+def _fps(ctx: click.Context, param: click.Parameter, value: float) -> float:
+    # Not click.FloatRange, which lets nan pass.
+    if not SLOWEST <= value <= FASTEST:
+        raise click.BadParameter(f"expected {SLOWEST:g} to {FASTEST:g}, got {value:g}")
     return value
 
 
@@ -80,7 +89,7 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
 )
 @click.option(
     "--episode",
-    type=click.IntRange(min=0),
+    type=click.IntRange(0, SEED_MAX),
     default=0,
     show_default=True,
     metavar="NUMBER",
@@ -94,13 +103,14 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
     multiple=True,
     callback=_out,
     metavar="FILE",
-    help="write the episode to a file instead of showing it: .gif, .mp4, .png (its last moment) or "
-    ".npz (its data); may be given several times",
+    help="write the episode to a file instead of showing it: .gif, .mp4, .png (one moment: --step) "
+    "or .npz (its data); may be given several times",
 )
 @force_option
 @click.option(
     "--fps",
-    type=click.FloatRange(SLOWEST, FASTEST),
+    type=float,
+    callback=_fps,
     default=10.0,
     show_default=True,
     metavar="NUMBER",
@@ -108,12 +118,27 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
 )
 @click.option(
     "--every",
-    type=click.IntRange(min=1),
+    type=click.IntRange(1, INT_MAX),
     default=1,
     show_default=True,
     metavar="STEPS",
     help="steps from one frame to the next",
 )
+@click.option(
+    "--step",
+    type=int,
+    metavar="STEP",
+    help="the moment of a .png; without --out, the only one shown; negative numbers count from the "
+    "end  [default: the end]",
+)
+@click.option(
+    "--explain",
+    "explained",
+    is_flag=True,
+    help="print why agents bounced or disappeared: in all steps instead of the animation, or in "
+    "--step",
+)
+@click.option("--numbers", is_flag=True, help="agents carry their numbers in pictures")
 @click.option(
     "--view",
     multiple=True,
@@ -127,6 +152,9 @@ def replay_command(
     force: bool,
     fps: float,
     every: int,
+    step: int | None,
+    explained: bool,
+    numbers: bool,
     view: tuple[str, ...],
     **options: Any,
 ) -> None:
@@ -137,16 +165,51 @@ def replay_command(
     ...): a new game between scripts, with --seed, --steps and the options of the world. WHO is
     the name of a script, such as chaser or fleer; an unknown name prints all of them.
     """
-    # The terminal shows no fields of view.
-    if view and not out:
-        raise click.UsageError("--view: expected a picture to --out together with it")
+    _check_pictures(out, step=step, numbers=numbers, view=view)
     refuse_existing(*out, force=force)
     with failures():
         played = _episode(source, given_options(options))
-        _show(played, out, fps=fps, every=every, viewers=view)
+        if step is not None:
+            step = _moment(step, played)
+        _write(played, out, fps=fps, every=every, step=step, numbers=numbers, viewers=view)
+    if not out:
+        _show(played, step, explained, fps=fps, every=every)
+    if explained:
+        click.echo("\n".join(_explanation(played, step)))
     caught, of = int(played.counted[-1].sum()), played.n_evaders
     written = ", ".join(map(str, out))
     click.echo(f"{caught} of {of} evaders captured, {played.length} steps  {written}".rstrip())
+
+
+def _check_pictures(
+    out: tuple[Path, ...], *, step: int | None, numbers: bool, view: tuple[str, ...]
+) -> None:
+    """Refuse options that no output of this command would follow."""
+    suffixes = {path.suffix.lower() for path in out}
+    pictures = suffixes - {".npz"}
+    # The terminal shows neither fields of view nor numbers.
+    for option, given in (("--view", view), ("--numbers", numbers)):
+        if given and not pictures:
+            raise click.UsageError(f"{option}: expected a picture to --out together with it")
+    if step is not None and out and ".png" not in suffixes:
+        raise click.UsageError("--step: expected a .png to --out together with it, or no --out")
+
+
+def _moment(step: int, played: Episode) -> int:
+    try:
+        return moment(step, played.length)
+    except IndexError as error:
+        raise click.UsageError(f"--{error}") from error
+
+
+def _explanation(played: Episode, step: int | None) -> list[str]:
+    """Return a line for each conflict of a step, or of all steps."""
+    steps = range(1, played.length + 1) if step is None else [step]
+    try:
+        lines = [f"step {now}  {conflict}" for now in steps for conflict in played.explain(now)]
+    except ValueError as error:  # a file that another program wrote
+        raise click.ClickException(str(error)) from error
+    return lines or ["no conflicts" if step is None else f"step {step}  no conflicts"]
 
 
 def _episode(source: Path | Rules, given: dict[str, Any]) -> Episode:
@@ -160,17 +223,21 @@ def _episode(source: Path | Rules, given: dict[str, Any]) -> Episode:
     return _of_run(source, **given)
 
 
-def _show(
-    played: Episode, out: tuple[Path, ...], *, fps: float, every: int, viewers: tuple[str, ...]
-) -> None:
-    if not out:
+def _show(played: Episode, step: int | None, explained: bool, *, fps: float, every: int) -> None:
+    """Show an episode in the terminal: one moment, or all of them unless their text comes."""
+    if step is not None:
+        replay.print_moment(played, step=step)
+    elif not explained:
         replay.animate_terminal(played, fps=fps, every=every)
+
+
+def _write(played: Episode, out: tuple[Path, ...], *, step: int | None, **look: Any) -> None:
     for path in out:
         if path.suffix.lower() == ".npz":
             played.save(path)
             continue
         try:
-            replay.save(played, path, fps=fps, every=every, viewers=viewers)
+            replay.save(played, path, step=-1 if step is None else step, **look)
         except (ImportError, ValueError) as error:
             # ImportError: MP4 needs an optional package, and the message says how to install it.
             raise click.ClickException(str(error)) from error

@@ -25,6 +25,7 @@ from matrixworld.coevolution import (
     RaceSettings,
     SingleSettings,
 )
+from matrixworld.coevolution.plugins import LEARNER, OPPONENT, installed
 from matrixworld.coevolution.settings.race import SCHEDULE_DEFAULTS
 from matrixworld.policy import SCRIPTS
 from matrixworld.rules import VARIANTS
@@ -36,6 +37,7 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     "Races": (
         "schedule", "generations", "pursuer_epochs", "evader_epochs",
         "joint_epochs", "contemporaries", "hall_sample", "pursuers_meet", "evaders_meet",
+        "pursuers_meet_settings", "evaders_meet_settings",
         "opponents", "archive_size", "archive_episodes", "retention_episodes", "sharing",
         "pursuer_virulence", "evader_virulence",
     ),
@@ -45,7 +47,8 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     ),
     "Policy": ("hidden", "activation", "initial_weight", "initial_head"),
     "Learner": (
-        "learner", "population", "sigma", "optimizer", "learning_rate", "momentum", "anneal",
+        "learner", "learner_settings",
+        "population", "sigma", "optimizer", "learning_rate", "momentum", "anneal",
         "mutation", "crossover", "selection", "tournament", "truncation", "elites",
         "elite_episodes", "fitness", "overlap_penalty",
     ),
@@ -76,6 +79,12 @@ OTHER_NAMES = {
     "obstacle map": "obstacles",
 }
 """Names of settings in the errors of `WorldConfig`: the fields."""
+GROUPS = {
+    "learner": LEARNER,
+    "pursuers_meet": OPPONENT,
+    "evaders_meet": OPPONENT,
+}
+"""Settings that take names of installed entry points: their groups."""
 METAVARS = {int: "INTEGER", float: "NUMBER", str: "TEXT"}
 RACE = {item.name: item for item in fields(RaceSettings)}
 SINGLE = {item.name: item for item in fields(SingleSettings)}
@@ -87,6 +96,15 @@ class SettingOption(click.Option):
     def __init__(self, *args: Any, section: str, **attributes: Any) -> None:
         super().__init__(*args, **attributes)
         self.section = section
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        """Return option and help text, with the names of installed learners or samplers."""
+        record = super().get_help_record(ctx)
+        # Here, not where options are declared: other commands need not search the packages.
+        names = ", ".join(installed(GROUPS[self.name])) if self.name in GROUPS else ""
+        if record is None or not names:
+            return record
+        return record[0], f"{record[1]}; installed: {names}"
 
 
 def setting_options(function: AnyFunction) -> AnyFunction:
@@ -176,7 +194,32 @@ def _shown(item: Field[Any]) -> str:
         return "yes" if value else "no"
     if isinstance(value, tuple):
         return ",".join(str(part) for part in value)
-    return "" if value is None else str(value)
+    return "" if value is None or isinstance(value, Mapping) else str(value)
+
+
+def own_settings_of(
+    ctx: click.Context, param: click.Parameter, values: Sequence[str]
+) -> dict[str, bool | int | float | str]:
+    """Return settings such as sigma=0.1,tries=3 by name; the option may be given several times."""
+    found: dict[str, bool | int | float | str] = {}
+    for part in ",".join(values).split(",") if values else ():
+        name, equals, value = (word.strip() for word in part.partition("="))
+        if not equals or not name.isidentifier() or name in found:
+            raise click.BadParameter(
+                f"expected settings such as sigma=0.1,tries=3, each once, got {','.join(values)!r}"
+            )
+        found[name] = _own_value(value)
+    return found
+
+
+def _own_value(text: str) -> bool | int | float | str:
+    """Return True, False or a number if a text is one, else the text."""
+    if text in ("true", "false"):
+        return text == "true"
+    try:
+        return int(text) if re.fullmatch(r"[+-]?\d+", text) else float(text)
+    except ValueError:
+        return text
 
 
 def sizes_of(
@@ -185,7 +228,7 @@ def sizes_of(
     """Return layer sizes such as 32 or 64,64."""
     if value is None or value == "none":
         return None if value is None else ()
-    if not re.fullmatch(r"\d+(,\d+)*", value):
+    if not re.fullmatch(r"\d{1,9}(,\d{1,9})*", value):
         raise click.BadParameter(f"expected sizes such as 32 or 64,64, or none, got {value!r}")
     return tuple(int(size) for size in value.split(","))
 
@@ -203,6 +246,11 @@ def obstacles_of(ctx: click.Context, param: click.Parameter, value: str | None) 
     raise click.BadParameter(f"expected a density in [0, 1) or a .map file, got {value!r}")
 
 
+OWN: dict[str, Any] = {
+    "callback": own_settings_of,
+    "multiple": True,
+    "metavar": "NAME=VALUE,...",
+}
 _SPECIAL: Mapping[str, dict[str, Any]] = {
     "schedule": {
         "type": click.Choice([*SCHEDULES, ALTERNATING, HALL_OF_FAME, ALL]),
@@ -211,6 +259,9 @@ _SPECIAL: Mapping[str, dict[str, Any]] = {
     },
     "team": {"type": click.Choice(["pursuer", "evader"]), "metavar": "TEAM"},
     "variant": {"type": str.upper, "metavar": "NAME"},
+    "learner_settings": OWN,
+    "pursuers_meet_settings": OWN,
+    "evaders_meet_settings": OWN,
     "hidden": {"callback": sizes_of, "metavar": "SIZES"},
     "obstacles": {"callback": obstacles_of, "metavar": "DENSITY|FILE"},
     "against": {"callback": opponent_of, "metavar": "SCRIPT|RUN"},
@@ -248,7 +299,7 @@ def _races(given: Mapping[str, Any]) -> list[RaceSettings]:
     # A setting may be idle in some of the races, but not in all of them.
     for name, error in made[0][1].items():
         if all(name in idle for _, idle in made):
-            raise click.UsageError(_in_options(str(error)))
+            raise click.UsageError(in_options(str(error)))
     return [settings for settings, _ in made]
 
 
@@ -260,7 +311,7 @@ def _race(given: Mapping[str, Any]) -> tuple[RaceSettings, dict[str, NoEffectErr
         race, idle = _race({name: given[name] for name in given if name != error.name})
         return race, {error.name: error, **idle}
     except (OSError, TypeError, ValueError) as error:
-        raise click.UsageError(_in_options(str(error))) from error
+        raise click.UsageError(in_options(str(error))) from error
 
 
 def _refuse(given: Mapping[str, Any], known: set[str], how: str) -> None:
@@ -279,11 +330,13 @@ def _made(kind: Callable[..., Any], given: Mapping[str, Any]) -> Any:
     try:
         return kind(**given)
     except (OSError, TypeError, ValueError) as error:
-        raise click.UsageError(_in_options(str(error))) from error
+        raise click.UsageError(in_options(str(error))) from error
 
 
-def _in_options(message: str) -> str:
-    """Return an error's message with the option in place of the field that it begins with."""
-    name, colon, rest = message.partition(":")
-    name = OTHER_NAMES.get(name, name)
-    return f"{option_name(name)}{colon}{rest}" if name in RACE or name in SINGLE else message
+def in_options(message: str) -> str:
+    """Return an error's message with the options in place of the fields that it begins with."""
+    begin, colon, rest = message.partition(":")
+    names = [OTHER_NAMES.get(name, name) for name in begin.split(" and ")]
+    if not all(name in RACE or name in SINGLE for name in names):
+        return message
+    return f"{' and '.join(map(option_name, names))}{colon}{rest}"

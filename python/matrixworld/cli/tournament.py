@@ -9,7 +9,7 @@ import click
 from matrixworld.analysis import Generalization, Judgement, generalization, headline, judge
 from matrixworld.cli.arguments import failures, run_of
 from matrixworld.cli.console import TERMS, progress
-from matrixworld.cli.figures import save_figure
+from matrixworld.cli.figures import run_title, save_figure
 from matrixworld.cli.judgements import counts, print_head, print_judgement
 from matrixworld.cli.options import (
     episodes_option,
@@ -66,7 +66,8 @@ def tournament_command(
         payoff = _play(ours, theirs, episodes, steps, seed, threads)
         # Generations of two runs have no common order in time, and are not judged.
         judgement = judge(payoff.capture_rates, per_episode=True) if other is None else None
-        _save(payoff, target, _title(run, other, judgement))
+        names = run_title(run, ours.settings), run_title(other or run, theirs.settings)
+        _save(payoff, target, _title(*names, judgement))
     _print(payoff)
     if judgement is not None:
         print_head(counts(judgement))
@@ -126,10 +127,10 @@ def _save(payoff: Payoff, target: Path, title: str) -> None:
     save_figure(plots.payoff_heatmap(payoff.capture_rate, title=title), _figure(target))
 
 
-def _title(run: Path, other: Path | None, judgement: Judgement | None) -> str:
-    if other is not None:
-        return f"pursuers of {run.name}\nagainst evaders of {other.name}"
-    return run.name if judgement is None else f"{run.name}\n{headline(judgement)}"
+def _title(pursuers: str, evaders: str, judgement: Judgement | None) -> str:
+    if judgement is None:
+        return f"pursuers of {pursuers}\nagainst evaders of {evaders}"
+    return f"{pursuers}\n{headline(judgement)}"
 
 
 def _print(payoff: Payoff) -> None:

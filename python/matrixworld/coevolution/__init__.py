@@ -22,6 +22,8 @@ settings              everything that defines a run, with help texts
 learners              evolution strategy, genetic algorithm, CMA-ES; as DEAP toolboxes, too
 opponents             opponent samplers, archives, and the schedules of races
 fitness               from the results of matches to the fitness of candidates
+conformance           checks of a learner or sampler of your own
+plugins               learners and samplers from outside the package; `plugin_checks`
 progress              progress bars
 payoff                `Payoff`: results of two archives against each other
 seeding               seeds of matches and random generators
@@ -35,6 +37,7 @@ package imports only from those below it in the table.
 from __future__ import annotations
 
 from matrixworld.coevolution import opponents
+from matrixworld.coevolution.conformance import check_learner, check_sampler
 from matrixworld.coevolution.evaluation.held_out_opponents import held_out
 from matrixworld.coevolution.evaluation.held_out_scores import (
     HeldOutScores,
@@ -75,22 +78,25 @@ from matrixworld.coevolution.opponents.registry import (
     available,
 )
 from matrixworld.coevolution.payoff import Payoff
+from matrixworld.coevolution.plugin_checks import PluginError
 from matrixworld.coevolution.progress import ProgressBar, Report
 from matrixworld.coevolution.runs.alternating import DisengagementWarning, Race
 from matrixworld.coevolution.runs.best_response import BestResponse, best_response
 from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.single import SingleTeam
-from matrixworld.coevolution.runs.start import finish, resume, start
+from matrixworld.coevolution.runs.start import check_own_code, finish, resume, start
 from matrixworld.coevolution.seeding import evaluation_seed, training_seeds
 from matrixworld.coevolution.settings.effects import NoEffectError
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSettings
 from matrixworld.coevolution.settings.training import TrainingSettings
-from matrixworld.coevolution.storage.run_directory import OtherVersionError, RunDirectory
+from matrixworld.coevolution.storage.run_directory import RunDirectory
+from matrixworld.coevolution.storage.run_files import OtherVersionError
 from matrixworld.coevolution.storage.saved_run import SavedRun, last_generation, open_run
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.files import DamagedFileError, LockedError
+from matrixworld.files import LockedError
+from matrixworld.reading import DamagedFileError
 from matrixworld.rollout import Rollout
 
 __all__ = [
@@ -118,6 +124,7 @@ __all__ = [
     "NoiseTable",
     "OtherVersionError",
     "Payoff",
+    "PluginError",
     "ProgressBar",
     "Race",
     "RaceSettings",
@@ -134,6 +141,9 @@ __all__ = [
     "available",
     "best_response",
     "centred_ranks",
+    "check_learner",
+    "check_own_code",
+    "check_sampler",
     "competitive_sharing",
     "evaluation_seed",
     "finish",

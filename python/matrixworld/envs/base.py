@@ -236,13 +236,13 @@ class MatrixWorldBase:
             raise ValueError(
                 f"render_mode: expected None or one of {RENDER_MODES}, got {render_mode!r}"
             )
-        self.config = WorldConfig.of(config, **changes)
+        self.config: WorldConfig = WorldConfig.of(config, **changes)
         self._has_masks = check_bool("action_mask", action_mask)
         if self._has_masks:
             check_maskable(self.config)
         self.world = World(self.config)
         self.render_mode = render_mode
-        self.metadata = metadata_of(self.config)
+        self.metadata: dict[str, Any] = metadata_of(self.config)
         self._built_in = built_in_team(self.config, pursuers, evaders)
         played = range(self.config.n_agents) if self._built_in is None else self._built_in.learners
         self._names = {agent: self.config.agent_name(agent) for agent in played}
@@ -267,14 +267,14 @@ class MatrixWorldBase:
     def _make_spaces(self) -> None:
         config = self.config
         view, whole = (3, config.fov, config.fov), (3, config.rows, config.cols)
-        self.observation_spaces = {
+        self.observation_spaces: dict[str, spaces.Box] = {
             name: spaces.Box(0, 1, view, np.uint8)  # not shared: each has a generator of its own
             for name in self.possible_agents
         }
-        self.action_spaces = {
+        self.action_spaces: dict[str, spaces.Discrete] = {
             name: spaces.Discrete(config.n_actions) for name in self.possible_agents
         }
-        self.state_space = spaces.Box(0, 1, whole, np.uint8)
+        self.state_space: spaces.Box = spaces.Box(0, 1, whole, np.uint8)
 
     def observation_space(self, agent: str) -> spaces.Box:
         """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view."""

@@ -113,7 +113,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         truncations = self._by_agent(acting, status.truncations.tolist())
         infos = self._by_agent(acting, self._infos(status, views))
         # All that acted get their last results; agents that ended leave only now.
-        self.agents = [a for a in acting if not (terminations[a] or truncations[a])]
+        self.agents: list[str] = [a for a in acting if not (terminations[a] or truncations[a])]
         return observations, rewards, terminations, truncations, infos
 
     def _committed(self, actions: Mapping[str, Any]) -> NDArray[np.int64]:

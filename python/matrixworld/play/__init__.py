@@ -18,8 +18,17 @@ exports         networks for PyTorch and ONNX
 
 from __future__ import annotations
 
-from matrixworld.play.decide import MOMENT, Callback, Moment, Plays, decide
+from matrixworld.play.decide import MOMENT, Callback, Moment, Plays, check_fits, decide
 from matrixworld.play.matches import capture_rates
 from matrixworld.play.network_policy import NetworkPolicy
 
-__all__ = ["MOMENT", "Callback", "Moment", "NetworkPolicy", "Plays", "capture_rates", "decide"]
+__all__ = [
+    "MOMENT",
+    "Callback",
+    "Moment",
+    "NetworkPolicy",
+    "Plays",
+    "capture_rates",
+    "check_fits",
+    "decide",
+]

@@ -83,6 +83,15 @@ def decide(
     actions[world, agent] = chosen
 
 
+def check_fits(name: str, network: Network, config: WorldConfig) -> None:
+    """Raise ValueError unless a network has the views and actions of a world."""
+    if (network.fov, network.n_actions) != (config.fov, config.n_actions):
+        raise ValueError(
+            f"{name}: expected a network for fov {config.fov} and {config.n_actions} actions, "
+            f"got fov {network.fov} and {network.n_actions} actions"
+        )
+
+
 def network_actions(
     network: Network,
     genome: NDArray[np.float32],

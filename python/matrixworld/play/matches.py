@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from matrixworld.arrays import array_specs
 from matrixworld.batch import Batch
 from matrixworld.config import WorldConfig
-from matrixworld.play.decide import MOMENT, Moment, Plays, decide
+from matrixworld.play.decide import MOMENT, Moment, Plays, check_fits, decide
+from matrixworld.policy import Population
 from matrixworld.world import World
 
 _READ = (*MOMENT, "terminated", "truncated", "capture_rate")
@@ -42,6 +43,9 @@ def capture_rates(
         range(config.n_pursuers): pursuers,
         range(config.n_pursuers, config.n_agents): evaders,
     }
+    for name, policy in (("pursuers", pursuers), ("evaders", evaders)):
+        if isinstance(policy, Population):
+            check_fits(name, policy.network, config)
     simultaneous = World(config).n_turns == 1
     worlds: _Worlds = (_Together if simultaneous else _InTurns)(config, seed, episodes)
     actions = np.zeros((episodes, config.n_agents), np.int64)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,16 @@ from matplotlib.patheffects import Normal, Stroke
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import analysis, colors
-from matrixworld.plots.style import DASHES, legend_below, new_figure, unit_axis, whole_numbers
+from matrixworld.analysis.payoff import Rates
+from matrixworld.plots.style import (
+    DASHES,
+    fitting,
+    legend_below,
+    new_figure,
+    unit_axis,
+    whole_numbers,
+    wrapped,
+)
 
 COLORMAP = "viridis"
 """Perceptually uniform and safe for colour-blind readers; dark is escape, light is capture."""
@@ -22,8 +31,10 @@ COLORMAP = "viridis"
 FEWEST_CELLS = 5
 """A lag whose mean rests on fewer cells is drawn faintly."""
 
-WIDEST = 42
-"""Characters of a line of a judgement in `comparison`."""
+COLUMNS = 4
+"""The most races beside each other in `comparison`; further ones are in rows below."""
+WIDEST, WIDEST_NAME = 42, 32
+"""Characters of a line of a judgement, and of a name, in `comparison`."""
 LINE = 14
 """Height of a line above a heat map, in points."""
 
@@ -33,7 +44,7 @@ _SCALE = "capture rate (0 all escape, 1 all caught)"
 def payoff_heatmap(payoff: ArrayLike, *, title: str = "Capture rate, all against all") -> Figure:
     """Draw a payoff matrix as a heat map.
 
-    The dashed line marks opponents of the same generation.
+    Two thin lines enclose the cells of opponents of the same generation.
 
     Parameters
     ----------
@@ -56,7 +67,7 @@ def payoff_heatmap(payoff: ArrayLike, *, title: str = "Capture rate, all against
     figure = new_figure(min(12.0, max(4.0, 1.7 + 4.1 * columns / rows)), 5.0)
     axes = figure.add_subplot()
     image = _draw_heatmap(axes, payoff)
-    axes.set_title(title)
+    axes.set_title(fitting(figure, title))
     figure.colorbar(image, ax=axes, label=_SCALE, shrink=0.9)
     return figure
 
@@ -64,6 +75,7 @@ def payoff_heatmap(payoff: ArrayLike, *, title: str = "Capture rate, all against
 def generalization_curves(
     payoff: ArrayLike,
     *,
+    per_episode: bool = False,
     pursuer_baselines: Mapping[str, float] | None = None,
     evader_baselines: Mapping[str, float] | None = None,
     title: str = "Generalisation: mean score against all opponents",
@@ -74,8 +86,11 @@ def generalization_curves(
 
     Parameters
     ----------
-    payoff : array_like of float, shape (n, m)
-        Mean capture rate of each pursuer generation against each evader generation.
+    payoff : array_like of float, shape (n, m) or (n, m, episodes)
+        Capture rate of each pursuer generation against each evader generation.
+    per_episode : bool, optional
+        Whether the capture rates are those of single episodes. If there are several of each pair,
+        a band shows the 95% interval over episodes of each score. The default is False.
     pursuer_baselines, evader_baselines : mapping of str to float, optional
         Mean scores in [0, 1] of teams that were trained in another way, against the same opponents.
         Each is drawn as a level line with its name.
@@ -94,10 +109,10 @@ def generalization_curves(
     """
     figure = new_figure(6.4, 4.2)
     axes = figure.add_subplot()
-    _draw_generalization(axes, payoff)
+    _draw_generalization(axes, payoff, per_episode)
     for team, baselines in enumerate((pursuer_baselines or {}, evader_baselines or {})):
         _draw_baselines(axes, baselines, colors.TEAMS[team])
-    axes.set_title(title)
+    axes.set_title(fitting(figure, title))
     legend_below(figure, *axes.get_legend_handles_labels())
     return figure
 
@@ -128,7 +143,7 @@ def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figur
     figure = new_figure(6.4, 4.2)
     axes = figure.add_subplot()
     _draw_lag_profile(axes, payoff)
-    axes.set_title(title)
+    axes.set_title(fitting(figure, title))
     return figure
 
 
@@ -136,12 +151,14 @@ def comparison(
     payoffs: Mapping[str, ArrayLike],
     judgements: Mapping[str, analysis.Judgement] | None = None,
     *,
+    per_episode: bool = False,
     title: str | None = None,
 ) -> Figure:
     """Draw several races side by side, on the same scales.
 
-    Each column is a race: its heat map, its lag profile and its generalisation curves, below its
-    name, its judgement and numbers of :func:`matrixworld.analysis.summarize`.
+    Each race has its heat map, its lag profile and its generalisation curves, in a column below its
+    name, its judgement and numbers of :func:`matrixworld.analysis.summarize`. At most `COLUMNS`
+    races are beside each other.
 
     Parameters
     ----------
@@ -150,6 +167,8 @@ def comparison(
     judgements : mapping of str to Judgement, optional
         Results of :func:`matrixworld.analysis.judge` by the name of the race; a race without one
         has numbers only.
+    per_episode : bool, optional
+        Whether the payoffs are capture rates of single episodes, as in `generalization_curves`.
     title : str, optional
         Title of the figure.
 
@@ -165,17 +184,20 @@ def comparison(
     """
     if not payoffs:
         raise ValueError("expected at least one race to draw, got none")
-    figure = new_figure(1.2 + 4.0 * len(payoffs), 10.0)
-    grid = figure.subplots(3, len(payoffs), squeeze=False, height_ratios=(1.7, 1.0, 1.0))
-    images = [
-        _draw_race(column, payoff) for payoff, column in zip(payoffs.values(), grid.T, strict=True)
-    ]
-    _write_heads(grid[0], payoffs, judgements or {})
-    figure.colorbar(images[0], ax=list(grid[0]), label=_SCALE, shrink=0.9)
-    legend_below(figure, *grid[2, 0].get_legend_handles_labels())
-    # The scales are shared, so one label per row is enough.
-    for axes in grid[:, 1:].flat:
-        axes.set_ylabel("")
+    lines = -(-len(payoffs) // COLUMNS)
+    columns = -(-len(payoffs) // lines)  # rows of equal length: 5 races are 3 and 2
+    figure = new_figure(1.2 + 4.0 * columns, 0.6 + 9.4 * lines)
+    grid = figure.subplots(3 * lines, columns, squeeze=False, height_ratios=(1.7, 1.0, 1.0) * lines)
+    # One column of three panels for each race, row by row.
+    panels = [grid[3 * line : 3 * line + 3, column] for line, column in np.ndindex(lines, columns)]
+    for column, payoff in zip(panels, payoffs.values(), strict=False):
+        _draw_race(column, payoff, per_episode)
+    for axes in np.concatenate(panels[len(payoffs) :] or [np.empty(0, object)]):
+        axes.remove()
+    panels = panels[: len(payoffs)]
+    means = {name: _mean(payoff, per_episode) for name, payoff in payoffs.items()}
+    _write_heads([column[0] for column in panels], means, judgements or {})
+    _share_legends(figure, panels, columns)
     if title:
         figure.suptitle(title)
     # A first pass of the layout: one alone leaves the names of three races above the edge.
@@ -185,18 +207,41 @@ def comparison(
     return figure
 
 
-def _draw_race(column: NDArray[np.object_], payoff: ArrayLike) -> AxesImage:
-    image = _draw_heatmap(column[0], payoff)
-    _draw_lag_profile(column[1], payoff)
-    _draw_generalization(column[2], payoff)
+def _mean(payoff: ArrayLike, per_episode: bool) -> Rates:
+    """Return the checked payoff matrix of a race, from capture rates of its episodes if given."""
+    if not per_episode:
+        return analysis.check_payoff(payoff)
+    # In float64: the sum of many float32 rates would round.
+    return analysis.check_payoff(np.asarray(payoff).mean(axis=2, dtype=np.float64))
+
+
+def _share_legends(figure: Figure, panels: Sequence[NDArray[np.object_]], columns: int) -> None:
+    """Draw a colour bar for each full row of heat maps, one legend, and labels on the left only."""
+    for first in range(0, len(panels), columns):
+        row = panels[first : first + columns]
+        # The bar of a shorter row would be in the middle, and push the other rows apart.
+        if len(row) == columns:
+            heatmaps = [column[0] for column in row]
+            figure.colorbar(heatmaps[0].images[0], ax=heatmaps, label=_SCALE, shrink=0.9)
+        # The scales are shared, so one label per row is enough.
+        for axes in [axes for column in row[1:] for axes in column]:
+            axes.set_ylabel("")
+    handles, labels = panels[0][2].get_legend_handles_labels()
+    legend_below(figure, handles, labels, columns=min(columns, 3))
+
+
+def _draw_race(column: NDArray[np.object_], payoff: ArrayLike, per_episode: bool) -> None:
+    matrix = _mean(payoff, per_episode)
+    _draw_heatmap(column[0], matrix)
+    _draw_lag_profile(column[1], matrix)
+    _draw_generalization(column[2], payoff, per_episode)
     for axes, title in zip(column[1:], ("lag profile", "generalisation"), strict=True):
         axes.set_title(title, size="medium")
-    return image
 
 
 def _write_heads(
-    heatmaps: NDArray[np.object_],
-    payoffs: Mapping[str, ArrayLike],
+    heatmaps: Sequence[Axes],
+    payoffs: Mapping[str, Rates],
     judgements: Mapping[str, analysis.Judgement],
 ) -> None:
     """Write name, judgement and numbers of each race above its heat map."""
@@ -209,7 +254,7 @@ def _write_heads(
     # The names of all races are at the same height.
     lines = 1 + max(map(len, verdicts.values()))
     for axes, (name, payoff) in zip(heatmaps, payoffs.items(), strict=True):
-        axes.set_title(name, fontweight="bold", pad=6 + LINE * lines)
+        axes.set_title(wrapped(name, WIDEST_NAME), fontweight="bold", pad=6 + LINE * lines)
         _write_above(axes, f"last half: {_numbers(payoff)}", 5, "small")
         _write_above(axes, "\n".join(verdicts[name]), 5 + LINE, "medium")
 
@@ -234,12 +279,7 @@ def _numbers(payoff: ArrayLike) -> str:
 def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
     matrix = analysis.check_payoff(payoff)
     image = axes.imshow(matrix, origin="lower", vmin=0.0, vmax=1.0, cmap=COLORMAP)
-    end = min(matrix.shape) - 0.5
-    # The light outline keeps the line visible on dark cells.
-    axes.plot(
-        (-0.5, end), (-0.5, end), color=colors.INK, linestyle="--", linewidth=1.2,
-        path_effects=[Stroke(linewidth=2.6, foreground=colors.PAPER), Normal()],
-    )  # fmt: skip
+    _enclose_diagonal(axes, min(matrix.shape))
     axes.set(xlabel="evader generation", ylabel="pursuer generation")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(whole_numbers(6))
@@ -247,15 +287,40 @@ def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
     return image
 
 
-def _draw_generalization(axes: Axes, payoff: ArrayLike) -> None:
-    scores = analysis.generalization(payoff)
+def _enclose_diagonal(axes: Axes, cells: int) -> None:
+    """Draw a line above and a line below the cells of equal generations, which stay visible."""
+    corners = np.arange(cells + 1) - 0.5
+    early, late = np.repeat(corners, 2)[:-1], np.repeat(corners, 2)[1:]
+    width = min(0.7, 25 / cells)  # points; thinner where cells are small
+    outline = [Stroke(linewidth=1.9 * width, foreground=colors.INK), Normal()]
+    for x, y in ((early, late), (late, early)):
+        axes.plot(x, y, color=colors.PAPER, linewidth=width, path_effects=outline)
+
+
+def _draw_generalization(axes: Axes, payoff: ArrayLike, per_episode: bool) -> None:
+    scores = analysis.generalization(_mean(payoff, per_episode))
     labels = ("pursuers: capture rate", "evaders: 1 - capture rate")
     for curve, label, color in zip(scores, labels, colors.TEAMS, strict=True):
-        axes.plot(curve, color=color, label=label, linewidth=1.8)
+        axes.plot(curve, color=color, label=label, linewidth=1.5)
+    if per_episode:
+        _draw_bands(axes, payoff)
     axes.set(xlabel="generation", ylabel="mean score")
     axes.xaxis.set_major_locator(whole_numbers(6))
     axes.margins(x=0.02)
     unit_axis(axes)
+
+
+def _draw_bands(axes: Axes, scores: ArrayLike) -> None:
+    if np.shape(scores)[2] < 2:
+        return
+    look: dict[str, Any] = {"alpha": 0.3, "linewidth": 0}
+    bands = analysis.generalization_over_episodes(scores)
+    for band, color in zip(bands, colors.TEAMS, strict=True):
+        low, high = np.asarray(band.low), np.asarray(band.high)
+        axes.fill_between(np.arange(len(band.mean)), low, high, color=color, **look)
+    # An empty band for the legend, whose entry is of both teams.
+    label = "95% interval over episodes"
+    axes.fill_between([], [], [], color=colors.MUTED, label=label, **look)
 
 
 def _draw_baselines(axes: Axes, baselines: Mapping[str, float], color: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
 
 import numpy as np
@@ -16,6 +17,9 @@ from matrixworld import colors
 DPI = 150
 """Resolution of saved figures."""
 
+TITLE_CHARACTERS = 9
+"""Characters of a title for each inch of the width of a figure."""
+
 DASHES = ("--", ":", "-.")
 """Line styles beside the solid one."""
 
@@ -24,6 +28,17 @@ def new_figure(width: float, height: float) -> Figure:
     """Return an empty figure; sizes are in inches."""
     layout = ConstrainedLayoutEngine(w_pad=0.06, h_pad=0.06)
     return Figure(figsize=(width, height), dpi=DPI, layout=layout)
+
+
+def wrapped(text: str, width: int) -> str:
+    """Return text in lines of at most `width` characters; paths may break after a slash."""
+    lines = [textwrap.wrap(line.replace("/", "/ "), width) for line in text.splitlines()]
+    return "\n".join(part.replace("/ ", "/") for line in lines for part in line)
+
+
+def fitting(figure: Figure, title: str) -> str:
+    """Return a title in as many lines as it needs in a figure."""
+    return wrapped(title, int(TITLE_CHARACTERS * figure.get_figwidth()))
 
 
 def legend_below(

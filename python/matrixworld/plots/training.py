@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld import analysis, colors
 from matrixworld.plots.style import (
     DASHES,
+    fitting,
     legend_below,
     new_figure,
     plain_axis,
@@ -75,7 +76,8 @@ def training_curve(
     if len(values) <= _MARKED:
         place = np.arange(1, len(values) + 1)
         axes.scatter(place, smooth, s=14, c=shades, zorder=3)
-    axes.set(title=title, xlabel=unit, ylabel="capture rate", xlim=(0.5, len(values) + 0.5))
+    axes.set_title(fitting(figure, title))
+    axes.set(xlabel=unit, ylabel="capture rate", xlim=(0.5, len(values) + 0.5))
     axes.xaxis.set_major_locator(whole_numbers(10))
     unit_axis(axes)
     if generations is not None:
@@ -122,7 +124,7 @@ def collision_rates(
     panels[0].set_ylabel("collisions per 1000 agent-steps")
     panels[0].set_ylim(bottom=0.0)
     legend_below(figure, *panels[0].get_legend_handles_labels(), columns=3)
-    figure.suptitle(title)
+    figure.suptitle(fitting(figure, title))
     return figure
 
 

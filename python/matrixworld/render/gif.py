@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageColor
 
 from matrixworld import colors
+from matrixworld.checks import check_real
 
 Draw = Callable[[int], NDArray[np.uint8]]
 
@@ -68,9 +69,9 @@ def check_timing(times: Sequence[int], *, fps: float, hold: float) -> None:
     """Raise ValueError if there are no times, or if fps or hold is out of range."""
     if len(times) == 0:
         raise ValueError("times: expected at least one, got none")
-    if not SLOWEST <= fps <= FASTEST:
+    if not SLOWEST <= check_real("fps", fps) <= FASTEST:
         raise ValueError(f"fps: expected {SLOWEST:g} to {FASTEST:g} a second, got {fps}")
-    if not 0 <= hold <= LONGEST_HOLD:
+    if not 0 <= check_real("hold", hold) <= LONGEST_HOLD:
         raise ValueError(f"hold: expected 0 to {LONGEST_HOLD:g} seconds, got {hold}")
 
 
@@ -118,6 +119,7 @@ def _spread(count: int) -> list[int]:
 def _palette(pictures: list[NDArray[np.uint8]]) -> Image.Image:
     """Return 256 colours: those of the project exactly, and the most frequent of some pictures."""
     names = [*colors.TEAMS, colors.PAPER, colors.GRID, colors.INK, colors.OBSTACLE]
+    names += [colors.CAPTURE, colors.COLLISION]
     exact = np.array([ImageColor.getrgb(name) for name in names])
     together = Image.fromarray(np.concatenate(pictures)).quantize(PALETTE_COLORS - len(exact))
     common = np.array(together.getpalette()).reshape(-1, 3)

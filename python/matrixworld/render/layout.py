@@ -5,10 +5,26 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from matrixworld.checks import check_integer, shown
+
 FIELD_PIXELS = 720  # wanted length of the longer side of the field
 LARGEST_CELL = 48
+SMALLEST_NUMBERED = 20  # cell size in pixels below which the number of an agent is unreadable
 NARROWEST = 464  # leaves room for the title above a small grid
 LARGEST_SIDE = 8192  # of a picture
+MOST_PIXELS = 2**26  # of a picture: 200 MB
+MOST_ANIMATED = 2**34  # pixels of all frames: minutes of work, hours on the largest grids
+
+
+def check_pixels(what: str, pixels: int, most: int) -> None:
+    """Raise ValueError if pictures together have more pixels than they may."""
+    if pixels > most:
+        raise ValueError(f"{what}: expected at most {most:,} pixels in all, got {shown(pixels)}")
+
+
+def fitting_cell(shape: tuple[int, ...], pixels: int, least: int = 1) -> int:
+    """Return the cell size with which the longer side of the field has about so many pixels."""
+    return min(max(pixels // max(shape), least), LARGEST_CELL)
 
 
 @dataclass(frozen=True)
@@ -32,21 +48,24 @@ class Layout:
     cell: int
 
     @classmethod
-    def of(cls, shape: tuple[int, int], cell: int | None = None) -> Layout:
+    def of(cls, shape: tuple[int, int], cell: int | None = None, *, least: int = 1) -> Layout:
         """Return the layout with a given cell size, or with one that suits the grid.
 
-        Raises ValueError if the cell is below 1 or the picture would be too large.
+        Raises ValueError if the cell is below the least or the picture would be too large.
         """
         rows, cols = shape
-        chosen = cell
-        if chosen is None:
-            chosen = min(max(FIELD_PIXELS // max(rows, cols), 1), LARGEST_CELL)
-        if chosen < 1 or max(rows, cols) * chosen > LARGEST_SIDE:
+        chosen = fitting_cell(shape, FIELD_PIXELS, least) if cell is None else cell
+        if not least <= check_integer("cell", chosen) <= LARGEST_SIDE // max(rows, cols):
             raise ValueError(
-                f"cell: expected 1 to {LARGEST_SIDE // max(rows, cols)} pixels "
-                f"for {rows} x {cols} cells, got {cell}"
+                f"cell: expected {least} to {LARGEST_SIDE // max(rows, cols)} pixels "
+                f"for {rows} x {cols} cells, got {chosen}"
             )
         return cls(rows, cols, chosen)
+
+    @property
+    def pixels(self) -> int:
+        """Pixels of the whole picture."""
+        return self.width * self.height
 
     @property
     def width(self) -> int:

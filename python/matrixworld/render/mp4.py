@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.render.gif import check_timing
+from matrixworld.version import install_hint
 
 FORMAT = (
     "-f",
@@ -60,9 +61,7 @@ def write_mp4(
     try:
         import imageio_ffmpeg
     except ImportError as error:
-        raise ImportError(
-            "MP4 needs the extra 'video': pip install 'matrixworld[video]'"
-        ) from error
+        raise ImportError(f"MP4 needs the extra 'video': {install_hint('video')}") from error
     last = draw(times[-1])
     height, width, _ = last.shape
     writer = imageio_ffmpeg.write_frames(

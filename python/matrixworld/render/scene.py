@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld.conflicts import agent_name
 from matrixworld.render.raster import png
 
 Cell = tuple[int, int]
@@ -19,15 +20,20 @@ class CellContents:
 
     Parameters
     ----------
-    pursuers, evaders : int, optional
-        How many of each team.
+    pursuers, evaders : list of int, optional
+        The numbers of the agents in their team.
     captured : int, optional
         How many of the evaders are captured at this moment.
     """
 
-    pursuers: int = 0
-    evaders: int = 0
+    pursuers: list[int] = field(default_factory=list)
+    evaders: list[int] = field(default_factory=list)
     captured: int = 0
+
+    @property
+    def all_captured(self) -> bool:
+        """Whether no evader on the cell is free."""
+        return self.captured == len(self.evaders)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -129,8 +135,7 @@ class Scene:
     def agent(self, who: int | str) -> int:
         """Return the number of an agent given by number or name; ValueError if there is none."""
         n_agents = len(self.alive)
-        names = [f"pursuer_{i}" for i in range(self.n_pursuers)]
-        names += [f"evader_{i}" for i in range(n_agents - self.n_pursuers)]
+        names = [agent_name(agent, self.n_pursuers) for agent in range(n_agents)]
         if isinstance(who, str) and who in names:
             return names.index(who)
         if isinstance(who, str) or not 0 <= who < n_agents:
@@ -146,9 +151,9 @@ class Scene:
         for agent, cell, is_pursuer in self.agents():
             contents = cells.setdefault(cell, CellContents())
             if is_pursuer:
-                contents.pursuers += 1
+                contents.pursuers.append(agent)
             else:
-                contents.evaders += 1
+                contents.evaders.append(agent - self.n_pursuers)
                 contents.captured += bool(self.captured[agent - self.n_pursuers])
         return cells
 

@@ -81,12 +81,21 @@ def _cross(draw: ImageDraw.ImageDraw, size: int) -> None:
 
 def _burst(draw: ImageDraw.ImageDraw, size: int) -> None:
     """Draw a star of eight rays."""
-    middle, points = size / 2, []
+    draw.polygon(_burst_corners(size), fill=255)
+
+
+def _burst_outline(draw: ImageDraw.ImageDraw, size: int) -> None:
+    corners = _burst_corners(size)
+    draw.line([*corners, corners[0]], fill=255, width=max(1, round(size * 0.028)), joint="curve")
+
+
+def _burst_corners(size: int) -> list[Point]:
+    middle, corners = size / 2, []
     for corner in range(16):
-        reach = middle * (0.98 if corner % 2 == 0 else 0.62)
+        reach = middle * (0.95 if corner % 2 == 0 else 0.6)
         angle = math.pi * corner / 8
-        points.append((middle + reach * math.sin(angle), middle - reach * math.cos(angle)))
-    draw.polygon(points, fill=255)
+        corners.append((middle + reach * math.sin(angle), middle - reach * math.cos(angle)))
+    return corners
 
 
 _SHAPES: dict[str, Callable[[ImageDraw.ImageDraw, int], None]] = {
@@ -97,4 +106,5 @@ _SHAPES: dict[str, Callable[[ImageDraw.ImageDraw, int], None]] = {
     "triangle": _triangle,
     "cross": _cross,
     "burst": _burst,
+    "burst outline": _burst_outline,
 }

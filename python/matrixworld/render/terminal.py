@@ -13,9 +13,6 @@ from numpy.typing import NDArray
 from matrixworld import colors
 from matrixworld.render.scene import Cell, CellContents, Scene
 
-CAPTURE_GROUND = "#F7D28C"  # light orange: an evader was caught here in the last step
-COLLISION_GROUND = "#E9BFD6"  # light purple: an agent at fault, or a death, in the last step
-FREE = "#BDBDBD"  # the dot on a free cell
 MODES = ("true", "256", "none")
 
 
@@ -106,7 +103,7 @@ def _cells(scene: Scene, glyphs: Glyphs) -> list[list[Run]]:
                 line.append((glyphs.crash, Ink(colors.INK, ground)))
             else:
                 text = glyphs.obstacle if obstacle else glyphs.free
-                ink = colors.OBSTACLE if obstacle else FREE
+                ink = colors.OBSTACLE if obstacle else colors.FREE
                 line.append((text, Ink(ink, ground)))
         lines.append(line)
     return lines
@@ -114,18 +111,18 @@ def _cells(scene: Scene, glyphs: Glyphs) -> list[list[Run]]:
 
 def _agents(contents: CellContents, glyphs: Glyphs, ground: str) -> list[Run]:
     pursuer, evader = Ink(colors.PURSUER, ground), Ink(colors.EVADER, ground)
-    caught = contents.evaders == contents.captured
-    sign = glyphs.captured if caught else glyphs.evader
-    if contents.pursuers and contents.evaders:
+    pursuers, evaders = len(contents.pursuers), len(contents.evaders)
+    sign = glyphs.captured if contents.all_captured else glyphs.evader
+    if pursuers and evaders:
         if glyphs is ASCII:
-            return [("X" + _number(contents.pursuers + contents.evaders, least=3), pursuer)]
+            return [("X" + _number(pursuers + evaders, least=3), pursuer)]
         return [
-            (_number(contents.pursuers, alone=glyphs.pursuer), pursuer),
-            (_number(contents.evaders, alone=sign), evader),
+            (_number(pursuers, alone=glyphs.pursuer), pursuer),
+            (_number(evaders, alone=sign), evader),
         ]
-    if contents.pursuers:
-        return [(glyphs.pursuer + _number(contents.pursuers), pursuer)]
-    return [(sign + _number(contents.evaders), evader)]
+    if pursuers:
+        return [(glyphs.pursuer + _number(pursuers), pursuer)]
+    return [(sign + _number(evaders), evader)]
 
 
 def _number(count: int, alone: str = " ", least: int = 2) -> str:
@@ -137,8 +134,8 @@ def _grounds(scene: Scene) -> dict[Cell, str]:
     """Return the cells whose background shows an event of the last step."""
     collided = scene.collided()[0] | _last_step(scene.deaths)
     return {
-        **dict.fromkeys(collided, COLLISION_GROUND),
-        **dict.fromkeys(_last_step(scene.captures), CAPTURE_GROUND),
+        **dict.fromkeys(collided, colors.COLLISION_GROUND),
+        **dict.fromkeys(_last_step(scene.captures), colors.CAPTURE_GROUND),
     }
 
 

@@ -46,8 +46,8 @@ class Draws:
     """
 
     def __init__(self, seed: int, run: int = 0) -> None:
-        self.shared = np.random.default_rng([seed, 0])
-        self.own = np.random.default_rng([seed, 1, run])
+        self.shared: np.random.Generator = np.random.default_rng([seed, 0])
+        self.own: np.random.Generator = np.random.default_rng([seed, 1, run])
 
     def level(self) -> float:
         """Return a level in logits: N(0, .4) of the group + N(0, .15) of the run."""

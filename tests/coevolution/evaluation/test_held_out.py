@@ -253,7 +253,7 @@ def test_the_command_says_what_it_left_out(tmp_path):
     [
         (["--generation", "first"], 2, "expected a generation or all, got 'first'"),
         (["--generation", "3"], 2, "--generation: expected 0 to 2 for pursuers, got 3"),
-        (["--episodes", "1"], 2, "1 is not in the range x>=2"),
+        (["--episodes", "1"], 2, "1 is not in the range 2<=x"),
     ],
 )
 def test_the_command_refuses(race, options, code, message):

@@ -93,6 +93,11 @@ def test_opponents_can_be_functions_and_policies() -> None:
         ({"seed": -1}, ValueError, "seed: expected 0 to"),
         ({"policy": lambda seen: 1}, ValueError, "actions of the policy: expected shape"),
         ({"opponents": {"mad": "mad"}}, ValueError, "opponents: expected one of random"),
+        (
+            {"opponents": {"big": genome_of(mw.WorldConfig("R"))}},
+            ValueError,
+            "evaders: expected a network for fov 5 and 5 actions, got fov 11",
+        ),
         ({"opponents": {}}, ValueError, "opponents: expected at least one, got none"),
     ],
 )

@@ -86,7 +86,11 @@ def test_overlap_is_penalised_where_teammates_may_share_a_cell():
         ({"sigma": 0.0}, ValueError, "sigma: expected a number above 0"),
         ({"learning_rate": float("nan")}, ValueError, "learning_rate"),
         ({"learning_rate": "fast"}, TypeError, "learning_rate: expected a number, got 'fast'"),
-        ({"learner": "sgd"}, ValueError, "learner: expected one of es, ga, cma, got 'sgd'"),
+        (
+            {"learner": "sgd"},
+            ValueError,
+            "learner: expected one of es, ga, cma, or module:object, got 'sgd'",
+        ),
         ({"learner": "cma"}, ValueError, "learner: expected at most 1000 genes .* got 11813"),
         ({"optimizer": "sgd"}, ValueError, "optimizer: expected one of adam, momentum"),
         ({"momentum": 1.0}, ValueError, "momentum: expected"),

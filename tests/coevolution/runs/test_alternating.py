@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -275,7 +276,7 @@ def test_progress_is_reported_when_asked(tmp_path, capfd):
     assert capfd.readouterr() == ("", "")
     with coevolution.ProgressBar() as bar:
         Race(tiny_race(), tmp_path / "other").run(bar)
-    assert "tournament: 100%" in capfd.readouterr().err
+    assert re.search(r"100%\|.+, tournament", capfd.readouterr().err)
 
 
 def test_new_race_requires_an_empty_directory(straight):

@@ -72,6 +72,14 @@ def test_killed_at_random(kind, tmp_path):
         runs += 1
 
 
+def check_readable(directory):
+    """Readers accept every state that a killed process leaves."""
+    if (directory / "config.json").exists():
+        files = open_run(directory).files
+        files.archive()
+        files.log()
+
+
 @pytest.mark.parametrize("kind", SHORT_RUNS)
 def test_killed_at_every_write_and_every_match(kind, tmp_path):
     """Each event is tried, so that none depends on being hit at random."""
@@ -82,6 +90,7 @@ def test_killed_at_every_write_and_every_match(kind, tmp_path):
         if child.exitcode == 0:
             break
         assert child.exitcode == DEATHS
+        check_readable(directory)
         start_or_resume(kind, directory)
         assert results(directory) == straight(kind)
         assert not list(directory.glob(".*.tmp"))
@@ -98,6 +107,7 @@ def test_killed_again_and_again_at_the_next_write(kind, tmp_path):
         child.join()
         if child.exitcode == 0:
             break
+        check_readable(directory)
         deaths += 1
     assert child.exitcode == 0
     assert deaths >= 15

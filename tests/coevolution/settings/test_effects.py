@@ -33,6 +33,14 @@ RUNS: dict[str, Any] = {
     "hall of fame": tiny_race(**HALL, population=8),
     "hall of fame without hall": tiny_race(**{**HALL, "hall_sample": 0}, population=8),
     "pursuers alone": tiny_single(hidden=()),
+    "own learner and samplers": tiny_race(
+        **ALTERNATING,
+        **LONG,
+        learner="own_code:HillClimber",
+        pursuers_meet="own_code:Hardest",
+        evaders_meet="own_code:Hardest",
+    ),
+    "own learner alone": tiny_single(learner="own_code:HillClimber"),
     "evaders alone with ga": tiny_single(
         team="evader", learner="ga", selection="truncation", train_steps=20
     ),
@@ -52,6 +60,8 @@ OTHER_VALUES: dict[str, Any] = {
     "pursuers_meet": "latest", "evaders_meet": "latest", "opponents": 1, "archive_size": 7,
     "archive_episodes": 7, "retention_episodes": 2, "sharing": "competitive",
     "pursuer_virulence": 0.6, "evader_virulence": 0.6, "team": "evader", "against": "fleer",
+    "learner_settings": {"sigma": 0.3}, "pursuers_meet_settings": {"forget": 0.9},
+    "evaders_meet_settings": {"forget": 0.9},
     "start": "RUN", "epochs": 6, "archive_every": 3,
 }  # fmt: skip
 """Another valid value of each setting."""

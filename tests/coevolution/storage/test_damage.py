@@ -15,6 +15,7 @@ import killed
 from command_line import JOB, MAIN_JOB, RACE, matrixworld_command, words
 from matrixworld import files
 from matrixworld.cli import jobs, report
+from matrixworld.cli.console import INTERRUPTED
 from matrixworld.coevolution import (
     DamagedFileError,
     OtherVersionError,
@@ -200,7 +201,7 @@ def rewritten(directory, change):
         (lambda config: config.pop("format"), r"expected format 4, got None"),
         (lambda config: config["settings"].pop("seed"), r"missing fields \['seed'\]"),
         (lambda config: config["settings"].update(speed=1), r"unknown fields \['speed'\]"),
-        (lambda config: config["settings"].update(learner="annealing"), "learner: expected one of"),
+        (lambda config: config["settings"].update(fitness="beauty"), "fitness: expected one of"),
         (lambda config: config["settings"].update(schedule="random"), "schedule: expected one of"),
         (lambda config: config["settings"].update(rows="many"), "rows"),
         (lambda config: config.update(kind="islands"), "islands"),
@@ -276,7 +277,7 @@ def test_a_command_stopped_while_it_makes_a_run_can_be_repeated(straight, tmp_pa
     command = ["evolve", directory, *words(RACE), "--schedule", MAIN_JOB[-1]]
     with monkeypatch.context() as patch:
         patch.setattr(RunDirectory, "write_config", interrupted)
-        matrixworld_command(*command, code=1)
+        matrixworld_command(*command, code=INTERRUPTED)
     assert not (directory / "config.json").exists()
     assert "that holds a run" in matrixworld_command("evolve", "--resume", directory, code=2).stderr
     matrixworld_command(*command)
@@ -295,7 +296,7 @@ def test_an_incomplete_job_is_refused(tmp_path, monkeypatch):
 
     with monkeypatch.context() as patch:
         patch.setattr(jobs, "start", second_fails)
-        matrixworld_command("evolve", directory, *words(JOB), code=1)
+        matrixworld_command("evolve", directory, *words(JOB), code=INTERRUPTED)
     for command in (["evolve", "--resume", directory], ["evolve", directory, *words(JOB)]):
         said = matrixworld_command(*command, code=2).stderr
         assert "was stopped while it created the runs" in said

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.analysis import Estimate, mean_over_episodes
+from matrixworld.checks import check_instance, check_integer, check_threads
 from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.seeding import Phase
@@ -18,10 +19,14 @@ from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
+from matrixworld.memory import EPISODE, check_memory
 from matrixworld.policy import Population, TeamPolicy
 from matrixworld.rollout import Matches, Rollout, rollout
 from matrixworld.seeds import match_seed
 from matrixworld.short_repr import short_repr
+
+RATE = 8
+"""Bytes of a float64."""
 
 
 @dataclass(frozen=True)
@@ -144,12 +149,16 @@ def score_population(
     ValueError
         If there are fewer than 2 episodes, or if the network does not fit the world.
     """
-    if episodes < 2:
-        raise ValueError(f"episodes: expected at least 2, got {episodes}")
+    check_instance("config", config, WorldConfig)
+    check_instance("population", population, Population)
+    check_integer("episodes", episodes, 2)
+    check_threads(threads)
     if opponents is None:
         opponents, left_out = fitting_opponents(team, config)
     columns = []
     count = len(population.genomes)
+    # Rates of the opponents so far, and the statistics of one more.
+    check_memory("scores", count * episodes * (EPISODE + 2 * RATE * len(opponents)))
     for number, opponent in enumerate(opponents.values()):
         matches = _matches(team, count, held_out_seed(seed, team, number))
         sides = (population, opponent) if team == "pursuer" else (opponent, population)

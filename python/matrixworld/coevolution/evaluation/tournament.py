@@ -8,10 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld.checks import check_integer, check_threads
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.config import WorldConfig
-from matrixworld.policy import TeamPolicy
+from matrixworld.memory import EPISODE, check_memory
+from matrixworld.policy import TeamPolicy, check_team
 from matrixworld.rollout import EpisodeStatistics, Matches, Rollout, rollout
 
 
@@ -63,8 +65,14 @@ def tournament(
     Floreano, D. and Nolfi, S. (1997). God save the red queen! Competition in co-evolutionary
     robotics. Genetic Programming 1997. (The "master tournament".)
     """
+    for name, team in (("pursuers", pursuers), ("evaders", evaders)):
+        check_team(name, team)
+    check_integer("episodes", episodes, 1)
+    check_threads(threads)
     rows = []
     n_evaders = _count(evaders)
+    # The statistics of all episodes are kept until the end.
+    check_memory("tournament", EPISODE * _count(pursuers) * n_evaders * episodes)
     for g in range(_count(pursuers)):
         # One row at a time, so that the progress can be reported.
         seeds = [evaluation_seed(seed, first[0] + g, first[1] + h) for h in range(n_evaders)]

@@ -3,6 +3,7 @@
 ====================  ============================================================================
 learner               the interface: `Learner` (ask, tell), and `LearnerEntry`
 registry              `LEARNERS`: name -> settings, checks and factory; untrained genomes
+own                   learners from outside the package, with checked results
 evolution_strategy    `EvolutionStrategy`: mirrored samples and ranks (Salimans et al. 2017)
 genetic_algorithm     `GeneticAlgorithm`: select, mate, mutate, with elitism; the operators
 cma_es                `CmaEs`: covariance matrix adaptation, for small networks

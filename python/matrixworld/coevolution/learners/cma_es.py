@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import partial
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -10,7 +10,7 @@ from deap import cma
 from numpy.typing import ArrayLike
 from threadpoolctl import ThreadpoolController
 
-from matrixworld.checks import check_integer, check_number
+from matrixworld.checks import check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
 
@@ -40,6 +40,17 @@ class SeededStrategy(cma.Strategy):  # type: ignore[misc]
         normal = rng.standard_normal((self.lambda_, self.dim))
         samples: FloatArray = self.centroid + self.sigma * np.dot(normal, self.BD.T)
         return samples
+
+
+# Once for all calls: to search the loaded libraries takes milliseconds.
+@cache
+def _blas() -> ThreadpoolController:
+    return ThreadpoolController()
+
+
+def _one_thread() -> Any:
+    """Limit BLAS and LAPACK to one thread: the order of their sums depends on the threads."""
+    return _blas().limit(limits=1, user_api="blas")
 
 
 class CmaEs:
@@ -81,21 +92,15 @@ class CmaEs:
     """
 
     def __init__(self, genome: ArrayLike, *, sigma: float, samples: int = 48) -> None:
-        start = np.array(genome, dtype=np.float64)
+        start = check_floats("genome", genome, np.float64)
         if start.ndim != 1 or not start.size:
             raise ValueError(f"genome: expected shape (genes,), got {start.shape}")
         check_genes(start.size)
         check_number("sigma", sigma, least=0.0, positive=True)
         check_integer("samples", samples, 2)
-        # Once for all calls: to search the loaded libraries takes milliseconds.
-        self._blas = ThreadpoolController()
-        with self._one_thread():
+        with _one_thread():
             self._strategy = SeededStrategy(start, sigma, lambda_=samples)
         self._samples: FloatArray | None = None
-
-    def _one_thread(self) -> Any:
-        """Limit BLAS and LAPACK to one thread: the order of their sums depends on the threads."""
-        return self._blas.limit(limits=1, user_api="blas")
 
     @property
     def genome(self) -> Genome:
@@ -116,7 +121,7 @@ class CmaEs:
         ArithmeticError
             If the distribution exceeds the range of float32.
         """
-        with self._one_thread():
+        with _one_thread():
             samples = self._strategy.sample(rng)
         # Numbers too large for float32 become infinite, which is reported with its cause below.
         with np.errstate(over="ignore"):
@@ -141,7 +146,7 @@ class CmaEs:
         for sample, value in zip(population, values, strict=True):
             sample.fitness = float(value)
         # The next `ask` reports a matrix that overflows or is no longer positive.
-        with self._one_thread(), np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        with _one_thread(), np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             self._strategy.update(population)
         self._samples = None
 

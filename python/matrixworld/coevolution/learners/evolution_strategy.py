@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.checks import check_bool, check_choice, check_number
+from matrixworld.checks import check_bool, check_choice, check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
 from matrixworld.coevolution.learners.noise import NoiseTable
 from matrixworld.coevolution.learners.optimizers import OPTIMIZERS, check_momentum, new_optimizer
@@ -105,13 +105,18 @@ class EvolutionStrategy:
         optimizer: str = "adam",
         momentum: float = 0.9,
     ) -> None:
-        if samples < 2 or samples % 2:
+        if check_integer("samples", samples) < 2 or samples % 2:
             raise ValueError(f"samples: expected an even number of at least 2, got {samples}")
-        self.genome = np.array(genome, dtype=np.float32)
+        check_number("learning_rate", learning_rate, least=0.0, positive=True)
+        if anneal_over is not None:
+            check_integer("anneal_over", anneal_over, 1)
+        check_momentum("momentum", momentum)
+        self.genome: Genome = check_floats("genome", genome, np.float32)
         if self.genome.shape != (noise.size,):
             raise ValueError(f"genome: expected shape ({noise.size},), got {self.genome.shape}")
-        self.samples = samples
-        self.learning_rate, self.anneal_over = learning_rate, anneal_over
+        self.samples: int = samples
+        self.learning_rate: float = learning_rate
+        self.anneal_over: int | None = anneal_over
         self._optimizer = new_optimizer(optimizer, noise.size, momentum=momentum)
         self._table = noise
         self._noise: list[Genome] = []

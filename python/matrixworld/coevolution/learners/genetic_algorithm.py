@@ -12,7 +12,7 @@ import numpy as np
 from deap import base
 from numpy.typing import ArrayLike
 
-from matrixworld.checks import check_choice, check_integer, check_number
+from matrixworld.checks import check_choice, check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
 from matrixworld.coevolution.learners.noise import NoiseTable
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
@@ -223,7 +223,11 @@ class GeneticAlgorithm:
         crossover: float = 0.0,
         mutation: float = 1.0,
     ) -> None:
-        self._population = np.array(population, dtype=np.float32)
+        given = {"tournament": tournament, "truncation": truncation, "elites": elites}
+        for name, value in (given | {"crossover": crossover}).items():
+            ENTRY.settings[name](name, value)
+        check_number("mutation", mutation, least=0.0, most=1.0)
+        self._population = check_floats("population", population, np.float32)
         if self._population.ndim != 2 or not 0 <= elites < len(self._population):
             raise ValueError(
                 f"population: expected (n, genes) with n above {elites} elites, "

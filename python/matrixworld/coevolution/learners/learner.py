@@ -28,6 +28,19 @@ class Learner(Protocol):
 
     Random numbers come only from the generator passed to `ask`, and `tell` is deterministic. A
     learner restored from `state` therefore continues as if it had never stopped.
+
+    A class with these methods is named in the settings as ``module:object`` (see `plugins`), and
+    `check_learner` checks it. It is made with those of the following keyword arguments that its
+    signature names; all others are settings of its own (`learner_settings`):
+
+    ===========  =======================================================================
+    `genome`     (genes,) float32: where to start
+    `genomes`    (samples, genes) float32: a population to start from
+    `samples`    int: candidates per epoch, the n of this interface
+    `epochs`     int: epochs of the whole run in which the team learns
+    `rng`        generator for what is drawn once, such as a table of noise; it gives the
+                 same numbers when a run continues
+    ===========  =======================================================================
     """
 
     @property
@@ -38,25 +51,34 @@ class Learner(Protocol):
     def match_of_candidate(self) -> Indices:
         """Group of each candidate, (n,) ints from 0: one group is scored on the same match seed.
 
-        All groups have the same size.
+        All groups have the same size, and they are the same in all epochs. Zeros score all
+        candidates on one seed.
         """
 
     def ask(self, rng: np.random.Generator) -> Genomes:
-        """Return the candidates (n, genes) float32 to be scored."""
+        """Return the candidates (n, genes) float32, all finite, to be scored."""
 
     def tell(self, fitness: ArrayLike) -> None:
-        """Learn from the fitness (n,) of the candidates that the last `ask` returned."""
+        """Learn from the fitness (n,) float64 of the candidates that the last `ask` returned."""
 
     def state(self) -> State:
-        """Return all that changes, as plain arrays. Valid between `tell` and `ask`."""
+        """Return all that changes, as arrays of numbers or text; called between `tell` and `ask`.
+
+        Names are identifiers.
+        """
 
     def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`."""
+        """Restore a state returned by `state()`, of this or of an equal learner.
+
+        The learner may have gone further, and may have been interrupted after `ask`.
+        """
 
 
 @dataclass(frozen=True)
 class LearnerEntry:
-    """One row of the registry `LEARNERS`: a learner's settings, their checks, and its factory.
+    """A learner's settings, their checks, and its factory: a row of the registry `LEARNERS`.
+
+    `own_learner` returns one for a class from outside the package.
 
     Parameters
     ----------

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
-from matrixworld.checks import check_number
+from matrixworld.checks import check_integer, check_number
 from matrixworld.coevolution.types import Genome
 
 VECTORS_PER_TABLE = 256
 MOST_EXTRA_NUMBERS = 2**24
 """Bound of the table's memory: 64 MiB beyond one noise vector."""
+
+
+def table_size(genes: int) -> int:
+    """Return the numbers of the table for noise vectors of a length."""
+    return genes + min(VECTORS_PER_TABLE * genes, MOST_EXTRA_NUMBERS)
 
 
 class NoiseTable:
@@ -40,12 +45,11 @@ class NoiseTable:
     """
 
     def __init__(self, size: int, rng: np.random.Generator, *, sigma: float) -> None:
-        if size < 1:
-            raise ValueError(f"size: expected at least 1 gene, got {size}")
+        check_integer("size", size, 1)
         check_number("sigma", sigma, least=0.0, positive=True)
-        extra = min(VECTORS_PER_TABLE * size, MOST_EXTRA_NUMBERS)
-        self.size, self.sigma = size, sigma
-        self._numbers = rng.standard_normal(size + extra, dtype=np.float32)
+        self.size: int = size
+        self.sigma: float = sigma
+        self._numbers = rng.standard_normal(table_size(size), dtype=np.float32)
         self._numbers *= np.float32(sigma)
         # Views of the table leave this class, so nothing may write to it.
         self._numbers.flags.writeable = False

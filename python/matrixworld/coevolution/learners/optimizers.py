@@ -6,7 +6,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from matrixworld.checks import check_choice, check_number
+from matrixworld.checks import check_choice, check_integer, check_number, shown
 from matrixworld.coevolution.types import Genome, State
 
 OPTIMIZERS = {"adam": "Adam", "momentum": "classical momentum"}
@@ -49,10 +49,16 @@ class Adam:
     def __init__(
         self, size: int, *, beta1: float = 0.9, beta2: float = 0.999, epsilon: float = 1e-8
     ) -> None:
-        self.beta1, self.beta2, self.epsilon = beta1, beta2, epsilon
-        self.mean = np.zeros(size, dtype=np.float32)
-        self.square = np.zeros(size, dtype=np.float32)
-        self.updates = 0
+        check_integer("size", size, 1)
+        check_momentum("beta1", beta1)
+        check_momentum("beta2", beta2)
+        check_number("epsilon", epsilon, least=0.0)
+        self.beta1: float = beta1
+        self.beta2: float = beta2
+        self.epsilon: float = epsilon
+        self.mean: Genome = np.zeros(size, dtype=np.float32)
+        self.square: Genome = np.zeros(size, dtype=np.float32)
+        self.updates: int = 0
 
     def step(self, gradient: Genome, rate: float) -> Genome:
         """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""
@@ -108,10 +114,11 @@ class Momentum:
     """
 
     def __init__(self, size: int, *, momentum: float = 0.9) -> None:
+        check_integer("size", size, 1)
         check_momentum("momentum", momentum)
-        self.momentum = momentum
-        self.velocity = np.zeros(size, dtype=np.float32)
-        self.updates = 0
+        self.momentum: float = momentum
+        self.velocity: Genome = np.zeros(size, dtype=np.float32)
+        self.updates: int = 0
 
     def step(self, gradient: Genome, rate: float) -> Genome:
         """Return the change (size,) float32 for one `gradient` at learning rate `rate`."""
@@ -139,6 +146,6 @@ def new_optimizer(name: str, size: int, *, momentum: float) -> Optimizer:
 
 
 def check_momentum(name: str, momentum: Any) -> None:
-    """Raise ValueError unless `momentum` is in [0, 1)."""
+    """Raise ValueError unless a number, a share of the past that is kept, is in [0, 1)."""
     if check_number(name, momentum, least=0.0) >= 1.0:
-        raise ValueError(f"{name}: expected a number below 1, got {momentum}")
+        raise ValueError(f"{name}: expected a number below 1, got {shown(momentum)}")

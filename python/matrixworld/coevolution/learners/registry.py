@@ -1,7 +1,9 @@
 """The learners by name, and how a run starts: new learners and untrained genomes.
 
-To add a learner, write a class with the interface `Learner` and a `LearnerEntry` in a file of its
-own, add its settings as fields of `TrainingSettings`, and add a row to `LEARNERS`.
+A name that is not in `LEARNERS` is one of a learner from outside the package (see `plugins`), which
+is imported when a run starts or continues. To add a learner to the package, write a class with the
+interface `Learner` and a `LearnerEntry` in a file of its own, add its settings as fields of
+`TrainingSettings`, and add a row to `LEARNERS`.
 """
 
 from __future__ import annotations
@@ -10,6 +12,7 @@ import numpy as np
 
 from matrixworld.coevolution.learners import cma_es, evolution_strategy, genetic_algorithm
 from matrixworld.coevolution.learners.learner import Learner, LearnerEntry, RunSettings
+from matrixworld.coevolution.learners.own import own_learner
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import TEAMS, Genomes, Team
 
@@ -21,8 +24,31 @@ LEARNERS: dict[str, LearnerEntry] = {
 """Learners by the name that `TrainingSettings.learner` takes."""
 
 
+def learner_entry(name: str) -> LearnerEntry:
+    """Return the entry of a learner, imported if it is not one of the package.
+
+    Parameters
+    ----------
+    name : str
+        A key of `LEARNERS`, an entry point or ``module:object``.
+
+    Returns
+    -------
+    LearnerEntry
+        Its settings, checks and factory.
+
+    Raises
+    ------
+    ValueError
+        If no such learner can be imported.
+    PluginError
+        If its module fails.
+    """
+    return LEARNERS.get(name) or own_learner(name, LEARNERS)
+
+
 def check_learner_settings(settings: RunSettings) -> None:
-    """Raise ValueError or TypeError if a setting of any learner is bad.
+    """Raise ValueError or TypeError if a setting of any learner of the package is bad.
 
     Parameters
     ----------
@@ -33,12 +59,14 @@ def check_learner_settings(settings: RunSettings) -> None:
     for entry in LEARNERS.values():
         for name, check in entry.settings.items():
             check(name, getattr(settings, name))
-    LEARNERS[settings.learner_name].check(settings)
+    # One from outside the package is checked when it is made: settings import nothing.
+    if settings.learner_name in LEARNERS:
+        LEARNERS[settings.learner_name].check(settings)
 
 
 def starting_genomes(settings: RunSettings) -> int:
     """Return the number of genomes from which the learner of the settings starts."""
-    return settings.population if LEARNERS[settings.learner_name].starts_from_population else 1
+    return settings.population if learner_entry(settings.learner_name).starts_from_population else 1
 
 
 def new_learner(settings: RunSettings, team: Team, genomes: Genomes) -> Learner:
@@ -57,10 +85,17 @@ def new_learner(settings: RunSettings, team: Team, genomes: Genomes) -> Learner:
     -------
     Learner
         The learner.
+
+    Raises
+    ------
+    ValueError
+        If a learner from outside the package cannot be imported, or refuses its settings.
+    PluginError
+        If its code fails.
     """
     # The table is filled again from the same key when a run resumes, so no checkpoint holds it.
     rng = keyed_generator(settings.seed, Purpose.NOISE, TEAMS.index(team))
-    return LEARNERS[settings.learner_name].new(settings, team, genomes, rng)
+    return learner_entry(settings.learner_name).new(settings, team, genomes, rng)
 
 
 def untrained(settings: RunSettings, team: Team, count: int) -> Genomes:

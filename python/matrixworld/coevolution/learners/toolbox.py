@@ -16,7 +16,7 @@ from matrixworld.coevolution.types import Genome, Genomes
 class Maximize(base.Fitness):  # type: ignore[misc]
     """DEAP fitness of one value; higher is better."""
 
-    weights = (1.0,)
+    weights: tuple[float, ...] = (1.0,)
 
     def __init__(self, values: tuple[float, ...] = ()) -> None:
         # DEAP's own constructor checks the weights for each new fitness, which takes longer than
@@ -37,8 +37,8 @@ class Individual:
     __slots__ = ("fitness", "genome")
 
     def __init__(self, genome: Genome) -> None:
-        self.genome = genome
-        self.fitness = Maximize()
+        self.genome: Genome = genome
+        self.fitness: Maximize = Maximize()
 
 
 class Candidates(list[Individual]):
@@ -54,6 +54,14 @@ class Candidates(list[Individual]):
         # The genome of an individual is a view of its row, so both always agree.
         super().__init__(Individual(genome) for genome in genomes)
         self.genomes = genomes
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle array and fitness; copies of single genomes would not be views of the array."""
+        return type(self), (self.genomes,), [individual.fitness for individual in self]
+
+    def __setstate__(self, fitness: list[Maximize]) -> None:
+        for individual, each in zip(self, fitness, strict=True):
+            individual.fitness = each
 
 
 Evaluate = Callable[[Candidates], ArrayLike]

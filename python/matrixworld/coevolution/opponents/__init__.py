@@ -16,6 +16,7 @@ pareto            `Archive`, and the Pareto archives `MaxSolve` (de Jong 2005), 
 generalist        `Generalist`: better against all opponents or not at all (Simione & Nolfi 2021)
 archive_sampler   `ArchiveSampler`: the newest opponent beside those that an archive has kept
 registry          `SAMPLERS` by name; `SCHEDULES`, which name a sampler for each team
+own               samplers from outside the package, with checked results
 ================  ================================================================================
 
 A sampler or archive belongs to one team and does not know which: with `swapped` payoffs the other

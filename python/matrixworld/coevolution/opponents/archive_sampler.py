@@ -49,7 +49,8 @@ class ArchiveSampler(Stateless):
 
     def __init__(self, archive: Archive | Generalist, count: int = 1) -> None:
         check_count("count", count)
-        self.archive, self.count = archive, count
+        self.archive: Archive | Generalist = archive
+        self.count: int = count
 
     @property
     def graded(self) -> bool:

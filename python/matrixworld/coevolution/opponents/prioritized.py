@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld.checks import check_number
 from matrixworld.coevolution.opponents.samplers import check_available, check_count, checked_scores
 from matrixworld.coevolution.types import FloatArray, Indices, State
 
@@ -35,9 +37,13 @@ def hard(power: float = 2.0) -> Weighting:
     ValueError
         If `power` is out of range.
     """
-    if not 0.0 < power < float("inf"):
-        raise ValueError(f"power: expected a number above 0, got {power}")
-    return lambda x: np.asarray((1.0 - x) ** power)
+    check_number("power", power, least=0.0, positive=True)
+    return partial(_hard, power=power)
+
+
+# Not inside `hard`: samplers are pickled, and a function inside another one cannot be.
+def _hard(x: FloatArray, *, power: float) -> FloatArray:
+    return np.asarray((1.0 - x) ** power)
 
 
 def even(x: FloatArray) -> FloatArray:
@@ -91,10 +97,10 @@ class Prioritized:
         self, weighting: Weighting | None = None, *, count: int = 1, decay: float = 0.99
     ) -> None:
         check_count("count", count)
-        if not 0.0 < decay <= 1.0:
-            raise ValueError(f"decay: expected a number above 0 and at most 1, got {decay}")
-        self.weighting = hard() if weighting is None else weighting
-        self.count, self.decay = count, decay
+        check_number("decay", decay, least=0.0, most=1.0, positive=True)
+        self.weighting: Weighting = hard() if weighting is None else weighting
+        self.count: int = count
+        self.decay: float = decay
         self._wins, self._games = np.zeros(0), np.zeros(0)
 
     def win_rates(self, available: int) -> FloatArray:

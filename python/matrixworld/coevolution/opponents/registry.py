@@ -20,11 +20,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from matrixworld.coevolution.opponents.archive_sampler import ArchiveSampler
 from matrixworld.coevolution.opponents.generalist import Generalist
+from matrixworld.coevolution.opponents.own import new_own_sampler
 from matrixworld.coevolution.opponents.pareto import IPCA, LAPCA, MaxSolve
 from matrixworld.coevolution.opponents.prioritized import Prioritized, even, hard
 from matrixworld.coevolution.opponents.samplers import (
@@ -35,6 +37,7 @@ from matrixworld.coevolution.opponents.samplers import (
     Uniform,
 )
 from matrixworld.coevolution.opponents.shared_sampling import SharedSampling
+from matrixworld.coevolution.plugins import OPPONENT, find
 from matrixworld.coevolution.types import Team
 
 SAMPLERS: dict[str, Callable[[int, int], OpponentSampler]] = {
@@ -61,8 +64,40 @@ the older ones. With one opponent it draws from all, as `uniform` does. Samplers
 play against the newest opponent, too (`ArchiveSampler`). The size is the candidates of MaxSolve,
 the layers of LAPCA, and the team and the kept opponents of Generalist.
 
-To add a sampler, write a class with the interface `OpponentSampler` and add a row.
+A name that is not in the table is one of a sampler from outside the package (see `plugins`). To add
+a sampler to the package, write a class with the interface `OpponentSampler` and add a row.
 """
+
+
+def new_sampler(settings: Any, team: Team) -> OpponentSampler:
+    """Return a new opponent sampler of the kind that the settings name for a team.
+
+    Parameters
+    ----------
+    settings : RaceSettings
+        Settings of the race.
+    team : {"pursuer", "evader"}
+        Team that learns.
+
+    Returns
+    -------
+    OpponentSampler
+        The sampler.
+
+    Raises
+    ------
+    ValueError
+        If a sampler from outside the package cannot be imported, or refuses its settings.
+    PluginError
+        If its code fails.
+    """
+    name = settings.sampler_name(team)
+    # A hall-of-fame race without sampled opponents has samplers, too, but never asks them.
+    count = max(1, settings.opponents_per_epoch)
+    if name in SAMPLERS:
+        return SAMPLERS[name](count, settings.archive_size)
+    plugin = find(f"{team}s_meet", name, SAMPLERS, OPPONENT)
+    return new_own_sampler(plugin, count, settings.sampler_settings(team))
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld.checks import check_integer
 from matrixworld.coevolution.types import FloatArray, Indices, State
 
 
@@ -24,19 +25,28 @@ class OpponentSampler(Protocol):
     A sampler serves one team and does not know which: if the teams are swapped, so is the result.
     Random numbers come only from the generator passed to `sample`. A sampler restored from `state`
     therefore continues as if it had never stopped.
+
+    A class with these methods is named in the settings as ``module:object`` (see `plugins`), and
+    `check_sampler` checks it. It is made with the keyword argument `count`, the largest number of
+    opponents in an epoch, if its signature names it; all other arguments are settings of its own
+    (`pursuers_meet_settings`, `evaders_meet_settings`).
     """
 
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
-        """Return the opponents (c,) of an epoch, all below `available`, without repetition."""
+        """Return the opponents (c,) of an epoch, all below `available`, without repetition.
+
+        At least 1, at most `count` of them. `available` never falls during a run; `epoch` counts
+        from 0 in each generation.
+        """
 
     def tell(self, opponents: Indices, scores: ArrayLike) -> None:
         """Record the scores (n, c), in [0, 1], of n candidates against the opponents (c,)."""
 
     def state(self) -> State:
-        """Return all that changes, as plain arrays."""
+        """Return all that changes, as arrays of numbers or text; names are identifiers."""
 
     def restore(self, state: State) -> None:
-        """Restore a state returned by `state()`."""
+        """Restore a state returned by `state()`, of this or of an equal sampler."""
 
 
 class Stateless:
@@ -165,9 +175,8 @@ class HallOfFame(Stateless):
 
 
 def check_count(name: str, value: int, *, least: int = 1) -> None:
-    """Raise ValueError if a number is below `least`."""
-    if value < least:
-        raise ValueError(f"{name}: expected at least {least}, got {value}")
+    """Raise ValueError if a number is below `least`, TypeError if it is not an integer."""
+    check_integer(name, value, least)
 
 
 def check_available(available: int) -> None:

@@ -65,7 +65,7 @@ class Race(Run[RaceSettings]):
 
     def set_up(self) -> None:
         """Make the opponent samplers of both teams."""
-        self.matchmaking = Matchmaking(self.settings, self.training, self.archive)
+        self.matchmaking: Matchmaking = Matchmaking(self.settings, self.training, self.archive)
 
     def stateful_parts(self) -> dict[str, Stateful]:
         """Return learners and opponent samplers."""

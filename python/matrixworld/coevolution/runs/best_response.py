@@ -14,7 +14,7 @@ from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.single import GIVEN, SingleTeam
 from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSettings
-from matrixworld.coevolution.storage.run_directory import CONFIG
+from matrixworld.coevolution.storage.run_files import CONFIG
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import FloatArray, Team, other
 from matrixworld.files import save_json

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from matrixworld.coevolution.opponents.archive_sampler import ArchiveSampler
+from matrixworld.coevolution.opponents.own import archive_of
 from matrixworld.coevolution.opponents.pareto import PayoffFunction
-from matrixworld.coevolution.opponents.registry import SAMPLERS
+from matrixworld.coevolution.opponents.registry import new_sampler
 from matrixworld.coevolution.opponents.samplers import OpponentSampler
 from matrixworld.coevolution.runs.training import Training
 from matrixworld.coevolution.seeding import Phase, training_seeds
@@ -44,12 +44,11 @@ class Matchmaking:
     def __init__(
         self, settings: RaceSettings, training: Training, archive: Mapping[Team, list[Genome]]
     ) -> None:
-        self.settings, self.training, self.archive = settings, training, archive
-        # A hall-of-fame race without sampled opponents has samplers, too, but never asks them.
-        count = max(1, settings.opponents_per_epoch)
+        self.settings: RaceSettings = settings
+        self.training: Training = training
+        self.archive: Mapping[Team, list[Genome]] = archive
         self.samplers: dict[Team, OpponentSampler] = {
-            team: SAMPLERS[settings.sampler_name(team)](count, settings.archive_size)
-            for team in TEAMS
+            team: new_sampler(settings, team) for team in TEAMS
         }
 
     def admit(self, team: Team, new: range, opponents: range) -> None:
@@ -64,8 +63,8 @@ class Matchmaking:
         opponents : range
             Generations of the other team since the last call.
         """
-        sampler = self.samplers[team]
-        if isinstance(sampler, ArchiveSampler):
+        sampler = archive_of(self.samplers[team])
+        if sampler is not None:
             payoff = self._payoff_function(team, graded=sampler.graded)
             sampler.update(np.array(new), np.array(opponents), payoff)
 
@@ -79,8 +78,8 @@ class Matchmaking:
         new, opponents : int
             Number of generations of the team and of the other team so far.
         """
-        sampler = self.samplers[team]
-        if not isinstance(sampler, ArchiveSampler):
+        sampler = archive_of(self.samplers[team])
+        if sampler is None:
             return 0
         pairs = sampler.max_pairs(new, opponents)
         return pairs * self.settings.archive_episodes * self.settings.worlds

@@ -13,16 +13,20 @@ from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
+from matrixworld.checks import check_threads
+from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.learners.registry import new_learner, starting_genomes, untrained
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.training import Training
+from matrixworld.coevolution.settings.memory import check_run_memory
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.settings.training import settings_to_json
-from matrixworld.coevolution.storage.run_directory import RunDirectory
+from matrixworld.coevolution.storage.run_directory import Checkpoint, RunDirectory
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, State, Stateful, Team
 from matrixworld.policy import Network
+from matrixworld.reading import DamagedFileError
 from matrixworld.rollout import Rollout, rollout
 
 AnySettings = TypeVar("AnySettings", RaceSettings, SingleSettings)
@@ -59,7 +63,8 @@ class Run(ABC, Generic[AnySettings]):
     FileExistsError
         If a directory for a new run is not empty.
     TypeError, ValueError
-        If this kind of run cannot have these settings.
+        If this kind of run cannot have these settings, or if the run needs more memory than the
+        machine has available (`matrixworld.coevolution.settings.memory.run_memory`).
     """
 
     kind: ClassVar[str]
@@ -76,18 +81,21 @@ class Run(ABC, Generic[AnySettings]):
         # Everything that can be wrong is checked before the directory is made.
         self.settings: AnySettings = settings
         self.check_settings()
-        self.training = Training(settings, play, threads)
+        check_threads(threads)
+        check_run_memory(settings, threads)
+        self.training: Training = Training(settings, play, threads)
         self.network: Network = self.training.network
-        self.stage = 0
+        self.stage: int = 0
         self.stage_capture_rates: list[float] = []
         count = starting_genomes(settings)
-        self.learners = {
+        self.learners: dict[Team, Learner] = {
             team: new_learner(settings, team, self.first_population(team, count))
             for team in self.learning_teams()
         }
         self.archive: dict[Team, list[Genome]] = self.first_archive()
         self.set_up()
         self._report: Report = silent
+        self.files: RunDirectory
         if isinstance(directory, RunDirectory):
             self.files = directory
             with self.files.lock():
@@ -234,6 +242,7 @@ class Run(ABC, Generic[AnySettings]):
     def summary(self, payoff: Payoff) -> dict[str, Any]:
         """Return the most important numbers of the run, which summary.json holds."""
         return {
+            "stages": self.stage,
             "training_matches": self.training.matches,
             "training_steps": self.training.steps,
             "evaluation_matches": int(payoff.lengths.size),
@@ -276,6 +285,16 @@ class Run(ABC, Generic[AnySettings]):
 
     def _restore(self) -> None:
         checkpoint = self.files.restore()
+        try:
+            self._take(checkpoint)
+        except DamagedFileError:
+            raise
+        except (IndexError, KeyError, OverflowError, TypeError, ValueError) as error:
+            # Its checksum was correct: it is from other learners, or forged.
+            problem = f"expected the state of a run of these settings ({error!r})"
+            raise DamagedFileError(self.files.path / "checkpoint.npz", problem) from error
+
+    def _take(self, checkpoint: Checkpoint) -> None:
         state = checkpoint.state
         self.stage = int(state["stage"])
         self.stage_capture_rates = state["stage_capture_rates"].tolist()

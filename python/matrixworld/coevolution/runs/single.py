@@ -20,7 +20,7 @@ from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.team_phase import TeamPhase
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.settings.single import SingleSettings
-from matrixworld.coevolution.storage.run_directory import RunDirectory
+from matrixworld.coevolution.storage.run_directory import Checkpoint, RunDirectory
 from matrixworld.coevolution.storage.saved_run import archive_network, last_generation, script_of
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team, other
 from matrixworld.policy import SCRIPTS, Network, Population, TeamPolicy
@@ -191,8 +191,8 @@ class SingleTeam(Run[SingleSettings]):
             **_episode_summary("length", payoff.lengths, most=self.settings.eval_steps),
         }
 
-    def _restore(self) -> None:
-        super()._restore()
+    def _take(self, checkpoint: Checkpoint) -> None:
+        super()._take(checkpoint)
         team = other(self.settings.team)
         if self.archive[team]:
             self.opponents = Population(self.genomes(team), archive_network(self.files, team))

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
+from matrixworld.checks import shown
+from matrixworld.coevolution.learners.registry import new_learner, starting_genomes, untrained
+from matrixworld.coevolution.opponents.registry import HALL_OF_FAME, new_sampler
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.alternating import Race
 from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
-from matrixworld.coevolution.storage.run_directory import CONFIG, OtherVersionError, RunDirectory
+from matrixworld.coevolution.storage.run_directory import RunDirectory
+from matrixworld.coevolution.storage.run_files import CONFIG
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
 from matrixworld.rollout import Rollout, rollout
 
@@ -51,11 +54,37 @@ def start(
     ------
     FileExistsError
         If the directory is not empty.
+    TypeError
+        If the settings are of another class.
     """
     if isinstance(settings, SingleSettings):
         return SingleTeam(settings, directory, threads=threads, play=play)
+    if not isinstance(settings, RaceSettings):
+        raise TypeError(f"settings: expected RaceSettings or SingleSettings, got {shown(settings)}")
     kind = HallOfFameRace if settings.schedule == HALL_OF_FAME else Race
     return kind(settings, directory, threads=threads, play=play)
+
+
+def check_own_code(settings: RaceSettings | SingleSettings) -> None:
+    """Make the learners and opponent samplers of a run once, and nothing else.
+
+    Parameters
+    ----------
+    settings : RaceSettings or SingleSettings
+        Settings of the run.
+
+    Raises
+    ------
+    ValueError
+        If a learner or sampler cannot be imported, or refuses its settings.
+    PluginError
+        If its code fails.
+    """
+    genomes = starting_genomes(settings)
+    for team in settings.learning_teams:
+        new_learner(settings, team, untrained(settings, team, genomes))
+        if isinstance(settings, RaceSettings):
+            new_sampler(settings, team)
 
 
 def finish(
@@ -129,6 +158,4 @@ def resume(directory: str | Path, *, threads: int | None = None, play: Rollout =
         If another process runs it.
     """
     kind = RunDirectory.open(directory).config()["kind"]
-    if kind not in KINDS:
-        raise OtherVersionError(f"{directory}: expected a run of {', '.join(KINDS)}, got {kind!r}")
     return KINDS[kind].resume(directory, threads=threads, play=play)

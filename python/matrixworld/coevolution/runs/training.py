@@ -10,7 +10,8 @@ from matrixworld.coevolution.fitness import fitness, mean_over_opponents, shared
 from matrixworld.coevolution.settings.training import TrainingSettings
 from matrixworld.coevolution.storage.run_log import Row
 from matrixworld.coevolution.types import FloatArray, Genomes, Indices, Seeds, Team
-from matrixworld.policy import Population, TeamPolicy
+from matrixworld.config import WorldConfig
+from matrixworld.policy import Network, Population, TeamPolicy
 from matrixworld.rollout import EpisodeStatistics, Matches, Rollout
 
 Table = Callable[[FloatArray], FloatArray]
@@ -38,13 +39,14 @@ class Training:
     """
 
     def __init__(self, settings: TrainingSettings, play: Rollout, threads: int | None) -> None:
-        self.settings = settings
-        self.network = settings.network
-        self.world = settings.world(settings.train_steps)
-        self.threads = threads
-        self.matches = self.steps = 0
+        self.settings: TrainingSettings = settings
+        self.network: Network = settings.network
+        self.world: WorldConfig = settings.world(settings.train_steps)
+        self.threads: int | None = threads
+        self.matches: int = 0
+        self.steps: int = 0
         self.rows: list[Row] = []
-        self.rollout = play
+        self.rollout: Rollout = play
 
     def population(self, genomes: Genomes) -> Population:
         """Return genomes (n, genes) as a population of the run's network."""

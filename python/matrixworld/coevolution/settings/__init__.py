@@ -6,6 +6,7 @@ module             contents
 training           `TrainingSettings`: world, policy, learner and budget; settings as JSON values
 race               `RaceSettings`: both teams learn
 single             `SingleSettings`: one team learns against fixed opponents
+memory             memory that a run needs, estimated before it starts
 effects            when each setting has an effect; elsewhere it is refused
 =================  ===============================================================================
 

@@ -12,8 +12,8 @@ from typing import Any
 
 from matrixworld.coevolution.learners.learner import RunSettings
 from matrixworld.coevolution.learners.registry import LEARNERS
-from matrixworld.coevolution.opponents.registry import ALTERNATING, HALL_OF_FAME
-from matrixworld.coevolution.types import TEAMS
+from matrixworld.coevolution.opponents.registry import ALTERNATING, HALL_OF_FAME, SAMPLERS
+from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.rules import Outcome
 
 
@@ -45,8 +45,12 @@ class NoEffectError(ValueError):
     """
 
     def __init__(self, name: str, message: str) -> None:
-        super().__init__(message)
+        # All arguments, so that the error can be pickled.
+        super().__init__(name, message)
         self.name = name
+
+    def __str__(self) -> str:
+        return str(self.args[1])
 
 
 SIZED = ("maxsolve", "lapca", "generalist")
@@ -57,6 +61,14 @@ ARCHIVES = (*SIZED, "ipca")
 
 def _samples_with(settings: RunSettings, names: tuple[str, ...]) -> bool:
     return any(settings.sampler_name(team) in names for team in TEAMS)
+
+
+def _own_sampler(team: Team) -> Condition:
+    # In other schedules the samplers are built-in ones.
+    return Condition(
+        f"with a sampler of your own for the {team}s",
+        lambda s: _names_samplers(s) and s.sampler_name(team) not in SAMPLERS,
+    )
 
 
 def _meets_several(settings: RunSettings) -> bool:
@@ -80,6 +92,7 @@ NAMED_SAMPLERS = Condition(
     f"with the schedule {ALTERNATING}, or with {HALL_OF_FAME} and a hall_sample above 0",
     _names_samplers,
 )
+OWN_LEARNER = Condition("with a learner of your own", lambda s: s.learner_name not in LEARNERS)
 HIDDEN = Condition("with hidden layers", lambda s: bool(s.hidden))
 # Races have no field `start`: both teams start untrained.
 UNTRAINED = Condition("without start", lambda s: getattr(s, "start", None) is None)
@@ -95,6 +108,9 @@ CONDITIONS: dict[str, tuple[Condition, ...]] = {
     ),
     "pursuers_meet": (NAMED_SAMPLERS,),
     "evaders_meet": (NAMED_SAMPLERS,),
+    "pursuers_meet_settings": (_own_sampler("pursuer"),),
+    "evaders_meet_settings": (_own_sampler("evader"),),
+    "learner_settings": (OWN_LEARNER,),
     "archive_size": (
         Condition(f"with the samplers {', '.join(SIZED)}", lambda s: _samples_with(s, SIZED)),
     ),

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from matrixworld.checks import check_choice, check_integer, check_number
 from matrixworld.coevolution.fitness import LEAST_VIRULENCE, SHARING
@@ -12,7 +14,14 @@ from matrixworld.coevolution.opponents.registry import (
     SAMPLERS,
     SCHEDULES,
 )
-from matrixworld.coevolution.settings.training import TrainingSettings, option, with_parameters
+from matrixworld.coevolution.plugins import OPPONENT, OwnSettings, check_name, own_settings
+from matrixworld.coevolution.settings.training import (
+    NO_SETTINGS,
+    OWN_HELP,
+    TrainingSettings,
+    option,
+    with_parameters,
+)
 from matrixworld.coevolution.types import Team
 
 ALL_SCHEDULES = (*SCHEDULES, ALTERNATING, HALL_OF_FAME)
@@ -48,10 +57,16 @@ class RaceSettings(TrainingSettings):
     hall_sample: int = option(1, "hall-of-fame: opponents of each individual from the hall of fame")
     pursuers_meet: str | None = option(
         None,
-        f"alternating, hall-of-fame: opponent sampler of the pursuers: {', '.join(SAMPLERS)}; "
-        "default: uniform",
+        f"alternating, hall-of-fame: opponent sampler of the pursuers: {', '.join(SAMPLERS)}, or "
+        "one of your own, as module:object; default: uniform",
     )
     evaders_meet: str | None = option(None, "opponent sampler of the evaders; as for the pursuers")
+    pursuers_meet_settings: Mapping[str, Any] = option(
+        NO_SETTINGS, OWN_HELP.format("the pursuers' sampler")
+    )
+    evaders_meet_settings: Mapping[str, Any] = option(
+        NO_SETTINGS, OWN_HELP.format("the evaders' sampler")
+    )
     opponents: int = option(1, "alternating: opponents of each candidate in an epoch")
     archive_size: int = option(
         10, "maxsolve: candidates kept; lapca: layers; generalist: opponents kept"
@@ -91,7 +106,9 @@ class RaceSettings(TrainingSettings):
         for name in ("pursuers_meet", "evaders_meet"):
             value = getattr(self, name)
             if value is not None:
-                check_choice(name, value, SAMPLERS)
+                check_name(name, value, SAMPLERS, OPPONENT)
+            own = f"{name}_settings"
+            self._freeze(own, own_settings(own, getattr(self, own)))
         for name in ("opponents", "archive_size", "archive_episodes"):
             check_integer(name, getattr(self, name), 1)
 
@@ -111,10 +128,15 @@ class RaceSettings(TrainingSettings):
             raise ValueError(f"{given[0]}: expected a fitness from 0 to 1, got 'rewards'")
 
     def sampler_name(self, team: Team) -> str:
-        """Return the name of the opponent sampler of `team`, a key of `SAMPLERS`."""
+        """Return the name of the opponent sampler of `team`."""
         if self.schedule in SCHEDULES:
             return SCHEDULES[self.schedule].sampler_name(team)
         return (self.pursuers_meet if team == "pursuer" else self.evaders_meet) or "uniform"
+
+    def sampler_settings(self, team: Team) -> OwnSettings:
+        """Return the settings of the opponent sampler of `team`, if it is one of your own."""
+        own: OwnSettings = getattr(self, f"{team}s_meet_settings")
+        return own
 
     @property
     def opponents_per_epoch(self) -> int:

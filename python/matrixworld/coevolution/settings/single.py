@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from matrixworld.checks import check_choice, check_integer
+from matrixworld.checks import check_choice, check_integer, shown
 from matrixworld.coevolution.settings.training import (
     OVERLAP_PENALTY,
     TrainingSettings,
@@ -70,6 +70,10 @@ class SingleSettings(TrainingSettings):
         for name, value in SINGLE_DEFAULTS[self.team].items():
             if getattr(self, name) is None:
                 self._freeze(name, value)
+        for name in ("against", "start"):
+            value = getattr(self, name)
+            if not isinstance(value, str) and not (name == "start" and value is None):
+                raise TypeError(f"{name}: expected a text, got {shown(value)}")
         check_integer("epochs", self.epochs, 1)
         check_integer("archive_every", self.archive_every, 1)
         super().__post_init__()

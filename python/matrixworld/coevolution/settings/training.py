@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from enum import Enum
 from inspect import cleandoc
@@ -14,6 +15,13 @@ from matrixworld.checks import check_choice, check_integer, check_number
 from matrixworld.coevolution.fitness import FITNESS
 from matrixworld.coevolution.learners.optimizers import OPTIMIZERS
 from matrixworld.coevolution.learners.registry import LEARNERS, check_learner_settings
+from matrixworld.coevolution.plugins import (
+    LEARNER,
+    OwnSettings,
+    SavedName,
+    check_name,
+    own_settings,
+)
 from matrixworld.coevolution.settings.effects import check_effects
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
@@ -26,6 +34,12 @@ OVERLAP_PENALTY = 0.2
 """Default overlap penalty where teammates may share a cell."""
 MOST_SEED = 2**63 - 1
 """Largest seed: the largest integer of 64 bits with a sign."""
+NAMES = ("learner", "pursuers_meet", "evaders_meet")
+"""Fields that name code, which is not imported to read a run."""
+NO_SETTINGS = OwnSettings()
+OWN_HELP = "settings of {} if it is one of your own: numbers, text, True or False by name"
+ADDED = ("learner_settings", "pursuers_meet_settings", "evaders_meet_settings")
+"""Fields that older runs do not have; they have their default there."""
 
 
 def option(default: Any, text: str) -> Any:
@@ -67,8 +81,10 @@ class TrainingSettings:
 
     learner: str | None = option(
         None,
-        f"{', '.join(f'{name} ({entry.title})' for name, entry in LEARNERS.items())}; default: es",
+        f"{', '.join(f'{name} ({entry.title})' for name, entry in LEARNERS.items())}, or one of "
+        "your own, as module:object; default: es",
     )
+    learner_settings: Mapping[str, Any] = option(NO_SETTINGS, OWN_HELP.format("the learner"))
     population: int = option(48, "candidates per epoch")
     sigma: float = option(0.1, "es: standard deviation of the samples; cma: its initial value")
     optimizer: str = option("adam", f"es: {' or '.join(OPTIMIZERS)}")
@@ -100,7 +116,8 @@ class TrainingSettings:
     seed: int = option(0, "seed of the run")
 
     def __post_init__(self) -> None:
-        self._freeze("hidden", tuple(int(size) for size in self.hidden))
+        for item in fields(self):
+            self._freeze(item.name, _native(getattr(self, item.name)))
         self._check_budget()
         self._check_world()
         self._check_learner()
@@ -121,7 +138,8 @@ class TrainingSettings:
 
     def _check_learner(self) -> None:
         if self.learner is not None:
-            check_choice("learner", self.learner, LEARNERS)
+            check_name("learner", self.learner, LEARNERS, LEARNER)
+        self._freeze("learner_settings", own_settings("learner_settings", self.learner_settings))
         check_integer("population", self.population, 2)
         check_learner_settings(self)
 
@@ -133,8 +151,8 @@ class TrainingSettings:
         config = self.world(self.train_steps)
         if config.map is not None:
             self._freeze("obstacles", map_as_text(config.map))
-        # Only to check the layers and the activation.
-        Network.for_config(config, hidden=self.hidden, activation=self.activation)
+        network = Network.for_config(config, hidden=self.hidden, activation=self.activation)
+        self._freeze("hidden", network.hidden)
 
     @property
     def learning_teams(self) -> tuple[Team, ...]:
@@ -202,6 +220,15 @@ class TrainingSettings:
         return OVERLAP_PENALTY
 
 
+def _native(value: Any) -> Any:
+    """Return a number of NumPy, or of a subclass of int or float, as Python's own."""
+    # A bool of NumPy is refused as everywhere.
+    if isinstance(value, np.number):
+        return value.item()
+    kinds = (kind for kind in (bool, int, float) if isinstance(value, kind))
+    return next((kind(value) for kind in kinds), value)
+
+
 def map_as_text(obstacles: NDArray[np.bool_]) -> tuple[str, ...]:
     """Return an obstacle map (rows, cols) as rows of text, '#' obstacle and '.' free."""
     return tuple("".join("#" if cell else "." for cell in row) for row in obstacles)
@@ -213,10 +240,13 @@ def settings_to_json(settings: TrainingSettings) -> dict[str, Any]:
 
 
 def settings_from_json(kind: type[Settings], values: dict[str, Any]) -> Settings:
-    """Return settings of class `kind`; ValueError names missing and unknown fields."""
+    """Return settings of class `kind`; ValueError names missing and unknown fields.
+
+    Names of learners and samplers are data: nothing is imported.
+    """
     expected = {item.name for item in fields(kind)}
-    if expected != set(values):
-        missing, unknown = sorted(expected - set(values)), sorted(set(values) - expected)
+    missing, unknown = sorted(expected - {*values, *ADDED}), sorted(set(values) - expected)
+    if missing or unknown:
         raise ValueError(f"{kind.__name__}: missing fields {missing}, unknown fields {unknown}")
     return kind(**{name: _restored(name, value) for name, value in values.items()})
 
@@ -229,6 +259,8 @@ def _plain(value: Any) -> Any:
         return value.name
     if isinstance(value, np.generic):
         return value.item()
+    if isinstance(value, OwnSettings):
+        return dict(value)
     return list(value) if isinstance(value, tuple) else value
 
 
@@ -242,4 +274,6 @@ def _restored(name: str, value: Any) -> Any:
                 for key, item in value.items()
             }
         )
+    if name in NAMES and isinstance(value, str):
+        return SavedName(value)
     return tuple(value) if isinstance(value, list) else value

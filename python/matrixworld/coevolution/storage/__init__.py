@@ -3,17 +3,21 @@
 =================  ===============================================================================
 module             contents
 =================  ===============================================================================
-run_directory      `RunDirectory`: the files of a run, their checksums, checkpoints and lock
+run_files          `RunFiles`: the files of a run, their checksums, and how they are read
+consistency        which of them may stand beside each other
+run_directory      `RunDirectory`: the same files to write; checkpoints and the lock
 run_log            `RunLog`, `read_log`: log.csv, one row per epoch
 saved_run          `open_run`: a run to look at, finished or not; `SavedRun`
 =================  ===============================================================================
 
-Atomic writes, checksums and locks of single files are in `matrixworld.files`.
+Atomic writes, checksums and locks of single files are in `matrixworld.files`, limits of what is
+read in `matrixworld.reading`.
 """
 
 from __future__ import annotations
 
-from matrixworld.coevolution.storage.run_directory import OtherVersionError, RunDirectory
+from matrixworld.coevolution.storage.run_directory import RunDirectory
+from matrixworld.coevolution.storage.run_files import OtherVersionError
 from matrixworld.coevolution.storage.run_log import COLUMNS, SEVERAL, RunLog, read_log
 from matrixworld.coevolution.storage.saved_run import SavedRun, last_generation, open_run
 

@@ -1,19 +1,6 @@
-"""The files of a run, in a directory that can be copied and opened elsewhere.
+"""The files of a run, to write: new runs, checkpoints and the lock.
 
-====================  ==========================================================================
-config.json           format, package version, kind of run, settings
-archive.npz           genomes of all generations, ``pursuers`` and ``evaders`` (n, genes) float32
-log.csv               one row per epoch (see `run_log.COLUMNS`)
-payoff.npz            results of the archives against each other (see `Payoff`)
-summary.json          the most important numbers of the run
-checkpoint.npz        position in the run, and the state from which training continues
-*.previous.npz        the archive and the checkpoint before the newest ones
-====================  ==========================================================================
-
-Several processes may read a directory; one writes to it, under its lock. The checksums of all files
-but the log include that of config.json, so that a file of another run is refused; length and
-checksum of the log are in the checkpoint. payoff.npz and summary.json follow from the other files:
-if they are deleted, resuming the run makes them again.
+One process writes to a directory, under its lock. `run_files` lists the files and reads them.
 """
 
 from __future__ import annotations
@@ -29,49 +16,38 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from matrixworld.coevolution.settings.race import RaceSettings
-from matrixworld.coevolution.settings.single import SingleSettings
-from matrixworld.coevolution.settings.training import settings_from_json
-from matrixworld.coevolution.storage.run_log import Row, RunLog, read_log
-from matrixworld.coevolution.types import TEAMS, Genomes, Team
+from matrixworld.coevolution.storage.consistency import STAGE, counted
+from matrixworld.coevolution.storage.run_files import (
+    ARCHIVE,
+    CHECKPOINT,
+    CONFIG,
+    FORMAT,
+    LOCK,
+    LOG,
+    PAYOFF,
+    SUMMARY,
+    Archive,
+    RunFiles,
+    archive_at,
+    log_position,
+)
+from matrixworld.coevolution.storage.run_log import Row, RunLog
+from matrixworld.coevolution.types import TEAMS
 from matrixworld.files import (
-    Arrays,
-    DamagedFileError,
     is_temporary,
     json_digest,
-    load_arrays,
-    load_json,
     locked,
     remove_temporary_files,
     save_arrays,
     save_json,
 )
+from matrixworld.reading import Arrays, DamagedFileError
 from matrixworld.version import __version__
-
-# Format 4 differs from 3 in the fields `elite_episodes` and `retention_episodes` of the settings,
-# and in the state of the genetic algorithm in the checkpoint.
-FORMAT = 4
-"""Version of the directory's layout; another one is refused."""
-
-CONFIG, SUMMARY, LOG, LOCK = "config.json", "summary.json", "log.csv", ".lock"
-ARCHIVE, CHECKPOINT, PAYOFF = "archive", "checkpoint", "payoff"
 
 INCOMPLETE = {LOCK, "archive.npz", "checkpoint.npz"}
 """Files that a process may leave, besides temporary ones, if it is killed while it makes a run."""
 
-SETTINGS_OF_KIND: dict[str, type[RaceSettings] | type[SingleSettings]] = {
-    "race": RaceSettings,
-    "hall-of-fame": RaceSettings,
-    "single": SingleSettings,
-}
-"""Class of the settings of each kind of run."""
-
-Archive = dict[Team, Genomes]
 Problems = list[FileNotFoundError | DamagedFileError]
-
-
-class OtherVersionError(ValueError):
-    """A file of a run is complete, but of another version of the package."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +66,7 @@ class Checkpoint:
     state: Arrays
 
 
-class RunDirectory:
+class RunDirectory(RunFiles):
     """The files of one run; made by `create` for a new run and by `open` for an existing one.
 
     Parameters
@@ -100,7 +76,7 @@ class RunDirectory:
     """
 
     def __init__(self, path: Path) -> None:
-        self.path = path
+        super().__init__(path)
         self._new_config: dict[str, Any] = {}
         self._log = RunLog(path / LOG)
 
@@ -139,9 +115,12 @@ class RunDirectory:
 
     @cached_property
     def _owner(self) -> str:
-        """Owner of the files in their checksums: the checksum of config.json."""
-        # Runs of other settings, or of another seed, have another one.
+        """As in `RunFiles`, also before config.json is written."""
         return json_digest(self._new_config or self.config())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the path alone: a copy reads from the directory what it needs."""
+        return type(self), (self.path,)
 
     # Making a new run:
 
@@ -178,32 +157,6 @@ class RunDirectory:
         """Write config.json: the last file of a new run, with which the directory holds a run."""
         save_json(self.path / CONFIG, self._new_config)
 
-    # Configuration:
-
-    def config(self) -> dict[str, Any]:
-        """Return config.json; OtherVersionError if it has another format."""
-        config = load_json(self.path / CONFIG)
-        # Before any other entry is read: another format may not have it.
-        if config.get("format") != FORMAT:
-            raise OtherVersionError(
-                f"{self.path / CONFIG}: expected format {FORMAT}, got {config.get('format')} "
-                f"(written by matrixworld {config.get('matrixworld', 'unknown')})"
-            )
-        return config
-
-    def settings(self) -> RaceSettings | SingleSettings:
-        """Return the settings; OtherVersionError if this version cannot read them."""
-        config = self.config()
-        try:
-            return _settings_of(config)
-        except (KeyError, TypeError, ValueError) as error:
-            # The checksum was correct, so that the file is not damaged.
-            raise OtherVersionError(
-                f"{self.path / CONFIG}: expected settings of matrixworld "
-                f"{__version__}, got those of {config.get('matrixworld', 'unknown')}: "
-                f"{error}"
-            ) from error
-
     # Checkpoints:
 
     def save(self, archive: Archive, rows: Sequence[Row], state: Mapping[str, Any]) -> None:
@@ -216,9 +169,9 @@ class RunDirectory:
         rows : sequence of dict
             Rows of the log since the last checkpoint.
         state : mapping of str to array_like
-            What `restore` has to return.
+            What `restore` has to return; ``stage`` is the number of finished stages.
         """
-        self._save(ARCHIVE, {f"{team}s": archive[team] for team in TEAMS})
+        self._save_archive(archive, state)
         if rows:
             self._log.append(rows)
         # The checkpoint is written last: what archive and log hold beyond its counts is ignored.
@@ -230,7 +183,7 @@ class RunDirectory:
         """Return the newest intact checkpoint, and truncate the log to it.
 
         To be called under the lock. A damaged file is reported by a warning and renamed to
-        ``*.damaged``; the file before it is used instead.
+        ``*.damaged``; the file before it is used instead, and becomes the newest.
 
         Raises
         ------
@@ -241,35 +194,43 @@ class RunDirectory:
         problems: Problems = []
         # After a crash while saving, the newest archive may belong to no checkpoint, but it holds
         # the genomes of all checkpoints before it.
-        for state in self._intact(CHECKPOINT, problems):
-            for archive in self._intact(ARCHIVE, problems):
-                if self._fits(archive, state, problems):
+        for saved, state in self._intact(CHECKPOINT, problems):
+            for genomes, archive in self._intact(ARCHIVE, problems):
+                chosen = {CHECKPOINT: saved, ARCHIVE: genomes}
+                if self._fits(chosen, archive, state, problems):
                     self._set_aside(problems)
-                    return Checkpoint(_archive_at(archive, state), state)
+                    self._settle(chosen, archive, state)
+                    return Checkpoint(archive_at(archive, state), state)
         # Each problem once, although a file is tried with several others.
         reasons = "; ".join(dict.fromkeys(str(problem) for problem in problems))
         raise DamagedFileError(self.path, f"no intact checkpoint to continue from: {reasons}")
 
-    def _intact(self, name: str, problems: Problems) -> Iterator[Arrays]:
+    def _intact(self, name: str, problems: Problems) -> Iterator[tuple[Path, Arrays]]:
         """Yield the newest file of a name and the one before it, without damaged ones."""
-        for path in (self._file(name), self._previous(name)):
+        for path in self._both(name):
             arrays = self._loaded(path, name, problems)
             if arrays is not None:
-                yield arrays
+                yield path, arrays
 
     def _loaded(self, path: Path, name: str, problems: Problems) -> Arrays | None:
         try:
-            return load_arrays(path, owner=self._owner_of(name))
+            return self._load(path, name)
         except (FileNotFoundError, DamagedFileError) as error:
             problems.append(error)
             return None
 
-    def _fits(self, archive: Arrays, state: Arrays, problems: Problems) -> bool:
+    def _fits(
+        self, chosen: Mapping[str, Path], archive: Arrays, state: Arrays, problems: Problems
+    ) -> bool:
         """Return whether archive and log hold everything that the checkpoint counts."""
-        if any(len(archive[f"{team}s"]) < int(state[f"{team}s"]) for team in TEAMS):
+        if not counted(archive, state):
+            # An older archive that is tried in place of a damaged one is no problem of its own.
+            if all(path == self._file(name) for name, path in chosen.items()):
+                problem = "archive.npz is older than checkpoint.npz"
+                problems.append(DamagedFileError(self.path, problem))
             return False
         try:
-            self._log.truncate(*_log_position(state))
+            self._log.truncate(*log_position(state))
         except DamagedFileError as error:
             problems.append(error)
             return False
@@ -283,89 +244,27 @@ class RunDirectory:
                 if problem.path.suffix == ".npz" and problem.path.exists():
                     os.replace(problem.path, f"{problem.path}.damaged")
 
-    # Reading:
-
-    def archive(self) -> Archive:
-        """Return the genomes (generations, genes) float32 of each team."""
-        paths = self._readable(ARCHIVE)
-        path = next((path for path in paths if path.exists()), paths[0])
-        arrays = load_arrays(path, owner=self._owner_of(ARCHIVE))
-        return {team: arrays[f"{team}s"] for team in TEAMS}
-
-    def log(self) -> dict[str, NDArray[Any]]:
-        """Return the columns of log.csv as arrays, up to the checkpoint."""
-        problems: Problems = []
-        for path in self._readable(CHECKPOINT):
-            state = self._loaded(path, CHECKPOINT, problems)
-            columns = None if state is None else self._logged(state, problems)
-            if columns is not None:
-                return columns
-        raise problems[0]
-
-    def _logged(self, state: Arrays, problems: Problems) -> dict[str, NDArray[Any]] | None:
-        try:
-            return read_log(self.path / LOG, *_log_position(state))
-        except DamagedFileError as error:
-            problems.append(error)
-            return None
-
-    def _readable(self, name: str) -> list[Path]:
-        """Return the files of a name that may be read, the newest first."""
-        newest = [self._file(name)]
-        # Between the two renames of a save, a run that trains has only the previous file.
-        return newest if self.finished else [*newest, self._previous(name)]
-
-    # Results:
+    def _settle(self, chosen: Mapping[str, Path], archive: Arrays, state: Arrays) -> None:
+        """Make the chosen checkpoint and archive the newest ones, so that readers see them, too."""
+        for name, path in chosen.items():
+            if path != self._file(name):
+                os.replace(path, self._file(name))
+        # After a second checkpoint is lost, the archive may be two stages ahead.
+        if int(archive[STAGE]) > int(state[STAGE]) + 1:
+            self._save_archive(archive_at(archive, state), state)
 
     def save_payoff(self, arrays: Mapping[str, NDArray[Any]]) -> None:
         """Write payoff.npz."""
         save_arrays(self._file(PAYOFF), arrays, owner=self._owner_of(PAYOFF))
 
-    def payoff(self) -> Arrays:
-        """Return the arrays of payoff.npz; FileNotFoundError while the run is not finished."""
-        return load_arrays(self._file(PAYOFF), owner=self._owner_of(PAYOFF))
-
     def save_summary(self, values: Mapping[str, Any]) -> None:
         """Write summary.json, the last file of a finished run."""
         save_json(self.path / SUMMARY, values, owner=self._owner_of(SUMMARY))
 
-    def summary(self) -> dict[str, Any]:
-        """Return summary.json; FileNotFoundError while the run is not finished."""
-        return load_json(self.path / SUMMARY, owner=self._owner_of(SUMMARY))
-
-    @property
-    def finished(self) -> bool:
-        """Whether the run has its results."""
-        return (self.path / SUMMARY).exists() and self._file(PAYOFF).exists()
+    def _save_archive(self, archive: Archive, state: Mapping[str, Any]) -> None:
+        genomes = {f"{team}s": archive[team] for team in TEAMS}
+        self._save(ARCHIVE, {**genomes, STAGE: state[STAGE]})
 
     def _save(self, name: str, arrays: Mapping[str, Any]) -> None:
         owner = self._owner_of(name)
         save_arrays(self._file(name), arrays, owner=owner, keep_as=self._previous(name))
-
-    def _owner_of(self, name: str) -> str:
-        return f"{self._owner}/{name}"
-
-    def _file(self, name: str) -> Path:
-        return self.path / f"{name}.npz"
-
-    def _previous(self, name: str) -> Path:
-        return self.path / f"{name}.previous.npz"
-
-
-def _log_position(state: Arrays) -> tuple[int, str]:
-    """Return length and checksum of the log at a checkpoint."""
-    return int(state["log_length"]), str(state["log_checksum"])
-
-
-def _archive_at(archive: Arrays, state: Arrays) -> Archive:
-    """Return the archive without genomes that were added after the checkpoint."""
-    return {team: archive[f"{team}s"][: int(state[f"{team}s"])] for team in TEAMS}
-
-
-def _settings_of(config: dict[str, Any]) -> RaceSettings | SingleSettings:
-    """Return the settings in the config.json of a run; ValueError on an unknown kind of run."""
-    kind = config["kind"]
-    if kind not in SETTINGS_OF_KIND:
-        known = ", ".join(SETTINGS_OF_KIND)
-        raise ValueError(f"kind of run: expected one of {known}, got {kind!r}")
-    return settings_from_json(SETTINGS_OF_KIND[kind], config["settings"])

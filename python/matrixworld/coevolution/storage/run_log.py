@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.files import DamagedFileError, naming
+from matrixworld.files import NO_LINK, check_replaceable, naming
+from matrixworld.reading import DamagedFileError, read_content
 
 Row = dict[str, Any]
 
@@ -78,7 +79,8 @@ class RunLog:
             writer.writeheader()
         writer.writerows({name: _written(value) for name, value in row.items()} for row in rows)
         content = text.getvalue().encode()
-        with naming(self.path), open(self.path, "ab") as file:
+        check_replaceable(self.path)
+        with naming(self.path), open(self.path, "ab", opener=_opener) as file:
             file.write(content)
             file.flush()
             os.fsync(file.fileno())
@@ -95,19 +97,26 @@ class RunLog:
             If these bytes are not there or do not have `checksum`.
         """
         content = _checked(self.path, length, checksum)
-        if self.path.exists():
+        if check_replaceable(self.path):
             os.truncate(self.path, length)
         self._length, self._digest = length, hashlib.sha256(content)
 
 
 def _checked(path: Path, length: int, checksum: str) -> bytes:
     """Return the first `length` bytes of a log; DamagedFileError unless they have `checksum`."""
-    content = path.read_bytes()[:length] if path.exists() else b""
+    content = read_content(path, "log", length) if path.exists() else b""
     if len(content) < length:
-        raise DamagedFileError(path, f"cut: expected {length} bytes, got {len(content)}")
+        raise DamagedFileError(
+            path, f"cut or older than the checkpoint: expected {length} bytes, got {len(content)}"
+        )
     if hashlib.sha256(content).hexdigest() != checksum:
         raise DamagedFileError(path, "altered, its checksum is not the one in the checkpoint")
     return content
+
+
+def _opener(path: str, flags: int) -> int:
+    # Not through a symbolic link, which may point to any file of the user.
+    return os.open(path, flags | NO_LINK, 0o666)
 
 
 def _written(value: Any) -> str:
@@ -139,11 +148,11 @@ def read_log(path: Path, length: int, checksum: str) -> dict[str, NDArray[Any]]:
     """
     # Bytes that are not text are not refused here, but below, as rows that cannot be read.
     text = _checked(path, length, checksum).decode(errors="replace")
-    rows = list(csv.DictReader(io.StringIO(text, newline="")))
     try:
+        rows = list(csv.DictReader(io.StringIO(text, newline="")))
         return {
             name: np.array([kind(row[name]) for row in rows], dtype=kind)
             for name, kind in COLUMNS.items()
         }
-    except (KeyError, TypeError, ValueError) as error:
+    except (KeyError, OverflowError, TypeError, ValueError, csv.Error) as error:
         raise DamagedFileError(path, f"altered, cannot be read as a log ({error})") from error

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import cast
+from typing import Any
 
 import numpy as np
 
@@ -15,10 +15,12 @@ from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.run_directory import RunDirectory
-from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.coevolution.storage.run_files import CONFIG
+from matrixworld.coevolution.types import TEAMS, Genomes, Team
 from matrixworld.episode import Episode
 from matrixworld.play import NetworkPolicy
 from matrixworld.policy import SCRIPTS, Network, Population, Script, TeamPolicy
+from matrixworld.reading import DamagedFileError
 from matrixworld.recorder import record
 
 
@@ -53,7 +55,7 @@ def last_generation(directory: str | Path, team: Team) -> Population:
     genomes = files.archive()[team]
     if not len(genomes):
         raise ValueError(f"{directory}: expected a run with genomes of {team}s, got none")
-    return Population(genomes[-1:], archive_network(files, team))
+    return _population(files, team, genomes[-1:])
 
 
 def archive_network(files: RunDirectory, team: Team) -> Network:
@@ -62,8 +64,14 @@ def archive_network(files: RunDirectory, team: Team) -> Network:
     if not isinstance(settings, SingleSettings) or settings.team == team:
         return settings.network
     # Opponents of a single team may come from a run with other hidden layers.
-    world, guest = settings.world(settings.train_steps), files.config()["opponent_network"]
-    return Network.for_config(world, hidden=tuple(guest["hidden"]), activation=guest["activation"])
+    world = settings.world(settings.train_steps)
+    guest: Any = files.config().get("opponent_network")
+    try:
+        hidden, activation = tuple(guest["hidden"]), guest["activation"]
+        return Network.for_config(world, hidden=hidden, activation=activation)
+    except (KeyError, OverflowError, TypeError, ValueError) as error:
+        problem = f"opponent_network: expected hidden and activation ({error})"
+        raise DamagedFileError(files.path / CONFIG, problem) from error
 
 
 @dataclass(frozen=True)
@@ -84,6 +92,15 @@ class SavedRun:
     files: RunDirectory
     settings: RaceSettings | SingleSettings
     teams: Mapping[Team, TeamPolicy]
+
+    def __repr__(self) -> str:
+        """Return directory, kind and seed of the run, and the size of each team's archive."""
+        sizes = ", ".join(
+            f"{team}s: {each if isinstance(each, str) else len(each.genomes)}"
+            for team, each in self.teams.items()
+        )
+        kind = getattr(self.settings, "schedule", "one team")
+        return f"SavedRun({str(self.files.path)!r}, {kind}, seed {self.settings.seed}, {sizes})"
 
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
@@ -222,7 +239,18 @@ def open_run(directory: str | Path) -> SavedRun:
 
     def policy(team: Team) -> TeamPolicy:
         if len(archive[team]):
-            return Population(archive[team], archive_network(files, team))
-        return script_of(cast(SingleSettings, settings).against)
+            return _population(files, team, archive[team])
+        if isinstance(settings, SingleSettings) and settings.team != team:
+            return script_of(settings.against)
+        raise DamagedFileError(files.path / "archive.npz", f"expected genomes of {team}s, got none")
 
     return SavedRun(files, settings, {team: policy(team) for team in TEAMS})
+
+
+def _population(files: RunDirectory, team: Team, genomes: Genomes) -> Population:
+    """Return genomes of an archive as a population; DamagedFileError if they do not fit."""
+    network = archive_network(files, team)
+    try:
+        return Population(genomes, network)
+    except (TypeError, ValueError) as error:
+        raise DamagedFileError(files.path / "archive.npz", f"{team}s: {error}") from error

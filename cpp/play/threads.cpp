@@ -1,0 +1,195 @@
+#include "play/threads.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <pthread.h>
+#endif
+
+namespace matrixworld {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A user notices a delay from about a tenth of a second.
+constexpr std::chrono::milliseconds kPollInterval{50};
+
+std::atomic<int> n_forks{0};
+#if defined(__unix__) || defined(__APPLE__)
+[[maybe_unused]] const int registered = pthread_atfork(nullptr, nullptr, [] { ++n_forks; });
+#endif
+
+// Ends a piece of work because another piece has failed.
+struct Stopped {};
+
+// Tells when the poll interval has passed. Reading the clock may take as long as a step of a small
+// world, so most calls only count: the clock is read at every second call, every fourth, ... for as
+// long as the readings are less than a millisecond apart.
+class Timer {
+  public:
+    bool due() {
+        if (++n_calls_ < stride_) return false;
+        const Clock::time_point now = Clock::now();
+        n_calls_ = 0;
+        stride_ = now - read_ < std::chrono::milliseconds(1) ? 2 * stride_ : 1;
+        read_ = now;
+        if (now < next_) return false;
+        next_ = now + kPollInterval;
+        return true;
+    }
+
+  private:
+    int n_calls_ = 0;
+    int stride_ = 1;
+    Clock::time_point read_ = Clock::now();
+    Clock::time_point next_ = read_ + kPollInterval;
+};
+
+}  // namespace
+
+int fork_depth() { return n_forks; }
+
+// ---- The threads ------------------------------------------------------------------------------
+
+class Workers::Pool {
+  public:
+    explicit Pool(int n_threads) {
+        try {
+            for (int i = 1; i < n_threads; ++i) threads_.emplace_back([this, i] { wait(i); });
+        } catch (...) {  // the system has no more threads: join those that have started
+            stop();
+            throw;
+        }
+    }
+
+    ~Pool() { stop(); }
+
+    Pool(const Pool&) = delete;
+    Pool& operator=(const Pool&) = delete;
+
+    // Was the pool made by a process of which this one is a forked child?
+    bool is_inherited() const { return fork_depth_ != fork_depth(); }
+
+    void run(std::int64_t n_pieces, const Work& work, const Poll& poll) {
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            work_ = &work;
+            poll_ = poll ? &poll : nullptr;
+            if (poll_) timer_ = Timer();
+            n_pieces_ = n_pieces;
+            next_ = 0;
+            n_busy_ = static_cast<int>(threads_.size());
+            failure_ = nullptr;
+            failed_ = false;
+            ++job_;  // a sleeping thread compares this number, so no spurious wake-up works twice
+        }
+        start_.notify_all();
+        take_pieces(0);
+        wait_for_others();
+        if (failure_) std::rethrow_exception(failure_);
+    }
+
+    void check(int thread) {
+        if (failed_.load(std::memory_order_relaxed)) throw Stopped();
+        if (thread == 0 && poll_ && timer_.due()) (*poll_)();
+    }
+
+  private:
+    void stop() {
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            stop_ = true;
+        }
+        start_.notify_all();
+        for (std::thread& thread : threads_) thread.join();
+    }
+
+    // The life of a started thread.
+    void wait(int thread) {
+        long seen = 0;
+        std::unique_lock<std::mutex> lock(mutex_);
+        while (true) {
+            start_.wait(lock, [&] { return stop_ || job_ != seen; });
+            if (stop_) return;
+            seen = job_;
+            lock.unlock();
+            take_pieces(thread);
+            lock.lock();
+            if (--n_busy_ == 0) done_.notify_one();
+        }
+    }
+
+    void take_pieces(int thread) {
+        try {
+            for (std::int64_t piece = next_++; piece < n_pieces_; piece = next_++) {
+                (*work_)(piece, thread);
+            }
+        } catch (const Stopped&) {
+        } catch (...) {
+            fail();
+        }
+    }
+
+    // Stops the work because of the exception that is being handled.
+    void fail() {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (!failure_) failure_ = std::current_exception();
+        failed_ = true;
+        next_ = n_pieces_;  // no thread takes another piece
+    }
+
+    // `work` is the caller's: `run` must not return before all threads have stopped using it.
+    void wait_for_others() {
+        std::unique_lock<std::mutex> lock(mutex_);
+        const auto all_done = [this] { return n_busy_ == 0; };
+        if (!poll_) return done_.wait(lock, all_done);
+        while (!done_.wait_for(lock, kPollInterval, all_done)) {
+            if (failed_) continue;
+            lock.unlock();
+            try {
+                (*poll_)();
+            } catch (...) {
+                fail();
+            }
+            lock.lock();
+        }
+    }
+
+    const int fork_depth_ = fork_depth();
+    std::vector<std::thread> threads_;
+    std::mutex mutex_;
+    std::condition_variable start_;
+    std::condition_variable done_;
+    const Work* work_ = nullptr;
+    const Poll* poll_ = nullptr;  // null: nothing to poll
+    Timer timer_;                 // of the calling thread
+    std::atomic<std::int64_t> next_{0};
+    std::int64_t n_pieces_ = 0;
+    int n_busy_ = 0;  // of the started threads
+    long job_ = 0;
+    bool stop_ = false;
+    std::exception_ptr failure_;
+    std::atomic<bool> failed_{false};
+};
+
+// An inherited pool is left as it is: its threads do not exist, so they cannot be joined, and its
+// mutex may be locked for ever. Its memory is the price of a fork.
+void Workers::DeletePool::operator()(Pool* pool) const {
+    if (!pool->is_inherited()) delete pool;
+}
+
+void Workers::run(std::int64_t n_pieces, const Work& work, const Poll& poll) {
+    if (!pool_ || pool_->is_inherited()) pool_.reset(new Pool(n_threads_));
+    pool_->run(n_pieces, work, poll);
+}
+
+void Workers::check(int thread) { pool_->check(thread); }
+
+}  // namespace matrixworld

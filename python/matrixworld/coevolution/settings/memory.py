@@ -1,0 +1,107 @@
+"""Memory that a run needs, estimated from its settings before anything is made."""
+
+from __future__ import annotations
+
+from matrixworld.coevolution.learners.noise import table_size
+from matrixworld.coevolution.learners.registry import starting_genomes
+from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
+from matrixworld.coevolution.settings.race import RaceSettings
+from matrixworld.coevolution.settings.single import SingleSettings
+from matrixworld.memory import EPISODE, NUMBER, check_memory, matches_memory
+
+SAMPLED, BRED, JOINT = 2, 8, 4
+"""Arrays of all candidates of a team at one time, measured: samples of two epochs; populations of
+both teams with parents and children; and so many more where both teams learn at once."""
+OF_LEARNER = 8
+"""Genomes that a learner holds besides: its mean, gradient, optimizer and temporary arrays."""
+COPIES_OF_ARCHIVE = 6
+"""The archive, measured: a list of genomes, arrays, and the bytes that are written to a file."""
+
+
+def run_memory(
+    settings: RaceSettings | SingleSettings, threads: int | None = None
+) -> dict[str, int]:
+    """Return the estimated memory of a run, in bytes, by what needs it.
+
+    Parameters
+    ----------
+    settings : RaceSettings or SingleSettings
+        Settings of the run.
+    threads : int, optional
+        Threads that play. By default one per core.
+
+    Returns
+    -------
+    dict of str to int
+        ``candidates``: the genomes of an epoch, as often as the learner holds them at one time.
+        ``learners``: tables of noise and the genomes beside the candidates, of each team that
+        learns. ``archive``: all generations, `COPIES_OF_ARCHIVE` times. ``matches``: the
+        statistics of all episodes of an epoch, with worlds and networks of each thread; or of
+        the evaluation, if they need more.
+
+    Notes
+    -----
+    Not counted: opponents that are read from another run, rows of the log, and what Python and the
+    libraries need themselves, about 100 MB.
+    """
+    genome, teams = NUMBER * settings.network.genome_size, len(settings.learning_teams)
+    table = NUMBER * table_size(settings.network.genome_size)
+    entries = _generations(settings) * teams
+    return {
+        "candidates": settings.population * genome * _copies(settings),
+        "learners": teams * (OF_LEARNER * genome + table),
+        "archive": entries * genome * COPIES_OF_ARCHIVE,
+        "matches": _matches(settings, threads),
+    }
+
+
+def check_run_memory(settings: RaceSettings | SingleSettings, threads: int | None) -> None:
+    """Raise OutOfMemoryError if a run needs more memory than this machine has available."""
+    check_memory("run", run_memory(settings, threads))
+
+
+def _copies(settings: RaceSettings | SingleSettings) -> int:
+    joint = isinstance(settings, RaceSettings) and settings.schedule == HALL_OF_FAME
+    return (BRED if starting_genomes(settings) > 1 else SAMPLED) + JOINT * joint
+
+
+def _generations(settings: RaceSettings | SingleSettings) -> int:
+    """Return the entries of a team's archive at the end of a run."""
+    if isinstance(settings, SingleSettings):
+        return 1 + -(-settings.epochs // settings.archive_every)
+    return 1 + settings.generations
+
+
+def _matches(settings: RaceSettings | SingleSettings, threads: int | None) -> int:
+    steps = max(settings.train_steps, settings.eval_steps)
+    played = matches_memory(
+        settings.world(steps),
+        [settings.network] * 2,
+        matches=_meetings(settings),
+        worlds=settings.worlds,
+        threads=threads,
+    )
+    return max(played, EPISODE * _other_episodes(settings))
+
+
+def _meetings(settings: RaceSettings | SingleSettings) -> int:
+    """Return the matches of one epoch."""
+    if isinstance(settings, SingleSettings):
+        return settings.population
+    if settings.schedule == HALL_OF_FAME:
+        # Both teams meet each other and their own sample of the hall of fame.
+        return settings.population * (settings.contemporaries + 2 * settings.hall_sample)
+    return settings.population * settings.opponents
+
+
+def _other_episodes(settings: RaceSettings | SingleSettings) -> int:
+    """Return the most episodes outside training whose statistics are held at one time."""
+    if isinstance(settings, SingleSettings):
+        return settings.eval_episodes
+    met = _generations(settings)
+    return max(
+        met**2 * settings.eval_episodes,
+        2 * met * settings.retention_episodes,
+        settings.elites * _meetings(settings) // settings.population * settings.elite_episodes,
+        (settings.archive_size + 1) * met * settings.archive_episodes,
+    )

@@ -1,0 +1,208 @@
+"""Malformed values of every parameter of public constructors: ValueError or TypeError, no files."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterator
+from enum import IntEnum
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from made_up_episode import made_up_episode
+from matrixworld import coevolution, replay
+from matrixworld.coevolution import opponents
+from refusals import CONFIG, GENOME, NETWORK
+from tiny_race import TINY, tiny_race, tiny_single
+
+
+class Seven(IntEnum):
+    """An integer of another class."""
+
+    VALUE = 7
+
+
+MALFORMED = {
+    "a huge integer": 10**400,
+    "an integer that Python does not write": -(10**5000),
+    "a huge fraction": Fraction(10**400),
+    "nan": float("nan"),
+    "infinity": float("inf"),
+    "a NumPy infinity": np.float32("-inf"),
+    "a complex number": 1j,
+    "bytes": b"4",
+    "an unhashable list": [[]],
+    "a dict": {},
+    "an array of objects": np.array([None, {}], object),
+    "an object": object(),
+    "a function": len,
+    "text with a null": "\0",
+    "a NumPy bool": np.True_,
+}
+
+TEAM = mw.Population(GENOME, NETWORK)
+MATCH = mw.Matches.of(0, 0, 0)
+EPISODE = made_up_episode(steps=3)
+RNG = np.random.default_rng(0)
+TABLE = coevolution.NoiseTable(4, RNG, sigma=1.0)
+START = np.zeros(4, np.float32)
+MONITOR = mw.SafetyMonitor()
+MONITOR.add_episode(EPISODE)
+SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3}
+
+CALLS: dict[str, tuple[Callable[..., object], dict[str, Any]]] = {
+    "Rules": (mw.Rules, dict.fromkeys(inspect.signature(mw.Rules).parameters)),
+    "Rewards": (mw.Rewards, dict.fromkeys(inspect.signature(mw.Rewards).parameters)),
+    "WorldConfig": (
+        mw.WorldConfig,
+        {**SMALL, "rules": "O", "fov": 3, "diagonal": False}
+        | {"max_steps": 5, "obstacles": 0.1, "rewards": None},
+    ),
+    "World": (mw.World, {"config": CONFIG}),
+    "World.reset": (mw.World(CONFIG).reset, {"seed": 1, "episode": 0, "obstacles": None}),
+    "Batch": (
+        mw.Batch,
+        {"n_worlds": 2, "config": CONFIG, "threads": 1, "autoreset": None} | {"buffers": None},
+    ),
+    "VectorEnv": (
+        mw.VectorEnv,
+        {"config": CONFIG, "n_worlds": 2, "threads": 1}
+        | {"autoreset_mode": "NextStep", "flatten": False, "state": False, "render_mode": None},
+    ),
+    "parallel_env": (mw.parallel_env, {"config": CONFIG}),
+    "Network": (
+        mw.Network,
+        {"hidden": (4,), "activation": "relu", "fov": 3, "n_actions": 5} | {"sampled": True},
+    ),
+    "Population": (mw.Population, {"genomes": GENOME, "network": NETWORK}),
+    "Matches.of": (mw.Matches.of, {"pursuer": 0, "evader": 0, "seed": 0}),
+    "rollout": (
+        mw.rollout,
+        {"config": CONFIG, "pursuers": TEAM, "evaders": TEAM}
+        | {"matches": MATCH, "worlds": 1, "threads": 1},
+    ),
+    "record": (
+        mw.record,
+        {"config": CONFIG, "pursuers": TEAM, "evaders": TEAM}
+        | {"seed": 0, "pursuer": 0, "evader": 0, "episode": 0},
+    ),
+    "match_seed": (lambda run_seed: mw.match_seed(run_seed, 1), {"run_seed": 0}),
+    "Episode": (mw.Episode, dict(vars(EPISODE))),
+    "SafetyMonitor.summary": (MONITOR.summary, {"seed": 0}),
+    "RaceSettings": (coevolution.RaceSettings, vars(tiny_race())),
+    "SingleSettings": (coevolution.SingleSettings, vars(tiny_single())),
+    "TrainingSettings": (coevolution.TrainingSettings, vars(coevolution.TrainingSettings(**TINY))),
+    "NoiseTable": (lambda **k: coevolution.NoiseTable(rng=RNG, **k), {"size": 4, "sigma": 1.0}),
+    "EvolutionStrategy": (
+        lambda **k: coevolution.EvolutionStrategy(noise=TABLE, **k),
+        {"genome": START, "samples": 4, "learning_rate": 0.1, "anneal_over": None}
+        | {"optimizer": "adam", "momentum": 0.9},
+    ),
+    "GeneticAlgorithm": (
+        lambda **k: coevolution.GeneticAlgorithm(noise=TABLE, **k),
+        {"population": np.zeros((4, 4)), "selection": "tournament", "tournament": 2}
+        | {"truncation": 0.5, "elites": 1, "crossover": 0.0, "mutation": 1.0},
+    ),
+    "CmaEs": (coevolution.CmaEs, {"genome": START, "sigma": 0.1, "samples": 4}),
+    "Adam": (coevolution.Adam, {"size": 4, "beta1": 0.9, "beta2": 0.9, "epsilon": 1e-8}),
+    "Momentum": (coevolution.Momentum, {"size": 4, "momentum": 0.9}),
+    **{
+        f"opponents.{kind.__name__}": (
+            kind,
+            {name: None for name in inspect.signature(kind).parameters if name != "archive"},
+        )
+        for kind in (opponents.Latest, opponents.Uniform, opponents.RoundRobin)
+    },
+    "opponents.HallOfFame": (opponents.HallOfFame, {"newest": 1, "sampled": 1}),
+    "opponents.Prioritized": (opponents.Prioritized, {"count": 1, "decay": 0.5}),
+    "opponents.hard": (opponents.hard, {"power": 2.0}),
+    "opponents.SharedSampling": (opponents.SharedSampling, {"count": 1}),
+    "opponents.MaxSolve": (opponents.MaxSolve, {"size": 3}),
+    "opponents.LAPCA": (opponents.LAPCA, {"layers": 3}),
+    "start": (coevolution.start, {"settings": tiny_race(), "directory": "new", "threads": 1}),
+    "tournament": (
+        coevolution.tournament,
+        {"config": CONFIG, "pursuers": TEAM, "evaders": TEAM}
+        | {"seed": 0, "episodes": 1, "threads": 1},
+    ),
+    "score_population": (
+        coevolution.score_population,
+        {"config": CONFIG, "team": "pursuer"}
+        | {"population": TEAM, "episodes": 2, "seed": 0, "threads": 1},
+    ),
+    "replay.scene": (replay.scene, {"episode": EPISODE, "step": 0, "trail": 2}),
+    "replay.save": (
+        replay.save,
+        {"episode": EPISODE, "path": "new.gif", "fps": 10.0, "every": 1}
+        | {"hold": 1.0, "step": -1, "cell": 4, "trail": 2, "fov": 3},
+    ),
+    "replay.animation": (
+        replay.animation,
+        {"episode": EPISODE, "fps": 10.0, "every": 1} | {"cell": 4, "trail": 2, "fov": 3},
+    ),
+    "replay.contact_sheet": (
+        replay.contact_sheet,
+        {"episode": EPISODE, "rows": 1, "cols": 1} | {"cell": 4, "trail": 2, "fov": 3},
+    ),
+}
+"""Calls with arguments that are legal, and stand for the parameters that are tried."""
+ACCEPTED = {
+    ("Batch", "buffers", "a dict"): "no arrays are written",
+    ("Episode", "config", "a dict"): "no settings",
+    ("SingleSettings", "against", "text with a null"): "read when the run starts",
+    ("SingleSettings", "start", "text with a null"): "read when the run starts",
+    **{
+        (settings, f"{what}_settings", "a dict"): "no settings of one's own"
+        for settings in ("TrainingSettings", "SingleSettings", "RaceSettings")
+        for what in ("learner", "pursuers_meet", "evaders_meet")
+    },
+}
+"""Values of the table that are legal, each with what they mean."""
+
+
+def parameters() -> Iterator[Any]:
+    for name, (_, legal) in CALLS.items():
+        for parameter in legal:
+            yield pytest.param(name, parameter, id=f"{name}({parameter})")
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning", "ignore::RuntimeWarning")
+@pytest.mark.parametrize(("name", "parameter"), list(parameters()))
+def test_a_malformed_value_is_a_value_or_type_error(
+    name: str, parameter: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    call, legal = CALLS[name]
+    others = {key: value for key, value in legal.items() if value is not None}
+    for what, wrong in MALFORMED.items():
+        if (name, parameter, what) in ACCEPTED:
+            continue
+        with pytest.raises((TypeError, ValueError)):
+            call(**{**others, parameter: wrong})
+        assert list(tmp_path.iterdir()) == [], what
+
+
+def test_numbers_of_other_classes_become_pythons_own() -> None:
+    settings = tiny_race(
+        rows=Seven.VALUE, cols=np.int16(6), sigma=np.float32(0.5), hidden=[Seven(7)]
+    )
+    assert {type(getattr(settings, name)) for name in ("rows", "cols", "hidden")} == {int, tuple}
+    assert type(settings.sigma) is float
+    assert type(settings.hidden[0]) is int
+    assert settings == tiny_race(rows=7, cols=6, sigma=0.5, hidden=(7,))
+
+
+@pytest.mark.parametrize("seed", [-1, 2**64, 1.5, None, "1"])
+def test_the_seed_of_a_safety_summary_is_checked(seed: Any) -> None:
+    with pytest.raises((TypeError, ValueError), match="seed: expected"):
+        MONITOR.summary(seed=seed)
+
+
+@pytest.mark.parametrize("config", [[], "O", None, 3])
+def test_the_config_of_an_episode_is_a_mapping(config: Any) -> None:
+    with pytest.raises(TypeError, match="config: expected a mapping"):
+        mw.Episode(**{**vars(EPISODE), "config": config})

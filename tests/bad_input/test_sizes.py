@@ -1,0 +1,247 @@
+"""Sizes that cannot be are refused, with an estimate, before anything is allocated or written."""
+
+from __future__ import annotations
+
+import multiprocessing
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from command_line import RACE, matrixworld_command, words
+from made_up_episode import made_up_episode
+from matrixworld import memory, replay
+from matrixworld.coevolution import best_response, open_run, score, score_population, start
+from matrixworld.coevolution import tournament as play_tournament
+from matrixworld.coevolution.settings.memory import run_memory
+from refusals import CONFIG, GENOME, NETWORK
+from tiny_race import tiny_race, tiny_single
+
+TEAM = mw.Population(GENOME, NETWORK)
+MATCH = mw.Matches.of(0, 0, 0)
+MANY = 2**31 - 1
+WIDE = mw.WorldConfig(rows=4096, cols=4096, n_pursuers=4_000_000, n_evaders=4_000_000)
+GIANT = mw.Network((2**20, 2**20))
+GB = 10**9
+
+TOO_LARGE = {
+    "world": lambda: mw.World(WIDE),
+    "environment": lambda: mw.parallel_env(WIDE),
+    "batch": lambda: mw.Batch(MANY, CONFIG),
+    "views": lambda: mw.VectorEnv(CONFIG, MANY),
+    "threads": lambda: mw.Batch(1024, WIDE, threads=1024, buffers={}),
+    "genome": lambda: GIANT.initial(np.random.default_rng(0)),
+    "episodes": lambda: mw.rollout(CONFIG, TEAM, "still", MATCH, worlds=MANY),
+    "threads of a rollout": lambda: mw.rollout(
+        mw.WorldConfig(rows=4096, cols=4096), "still", "still", MATCH, worlds=2**16, threads=1024
+    ),
+    "tournament": lambda: play_tournament(CONFIG, TEAM, TEAM, seed=0, episodes=MANY),
+    "scores": lambda: score_population(CONFIG, "pursuer", TEAM, episodes=MANY),
+}
+
+
+@pytest.fixture
+def half_a_gigabyte(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Play that the machine has little memory, so that the test does not depend on it."""
+    monkeypatch.setattr(memory, "available_memory", lambda: GB // 2)
+
+
+@pytest.mark.usefixtures("half_a_gigabyte")
+@pytest.mark.parametrize("call", TOO_LARGE.values(), ids=TOO_LARGE)
+def test_what_is_too_large_is_refused_with_an_estimate(call: Callable[[], object]) -> None:
+    with pytest.raises(
+        memory.OutOfMemoryError, match="at most 500 MB of memory.*an estimate of .*[GTPE]B"
+    ):
+        call()
+
+
+def test_where_the_memory_is_unknown_nothing_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(memory, "available_memory", lambda: None)
+    memory.check_memory("all", 10**30)
+
+
+def test_the_message_names_the_largest_part(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(memory, "available_memory", lambda: 2 * GB)
+    memory.check_memory("run", {"archive": GB, "matches": GB})
+    with pytest.raises(
+        memory.OutOfMemoryError,
+        match="run: .* 2.0 GB of memory.*estimate of 3.5 GB, of which archive: 2.5 GB",
+    ):
+        memory.check_memory("run", {"archive": 5 * GB // 2, "matches": GB})
+
+
+# What is available
+
+
+def test_the_smallest_limit_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    meminfo = tmp_path / "meminfo"
+    meminfo.write_text("MemTotal: 9000000 kB\nMemAvailable:    2000000 kB\nHugePages_Free: 0\n")
+    monkeypatch.setattr(memory, "_MEMINFO", meminfo)
+    monkeypatch.setattr(memory, "_GROUP", tmp_path)
+    monkeypatch.setattr(memory, "_address_space", lambda: None)
+    assert memory.available_memory() == 2_048_000_000
+    (tmp_path / "memory.max").write_text("1000000000\n")
+    (tmp_path / "memory.stat").write_text("anon 400000000\nfile 500000000\n")
+    assert memory.available_memory() == 600_000_000
+    (tmp_path / "memory.max").write_text("max\n")
+    assert memory.available_memory() == 2_048_000_000
+    monkeypatch.setattr(memory, "_address_space", lambda: -5)
+    assert memory.available_memory() == 0
+
+
+def peak_of(call: str, connection: Any) -> None:
+    """Send by how many bytes a call raises the memory of this process."""
+    before = status("VmRSS")
+    Path("/proc/self/clear_refs").write_text("5", encoding="ascii")  # the peak begins anew
+    result = CALLS[call][0]()
+    connection.send(status("VmHWM") - before)
+    del result
+
+
+def status(name: str) -> int:
+    lines = Path("/proc/self/status").read_text(encoding="ascii").splitlines()
+    return next(1024 * int(line.split()[1]) for line in lines if line.startswith(name))
+
+
+FIELD = mw.WorldConfig(rows=1500, cols=1500, max_steps=1)
+CROWD = mw.WorldConfig(rows=60, cols=60, n_pursuers=800, n_evaders=800, max_steps=1)
+SMALL = mw.WorldConfig(rows=6, cols=6, n_pursuers=2, n_evaders=2, max_steps=1)
+BROAD = mw.Network((4001,))
+CALLS: dict[str, tuple[Callable[[], object], Callable[[], int]]] = {
+    "cells": (lambda: mw.World(FIELD), lambda: memory.thread_memory(FIELD)),
+    "agents": (
+        lambda: mw.Batch(1000, CROWD, threads=1, buffers={}),
+        lambda: memory.batch_memory(CROWD, 1000, 1),
+    ),
+    "worlds": (
+        lambda: mw.Batch(50_000, SMALL, threads=1, buffers={}),
+        lambda: memory.batch_memory(SMALL, 50_000, 1),
+    ),
+    "episodes": (
+        lambda: mw.rollout(SMALL, "still", "still", MATCH, worlds=200_000, threads=1),
+        lambda: 200_000 * memory.EPISODE,
+    ),
+    "networks": (
+        lambda: mw.rollout(
+            mw.WorldConfig(max_steps=1),
+            mw.Population(np.zeros((1, BROAD.genome_size), np.float32), BROAD),
+            "still",
+            MATCH,
+            threads=1,
+        ),
+        lambda: 3 * memory.NUMBER * BROAD.genome_size,  # the genome itself, too
+    ),
+}
+
+
+@pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="needs Linux")
+@pytest.mark.parametrize("call", CALLS)
+def test_estimates_are_near_what_is_measured(call: str) -> None:
+    """In a fresh process: memory that was freed before would be used again and not be seen."""
+    here, there = multiprocessing.Pipe()
+    process = multiprocessing.get_context("spawn").Process(target=peak_of, args=(call, there))
+    process.start()
+    measured, estimate = here.recv(), CALLS[call][1]()
+    process.join()
+    assert 0.5 * measured < estimate < 2 * measured, (measured, estimate)
+
+
+# Runs
+
+
+@pytest.mark.usefixtures("half_a_gigabyte")
+@pytest.mark.parametrize(
+    ("changes", "part"),
+    [
+        ({"hidden": (2**20, 2**20)}, "archive"),
+        ({"population": MANY - 1}, "candidates"),
+        ({"generations": MANY}, "matches"),
+        ({"eval_episodes": MANY}, "matches"),
+        ({"worlds": MANY}, "matches"),
+    ],
+)
+def test_a_run_is_refused_before_its_directory_is_made(
+    tmp_path: Path, changes: dict[str, Any], part: str
+) -> None:
+    with pytest.raises(memory.OutOfMemoryError, match=f"run: expected .* of which {part}:"):
+        start(tiny_race(**changes), tmp_path / "run")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_settings_describe_runs_of_larger_machines() -> None:
+    settings = tiny_race(hidden=(2**20, 2**20))
+    assert sum(run_memory(settings).values()) > 10**14
+    assert sum(run_memory(tiny_single(), 1).values()) < 10**7
+
+
+@pytest.mark.parametrize("threads", [0, -1, 1025, 10**400, True, 2.0])
+def test_a_run_with_impossible_threads_makes_no_directory(tmp_path: Path, threads: Any) -> None:
+    with pytest.raises((TypeError, ValueError), match="threads: expected"):
+        start(tiny_race(), tmp_path / "run", threads=threads)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_evaluations_refuse_impossible_numbers_of_episodes(tmp_path: Path) -> None:
+    start(tiny_race(), tmp_path / "run", threads=1).run()
+    run = open_run(tmp_path / "run")
+    for episodes in (10**21, -1, 2.0, True):
+        with pytest.raises((TypeError, ValueError), match="episodes: expected"):
+            score(run, episodes=episodes)
+        with pytest.raises((TypeError, ValueError), match="episodes: expected"):
+            best_response(run, "pursuer", 100, tmp_path / "new", eval_episodes=episodes)
+    assert not (tmp_path / "new").exists()
+
+
+# Pictures
+
+
+def test_pictures_have_a_largest_size() -> None:
+    episode = made_up_episode()
+    with pytest.raises(ValueError, match="contact sheet: expected at most 67,108,864 pixels"):
+        replay.contact_sheet(episode, rows=10**6, cols=10**6)
+    for wrong in ({"rows": 0}, {"cols": 2.5}, {"cell": 10**400}, {"fov": 1.0}, {"trail": -1}):
+        with pytest.raises((TypeError, ValueError), match=f"{next(iter(wrong))}: expected"):
+            replay.contact_sheet(episode, **wrong)
+
+
+@pytest.mark.parametrize("suffix", [".gif", ".mp4"])
+def test_animations_have_a_largest_size(
+    tmp_path: Path, suffix: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(replay, "MOST_ANIMATED", 10**6)
+    with pytest.raises(ValueError, match="animation: expected at most 1,000,000 pixels in all"):
+        replay.save(made_up_episode(), tmp_path / f"x{suffix}")
+    with pytest.raises(ValueError, match="animation: expected at most 1,000,000 pixels in all"):
+        replay.animation(made_up_episode())
+    assert list(tmp_path.iterdir()) == []
+
+
+# The command line
+
+
+@pytest.mark.usefixtures("half_a_gigabyte")
+@pytest.mark.parametrize("output", [["new"], []], ids=["named", "default"])
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--threads", "1025"],
+        ["--hidden", "1048576,1048576"],
+        ["--population", "100000000000"],
+        ["--population", "2000000000"],
+        ["--eval-episodes", str(10**21)],
+        ["--eval-episodes", "2000000000"],
+    ],
+)
+def test_evolve_makes_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, output: list[str], options: list[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    given = dict(zip(words(RACE)[::2], words(RACE)[1::2], strict=True))
+    given |= dict([options])
+    arguments = [word for pair in given.items() for word in pair]
+    said = matrixworld_command("evolve", *output, *arguments, code=2).stderr
+    assert options[0] in said or "an estimate of" in said
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,98 @@
+"""Malformed values of every option: a message, no traceback, and nothing written."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from command_line import words
+from matrixworld.cli import main
+from matrixworld.coevolution import start
+from tiny_race import tiny_race
+
+LONG = "1" + "0" * 5000
+MALFORMED = ("", "nan", "-inf", "1e400", "-1", "2.5e-3x", "1" + "0" * 400, LONG)
+"""Values of an option; none is a size, or a name of something that exists."""
+
+ARGUMENTS = {
+    "evolve": ["new", *words({"generations": 1, "pursuer_epochs": 1, "evader_epochs": 1})],
+    "tournament": ["run", "--episodes", "2"],
+    "score": ["run", "--episodes", "2"],
+    "exploit": ["run", "--champion", "pursuer", "--matches", "50", "--episodes", "2"],
+    "replay": ["run", "--out", "new.png"],
+    "plot": ["run"],
+    "bench": [
+        "--rows",
+        "6",
+        "--cols",
+        "6",
+        "--pursuers",
+        "2",
+        "--evaders",
+        "3",
+        "--seconds",
+        "0.01",
+    ],
+}
+"""Arguments that make a command valid."""
+LEGAL = {(name, "-1") for name in ("--pursuer", "--evader", "--generation", "--step")}
+"""The last generation or step."""
+FILES = {"--json", "--output", "--out"}
+"""Options that take any name of a file that can exist."""
+
+
+def options() -> Iterator[pytest.ParameterSet]:
+    """Yield every option that takes a value, of every command above."""
+    for name in ARGUMENTS:
+        for param in main.commands[name].params:
+            # plot draws no comparison of a single run.
+            skipped = getattr(param, "is_flag", True) or "--comparison" in param.opts
+            if not skipped:
+                yield pytest.param(name, param.opts[0], id=f"{name}{param.opts[0]}")
+
+
+@pytest.fixture(scope="module")
+def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A finished race."""
+    directory = tmp_path_factory.mktemp("race") / "run"
+    start(tiny_race(), directory, threads=1).run()
+    return directory
+
+
+@pytest.fixture
+def files(race: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A working directory with a copy of the race and nothing else."""
+    monkeypatch.chdir(tmp_path)
+    shutil.copytree(race, "run")
+    return tmp_path
+
+
+def contents() -> dict[Path, tuple[int, bytes]]:
+    """Return all files below the working directory, with times and contents."""
+    files = [path for path in Path().rglob("*") if path.is_file()]
+    return {path: (path.stat().st_mtime_ns, path.read_bytes()) for path in files}
+
+
+@pytest.mark.usefixtures("files")
+@pytest.mark.parametrize(("command", "option"), list(options()))
+def test_a_malformed_value_is_refused_and_nothing_is_written(command: str, option: str) -> None:
+    before = contents()
+    for value in (LONG,) if option in FILES else MALFORMED:
+        if (option, value) in LEGAL:
+            continue
+        result = CliRunner().invoke(main, [command, *ARGUMENTS[command], option, value])
+        assert isinstance(result.exception, SystemExit), (value[:20], result.exception)
+        assert result.exit_code in (1, 2)
+        assert "Error: " in result.stderr
+        assert contents() == before, value[:20]
+        assert {path.name for path in Path().iterdir()} == {"run"}
+
+
+def test_the_arguments_are_valid_without_a_malformed_value(files: Path) -> None:
+    for command, arguments in ARGUMENTS.items():
+        if command in ("tournament", "score", "replay"):
+            assert CliRunner().invoke(main, [command, *arguments]).exit_code == 0, command

@@ -1,0 +1,202 @@
+"""A learner and samplers of the user's own on the command line."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from command_line import JOB, MAIN_JOB, RACE, matrixworld_command, run_together, words
+from matrixworld.cli import main, report
+from matrixworld.coevolution import PluginError, open_run
+from tiny_race import results
+
+RUN_OPTIONS = {**RACE, "schedule": "alternating", "opponents": 2}
+OWN = {
+    "learner": "mine:Learner",
+    "learner_settings": "sigma=0.2,shrink=0.5",
+    "pursuers_meet": "mine:Sampler",
+    "pursuers_meet_settings": "forget=0.25",
+}
+MINE = """
+import os
+import signal
+
+from own_code import Hardest as Sampler
+from own_code import HillClimber
+
+told = 0
+
+
+class Learner(HillClimber):
+    def tell(self, fitness):
+        global told
+        told += 1
+        if told == int(os.environ.get("KILLED_AT", 0)):
+            os.kill(os.getpid(), signal.SIGKILL)
+        super().tell(fitness)
+"""
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Run commands in a temporary directory, from which modules are imported."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setattr(report, "draw_run", lambda run: [])
+    monkeypatch.setattr(report, "draw_comparison", lambda races, path: path)
+    sys.modules.pop("mine", None)
+
+
+@pytest.fixture
+def mine() -> Path:
+    """A module of the user."""
+    path = Path("mine.py")
+    path.write_text(MINE)
+    return path
+
+
+@pytest.fixture(scope="module")
+def straight(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A finished race, made by the command in a process of its own."""
+    folder = tmp_path_factory.mktemp("straight")
+    (folder / "mine.py").write_text(MINE)
+    assert evolve(folder, "run", *words({**RUN_OPTIONS, **OWN})) == 0
+    return folder / "run"
+
+
+def evolve(folder: Path, *args: object, killed_at: int = 0) -> int:
+    """Run ``matrixworld evolve`` in a process of its own; return its exit code."""
+    paths = [str(folder), str(Path(__file__).parents[1] / "support"), os.environ["PYTHONPATH"]]
+    done = subprocess.run(
+        [sys.executable, "-m", "matrixworld", "evolve", *map(str, args), "--threads", "1"],
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(paths), "KILLED_AT": str(killed_at)},
+        capture_output=True,
+        check=False,
+    )
+    return done.returncode
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
+@pytest.mark.parametrize("killed_at", [1, 4, 9])
+def test_killed_in_the_middle_and_resumed(straight, mine, tmp_path, killed_at):
+    options = words({**RUN_OPTIONS, **OWN})
+    assert evolve(tmp_path, "run", *options, killed_at=killed_at) == -signal.SIGKILL
+    assert evolve(tmp_path, "--resume", "run") == 0
+    assert results(tmp_path / "run") == results(straight)
+
+
+def test_the_settings_are_kept(straight):
+    settings = open_run(straight).settings
+    assert settings.learner == "mine:Learner"
+    assert settings.learner_settings == {"sigma": 0.2, "shrink": 0.5}
+    assert settings.pursuers_meet_settings == {"forget": 0.25}
+    assert "mine" not in sys.modules
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["diagnose", "run"],
+        ["replay", "run", "--out", "match.npz"],
+        ["plot", "run", "--force"],
+        ["score", "run", "--episodes", 2],
+        ["tournament", "run", "--episodes", 2],
+        ["exploit", "run", "--champion", "evader", "--matches", 96],
+    ],
+    ids=lambda command: command[0],
+)
+def test_finished_runs_are_read_without_the_code(straight, command):
+    shutil.copytree(straight, "run")
+    matrixworld_command(*command)
+    assert "mine" not in sys.modules
+
+
+def test_resume_says_what_is_missing(straight):
+    shutil.copytree(straight, "run")
+    before = {path: path.read_bytes() for path in Path("run").iterdir()}
+    said = matrixworld_command("evolve", "--resume", "run", code=1).stderr
+    assert run_together(said).endswith(
+        "Error: learner: expected a module that can be imported, got 'mine:Learner' (No module "
+        "named 'mine'); install the package that has it, or put its folder on PYTHONPATH"
+    )
+    assert {path: path.read_bytes() for path in Path("run").iterdir()} == before
+
+
+@pytest.mark.parametrize("job", [RACE, JOB], ids=["one race", "three races"])
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (
+            {"learner": "nowhere:Learner"},
+            "--learner: expected a module that can be imported, got '",
+        ),
+        ({"learner": "mine:Lerner"}, "--learner: expected the name of an object in mine, got 'Ler"),
+        ({"learner": "hill"}, "--learner: expected one of es, ga, cma, or module:object, got 'hil"),
+        (
+            {"learner": "mine:Learner", "learner_settings": "sigma=-1"},
+            "--learner: expected settings that mine:Learner accepts, got {'sigma': -1} (sigma: ex",
+        ),
+        (
+            {"learner": "mine:Learner", "learner_settings": "sgima=1"},
+            "--learner-settings: expected settings of mine:Learner (sigma, shrink), got 'sgima'",
+        ),
+        ({"learner": "mine:Learner", "sigma": 0.3}, "--sigma: expected 0.1 (the default), got 0.3"),
+        ({"learner_settings": "sigma=1"}, "--learner-settings: expected {} (the default), got {'s"),
+        ({"learner_settings": "sigma"}, "'--learner-settings': expected settings such as sigma=0."),
+        ({"learner_settings": "a=1,a=2"}, "each once, got 'a=1,a=2'"),
+        (
+            {"learner": "mine:Learner", "learner_settings": "sigma=nan"},
+            "--learner-settings: expected a finite number as sigma, got nan",
+        ),
+    ],
+)
+def test_bad_options_are_refused_before_anything_is_written(mine, job, options, message):
+    schedule = {"schedule": MAIN_JOB[0]} if job is RACE else {}
+    said = matrixworld_command("evolve", "out", *words({**job, **schedule, **options}), code=2)
+    assert message in run_together(said.stderr)
+    assert not Path("out").exists()
+
+
+def test_values_of_all_kinds(mine):
+    mine.write_text(
+        "import own_code\n"
+        "def Learner(genome, samples, *, n, x, on, word) -> own_code.HillClimber:\n"
+        "    assert (n, x, on, word) == (3, -0.5, True, 'fast'), (n, x, on, word)\n"
+        "    assert [type(each) for each in (n, x, on, word)] == [int, float, bool, str]\n"
+        "    return own_code.HillClimber(genome, samples)\n"
+    )
+    values = ["--learner-settings", "n=3,x=-.5", "--learner-settings", "on=true, word=fast"]
+    options = words({**RACE, "schedule": MAIN_JOB[0], "learner": "mine:Learner"})
+    matrixworld_command("evolve", "out", *options, *values)
+    assert open_run("out").settings.learner_settings["word"] == "fast"
+
+
+def test_an_error_in_the_code_keeps_its_traceback_and_says_how_to_continue(mine):
+    mine.write_text(f"{MINE}\nfrom own_code import Fails\n")
+    options = words({**RACE, "schedule": MAIN_JOB[0], "learner": "mine:Fails"})
+    done = CliRunner().invoke(main, ["evolve", "out", *options])
+    assert isinstance(done.exception, PluginError)
+    assert isinstance(done.exception.__cause__, ZeroDivisionError)
+    assert "matrixworld evolve --resume out" in done.stderr
+
+
+def test_help_lists_installed_learners_and_samplers(tmp_path):
+    info = tmp_path / "mypkg-1.0.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: mypkg\nVersion: 1.0\n")
+    (info / "entry_points.txt").write_text(
+        "[matrixworld.learners]\nhill = mypkg:Hill\n[matrixworld.opponents]\nhardest = mypkg:H\n"
+    )
+    shown = run_together(matrixworld_command("evolve", "--help").stdout)
+    assert "cma (CMA-ES, for at most 1000 genes), or one of your own, as module:object" in shown
+    assert "default: es; installed: hill" in shown
+    assert shown.count("; installed: hardest") == 2
+    assert "mypkg" not in sys.modules

@@ -1,0 +1,218 @@
+"""A learner and an opponent sampler as users write them, and others that break a promise."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from matrixworld.coevolution.opponents import LAPCA, ArchiveSampler, Stateless
+
+
+class HillClimber:
+    """A (1 + lambda) hill climber whose step size shrinks while no mutant is better."""
+
+    def __init__(self, genome, samples, *, sigma=0.1, shrink=0.9):
+        if sigma <= 0:
+            raise ValueError(f"sigma: expected a number above 0, got {sigma}")
+        self.genome, self.sigma, self.shrink = genome, sigma, shrink
+        self.match_of_candidate = np.zeros(samples, dtype=np.intp)
+        self.candidates = None
+
+    def ask(self, rng):
+        noise = rng.standard_normal((len(self.match_of_candidate), self.genome.size), np.float32)
+        noise[0] = 0.0
+        self.candidates = self.genome + np.float32(self.sigma) * noise
+        return self.candidates
+
+    def tell(self, fitness):
+        best = int(np.argmax(fitness))
+        self.genome = self.candidates[best].copy()
+        self.sigma *= self.shrink if best == 0 else 1.0
+
+    def state(self):
+        return {"genome": self.genome, "sigma": np.array(self.sigma)}
+
+    def restore(self, state):
+        self.genome, self.sigma = state["genome"], float(state["sigma"])
+
+
+class Hardest:
+    """Half of the time the opponents with the lowest scores so far, else random ones."""
+
+    def __init__(self, count, *, forget=0.5):
+        self.count, self.forget = count, forget
+        self.scores = np.zeros(0)
+
+    def sample(self, available, epoch, rng):
+        self.scores = np.pad(self.scores, (0, max(0, available - len(self.scores))))
+        size = min(self.count, available)
+        if rng.random() < 0.5:
+            return rng.choice(available, size=size, replace=False)
+        return np.argsort(self.scores[:available], kind="stable")[:size]
+
+    def tell(self, opponents, scores):
+        kept = (1 - self.forget) * self.scores[opponents]
+        self.scores[opponents] = kept + self.forget * np.mean(scores, axis=0)
+
+    def state(self):
+        return {"scores": self.scores.copy()}
+
+    def restore(self, state):
+        self.scores = state["scores"].copy()
+
+
+def layered(count, *, layers) -> ArchiveSampler:
+    """Return a sampler with an archive."""
+    return ArchiveSampler(LAPCA(layers), count)
+
+
+class Fixed(Stateless):
+    """The oldest opponents."""
+
+    def __init__(self, count):
+        self.count = count
+
+    def sample(self, available, epoch, rng):
+        return np.arange(min(self.count, available))
+
+
+# Learners that change their arrays in place, which the package copies
+
+
+class InPlace(HillClimber):
+    def tell(self, fitness):
+        self.genome[:] = self.candidates[int(np.argmax(fitness))]
+
+
+class ReturnsViews(HillClimber):
+    def __init__(self, genome, samples, **settings):
+        super().__init__(genome, samples, **settings)
+        self.arrays = {"genome": genome, "sigma": np.array(self.sigma)}
+
+    def tell(self, fitness):
+        super().tell(fitness)
+        self.arrays["genome"][:], self.arrays["sigma"][()] = self.genome, self.sigma
+
+    def state(self):
+        return self.arrays
+
+    def restore(self, state):
+        super().restore(state)
+        self.arrays = state
+
+
+class RestoresHalf(ReturnsViews):
+    """It continues equally, but returns an old state after `restore`."""
+
+    def restore(self, state):
+        HillClimber.restore(self, state)
+
+
+# Learners that break a promise
+
+
+class GlobalNoise(HillClimber):
+    def ask(self, rng):
+        return super().ask(np.random.default_rng())
+
+
+class ForgetsSigma(HillClimber):
+    def state(self):
+        return {"genome": self.genome}
+
+    def restore(self, state):
+        self.genome = state["genome"]
+
+
+class Float64(HillClimber):
+    def ask(self, rng):
+        return super().ask(rng).astype(np.float64)
+
+
+class TooMany(HillClimber):
+    def ask(self, rng):
+        return np.concatenate([super().ask(rng)] * 2)
+
+
+class Infinite(HillClimber):
+    def ask(self, rng):
+        return np.full_like(super().ask(rng), np.inf)
+
+
+class Pickles(HillClimber):
+    def state(self):
+        return {**super().state(), "self": np.array([self], dtype=object)}
+
+
+class Dotted(HillClimber):
+    def state(self):
+        return {**super().state(), "adam.mean": np.zeros(1)}
+
+
+class Regroups(HillClimber):
+    def tell(self, fitness):
+        super().tell(fitness)
+        self.match_of_candidate = np.arange(len(fitness))
+
+
+class Uneven(HillClimber):
+    def __init__(self, genome, samples):
+        super().__init__(genome, samples)
+        self.match_of_candidate[0] = 1
+
+
+class NoTell:
+    genome = np.zeros(20, np.float32)
+    match_of_candidate = np.zeros(8, np.intp)
+
+    def ask(self, rng):
+        """Return nothing."""
+
+
+class Fails(HillClimber):
+    """It fails in the second call of tell."""
+
+    told = 0
+
+    def tell(self, fitness):
+        self.told += 1
+        if self.told == 2:
+            raise ZeroDivisionError("no luck")
+        super().tell(fitness)
+
+
+# Samplers that break a promise
+
+
+class Beyond(Fixed):
+    def sample(self, available, epoch, rng):
+        return np.array([available])
+
+
+class Twice(Fixed):
+    def sample(self, available, epoch, rng):
+        return np.array([0, 0])[: self.count]
+
+
+class Nothing(Fixed):
+    def sample(self, available, epoch, rng):
+        return np.zeros(0, np.intp)
+
+
+class Unsaved(Hardest):
+    def state(self):
+        return {}
+
+    def restore(self, state):
+        """Restore nothing."""
+
+
+class Crash(Fixed):
+    def sample(self, available, epoch, rng):
+        raise KeyError("generation")
+
+
+ANSWER = 42
+
+
+def unannotated(genome, samples):
+    return HillClimber(genome, samples)

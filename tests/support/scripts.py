@@ -1,0 +1,49 @@
+"""Python scripts that tests run in a process of their own."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+
+PREAMBLE = """
+import os, signal, sys, threading, time, warnings
+import numpy as np
+import matrixworld as mw
+"""
+
+SECONDS = 60
+"""A script that hangs is ended after this time."""
+
+
+def start(script: str, *options: str) -> subprocess.Popen[str]:
+    """Start a script; `np`, `mw` and usual modules are imported already."""
+    return subprocess.Popen(
+        [sys.executable, *options, "-c", PREAMBLE + textwrap.dedent(script)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        # The script and the processes that it forks are a group, which can be ended together.
+        start_new_session=True,
+        # In a background job SIGINT may be ignored, and child processes inherit that.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )
+
+
+def finish(process: subprocess.Popen[str]) -> str:
+    """Return the output of a script; fail if it hangs or ends with an error."""
+    try:
+        output, errors = process.communicate(timeout=SECONDS)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        output, errors = process.communicate()
+        raise AssertionError(f"the script hangs:\n{output}{errors}") from None
+    assert process.returncode == 0, f"exit code {process.returncode}:\n{output}{errors}"
+    return output
+
+
+def run(script: str, *options: str) -> str:
+    """Run a script to its end and return its output."""
+    return finish(start(script, *options))

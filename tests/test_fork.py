@@ -1,0 +1,190 @@
+"""Processes that fork while batches and environments have threads."""
+
+from __future__ import annotations
+
+import os
+
+import pytest
+
+from scripts import run
+
+pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="the system cannot fork")
+
+# In the child an exception or a wrong result must end the child, not go on as a second parent.
+FORK = """
+warnings.simplefilter("ignore", DeprecationWarning)  # Python warns of forks beside threads
+
+def in_child(play):
+    number = os.fork()
+    if number:
+        return os.waitstatus_to_exitcode(os.waitpid(number, 0)[1])
+    try:
+        play()
+    except BaseException:
+        sys.excepthook(*sys.exc_info())
+        os._exit(1)
+    os._exit(0)
+
+actions = np.random.default_rng(0).integers(0, 5, (6, 100, 38))
+
+def play_on(batch, first=0):
+    for step in range(first, 6):
+        batch.step(actions[step])
+    return batch.buffers["positions"].copy()
+"""
+
+EXPECTED = """
+expected = play_on(mw.Batch(100, threads=1))
+"""
+
+
+def forked(script: str) -> str:
+    return run(FORK + script)
+
+
+@pytest.mark.parametrize("threads", [1, 3])
+def test_a_child_steps_like_its_parent(threads: int) -> None:
+    forked(f"""
+{EXPECTED}
+batch = mw.Batch(100, threads={threads})
+for step in range(3):
+    batch.step(actions[step])
+
+def play():
+    np.testing.assert_array_equal(play_on(batch, 3), expected)
+
+assert in_child(play) == 0
+play()  # the parent's threads are still there
+assert in_child(lambda: batch.step(actions[0])) == 0
+""")
+
+
+def test_a_child_resets_and_its_own_child_too() -> None:
+    forked(f"""
+{EXPECTED}
+batch = mw.Batch(100, threads=3)
+
+def play():
+    batch.reset(0)
+    np.testing.assert_array_equal(play_on(batch), expected)
+
+def play_in_both():
+    play()
+    assert in_child(play) == 0
+    play()
+
+assert in_child(play_in_both) == 0
+""")
+
+
+def test_a_child_deletes_a_batch() -> None:
+    forked("""
+batch = mw.Batch(100, threads=3)
+
+def delete():
+    global batch
+    del batch
+    mw.Batch(100, threads=3).step(actions[0])
+
+assert in_child(delete) == 0
+batch.step(actions[0])
+""")
+
+
+def test_a_child_exits_through_the_interpreter() -> None:
+    forked("""
+batch = mw.Batch(100, threads=3)
+env = mw.VectorEnv("O", 100, threads=3)
+env.reset(seed=0)
+number = os.fork()
+if number == 0:
+    env.step(actions[0])
+    sys.exit(7)
+assert os.waitstatus_to_exitcode(os.waitpid(number, 0)[1]) == 7
+""")
+
+
+def test_an_environment_steps_in_a_child() -> None:
+    forked("""
+def play(env):
+    env.reset(seed=3)
+    return [env.step(actions[step])[0].copy() for step in range(6)]
+
+expected = play(mw.VectorEnv("O", 100, threads=1))
+env = mw.VectorEnv("O", 100, threads=3)
+play(env)
+assert in_child(lambda: np.testing.assert_array_equal(play(env), expected)) == 0
+""")
+
+
+def test_a_child_plays_matches_while_its_parent_does() -> None:
+    """The child is forked in the middle of a rollout of another thread."""
+    forked("""
+matches = mw.Matches.of(0, 0, np.arange(40))
+expected = mw.rollout("O", "hunter", "dodger", matches, threads=1)
+done = threading.Event()
+
+def play_for_ever():
+    while not done.is_set():
+        mw.rollout("O", "hunter", "dodger", matches, threads=3)
+
+def play():
+    got = mw.rollout("O", "hunter", "dodger", matches, threads=3)
+    np.testing.assert_array_equal(got.length, expected.length)
+
+thread = threading.Thread(target=play_for_ever)
+thread.start()
+codes = [in_child(play) for _ in range(10)]
+done.set()
+thread.join()
+assert codes == [0] * 10
+""")
+
+
+def test_forks_in_the_middle_of_steps() -> None:
+    """The batch of a step in progress is refused in the child, and can be deleted and replaced."""
+    output = forked(f"""
+{EXPECTED}
+batch = mw.Batch(100, threads=3)
+done = threading.Event()
+
+def step_for_ever():
+    while not done.is_set():
+        batch.step(actions[0])
+
+def play():
+    global batch
+    try:
+        batch.step(actions[0])
+    except RuntimeError as error:
+        print(error, flush=True)
+    batch = mw.Batch(100, threads=3)
+    np.testing.assert_array_equal(play_on(batch), expected)
+
+thread = threading.Thread(target=step_for_ever)
+thread.start()
+codes = [in_child(play) for _ in range(100)]
+done.set()
+thread.join()
+assert codes == [0] * 100
+batch.step(actions[0])
+""")
+    message = "expected no call in progress when the process was forked"
+    assert all(message in line for line in output.splitlines())
+
+
+def test_multiprocessing_with_fork() -> None:
+    forked("""
+import multiprocessing
+
+batch = mw.Batch(100, threads=3)
+batch.step(actions[0])
+expected = mw.rollout("O", "hunter", "fleer", mw.Matches.of(0, 0, range(4)), threads=1)
+
+def play(seed):
+    batch.step(actions[1])
+    return mw.rollout("O", "hunter", "fleer", mw.Matches.of(0, 0, [seed]), threads=2).length[0, 0]
+
+with multiprocessing.get_context("fork").Pool(2) as pool:
+    assert pool.map(play, range(4)) == expected.length[:, 0].tolist()
+""")

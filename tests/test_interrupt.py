@@ -1,0 +1,134 @@
+"""Ctrl-C in the middle of long calls of the engine."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+import time
+from subprocess import Popen
+
+import pytest
+
+from scripts import finish, start
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX systems")
+
+SECONDS = 1.0
+"""The engine looks for signals every 50 ms; a busy machine gets more time here."""
+
+MATCHES = """
+network = mw.Network()
+genomes = [network.initial(np.random.default_rng(seed)) for seed in range(3)]
+team = mw.Population(np.array(genomes), network)
+few = mw.Matches.of([0, 1, 2], [2, 0, 1], [5, 6, 7])
+many = mw.Matches.of(0, 1, np.arange(100_000))
+
+def play(matches, threads):
+    return mw.rollout("SB", team, team, matches, worlds=3, threads=threads)
+"""
+
+INTERRUPTED = """
+print("begins", flush=True)
+try:
+    {call}
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+def interrupt(process: Popen[str], after: float = 0.3) -> float:
+    """Send Ctrl-C to a script that prints "begins", and return the seconds until it prints."""
+    watch = threading.Timer(60, process.kill)  # the script may not listen
+    watch.start()
+    assert process.stdout is not None
+    assert process.stdout.readline() == "begins\n"
+    time.sleep(after)
+    os.kill(process.pid, signal.SIGINT)
+    begin = time.perf_counter()
+    assert process.stdout.readline() == "interrupted\n"
+    watch.cancel()
+    return time.perf_counter() - begin
+
+
+@pytest.mark.parametrize("threads", [1, 3])
+def test_a_rollout_ends_soon_and_leaves_all_as_it_was(threads: int) -> None:
+    process = start(f"""
+{MATCHES}
+expected = play(few, 1)
+matches = many._replace(seed=many.seed.copy())
+{INTERRUPTED.format(call=f"play(matches, {threads})")}
+got = play(few, {threads})
+for name, column in vars(expected).items():
+    np.testing.assert_array_equal(getattr(got, name), column)
+for ours, theirs in zip(matches, many):
+    np.testing.assert_array_equal(ours, theirs)
+assert threading.active_count() == 1
+""")
+    assert interrupt(process) < SECONDS
+    finish(process)
+
+
+def test_one_long_match_ends_soon() -> None:
+    """The calling thread waits for the thread that plays the only match."""
+    process = start(f"""
+world = mw.WorldConfig("SB", max_steps=2**30, n_pursuers=1, rows=9, cols=9, n_evaders=1)
+call = lambda: mw.rollout(world, "still", "still", mw.Matches.of(0, 0, [1, 2]), threads=2)
+{INTERRUPTED.format(call="call()")}
+""")
+    assert interrupt(process) < SECONDS
+    finish(process)
+
+
+def test_a_recording_ends_soon() -> None:
+    process = start(f"""
+world = mw.WorldConfig("SB", max_steps=2**20, n_pursuers=1, n_evaders=1)
+{INTERRUPTED.format(call='mw.record(world, "still", "still", seed=1)')}
+""")
+    assert interrupt(process, after=0.1) < SECONDS
+    finish(process)
+
+
+def test_any_handler_of_signals_runs() -> None:
+    """A handler that returns lets the rollout go on, with the same result."""
+    process = start(f"""
+{MATCHES}
+seen = []
+signal.signal(signal.SIGINT, lambda *_: seen.append(time.perf_counter()))
+some = mw.Matches.of(0, 1, np.arange(600))
+timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
+timer.start()
+got = play(some, 2)
+end = time.perf_counter()
+timer.join()
+assert len(seen) == 1
+np.testing.assert_array_equal(got.length, play(some, 1).length)
+""")
+    finish(process)
+
+
+def test_other_threads_are_not_interrupted() -> None:
+    """Python handles signals in the main thread, so a rollout of another thread goes on."""
+    process = start(f"""
+{MATCHES}
+results = []
+some = mw.Matches.of(0, 1, np.arange(400))
+thread = threading.Thread(target=lambda: results.append(play(some, 2)))
+thread.start()
+{INTERRUPTED.format(call="time.sleep(60)")}
+thread.join()
+np.testing.assert_array_equal(results[0].length, play(some, 1).length)
+""")
+    assert interrupt(process, after=0.1) < SECONDS
+    finish(process)
+
+
+def test_a_daemon_thread_does_not_disturb_the_end() -> None:
+    """A process may end while a thread of it plays matches."""
+    process = start(f"""
+{MATCHES}
+threading.Thread(target=play, args=(many, 2), daemon=True).start()
+time.sleep(0.3)
+""")
+    finish(process)

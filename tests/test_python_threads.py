@@ -1,0 +1,210 @@
+"""Python's own threads: objects that several of them use at once, and Python without a GIL."""
+
+from __future__ import annotations
+
+import sys
+import threading
+import time
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from scripts import run
+
+ONE_CALL = "Batch or VectorEnv: expected one call at a time, got a second one"
+
+
+def busy_batch() -> mw.Batch:
+    """A batch whose steps take some milliseconds, nearly all of them without the GIL."""
+    views = np.zeros((40, 38, 3, 61, 61), np.uint8)
+    return mw.Batch(40, fov=61, threads=1, buffers={"views": views})
+
+
+CALLS: dict[str, Callable[[mw.Batch], object]] = {
+    "step": lambda batch: batch.step(np.zeros((40, 38), np.uint8)),
+    "reset": lambda batch: batch.reset(0),
+    "world": lambda batch: batch.world(0),
+}
+
+
+def is_refused(call: Callable[[mw.Batch], object], batch: mw.Batch) -> bool:
+    try:
+        call(batch)
+    except RuntimeError as error:
+        if ONE_CALL not in str(error):
+            raise
+        return True
+    return False
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_a_second_caller_is_refused(name: str) -> None:
+    batch = busy_batch()
+    done = threading.Event()
+
+    def step_until_done() -> None:
+        while not done.is_set():
+            if is_refused(CALLS["step"], batch):
+                time.sleep(0.001)  # the other thread was first
+
+    thread = threading.Thread(target=step_until_done)
+    thread.start()
+    end = time.monotonic() + 30
+    while not (refused := is_refused(CALLS[name], batch)) and time.monotonic() < end:
+        pass
+    done.set()
+    thread.join()
+    assert refused
+    assert not is_refused(CALLS[name], batch)
+
+
+def test_a_refused_call_changes_nothing() -> None:
+    """Whichever steps are refused, a batch is where one thread with the same steps would be."""
+    batch = busy_batch()
+    played: list[bool] = []
+
+    def play() -> None:
+        played.extend(not is_refused(CALLS["step"], batch) for _ in range(20))
+
+    threads = [threading.Thread(target=play) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    alone = busy_batch()
+    for _ in range(sum(played)):
+        CALLS["step"](alone)
+    np.testing.assert_array_equal(batch.buffers["views"], alone.buffers["views"])
+    assert batch.world(3).steps == sum(played)
+
+
+HAMMER = """
+def hammer(*calls, seconds=1.5):
+    refused, end = [], time.monotonic() + seconds
+
+    def call_on(call):
+        while time.monotonic() < end:
+            try:
+                call()
+            except RuntimeError as error:
+                refused.append(str(error))
+
+    threads = [threading.Thread(target=call_on, args=(call,)) for call in calls for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    return refused
+"""
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_many_threads_use_one_environment(threads: int) -> None:
+    output = run(f"""
+{HAMMER}
+env = mw.VectorEnv("TO", 300, threads={threads}, max_steps=20, render_mode="rgb_array")
+env.reset(seed=0)
+refused = hammer(
+    lambda: env.step(),
+    lambda: env.reset(seed=1),
+    lambda: env.reset(options={{"reset_mask": np.arange(300) % 2 == 0}}),
+    lambda: env.world(7),
+)
+assert all("{ONE_CALL}" in error for error in refused), set(refused)
+print(len(refused))
+env.reset(seed=5)
+other = mw.VectorEnv("TO", 300, threads=1, max_steps=20)
+other.reset(seed=5)
+actions = np.random.default_rng(0).integers(0, 5, (300, 38))
+for _ in range(3):
+    np.testing.assert_array_equal(env.step(actions)[0], other.step(actions)[0])
+""")
+    assert int(output) > 0
+
+
+def test_many_threads_use_one_world() -> None:
+    """Calls of a world follow each other, so none is refused."""
+    run(f"""
+{HAMMER}
+import pickle
+world = mw.World("TO")
+
+def step():
+    world.step(np.ones(38, int), explain=True)
+
+refused = hammer(
+    step,
+    lambda: world.reset(0),
+    lambda: world.read("views", "state", "rewards"),
+    lambda: world.conflicts,
+    lambda: pickle.loads(pickle.dumps(world)).step(np.zeros(38, int)),
+)
+assert all("episode has ended" in error or "no list of" in error for error in refused), set(refused)
+world.reset(0)
+np.testing.assert_array_equal(world.views(), mw.World("TO").views())
+""")
+
+
+def test_actions_that_another_thread_writes() -> None:
+    """No action that was not checked is played: each is read once."""
+    run("""
+env = mw.VectorEnv("R", 3000, threads=1, max_steps=10**6)
+env.reset(seed=0)
+good = np.ones_like(env.actions)
+bad = np.full_like(env.actions, 2**62 + 77)
+end = time.monotonic() + 3
+
+def write():
+    while time.monotonic() < end:
+        np.copyto(env.actions, bad)
+        np.copyto(env.actions, good)
+
+thread = threading.Thread(target=write)
+thread.start()
+refused = played = 0
+while time.monotonic() < end:
+    try:
+        env.step()
+        played += 1
+    except ValueError as error:
+        assert "actions: expected 0 to 4" in str(error)
+        refused += 1
+    positions = env.infos["positions"][env.infos["alive"]]
+    assert (positions >= 0).all() and (positions < 40).all()
+thread.join()
+assert played and refused, (played, refused)
+""")
+
+
+def test_rollouts_in_many_threads_are_the_same() -> None:
+    run("""
+matches = mw.Matches.of(0, 0, np.arange(30))
+network = mw.Network()
+team = mw.Population(network.initial(np.random.default_rng(0)), network)
+expected = mw.rollout("SB", team, "dodger", matches, threads=1)
+results = []
+
+def play():
+    results.append(mw.rollout("SB", team, "dodger", matches, threads=2))
+
+threads = [threading.Thread(target=play) for _ in range(6)]
+for thread in threads:
+    thread.start()
+for thread in threads:
+    thread.join()
+assert len(results) == 6
+for result in results:
+    np.testing.assert_array_equal(result.evader_return, expected.evader_return)
+""")
+
+
+@pytest.mark.skipif(getattr(sys, "_is_gil_enabled", lambda: True)(), reason="this Python has a GIL")
+def test_the_engine_does_not_switch_the_gil_on() -> None:
+    run("""
+world = mw.World()
+world.step([0] * 38)
+mw.rollout("O", "hunter", "fleer", mw.Matches.of(0, 0, [1, 2]))
+assert not sys._is_gil_enabled()
+""")
