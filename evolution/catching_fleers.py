@@ -5,14 +5,14 @@
 
 The scripts ``fleer`` and ``dodger`` run from the pursuers that they see. The pursuers of a default
 race capture few of them. Here pursuers train against fleers alone, with one change at a time, and
-then hunt fleers and dodgers in teams of 8 to 64. A team captures an evader together, so its size in
-the test is a question of its own. Scripted pursuers stand beside the trained ones.
+then hunt fleers and dodgers in teams of 8 to 64. Scripted pursuers stand beside the trained ones.
 
 Look at a row from left to right for the effect of team size, and at a column from top to bottom for
 the effect of training. The interval is Student's t over training seeds. Scripts do not learn, and
 have none.
 
-Not tried: a memory. The networks of the engine decide by what an agent sees in this step.
+``evolution/results/catching_fleers`` keeps the table. Not tried: a memory. The networks of the
+engine decide by what an agent sees in this step.
 """
 
 from __future__ import annotations

@@ -7,6 +7,8 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import analysis
+from matrixworld.coevolution import finish, open_run
+from tiny_race import tiny_race, tiny_single
 
 PAYOFF = np.random.default_rng(0).random((12, 11))
 NETWORK = mw.Network.for_config(mw.WorldConfig("O"))
@@ -27,6 +29,15 @@ def test_a_result_has_a_text_of_one_line(name):
     assert text.startswith(f"{name}(")
     assert "\n" not in text
     assert len(text) <= 600
+
+
+def test_a_run_says_what_it_is(tmp_path):
+    finish(tiny_race(), tmp_path / "race")
+    assert repr(open_run(tmp_path / "race")) == (
+        f"SavedRun('{tmp_path / 'race'}', generalist-generalist, seed 5, pursuers: 3, evaders: 3)"
+    )
+    finish(tiny_single(), tmp_path / "one")
+    assert "one team, seed" in repr(open_run(tmp_path / "one"))
 
 
 def test_arrays_appear_as_dtype_and_shape():

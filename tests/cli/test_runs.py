@@ -213,6 +213,14 @@ def test_plot_draws_the_comparison_to_the_given_file(copy, monkeypatch):
     assert Path("both.png").read_bytes().startswith(PNG)
 
 
+def test_plot_compares_at_least_two_races(copy):
+    one = copy / MAIN_JOB[0]
+    before = {path: path.read_bytes() for path in one.iterdir()}
+    said = matrixworld_command("plot", one, "--comparison", "x.png", "--force", code=2).stderr
+    assert "--comparison: expected at least two races, got 1" in said
+    assert {path: path.read_bytes() for path in one.iterdir()} == before
+
+
 def test_plot_needs_a_finished_run():
     start(tiny_race(), "begun")
     assert "begun: expected a finished run" in matrixworld_command("plot", "begun", code=2).stderr

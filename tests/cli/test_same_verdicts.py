@@ -59,5 +59,5 @@ def test_all_commands_come_to_the_same_judgement(run, monkeypatch):
     )
     figures.draw_run(result)
     titles = {axes.get_title() for figure in drawn for axes in figure.axes}
-    assert f"specialist-specialist\n{headline(expected)}" in titles
+    assert f"run (specialist-specialist), seed 5\n{headline(expected)}" in titles
     assert plots.comparison({"a": result.payoff.capture_rate}).axes[0].texts[-1].get_text() == ""

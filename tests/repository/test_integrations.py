@@ -15,9 +15,6 @@ NEEDS = {
     "PettingZoo": ["pettingzoo"],
     "SuperSuit": ["supersuit"],
     "Gymnasium": ["gymnasium"],
-    "Stable": ["stable_baselines3"],
-    "TorchRL": ["torchrl"],
-    "RLlib": ["ray.rllib", "supersuit"],
     "PyTorch": ["torch"],
 }
 

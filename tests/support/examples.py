@@ -63,8 +63,10 @@ def same(one: Any, other: Any) -> bool:
         return same_kind and one.tobytes() == other.tobytes()
     if isinstance(one, partial):
         return same((one.func, one.args, one.keywords), (other.func, other.args, other.keywords))
-    if isinstance(one, Enum | type) or callable(one):
+    if isinstance(one, Enum | type) or inspect.isroutine(one):
         return bool(one == other)
+    if isinstance(one, np.random.Generator):
+        return same(one.bit_generator.state, other.bit_generator.state)
     if isinstance(one, Mapping):
         return one.keys() == other.keys() and all(same(one[key], other[key]) for key in one)
     if isinstance(one, list | tuple):
@@ -196,6 +198,7 @@ def _of_runs(directory: Path) -> Iterator[Any]:
     yield runs.Matchup(0, np.arange(2), np.ones((3, 2), np.uint64))
     saved = coevolution.open_run(directory / "race")
     yield saved
+    yield saved.policy("pursuer", -1, seed=0)
     yield from (saved.payoff(), saved, saved.files, coevolution.score(saved, episodes=2))
     yield coevolution.best_response(saved, "pursuer", 100, directory / "response", eval_episodes=5)
     yield from (

@@ -39,6 +39,8 @@ def plot_command(runs: list[Path], comparison: Path | None, force: bool) -> None
         results = [open_result(path) for path in runs]
         races = [each for each in results if each.is_race]
         common = Path(os.path.commonpath([each.path.absolute() for each in results]))
+        if comparison is not None and len(races) < 2:
+            raise click.UsageError(f"--comparison: expected at least two races, got {len(races)}")
         compared = [comparison or common / "comparison.png"] if len(races) > 1 else []
         # All files are checked before the first is drawn.
         figures = [file for each in results for file in figure_files(each)]

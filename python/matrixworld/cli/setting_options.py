@@ -334,7 +334,9 @@ def _made(kind: Callable[..., Any], given: Mapping[str, Any]) -> Any:
 
 
 def in_options(message: str) -> str:
-    """Return an error's message with the option in place of the field that it begins with."""
-    name, colon, rest = message.partition(":")
-    name = OTHER_NAMES.get(name, name)
-    return f"{option_name(name)}{colon}{rest}" if name in RACE or name in SINGLE else message
+    """Return an error's message with the options in place of the fields that it begins with."""
+    begin, colon, rest = message.partition(":")
+    names = [OTHER_NAMES.get(name, name) for name in begin.split(" and ")]
+    if not all(name in RACE or name in SINGLE for name in names):
+        return message
+    return f"{' and '.join(map(option_name, names))}{colon}{rest}"

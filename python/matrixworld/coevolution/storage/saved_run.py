@@ -93,6 +93,15 @@ class SavedRun:
     settings: RaceSettings | SingleSettings
     teams: Mapping[Team, TeamPolicy]
 
+    def __repr__(self) -> str:
+        """Return directory, kind and seed of the run, and the size of each team's archive."""
+        sizes = ", ".join(
+            f"{team}s: {each if isinstance(each, str) else len(each.genomes)}"
+            for team, each in self.teams.items()
+        )
+        kind = getattr(self.settings, "schedule", "one team")
+        return f"SavedRun({str(self.files.path)!r}, {kind}, seed {self.settings.seed}, {sizes})"
+
     def payoff(self) -> Payoff:
         """Return the payoff; FileNotFoundError while the run is not finished."""
         return Payoff.from_arrays(self.files.payoff())
