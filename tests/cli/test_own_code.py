@@ -73,7 +73,8 @@ def straight(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def evolve(folder: Path, *args: object, killed_at: int = 0) -> int:
     """Run ``matrixworld evolve`` in a process of its own; return its exit code."""
-    paths = [str(folder), str(Path(__file__).parents[1] / "support"), os.environ["PYTHONPATH"]]
+    paths = [str(folder), str(Path(__file__).parents[1] / "support")]
+    paths += filter(None, [os.environ.get("PYTHONPATH")])
     done = subprocess.run(
         [sys.executable, "-m", "matrixworld", "evolve", *map(str, args), "--threads", "1"],
         cwd=folder,
