@@ -16,7 +16,6 @@ from matrixworld.coevolution import (
     NoEffectError,
     PluginError,
     RaceSettings,
-    SingleSettings,
     check_learner,
     check_own_code,
     check_sampler,
@@ -159,13 +158,12 @@ def test_names_in_files_are_data():
         check_own_code(read)
 
 
-def test_files_from_before_these_settings_are_read():
+def test_files_without_these_settings_are_refused():
     values = settings_to_json(tiny_race())
     older = {name: value for name, value in values.items() if not name.endswith("_settings")}
-    assert len(values) - len(older) == 3
-    assert settings_from_json(RaceSettings, older) == tiny_race()
-    del (single := settings_to_json(tiny_single()))["learner_settings"]
-    assert settings_from_json(SingleSettings, single) == tiny_single()
+    missing = r"missing fields \['evaders_meet_settings', 'learner_settings', 'pursuers_meet_sett"
+    with pytest.raises(ValueError, match=missing):
+        settings_from_json(RaceSettings, older)
 
 
 # Imports

@@ -38,8 +38,6 @@ NAMES = ("learner", "pursuers_meet", "evaders_meet")
 """Fields that name code, which is not imported to read a run."""
 NO_SETTINGS = OwnSettings()
 OWN_HELP = "settings of {} if it is one of your own: numbers, text, True or False by name"
-ADDED = ("learner_settings", "pursuers_meet_settings", "evaders_meet_settings")
-"""Fields that older runs do not have; they have their default there."""
 
 
 def option(default: Any, text: str) -> Any:
@@ -245,7 +243,7 @@ def settings_from_json(kind: type[Settings], values: dict[str, Any]) -> Settings
     Names of learners and samplers are data: nothing is imported.
     """
     expected = {item.name for item in fields(kind)}
-    missing, unknown = sorted(expected - {*values, *ADDED}), sorted(set(values) - expected)
+    missing, unknown = sorted(expected - set(values)), sorted(set(values) - expected)
     if missing or unknown:
         raise ValueError(f"{kind.__name__}: missing fields {missing}, unknown fields {unknown}")
     return kind(**{name: _restored(name, value) for name, value in values.items()})

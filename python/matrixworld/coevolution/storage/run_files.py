@@ -47,9 +47,9 @@ from matrixworld.files import json_digest, load_arrays, load_json
 from matrixworld.reading import Arrays, DamagedFileError, one_line
 from matrixworld.version import __version__
 
-# Format 4 differs from 3 in the fields `elite_episodes` and `retention_episodes` of the settings,
-# and in the state of the genetic algorithm in the checkpoint.
-FORMAT = 4
+# Format 5 differs from 4 in the stage that the archive and the summary state, and in the settings
+# of learners and samplers of one's own.
+FORMAT = 5
 """Version of the directory's layout; another one is refused."""
 
 CONFIG, SUMMARY, LOG, LOCK = "config.json", "summary.json", "log.csv", ".lock"
