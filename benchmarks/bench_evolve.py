@@ -38,7 +38,7 @@ from timing import bind, print_table
 LEARNERS = {"es": "evolution strategy", "ga": "genetic algorithm"}
 SCHEDULES = ("specialist-specialist", "generalist-generalist")
 # The files that hold what a race has computed.
-RESULTS = ("archive.npz", "payoff.npz", "log.csv")
+RESULTS = ("pursuers.npy", "evaders.npy", "payoff.npz", "log.csv")
 
 PARTS: dict[str, Functions] = {
     "rollouts": [(_core, "rollout")],

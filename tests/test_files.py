@@ -18,6 +18,7 @@ import pytest
 import matrixworld as mw
 from command_line import matrixworld_command
 from matrixworld import episode, files, reading, replay
+from matrixworld.coevolution.storage.genome_file import GenomeFile
 from matrixworld.coevolution.storage.run_log import RunLog
 from matrixworld.reading import DamagedFileError
 
@@ -122,6 +123,7 @@ WRITERS = {
     "Episode.save": save_episode,
     "replay.save": lambda path: replay.save(EPISODE, path.with_suffix(".png")),
     "RunLog": lambda path: RunLog(path).append([]),
+    "GenomeFile": lambda path: GenomeFile(path).append(np.zeros((1, 3), np.float32)),
     "locked": lambda path: files.locked(path).__enter__(),
 }
 SMALL = mw.WorldConfig(rows=4, cols=4, n_pursuers=1, n_evaders=1, max_steps=2)

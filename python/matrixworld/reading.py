@@ -31,7 +31,8 @@ LIMITS = {
     "map": 16 * MIB,  # the same map in a file
     "CSV": 64 * MIB,  # 25 races of 31 x 31 pairs with 100 episodes each, one line an episode
     "log": 4096 * MIB,  # 110 bytes an epoch: 39 million epochs
-    "npz": 4096 * MIB,  # 3 MB for an archive of 300 generations of both teams
+    "npy": 4096 * MIB,  # 14 MB for 300 generations of a team
+    "npz": 4096 * MIB,  # 8 MB for the payoff of 100 generations with 100 episodes of each pair
 }
 """Most bytes of a file, by kind: about a thousand times what the package's own runs write."""
 UNPACKED = 256 * MIB
@@ -123,7 +124,7 @@ def kind_of_file(mode: int) -> str:
 # Any file:
 
 
-def read_content(path: Path, kind: str, size: int | None = None) -> bytes:
+def read_content(path: Path, kind: str, size: int | None = None, start: int = 0) -> bytes:
     """Return the content of a regular file.
 
     Parameters
@@ -133,7 +134,9 @@ def read_content(path: Path, kind: str, size: int | None = None) -> bytes:
     kind : str
         Key in `LIMITS`.
     size : int, optional
-        Bytes to read from the begin. By default all.
+        Bytes to read. By default all.
+    start : int, optional
+        Bytes before them that are not read. By default none.
 
     Raises
     ------
@@ -149,11 +152,13 @@ def read_content(path: Path, kind: str, size: int | None = None) -> bytes:
     with open(os.open(path, flags), "rb") as file:
         status = os.fstat(file.fileno())
         _check_regular(path, status)
-        wanted = status.st_size if size is None else min(size, status.st_size)
+        there = max(0, status.st_size - start)
+        wanted = there if size is None else min(size, there)
         if wanted > LIMITS[kind]:
             raise DamagedFileError(
                 path, f"expected at most {LIMITS[kind]:,} bytes ({kind}), got {wanted:,}"
             )
+        file.seek(min(start, status.st_size))
         return file.read(wanted)
 
 

@@ -52,7 +52,9 @@ def check_arrays(file: Path, heading: str, *, parts: bool = False) -> None:
 def test_the_files_of_a_run(tmp_path: Path) -> None:
     run = tmp_path / "run"
     start(tiny_race(), run, threads=1).run()
-    check_arrays(run / "archive.npz", "### `archive.npz`")
+    genomes = np.load(run / "pursuers.npy")
+    assert genomes.ndim == 2
+    assert f"(G, genes) and (H, genes) {genomes.dtype}" in PAGE
     check_arrays(run / "checkpoint.npz", "### `checkpoint.npz`", parts=True)
     check_arrays(run / "payoff.npz", "### `payoff.npz`")
     summary = json.loads((run / "summary.json").read_bytes())

@@ -134,6 +134,15 @@ NPZ_ATTACKS: dict[str, Attack] = {
     "too large": larger_than("npz"),
 }
 
+NPY_ATTACKS: dict[str, Attack] = {
+    "empty": lambda path: _written(path, b""),
+    "npz file": NPZ_ATTACKS["zip bomb"],
+    "header of 8 TB": lambda path: _written(path, npy((2_000_000, 1_000_000))),
+    "long header": lambda path: _written(path, npy("-" * 9000 + "1")),
+    "pickled": lambda path: _written(path, npy((1,), "|O", b"\x80\x04N.")),
+    "too large": larger_than("npy"),
+}
+
 
 def _written(path: Path, content: bytes) -> None:
     path.write_bytes(content)

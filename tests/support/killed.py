@@ -18,7 +18,7 @@ from typing import Any
 from unittest import mock
 
 from matrixworld import coevolution, files
-from matrixworld.coevolution.storage import run_log
+from matrixworld.coevolution.storage import appended_file
 from matrixworld.rollout import rollout
 from tiny_race import tiny_race, tiny_single
 
@@ -121,12 +121,12 @@ def watched(events: Events) -> Iterator[None]:
     """Make every operation of this process on files of runs an event."""
     plain = os.replace, os.fsync, os.truncate
     os.replace, os.fsync, os.truncate = map(events.before, plain)  # type: ignore[assignment]
-    files.open = run_log.open = events.open  # type: ignore[attr-defined]
+    files.open = appended_file.open = events.open  # type: ignore[attr-defined]
     try:
         yield
     finally:
         os.replace, os.fsync, os.truncate = plain
-        del files.open, run_log.open  # type: ignore[attr-defined]
+        del files.open, appended_file.open  # type: ignore[attr-defined]
 
 
 def run_until_killed(kind: str, directory: Path, at: int) -> None:

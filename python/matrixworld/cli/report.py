@@ -92,7 +92,7 @@ def _print_files(drawn: Mapping[Path, Sequence[Path]], root: Path, *, races: int
         place = "" if path == root else f"{path.name}/: "
         click.echo(f"  {place}{', '.join(figure.name for figure in figures)}")
     scores = ", scores.json" if races else ""
-    click.echo(f"  data of each run: payoff.npz, archive.npz, log.csv, summary.json{scores}")
+    click.echo(f"  data of each run: payoff.npz, *.npy (genomes), log.csv, summary.json{scores}")
 
 
 def _print_next(results: Sequence[Result], root: Path) -> None:

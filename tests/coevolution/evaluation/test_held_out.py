@@ -263,6 +263,6 @@ def test_the_command_refuses(race, options, code, message):
 def test_a_damaged_run_is_refused(race, tmp_path):
     assert "holds a run" in matrixworld_command("score", tmp_path, code=2).stderr
     coevolution.start(tiny_race(), tmp_path / "run")
-    archive = tmp_path / "run" / "archive.npz"
-    archive.write_bytes(archive.read_bytes()[:-100])
-    assert "archive.npz: cut" in matrixworld_command("score", tmp_path / "run", code=1).stderr
+    genomes = tmp_path / "run" / "pursuers.npy"
+    genomes.write_bytes(genomes.read_bytes()[:-100])
+    assert "pursuers.npy: cut" in matrixworld_command("score", tmp_path / "run", code=1).stderr

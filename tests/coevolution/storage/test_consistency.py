@@ -6,6 +6,7 @@ import itertools
 import multiprocessing
 import shutil
 import sys
+import time
 import warnings
 from pathlib import Path
 
@@ -23,12 +24,15 @@ from matrixworld.coevolution import (
     resume,
 )
 from matrixworld.coevolution.storage import consistency
+from matrixworld.coevolution.storage.genome_file import HEAD
 from matrixworld.coevolution.storage.run_log import COLUMNS
-from tiny_race import RESULTS, StopAt, directory_in_memory, results, tiny_race, tiny_single
+from matrixworld.reading import read_npz
+from tiny_race import GENOMES, RESULTS, StopAt, directory_in_memory, results, tiny_race, tiny_single
 
-SAVED = ("archive.npz", "archive.previous.npz", "checkpoint.npz", "checkpoint.previous.npz")
-FILES = (*SAVED, "log.csv")
-ALL_OF_A_MOMENT = ("archive.npz", "checkpoint.npz", "log.csv")
+CHECKPOINTS = ("checkpoint.npz", "checkpoint.previous.npz")
+GROWN = ("log.csv", *GENOMES)
+FILES = (*CHECKPOINTS, *GROWN)
+ALL_OF_A_MOMENT = {"checkpoint.npz", *GROWN}
 KINDS = {
     "race": (Race, tiny_race()),
     "hall-of-fame": (
@@ -88,7 +92,7 @@ def test_every_moment_is_readable(life):
     assert lengths[-1] == lengths[-2]
 
 
-@pytest.mark.parametrize("count", [1, 2, 3])
+@pytest.mark.parametrize("count", [1, 2, 3, 4])
 def test_a_partial_copy_is_refused_or_complete(life, place, count):
     """Readers see what they see of the old copy or of the new one, or raise an error."""
     refused = 0
@@ -101,8 +105,10 @@ def test_a_partial_copy_is_refused_or_complete(life, place, count):
             except (DamagedFileError, FileNotFoundError):
                 refused += 1
             else:
-                # A process may have been killed between neighbours; all three are the old run.
-                is_old = found == wholes[0] and (j == i + 1 or set(ALL_OF_A_MOMENT) == set(names))
+                # A process may have been killed between neighbours. All of a moment are the old
+                # run; a team that a script plays has no file.
+                moment = {name for name in ALL_OF_A_MOMENT if (old / name).exists()}
+                is_old = found == wholes[0] and (j == i + 1 or set(names) >= moment)
                 assert found == wholes[1] or is_old, names
             shutil.rmtree(directory)
     assert refused
@@ -111,7 +117,8 @@ def test_a_partial_copy_is_refused_or_complete(life, place, count):
 @pytest.mark.parametrize(
     ("names", "message"),
     [
-        (["archive.npz"], r"archive\.npz: older than summary\.json, expected stage 4, got 2"),
+        (["pursuers.npy"], r"pursuers\.npy: cut or older than the checkpoint: expected \d+ bytes"),
+        (["evaders.npy"], r"evaders\.npy: cut or older than the checkpoint: expected \d+ bytes"),
         (["checkpoint.npz"], r"checkpoint\.npz: older than summary\.json, expected stage 4, got 2"),
         (["log.csv"], r"log\.csv: cut or older than the checkpoint: expected \d+ bytes, got \d+"),
     ],
@@ -121,8 +128,7 @@ def test_the_older_file_of_a_finished_run_is_named(names, message, place):
     directory = mixture(finished, old, names, place)
     with pytest.raises(DamagedFileError, match=message):
         seen(directory)
-    command = "replay" if names == ["archive.npz"] else "plot"
-    said = matrixworld_command(command, directory, code=1).stderr
+    said = matrixworld_command("plot", directory, code=1).stderr
     assert "older than" in said
     assert len(said.strip().splitlines()) == 1
 
@@ -130,17 +136,19 @@ def test_the_older_file_of_a_finished_run_is_named(names, message, place):
 @pytest.mark.parametrize(
     ("names", "message"),
     [
-        (
-            ["archive.npz"],
-            r"archive\.npz: older than checkpoint\.npz, expected stage 4 or 5, got",
-        ),
+        (["pursuers.npy"], r"pursuers\.npy: cut or older than the checkpoint: expected \d+ bytes"),
+        (["evaders.npy"], r"evaders\.npy: cut or older than the checkpoint: expected \d+ bytes"),
         (
             ["checkpoint.npz"],
-            r"checkpoint\.npz: older than archive\.npz, expected stage 3 or 4",
+            r"checkpoint\.npz: older than log\.csv, expected no rows after stage 3",
         ),
         (
-            ["archive.npz", "checkpoint.npz"],
-            r"checkpoint\.npz: older than log\.csv, expected ",
+            [*GENOMES, "checkpoint.npz"],
+            r"checkpoint\.npz: older than log\.csv, expected no rows after stage 3",
+        ),
+        (
+            ["log.csv", "checkpoint.npz"],
+            r"checkpoint\.npz: older than pursuers\.npy, expected a file of \d+ bytes, got \d+",
         ),
         (["log.csv"], r"log\.csv: cut or older than the checkpoint: expected \d+ bytes, got \d+"),
     ],
@@ -165,17 +173,22 @@ def race_and_copy(place):
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
-@pytest.mark.parametrize("names", [*itertools.combinations(SAVED, 1), ("log.csv",), SAVED])
+@pytest.mark.parametrize(
+    "names", [*itertools.combinations(FILES, 1), CHECKPOINTS, GROWN, ("log.csv", *CHECKPOINTS)]
+)
 def test_resuming_repairs_mixtures(life, place, names):
     """Readers accept the directory as soon as it is restored, and again when it is finished."""
     finished = life[-1]
-    for number, old in enumerate(life[1:-1], 1):
+    checkpoints = [CheckpointOf(finished / name) for name in reversed(CHECKPOINTS)]
+    for old in life[1:-1]:
         directory = mixture(finished, old, names, place)
         for name in ("summary.json", "payoff.npz"):
             (directory / name).unlink()
-        # Neither checkpoint fits to a log that is older than both.
-        if names == ("log.csv",) and number < len(life) - 3:
-            with pytest.raises(DamagedFileError, match=r"log\.csv"):
+        # Neither checkpoint fits to a file that is older than both.
+        if not set(names) & set(CHECKPOINTS) and not any(
+            each.fits(old, names) for each in checkpoints
+        ):
+            with pytest.raises(DamagedFileError, match="older than the checkpoint"):
                 resume(directory)
         else:
             run = resume(directory, threads=1)
@@ -186,23 +199,69 @@ def test_resuming_repairs_mixtures(life, place, names):
         shutil.rmtree(directory)
 
 
-def test_a_stale_archive_is_reported_when_the_run_is_resumed(place):
-    finished, old = race_and_copy(place)
-    directory = mixture(finished, old, ["archive.npz"], place)
-    (directory / "summary.json").unlink()
-    with pytest.warns(UserWarning, match="archive.npz is older than checkpoint.npz; continuing"):
-        run = resume(directory, threads=1)
-    run.run()
-    assert results(directory) == results(finished)
+class CheckpointOf:
+    """What a checkpoint counts of the files that grow."""
+
+    def __init__(self, path):
+        state = read_npz(path)
+        bytes_of = {name: 4 * int(np.prod(state[name[:-4]])) for name in GENOMES}
+        # A team that a script plays has no file.
+        sizes = {name: HEAD + size if size else 0 for name, size in bytes_of.items()}
+        self.sizes = {**sizes, "log.csv": int(state["log_length"])}
+
+    def fits(self, copy, names):
+        """Return whether the files of a copy are long enough."""
+        found = [(copy / name).stat().st_size if (copy / name).exists() else 0 for name in names]
+        return all(size >= self.sizes[name] for name, size in zip(names, found, strict=True))
 
 
-def test_archives_without_a_stage_are_refused_in_a_sentence(place):
+def test_a_mixture_is_reported_when_the_run_is_resumed(place):
+    """Files of the moment before: the previous checkpoint fits."""
+    race = Race(tiny_race(), place / "run", threads=1, play=StopAt(5))
+    with pytest.raises(KeyboardInterrupt):
+        race.run()
+    old = Path(shutil.copytree(place / "run", place / "old"))
+    race = resume(place / "run", threads=1, play=StopAt(2))
+    with pytest.raises(KeyboardInterrupt):
+        race.run()
+    directory = mixture(place / "run", old, ["pursuers.npy"], place / "mixed")
+    with pytest.warns(UserWarning, match=r"pursuers\.npy: cut or older .*; continuing from the"):
+        resume(directory, threads=1)
+    seen(directory)
+
+
+def test_what_follows_the_checkpoint_must_be_one_stage(place):
+    """Genomes beyond the checkpoint are legal only behind rows of the next stage."""
     run = RunDirectory.create(place / "run", "race", {"seed": 1})
     run.save(archive(1), [], {"stage": 0})
     run.write_config()
-    run._save("archive", {"pursuers": np.zeros((1, 5)), "evaders": np.zeros((1, 5))})
-    with pytest.raises(DamagedFileError, match=r"archive\.npz: expected an array 'stage', got "):
-        run.archive()
+    kept = {path: path.read_bytes() for path in run.path.iterdir()}
+    run.save(archive(2), [row(0)], {"stage": 1})
+    log, genomes = run.path / "log.csv", run.path / "pursuers.npy"
+    (run.path / "checkpoint.npz").write_bytes(kept[run.path / "checkpoint.npz"])
+    rows, whole = log.read_bytes(), genomes.read_bytes()
+    for cut in range(len(rows) + 1):
+        log.write_bytes(rows[:cut])
+        complete = cut > rows.index(b"\n") + 1
+        if complete:
+            assert len(run.archive()["pursuer"]) == 1
+        else:
+            with pytest.raises(DamagedFileError, match=r"checkpoint\.npz: older than pursuers"):
+                run.archive()
+    for cut in range(len(whole)):
+        genomes.write_bytes(whole[:cut])
+        if cut < len(kept[genomes]):
+            with pytest.raises(DamagedFileError, match=r"pursuers\.npy: cut or older than the ch"):
+                run.archive()
+        else:
+            assert len(run.archive()["pursuer"]) == 1
+    for more, blamed in {
+        rows + rows.splitlines()[1].replace(b"1,", b"2,", 1): "older than log",
+        rows + b"x": "older than log",
+    }.items():
+        log.write_bytes(more)
+        with pytest.raises(DamagedFileError, match=blamed):
+            run.archive()
 
 
 # A reader beside a writer:
@@ -225,6 +284,7 @@ def save_all_the_time(path, made):
     run.write_config()
     made.set()
     for stage in itertools.count(1):
+        time.sleep(0.001)  # longer runs would take longer to read
         run.save(archive(1 + stage), [row(stage)], {"stage": stage})
 
 
@@ -237,7 +297,7 @@ def test_a_reader_beside_a_writer_never_fails(place):
     assert made.wait(60)
     generations = 0
     try:
-        for _ in range(150):
+        for _ in range(60):
             files = RunDirectory.open(place / "run")
             found, log = files.archive(), files.log()
             assert np.array_equal(found["pursuer"], archive(len(found["pursuer"]))["pursuer"])
@@ -276,7 +336,7 @@ def test_reads_are_repeated_a_limited_number_of_times(place):
 
 def test_reading_a_mixture_changes_nothing(place):
     finished, old = race_and_copy(place)
-    directory = mixture(finished, old, ["archive.npz"], place)
+    directory = mixture(finished, old, ["pursuers.npy"], place)
     before = {path: path.read_bytes() for path in directory.iterdir()}
     with warnings.catch_warnings():
         warnings.simplefilter("error")

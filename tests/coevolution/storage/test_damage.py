@@ -24,9 +24,9 @@ from matrixworld.coevolution import (
     open_run,
     resume,
 )
-from tiny_race import RESULTS, StopAt, directory_in_memory, results, tiny_race
+from tiny_race import GENOMES, RESULTS, StopAt, directory_in_memory, results, tiny_race
 
-PREVIOUS = ("archive.previous.npz", "checkpoint.previous.npz")
+PREVIOUS = ("checkpoint.previous.npz",)
 AT_THE_END = ("payoff.npz", "summary.json")
 OF_EITHER = [
     (run, name)
@@ -141,7 +141,7 @@ def test_deleted_file(copy, straight, name):
         assert "expected a new or empty directory" in again.stderr
     else:
         code = check_reported_or_repaired(copy, name, straight)
-        assert code == (1 if name == "log.csv" else 0)
+        assert code == (1 if name in ("log.csv", *GENOMES) else 0)
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
@@ -157,9 +157,11 @@ def test_file_of_another_run(copy, straight, foreign, name):
 @pytest.mark.parametrize(
     ("source", "name"),
     [
-        ("archive.npz", "checkpoint.npz"),
-        ("checkpoint.npz", "archive.npz"),
-        ("archive.npz", "payoff.npz"),
+        ("pursuers.npy", "checkpoint.npz"),
+        ("pursuers.npy", "evaders.npy"),
+        ("evaders.npy", "pursuers.npy"),
+        ("checkpoint.npz", "pursuers.npy"),
+        ("checkpoint.npz", "payoff.npz"),
         ("config.json", "summary.json"),
     ],
 )
@@ -170,7 +172,8 @@ def test_file_under_another_name(copy, straight, source, name):
 
 def test_readers_refuse_damaged_files(straight, foreign, tmp_path):
     for name, read in {
-        "archive.npz": lambda run: run.files.archive(),
+        "pursuers.npy": lambda run: run.files.archive(),
+        "evaders.npy": lambda run: run.files.archive(),
         "payoff.npz": lambda run: run.payoff(),
         "summary.json": lambda run: run.files.summary(),
         "log.csv": lambda run: run.files.log(),
@@ -196,9 +199,9 @@ def rewritten(directory, change):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda config: config.update(format=1), r"expected format 5, got 1"),
+        (lambda config: config.update(format=1), r"expected format 6, got 1"),
         (lambda config: config.update(format=99, matrixworld="9.9"), r"written by matrixworld 9.9"),
-        (lambda config: config.pop("format"), r"expected format 5, got None"),
+        (lambda config: config.pop("format"), r"expected format 6, got None"),
         (lambda config: config["settings"].pop("seed"), r"missing fields \['seed'\]"),
         (lambda config: config["settings"].update(speed=1), r"unknown fields \['speed'\]"),
         (lambda config: config["settings"].update(fitness="beauty"), "fitness: expected one of"),
@@ -229,7 +232,7 @@ class Trap:
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
 @pytest.mark.parametrize("sealed", [False, True])
-@pytest.mark.parametrize("name", ["archive", "checkpoint", "payoff"])
+@pytest.mark.parametrize("name", ["checkpoint", "payoff"])
 def test_pickled_objects_are_not_loaded(straight, tmp_path, monkeypatch, name, sealed):
     monkeypatch.chdir(tmp_path)
     copy = Path(shutil.copytree(straight, tmp_path / "run"))
@@ -250,26 +253,26 @@ def test_pickled_objects_are_not_loaded(straight, tmp_path, monkeypatch, name, s
 def test_an_incomplete_new_run_is_replaced(straight, tmp_path):
     directory = tmp_path / "run"
     directory.mkdir()
-    for name in (".lock", "archive.npz", "checkpoint.npz"):
+    for name in (".lock", *GENOMES, "checkpoint.npz"):
         shutil.copy(straight / name, directory)
     (directory / ".checkpoint.npz.123.tmp").write_bytes(b"half")
     Race(tiny_race(), directory, threads=1).run()
     assert results(directory) == results(straight)
 
 
-@pytest.mark.parametrize("left_over", ["notes.txt", "log.csv", "archive.previous.npz"])
+@pytest.mark.parametrize("left_over", ["notes.txt", "log.csv", "checkpoint.previous.npz"])
 def test_other_files_are_not_replaced(straight, tmp_path, left_over):
     directory = tmp_path / "run"
     directory.mkdir()
-    for name in (".lock", "archive.npz", left_over):
+    for name in (".lock", "pursuers.npy", left_over):
         (directory / name).write_bytes(b"mine")
     with pytest.raises(FileExistsError, match=f"found {left_over}"):
         Race(tiny_race(), directory)
     (directory / left_over).unlink()
-    (directory / ".lock").unlink()  # without it, the archive may be the user's own
-    with pytest.raises(FileExistsError, match="found archive.npz"):
+    (directory / ".lock").unlink()  # without it, the genomes may be the user's own
+    with pytest.raises(FileExistsError, match=r"found pursuers\.npy"):
         Race(tiny_race(), directory)
-    assert (directory / "archive.npz").read_bytes() == b"mine"
+    assert (directory / "pursuers.npy").read_bytes() == b"mine"
 
 
 def test_a_command_stopped_while_it_makes_a_run_can_be_repeated(straight, tmp_path, monkeypatch):

@@ -14,6 +14,7 @@ import matrixworld as mw
 from attacks import (
     JSON_ATTACKS,
     NOT_FILES,
+    NPY_ATTACKS,
     NPZ_ATTACKS,
     forge,
     larger_than,
@@ -38,7 +39,7 @@ from matrixworld.coevolution import (
     resume,
 )
 from matrixworld.reading import read_json, read_npz
-from tiny_race import directory_in_memory, tiny_race, tiny_single
+from tiny_race import GENOMES, directory_in_memory, tiny_race, tiny_single
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs FIFOs")
 
@@ -118,7 +119,7 @@ SINGLE_FILES = {
     "read_npz": ("x.npz", read_npz, None),
     "read_json": ("x.json", read_json, None),
 }
-ATTACKS_ON = {".npz": NPZ_ATTACKS, ".json": JSON_ATTACKS}
+ATTACKS_ON = {".npz": NPZ_ATTACKS, ".npy": NPY_ATTACKS, ".json": JSON_ATTACKS}
 LARGE = {".csv": larger_than("CSV"), ".map": larger_than("map")}
 
 
@@ -203,7 +204,8 @@ def test_forged_episodes(change, place):
 
 RUN_FILES = {
     "config.json": ([open_run, resume], ["replay", "diagnose", "evolve --resume", "plot"]),
-    "archive.npz": ([open_run], ["replay", "score", "tournament"]),
+    "pursuers.npy": ([open_run, resume], ["replay", "score", "tournament", "evolve --resume"]),
+    "evaders.npy": ([open_run], ["replay"]),
     "checkpoint.npz": ([lambda path: open_run(path).files.log()], ["plot"]),
     "log.csv": ([lambda path: open_run(path).files.log(), resume], ["plot"]),
     "payoff.npz": ([lambda path: open_run(path).payoff()], ["diagnose", "analyze", "plot"]),
@@ -234,15 +236,14 @@ def test_files_of_runs(name, attack, copy):
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")  # of damage, which is part of the output
-@pytest.mark.parametrize("name", ["archive", "checkpoint"])
 @pytest.mark.parametrize("attack", [*NOT_FILES, *NPZ_ATTACKS])
-def test_runs_to_resume(name, attack, copy, race):
-    """A bad file is replaced by the one before it; two bad ones are refused."""
+def test_runs_to_resume(attack, copy, race):
+    """A bad checkpoint is replaced by the one before it; two bad ones are refused."""
     attacks = {**NOT_FILES, **NPZ_ATTACKS}
-    (copy / f"{name}.npz").unlink()
-    attacks[attack](copy / f"{name}.npz")
+    (copy / "checkpoint.npz").unlink()
+    attacks[attack](copy / "checkpoint.npz")
     again = Path(shutil.copytree(race, copy.parent / "again"))
-    for each in (f"{name}.npz", f"{name}.previous.npz"):
+    for each in ("checkpoint.npz", "checkpoint.previous.npz"):
         (again / each).unlink()
         attacks[attack](again / each)
     with little_memory():
@@ -250,7 +251,7 @@ def test_runs_to_resume(name, attack, copy, race):
         with pytest.raises(DamagedFileError, match="no intact checkpoint to continue from"):
             resume(again)
         refuse_in_one_line("evolve", "--resume", again)
-    for name in ("archive.npz", "log.csv", "checkpoint.npz"):
+    for name in (*GENOMES, "log.csv", "checkpoint.npz"):
         assert (copy / name).read_bytes() == (race / name).read_bytes()
 
 
@@ -271,11 +272,15 @@ def setting(key, value):
 
 
 FORGED = [
-    *[("archive.npz", without(key)) for key in ("pursuers", "evaders", "stage")],
-    ("archive.npz", with_entry("evaders", np.zeros((3, 2), np.float32))),
-    ("archive.npz", with_entry("pursuers", np.zeros((0, 9), np.float32))),
-    ("archive.npz", with_entry("pursuers", np.array(["a", "b", "c"]))),
-    ("archive.npz", with_entry("stage", np.array([1.5]))),
+    *[("checkpoint.npz", without(key)) for key in ("pursuers", "evaders_checksum")],
+    ("checkpoint.npz", with_entry("evaders", np.array([3, 2]))),
+    ("checkpoint.npz", with_entry("evaders", np.array([2**62, 2**62]))),
+    ("checkpoint.npz", with_entry("evaders", np.array([2**62, 0]))),
+    ("checkpoint.npz", with_entry("pursuers", np.array([-1, 9]))),
+    ("checkpoint.npz", with_entry("pursuers", np.array([0, 2**62]))),
+    ("checkpoint.npz", with_entry("pursuers", np.array([1.5, 2.5]))),
+    ("checkpoint.npz", with_entry("pursuers", np.array(3))),
+    ("checkpoint.npz", with_entry("pursuers_checksum", np.int64(5))),
     *[("checkpoint.npz", without(key)) for key in ("stage", "log_length", "log_checksum")],
     ("checkpoint.npz", with_entry("log_length", np.int64(2**62))),
     ("checkpoint.npz", with_entry("log_length", np.int64(-5))),
@@ -325,7 +330,7 @@ def test_forged_network_of_opponents(value, race, place):
     config = files.load_json(directory / "config.json")
     kept = {
         name: files.load_arrays(directory / f"{name}.npz", owner=owner(directory, f"{name}.npz"))
-        for name in ("archive", "checkpoint")
+        for name in ("checkpoint",)
     }
     summary = RunDirectory.open(directory).summary()
     files.save_json(directory / "config.json", {**config, "opponent_network": value})
@@ -373,6 +378,7 @@ def test_nested_values_with_a_checksum_are_refused(copy):
 
 def test_bombs_with_a_checksum_are_refused(copy):
     content = npz({"pursuers": npy((2_000_000, 1_000_000))})
-    sealed(copy / "archive.npz", content, owner(copy, "archive.npz"))
-    with pytest.raises(DamagedFileError, match=r"archive\.npz: .*expected 8,000,000,000,000 bytes"):
+    sealed(copy / "checkpoint.npz", content, owner(copy, "checkpoint.npz"))
+    refused = r"checkpoint\.npz: .*expected 8,000,000,000,000 bytes"
+    with pytest.raises(DamagedFileError, match=refused):
         open_run(copy)

@@ -280,7 +280,7 @@ class Run(ABC, Generic[AnySettings]):
         }
         for part, stateful in self.stateful_parts().items():
             state |= {f"{part}.{name}": value for name, value in stateful.state().items()}
-        self.files.save({t: self.genomes(t) for t in TEAMS}, self.training.rows, state)
+        self.files.save(self.archive, self.training.rows, state)
         self.training.rows = []
 
     def _restore(self) -> None:

@@ -6,6 +6,8 @@ module             contents
 run_files          `RunFiles`: the files of a run, their checksums, and how they are read
 consistency        which of them may stand beside each other
 run_directory      `RunDirectory`: the same files to write; checkpoints and the lock
+appended_file      `AppendedFile`: a file that grows, with a checksum of what a checkpoint counts
+genome_file        `GenomeFile`: pursuers.npy and evaders.npy, one genome per generation
 run_log            `RunLog`, `read_log`: log.csv, one row per epoch
 saved_run          `open_run`: a run to look at, finished or not; `SavedRun`
 =================  ===============================================================================

@@ -2,44 +2,53 @@
 
 A run saves its stage n, the number of finished stages, in this order:
 
-1. archive.npz, which states n;
-2. log.csv, to which the rows of the stage are appended;
-3. checkpoint.npz, which states n, the number of genomes, and length and checksum of the log.
+1. log.csv, to which the rows of the stage are appended; each row states n;
+2. pursuers.npy and evaders.npy, to which at most one genome each is appended;
+3. checkpoint.npz, which states n, and how much of the other files belongs to it, with checksums.
 
-A process may be killed after any of them. With archive a and checkpoint c there are two legal
-states: a = c, and the log ends where the checkpoint says; or a = c + 1, and the log is that long or
-longer. All others are mixtures of several moments, such as a copy of a directory that lacks some
-files. summary.json, which is written once at the end, states the last stage: a finished run has no
-other.
+A process may be killed at any moment. With checkpoint c there are two legal states: the other
+files end where the checkpoint says; or the log goes on with rows of stage c + 1, not all of which
+may be there, and each team may have one genome more, or a part of it. All others are mixtures of
+several moments, such as a copy of a directory that lacks some files. summary.json, which is written
+once at the end, states the last stage: behind it nothing follows.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
+from matrixworld.coevolution.storage.appended_file import Position, too_short
+from matrixworld.coevolution.storage.genome_file import (
+    GenomeFile,
+    GenomePosition,
+    file_size,
+    head_of,
+)
+from matrixworld.coevolution.storage.run_log import rows_after
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.reading import Arrays, DamagedFileError, Form, check_arrays
 
 Result = TypeVar("Result")
 
 STAGE = "stage"
-"""Name of the number of finished stages, in the archive and in the checkpoint."""
+"""Name of the number of finished stages, in the checkpoint and in the rows of the log."""
 STAGES = "stages"
 """Name of the same number in the summary."""
 
-GENOMES: dict[str, Form] = {"pursuers": ("f", "P genes"), "evaders": ("f", "E more")}
 COUNT: Form = ("iu", "")
+SHAPE: Form = ("iu", "2")
+TEXT: Form = ("U", "")
 FORMS: dict[str, dict[str, Form]] = {
-    "archive": {STAGE: COUNT, **GENOMES},
     "checkpoint": {
         STAGE: COUNT,
-        **dict.fromkeys(GENOMES, COUNT),
         "log_length": COUNT,
-        "log_checksum": ("U", ""),
+        "log_checksum": TEXT,
+        **{f"{team}s": SHAPE for team in TEAMS},
+        **{f"{team}s_checksum": TEXT for team in TEAMS},
     },
     "payoff": {
         "capture_rates": ("f", "G H n"),
@@ -66,24 +75,14 @@ TRIES = 100
 """Most times that a read is repeated while another process changes the files."""
 
 
-class Stated(NamedTuple):
-    """A file, and the stage that it states."""
-
-    path: Path
-    stage: int
-
-
-def stated(path: Path, arrays: Arrays) -> Stated:
-    """Return the stage that a file states."""
-    return Stated(path, int(arrays[STAGE]))
-
-
 def check_form(path: Path, name: str, arrays: Arrays) -> None:
     """Raise DamagedFileError unless a file `name` of a run holds what it must."""
     check_arrays(path, arrays, FORMS[name])
     for key, form in FORMS[name].items():
-        if form == COUNT and arrays[key] < 0:
+        if form in (COUNT, SHAPE) and arrays[key].min() < 0:
             raise DamagedFileError(path, f"{key}: expected at least 0, got {arrays[key]}")
+        if form == SHAPE and arrays[key][0] and not arrays[key][1]:
+            raise DamagedFileError(path, f"{key}: expected genomes with genes, got {arrays[key]}")
     if name == "payoff":
         _check_payoff(path, arrays)
 
@@ -112,53 +111,78 @@ def check_summary(path: Path, kind: str, values: Mapping[str, Any]) -> None:
             raise DamagedFileError(path, f"expected a number {name!r}, got {got}")
 
 
-def check_same(file: Stated, last: Stated) -> None:
-    """Raise DamagedFileError unless a file of a finished run states its last stage."""
-    if file.stage != last.stage:
-        older, newer = sorted((file, last), key=lambda each: each.stage)
-        raise _older(older, newer, str(newer.stage))
+def check_last(path: Path, arrays: Arrays, summary: Path, stages: int) -> None:
+    """Raise DamagedFileError unless the checkpoint of a finished run is of its last stage."""
+    stage = int(arrays[STAGE])
+    if stage != stages:
+        older, newer = sorted([(stage, path), (stages, summary)])
+        expected = f"expected stage {newer[0]}, got {older[0]}"
+        raise DamagedFileError(older[1], f"older than {newer[1].name}, {expected}{SEVERAL}")
 
 
-def check_pair(archive: Stated, checkpoint: Stated) -> None:
-    """Raise DamagedFileError unless archive and checkpoint may be of the same moment."""
-    if archive.stage < checkpoint.stage:
-        expected = f"{checkpoint.stage} or {checkpoint.stage + 1}"
-        raise _older(archive, checkpoint, expected)
-    if archive.stage > checkpoint.stage + 1:
-        raise _older(checkpoint, archive, f"{archive.stage - 1} or {archive.stage}")
-
-
-def _older(older: Stated, newer: Stated, expected: str) -> DamagedFileError:
-    return DamagedFileError(
-        older.path,
-        f"older than {newer.path.name}, expected stage {expected}, got {older.stage}{SEVERAL}",
-    )
-
-
-def check_log(log: Path, length: int, archive: Stated, checkpoint: Stated) -> None:
-    """Raise DamagedFileError if the log goes on, although the next stage was not being saved.
+def check_log(log: Path, position: Position, checkpoint: Path, stage: int | None) -> bool:
+    """Return whether the log goes on after a checkpoint, because a stage was being saved.
 
     Parameters
     ----------
     log : Path
         The log.
-    length : int
-        Its length at the checkpoint, in bytes. `read_log` raises an error for a shorter log.
-    archive, checkpoint : Stated
-        Their stages.
+    position : Position
+        Where it ends at the checkpoint. `read_log` raises an error for a shorter log.
+    checkpoint : Path
+        The checkpoint.
+    stage : int, optional
+        The stage that may follow; None if the run is finished.
+
+    Raises
+    ------
+    DamagedFileError
+        If the log goes on with something else than rows of this stage.
     """
-    found = log.stat().st_size if log.exists() else 0
-    if archive.stage == checkpoint.stage and found > length:
-        raise DamagedFileError(
-            checkpoint.path,
-            f"older than {log.name}, expected a log of {found} bytes, got {length}{SEVERAL}",
-        )
+    rows = rows_after(log, position)
+    if rows and (stage is None or not _are_of(stage, rows)):
+        allowed = "no more rows" if stage is None else f"no rows after stage {stage}"
+        raise DamagedFileError(checkpoint, f"older than {log.name}, expected {allowed}{SEVERAL}")
+    return bool(rows)
 
 
-def counted(archive: Arrays, checkpoint: Arrays) -> bool:
-    """Return whether an archive holds all genomes that a checkpoint counts."""
-    names = [f"{team}s" for team in TEAMS]
-    return all(0 <= int(checkpoint[name]) <= len(archive[name]) for name in names)
+def _are_of(stage: int, rows: bytes) -> bool:
+    """Return whether all rows, of which the last may be cut, begin with a stage."""
+    mark = b"%d," % stage
+    begin = rows.rfind(b"\n") + 1
+    last = rows[begin : begin + len(mark)]
+    found = rows.startswith(mark) + rows.count(b"\n" + mark)
+    # Even the mark of the last row may be cut.
+    return found == rows.count(b"\n") + (last == mark) and mark.startswith(last)
+
+
+def check_genomes(path: Path, position: GenomePosition, checkpoint: Path, *, growing: bool) -> None:
+    """Raise DamagedFileError unless a file of genomes ends where it may.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    position : GenomePosition
+        Where it ends at the checkpoint.
+    checkpoint : Path
+        The checkpoint.
+    growing : bool
+        Whether a genome, or a part of it, may follow.
+    """
+    least = file_size(position)
+    most = least + growing * position.genome_size
+    found, head = 0, b""
+    if path.exists():
+        found, head = path.stat().st_size, GenomeFile(path).head()
+    if found < least:
+        raise too_short(path, least, found)
+    if found > most:
+        expected = f"expected a file of {most} bytes, got {found}"
+        raise DamagedFileError(checkpoint, f"older than {path.name}, {expected}{SEVERAL}")
+    shapes = [(position.genomes + more, position.genes) for more in range(growing + 1)]
+    if least and head not in [head_of(*shape) for shape in shapes]:
+        raise DamagedFileError(path, f"altered, expected a head with the shape {shapes[0]}")
 
 
 def steady(read: Callable[[], Result], files: list[Path]) -> Result:
@@ -166,8 +190,8 @@ def steady(read: Callable[[], Result], files: list[Path]) -> Result:
 
     Notes
     -----
-    A run that is being saved lacks a file for a moment, and a reader may see the archive of one
-    save and the checkpoint of another. An error is therefore raised only if the files are the same
+    A run that is being saved lacks a file for a moment, and a reader may see the log of one save
+    and the checkpoint of another. An error is therefore raised only if the files are the same
     before and after.
     """
     for _ in range(TRIES):
@@ -182,10 +206,11 @@ def steady(read: Callable[[], Result], files: list[Path]) -> Result:
 
 def _versions(files: list[Path]) -> list[Any]:
     """Return what changes when files are replaced, appended to, made or removed."""
-    return [_version(path) for path in files]
+    return [version(path) for path in files]
 
 
-def _version(path: Path) -> tuple[int, int, int] | None:
+def version(path: Path) -> tuple[int, int, int] | None:
+    """Return what changes when a file is replaced or written to; None if there is none."""
     try:
         status = path.stat()
     except FileNotFoundError:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import cached_property
@@ -16,9 +16,10 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from matrixworld.coevolution.storage.consistency import STAGE, counted
+from matrixworld.coevolution.storage.appended_file import Position
+from matrixworld.coevolution.storage.consistency import STAGE
+from matrixworld.coevolution.storage.genome_file import GenomeFile
 from matrixworld.coevolution.storage.run_files import (
-    ARCHIVE,
     CHECKPOINT,
     CONFIG,
     FORMAT,
@@ -28,11 +29,12 @@ from matrixworld.coevolution.storage.run_files import (
     SUMMARY,
     Archive,
     RunFiles,
-    archive_at,
+    genome_position,
+    genomes_name,
     log_position,
 )
 from matrixworld.coevolution.storage.run_log import Row, RunLog
-from matrixworld.coevolution.types import TEAMS
+from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team
 from matrixworld.files import (
     is_temporary,
     json_digest,
@@ -44,7 +46,7 @@ from matrixworld.files import (
 from matrixworld.reading import Arrays, DamagedFileError
 from matrixworld.version import __version__
 
-INCOMPLETE = {LOCK, "archive.npz", "checkpoint.npz"}
+INCOMPLETE = {LOCK, *map(genomes_name, TEAMS), "checkpoint.npz"}
 """Files that a process may leave, besides temporary ones, if it is killed while it makes a run."""
 
 Problems = list[FileNotFoundError | DamagedFileError]
@@ -79,6 +81,7 @@ class RunDirectory(RunFiles):
         super().__init__(path)
         self._new_config: dict[str, Any] = {}
         self._log = RunLog(path / LOG)
+        self._grown: dict[Team, GenomeFile] = {team: self._genomes(team) for team in TEAMS}
 
     @classmethod
     def create(
@@ -159,25 +162,32 @@ class RunDirectory(RunFiles):
 
     # Checkpoints:
 
-    def save(self, archive: Archive, rows: Sequence[Row], state: Mapping[str, Any]) -> None:
-        """Save the archive, new rows of the log, and a checkpoint.
+    def save(
+        self,
+        archive: Mapping[Team, Genomes | Sequence[Genome]],
+        rows: Sequence[Row],
+        state: Mapping[str, Any],
+    ) -> None:
+        """Save new genomes, new rows of the log, and a checkpoint.
 
         Parameters
         ----------
-        archive : dict of str to ndarray of float32, shape (generations, genes)
-            Genomes of each team.
+        archive : mapping of str to array_like of float32, shape (generations, genes)
+            All genomes of each team. Those that were saved before are not read again.
         rows : sequence of dict
             Rows of the log since the last checkpoint.
         state : mapping of str to array_like
             What `restore` has to return; ``stage`` is the number of finished stages.
         """
-        self._save_archive(archive, state)
+        # In the order that `consistency` explains. The checkpoint is written last: what the other
+        # files hold beyond it is ignored.
         if rows:
-            self._log.append(rows)
-        # The checkpoint is written last: what archive and log hold beyond its counts is ignored.
-        counts = {f"{team}s": len(archive[team]) for team in TEAMS}
-        log = {"log_length": self._log.length, "log_checksum": self._log.checksum}
-        self._save(CHECKPOINT, {**state, **counts, **log})
+            self._log.append([{**row, STAGE: state[STAGE]} for row in rows])
+        for team, file in self._grown.items():
+            file.append(archive[team][file.position.genomes :])
+        counted = _counted(self._log.position, self._grown)
+        path, owner = self._file(CHECKPOINT), self._owner_of(CHECKPOINT)
+        save_arrays(path, {**state, **counted}, owner=owner, keep_as=self._previous(CHECKPOINT))
 
     def restore(self) -> Checkpoint:
         """Return the newest intact checkpoint, and truncate the log to it.
@@ -192,66 +202,43 @@ class RunDirectory(RunFiles):
         """
         remove_temporary_files(self.path)
         problems: Problems = []
-        # After a crash while saving, the newest archive may belong to no checkpoint, but it holds
-        # the genomes of all checkpoints before it.
-        for saved, state in self._intact(CHECKPOINT, problems):
-            for genomes, archive in self._intact(ARCHIVE, problems):
-                chosen = {CHECKPOINT: saved, ARCHIVE: genomes}
-                if self._fits(chosen, archive, state, problems):
-                    self._set_aside(problems)
-                    self._settle(chosen, archive, state)
-                    return Checkpoint(archive_at(archive, state), state)
-        # Each problem once, although a file is tried with several others.
+        for path in self._both(CHECKPOINT):
+            found = self._fitting(path, problems)
+            if found is not None:
+                self._set_aside(problems)
+                self._settle(path, found.state)
+                return found
+        # Each problem once, although a file is tried with both checkpoints.
         reasons = "; ".join(dict.fromkeys(str(problem) for problem in problems))
         raise DamagedFileError(self.path, f"no intact checkpoint to continue from: {reasons}")
 
-    def _intact(self, name: str, problems: Problems) -> Iterator[tuple[Path, Arrays]]:
-        """Yield the newest file of a name and the one before it, without damaged ones."""
-        for path in self._both(name):
-            arrays = self._loaded(path, name, problems)
-            if arrays is not None:
-                yield path, arrays
-
-    def _loaded(self, path: Path, name: str, problems: Problems) -> Arrays | None:
+    def _fitting(self, path: Path, problems: Problems) -> Checkpoint | None:
+        """Return a checkpoint if everything that it counts is there."""
         try:
-            return self._load(path, name)
+            state = self._load(path, CHECKPOINT)
+            self._log.check(log_position(state))
+            archive = {t: file.read(genome_position(state, t)) for t, file in self._grown.items()}
         except (FileNotFoundError, DamagedFileError) as error:
             problems.append(error)
             return None
-
-    def _fits(
-        self, chosen: Mapping[str, Path], archive: Arrays, state: Arrays, problems: Problems
-    ) -> bool:
-        """Return whether archive and log hold everything that the checkpoint counts."""
-        if not counted(archive, state):
-            # An older archive that is tried in place of a damaged one is no problem of its own.
-            if all(path == self._file(name) for name, path in chosen.items()):
-                problem = "archive.npz is older than checkpoint.npz"
-                problems.append(DamagedFileError(self.path, problem))
-            return False
-        try:
-            self._log.truncate(*log_position(state))
-        except DamagedFileError as error:
-            problems.append(error)
-            return False
-        return True
+        return Checkpoint(archive, state)
 
     def _set_aside(self, problems: Problems) -> None:
-        """Rename damaged archives and checkpoints, so that no save keeps one as the previous."""
-        for problem in {str(problem): problem for problem in problems}.values():
+        """Rename a damaged checkpoint, so that no save keeps it as the previous one."""
+        for problem in problems:
             if isinstance(problem, DamagedFileError):
                 warnings.warn(f"{problem}; continuing from the checkpoint before it", stacklevel=4)
-                if problem.path.suffix == ".npz" and problem.path.exists():
+                if problem.path == self._file(CHECKPOINT) and problem.path.exists():
                     os.replace(problem.path, f"{problem.path}.damaged")
 
-    def _settle(self, chosen: Mapping[str, Path], archive: Arrays, state: Arrays) -> None:
-        """Make the chosen checkpoint and archive the newest ones, so that readers see them, too."""
-        for name, path in chosen.items():
-            if path != self._file(name):
-                os.replace(path, self._file(name))
-        # After a second checkpoint is lost, the archive may be two stages ahead.
-        if int(archive[STAGE]) > int(state[STAGE]) + 1:
-            self._save_archive(archive_at(archive, state), state)
+    def _settle(self, chosen: Path, state: Arrays) -> None:
+        """Make a checkpoint the newest one, and remove what other files hold beyond it."""
+        if chosen != self._file(CHECKPOINT):
+            os.replace(chosen, self._file(CHECKPOINT))
+        # The log last: genomes may be more than the checkpoint counts only if the log is longer.
+        for team, file in self._grown.items():
+            file.truncate(genome_position(state, team))
+        self._log.truncate(log_position(state))
 
     def save_payoff(self, arrays: Mapping[str, NDArray[Any]]) -> None:
         """Write payoff.npz."""
@@ -261,10 +248,11 @@ class RunDirectory(RunFiles):
         """Write summary.json, the last file of a finished run."""
         save_json(self.path / SUMMARY, values, owner=self._owner_of(SUMMARY))
 
-    def _save_archive(self, archive: Archive, state: Mapping[str, Any]) -> None:
-        genomes = {f"{team}s": archive[team] for team in TEAMS}
-        self._save(ARCHIVE, {**genomes, STAGE: state[STAGE]})
 
-    def _save(self, name: str, arrays: Mapping[str, Any]) -> None:
-        owner = self._owner_of(name)
-        save_arrays(self._file(name), arrays, owner=owner, keep_as=self._previous(name))
+def _counted(log: Position, grown: Mapping[Team, GenomeFile]) -> dict[str, Any]:
+    """Return what a checkpoint states about the files that grow."""
+    counted: dict[str, Any] = {"log_length": log.length, "log_checksum": log.checksum}
+    for team, file in grown.items():
+        genomes, genes, checksum = file.position
+        counted |= {f"{team}s": [genomes, genes], f"{team}s_checksum": checksum}
+    return counted

@@ -2,20 +2,20 @@
 
 ====================  ==========================================================================
 config.json           format, package version, kind of run, settings
-archive.npz           genomes of all generations, ``pursuers`` and ``evaders`` (n, genes) float32,
-                      and ``stage``, the number of finished stages
 log.csv               one row per epoch (see `run_log.COLUMNS`)
+pursuers.npy          genomes of all generations of the pursuers, (n, genes) float32
+evaders.npy           the same of the evaders; a team that a script plays has no file
 payoff.npz            results of the archives against each other (see `Payoff`)
 summary.json          the most important numbers of the run
 checkpoint.npz        position in the run, and the state from which training continues
-*.previous.npz        the archive and the checkpoint before the newest ones
+*.previous.npz        the checkpoint before the newest one
 ====================  ==========================================================================
 
-Several processes may read a directory; one writes to it, under its lock. The checksums of all files
-but the log include that of config.json, so that a file of another run is refused; length and
-checksum of the log are in the checkpoint. Files of different moments of the same run are refused
-(see `consistency`). payoff.npz and summary.json follow from the other files:
-if they are deleted, resuming the run makes them again.
+Several processes may read a directory; one writes to it, under its lock. The log and the genomes
+grow; their lengths and checksums are in the checkpoint. The checksums of all other files include
+that of config.json, so that a file of another run is refused. Files of different moments of the
+same run are refused, too (see `consistency`). payoff.npz and summary.json follow from the other
+files: if they are deleted, resuming the run makes them again.
 """
 
 from __future__ import annotations
@@ -29,31 +29,32 @@ from numpy.typing import NDArray
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.settings.training import settings_from_json
+from matrixworld.coevolution.storage.appended_file import Position
 from matrixworld.coevolution.storage.consistency import (
+    STAGE,
     STAGES,
-    Stated,
     check_form,
+    check_genomes,
+    check_last,
     check_log,
-    check_pair,
-    check_same,
     check_summary,
-    counted,
-    stated,
     steady,
+    version,
 )
+from matrixworld.coevolution.storage.genome_file import GenomeFile, GenomePosition
 from matrixworld.coevolution.storage.run_log import read_log
 from matrixworld.coevolution.types import TEAMS, Genomes, Team
 from matrixworld.files import json_digest, load_arrays, load_json
 from matrixworld.reading import Arrays, DamagedFileError, one_line
 from matrixworld.version import __version__
 
-# Format 5 differs from 4 in the stage that the archive and the summary state, and in the settings
-# of learners and samplers of one's own.
-FORMAT = 5
+# Format 6 differs from 5 in the genomes, which are appended to one file per team, and no longer
+# written as a whole to archive.npz after each stage; and in the column `stage` of the log.
+FORMAT = 6
 """Version of the directory's layout; another one is refused."""
 
 CONFIG, SUMMARY, LOG, LOCK = "config.json", "summary.json", "log.csv", ".lock"
-ARCHIVE, CHECKPOINT, PAYOFF = "archive", "checkpoint", "payoff"
+CHECKPOINT, PAYOFF = "checkpoint", "payoff"
 
 SETTINGS_OF_KIND: dict[str, type[RaceSettings] | type[SingleSettings]] = {
     "race": RaceSettings,
@@ -133,40 +134,40 @@ class RunFiles:
         return steady(self._read_archive, self._files())
 
     def _read_archive(self) -> Archive:
-        if self.finished:
-            archive = self._load_last(ARCHIVE)
-            return {team: archive[f"{team}s"] for team in TEAMS}
-        archive, state = self._load_pair()
-        return archive_at(archive, state)
+        state = self._moment()
+        return {team: self._genomes(team).read(genome_position(state, team)) for team in TEAMS}
 
     def log(self) -> dict[str, NDArray[Any]]:
         """Return the columns of log.csv as arrays, up to the checkpoint; errors as `archive`."""
         return steady(self._read_log, self._files())
 
     def _read_log(self) -> dict[str, NDArray[Any]]:
-        state = self._load_last(CHECKPOINT) if self.finished else self._load_pair()[1]
-        return read_log(self.path / LOG, *log_position(state))
+        return read_log(self.path / LOG, log_position(self._moment()))
 
-    def _load_last(self, name: str) -> Arrays:
-        """Return a file of a finished run, which must be of its last stage."""
-        path = self._file(name)
-        arrays, last = self._load(path, name), Stated(self.path / SUMMARY, self.summary()[STAGES])
-        check_same(stated(path, arrays), last)
-        return arrays
+    def _moment(self) -> Arrays:
+        """Return the checkpoint; DamagedFileError unless the other files are of its moment."""
+        # Before the files that it counts: they may be newer, but never older.
+        path = self._newest(CHECKPOINT)
+        before = version(path)
+        state = self._load(path, CHECKPOINT)
+        try:
+            self._check_ends(path, state)
+        except DamagedFileError:
+            # After another checkpoint the files may hold any number of further stages. What this
+            # one has counted stays.
+            if version(path) == before:
+                raise
+        return state
 
-    def _load_pair(self) -> tuple[Arrays, Arrays]:
-        """Return archive and checkpoint of an unfinished run, which must fit."""
-        # Not in the order in which they are written: the archive may be newer, but never older.
-        saved = self._newest(CHECKPOINT)
-        state = self._load(saved, CHECKPOINT)
-        length = log_position(state)[0]
-        genomes = self._newest(ARCHIVE)
-        archive = self._load(genomes, ARCHIVE)
-        check_pair(stated(genomes, archive), stated(saved, state))
-        if not counted(archive, state):
-            raise DamagedFileError(genomes, f"expected the genomes that {saved.name} counts")
-        check_log(self.path / LOG, length, stated(genomes, archive), stated(saved, state))
-        return archive, state
+    def _check_ends(self, checkpoint: Path, state: Arrays) -> None:
+        following: int | None = int(state[STAGE]) + 1
+        if self.finished:
+            check_last(checkpoint, state, self.path / SUMMARY, self.summary()[STAGES])
+            following = None
+        growing = check_log(self.path / LOG, log_position(state), checkpoint, following)
+        for team in TEAMS:
+            path, position = self._genomes(team).path, genome_position(state, team)
+            check_genomes(path, position, checkpoint, growing=growing)
 
     def _newest(self, name: str) -> Path:
         # Between the two renames of a save there is only the previous file.
@@ -207,8 +208,12 @@ class RunFiles:
 
     def _files(self) -> list[Path]:
         """Return all files that change while a run trains."""
-        saved = [*self._both(ARCHIVE), *self._both(CHECKPOINT), self._file(PAYOFF)]
-        return [*saved, self.path / LOG, self.path / SUMMARY]
+        saved = [*self._both(CHECKPOINT), self._file(PAYOFF)]
+        grown = [self.path / LOG, *(self._genomes(team).path for team in TEAMS)]
+        return [*saved, *grown, self.path / SUMMARY]
+
+    def _genomes(self, team: Team) -> GenomeFile:
+        return GenomeFile(self.path / genomes_name(team))
 
     def _file(self, name: str) -> Path:
         return self.path / f"{name}.npz"
@@ -217,14 +222,20 @@ class RunFiles:
         return self.path / f"{name}.previous.npz"
 
 
-def log_position(state: Arrays) -> tuple[int, str]:
-    """Return length and checksum of the log at a checkpoint."""
-    return int(state["log_length"]), str(state["log_checksum"])
+def genomes_name(team: Team) -> str:
+    """Return the name of the file with a team's genomes."""
+    return f"{team}s.npy"
 
 
-def archive_at(archive: Arrays, state: Arrays) -> Archive:
-    """Return the archive without genomes that were added after the checkpoint."""
-    return {team: archive[f"{team}s"][: int(state[f"{team}s"])] for team in TEAMS}
+def log_position(state: Arrays) -> Position:
+    """Return where the log ends at a checkpoint."""
+    return Position(int(state["log_length"]), str(state["log_checksum"]))
+
+
+def genome_position(state: Arrays, team: Team) -> GenomePosition:
+    """Return where the genomes of a team end at a checkpoint."""
+    genomes, genes = state[f"{team}s"].tolist()
+    return GenomePosition(genomes, genes, str(state[f"{team}s_checksum"]))
 
 
 def _version(config: dict[str, Any]) -> str:

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import csv
-import hashlib
 import io
-import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -13,12 +11,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.files import NO_LINK, check_replaceable, naming
+from matrixworld.coevolution.storage.appended_file import AppendedFile, Position
 from matrixworld.reading import DamagedFileError, read_content
 
 Row = dict[str, Any]
 
 COLUMNS: dict[str, type] = {
+    "stage": int,
     "generation": int,
     "team": str,
     "epoch": int,
@@ -35,19 +34,22 @@ COLUMNS: dict[str, type] = {
 }
 """Columns of the log and their types.
 
-`opponent` is the opponent's generation (-1: several opponents); `fitness_*` are over the
-candidates of the epoch; `capture_rate`, `length` and `*_faults` (agent-steps at fault in a
-collision) are means over its episodes; `matches` and `steps` are the training episodes and world
-steps played so far in the run; matches after the last epoch of a generation, which choose its
-champion, count in the row of that epoch.
+`stage` counts the stages of the run from 1, and a checkpoint is saved at the end of each;
+`opponent` is the opponent's generation (-1: several opponents); `fitness_*` are over the candidates
+of the epoch; `capture_rate`, `length` and `*_faults` (agent-steps at fault in a collision) are
+means over its episodes; `matches` and `steps` are the training episodes and world steps played so
+far in the run; matches after the last epoch of a generation, which choose its champion, count in
+the row of that epoch.
 """
+
+HEADER = ",".join(COLUMNS).encode() + b"\n"
 
 SEVERAL = -1
 """Value of `opponent` in an epoch with several opponents."""
 
 
 class RunLog:
-    """The log of a run: a CSV file identified by its length and the SHA-256 of its content.
+    """The log of a run: a CSV file that grows.
 
     Parameters
     ----------
@@ -56,67 +58,47 @@ class RunLog:
     """
 
     def __init__(self, path: Path) -> None:
-        self.path = path
-        self._length = 0
-        self._digest = hashlib.sha256()
+        self._file = AppendedFile(path, "log")
 
     @property
-    def length(self) -> int:
-        """Number of bytes written."""
-        return self._length
-
-    @property
-    def checksum(self) -> str:
-        """SHA-256 of the bytes written, in hexadecimal."""
-        return self._digest.hexdigest()
+    def position(self) -> Position:
+        """Length and checksum of the bytes written."""
+        return self._file.position
 
     def append(self, rows: Sequence[Row]) -> None:
         """Append rows, with the header before the first one, and sync the file."""
         text = io.StringIO()
         # The same line ends on all systems, so that checksums are the same, too.
         writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
-        if not self._length:
+        if not self.position.length:
             writer.writeheader()
         writer.writerows({name: _written(value) for name, value in row.items()} for row in rows)
-        content = text.getvalue().encode()
-        check_replaceable(self.path)
-        with naming(self.path), open(self.path, "ab", opener=_opener) as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-        # Last: after a failed write, length and checksum are still those of intact rows.
-        self._digest.update(content)
-        self._length += len(content)
+        self._file.append(text.getvalue().encode())
 
-    def truncate(self, length: int, checksum: str) -> None:
-        """Remove everything after the first `length` bytes.
+    def check(self, position: Position) -> None:
+        """Raise DamagedFileError unless the log up to a position is what was written."""
+        self._file.read(position)
 
-        Raises
-        ------
-        DamagedFileError
-            If these bytes are not there or do not have `checksum`.
-        """
-        content = _checked(self.path, length, checksum)
-        if check_replaceable(self.path):
-            os.truncate(self.path, length)
-        self._length, self._digest = length, hashlib.sha256(content)
+    def truncate(self, position: Position) -> None:
+        """Remove everything after a position; DamagedFileError as `check`."""
+        self._file.truncate(position)
 
 
-def _checked(path: Path, length: int, checksum: str) -> bytes:
-    """Return the first `length` bytes of a log; DamagedFileError unless they have `checksum`."""
-    content = read_content(path, "log", length) if path.exists() else b""
-    if len(content) < length:
-        raise DamagedFileError(
-            path, f"cut or older than the checkpoint: expected {length} bytes, got {len(content)}"
-        )
-    if hashlib.sha256(content).hexdigest() != checksum:
-        raise DamagedFileError(path, "altered, its checksum is not the one in the checkpoint")
-    return content
+def rows_after(path: Path, position: Position) -> bytes:
+    """Return the rows of a log after a position, without the header; the last may be cut.
 
-
-def _opener(path: str, flags: int) -> int:
-    # Not through a symbolic link, which may point to any file of the user.
-    return os.open(path, flags | NO_LINK, 0o666)
+    Parameters
+    ----------
+    path : Path
+        The file; without it there are no rows.
+    position : Position
+        As of a checkpoint.
+    """
+    after = read_content(path, "log", start=position.length) if path.exists() else b""
+    if position.length:
+        return after
+    # A part of the header holds no row.
+    return b"" if HEADER.startswith(after) else after.removeprefix(HEADER)
 
 
 def _written(value: Any) -> str:
@@ -124,17 +106,15 @@ def _written(value: Any) -> str:
     return f"{value:.9g}" if isinstance(value, float) else str(value)
 
 
-def read_log(path: Path, length: int, checksum: str) -> dict[str, NDArray[Any]]:
-    """Return the columns of the first `length` bytes of a log as arrays.
+def read_log(path: Path, position: Position) -> dict[str, NDArray[Any]]:
+    """Return the columns of a log up to a position as arrays.
 
     Parameters
     ----------
     path : Path
         The file.
-    length : int
-        Bytes to read; a run that is still training may have appended more.
-    checksum : str
-        SHA-256 of these bytes, in hexadecimal.
+    position : Position
+        Bytes to read, and their checksum; a run that is still training may have appended more.
 
     Returns
     -------
@@ -144,10 +124,10 @@ def read_log(path: Path, length: int, checksum: str) -> dict[str, NDArray[Any]]:
     Raises
     ------
     DamagedFileError
-        If the bytes do not have `checksum` or are not rows of a log.
+        If the bytes do not have the checksum or are not rows of a log.
     """
     # Bytes that are not text are not refused here, but below, as rows that cannot be read.
-    text = _checked(path, length, checksum).decode(errors="replace")
+    text = AppendedFile(path, "log").read(position).decode(errors="replace")
     try:
         rows = list(csv.DictReader(io.StringIO(text, newline="")))
         return {

@@ -15,7 +15,7 @@ from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.run_directory import RunDirectory
-from matrixworld.coevolution.storage.run_files import CONFIG
+from matrixworld.coevolution.storage.run_files import CONFIG, genomes_name
 from matrixworld.coevolution.types import TEAMS, Genomes, Team
 from matrixworld.episode import Episode
 from matrixworld.play import NetworkPolicy
@@ -242,7 +242,8 @@ def open_run(directory: str | Path) -> SavedRun:
             return _population(files, team, archive[team])
         if isinstance(settings, SingleSettings) and settings.team != team:
             return script_of(settings.against)
-        raise DamagedFileError(files.path / "archive.npz", f"expected genomes of {team}s, got none")
+        problem = f"expected genomes of {team}s, got none"
+        raise DamagedFileError(files.path / genomes_name(team), problem)
 
     return SavedRun(files, settings, {team: policy(team) for team in TEAMS})
 
@@ -253,4 +254,4 @@ def _population(files: RunDirectory, team: Team, genomes: Genomes) -> Population
     try:
         return Population(genomes, network)
     except (TypeError, ValueError) as error:
-        raise DamagedFileError(files.path / "archive.npz", f"{team}s: {error}") from error
+        raise DamagedFileError(files.path / genomes_name(team), str(error)) from error
