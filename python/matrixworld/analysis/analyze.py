@@ -17,7 +17,6 @@ from matrixworld.analysis.intervals import (
     Band,
     Bounds,
     Estimate,
-    band_over_runs,
     few_runs,
     interval_over_runs,
     without_interval,
@@ -26,6 +25,7 @@ from matrixworld.analysis.judgement import Judgement, judge_payoffs
 from matrixworld.analysis.measures import MEASURES, measure_over_episodes
 from matrixworld.analysis.payoff import Rates, require
 from matrixworld.analysis.plain_values import plain_values
+from matrixworld.analysis.race_bands import race_bands
 from matrixworld.analysis.single_run import RunAnalysis, analyze_run
 from matrixworld.analysis.sources import Source, read_payoffs
 from matrixworld.analysis.wording import explain, headline
@@ -215,14 +215,11 @@ def _over_episodes(scores: Rates, level: float) -> dict[str, Estimate]:
 
 
 def _bands(runs: tuple[RunAnalysis, ...], level: float) -> dict[str, Band]:
-    curves: dict[str, list[Rates]] = {
-        "pursuer_generalization": [run.generalization.pursuers for run in runs],
-        "evader_generalization": [run.generalization.evaders for run in runs],
-        "lag_profile": [run.lag_profile.means for run in runs],
-    }
+    bands = race_bands([run.payoff for run in runs], level=level)
     return {
-        name: band_over_runs(of_runs, level=level, bounds=(0.0, 1.0))
-        for name, of_runs in curves.items()
+        "pursuer_generalization": bands.pursuers,
+        "evader_generalization": bands.evaders,
+        "lag_profile": bands.lag_profile,
     }
 
 
