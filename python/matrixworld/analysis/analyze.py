@@ -40,6 +40,11 @@ _OTHERS = {
     "evader_global_gain": ("global progress of the evaders per generation", -1.0, 1.0),
 }
 """Labels and bounds of numbers that are not in `MEASURES`."""
+BANDS = (
+    "pursuer_generalization", "evader_generalization", "pursuer_ratings", "evader_ratings",
+    "lag_profile",
+)  # fmt: skip
+"""Bands of `RaceBands` that an analysis contains."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +60,8 @@ class Analysis:
         with an interval over its episodes if they are known.
     bands : dict of str to Band
         Mean curves over runs with pointwise intervals: ``pursuer_generalization``, shape (n,),
-        ``evader_generalization``, shape (m,), and ``lag_profile``, shape (n + m - 1,).
+        ``evader_generalization``, shape (m,), the Elo ratings ``pursuer_ratings`` and
+        ``evader_ratings`` in points, and ``lag_profile``, shape (n + m - 1,).
     global_progress : Progress or None
         Progress against opponents of other runs; None without cross tests.
     judgement : Judgement
@@ -216,11 +222,7 @@ def _over_episodes(scores: Rates, level: float) -> dict[str, Estimate]:
 
 def _bands(runs: tuple[RunAnalysis, ...], level: float) -> dict[str, Band]:
     bands = race_bands([run.payoff for run in runs], level=level)
-    return {
-        "pursuer_generalization": bands.pursuers,
-        "evader_generalization": bands.evaders,
-        "lag_profile": bands.lag_profile,
-    }
+    return {name: getattr(bands, name) for name in BANDS}
 
 
 def _label(name: str) -> str:

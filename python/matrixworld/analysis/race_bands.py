@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.analysis.generalization import generalization
-from matrixworld.analysis.intervals import LEVEL, Band, band_over_runs
+from matrixworld.analysis.intervals import LEVEL, UNBOUNDED, Band, Bounds, band_over_runs
 from matrixworld.analysis.lags import LagProfile, lag_profile
 from matrixworld.analysis.payoff import Rates, check_payoff, require
+from matrixworld.analysis.ratings import ELO_POINTS, elo
 from matrixworld.short_repr import short_repr
 
 
@@ -21,17 +22,22 @@ class RaceBands:
 
     Parameters
     ----------
-    pursuers, evaders : Band
-        Generalization of each generation: mean payoff against all opponents of the race. Shapes
-        (n,) and (m,).
+    pursuer_generalization, evader_generalization : Band
+        Mean payoff of each generation against all opponents of the race, in [0, 1]. Shapes (n,) and
+        (m,).
+    pursuer_ratings, evader_ratings : Band
+        Elo rating of each generation in points (`elo`, times `ELO_POINTS`), mean 0 over the
+        generations of a run. Shapes (n,) and (m,).
     lag_profile : Band
         Mean capture rate at each of `lags`, shape (n + m - 1,).
     lags : ndarray of int64, shape (n + m - 1,)
         Pursuer generation minus evader generation, ascending.
     """
 
-    pursuers: Band
-    evaders: Band
+    pursuer_generalization: Band
+    evader_generalization: Band
+    pursuer_ratings: Band
+    evader_ratings: Band
     lag_profile: Band
     lags: NDArray[np.int64]
 
@@ -39,7 +45,7 @@ class RaceBands:
 
 
 def race_bands(payoffs: Iterable[ArrayLike], *, level: float = LEVEL) -> RaceBands:
-    """Return the mean generalization and lag profile of several runs, with pointwise intervals.
+    """Return mean generalization, ratings and lag profile of several runs, with intervals.
 
     Parameters
     ----------
@@ -62,24 +68,26 @@ def race_bands(payoffs: Iterable[ArrayLike], *, level: float = LEVEL) -> RaceBan
 
     Notes
     -----
-    Student's t interval at each point, clipped to [0, 1]; see `band_over_runs`.
+    Student's t interval at each point, that of rates clipped to [0, 1]; see `band_over_runs`.
     """
     matrices = [check_payoff(payoff) for payoff in payoffs]
     require(bool(matrices), "at least one run", "none")
     scores = [generalization(matrix) for matrix in matrices]
+    ratings = [elo(matrix) for matrix in matrices]
     profiles = [lag_profile(matrix) for matrix in matrices]
     first = min(int(profile.lags[0]) for profile in profiles)
     aligned = [_from(profile, first) for profile in profiles]
-    last = max(map(len, aligned)) + first
 
-    def band(curves: list[Rates]) -> Band:
-        return band_over_runs(_padded(curves), level=level, bounds=(0.0, 1.0))
+    def band(curves: list[Rates], bounds: Bounds = (0.0, 1.0)) -> Band:
+        return band_over_runs(_padded(curves), level=level, bounds=bounds)
 
     return RaceBands(
         band([each.pursuers for each in scores]),
         band([each.evaders for each in scores]),
+        band([ELO_POINTS * each.pursuers for each in ratings], UNBOUNDED),
+        band([ELO_POINTS * each.evaders for each in ratings], UNBOUNDED),
         band(aligned),
-        np.arange(first, last),
+        np.arange(first, first + max(map(len, aligned))),
     )
 
 
