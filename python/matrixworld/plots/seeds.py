@@ -1,4 +1,4 @@
-"""Figures of several seeds: bands over generations, and a strip of verdicts."""
+"""Figure of several seeds: bands over generations."""
 
 from __future__ import annotations
 
