@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from matrixworld.cli.arguments import failures, find_runs, run_of
-from matrixworld.cli.console import note, print_wrapped, progress
+from matrixworld.cli.console import print_wrapped, progress
 from matrixworld.cli.options import (
     episodes_option,
     force_option,
@@ -23,7 +23,7 @@ from matrixworld.cli.options import (
 from matrixworld.cli.race_groups import finished_runs, of_seeds
 from matrixworld.cli.seed_scores import LEGEND as SEEDS_LEGEND
 from matrixworld.cli.seed_scores import SCORE, plain_scored, print_scored, scored_groups
-from matrixworld.coevolution import HeldOutScores, SavedRun, Team, open_run, score
+from matrixworld.coevolution import HeldOutScores, Report, SavedRun, Team, open_run, score
 
 ALL = "all"
 LAST = -1
@@ -89,7 +89,7 @@ def score_command(
     with failures():
         play = partial(_play, generation, episodes, steps, seed, threads)
         if len(runs) == 1:
-            scores = play(open_run(runs[0]))
+            [scores] = _play_all(runs, play).values()
             _print(scores)
             teams = {f"{team}s": each.to_json() for team, each in scores.items()}
             write_json(json_file, {"run": str(runs[0]), "seed": seed, **teams})
@@ -104,14 +104,20 @@ def score_command(
         write_json(json_file, {"seed": seed, "groups": plain})
 
 
-def _play_all(
-    paths: Sequence[Path], play: Callable[..., dict[Team, HeldOutScores]]
-) -> dict[Path, dict[Team, HeldOutScores]]:
-    """Score runs one after the other, with a line for each."""
+Play = Callable[[SavedRun, Report], dict[Team, HeldOutScores]]
+
+
+def _play_all(paths: Sequence[Path], play: Play) -> dict[Path, dict[Team, HeldOutScores]]:
+    """Score runs one after the other, with one progress for all."""
     found = {}
-    for number, path in enumerate(paths):
-        note(f"[{number + 1}/{len(paths)}] {path}")
-        found[path] = play(open_run(path))
+    with progress() as report:
+        for number, path in enumerate(paths):
+            # Runs of a job play about equally many matches.
+            def part(what: str, done: int, total: int, number: int = number) -> None:
+                place = f"[{number + 1}/{len(paths)}] " if len(paths) > 1 else ""
+                report(place + what, number * total + done, len(paths) * total)
+
+            found[path] = play(open_run(path), part)
     return found
 
 
@@ -122,21 +128,21 @@ def _play(
     seed: int,
     threads: int | None,
     saved: SavedRun,
+    report: Report,
 ) -> dict[Team, HeldOutScores]:
-    with progress() as report:
-        try:
-            return score(
-                saved,
-                generation=generation,
-                episodes=episodes,
-                steps=steps,
-                seed=seed,
-                threads=threads,
-                report=report,
-            )
-        except IndexError as error:
-            # The message begins with "generation", which is an option here.
-            raise click.UsageError(f"--{error}") from error
+    try:
+        return score(
+            saved,
+            generation=generation,
+            episodes=episodes,
+            steps=steps,
+            seed=seed,
+            threads=threads,
+            report=report,
+        )
+    except IndexError as error:
+        # The message begins with "generation", which is an option here.
+        raise click.UsageError(f"--{error}") from error
 
 
 def _print(scores: Mapping[Team, HeldOutScores]) -> None:

@@ -113,7 +113,7 @@ def _draw_middles(axes: Axes, scores: Mapping[str, analysis.payoff.Rates], team:
         if middle.low is not None and middle.high is not None:
             axes.plot([middle.low, middle.high], [row - 0.22] * 2, color=color, linewidth=2.2)
         axes.plot(middle.value, row - 0.22, marker="D", markersize=6, color=color)
-    names = [f"{wrapped(name, WIDEST)} ({len(values)})" for name, values in scores.items()]
+    names = [f"{wrapped(name, WIDEST)} ({len(values)} seeds)" for name, values in scores.items()]
     axes.set_yticks(np.arange(len(names)), names, size="small")
     axes.set(xlim=(-0.02, 1.02), ylim=(len(names) - 0.5, -0.5), xlabel=SCORES[team])
     axes.set_title(f"{team}s: interquartile mean", size="medium")

@@ -75,16 +75,17 @@ def seed_bands(
     grid = figure.subplots(3 * lines, columns, squeeze=False, sharey=False)
     # One column of three panels for each group, row by row.
     panels = [[*grid[3 * line : 3 * line + 3, k]] for line, k in np.ndindex(lines, columns)]
+    groups = {name: [analysis.check_payoff(m) for m in each] for name, each in payoffs.items()}
     ratings = []
-    for column, (name, of_group) in zip(panels, payoffs.items(), strict=False):
-        matrices = [analysis.check_payoff(payoff) for payoff in of_group]
+    for column, (name, matrices) in zip(panels, groups.items(), strict=False):
         ratings.append(_draw_group(column, matrices))
         _write_head(column[0], name, len(matrices), (judgements or {}).get(name))
     for column in panels[len(payoffs) :]:
         for axes in column:
             axes.remove()
     _share_scales(panels[: len(payoffs)], columns, ratings)
-    legend_below(figure, *_legend(), columns=2 if columns < 3 else 4)
+    entries = _legend(singles=min(map(len, groups.values())) <= MOST_LINES)
+    legend_below(figure, [*entries.values()], [*entries], columns=2 if columns < 3 else 4)
     if title:
         figure.suptitle(fitting(figure, title))
     return figure
@@ -165,14 +166,15 @@ def _share_scales(
                 axes.tick_params(labelleft=False)
 
 
-def _legend() -> tuple[list[Artist], list[str]]:
+def _legend(*, singles: bool) -> dict[str, Artist]:
     pursuers, evaders = colors.TEAMS
     entries: dict[str, Artist] = {
         "pursuers (score: capture rate)": Line2D([], [], color=pursuers, linewidth=1.7),
         "evaders (score: 1 - capture rate)": Line2D(
-            [], [], color=evaders, linewidth=1.7, linestyle="--"
+            [], [], color=evaders, linewidth=1.7, linestyle=DASHES[0]
         ),
         "95% interval of the mean over seeds": Patch(color=colors.MUTED, alpha=0.3, linewidth=0),
-        "single seed": Line2D([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6),
     }
-    return [*entries.values()], [*entries]
+    if singles:
+        entries["single seed"] = Line2D([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6)
+    return entries

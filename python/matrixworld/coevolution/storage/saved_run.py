@@ -247,6 +247,39 @@ def open_run(directory: str | Path) -> SavedRun:
     return SavedRun(files, settings, {team: policy(team) for team in TEAMS})
 
 
+def open_runs(directory: str | Path, *, finished: bool = True) -> list[SavedRun]:
+    """Return the runs of a job, or of any directory that holds runs.
+
+    Parameters
+    ----------
+    directory : str or Path
+        A run directory, or one with run directories one or two levels below, such as
+        ``<schedule>/seed-<n>``.
+    finished : bool, optional
+        Whether runs that are not finished are left out.
+
+    Returns
+    -------
+    list of SavedRun
+        The runs by schedule or other name, then by seed.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the directory holds no run.
+    DamagedFileError, OtherVersionError
+        As for `open_run`.
+    """
+    root = Path(directory)
+    # A response to a champion lies inside its run, and is no run of the job.
+    levels = (root.glob(f"{prefix}{CONFIG}") for prefix in ("", "*/", "*/*/"))
+    paths = next((found for level in levels if (found := [f.parent for f in level])), [])
+    if not paths:
+        raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
+    runs = [open_run(path) for path in paths if not finished or RunDirectory(path).finished]
+    return sorted(runs, key=lambda run: (run.files.path.parent, run.settings.seed, run.files.path))
+
+
 def _population(files: RunDirectory, team: Team, genomes: Genomes) -> Population:
     """Return genomes of an archive as a population; DamagedFileError if they do not fit."""
     network = archive_network(files, team)
