@@ -117,7 +117,7 @@ def _play_new(
         if job is None:
             report([play_run(run)], root, threads)
         else:
-            _play_job(job, root, threads)
+            _play_job(job, root, threads, new=True)
 
 
 def _play_old(root: Path, threads: int | None) -> None:
@@ -135,11 +135,11 @@ def _play_old(root: Path, threads: int | None) -> None:
         if job is None:
             report([play_run(run)], root, threads)
         else:
-            _play_job(job, root, threads)
+            _play_job(job, root, threads, new=False)
 
 
-def _play_job(job: Job, root: Path, threads: int | None) -> None:
-    results, failed = play_runs(job, root, threads)
+def _play_job(job: Job, root: Path, threads: int | None, *, new: bool) -> None:
+    results, failed = play_runs(job, root, threads, new=new)
     by_schedule = all(name == getattr(each, "schedule", "") for name, each in job.runs.items())
     if not by_schedule:
         report_seeds(results, job.asked(), root, failed, threads)

@@ -143,7 +143,9 @@ def play_run(run: Run[Any]) -> Result:
         return Result(run.files, run.settings, run.run(report))
 
 
-def play_runs(job: Job, root: Path, threads: int | None) -> tuple[list[Result], dict[Path, str]]:
+def play_runs(
+    job: Job, root: Path, threads: int | None, *, new: bool
+) -> tuple[list[Result], dict[Path, str]]:
     """Play the runs of a job, with a line of progress for each.
 
     Returns
@@ -154,7 +156,7 @@ def play_runs(job: Job, root: Path, threads: int | None) -> tuple[list[Result], 
         Why the other ones failed.
     """
     with job_progress() as report:
-        outcome = play_job(job, root, threads=threads, report=report)
+        outcome = play_job(job, root, keep=new, threads=threads, report=report)
     failed = {root / n: described(root / n, error) for n, error in outcome.failures.items()}
     results = []
     for path in (root / name for name in job.runs if name in outcome.finished):
