@@ -166,18 +166,16 @@ def check_job(job: Job, executor: Executor | None, threads: int | None) -> None:
         check_instance("executor", executor, Executor)
         if threads is not None:
             raise ValueError(f"threads: expected None with an executor, got {threads}")
+    # Runs on other machines check the memory there; here one learner is made, to try it.
+    workers, each_threads = shares(len(job.runs), threads) if executor is None else (1, 1)
+    needs = [sum(run_memory(each, each_threads).values()) for each in job.runs.values()]
+    largest = sorted(needs, reverse=True)[:workers]
+    check_memory(f"{workers} runs at one time" if workers > 1 else "run", sum(largest))
     # Seeds make no difference here, and a job may have a thousand.
-    kinds = list(dict.fromkeys(replace(each, seed=0) for each in job.runs.values()))
-    for each in kinds:
+    for each in dict.fromkeys(replace(each, seed=0) for each in job.runs.values()):
         check_own_code(each)
         if isinstance(each, SingleSettings):
             check_sources(each)
-    # The memory of other machines is not known here; there each run checks its own.
-    if executor is None:
-        workers, each_threads = shares(len(job.runs), threads)
-        needs = [sum(run_memory(each, each_threads).values()) for each in job.runs.values()]
-        largest = sorted(needs, reverse=True)[:workers]
-        check_memory(f"{len(largest)} runs at one time", sum(largest))
 
 
 def check_directory(root: Path, job: Job) -> None:
