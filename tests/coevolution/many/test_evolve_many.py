@@ -371,10 +371,10 @@ def test_memory_is_that_of_the_runs_that_play_at_one_time(tmp_path, monkeypatch)
         sys.modules[function.__module__], "run_memory", lambda settings, threads: {"all": 10**8}
     )
     checked = sys.modules[function.__module__].check_job
-    checked(job_of(SETTINGS), None, 3)
+    checked(job_of(SETTINGS), tmp_path, None, 3)
     with pytest.raises(ValueError, match="4 runs at one time: expected to need at most 300 MB"):
-        checked(job_of(SETTINGS), None, 4)
-    checked(job_of(SETTINGS), ThreadPoolExecutor(9), None)
+        checked(job_of(SETTINGS), tmp_path, None, 4)
+    checked(job_of(SETTINGS), tmp_path, ThreadPoolExecutor(9), None)
 
 
 def test_a_directory_with_something_else_is_refused_and_stays(tmp_path):
