@@ -11,14 +11,14 @@ from pathlib import Path
 from matrixworld.checks import check_instance, check_number, check_threads
 from matrixworld.coevolution.many.job import JOB, Job, Settings, job_of, open_job, save_job
 from matrixworld.coevolution.many.local_executor import LocalExecutor
-from matrixworld.coevolution.many.run_task import LOCK_WAIT, Values
+from matrixworld.coevolution.many.run_task import LOCK_WAIT, Values, counts_of
 from matrixworld.coevolution.many.watch import JobReport, Watch, silent
 from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.runs.start import check_own_code
 from matrixworld.coevolution.settings.memory import run_memory
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.run_directory import RunDirectory
-from matrixworld.coevolution.storage.run_files import LOCK, OtherVersionError
+from matrixworld.coevolution.storage.run_files import CONFIG, LOCK, OtherVersionError
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
 from matrixworld.files import locked
 from matrixworld.memory import check_memory
@@ -134,8 +134,9 @@ def evolve_many(
     In a script, call it below ``if __name__ == "__main__":``, as everything that starts processes.
     """
     root, job = Path(directory), job_of(settings)
-    check_job(job, executor, threads)
+    check_number("lock_wait", lock_wait, least=0.0)
     check_directory(root, job)
+    check_job(job, root, executor, threads)
     outcome = play_job(
         job, root, executor=executor, threads=threads, report=report, lock_wait=lock_wait
     )
@@ -151,13 +152,15 @@ def evolve_many(
     return finished
 
 
-def check_job(job: Job, executor: Executor | None, threads: int | None) -> None:
-    """Raise an error if the runs of a job cannot be played, before anything is written.
+def check_job(job: Job, root: Path, executor: Executor | None, threads: int | None) -> None:
+    """Raise an error if the unfinished runs of a job cannot be played; nothing is written.
 
     Parameters
     ----------
     job : Job
         The job.
+    root : Path
+        Its directory.
     executor, threads
         As for `evolve_many`.
     """
@@ -166,18 +169,20 @@ def check_job(job: Job, executor: Executor | None, threads: int | None) -> None:
         check_instance("executor", executor, Executor)
         if threads is not None:
             raise ValueError(f"threads: expected None with an executor, got {threads}")
+    left = {n: each for n, each in job.runs.items() if not RunDirectory(root / n).finished}
+    # Runs on other machines check the memory there; here one learner is made, to try it.
+    workers, each_threads = shares(len(left), threads) if executor is None else (1, 1)
+    needs = [sum(run_memory(each, each_threads).values()) for each in left.values()]
+    largest = sorted(needs, reverse=True)[:workers]
+    check_memory(f"{workers} runs at one time" if workers > 1 else "run", sum(largest))
     # Seeds make no difference here, and a job may have a thousand.
-    kinds = list(dict.fromkeys(replace(each, seed=0) for each in job.runs.values()))
-    for each in kinds:
+    for each in dict.fromkeys(replace(each, seed=0) for each in left.values()):
         check_own_code(each)
+    # A run that has begun has its opponents in its own archive.
+    new = [each for name, each in left.items() if not (root / name / CONFIG).exists()]
+    for each in dict.fromkeys(replace(each, seed=0) for each in new):
         if isinstance(each, SingleSettings):
             check_sources(each)
-    # The memory of other machines is not known here; there each run checks its own.
-    if executor is None:
-        workers, each_threads = shares(len(job.runs), threads)
-        needs = [sum(run_memory(each, each_threads).values()) for each in job.runs.values()]
-        largest = sorted(needs, reverse=True)[:workers]
-        check_memory(f"{len(largest)} runs at one time", sum(largest))
 
 
 def check_directory(root: Path, job: Job) -> None:
@@ -198,12 +203,13 @@ def play_job(
     job: Job,
     root: Path,
     *,
+    keep: bool = True,
     executor: Executor | None = None,
     threads: int | None = None,
     report: JobReport = silent,
     lock_wait: float = LOCK_WAIT,
 ) -> Outcome:
-    """Play what is unfinished of a job; its file is written if there is none.
+    """Play what is unfinished of a job.
 
     Parameters
     ----------
@@ -211,6 +217,8 @@ def play_job(
         The job, checked by `check_job`.
     root : Path
         Its directory.
+    keep : bool, optional
+        Whether to write the file of the job, if there is none.
     executor, threads, report, lock_wait
         As for `evolve_many`.
 
@@ -221,17 +229,21 @@ def play_job(
 
     Raises
     ------
+    FileExistsError, ValueError
+        If the directory holds something else.
     LockedError
         If another process plays the job.
     KeyboardInterrupt
         After Ctrl-C, when the tasks have ended at a checkpoint.
     """
-    check_number("lock_wait", lock_wait, least=0.0)
     root.mkdir(parents=True, exist_ok=True)
     with locked(root / LOCK):
-        # Before any run begins: what was asked for is known from now on.
-        if open_job(root) is None:
-            save_job(root, job)
+        if keep:
+            # Again, because another process may have begun a job before this one got the lock.
+            check_directory(root, job)
+            # Before any run begins: what was asked for is known from now on.
+            if open_job(root) is None:
+                save_job(root, job)
         watch = Watch(job, root, *_ended(job, root))
         unfinished = len(watch.unfinished())
         if unfinished:
@@ -283,5 +295,4 @@ def _counts(files: RunDirectory, settings: Settings) -> Values:
     found = files.settings()
     if found != settings:
         raise ValueError(f"{files.path}: expected a run of {settings}, got {found}")
-    numbers = files.summary()
-    return {key: numbers[key] for key in numbers if key.startswith(("training_", "evaluation_"))}
+    return counts_of(files)
