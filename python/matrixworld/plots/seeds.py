@@ -171,7 +171,7 @@ def _legend(*, singles: bool) -> dict[str, Artist]:
     entries: dict[str, Artist] = {
         "pursuers (score: capture rate)": Line2D([], [], color=pursuers, linewidth=1.7),
         "evaders (score: 1 - capture rate)": Line2D(
-            [], [], color=evaders, linewidth=1.7, linestyle=DASHES[0]
+            [], [], color=evaders, linewidth=1.7, linestyle="--"
         ),
         "95% interval of the mean over seeds": Patch(color=colors.MUTED, alpha=0.3, linewidth=0),
     }

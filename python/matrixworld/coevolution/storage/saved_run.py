@@ -247,6 +247,17 @@ def open_run(directory: str | Path) -> SavedRun:
     return SavedRun(files, settings, {team: policy(team) for team in TEAMS})
 
 
+def run_directories(path: Path) -> list[Path]:
+    """Return `path` if it is a run directory, else the run directories one or two levels below."""
+    # config.json is the last file of a new run: without it the run was not completely created.
+    if (path / CONFIG).is_file():
+        return [path]
+    found = [file.parent for file in path.glob(f"*/{CONFIG}")]
+    # A response to a champion lies in its run, and is no run of the job.
+    nested = [file.parent for file in path.glob(f"*/*/{CONFIG}") if file.parents[1] not in found]
+    return [*found, *nested]
+
+
 def open_runs(directory: str | Path, *, finished: bool = True) -> list[SavedRun]:
     """Return the runs of a job, or of any directory that holds runs.
 
@@ -270,10 +281,7 @@ def open_runs(directory: str | Path, *, finished: bool = True) -> list[SavedRun]
     DamagedFileError, OtherVersionError
         As for `open_run`.
     """
-    root = Path(directory)
-    # A response to a champion lies inside its run, and is no run of the job.
-    levels = (root.glob(f"{prefix}{CONFIG}") for prefix in ("", "*/", "*/*/"))
-    paths = next((found for level in levels if (found := [f.parent for f in level])), [])
+    paths = run_directories(Path(directory))
     if not paths:
         raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
     runs = [open_run(path) for path in paths if not finished or RunDirectory(path).finished]
