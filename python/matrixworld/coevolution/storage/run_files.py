@@ -48,9 +48,9 @@ from matrixworld.files import json_digest, load_arrays, load_json
 from matrixworld.reading import Arrays, DamagedFileError, one_line
 from matrixworld.version import __version__
 
-# Format 6 differs from 5 in the genomes, which are appended to one file per team, and no longer
+# Format 7 differs from 6 in the genomes, which are appended to one file per team, and no longer
 # written as a whole to archive.npz after each stage; and in the column `stage` of the log.
-FORMAT = 6
+FORMAT = 7
 """Version of the directory's layout; another one is refused."""
 
 CONFIG, SUMMARY, LOG, LOCK = "config.json", "summary.json", "log.csv", ".lock"
