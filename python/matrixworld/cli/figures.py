@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,11 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.analysis import headline
+from matrixworld.cli.baselines import baseline_scores
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
+from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.files import replacing
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -29,16 +31,71 @@ LONGEST = 100
 """Windows of the moving average in the run of one team alone."""
 
 
-def figure_files(run: Result) -> list[Path]:
+@dataclass(frozen=True)
+class Selection:
+    """Which figures of a run are drawn, and how.
+
+    Parameters
+    ----------
+    name : str, optional
+        Name of the only figure. By default all are drawn.
+    suffix : str, optional
+        Format of the files.
+    baselines : mapping of str to list of SavedRun, optional
+        Other teams for the figure of generalisation, by name.
+    """
+
+    name: str | None = None
+    suffix: str = "png"
+    baselines: Mapping[str, Sequence[SavedRun]] = field(default_factory=dict)
+
+
+ALL = Selection()
+
+FORMATS = ("png", "pdf", "svg")
+"""As in `matrixworld.plots`, whose import takes half a second."""
+
+
+def format_of(path: Path) -> str:
+    """Return the format of a figure's file by its suffix; ValueError for another one."""
+    from matrixworld import plots
+
+    return plots.format_of(path)
+
+
+def figure_files(run: Result, selection: Selection = ALL) -> list[Path]:
     """Return the files that `draw_run` writes."""
-    return [run.path / f"{name}.png" for name in _figures(run)]
+    return [run.path / f"{name}.{selection.suffix}" for name in _figures(run, selection)]
 
 
-def draw_run(run: Result) -> Sequence[Path]:
-    """Draw all figures of a finished run into its directory; returns their files."""
-    for name, draw in _figures(run).items():
-        save_figure(draw(), run.path / f"{name}.png")
-    return figure_files(run)
+def draw_run(run: Result, selection: Selection = ALL) -> Sequence[Path]:
+    """Draw figures of a finished run into its directory; returns their files."""
+    drawn = _figures(run, selection).values()
+    files = figure_files(run, selection)
+    return [save_figure(draw(), file) for draw, file in zip(drawn, files, strict=True)]
+
+
+def draw_one(run: Result, selection: Selection, path: Path) -> Path:
+    """Draw the only selected figure of a run to a file; returns it."""
+    (draw,) = _figures(run, selection).values()
+    return save_figure(draw(), path)
+
+
+OF_GAME = {
+    "rules": "rules_table",
+    "conflicts": "conflict_outcomes",
+    "interaction": "interaction_models",
+}
+"""Figures of the game, which need no run: the functions of `matrixworld.plots` that draw them."""
+OF_RACE = ("training", "payoff", "generalization", "lag_profile", "collisions")
+"""Figures of a race. A run of one team has the first one only."""
+
+
+def draw_of_game(name: str, path: Path) -> Path:
+    """Draw a figure that needs no run to a file; returns it."""
+    from matrixworld import plots
+
+    return save_figure(getattr(plots, OF_GAME[name])(), path)
 
 
 def draw_comparison(races: Mapping[str, Result], path: Path) -> Path:
@@ -60,31 +117,51 @@ def run_title(path: Path, settings: RaceSettings | SingleSettings) -> str:
 
 
 def save_figure(figure: Figure, path: Path) -> Path:
-    """Write a figure as PNG, complete or not at all; returns the file."""
-    with replacing(path) as file:
-        figure.savefig(file, format="png")
-    return path
-
-
-def _figures(run: Result) -> dict[str, Callable[[], Figure]]:
-    """Return functions that draw a run's figures, by the names of the files."""
-    # Matplotlib takes half a second to import, which commands without figures need not wait for.
+    """Write a figure in the format of its suffix, complete or not at all; returns the file."""
     from matrixworld import plots
 
-    training: dict[str, Callable[[], Figure]] = {"training": partial(_training, run)}
-    if isinstance(run.settings, SingleSettings):
-        return training
-    matrix, of_episodes = run.payoff.capture_rate, run.payoff.capture_rates
-    return training | {
-        "payoff": lambda: plots.payoff_heatmap(matrix, title=_title(run, headline(run.judgement))),
-        "generalization": lambda: plots.generalization_curves(
-            of_episodes, per_episode=True, title=_title(run, "Mean score against all opponents")
-        ),
-        "lag_profile": lambda: plots.lag_profile_curve(matrix, title=_title(run, "Lag profile")),
-        "collisions": lambda: plots.collision_rates(
-            collisions_per_1000(run.payoff), title=_title(run, "Collisions per 1000 agent-steps")
-        ),
-    }
+    return plots.save_figure(figure, path)
+
+
+def _figures(run: Result, selection: Selection) -> dict[str, Callable[[], Figure]]:
+    """Return functions that draw a run's figures, by the names of the files."""
+    figures = {name: partial(draw, run) for name, draw in _DRAWN.items()}
+    figures["generalization"] = partial(_generalization, run, selection.baselines)
+    has = OF_RACE if run.is_race else OF_RACE[:1]
+    return {name: figures[name] for name in has if selection.name in (None, name)}
+
+
+def _payoff(run: Result) -> Figure:
+    from matrixworld import plots
+
+    title = _title(run, headline(run.judgement))
+    return plots.payoff_heatmap(run.payoff.capture_rate, title=title)
+
+
+def _generalization(run: Result, baselines: Mapping[str, Sequence[SavedRun]]) -> Figure:
+    from matrixworld import plots
+
+    scores = baseline_scores(run, baselines)
+    return plots.generalization_curves(
+        run.payoff.capture_rates,
+        per_episode=True,
+        pursuer_baselines=scores["pursuer"],
+        evader_baselines=scores["evader"],
+        title=_title(run, "Mean score against all opponents"),
+    )
+
+
+def _lag_profile(run: Result) -> Figure:
+    from matrixworld import plots
+
+    return plots.lag_profile_curve(run.payoff.capture_rate, title=_title(run, "Lag profile"))
+
+
+def _collisions(run: Result) -> Figure:
+    from matrixworld import plots
+
+    title = _title(run, "Collisions per 1000 agent-steps")
+    return plots.collision_rates(collisions_per_1000(run.payoff), title=title)
 
 
 def _title(run: Result, shown: str) -> str:
@@ -118,6 +195,16 @@ def _training(run: Result) -> Figure:
     return plots.training_curve(
         rates, learners, generations=generations, window=window, title=title
     )
+
+
+# Functions that draw one run, by the names of the files. Matplotlib takes half a second to import,
+# so each imports it, and commands without figures need not wait.
+_DRAWN: dict[str, Callable[[Result], Figure]] = {
+    "training": _training,
+    "payoff": _payoff,
+    "lag_profile": _lag_profile,
+    "collisions": _collisions,
+}
 
 
 def collisions_per_1000(payoff: Payoff) -> NDArray[np.float64]:

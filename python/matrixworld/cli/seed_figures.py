@@ -5,22 +5,68 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from matrixworld.cli.baselines import baseline_scores
 from matrixworld.cli.figures import save_figure
 from matrixworld.cli.held_out import Scores
 from matrixworld.cli.race_groups import Group
 from matrixworld.cli.seed_tables import held_out
-from matrixworld.coevolution.types import TEAMS
+from matrixworld.coevolution.storage.saved_run import SavedRun
+from matrixworld.coevolution.types import TEAMS, Team
 
-BANDS, VERDICTS, SCORES = "seeds.png", "verdicts.png", "held_out.png"
+BANDS, VERDICTS, SCORES = "seeds", "verdicts", "held_out"
 """Bands over generations, verdicts on each seed, and scores against held-out opponents."""
 
 
-def seed_figure_files(root: Path) -> list[Path]:
+def seed_figure_files(root: Path, suffix: str = "png") -> list[Path]:
     """Return the files that `draw_seeds` writes."""
-    return [root / name for name in (BANDS, VERDICTS, SCORES)]
+    return [root / f"{name}.{suffix}" for name in (BANDS, VERDICTS, SCORES)]
 
 
-def draw_seeds(groups: Sequence[Group], scores: Mapping[Path, Scores], root: Path) -> list[Path]:
+def generalization_file(root: Path, suffix: str) -> Path:
+    """Return the file of generalisation over seeds."""
+    return root / f"generalization.{suffix}"
+
+
+def draw_generalization(
+    groups: Sequence[Group], baselines: Mapping[str, Sequence[SavedRun]], path: Path
+) -> Path:
+    """Draw generalisation of groups of races, with intervals over seeds, beside baselines.
+
+    Parameters
+    ----------
+    groups : sequence of Group
+        Races that differ in their seed only.
+    baselines : mapping of str to list of SavedRun
+        Runs of one team, one for each seed or one in all, by the name of the baseline.
+    path : Path
+        The file.
+
+    Returns
+    -------
+    Path
+        The file.
+    """
+    from matrixworld import plots
+
+    named = short_names(groups, path.parent)
+    scores: dict[Team, dict[str, dict[str, list[float]]]] = {team: {} for team in TEAMS}
+    for name, group in named.items():
+        of_seeds = [baseline_scores(run, baselines) for run in group.runs]
+        for team in TEAMS:
+            scores[team][name] = {
+                each: [seed[team][each] for seed in of_seeds] for each in of_seeds[0][team]
+            }
+    figure = plots.generalization_over_seeds(
+        {name: group.payoffs.matrices for name, group in named.items()},
+        pursuer_baselines=scores["pursuer"],
+        evader_baselines=scores["evader"],
+    )
+    return save_figure(figure, path)
+
+
+def draw_seeds(
+    groups: Sequence[Group], scores: Mapping[Path, Scores], root: Path, suffix: str = "png"
+) -> list[Path]:
     """Draw the figures of groups of races that differ in their seed only.
 
     Parameters
@@ -31,6 +77,8 @@ def draw_seeds(groups: Sequence[Group], scores: Mapping[Path, Scores], root: Pat
         Held-out scores by run directory.
     root : Path
         Where the figures go.
+    suffix : str, optional
+        Format of the figures.
 
     Returns
     -------
@@ -53,7 +101,7 @@ def draw_seeds(groups: Sequence[Group], scores: Mapping[Path, Scores], root: Pat
             {n: {team: held_out(g, scores, team) for team in TEAMS} for n, g in named.items()}
         ),
     )
-    files = seed_figure_files(root)
+    files = seed_figure_files(root, suffix)
     return [save_figure(figure, file) for figure, file in zip(figures, files, strict=True)]
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -19,6 +18,7 @@ from matrixworld.analysis import Band, Judgement, RaceBands
 from matrixworld.analysis.payoff import Rates
 from matrixworld.plots.style import (
     DASHES,
+    draw_band,
     fitting,
     legend_below,
     new_figure,
@@ -125,7 +125,7 @@ def _draw_teams(
         for curve, color in zip(curves, colors.TEAMS, strict=True):
             axes.plot(curve, color=color, alpha=0.35, linewidth=0.6)
     for band, color, style in zip(bands, colors.TEAMS, ("-", DASHES[0]), strict=True):
-        _draw_band(axes, np.arange(len(band.mean)), band, color, style)
+        draw_band(axes, np.arange(len(band.mean)), band, color, style)
     axes.set_xlabel("generation")
 
 
@@ -133,15 +133,9 @@ def _draw_lags(axes: Axes, bands: RaceBands, singles: Sequence[Rates]) -> None:
     for matrix in singles:
         profile = analysis.lag_profile(matrix)
         axes.plot(profile.lags, profile.means, color=colors.INK, alpha=0.25, linewidth=0.6)
-    _draw_band(axes, bands.lags, bands.lag_profile, colors.INK, "-")
+    draw_band(axes, bands.lags, bands.lag_profile, colors.INK, "-")
     axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
     axes.set_xlabel("lag: pursuer minus\nevader generation")
-
-
-def _draw_band(axes: Axes, places: Any, band: Band, color: str, style: str) -> None:
-    axes.plot(places, band.mean, color=color, linestyle=style, linewidth=1.7)
-    if band.low is not None and band.high is not None:
-        axes.fill_between(places, band.low, band.high, color=color, alpha=0.22, linewidth=0)
 
 
 def _write_head(axes: Axes, name: str, seeds: int, judgement: Judgement | None) -> None:

@@ -11,8 +11,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
+from numpy.typing import ArrayLike
 
 from matrixworld import colors
+from matrixworld.analysis import Band
 
 DPI = 150
 """Resolution of saved figures."""
@@ -65,3 +67,12 @@ def plain_axis(axes: Axes) -> None:
 def whole_numbers(at_most: int) -> MaxNLocator:
     """Return a locator of ticks at whole numbers, for generations and epochs."""
     return MaxNLocator(nbins=at_most, steps=[1, 2, 5, 10], integer=True)
+
+
+def draw_band(
+    axes: Axes, places: ArrayLike, band: Band, color: str, line: str, *, label: str = ""
+) -> None:
+    """Draw a mean curve, and its interval as a band if it has one."""
+    axes.plot(places, band.mean, color=color, linestyle=line, linewidth=1.7, label=label or None)
+    if band.low is not None and band.high is not None:
+        axes.fill_between(places, band.low, band.high, color=color, alpha=0.22, linewidth=0)

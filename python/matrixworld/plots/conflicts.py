@@ -1,0 +1,242 @@
+"""Figure of conflicts: what the engine makes of the same moves under each outcome.
+
+The paper's figure shows four forms of conflict (vertex, edge, following, cycle), three kinds of
+collision (obstacle, teammate, adversary) and three outcomes. Here each row is a small world with
+planned moves, and each column an outcome. What happens is not drawn by hand: a `World` with these
+rules plays one step.
+
+References
+----------
+R. Stern et al. (2019). Multi-agent pathfinding: definitions, variants, and benchmarks.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from matrixworld import colors
+from matrixworld.plots.board import draw_agent, draw_board, draw_held, draw_move, draw_removed
+from matrixworld.plots.style import fitting, legend_below, new_figure
+from matrixworld.rules import OUTCOME_TEXTS, Action, Capture, Outcome, Rules
+from matrixworld.world import World
+
+Cell = tuple[int, int]
+
+CELL, BELOW = 0.5, 0.42
+"""Height of a cell and of the text below a world, in inches."""
+
+
+@dataclass(frozen=True)
+class Situation:
+    """Agents of a small world, and where each wants to go.
+
+    Parameters
+    ----------
+    name, text : str
+        Its name, and what happens in it.
+    rows, cols : int
+        Size of the world.
+    pursuers, evaders : tuple of (cell, Action)
+        Where each agent is, and its action.
+    obstacles : tuple of cells, optional
+        Cells with an obstacle.
+    """
+
+    name: str
+    text: str
+    rows: int
+    cols: int
+    pursuers: tuple[tuple[Cell, Action], ...]
+    evaders: tuple[tuple[Cell, Action], ...] = ()
+    obstacles: tuple[Cell, ...] = ()
+
+    @property
+    def agents(self) -> tuple[tuple[Cell, Action], ...]:
+        """All agents, pursuers first."""
+        return self.pursuers + self.evaders
+
+
+N, E, S, W = Action.NORTH, Action.EAST, Action.SOUTH, Action.WEST
+SITUATIONS = (
+    Situation("vertex", "two enter one cell", 1, 3, (((0, 0), E), ((0, 2), W))),
+    Situation("edge", "two swap their cells", 1, 2, (((0, 0), E), ((0, 1), W))),
+    Situation(
+        "following", "one enters the cell\nthat another leaves", 1, 3, (((0, 0), E), ((0, 1), E)),
+    ),
+    Situation(
+        "cycle", "each enters the cell\nof the next", 2, 2,
+        (((0, 0), E), ((0, 1), S), ((1, 1), W), ((1, 0), N)),
+    ),
+    Situation(
+        "chain", "one follows another\nthat is stopped", 1, 3,
+        (((0, 0), E), ((0, 1), E)), obstacles=((0, 2),),
+    ),
+    Situation("obstacle", "one runs into an\nobstacle", 1, 2, (((0, 0), E),), obstacles=((0, 1),)),
+    Situation(
+        "adversary", "a pursuer and an evader\nenter one cell", 1, 3,
+        (((0, 0), E),), (((0, 2), W),),
+    ),
+)  # fmt: skip
+"""The rows of the figure: the forms of a conflict between teammates, then the other kinds."""
+
+
+@dataclass(frozen=True, eq=False)
+class Resolution:
+    """What the engine made of a situation under one outcome.
+
+    Parameters
+    ----------
+    cells : list of cells
+        Where each agent is after the step; of a removed agent, where it disappeared.
+    alive : list of bool
+        Whether each agent is still in the world.
+    held : set of int
+        The agents that had to stay.
+    text : str
+        What the conflicts did, in the engine's words.
+    """
+
+    cells: list[Cell]
+    alive: list[bool]
+    held: set[int]
+    text: str
+
+
+def resolve(situation: Situation, outcome: Outcome) -> Resolution:
+    """Return what happens in a situation if every kind of collision has one outcome.
+
+    Parameters
+    ----------
+    situation : Situation
+        Agents and their actions. All move at once.
+    outcome : Outcome
+        What happens to every agent in a collision.
+
+    Returns
+    -------
+    Resolution
+        Of one step of a `World` with these rules.
+    """
+    world, shown = world_of(situation, outcome)
+    actions = np.full(world.config.n_agents, Action.STAY)
+    actions[shown] = [action for _, action in situation.agents]
+    world.step(actions, explain=True)
+    conflicts = world.conflicts
+    held = {agent for conflict in conflicts for agent in conflict.held}
+    texts = [conflict.text.split(": ", 1)[1] for conflict in conflicts]
+    return Resolution(
+        [(row, col) for row, col in world.last_positions[shown].tolist()],
+        world.alive[shown].tolist(),
+        {shown.index(agent) for agent in held},
+        "\n".join(texts) or "no conflict: all move",
+    )
+
+
+def world_of(situation: Situation, outcome: Outcome) -> tuple[World, list[int]]:
+    """Return a world in a situation, and the numbers of the agents that the situation names.
+
+    A world has agents of both teams. If a team is not in the situation, one agent of it waits
+    behind a wall on the right, outside of the drawing.
+    """
+    walled = situation.cols + 2
+    obstacles = np.zeros((situation.rows, walled), bool)
+    obstacles[:, situation.cols] = True
+    for cell in situation.obstacles:
+        obstacles[cell] = True
+    aside = [(0, walled - 1)]
+    pursuers = [cell for cell, _ in situation.pursuers]
+    evaders = [cell for cell, _ in situation.evaders] or aside
+    # Evaders that are surrounded: a meeting is a collision, and no capture.
+    rules = Rules(
+        obstacle=outcome, teammate=outcome, evader=outcome, pursuer=outcome,
+        capture=Capture.SURROUND,
+    )  # fmt: skip
+    world = World(
+        rules, rows=situation.rows, cols=walled, n_pursuers=len(pursuers), n_evaders=len(evaders),
+        obstacles=obstacles,
+    )  # fmt: skip
+    world.reset(0, pursuers=pursuers, evaders=evaders)
+    return world, list(range(len(situation.agents)))
+
+
+_MARK: dict[str, Any] = {"linestyle": "", "color": colors.COLLISION, "markersize": 9}
+
+
+def conflict_outcomes(*, title: str = "Conflicts and their outcomes") -> Figure:
+    """Draw what happens in each situation under each outcome, as the engine resolves it.
+
+    Parameters
+    ----------
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        One row for each of `SITUATIONS`: the planned moves, then the result of the outcomes
+        disappear, reach and bounce.
+    """
+    heights = [CELL * situation.rows + BELOW for situation in SITUATIONS]
+    figure = new_figure(8.0, 1.1 + sum(heights))
+    grid = figure.subplots(len(SITUATIONS), 4, height_ratios=heights)
+    for row, (situation, panels) in enumerate(zip(SITUATIONS, grid, strict=True)):
+        _draw_plan(panels[0], situation)
+        for axes, outcome in zip(panels[1:], OUTCOME_TEXTS, strict=True):
+            _draw_result(axes, situation, resolve(situation, outcome))
+            if not row:
+                axes.set_title(OUTCOME_TEXTS[outcome], fontweight="bold", pad=10)
+    grid[0, 0].set_title("planned moves", fontweight="bold", pad=10)
+    marks = {
+        "removed": Line2D([], [], marker="x", markeredgewidth=2, **_MARK),
+        "had to stay": Line2D([], [], marker="o", markerfacecolor="none", **_MARK),
+    }
+    legend_below(figure, [*marks.values()], [*marks])
+    figure.suptitle(fitting(figure, title))
+    return figure
+
+
+def _draw_plan(axes: Axes, situation: Situation) -> None:
+    _draw_world(axes, situation)
+    for agent, (cell, action) in enumerate(situation.agents):
+        draw_agent(axes, cell, _name(situation, agent))
+        draw_move(axes, cell, action)
+    label = f"$\\bf{{{situation.name}}}$\n{situation.text}"
+    axes.annotate(
+        label, (0, 0.5), xytext=(-10, 0), xycoords="axes fraction", textcoords="offset points",
+        ha="right", va="center", size="small",
+    )  # fmt: skip
+
+
+def _draw_result(axes: Axes, situation: Situation, result: Resolution) -> None:
+    _draw_world(axes, situation)
+    living = [agent for agent, alive in enumerate(result.alive) if alive]
+    taken = {result.cells[agent] for agent in living}
+    for cell in {cell for cell, alive in zip(result.cells, result.alive, strict=True) if not alive}:
+        draw_removed(axes, cell, occupied=cell in taken)
+    for agent in living:
+        cell = result.cells[agent]
+        beside = [other for other in living if result.cells[other] == cell]
+        draw_agent(
+            axes, cell, _name(situation, agent), place=beside.index(agent), among=len(beside)
+        )
+        if agent in result.held:
+            draw_held(axes, cell)
+    axes.set_xlabel(result.text, size="small", color=colors.MUTED, labelpad=3)
+
+
+def _draw_world(axes: Axes, situation: Situation) -> None:
+    draw_board(axes, situation.rows, situation.cols, situation.obstacles)
+    # The same scale in all panels of the figure.
+    middle = situation.cols / 2 - 0.5
+    axes.set_xlim(middle - 1.6, middle + 1.6)
+
+
+def _name(situation: Situation, agent: int) -> str:
+    count = len(situation.pursuers)
+    return f"P{agent}" if agent < count else f"E{agent - count}"
