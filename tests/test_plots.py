@@ -373,3 +373,34 @@ def test_plots_need_neither_pyplot_nor_a_display() -> None:
 def test_colors_need_no_matplotlib() -> None:
     assert colors.TEAMS == (colors.PURSUER, colors.EVADER) == ("#D55E00", "#0072B2")
     assert len(set(colors.CONFLICTS)) == 3
+
+
+def test_generalization_over_seeds_shows_means_and_intervals(payoff: np.ndarray) -> None:
+    rng = np.random.default_rng(3)
+    seeds = [np.clip(payoff + rng.normal(0, 0.1, payoff.shape), 0, 1) for _ in range(4)]
+    scores = [0.2, 0.3, 0.35, 0.1]
+    figure = plots.generalization_over_seeds(
+        {"one": seeds, "two": [payoff]}, evader_baselines={"one": {"trained alone": scores}}
+    )
+    one, two = figure.axes
+    bands = analysis.race_bands(seeds)
+    for line, band in zip(
+        one.lines, (bands.pursuer_generalization, bands.evader_generalization), strict=False
+    ):
+        np.testing.assert_allclose(line.get_ydata(), band.mean)
+    level = analysis.interval_over_runs(scores, bounds=(0, 1))
+    assert one.lines[2].get_ydata()[0] == pytest.approx(level.value)
+    (span,) = one.patches
+    assert (span.get_y(), span.get_y() + span.get_height()) == pytest.approx(
+        (level.low, level.high)
+    )
+    # A single seed has no interval.
+    assert len(two.collections) == 0
+    assert [axes.get_title() for axes in figure.axes] == ["one", "two"]
+    assert "trained alone" in legend_texts(figure)
+    assert labels(one) == ("generation", "mean score (0 to 1)")
+    saved(figure)
+    with pytest.raises(ValueError, match="baselines: expected names of one, got 'two'"):
+        plots.generalization_over_seeds({"one": seeds}, pursuer_baselines={"two": {"x": [0.5]}})
+    with pytest.raises(ValueError, match="expected at least one race to draw, got none"):
+        plots.generalization_over_seeds({})

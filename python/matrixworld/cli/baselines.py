@@ -9,7 +9,12 @@ import click
 
 from matrixworld.cli.jobs import Result
 from matrixworld.coevolution.evaluation.baselines import scores_in_race, trained_team
-from matrixworld.coevolution.storage.saved_run import SavedRun, open_run, open_runs
+from matrixworld.coevolution.storage.saved_run import (
+    SavedRun,
+    open_run,
+    open_runs,
+    run_directories,
+)
 from matrixworld.coevolution.types import TEAMS, Team
 
 Scores = dict[Team, dict[str, float]]
@@ -42,6 +47,11 @@ baseline_option = click.option(
 
 def open_baselines(baselines: Mapping[str, Path]) -> dict[str, list[SavedRun]]:
     """Return the runs of each baseline; click.UsageError if one is no run of one team."""
+    for name, path in baselines.items():
+        if not run_directories(path):
+            raise click.UsageError(
+                f"--baseline {name}: expected a directory that holds runs: {path}"
+            )
     opened = {name: open_runs(path) for name, path in baselines.items()}
     for name, runs in opened.items():
         if not runs:

@@ -161,7 +161,9 @@ def _draw_all(
     if comparison is not None and len(races) < 2:
         raise click.UsageError(f"--comparison: expected at least two races, got {len(races)}")
     seeds = of_seeds([run.path for run in results]) and len(races) > 1
-    singles = results if each or not seeds or selection.name else []
+    # The figures of several seeds stand for those of the single runs.
+    together = seeds and selection.name in (None, "generalization")
+    singles = results if each or not together else []
     _check_drawn(singles, selection)
     tasks: list[Task] = [
         (figure_files(run, selection), partial(draw_run, run, selection)) for run in singles

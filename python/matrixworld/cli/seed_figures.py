@@ -53,8 +53,13 @@ def draw_generalization(
     for name, group in named.items():
         of_seeds = [baseline_scores(run, baselines) for run in group.runs]
         for team in TEAMS:
-            scores[team][name] = {
+            each_seed = {
                 each: [seed[team][each] for seed in of_seeds] for each in of_seeds[0][team]
+            }
+            # One run for all seeds tells nothing about other runs: its mean has no interval.
+            scores[team][name] = {
+                each: values if len(baselines[each]) > 1 else [sum(values) / len(values)]
+                for each, values in each_seed.items()
             }
     figure = plots.generalization_over_seeds(
         {name: group.payoffs.matrices for name, group in named.items()},

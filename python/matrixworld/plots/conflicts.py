@@ -74,7 +74,7 @@ SITUATIONS = (
         (((0, 0), E), ((0, 1), S), ((1, 1), W), ((1, 0), N)),
     ),
     Situation(
-        "chain", "one follows another\nthat is stopped", 1, 3,
+        "blocked", "one follows another\nthat is stopped", 1, 3,
         (((0, 0), E), ((0, 1), E)), obstacles=((0, 2),),
     ),
     Situation("obstacle", "one runs into an\nobstacle", 1, 2, (((0, 0), E),), obstacles=((0, 1),)),

@@ -13,8 +13,8 @@ from matrixworld.files import replacing
 FORMATS = ("png", "pdf", "svg")
 """Formats of figures, which are the suffixes of their files; pdf and svg are vector graphics."""
 
-# TrueType fonts: journals refuse the other kind that Matplotlib writes. The same names of parts in
-# every file, and no date: equal figures are equal files.
+# TrueType fonts: journals refuse the other kind that Matplotlib writes. No date and no random names
+# of parts, so that files under version control change with the figure only.
 _LOOK: dict[Any, Any] = {"pdf.fonttype": 42, "svg.hashsalt": "matrixworld"}
 _NO_DATE: dict[str, dict[str, Any]] = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}
 
