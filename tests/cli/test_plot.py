@@ -88,6 +88,7 @@ def test_all_figures_of_a_run_in_a_format(runs, drawn):
             "--format png: expected the",
         ),
         (["{pursuers}", "--figure", "payoff"], "expected a race, got a run of one team"),
+        (["{job}", "--comparison", "x.bmp"], "--comparison: x.bmp: expected a name that ends in"),
         (["{job}", "--baseline", "x"], "expected NAME=RUN, got 'x'"),
         (["{job}", "--baseline", "x=a", "--baseline", "x=b"], "expected each name once, got 'x'"),
         (["{job}", "--baseline", "x={job}"], "expected a run of one team, got a race"),

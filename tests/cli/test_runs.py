@@ -207,7 +207,7 @@ def test_plot_draws_all_figures_and_compares(copy):
 
 
 def test_plot_draws_the_comparison_to_the_given_file(copy, monkeypatch):
-    monkeypatch.setattr("matrixworld.cli.plot.draw_run", lambda run: [])
+    monkeypatch.setattr("matrixworld.cli.plot.draw_run", lambda run, selection: [])
     result = matrixworld_command("plot", *map(copy.joinpath, MAIN_JOB), "--comparison", "both.png")
     assert result.stdout == "both.png\n"
     assert Path("both.png").read_bytes().startswith(PNG)

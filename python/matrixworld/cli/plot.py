@@ -111,13 +111,17 @@ def _format(output: Path | None, suffix: str | None) -> str:
     """Return the format of the files; click.UsageError if the options contradict each other."""
     if output is None:
         return suffix or "png"
-    try:
-        found = format_of(output)
-    except ValueError as error:
-        raise click.UsageError(f"--output: {error}") from error
+    found = _format_of("--output", output)
     if suffix not in (None, found):
         raise click.UsageError(f"--format {suffix}: expected the format of --output {output}")
     return found
+
+
+def _format_of(option: str, file: Path) -> str:
+    try:
+        return format_of(file)
+    except ValueError as error:
+        raise click.UsageError(f"{option}: {error}") from error
 
 
 def _draw_game(figure: str, runs: Sequence[Path], file: Path, force: bool) -> None:
@@ -183,6 +187,7 @@ def _side_by_side(
     races: Sequence[Result], root: Path, comparison: Path | None, selection: Selection
 ) -> Task:
     file = comparison or root / f"comparison.{selection.suffix}"
+    _format_of("--comparison", file)
     # Relative paths: runs of different jobs often have the same name.
     named = {str(run.path.absolute().relative_to(root)): run for run in races}
     return [file], lambda: [draw_comparison(named, file)]

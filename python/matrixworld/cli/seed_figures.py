@@ -49,24 +49,28 @@ def draw_generalization(
     from matrixworld import plots
 
     named = short_names(groups, path.parent)
-    scores: dict[Team, dict[str, dict[str, list[float]]]] = {team: {} for team in TEAMS}
-    for name, group in named.items():
-        of_seeds = [baseline_scores(run, baselines) for run in group.runs]
-        for team in TEAMS:
-            each_seed = {
-                each: [seed[team][each] for seed in of_seeds] for each in of_seeds[0][team]
-            }
-            # One run for all seeds tells nothing about other runs: its mean has no interval.
-            scores[team][name] = {
-                each: values if len(baselines[each]) > 1 else [sum(values) / len(values)]
-                for each, values in each_seed.items()
-            }
+    scores = {name: _scores_over_seeds(group, baselines) for name, group in named.items()}
     figure = plots.generalization_over_seeds(
         {name: group.payoffs.matrices for name, group in named.items()},
-        pursuer_baselines=scores["pursuer"],
-        evader_baselines=scores["evader"],
+        pursuer_baselines={name: each["pursuer"] for name, each in scores.items()},
+        evader_baselines={name: each["evader"] for name, each in scores.items()},
     )
     return save_figure(figure, path)
+
+
+def _scores_over_seeds(
+    group: Group, baselines: Mapping[str, Sequence[SavedRun]]
+) -> dict[Team, dict[str, list[float]]]:
+    """Return the score of each baseline for each seed of a group, by team and name."""
+    seeds = [baseline_scores(run, baselines) for run in group.runs]
+    scores: dict[Team, dict[str, list[float]]] = {}
+    for team in TEAMS:
+        scores[team] = {name: [seed[team][name] for seed in seeds] for name in seeds[0][team]}
+        for name, values in scores[team].items():
+            # One run for all seeds tells nothing about other runs: its mean has no interval.
+            if len(baselines[name]) == 1:
+                scores[team][name] = [sum(values) / len(values)]
+    return scores
 
 
 def draw_seeds(

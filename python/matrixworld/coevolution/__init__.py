@@ -40,6 +40,7 @@ from __future__ import annotations
 
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.conformance import check_learner, check_sampler
+from matrixworld.coevolution.evaluation.baselines import scores_in_race
 from matrixworld.coevolution.evaluation.held_out_opponents import held_out
 from matrixworld.coevolution.evaluation.held_out_scores import (
     HeldOutScores,
@@ -187,6 +188,7 @@ __all__ = [
     "score",
     "score_policy",
     "score_population",
+    "scores_in_race",
     "select_tournament",
     "select_truncation",
     "start",

@@ -20,7 +20,23 @@ _NO_DATE: dict[str, dict[str, Any]] = {"pdf": {"CreationDate": None}, "svg": {"D
 
 
 def format_of(path: Path) -> str:
-    """Return the format of a figure's file by its suffix; ValueError for another one."""
+    """Return the format of a figure's file by its suffix.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Returns
+    -------
+    str
+        One of `FORMATS`.
+
+    Raises
+    ------
+    ValueError
+        If the suffix is another one.
+    """
     suffix = path.suffix.lower().removeprefix(".")
     if suffix not in FORMATS:
         expected = ", ".join(f".{each}" for each in FORMATS)
