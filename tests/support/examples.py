@@ -17,7 +17,7 @@ import numpy as np
 
 import matrixworld as mw
 from made_up_episode import made_up_episode
-from matrixworld import analysis, coevolution, replay, toys
+from matrixworld import analysis, coevolution, plots, replay, toys
 from matrixworld.coevolution import learners, opponents, runs
 from tiny_race import TINY, tiny_race, tiny_single
 
@@ -89,7 +89,8 @@ def examples(directory: Path) -> Iterator[Any]:
 
     An object may be yielded several times, and changes between.
     """
-    for group in (_of_worlds(), _of_analysis(), _of_toys(), _of_learning(), _of_runs(directory)):
+    groups = (_of_worlds(), _of_analysis(), _of_plots(), _of_toys(), _of_learning())
+    for group in (*groups, _of_runs(directory)):
         yield from group
 
 
@@ -148,6 +149,10 @@ def _of_analysis() -> Iterator[Any]:
     yield analysis.exploitability(payoff, np.full(8, 1 / 8), np.full(8, 1 / 8))
     yield analysis.response_gain(scores[0, 0], scores[1, 1], budget=9)
     yield from (analysis.band_over_runs(payoff), analysis.MEASURES)
+
+
+def _of_plots() -> Iterator[Any]:
+    yield from (plots.SITUATIONS, plots.resolve(plots.SITUATIONS[0], mw.Outcome.BOUNCE))
 
 
 def _of_toys() -> Iterator[Any]:
