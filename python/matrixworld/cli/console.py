@@ -99,6 +99,11 @@ def progress(stream: TextIO | None = None, unit: str = "matches") -> Iterator[Re
         yield ProgressLines(out, unit=unit)
 
 
+def part_of_job(report: Report, place: str, others: int, whole: int) -> Report:
+    """Return a report of one part of a job, of which other parts have done `others` of `whole`."""
+    return lambda what, done, total: report(place + what, others + done, whole)
+
+
 def note(text: str) -> None:
     """Write a line to standard error, above a progress bar if there is one."""
     # A plain print would break the bar's line in two.

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from matrixworld.cli.console import progress
-from matrixworld.cli.jobs import Result, part_of_job
+from matrixworld.cli.console import part_of_job, progress
+from matrixworld.cli.jobs import Result
 from matrixworld.coevolution import open_run, score
 from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
 from matrixworld.coevolution.types import TEAMS

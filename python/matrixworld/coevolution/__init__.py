@@ -10,11 +10,13 @@ A race in a few lines::
 
 ``coevolution.resume("my-race").run()`` continues after an interruption.
 ``coevolution.finish(settings, "my-race")`` starts or continues the race, whichever is needed.
+``coevolution.evolve_many([settings, ...], "my-races")`` does so for many, side by side.
 ``coevolution.open_run("my-race").record(pursuer=30, evader=10)`` plays an episode again.
 
 ====================  ============================================================================
 package or module     contents
 ====================  ============================================================================
+many                  many runs at one call, side by side or on other machines
 runs                  races and other runs: training, checkpoints, evaluation at the end
 evaluation            payoff matrices, and scores against held-out opponents
 storage               run directories, to write and to read
@@ -70,6 +72,15 @@ from matrixworld.coevolution.learners.toolbox import (
     Individual,
     generate_update_toolbox,
 )
+from matrixworld.coevolution.many import (
+    FailedRunsError,
+    JobProgress,
+    LocalExecutor,
+    RunProgress,
+    StoppedError,
+    WorkerDiedError,
+    evolve_many,
+)
 from matrixworld.coevolution.opponents.registry import (
     ALTERNATING,
     HALL_OF_FAME,
@@ -113,11 +124,14 @@ __all__ = [
     "DamagedFileError",
     "DisengagementWarning",
     "EvolutionStrategy",
+    "FailedRunsError",
     "GeneticAlgorithm",
     "HallOfFameRace",
     "HeldOutScores",
     "Individual",
+    "JobProgress",
     "Learner",
+    "LocalExecutor",
     "LockedError",
     "Momentum",
     "NoEffectError",
@@ -132,12 +146,15 @@ __all__ = [
     "Rollout",
     "Run",
     "RunDirectory",
+    "RunProgress",
     "SavedRun",
     "Schedule",
     "SingleSettings",
     "SingleTeam",
+    "StoppedError",
     "Team",
     "TrainingSettings",
+    "WorkerDiedError",
     "available",
     "best_response",
     "centred_ranks",
@@ -146,6 +163,7 @@ __all__ = [
     "check_sampler",
     "competitive_sharing",
     "evaluation_seed",
+    "evolve_many",
     "finish",
     "fitness",
     "generate_update_toolbox",

@@ -1,0 +1,171 @@
+"""The default executor: worker processes of this machine, of which each may die on its own."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import queue
+import signal
+import threading
+from collections.abc import Callable
+from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+from matrixworld.checks import check_integer, usable_cores
+
+TRIES = 3
+"""Workers that a task may lose before it fails."""
+KILL = getattr(signal, "SIGKILL", signal.SIGTERM)
+
+Result = TypeVar("Result")
+
+
+class WorkerDiedError(BrokenExecutor):
+    """A task has lost `TRIES` worker processes, for example for lack of memory."""
+
+
+@dataclass
+class _Task:
+    future: Future[Any]
+    call: Callable[..., Any]
+    args: tuple[Any, ...]
+    kwargs: dict[str, Any]
+
+
+class LocalExecutor(Executor):
+    """Worker processes, one task at a time in each.
+
+    Parameters
+    ----------
+    workers : int, optional
+        Number of processes. By default one per usable core.
+
+    Notes
+    -----
+    `ProcessPoolExecutor` gives up all tasks when one worker dies. Here each worker is a pool of its
+    own, and the task of a dead worker is done again: it must be able to continue what it has begun.
+    Workers are started when there is work. They ignore Ctrl-C, and end with this process, even if
+    it is killed.
+    """
+
+    def __init__(self, workers: int | None = None) -> None:
+        count = usable_cores() if workers is None else check_integer("workers", workers, 1)
+        self._tasks: queue.SimpleQueue[_Task | None] = queue.SimpleQueue()
+        self._workers = [_Worker() for _ in range(count)]
+        self._closed = False
+        self._threads = [
+            threading.Thread(target=self._serve, args=(worker,), daemon=True)
+            for worker in self._workers
+        ]
+        for thread in self._threads:
+            thread.start()
+
+    def submit(self, fn: Callable[..., Result], /, *args: Any, **kwargs: Any) -> Future[Result]:
+        """Return the future of ``fn(*args, **kwargs)``; `fn` belongs to a module."""
+        if self._closed:
+            raise RuntimeError("submit: expected an executor that is not shut down")
+        future: Future[Result] = Future()
+        self._tasks.put(_Task(future, fn, args, kwargs))
+        return future
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """End the workers when their tasks are done; see `concurrent.futures.Executor`."""
+        self._closed = True
+        if cancel_futures:
+            self._cancel()
+        for _ in self._threads:
+            self._tasks.put(None)
+        if wait:
+            for thread in self._threads:
+                thread.join()
+
+    def kill(self) -> None:
+        """End the workers at once; their tasks fail with `WorkerDiedError`."""
+        self._closed = True
+        self._cancel()
+        for worker in self._workers:
+            worker.kill()
+
+    def _cancel(self) -> None:
+        try:
+            while True:
+                task = self._tasks.get_nowait()
+                if task is not None:
+                    task.future.cancel()
+        except queue.Empty:
+            return
+
+    def _serve(self, worker: _Worker) -> None:
+        """Do tasks with one worker until there are no more; runs in a thread of its own."""
+        # Worker processes inherit this: a Ctrl-C while they import must not print a traceback.
+        if hasattr(signal, "pthread_sigmask"):
+            signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+        while (task := self._tasks.get()) is not None:
+            if task.future.set_running_or_notify_cancel():
+                worker.do(task)
+        worker.close()
+
+
+class _Worker:
+    """One worker process at a time."""
+
+    def __init__(self) -> None:
+        self._pool: ProcessPoolExecutor | None = None
+        self._pid: int | None = None
+        self._killed = False
+
+    def do(self, task: _Task) -> None:
+        """Do a task, if necessary with several processes, and set its future."""
+        for _ in range(TRIES):
+            if self._killed:
+                break
+            try:
+                result = self._started().submit(task.call, *task.args, **task.kwargs).result()
+            except BrokenProcessPool:
+                self.close()
+            except BaseException as error:  # noqa: BLE001, it belongs to the future
+                task.future.set_exception(error)
+                return
+            else:
+                task.future.set_result(result)
+                return
+        problem = "killed" if self._killed else f"expected a worker that lives, lost {TRIES}"
+        task.future.set_exception(WorkerDiedError(f"worker process: {problem}"))
+
+    def close(self) -> None:
+        """End the process, which does nothing now."""
+        if self._pool is not None:
+            self._pool.shutdown()
+        self._pool = self._pid = None
+
+    def kill(self) -> None:
+        """End the process at once."""
+        self._killed = True
+        if self._pid is not None:
+            os.kill(self._pid, KILL)
+
+    def _started(self) -> ProcessPoolExecutor:
+        if self._pool is None:
+            # spawn: a fork would copy locks that other threads of this process hold.
+            context = multiprocessing.get_context("spawn")
+            self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=_prepare)
+            self._pid = self._pool.submit(os.getpid).result()
+        return self._pool
+
+
+def _prepare() -> None:
+    """Prepare a worker process."""
+    # Ctrl-C reaches all processes of a terminal; the main process tells the workers to stop.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    """Wait for the death of the main process, and end this one at once."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        # Not sys.exit, which ends this thread only. Files are safe at any moment.
+        os._exit(1)
