@@ -19,7 +19,6 @@ from matrixworld.cluster.connection import check_where, cluster
 from matrixworld.cluster.executor import (
     ClusterExecutor,
     ClusterLostError,
-    KilledWorkersError,
     UnfitWorkerError,
 )
 from matrixworld.cluster.probe import Probe, Traits
@@ -27,7 +26,6 @@ from matrixworld.cluster.probe import Probe, Traits
 __all__ = [
     "ClusterExecutor",
     "ClusterLostError",
-    "KilledWorkersError",
     "Probe",
     "Traits",
     "UnfitWorkerError",

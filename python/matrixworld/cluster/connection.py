@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import warnings
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
@@ -87,14 +88,30 @@ def _connected(where: str) -> Iterator[Any]:
     except ImportError as error:
         hint = install_hint("cluster")
         raise ImportError(f"A cluster needs the extra 'cluster': {hint}") from error
+    # Dask has no types.
+    connect: Any = Client
+    local: Any = LocalCluster
     with ExitStack() as stack:
         target: dict[str, Any] = {"scheduler_file": where}
         if where == AUTO:
-            target = {"address": stack.enter_context(LocalCluster(**_local()))}
+            target = {"address": stack.enter_context(local(**_local()))}
         elif "://" in where:
             target = {"address": where}
-        with Client(**target, timeout=CONNECT_SECONDS, set_as_default=False) as client:
+        stack.enter_context(_quiet())
+        with connect(**target, timeout=CONNECT_SECONDS, set_as_default=False) as client:
             yield client
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Keep tracebacks of a lost connection off the terminal: the executor says it in a sentence."""
+    loggers = [logging.getLogger(f"distributed.{name}") for name in ("client", "core", "comm")]
+    levels = [logger.level for logger in loggers]
+    for logger in loggers:
+        logger.setLevel(logging.CRITICAL)
+    yield
+    for logger, level in zip(loggers, levels, strict=True):
+        logger.setLevel(level)
 
 
 def _local() -> dict[str, Any]:

@@ -20,7 +20,7 @@ from time import monotonic
 from typing import Any
 
 from matrixworld.cluster.probe import Probe
-from matrixworld.cluster.worker import Call, Outcome, perform
+from matrixworld.cluster.worker import Call, Outcome, check, perform
 
 FIRST_WORKER_SECONDS = 300
 """Workers of a batch system may start after the program that gives them work."""
@@ -31,7 +31,7 @@ STOP_SECONDS = 10.0
 NO_WORKER_SECONDS = 600.0
 """After this time without any worker the cluster is given up."""
 TRIES = 3
-"""How often a piece of work is handed out if a worker cannot even read it."""
+"""How often a piece of work is handed out after errors of the cluster."""
 
 
 class ClusterLostError(BrokenExecutor):
@@ -40,10 +40,6 @@ class ClusterLostError(BrokenExecutor):
 
 class UnfitWorkerError(RuntimeError):
     """A worker cannot share the work; the message names it and says why."""
-
-
-class KilledWorkersError(RuntimeError):
-    """Several workers died while they did the same piece of work."""
 
 
 @dataclass
@@ -184,9 +180,9 @@ class ClusterExecutor(Executor):
                 work.call,
                 key=f"matrixworld-{secrets.token_hex(8)}",
                 pure=False,
-                # Others only if none of these is left: they check themselves.
-                workers=list(self._fit),
-                allow_other_workers=True,
+                # Dask forgets work with such a wish if it has lost all workers (see `_look`).
+                workers=list(self._fit) if self._unfit else None,
+                allow_other_workers=bool(self._unfit),
             )
             self._begun[given] = work
             given.add_done_callback(self._events.put)
@@ -212,38 +208,53 @@ class ClusterExecutor(Executor):
     def _end_with_cluster_error(self, error: BaseException, work: Work) -> None:
         from distributed import KilledWorker
 
+        # Here, because workers import this package to be checked, which should be quick.
+        from matrixworld.coevolution.many import WorkerDiedError
+
         if isinstance(error, KilledWorker):
             work.future.set_exception(
-                KilledWorkersError(
+                WorkerDiedError(
                     f"{error.allowed_failures + 1} workers died while they did it, the last one at "
                     f"{error.last_worker.address}"
                 )
             )
-        elif work.tries < TRIES:
-            # A worker without the package cannot even read the work. It has just joined.
-            self._look()
+        else:
+            # A worker without the package cannot even read the work, and does not say its name.
+            for worker, problem in self._problems(list(self._fit)).items():
+                self._exclude(worker, problem)
+            self._try_again(work, error)
+
+    def _try_again(self, work: Work, error: BaseException) -> None:
+        if work.tries < TRIES:
             self._waiting.appendleft(work)
         else:
             work.future.set_exception(error)
 
     def _look(self) -> None:
-        """Look which workers there are, and check those that have joined."""
+        """Look which workers there are. Those that have joined check themselves (`perform`)."""
         try:
             threads = self._client.nthreads()
-            joined = [each for each in threads if each not in {*self._fit, *self._unfit}]
-            for worker, problem in self._problems(joined).items():
-                self._exclude(worker, problem)
         except OSError as error:
             self._lose(f"{self._scheduler} does not answer ({error})")
             return
-        self._fit = {each: n for each, n in threads.items() if each not in self._unfit}
+        left = {each: n for each, n in threads.items() if each not in self._unfit}
+        if left and not self._fit and self._unfit:
+            self._hand_out_again()
+        self._fit = left
         self._wait_for_workers()
+
+    def _hand_out_again(self) -> None:
+        """Take back the work that was on the way when the last fit worker was lost."""
+        for given, work in list(self._begun.items()):
+            del self._begun[given]
+            given.cancel()
+            self._try_again(work, UnfitWorkerError("cluster: all fit workers were lost"))
 
     def _problems(self, workers: list[str]) -> dict[str, str]:
         """Return the problems of those workers that have any."""
         if not workers:
             return {}
-        answers = self._client.run(self._probe.problem, workers=workers, on_error="return")
+        answers = self._client.run(check, self._probe, workers=workers, on_error="return")
         return {worker: str(answer) for worker, answer in answers.items() if answer != ""}
 
     def _exclude(self, worker: str, problem: str) -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 import secrets
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -20,7 +20,7 @@ from threadpoolctl import threadpool_info
 import matrixworld
 from matrixworld.bench import processor_name
 from matrixworld.config import WorldConfig
-from matrixworld.files import LockedError, locked
+from matrixworld.files import TEMPORARY, LockedError, locked
 from matrixworld.policy import Network, Population
 from matrixworld.rollout import Matches, rollout
 from matrixworld.version import __version__
@@ -186,18 +186,15 @@ def posted(directory: Path | None, *, like_processors: bool = False) -> Iterator
     made = [each for each in (place, *place.parents) if not each.exists()]
     place.mkdir(parents=True, exist_ok=True)
     token = secrets.token_hex(16)
-    sign = place / f".probe-{token[:8]}"
+    # The name of a file that is being written: the directory still counts as empty.
+    sign = place / f".{token}{TEMPORARY}"
     try:
         sign.write_text(token, encoding="ascii")
         with locked(sign):
             yield Probe(traits, like_processors, sign, token)
     finally:
         sign.unlink(missing_ok=True)
-        _remove_empty(made)
-
-
-def _remove_empty(directories: list[Path]) -> None:
-    for each in directories:
-        if not each.is_dir() or any(each.iterdir()):
-            break
-        each.rmdir()
+        # The directories that this made, unless they are used by now.
+        with suppress(OSError):
+            for each in made:
+                each.rmdir()

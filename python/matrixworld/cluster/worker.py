@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
@@ -36,6 +37,12 @@ def perform(probe: Probe, call: Call) -> Outcome:
         return Outcome(function(*args, **options))
     except Exception as error:  # noqa: BLE001, raised again where the work comes from
         return Outcome(error=error)
+
+
+async def check(probe: Probe) -> str:
+    """Return `Probe.problem` of this process, a worker."""
+    # Not in the thread that tells the scheduler that the worker lives.
+    return await asyncio.to_thread(_problem, probe)
 
 
 @cache

@@ -8,7 +8,7 @@ import queue
 import signal
 import threading
 from collections.abc import Callable
-from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from typing import Any, TypeVar
@@ -22,7 +22,7 @@ KILL = getattr(signal, "SIGKILL", signal.SIGTERM)
 Result = TypeVar("Result")
 
 
-class WorkerDiedError(BrokenExecutor):
+class WorkerDiedError(RuntimeError):
     """A task has lost `TRIES` worker processes, for example for lack of memory."""
 
 
