@@ -10,6 +10,7 @@ from typing import Any
 import click
 
 from matrixworld.cli.arguments import failures, find_runs, resume_command
+from matrixworld.cli.clusters import cluster_option, on_cluster
 from matrixworld.cli.console import INTERRUPTED, note, warnings_as_notes
 from matrixworld.cli.jobs import default_directory, found_job, new_job, play_run, play_runs
 from matrixworld.cli.options import (
@@ -41,6 +42,7 @@ Examples:
   matrixworld evolve my-race --variant SB --schedule generalist-generalist
   matrixworld evolve my-races --seeds 0-9
   matrixworld evolve --against random --team evader
+  matrixworld evolve my-races --seeds 0-999 --cluster tcp://head-node:8786
   matrixworld evolve --resume my-race
 """
 
@@ -56,12 +58,14 @@ Examples:
 )
 @seeds_option
 @threads_option
+@cluster_option
 @setting_options
 def evolve_command(
     output: Path | None,
     resumed: Path | None,
     seeds: tuple[int, ...] | None,
     threads: int | None,
+    where: str | None,
     **options: Any,
 ) -> None:
     """Let pursuers and evaders evolve against each other.
@@ -79,14 +83,17 @@ def evolve_command(
     Several runs play side by side, as many as --threads; threads that are left over are shared
     among them. Ctrl-C stops. --resume continues from the last checkpoint, with the same results.
     Results do not depend on --threads.
+
+    With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
+    must see OUTPUT under the same path; docs/cluster.md says how to start them.
     """
     given = given_options(options)
     with failures(), warnings_as_notes():
         if resumed:
             _refuse_settings(output, {**given, **({"seeds": seeds} if seeds else {})})
-            _play_old(resumed, threads)
+            _play_old(resumed, threads, where)
         else:
-            _play_new(settings_from(given), _checked_seeds(seeds, given), output, threads)
+            _play_new(settings_from(given), _checked_seeds(seeds, given), output, threads, where)
 
 
 def _checked_seeds(seeds: tuple[int, ...] | None, given: dict[str, Any]) -> tuple[int, ...] | None:
@@ -100,8 +107,10 @@ def _play_new(
     seeds: tuple[int, ...] | None,
     output: Path | None,
     threads: int | None,
+    where: str | None,
 ) -> None:
     job = new_job(settings, seeds)
+    _check_shared(job, where)
     named = f"seed{settings[0].seed}" if seeds is None else _named(seeds)
     root = _new_directory(output, default_directory(settings[0], named))
     # Some settings can be checked only when opponents and start genomes have been read.
@@ -117,13 +126,21 @@ def _play_new(
         if job is None:
             report([play_run(run)], root, threads)
         else:
-            _play_job(job, root, threads)
+            _play_job(job, root, threads, where)
 
 
-def _play_old(root: Path, threads: int | None) -> None:
+def _check_shared(job: Job | None, where: str | None) -> None:
+    if job is None and where is not None:
+        raise click.UsageError(
+            "--cluster: expected several runs, such as --seeds 0-9, got one, which cannot be shared"
+        )
+
+
+def _play_old(root: Path, threads: int | None, where: str | None) -> None:
     # The runs are restored inside the block: reading them may fail or take some time.
     with _resumable(root):
         job = found_job(root)
+        _check_shared(job, where)
         try:
             if job is None:
                 run = resume(root, threads=threads)
@@ -135,11 +152,12 @@ def _play_old(root: Path, threads: int | None) -> None:
         if job is None:
             report([play_run(run)], root, threads)
         else:
-            _play_job(job, root, threads)
+            _play_job(job, root, threads, where)
 
 
-def _play_job(job: Job, root: Path, threads: int | None) -> None:
-    results, failed = play_runs(job, root, threads)
+def _play_job(job: Job, root: Path, threads: int | None, where: str | None) -> None:
+    with on_cluster(where, root, job.runs.values()) as executor:
+        results, failed = play_runs(job, root, threads, executor)
     by_schedule = all(name == getattr(each, "schedule", "") for name, each in job.runs.items())
     if not by_schedule:
         report_seeds(results, job.asked(), root, failed, threads)

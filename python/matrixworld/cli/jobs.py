@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -143,7 +144,9 @@ def play_run(run: Run[Any]) -> Result:
         return Result(run.files, run.settings, run.run(report))
 
 
-def play_runs(job: Job, root: Path, threads: int | None) -> tuple[list[Result], dict[Path, str]]:
+def play_runs(
+    job: Job, root: Path, threads: int | None, executor: Executor | None = None
+) -> tuple[list[Result], dict[Path, str]]:
     """Play the runs of a job, with a line of progress for each.
 
     Returns
@@ -154,7 +157,7 @@ def play_runs(job: Job, root: Path, threads: int | None) -> tuple[list[Result], 
         Why the other ones failed.
     """
     with job_progress() as report:
-        outcome = play_job(job, root, threads=threads, report=report)
+        outcome = play_job(job, root, executor=executor, threads=threads, report=report)
     failed = {root / n: described(root / n, error) for n, error in outcome.failures.items()}
     results = []
     for path in (root / name for name in job.runs if name in outcome.finished):

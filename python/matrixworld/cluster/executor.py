@@ -8,11 +8,13 @@ that join later find work left.
 
 from __future__ import annotations
 
+import asyncio
 import secrets
 import warnings
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, Executor, Future
+from contextlib import suppress
 from dataclasses import dataclass
 from queue import Empty, SimpleQueue
 from threading import Thread
@@ -28,13 +30,15 @@ LOOK_SECONDS = 1.0
 """Time from one look at the workers to the next."""
 STOP_SECONDS = 10.0
 """How long work that has been told to stop is waited for."""
+RESULT_SECONDS = 10.0
+"""How long a result may take from a worker to here."""
 NO_WORKER_SECONDS = 600.0
 """After this time without any worker the cluster is given up."""
 TRIES = 3
 """How often a piece of work is handed out after errors of the cluster."""
 
 
-class ClusterLostError(BrokenExecutor):
+class ClusterLostError(BrokenExecutor, ConnectionError):
     """The cluster has gone: no work can be handed out any more, and no results come back."""
 
 
@@ -87,7 +91,7 @@ class ClusterExecutor(Executor):
         """Wait for a first worker and check all; UnfitWorkerError if one is unfit."""
         try:
             self._client.wait_for_workers(1, timeout=FIRST_WORKER_SECONDS)
-        except TimeoutError as error:
+        except (TimeoutError, asyncio.TimeoutError) as error:
             raise OSError(
                 f"cluster: no worker has joined {self._scheduler} within {FIRST_WORKER_SECONDS} s"
             ) from error
@@ -111,13 +115,18 @@ class ClusterExecutor(Executor):
         concurrent.futures.Future
             The result. Until a worker takes the work it can be cancelled.
         """
+        self._check_open()
+        work = Work((fn, args, kwargs), Future())
+        self._events.put(work)
+        if self._lost is not None:  # in the meantime
+            self._fail_handed_in(self._lost)
+        return work.future
+
+    def _check_open(self) -> None:
         if self._lost is not None:
             raise self._lost
         if self._closing:
-            raise RuntimeError("cannot hand in work after shutdown")
-        work = Work((fn, args, kwargs), Future())
-        self._events.put(work)
-        return work.future
+            raise RuntimeError("submit: expected an executor that is not shut down")
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
         """Take no more work.
@@ -184,8 +193,11 @@ class ClusterExecutor(Executor):
                 workers=list(self._fit) if self._unfit else None,
                 allow_other_workers=bool(self._unfit),
             )
-            self._begun[given] = work
-            given.add_done_callback(self._events.put)
+            self._watch(given, work)
+
+    def _watch(self, given: Any, work: Work) -> None:
+        self._begun[given] = work
+        given.add_done_callback(self._events.put)
 
     def _end(self, given: Any, work: Work) -> None:
         """Give the result of a piece of work to those who wait for it, or hand it out again."""
@@ -196,7 +208,12 @@ class ClusterExecutor(Executor):
         if given.status == "error":
             self._end_with_cluster_error(given.exception(), work)
             return
-        outcome: Outcome = given.result()
+        try:
+            outcome: Outcome = given.result(timeout=RESULT_SECONDS)
+        except (TimeoutError, asyncio.TimeoutError):
+            # Its worker was lost with it, and Dask does the work again.
+            self._watch(given, work)
+            return
         if outcome.unfit:
             self._exclude(outcome.worker, outcome.unfit)
             self._waiting.appendleft(work)
@@ -281,6 +298,15 @@ class ClusterExecutor(Executor):
                 work.future.set_exception(self._lost)
         self._begun.clear()
         self._waiting.clear()
+        self._fail_handed_in(self._lost)
+
+    def _fail_handed_in(self, error: ClusterLostError) -> None:
+        """Fail the work that lies in the queue: two threads may call this at one time."""
+        with suppress(Empty):
+            while True:
+                event = self._events.get_nowait()
+                if isinstance(event, Work) and event.future.set_running_or_notify_cancel():
+                    event.future.set_exception(error)
 
     def _drop_waiting(self) -> None:
         while self._waiting:
