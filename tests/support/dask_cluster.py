@@ -11,8 +11,12 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import Any
 
-DEADLINE = 30.0
+from distributed import Client
+
+Process = subprocess.Popen[bytes]
+DEADLINE = 60.0
 """Seconds in which anything that is waited for must happen."""
 
 # Short limits: a worker that does not answer is given up after ten seconds, not five minutes.
@@ -38,9 +42,11 @@ class DaskCluster:
     def __init__(self, place: Path) -> None:
         self.place = place
         self.file = place / "scheduler.json"
-        self.processes: list[subprocess.Popen[bytes]] = []
+        self.processes: list[Process] = []
+        self._workers: dict[str, Process] = {}
         self.scheduler = self._start("dask_scheduler", "--port", "0", "--host", "127.0.0.1")
         wait_until(self._announced, "scheduler")
+        self._client: Any = Client(self.address, set_as_default=False)
 
     def _announced(self) -> bool:
         try:
@@ -53,21 +59,47 @@ class DaskCluster:
         """The scheduler's address."""
         return str(json.loads(self.file.read_text())["address"])
 
-    def add_worker(self, *options: str, path: Path | None = None) -> subprocess.Popen[bytes]:
-        """Start a worker; modules in `path` are found before all others."""
-        first = [str(path)] if path else []
-        return self._start(
-            "dask_worker", "--nthreads", "1", "--no-nanny", "--death-timeout", "20",
-            "--local-directory", str(self.place), *options, first=first,
+    def workers(self, count: int) -> list[Process]:
+        """Return so many workers that take part: those that live, and new ones."""
+        names = self.known()
+        living = [name for name, each in self._workers.items() if each.poll() is None]
+        for name in living[count:]:
+            self.kill(self._workers[name])
+        names = living[:count]
+        while len(names) < count:
+            names.append(self.add_worker())
+        wait_until(lambda: sorted(self.known()) == sorted(names), f"{count} workers")
+        return [self._workers[name] for name in names]
+
+    def add_worker(self, path: Path | None = None) -> str:
+        """Start a worker and return its name; modules in `path` are found before all others."""
+        name = f"worker-{len(self.processes)}"
+        self._workers[name] = self._start(
+            "dask_worker", "--nthreads", "1", "--no-nanny", "--name", name,
+            "--local-directory", str(self.place), first=[str(path)] if path else [],
         )  # fmt: skip
+        return name
 
-    def add_workers(self, count: int) -> list[subprocess.Popen[bytes]]:
-        """Start workers."""
-        return [self.add_worker() for _ in range(count)]
+    def known(self) -> dict[str, str]:
+        """Return the addresses of the workers that the scheduler knows, by name."""
+        workers = self._client.scheduler_info(n_workers=-1)["workers"]
+        return {str(each["name"]): address for address, each in workers.items()}
 
-    def _start(
-        self, module: str, *options: str, first: list[str] | None = None
-    ) -> subprocess.Popen[bytes]:
+    def knows(self, worker: Process) -> bool:
+        """Return whether the scheduler counts on a worker."""
+        [name] = [name for name, each in self._workers.items() if each is worker]
+        return name in self.known()
+
+    def kill(self, worker: Process) -> None:
+        """Kill a worker."""
+        worker.kill()
+        worker.wait()
+
+    def left(self) -> list[int]:
+        """Return the process groups of workers that have members left."""
+        return [each.pid for each in self._workers.values() if group_lives(each.pid)]
+
+    def _start(self, module: str, *options: str, first: list[str] | None = None) -> Process:
         command = [
             sys.executable, "-m", f"distributed.cli.{module}", "--no-dashboard",
             "--scheduler-file", str(self.file), *options,
@@ -86,9 +118,19 @@ class DaskCluster:
 
     def close(self) -> None:
         """Kill everything, frozen processes, too."""
+        self._client.close()
         for process in reversed(self.processes):
             kill_group(process.pid)
             process.wait()
+
+
+def group_lives(leader: int) -> bool:
+    """Return whether a process group has members."""
+    try:
+        os.killpg(leader, 0)
+    except ProcessLookupError:
+        return False
+    return True
 
 
 def kill_group(leader: int) -> None:
@@ -103,7 +145,7 @@ def dask_cluster(place: Path, workers: int = 2) -> Iterator[DaskCluster]:
     place.mkdir(exist_ok=True)
     cluster = DaskCluster(place)
     try:
-        cluster.add_workers(workers)
+        cluster.workers(workers)
         yield cluster
     finally:
         cluster.close()

@@ -13,7 +13,7 @@ from matrixworld.cli.console import note
 from matrixworld.cluster import UnfitWorkerError, check_where, cluster
 from matrixworld.coevolution import RaceSettings, SingleSettings
 
-LIKE_PROCESSORS = "cma-es"
+LIKE_PROCESSORS = "cma"
 """The learner whose results depend on the processor, by way of the linear algebra."""
 
 

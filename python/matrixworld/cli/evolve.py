@@ -126,7 +126,7 @@ def _play_new(
         if job is None:
             report([play_run(run)], root, threads)
         else:
-            _play_job(job, root, threads, where)
+            _play_job(job, root, threads, where, new=True)
 
 
 def _check_shared(job: Job | None, where: str | None) -> None:
@@ -152,12 +152,12 @@ def _play_old(root: Path, threads: int | None, where: str | None) -> None:
         if job is None:
             report([play_run(run)], root, threads)
         else:
-            _play_job(job, root, threads, where)
+            _play_job(job, root, threads, where, new=False)
 
 
-def _play_job(job: Job, root: Path, threads: int | None, where: str | None) -> None:
+def _play_job(job: Job, root: Path, threads: int | None, where: str | None, *, new: bool) -> None:
     with on_cluster(where, root, job.runs.values()) as executor:
-        results, failed = play_runs(job, root, threads, executor)
+        results, failed = play_runs(job, root, threads, executor, new=new)
     by_schedule = all(name == getattr(each, "schedule", "") for name, each in job.runs.items())
     if not by_schedule:
         report_seeds(results, job.asked(), root, failed, threads)

@@ -145,7 +145,12 @@ def play_run(run: Run[Any]) -> Result:
 
 
 def play_runs(
-    job: Job, root: Path, threads: int | None, executor: Executor | None = None
+    job: Job,
+    root: Path,
+    threads: int | None,
+    executor: Executor | None = None,
+    *,
+    new: bool,
 ) -> tuple[list[Result], dict[Path, str]]:
     """Play the runs of a job, with a line of progress for each.
 
@@ -157,7 +162,7 @@ def play_runs(
         Why the other ones failed.
     """
     with job_progress() as report:
-        outcome = play_job(job, root, executor=executor, threads=threads, report=report)
+        outcome = play_job(job, root, keep=new, executor=executor, threads=threads, report=report)
     failed = {root / n: described(root / n, error) for n, error in outcome.failures.items()}
     results = []
     for path in (root / name for name in job.runs if name in outcome.finished):

@@ -23,12 +23,11 @@ def population(team, count):
     return Population(untrained(SETTINGS, team, count), SETTINGS.network)
 
 
-def played(pursuers=7, evaders=5, **options):
+def played(pursuers=None, **options):
     """Return the payoff of a small tournament, as bytes by name."""
-    sides = {"pursuers": population("pursuer", pursuers), "evaders": population("evader", evaders)}
-    sides |= {name: options.pop(name) for name in sides.keys() & options.keys()}
+    sides = pursuers or population("pursuer", 7), population("evader", 5)
     world = SETTINGS.world(12)
-    payoff = tournament(world, **sides, seed=3, episodes=4, first=(2, 1), **options)
+    payoff = tournament(world, *sides, seed=3, episodes=4, first=(2, 1), **options)
     return {
         name: (array.dtype, array.shape, array.tobytes()) for name, array in payoff.arrays().items()
     }

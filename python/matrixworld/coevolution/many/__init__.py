@@ -9,6 +9,7 @@ local_executor     `LocalExecutor`: worker processes of this machine, which may 
 run_task           `run_task`: one run, wherever it is called
 stop_mark          `StopMark`: by which tasks know that they shall end
 run_progress       progress of runs in work, in tiny files
+progress_bars      `ProgressBars` shows it on a terminal
 job                `Job`: the runs that were asked for, and the file that says so
 =================  ===============================================================================
 """
@@ -18,6 +19,7 @@ from __future__ import annotations
 from matrixworld.coevolution.many.evolve_many import FailedRunsError, evolve_many
 from matrixworld.coevolution.many.job import JOB, Job, job_of, open_job
 from matrixworld.coevolution.many.local_executor import LocalExecutor, WorkerDiedError
+from matrixworld.coevolution.many.progress_bars import ProgressBars
 from matrixworld.coevolution.many.run_progress import RunProgress
 from matrixworld.coevolution.many.run_task import run_task
 from matrixworld.coevolution.many.stop_mark import StopMark, StoppedError
@@ -30,6 +32,7 @@ __all__ = [
     "JobProgress",
     "JobReport",
     "LocalExecutor",
+    "ProgressBars",
     "RunProgress",
     "StopMark",
     "StoppedError",

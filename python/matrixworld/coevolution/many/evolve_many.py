@@ -11,7 +11,7 @@ from pathlib import Path
 from matrixworld.checks import check_instance, check_number, check_threads
 from matrixworld.coevolution.many.job import JOB, Job, Settings, job_of, open_job, save_job
 from matrixworld.coevolution.many.local_executor import LocalExecutor
-from matrixworld.coevolution.many.run_task import LOCK_WAIT, Values
+from matrixworld.coevolution.many.run_task import LOCK_WAIT, Values, counts_of
 from matrixworld.coevolution.many.watch import JobReport, Watch, silent
 from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.runs.start import check_own_code
@@ -199,12 +199,13 @@ def play_job(
     job: Job,
     root: Path,
     *,
+    keep: bool = True,
     executor: Executor | None = None,
     threads: int | None = None,
     report: JobReport = silent,
     lock_wait: float = LOCK_WAIT,
 ) -> Outcome:
-    """Play what is unfinished of a job; its file is written if there is none.
+    """Play what is unfinished of a job.
 
     Parameters
     ----------
@@ -212,6 +213,8 @@ def play_job(
         The job, checked by `check_job`.
     root : Path
         Its directory.
+    keep : bool, optional
+        Whether to write the file of the job, if there is none.
     executor, threads, report, lock_wait
         As for `evolve_many`.
 
@@ -222,6 +225,8 @@ def play_job(
 
     Raises
     ------
+    FileExistsError, ValueError
+        If the directory holds something else.
     LockedError
         If another process plays the job.
     KeyboardInterrupt
@@ -230,9 +235,12 @@ def play_job(
     check_number("lock_wait", lock_wait, least=0.0)
     root.mkdir(parents=True, exist_ok=True)
     with locked(root / LOCK):
-        # Before any run begins: what was asked for is known from now on.
-        if open_job(root) is None:
-            save_job(root, job)
+        if keep:
+            # Again, because another process may have begun a job before this one got the lock.
+            check_directory(root, job)
+            # Before any run begins: what was asked for is known from now on.
+            if open_job(root) is None:
+                save_job(root, job)
         watch = Watch(job, root, *_ended(job, root))
         unfinished = len(watch.unfinished())
         if unfinished:
@@ -284,5 +292,4 @@ def _counts(files: RunDirectory, settings: Settings) -> Values:
     found = files.settings()
     if found != settings:
         raise ValueError(f"{files.path}: expected a run of {settings}, got {found}")
-    numbers = files.summary()
-    return {key: numbers[key] for key in numbers if key.startswith(("training_", "evaluation_"))}
+    return counts_of(files)

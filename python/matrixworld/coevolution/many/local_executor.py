@@ -7,6 +7,7 @@ import os
 import queue
 import signal
 import threading
+import warnings
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -14,6 +15,7 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from matrixworld.checks import check_integer, usable_cores
+from matrixworld.coevolution.runs.alternating import DisengagementWarning
 
 TRIES = 3
 """Workers that a task may lose before it fails."""
@@ -159,6 +161,8 @@ def _prepare() -> None:
     """Prepare a worker process."""
     # Ctrl-C reaches all processes of a terminal; the main process tells the workers to stop.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # The main process warns when a run has ended, with its name.
+    warnings.simplefilter("ignore", DisengagementWarning)
     threading.Thread(target=_end_with_parent, daemon=True).start()
 
 

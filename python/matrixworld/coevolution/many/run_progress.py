@@ -38,6 +38,11 @@ class RunProgress:
     total: int
     before: int
 
+    @property
+    def share(self) -> float:
+        """The part of the run that is done, from 0 to 1."""
+        return self.done / max(self.total, 1)
+
 
 def write_progress(directory: Path, name: str, progress: RunProgress) -> None:
     """Write the progress of a run, in one step."""

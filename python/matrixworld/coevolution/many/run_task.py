@@ -11,7 +11,8 @@ from matrixworld.coevolution.many.job import settings_from_text
 from matrixworld.coevolution.many.run_progress import RunProgress, clear_progress, write_progress
 from matrixworld.coevolution.many.stop_mark import StopMark
 from matrixworld.coevolution.runs.start import finish
-from matrixworld.coevolution.storage.run_files import CONFIG
+from matrixworld.coevolution.storage.consistency import COUNTS
+from matrixworld.coevolution.storage.run_files import CONFIG, RunFiles
 from matrixworld.files import LockedError
 
 LOCK_WAIT = 120.0
@@ -50,8 +51,9 @@ def run_task(
     Returns
     -------
     dict of str to str, int or float
-        ``name``; ``seconds`` that the task took; ``training_matches``, ``training_steps``,
-        ``training_agent_steps`` and ``evaluation_matches`` of the run.
+        ``name``; ``seconds`` that the task took; of the run ``stages``, ``training_matches``,
+        ``training_steps``, ``training_agent_steps``, ``evaluation_matches``, and its
+        ``disengagement`` in words.
 
     Raises
     ------
@@ -76,9 +78,14 @@ def run_task(
         path, mark, lock_wait,
     )  # fmt: skip
     clear_progress(root, name)
-    numbers = run.files.summary()
-    played = {key: numbers[key] for key in numbers if key.startswith(("training_", "evaluation_"))}
-    return {"name": name, "seconds": time.monotonic() - began, **played}
+    return {"name": name, "seconds": time.monotonic() - began, **counts_of(run.files)}
+
+
+def counts_of(files: RunFiles) -> Values:
+    """Return what a finished run has played, and its disengagements in words."""
+    numbers = files.summary()
+    played = {key: numbers[key] for key in COUNTS}
+    return {**played, "disengagement": "; ".join(numbers.get("disengagement", []))}
 
 
 def waiting(play: Callable[[], Result], path: Path, mark: StopMark, seconds: float) -> Result:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from dataclasses import dataclass, field
@@ -11,6 +12,7 @@ from matrixworld.coevolution.many.job import Job, Settings, group_of, settings_t
 from matrixworld.coevolution.many.run_progress import RunProgress, read_progress, remove_progress
 from matrixworld.coevolution.many.run_task import Values, run_task
 from matrixworld.coevolution.many.stop_mark import StopMark
+from matrixworld.coevolution.runs.alternating import DisengagementWarning
 
 SECONDS = 0.5
 """Seconds between two reports."""
@@ -42,6 +44,12 @@ class JobProgress:
     done: int
     total: int
     before: int
+
+    @property
+    def counts(self) -> str:
+        """How many runs have ended, in words."""
+        failed = f", {self.failed} failed" if self.failed else ""
+        return f"{self.finished} of {self.asked} runs{failed}"
 
 
 JobReport = Callable[[JobProgress], None]
@@ -137,6 +145,9 @@ class Watch:
     def _take(self, name: str, future: Future[Values]) -> None:
         try:
             self.finished[name] = future.result()
+            if self.finished[name]["disengagement"]:
+                text = f"{name}: {self.finished[name]['disengagement']}"
+                warnings.warn(text, DisengagementWarning, stacklevel=6)
         except BrokenExecutor:  # of the whole job: no task can be done any more
             raise
         except Exception as error:  # noqa: BLE001, of one run: the others go on
