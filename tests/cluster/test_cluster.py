@@ -129,7 +129,7 @@ def test_a_frozen_worker_does_no_harm(dask: DaskCluster, tmp_path: Path) -> None
         wait_until(have_begun(place, 2), "two races")
         first.send_signal(signal.SIGSTOP)
         # It still holds the lock of its race when the scheduler has given it up.
-        wait_until(lambda: not dask.knows(first), "loss of the worker")
+        wait_until(lambda: dask.given_up(first), "loss of the worker")
         time.sleep(1)
         assert not played.done()
         first.send_signal(signal.SIGCONT)

@@ -16,12 +16,14 @@ from typing import Any
 from distributed import Client
 
 Process = subprocess.Popen[bytes]
+SILENCE = 8.0
+"""Seconds without a heartbeat after which a test gives up a worker; by default five minutes."""
 DEADLINE = 60.0
 """Seconds in which anything that is waited for must happen."""
 
-# Short limits: a worker that does not answer is given up after ten seconds, not five minutes.
+# A race that kills two workers is bad. A lost connection shows soon.
 SETTINGS = {
-    "DASK_DISTRIBUTED__SCHEDULER__WORKER_TTL": "10s",
+    "DASK_DISTRIBUTED__SCHEDULER__WORKER_TTL": "60s",
     "DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES": "1",
     "DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT": "5s",
     "OPENBLAS_NUM_THREADS": "1",
@@ -85,10 +87,16 @@ class DaskCluster:
         workers = self._client.scheduler_info(n_workers=-1)["workers"]
         return {str(each["name"]): address for address, each in workers.items()}
 
-    def knows(self, worker: Process) -> bool:
-        """Return whether the scheduler counts on a worker."""
+    def given_up(self, worker: Process) -> bool:
+        """Return whether the scheduler has given up a worker that is silent for `SILENCE`."""
+
+        async def check(dask_scheduler: Any) -> None:
+            dask_scheduler.worker_ttl = SILENCE
+            await dask_scheduler.check_worker_ttl()
+
+        self._client.run_on_scheduler(check)
         [name] = [name for name, each in self._workers.items() if each is worker]
-        return name in self.known()
+        return name not in self.known()
 
     def kill(self, worker: Process) -> None:
         """Kill a worker."""

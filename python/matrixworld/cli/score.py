@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from matrixworld.cli.arguments import failures, run_of
+from matrixworld.cli.clusters import cluster_option, on_cluster
 from matrixworld.cli.console import print_wrapped, progress
 from matrixworld.cli.options import (
     episodes_option,
@@ -55,6 +56,7 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
 @json_option
 @force_option
 @threads_option
+@cluster_option
 def score_command(
     run: Path,
     generation: int | None,
@@ -64,16 +66,20 @@ def score_command(
     json_file: Path | None,
     force: bool,
     threads: int | None,
+    where: str | None,
 ) -> None:
     """Score a run's teams against held-out opponents.
 
     The opponents are scripts of different skill and, in worlds with the default views and actions,
     small networks that come with the package. No run has learnt against them, and with one --seed
     all runs meet them in the same episodes: runs can be compared. RUN need not be finished.
+
+    With --cluster the workers of a Dask cluster play blocks of the matches. It pays with
+    --generation all and many episodes. The workers need not see RUN.
     """
     refuse_existing(json_file, force=force)
     with failures():
-        scores = _play(open_run(run), generation, episodes, steps, seed, threads)
+        scores = _play(open_run(run), generation, episodes, steps, seed, threads, where)
         _print(scores)
         teams = {f"{team}s": each.to_json() for team, each in scores.items()}
         write_json(json_file, {"run": str(run), "seed": seed, **teams})
@@ -86,8 +92,9 @@ def _play(
     steps: int | None,
     seed: int,
     threads: int | None,
+    where: str | None,
 ) -> dict[Team, HeldOutScores]:
-    with progress() as report:
+    with on_cluster(where) as executor, progress() as report:
         try:
             return score(
                 saved,
@@ -97,6 +104,7 @@ def _play(
                 seed=seed,
                 threads=threads,
                 report=report,
+                executor=executor,
             )
         except IndexError as error:
             # The message begins with "generation", which is an option here.
