@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import Executor
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -26,9 +27,9 @@ from matrixworld.cli.setting_options import in_options, setting_options, setting
 from matrixworld.coevolution import (
     PluginError,
     RaceSettings,
+    Run,
     RunDirectory,
     SingleSettings,
-    check_own_code,
     resume,
     start,
 )
@@ -93,13 +94,13 @@ def evolve_command(
             _refuse_settings(output, {**given, **({"seeds": seeds} if seeds else {})})
             _play_old(resumed, threads, where)
         else:
-            _play_new(settings_from(given), _checked_seeds(seeds, given), output, threads, where)
+            _refuse_seed(seeds, given)
+            _play_new(settings_from(given), seeds, output, threads, where)
 
 
-def _checked_seeds(seeds: tuple[int, ...] | None, given: dict[str, Any]) -> tuple[int, ...] | None:
+def _refuse_seed(seeds: tuple[int, ...] | None, given: dict[str, Any]) -> None:
     if seeds is not None and "seed" in given:
         raise click.UsageError("--seeds: expected it without --seed, got both")
-    return seeds
 
 
 def _play_new(
@@ -110,71 +111,63 @@ def _play_new(
     where: str | None,
 ) -> None:
     job = new_job(settings, seeds)
-    _check_shared(job, where)
-    named = f"seed{settings[0].seed}" if seeds is None else _named(seeds)
-    root = _new_directory(output, default_directory(settings[0], named))
+    elsewhere = _elsewhere(job, where)
+    root = _new_directory(output, default_directory(settings[0], seeds))
     # Some settings can be checked only when opponents and start genomes have been read.
     try:
-        if job is None:
-            check_own_code(settings[0])
-            run = start(settings[0], root, threads=threads)
-        else:
-            check_job(job, None, threads)
+        check_job(job or Job({".": settings[0]}), root, elsewhere, threads)
+        work = job or start(settings[0], root, threads=threads)
     except ValueError as error:
         raise click.UsageError(in_options(str(error))) from error
     with _resumable(root):
-        if job is None:
-            report([play_run(run)], root, threads)
-        else:
-            _play_job(job, root, threads, where, new=True)
+        _play(work, root, threads, where, new=True)
 
 
-def _check_shared(job: Job | None, where: str | None) -> None:
-    if job is None and where is not None:
+def _elsewhere(job: Job | None, where: str | None) -> Executor | None:
+    """Return an executor for checks if runs play on other machines; a single run cannot."""
+    if where is None:
+        return None
+    if job is None:
         raise click.UsageError(
             "--cluster: expected several runs, such as --seeds 0-9, got one, which cannot be shared"
         )
+    return Executor()
 
 
 def _play_old(root: Path, threads: int | None, where: str | None) -> None:
-    # The runs are restored inside the block: reading them may fail or take some time.
+    # The run is restored inside the block: reading it may fail or take some time.
     with _resumable(root):
         job = found_job(root)
-        _check_shared(job, where)
+        elsewhere = _elsewhere(job, where)
         try:
-            if job is None:
-                run = resume(root, threads=threads)
-            else:
-                check_job(job, None, threads)
+            if job is not None:
+                check_job(job, root, elsewhere, threads)
+            work = job or resume(root, threads=threads)
         except ValueError as error:
             # The package of a learner of the user's own may be missing, or have changed.
             raise click.ClickException(str(error)) from error
-        if job is None:
-            report([play_run(run)], root, threads)
-        else:
-            _play_job(job, root, threads, where, new=False)
+        _play(work, root, threads, where, new=False)
 
 
-def _play_job(job: Job, root: Path, threads: int | None, where: str | None, *, new: bool) -> None:
-    with on_cluster(where, root, job.runs.values()) as executor:
-        results, failed = play_runs(job, root, threads, executor, new=new)
-    by_schedule = all(name == getattr(each, "schedule", "") for name, each in job.runs.items())
-    if not by_schedule:
-        report_seeds(results, job.asked(), root, failed, threads)
+def _play(
+    work: Job | Run[Any], root: Path, threads: int | None, where: str | None, *, new: bool
+) -> None:
+    """Play a job or a single run, and report the results; exit code 1 if runs failed."""
+    if isinstance(work, Run):
+        report([play_run(work)], root, threads)
+        return
+    with on_cluster(where, root, work.runs.values()) as executor:
+        results, failed = play_runs(work, root, threads, executor, new=new)
+    if any(name != getattr(each, "schedule", "") for name, each in work.runs.items()):
+        report_seeds(results, work.asked(), root, failed, threads)
     elif results:
         report(results, root, threads)
     if failed:
         lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
         raise click.ClickException(
-            f"{len(failed)} of {len(job.runs)} runs failed:{lines}\nTo try them again:\n"
+            f"{len(failed)} of {len(work.runs)} runs failed:{lines}\nTo try them again:\n"
             f"  {resume_command(root)}"
         )
-
-
-def _named(seeds: tuple[int, ...]) -> str:
-    """Return seeds as a part of a directory's name."""
-    whole = seeds == tuple(range(seeds[0], seeds[-1] + 1))
-    return f"seeds{seeds[0]}-{seeds[-1]}" if whole else f"{len(seeds)}-seeds-from{min(seeds)}"
 
 
 @contextmanager
@@ -187,11 +180,18 @@ def _resumable(root: Path) -> Iterator[None]:
     try:
         yield
     except KeyboardInterrupt:
+        if not _exists(root):  # stopped before anything was made: the command itself is repeated
+            raise
         note(hint)
         raise click.exceptions.Exit(INTERRUPTED) from None
     except (OSError, PluginError):
         note(hint)
         raise
+
+
+def _exists(root: Path) -> bool:
+    """Return whether a directory holds something to resume."""
+    return bool(find_runs(root)) or (root / JOB).exists()
 
 
 def _refuse_settings(output: Path | None, given: dict[str, Any]) -> None:
@@ -219,7 +219,7 @@ def _check_free(root: Path) -> None:
     except FileExistsError as error:
         hint = (
             f"; {resume_command(root)} continues the run in it, or prints its result again"
-            if find_runs(root) or (root / JOB).exists()
+            if _exists(root)
             else ""
         )
         raise click.UsageError(

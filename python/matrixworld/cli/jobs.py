@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import traceback
 from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
@@ -15,7 +16,14 @@ from matrixworld.analysis import Judgement, Summary, judge, summarize
 from matrixworld.cli.arguments import find_runs, place_in_job, resume_command
 from matrixworld.cli.console import note, progress
 from matrixworld.cli.job_progress import job_progress
-from matrixworld.coevolution import Payoff, RaceSettings, Run, RunDirectory, SingleSettings
+from matrixworld.coevolution import (
+    Payoff,
+    PluginError,
+    RaceSettings,
+    Run,
+    RunDirectory,
+    SingleSettings,
+)
 from matrixworld.coevolution.many.evolve_many import BAD_FILES, described, play_job
 from matrixworld.coevolution.many.job import Job, job_of, open_job
 
@@ -81,15 +89,16 @@ def open_result(path: Path) -> Result:
     return Result(files, settings, Payoff.from_arrays(files.payoff()))
 
 
-def default_directory(settings: Settings, seeds: str) -> Path:
+def default_directory(settings: Settings, seeds: Sequence[int] | None) -> Path:
     """Return the directory named after a run's variant and seeds, such as ``runs/O-seed0``."""
+    named = f"seed{settings.seed}" if seeds is None else f"seeds{seeds[0]}-{seeds[-1]}"
     # Rules made in Python have no name.
     variant = settings.variant if isinstance(settings.variant, str) else "own-rules"
     # `against` may be the path of a run: its last part is the name.
     what = ""
     if isinstance(settings, SingleSettings):
         what = f"-{settings.team}-against-{Path(settings.against).name}"
-    return RUNS / f"{variant}{what}-{seeds}"
+    return RUNS / f"{variant}{what}-{named}"
 
 
 def new_job(settings: Sequence[Settings], seeds: Sequence[int] | None) -> Job | None:
@@ -163,6 +172,9 @@ def play_runs(
     """
     with job_progress() as report:
         outcome = play_job(job, root, keep=new, executor=executor, threads=threads, report=report)
+    for error in outcome.failures.values():
+        if isinstance(error, PluginError):  # the user's own code: the traceback is wanted
+            note("".join(traceback.format_exception(error)))
     failed = {root / n: described(root / n, error) for n, error in outcome.failures.items()}
     results = []
     for path in (root / name for name in job.runs if name in outcome.finished):

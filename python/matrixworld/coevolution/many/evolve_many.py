@@ -18,7 +18,7 @@ from matrixworld.coevolution.runs.start import check_own_code
 from matrixworld.coevolution.settings.memory import run_memory
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.run_directory import RunDirectory
-from matrixworld.coevolution.storage.run_files import LOCK, OtherVersionError
+from matrixworld.coevolution.storage.run_files import CONFIG, LOCK, OtherVersionError
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
 from matrixworld.files import is_temporary, locked
 from matrixworld.memory import check_memory
@@ -134,8 +134,9 @@ def evolve_many(
     In a script, call it below ``if __name__ == "__main__":``, as everything that starts processes.
     """
     root, job = Path(directory), job_of(settings)
-    check_job(job, executor, threads)
+    check_number("lock_wait", lock_wait, least=0.0)
     check_directory(root, job)
+    check_job(job, root, executor, threads)
     outcome = play_job(
         job, root, executor=executor, threads=threads, report=report, lock_wait=lock_wait
     )
@@ -151,13 +152,15 @@ def evolve_many(
     return finished
 
 
-def check_job(job: Job, executor: Executor | None, threads: int | None) -> None:
-    """Raise an error if the runs of a job cannot be played, before anything is written.
+def check_job(job: Job, root: Path, executor: Executor | None, threads: int | None) -> None:
+    """Raise an error if the unfinished runs of a job cannot be played; nothing is written.
 
     Parameters
     ----------
     job : Job
         The job.
+    root : Path
+        Its directory.
     executor, threads
         As for `evolve_many`.
     """
@@ -166,18 +169,20 @@ def check_job(job: Job, executor: Executor | None, threads: int | None) -> None:
         check_instance("executor", executor, Executor)
         if threads is not None:
             raise ValueError(f"threads: expected None with an executor, got {threads}")
+    left = {n: each for n, each in job.runs.items() if not RunDirectory(root / n).finished}
+    # Runs on other machines check the memory there; here one learner is made, to try it.
+    workers, each_threads = shares(len(left), threads) if executor is None else (1, 1)
+    needs = [sum(run_memory(each, each_threads).values()) for each in left.values()]
+    largest = sorted(needs, reverse=True)[:workers]
+    check_memory(f"{workers} runs at one time" if workers > 1 else "run", sum(largest))
     # Seeds make no difference here, and a job may have a thousand.
-    kinds = list(dict.fromkeys(replace(each, seed=0) for each in job.runs.values()))
-    for each in kinds:
+    for each in dict.fromkeys(replace(each, seed=0) for each in left.values()):
         check_own_code(each)
+    # A run that has begun has its opponents in its own archive.
+    new = [each for name, each in left.items() if not (root / name / CONFIG).exists()]
+    for each in dict.fromkeys(replace(each, seed=0) for each in new):
         if isinstance(each, SingleSettings):
             check_sources(each)
-    # The memory of other machines is not known here; there each run checks its own.
-    if executor is None:
-        workers, each_threads = shares(len(job.runs), threads)
-        needs = [sum(run_memory(each, each_threads).values()) for each in job.runs.values()]
-        largest = sorted(needs, reverse=True)[:workers]
-        check_memory(f"{len(largest)} runs at one time", sum(largest))
 
 
 def check_directory(root: Path, job: Job) -> None:
@@ -232,7 +237,6 @@ def play_job(
     KeyboardInterrupt
         After Ctrl-C, when the tasks have ended at a checkpoint.
     """
-    check_number("lock_wait", lock_wait, least=0.0)
     root.mkdir(parents=True, exist_ok=True)
     with locked(root / LOCK):
         if keep:
