@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterable, Iterator, Mapping
-from concurrent.futures import Executor
+from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -21,9 +21,9 @@ from matrixworld.coevolution import (
     SavedRun,
     SingleSettings,
     Team,
-    job_of,
     open_run,
 )
+from matrixworld.coevolution.many import job_of
 from matrixworld.coevolution.many.evolve_many import play_job
 
 Settings = RaceSettings | SingleSettings
@@ -78,6 +78,13 @@ def on_cluster(
         return
     alike = any(each.learner_name == "cma" for each in settings)
     with cluster(where, directory=directory, like_processors=alike, tell=print) as executor:
+        yield executor
+
+
+@contextmanager
+def executor_of(where: str | None, processes: int) -> Iterator[Executor]:
+    """Yield the executor that ``--cluster`` asks for, or without it one of so many processes."""
+    with on_cluster(where) as given, given or ProcessPoolExecutor(processes) as executor:
         yield executor
 
 

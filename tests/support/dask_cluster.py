@@ -105,6 +105,8 @@ class DaskCluster:
 
     def left(self) -> list[int]:
         """Return the process groups of workers that have members left."""
+        for each in self._workers.values():
+            each.poll()  # a dead child counts as a member until its parent has looked
         return [each.pid for each in self._workers.values() if group_lives(each.pid)]
 
     def _start(self, module: str, *options: str, first: list[str] | None = None) -> Process:

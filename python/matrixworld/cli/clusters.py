@@ -23,8 +23,6 @@ def _where(ctx: click.Context, param: click.Parameter, value: str | None) -> str
             check_where(value)
         except ValueError as error:
             raise click.BadParameter(str(error).removeprefix("cluster: ")) from error
-        if ctx.params.get("threads") is not None:
-            raise click.UsageError("--threads: expected it without --cluster, got both")
     return value
 
 
@@ -40,6 +38,7 @@ cluster_option = click.option(
 @contextmanager
 def on_cluster(
     where: str | None,
+    threads: int | None,
     directory: Path | None = None,
     settings: Iterable[RaceSettings | SingleSettings] = (),
 ) -> Iterator[Executor | None]:
@@ -49,6 +48,8 @@ def on_cluster(
     ----------
     where : str or None
         Value of the option.
+    threads : int or None
+        Value of ``--threads``, which must not be given beside it.
     directory : Path, optional
         Directory that the work reads and writes.
     settings : iterable of RaceSettings or SingleSettings, optional
@@ -57,6 +58,8 @@ def on_cluster(
     if where is None:
         yield None
         return
+    if threads is not None:
+        raise click.UsageError("--threads: expected it without --cluster, got both")
     alike = any(each.learner_name == LIKE_PROCESSORS for each in settings)
     try:
         with cluster(where, directory=directory, like_processors=alike, tell=note) as executor:

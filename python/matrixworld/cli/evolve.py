@@ -156,7 +156,7 @@ def _play(
     if isinstance(work, Run):
         report([play_run(work)], root, threads)
         return
-    with on_cluster(where, root, work.runs.values()) as executor:
+    with on_cluster(where, threads, root, work.runs.values()) as executor:
         results, failed = play_runs(work, root, threads, executor, new=new)
     if any(name != getattr(each, "schedule", "") for name, each in work.runs.items()):
         report_seeds(results, work.asked(), root, failed, threads)

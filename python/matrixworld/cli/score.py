@@ -94,7 +94,7 @@ def _play(
     threads: int | None,
     where: str | None,
 ) -> dict[Team, HeldOutScores]:
-    with on_cluster(where) as executor, progress() as report:
+    with on_cluster(where, threads) as executor, progress() as report:
         try:
             return score(
                 saved,

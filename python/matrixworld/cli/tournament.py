@@ -117,7 +117,7 @@ def _play(
     # A script is one opponent; a team that learned has one for each generation.
     sizes = [len(t.genomes) if isinstance(t, Population) else 1 for t in (pursuers, evaders)]
     total = sizes[0] * sizes[1] * episodes
-    with on_cluster(where) as executor, progress() as report:
+    with on_cluster(where, threads) as executor, progress() as report:
         # The first row may take minutes, and the bar should be there before.
         report("tournament", 0, total)
         return tournament(
