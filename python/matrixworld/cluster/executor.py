@@ -237,7 +237,7 @@ class ClusterExecutor(Executor):
             )
         else:
             # A worker without the package cannot even read the work, and does not say its name.
-            for worker, problem in self._problems(list(self._fit)).items():
+            for worker, problem in self._problems(list(self._client.nthreads())).items():
                 self._exclude(worker, problem)
             self._try_again(work, error)
 
