@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from command_line import RACE, matrixworld_command, run_together, words
-from dask_cluster import DaskCluster, dask_cluster, group_lives, wait_until
+from dask_cluster import DaskCluster, dask_cluster, group_lives, kill_group, wait_until
 from matrixworld.coevolution import RaceSettings, finish, open_run
 from tiny_race import results, tiny_race
 
@@ -92,13 +92,16 @@ def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path)
         start_new_session=True,
         env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
     )
-    wait_until(lambda: len(list(out.glob("*/*/log.csv"))) >= 1, "a race")
-    os.killpg(process.pid, signal.SIGINT)  # as a terminal does it: to all processes
-    _, told = process.communicate(timeout=60)
+    try:
+        wait_until(lambda: len(list(out.glob("*/*/log.csv"))) >= 1, "a race")
+        os.killpg(process.pid, signal.SIGINT)  # as a terminal does it: to all processes
+        _, told = process.communicate(timeout=60)
+        wait_until(lambda: not group_lives(process.pid), "end of all processes")
+    finally:
+        kill_group(process.pid)
     assert process.returncode == 130, told.decode()
     assert f"matrixworld evolve --resume {out}" in told.decode()
     assert "Traceback" not in told.decode()
-    wait_until(lambda: not group_lives(process.pid), "end of all processes")
     matrixworld_command("evolve", "--resume", out)
     for seed in (0, 1):
         path = out / "generalist-generalist" / f"seed-{seed}"

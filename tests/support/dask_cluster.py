@@ -18,7 +18,7 @@ from distributed import Client
 Process = subprocess.Popen[bytes]
 SILENCE = 8.0
 """Seconds without a heartbeat after which a test gives up a worker; by default five minutes."""
-DEADLINE = 60.0
+DEADLINE = 120.0
 """Seconds in which anything that is waited for must happen."""
 
 # A race that kills two workers is bad. A lost connection shows soon.

@@ -35,6 +35,12 @@ cluster_option = click.option(
 )
 
 
+def refuse_threads(where: str | None, threads: int | None) -> None:
+    """Raise click.UsageError if ``--threads`` is given beside ``--cluster``."""
+    if where is not None and threads is not None:
+        raise click.UsageError("--threads: expected it without --cluster, got both")
+
+
 @contextmanager
 def on_cluster(
     where: str | None,
@@ -58,8 +64,7 @@ def on_cluster(
     if where is None:
         yield None
         return
-    if threads is not None:
-        raise click.UsageError("--threads: expected it without --cluster, got both")
+    refuse_threads(where, threads)
     alike = any(each.learner_name == LIKE_PROCESSORS for each in settings)
     try:
         with cluster(where, directory=directory, like_processors=alike, tell=note) as executor:

@@ -11,7 +11,7 @@ from typing import Any
 import click
 
 from matrixworld.cli.arguments import failures, find_runs, resume_command
-from matrixworld.cli.clusters import cluster_option, on_cluster
+from matrixworld.cli.clusters import cluster_option, on_cluster, refuse_threads
 from matrixworld.cli.console import INTERRUPTED, note, warnings_as_notes
 from matrixworld.cli.jobs import default_directory, found_job, new_job, play_run, play_runs
 from matrixworld.cli.options import (
@@ -111,7 +111,7 @@ def _play_new(
     where: str | None,
 ) -> None:
     job = new_job(settings, seeds)
-    elsewhere = _elsewhere(job, where)
+    elsewhere = _elsewhere(job, where, threads)
     root = _new_directory(output, default_directory(settings[0], seeds))
     # Some settings can be checked only when opponents and start genomes have been read.
     try:
@@ -123,10 +123,11 @@ def _play_new(
         _play(work, root, threads, where, new=True)
 
 
-def _elsewhere(job: Job | None, where: str | None) -> Executor | None:
+def _elsewhere(job: Job | None, where: str | None, threads: int | None) -> Executor | None:
     """Return an executor for checks if runs play on other machines; a single run cannot."""
     if where is None:
         return None
+    refuse_threads(where, threads)
     if job is None:
         raise click.UsageError(
             "--cluster: expected several runs, such as --seeds 0-9, got one, which cannot be shared"
@@ -138,7 +139,7 @@ def _play_old(root: Path, threads: int | None, where: str | None) -> None:
     # The run is restored inside the block: reading it may fail or take some time.
     with _resumable(root):
         job = found_job(root)
-        elsewhere = _elsewhere(job, where)
+        elsewhere = _elsewhere(job, where, threads)
         try:
             if job is not None:
                 check_job(job, root, elsewhere, threads)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import signal
 import warnings
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
@@ -94,12 +95,29 @@ def _connected(where: str) -> Iterator[Any]:
     with ExitStack() as stack:
         target: dict[str, Any] = {"scheduler_file": where}
         if where == AUTO:
-            target = {"address": stack.enter_context(local(**_local()))}
+            with _without_interrupts():
+                target = {"address": stack.enter_context(local(**_local()))}
         elif "://" in where:
             target = {"address": where}
         stack.enter_context(_quiet())
         with connect(**target, timeout=CONNECT_SECONDS, set_as_default=False) as client:
             yield client
+
+
+@contextmanager
+def _without_interrupts() -> Iterator[None]:
+    """Block Ctrl-C for the processes that are started, now or later by threads that are.
+
+    A terminal sends it to all processes. Only this one must act: it tells the others to stop.
+    """
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager
