@@ -11,7 +11,7 @@ lag_profile_curve        mean capture rate by how much later the pursuers are th
 training_curve           capture rate while pursuers and evaders learn in turn
 collision_rates          collisions by team and kind over generations
 comparison               several races side by side, with their judgements and numbers
-seed_bands               bands over seeds: generalisation, strength and lag profile
+seed_bands               bands over seeds: generalisation, Elo rating and lag profile
 verdict_strip            verdicts on each seed, and on all together
 seed_scores              performance profiles and interquartile means of scores of several seeds
 =======================  ==========================================================================
