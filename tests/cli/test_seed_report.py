@@ -15,6 +15,7 @@ from command_line import PNG, judged_in, matrixworld_command, run_together
 from matrixworld import analysis
 from matrixworld.cli.jobs import open_result
 from matrixworld.cli.race_groups import Group, groups_of
+from matrixworld.cli.run_groups import root_of
 from matrixworld.cli.seed_report import report_seeds
 from matrixworld.cli.seed_tables import print_strip
 from matrixworld.coevolution import open_run, open_runs, score, start
@@ -252,6 +253,14 @@ def test_plot_draws_the_groups_and_single_runs_with_each(job):
     assert (job / SCHEDULES[0] / "seed-2" / "payoff.png").read_bytes().startswith(PNG)
     assert one.count("payoff.png") == 3
     assert not (job / "comparison.png").exists()
+
+
+def test_figures_of_a_job_of_one_schedule_go_into_the_directory_of_the_job(job):
+    results, _ = told(job)
+    assert root_of(results) == job.absolute()
+    assert root_of(results[:3]) == (job / SCHEDULES[0]).absolute()
+    save_job(job, job_of([settings_of(SCHEDULES[0], seed) for seed in ASKED]))
+    assert root_of(results[:3]) == job.absolute()
 
 
 def test_unfinished_seeds_are_named_and_left_out(job):

@@ -12,7 +12,8 @@ from matrixworld.cli.arguments import all_of, failures, find_runs
 from matrixworld.cli.figures import draw_comparison, draw_run, figure_files
 from matrixworld.cli.held_out import held_out_scores
 from matrixworld.cli.options import force_option, refuse_existing
-from matrixworld.cli.race_groups import finished_runs, of_seeds, run_groups
+from matrixworld.cli.race_groups import run_groups
+from matrixworld.cli.run_groups import finished_runs, of_seeds, root_of
 from matrixworld.cli.seed_figures import draw_seeds, seed_figure_files
 
 
@@ -44,6 +45,7 @@ def plot_command(runs: list[Path], comparison: Path | None, each: bool, force: b
         results, unfinished = finished_runs(runs)
         races = [run for run in results if run.is_race]
         common = Path(os.path.commonpath([run.path.absolute() for run in results]))
+        root = root_of(results)
         if comparison is not None and len(races) < 2:
             raise click.UsageError(f"--comparison: expected at least two races, got {len(races)}")
         seeds = of_seeds(runs) and len(races) > 1
@@ -52,7 +54,7 @@ def plot_command(runs: list[Path], comparison: Path | None, each: bool, force: b
         side_by_side = comparison or (common / "comparison.png" if compared else None)
         # All files are checked before the first is drawn.
         figures = [file for run in singles for file in figure_files(run)]
-        figures += seed_figure_files(common) if seeds else []
+        figures += seed_figure_files(root) if seeds else []
         refuse_existing(*figures, side_by_side, force=force)
         for run in singles:
             _print_all(draw_run(run))
@@ -61,9 +63,8 @@ def plot_command(runs: list[Path], comparison: Path | None, each: bool, force: b
             named = {str(run.path.absolute().relative_to(common)): run for run in races}
             _print_all([draw_comparison(named, side_by_side)])
         if seeds:
-            _print_all(
-                draw_seeds(run_groups(races, unfinished), held_out_scores(races, None), common)
-            )
+            scores = held_out_scores(races, None)
+            _print_all(draw_seeds(run_groups(races, unfinished), scores, root))
 
 
 def _print_all(files: Sequence[Path]) -> None:

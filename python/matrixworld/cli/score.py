@@ -20,7 +20,7 @@ from matrixworld.cli.options import (
     threads_option,
     write_json,
 )
-from matrixworld.cli.race_groups import finished_runs, of_seeds
+from matrixworld.cli.run_groups import finished_runs, of_seeds
 from matrixworld.cli.seed_scores import LEGEND as SEEDS_LEGEND
 from matrixworld.cli.seed_scores import SCORE, plain_scored, print_scored, scored_groups
 from matrixworld.coevolution import HeldOutScores, Report, SavedRun, Team, open_run, score
