@@ -178,6 +178,22 @@ def test_races_of_one_generation_are_reported(capsys):
     assert re.search(r"gain of the pursuers  -\n", capsys.readouterr().out)
 
 
+def test_runs_of_several_settings_in_one_directory_are_groups_of_their_own(capsys):
+    runs = {
+        "a/short": tiny_race(generations=1),
+        "a/long": tiny_race(),
+        "a/later": tiny_race(seed=9),
+    }
+    for name, settings in list(runs.items())[:2]:
+        start(settings, f"mixed/{name}", threads=1).run()
+    results = [open_result(Path("mixed") / name) for name in ("a/short", "a/long")]
+    report_seeds(results, {"a": [5, 5, 9]}, Path("mixed"), threads=1)
+    groups = load_json(Path("mixed/summary.json"))["groups"]
+    assert [*groups] == ["a/short", "a/long", "a"]
+    assert [groups[name]["missing"] for name in groups] == [[], [], [9]]
+    assert "a: 0 of 1 seeds finished" in capsys.readouterr().out
+
+
 def test_seeds_of_one_team_have_their_own_table(capsys):
     results = []
     for seed in (0, 1, 2):
