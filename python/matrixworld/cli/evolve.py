@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from matrixworld.cli.arguments import failures, find_runs, resume_command
+from matrixworld.cli.arguments import can_resume, failures, resume_command, resumed_of
 from matrixworld.cli.console import INTERRUPTED, note, warnings_as_notes
 from matrixworld.cli.jobs import default_directory, found_job, new_job, play_run, play_runs
 from matrixworld.cli.options import (
@@ -32,7 +32,7 @@ from matrixworld.coevolution import (
     start,
 )
 from matrixworld.coevolution.many.evolve_many import check_job
-from matrixworld.coevolution.many.job import JOB, Job
+from matrixworld.coevolution.many.job import Job
 
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
@@ -51,7 +51,7 @@ Examples:
     "--resume",
     "resumed",
     metavar="DIR",
-    type=click.Path(path_type=Path),
+    callback=resumed_of,
     help="continue the run, or all runs, in this directory",
 )
 @seeds_option
@@ -155,18 +155,13 @@ def _resumable(root: Path) -> Iterator[None]:
     try:
         yield
     except KeyboardInterrupt:
-        if not _exists(root):  # stopped before anything was made: the command itself is repeated
+        if not can_resume(root):  # stopped before anything was made: the command itself is repeated
             raise
         note(hint)
         raise click.exceptions.Exit(INTERRUPTED) from None
     except (OSError, PluginError):
         note(hint)
         raise
-
-
-def _exists(root: Path) -> bool:
-    """Return whether a directory holds something to resume."""
-    return bool(find_runs(root)) or (root / JOB).exists()
 
 
 def _refuse_settings(output: Path | None, given: dict[str, Any]) -> None:
@@ -194,7 +189,7 @@ def _check_free(root: Path) -> None:
     except FileExistsError as error:
         hint = (
             f"; {resume_command(root)} continues the run in it, or prints its result again"
-            if _exists(root)
+            if can_resume(root)
             else ""
         )
         raise click.UsageError(

@@ -125,7 +125,7 @@ def found_job(root: Path) -> Job | None:
     Raises
     ------
     click.UsageError
-        If there is neither a run nor a job, or the directory is a part of a job.
+        If the directory is a part of a job.
     """
     runs = find_runs(root)
     if runs == [root]:
@@ -133,10 +133,6 @@ def found_job(root: Path) -> Job | None:
     job = open_job(root)
     if job is not None:
         return job
-    if not runs:
-        raise click.UsageError(
-            f"--resume: expected a directory that holds a run, got {str(root)!r}"
-        )
     if open_job(root.parent) is not None:
         hint = resume_command(root.parent)
         raise click.UsageError(f"--resume: expected a whole job, got a part of it; {hint}")
