@@ -12,7 +12,8 @@ import click
 from matrixworld.cli.console import command
 from matrixworld.coevolution.many.job import JOB
 from matrixworld.coevolution.opponents.registry import ALTERNATING, HALL_OF_FAME, SCHEDULES
-from matrixworld.coevolution.storage.run_files import CONFIG, OtherVersionError
+from matrixworld.coevolution.storage.run_files import OtherVersionError
+from matrixworld.coevolution.storage.saved_run import run_directories
 from matrixworld.files import LockedError
 from matrixworld.memory import OutOfMemoryError
 from matrixworld.policy import SCRIPTS
@@ -27,13 +28,8 @@ MOST_NAMES = 5
 
 def find_runs(path: Path) -> list[Path]:
     """Return `path` if it is a run directory, else the run directories one or two levels below."""
-    # config.json is the last file of a new run: without it the run was not completely created.
-    if (path / CONFIG).is_file():
-        return [path]
-    found = [file.parent for file in path.glob(f"*/{CONFIG}")]
-    # A response to a champion lies in its run, and is no part of the job.
-    nested = [file.parent for file in path.glob(f"*/*/{CONFIG}") if file.parents[1] not in found]
-    return sorted([*found, *nested], key=lambda run: place_in_job(run.relative_to(path)))
+    found = run_directories(path)
+    return sorted(found, key=lambda run: place_in_job(run.relative_to(path)))
 
 
 def place_in_job(name: PurePath | str) -> tuple[tuple[int, int, str], ...]:

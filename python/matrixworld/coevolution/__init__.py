@@ -105,7 +105,12 @@ from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSetti
 from matrixworld.coevolution.settings.training import TrainingSettings
 from matrixworld.coevolution.storage.run_directory import RunDirectory
 from matrixworld.coevolution.storage.run_files import OtherVersionError
-from matrixworld.coevolution.storage.saved_run import SavedRun, last_generation, open_run
+from matrixworld.coevolution.storage.saved_run import (
+    SavedRun,
+    last_generation,
+    open_run,
+    open_runs,
+)
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.files import LockedError
 from matrixworld.reading import DamagedFileError
@@ -175,6 +180,7 @@ __all__ = [
     "mutate_from_table",
     "mutate_gaussian",
     "open_run",
+    "open_runs",
     "opponents",
     "reduced_virulence",
     "resume",
