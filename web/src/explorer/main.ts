@@ -1,0 +1,3 @@
+import "./explorer.css";
+
+document.body.dataset["ready"] = "true";

@@ -1,0 +1,3 @@
+import "./playground.css";
+
+document.body.dataset["ready"] = "true";
