@@ -1,0 +1,117 @@
+"""A self-contained page: template, script, style sheet and data in one file.
+
+The page loads nothing: its content security policy allows the one script and the one style sheet
+that it holds, named by their digests, and nothing from elsewhere.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import os
+from collections.abc import Mapping
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from matrixworld.explorer.built import built_text
+from matrixworld.files import replacing
+from matrixworld.version import __version__
+
+# Markup that would end or change a script element; the bundler writes none of it.
+_ENDS_SCRIPT = ("</script", "<!--", "<script")
+_ENDS_STYLE = ("</style",)
+
+
+def render_page(
+    page: str,
+    title: str,
+    data: Mapping[str, Any],
+    blobs: Mapping[str, bytes] | None = None,
+) -> str:
+    """Return a page as HTML.
+
+    Parameters
+    ----------
+    page : {"explorer", "playground"}
+        Name of its built files and of its template.
+    title : str
+        Title of the page; any text.
+    data : mapping
+        Plain values that JSON can hold, which the script reads.
+    blobs : mapping of str to bytes, optional
+        Large data by identifier, apart from the JSON so that the script decodes what it needs.
+
+    Returns
+    -------
+    str
+        The page.
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite, or a built file holds markup that would end it.
+    """
+    script = _inline(built_text(page, "js"), _ENDS_SCRIPT)
+    style = _inline(built_text(page, "css"), _ENDS_STYLE)
+    return (
+        _environment()
+        .get_template(f"{page}.html")
+        .render(
+            title=title,
+            version=__version__,
+            policy=_policy(script, style),
+            script=script,
+            style=style,
+            data=data,
+            blobs={
+                name: base64.b64encode(content).decode() for name, content in (blobs or {}).items()
+            },
+        )
+    )
+
+
+def write_page(path: str | os.PathLike[str], html: str) -> None:
+    """Write a page, complete or not at all."""
+    with replacing(path) as file:
+        file.write(html.encode())
+
+
+def _environment() -> Environment:
+    environment = Environment(
+        loader=PackageLoader("matrixworld.explorer"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    # The filter `tojson` escapes <, > and &, so that no text can end the element that holds it.
+    environment.policies["json.dumps_kwargs"] = {"allow_nan": False, "separators": (",", ":")}
+    return environment
+
+
+def _inline(text: str, forbidden: tuple[str, ...]) -> Markup:
+    found = [markup for markup in forbidden if markup in text.lower()]
+    if found:
+        raise ValueError(f"built file: expected no {found[0]!r}, which would end its element")
+    return Markup(text)  # not escaped: browsers read scripts and style sheets as they are
+
+
+def _policy(script: str, style: str) -> str:
+    """Return the content security policy: this script, this style sheet, and pictures made here."""
+    return "; ".join(
+        (
+            "default-src 'none'",
+            # Compiling the engine needs a permission of its own; `eval` of text stays forbidden.
+            f"script-src '{_digest(script)}' 'wasm-unsafe-eval'",
+            f"style-src '{_digest(style)}'",
+            "img-src data: blob:",
+            "base-uri 'none'",
+            "form-action 'none'",
+        )
+    )
+
+
+def _digest(text: str) -> str:
+    return f"sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}"
