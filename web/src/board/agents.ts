@@ -1,12 +1,12 @@
 // The layer of the agents: triangles that pursue and discs that evade, hollow when captured.
 
-import { byCell } from "./poses";
-import type { Pose } from "./poses";
-import { isPursuer } from "./recording";
-import type { Moment, Recording } from "./recording";
-import { teamColor } from "./layers";
-import type { Sheet } from "./layers";
-import { disc, triangle } from "./shapes";
+import { byCell } from "./poses.ts";
+import type { Pose } from "./poses.ts";
+import { isPursuer } from "./recording.ts";
+import type { Moment, Recording } from "./recording.ts";
+import { teamColor } from "./layers.ts";
+import type { Sheet } from "./layers.ts";
+import { disc, triangle } from "./shapes.ts";
 
 /** Size of an agent in cells; a triangle as wide as a disc looks smaller. */
 const DISC = 0.8;

@@ -1,11 +1,11 @@
 // The layers of moves: those that were held, and those that agents are about to make.
 
-import { pixelX, pixelY, teamColor } from "./layers";
-import type { Sheet } from "./layers";
-import type { Pose } from "./poses";
-import { MOVES, bounced, cellOf, isCell, target } from "./recording";
-import type { Cell, Recording } from "./recording";
-import { arrow } from "./shapes";
+import { pixelX, pixelY, teamColor } from "./layers.ts";
+import type { Sheet } from "./layers.ts";
+import type { Pose } from "./poses.ts";
+import { MOVES, bounced, cellOf, isCell, target } from "./recording.ts";
+import type { Cell, Recording } from "./recording.ts";
+import { arrow } from "./shapes.ts";
 
 /** Where arrows start and end, as shares of a move; the border leaves less room. */
 const START = 0.46;

@@ -1,12 +1,12 @@
 // A canvas that shows a recording, as sharp as the screen allows, in the colours of the page's theme.
 
-import { draw, PLAIN } from "./draw";
-import type { Look } from "./draw";
-import { aspect, cellAt, fit } from "./geometry";
-import type { Geometry } from "./geometry";
-import { paletteOf } from "./palette";
-import { byCell, posesBetween } from "./poses";
-import type { Cell, Recording } from "./recording";
+import { draw, PLAIN } from "./draw.ts";
+import type { Look } from "./draw.ts";
+import { aspect, cellAt, fit } from "./geometry.ts";
+import type { Geometry } from "./geometry.ts";
+import { paletteOf } from "./palette.ts";
+import { byCell, posesBetween } from "./poses.ts";
+import type { Cell, Recording } from "./recording.ts";
 
 /** Return whether the reader asked for as little motion as possible. */
 export const stillMotion = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;

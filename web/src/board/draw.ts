@@ -1,14 +1,14 @@
 // One picture of a recording at a time, layer by layer.
 
-import { drawAgents } from "./agents";
-import { drawBounces, drawPlan } from "./arrows";
+import { drawAgents } from "./agents.ts";
+import { drawBounces, drawPlan } from "./arrows.ts";
 import {
   drawAxes, drawContested, drawMarks, drawObstacles, drawPaper, drawRing, drawTrails, drawView,
-} from "./layers";
-import type { Sheet } from "./layers";
-import { centreBetween, posesBetween } from "./poses";
-import { atFault, cellOf, innocent } from "./recording";
-import type { Cell, Numbers, Recording } from "./recording";
+} from "./layers.ts";
+import type { Sheet } from "./layers.ts";
+import { centreBetween, posesBetween } from "./poses.ts";
+import { atFault, cellOf, innocent } from "./recording.ts";
+import type { Cell, Numbers, Recording } from "./recording.ts";
 
 /** What to show beside the agents. */
 export interface Look {

@@ -1,6 +1,6 @@
 // Sizes and places on a canvas, in device pixels.
 
-import type { Cell } from "./recording";
+import type { Cell } from "./recording.ts";
 
 /** Where the grid lies on a canvas: the left and top of cell (0, 0), and the side of a cell. */
 export interface Geometry {

@@ -1,10 +1,10 @@
 // The layers of a board, each a function that draws one thing; `draw.ts` puts them in order.
 
-import type { Geometry } from "./geometry";
-import type { Palette } from "./palette";
-import { cellOf, disappeared, isPursuer, newlyCaptured } from "./recording";
-import type { Cell, Recording } from "./recording";
-import { burst, cross, disc } from "./shapes";
+import type { Geometry } from "./geometry.ts";
+import type { Palette } from "./palette.ts";
+import { cellOf, disappeared, isPursuer, newlyCaptured } from "./recording.ts";
+import type { Cell, Recording } from "./recording.ts";
+import { burst, cross, disc } from "./shapes.ts";
 
 /** What all layers draw on and with. */
 export interface Sheet {

@@ -1,6 +1,6 @@
 // The buttons of a player: the same on every page.
 
-import { Player, SPEEDS, playerKey } from "./player";
+import { Player, SPEEDS, playerKey } from "./player.ts";
 
 const ICONS = {
   first: "M6 5v14M19 5 9 12l10 7z",

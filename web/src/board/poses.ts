@@ -1,7 +1,7 @@
 // Where agents are drawn at a time between two moments, in cells: x to the right, y down.
 
-import { AGENT_TURNS, SWARM_TURNS, bounced, cellOf, isPursuer, target } from "./recording";
-import type { Moment, Recording } from "./recording";
+import { AGENT_TURNS, SWARM_TURNS, bounced, cellOf, isPursuer, target } from "./recording.ts";
+import type { Moment, Recording } from "./recording.ts";
 
 /** The middle of an agent, its size (1: alone on its cell) and how visible it is. */
 export interface Pose {
