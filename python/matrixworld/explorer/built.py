@@ -14,6 +14,8 @@ BUILT = Path(__file__).parent / "built"
 """Directory of the built files."""
 PAGES = ("explorer", "playground")
 KINDS = ("js", "css")
+ENGINE = "engine"
+"""Name of the script that holds the engine as WebAssembly, which all pages share."""
 
 _FIRST_LINE = re.compile(r"sources ([0-9a-f]{64}) \*/")
 _INSTALLED = "node_modules"
