@@ -1,2 +1,2 @@
-/* built from web/ by "npm run build"; sources 7876d13004eef433b7a92b21458c12ee2230bc6aa2041f2f132bbdde016f9ce1 */
+/* built from web/ by "npm run build"; sources 6e5f6ab7c2b2dbe3364557e5e132419c7af65958945c4a3ee5daca24cd6aeaed */
 "use strict";(()=>{document.body.dataset.ready="true";})();
