@@ -1,3 +1,50 @@
-import "./explorer.css";
+// The explorer: payoff matrices of finished runs, and the matches behind them.
 
-document.body.dataset["ready"] = "true";
+import "./explorer.css";
+import { loadEngine } from "../engine/engine.ts";
+import type { Engine } from "../engine/engine.ts";
+import { html } from "../page/dom.ts";
+import { themeButton } from "../page/theme.ts";
+import { readData } from "./data.ts";
+import { helpDialog, listenToKeys } from "./keys.ts";
+import { MatchPanel } from "./match.ts";
+import { MatrixPanel } from "./matrix.ts";
+import { panels } from "./panels.ts";
+import { raceTabs } from "./races.ts";
+import { Store } from "./store.ts";
+
+const data = readData();
+const { runs } = data;
+const [rows, columns] = runs[0]!.payoff.shape;
+const store = new Store({ run: 0, pursuer: rows - 1, evader: columns - 1, episode: 0, seed: null });
+const match = new MatchPanel(runs, store);
+const matrix = new MatrixPanel(runs, store);
+const help = helpDialog();
+let engine: Engine | null = null;
+
+document.getElementById("page")!.replaceWith(
+  html("header", { class: "top" },
+    html("h1", {}, data.title),
+    html("p", { class: "muted small about" }, `matrixworld ${data.version}`),
+    html("div", { class: "tools" }, themeButton(),
+      html("button", { type: "button", title: "Keys (?)", "aria-label": "Keys", onclick: () => help.showModal() }, "?"))),
+  ...(data.note ? [html("p", { class: "note small muted" }, data.note)] : []),
+  raceTabs(runs, store),
+  html("main", { class: "stages" }, matrix.element, match.element),
+  panels(runs, store, () => engine),
+  help,
+);
+matrix.element.addEventListener("play", () => match.playSoon());
+listenToKeys(runs, store, match, help);
+
+// The page is drawn before the engine is compiled.
+requestAnimationFrame(() => setTimeout(() => {
+  loadEngine().then((loaded) => {
+    engine = loaded;
+    match.start(loaded);
+    document.body.dataset["ready"] = "true";
+  }, (error: unknown) => {
+    match.element.prepend(html("p", { class: "problem", role: "alert" }, `The engine does not start here: ${String(error)}`));
+    document.body.dataset["ready"] = "true";
+  });
+}));

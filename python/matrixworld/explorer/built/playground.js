@@ -1,2 +1,2 @@
-/* built from web/ by "npm run build"; sources f0447ed45a2c8c1e2f28c7fde94d32b5e307042a7fe35771ed438998b7b489a4 */
+/* built from web/ by "npm run build"; sources 7876d13004eef433b7a92b21458c12ee2230bc6aa2041f2f132bbdde016f9ce1 */
 "use strict";(()=>{document.body.dataset.ready="true";})();
