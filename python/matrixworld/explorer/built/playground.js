@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 5b268cc8c916f97ac72d857a4ccd22ce7285ec9885152c494d5a86d9b80effce */
+/* built from web/ by "npm run build"; sources 1a817fece0e067997190adf3e4bf7df02565cffc9d1ee9bc8b2982eff333f6fa */
 "use strict";(()=>{var lt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},J={DISAPPEAR:0,REACH:1,BOUNCE:2},ct={OCCUPATION:0,SURROUND:1},dt={FAULT:0,INVOLVED:1};var ut=["obstacle","teammate","adversary"],Oe=["vertex","edge","chain"],mt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Le=["p\
 ursuer_{number}","evader_{number}"],pt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Z={"both held":"both bounce","both doomed":"\
