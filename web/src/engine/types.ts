@@ -6,10 +6,12 @@
  * Cells are (row, column) from (0, 0) at the top left. A flag is a byte, 0 or 1.
  */
 
-export type Outcome = "DISAPPEAR" | "REACH" | "BOUNCE";
-export type Interaction = "SIMULTANEOUS" | "SWARM_TURNS" | "AGENT_TURNS";
-export type Capture = "OCCUPATION" | "SURROUND";
-export type Blame = "FAULT" | "INVOLVED";
+import type { BLAMES, CAPTURES, FORMS, INTERACTIONS, KINDS, OUTCOMES, SCRIPTS } from "./tables.ts";
+
+export type Outcome = keyof typeof OUTCOMES;
+export type Interaction = keyof typeof INTERACTIONS;
+export type Capture = keyof typeof CAPTURES;
+export type Blame = keyof typeof BLAMES;
 
 /** One row of the table of rules. */
 export interface Rules {
@@ -64,16 +66,7 @@ export interface NetworkPolicy {
   genome: Float32Array;
 }
 
-export type ScriptName =
-  | "random"
-  | "still"
-  | "chaser"
-  | "fleer"
-  | "clumsy-chaser"
-  | "hunter"
-  | "surrounder"
-  | "clumsy-fleer"
-  | "dodger";
+export type ScriptName = keyof typeof SCRIPTS;
 
 /** What plays for a team. */
 export type TeamPolicy = NetworkPolicy | ScriptName;
@@ -136,8 +129,8 @@ export interface WorldArrays {
   state: Uint8Array;
 }
 
-export type Kind = "obstacle" | "teammate" | "adversary";
-export type Form = "vertex" | "edge" | "chain";
+export type Kind = (typeof KINDS)[number];
+export type Form = (typeof FORMS)[number];
 
 /** A conflict of a step, between two agents or between an agent and an obstacle. */
 export interface Conflict {
