@@ -1,7 +1,7 @@
 """A self-contained page: template, script, style sheet and data in one file.
 
-The page loads nothing: its content security policy allows the one script and the one style sheet
-that it holds, named by their digests, and nothing from elsewhere.
+The page loads nothing: its content security policy allows the two scripts (the engine and the
+page's own) and the style sheet that it holds, named by their digests, and nothing from elsewhere.
 """
 
 from __future__ import annotations
@@ -9,15 +9,16 @@ from __future__ import annotations
 import base64
 import hashlib
 import os
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup
-
-from matrixworld.explorer.built import built_text
+from matrixworld.explorer.built import ENGINE, built_text
 from matrixworld.files import replacing
 from matrixworld.version import __version__
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+    from markupsafe import Markup
 
 # Markup that would end or change a script element; the bundler writes none of it.
 _ENDS_SCRIPT = ("</script", "<!--", "<script")
@@ -53,7 +54,7 @@ def render_page(
     ValueError
         If a number is not finite, or a built file holds markup that would end it.
     """
-    script = _inline(built_text(page, "js"), _ENDS_SCRIPT)
+    scripts = [_inline(built_text(name, "js"), _ENDS_SCRIPT) for name in (ENGINE, page)]
     style = _inline(built_text(page, "css"), _ENDS_STYLE)
     return (
         _environment()
@@ -61,8 +62,8 @@ def render_page(
         .render(
             title=title,
             version=__version__,
-            policy=_policy(script, style),
-            script=script,
+            policy=_policy(scripts, style),
+            scripts=scripts,
             style=style,
             data=data,
             blobs={
@@ -79,6 +80,9 @@ def write_page(path: str | os.PathLike[str], html: str) -> None:
 
 
 def _environment() -> Environment:
+    # Jinja takes 0.1 s to import, which commands without pages need not wait for.
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
     environment = Environment(
         loader=PackageLoader("matrixworld.explorer"),
         autoescape=True,
@@ -95,16 +99,19 @@ def _inline(text: str, forbidden: tuple[str, ...]) -> Markup:
     found = [markup for markup in forbidden if markup in text.lower()]
     if found:
         raise ValueError(f"built file: expected no {found[0]!r}, which would end its element")
+    from markupsafe import Markup
+
     return Markup(text)  # not escaped: browsers read scripts and style sheets as they are
 
 
-def _policy(script: str, style: str) -> str:
-    """Return the content security policy: this script, this style sheet, and pictures made here."""
+def _policy(scripts: Sequence[str], style: str) -> str:
+    """Return the content security policy: these scripts, this style, and pictures made here."""
+    digests = " ".join(f"'{_digest(script)}'" for script in scripts)
     return "; ".join(
         (
             "default-src 'none'",
             # Compiling the engine needs a permission of its own; `eval` of text stays forbidden.
-            f"script-src '{_digest(script)}' 'wasm-unsafe-eval'",
+            f"script-src {digests} 'wasm-unsafe-eval'",
             f"style-src '{_digest(style)}'",
             "img-src data: blob:",
             "base-uri 'none'",
