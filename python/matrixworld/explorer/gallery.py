@@ -1,7 +1,8 @@
 """The examples of the playground: small scenes, each of which teaches one thing.
 
 Scenes are drawn as text. Rows are separated by slashes and cells by spaces: ``.`` is free, ``#`` an
-obstacle; ``A``, ``B``, ... are pursuers and ``a``, ``b``, ... evaders, in the order of their numbers.
+obstacle; ``A``, ``B``, ... are pursuers and ``a``, ``b``, ... evaders, in the order of their
+numbers.
 """
 
 from __future__ import annotations
@@ -58,7 +59,9 @@ class Example:
         commands = dict.fromkeys(letters, "")
         for move in self.moves.split():
             commands[move[0]] = move[1:]
-        return scene_link(world, [_command(text) for text in commands.values()], compare=self.compare)
+        return scene_link(
+            world, [_command(text) for text in commands.values()], compare=self.compare
+        )
 
 
 def _command(text: str) -> int | str:
@@ -93,16 +96,16 @@ def drawn_world(rules: Rules | str, drawing: str) -> World:
 GALLERY = (
     Example(
         "Two want one cell",
-        "Two pursuers head for the same cell. Under -SB teammates bounce: both stay, and both are at "
-        "fault. Press -S, and they share the cell; press -D, and both are lost.",
+        "Two pursuers head for the same cell. Under -SB teammates bounce: both stay, and both "
+        "are at fault. Press -S, and they share the cell; press -D, and both are lost.",
         "SB",
         ". . . . . / . A . B . / . . . . . / . . a . .",
         "A> B<",
     ),
     Example(
         "Share a cell?",
-        "The same moves under two rules: -S lets teammates share a cell, -SB does not. They are at "
-        "fault either way, so both boards pay the same penalty.",
+        "The same moves under two rules: -S lets teammates share a cell, -SB does not. They are "
+        "at fault either way, so both boards pay the same penalty.",
         "S",
         "A . B . / . . . . / . C . a",
         "A> B< C^",
@@ -110,32 +113,32 @@ GALLERY = (
     ),
     Example(
         "Swap",
-        "Two pursuers want to change places. That is a conflict on the edge between their cells: "
-        "under -SB both bounce, under -S both pass.",
+        "Two pursuers want to change places. That is a conflict on the edge between their "
+        "cells: under -SB both bounce, under -S both pass.",
         "SB",
         ". . . . / . A B . / . . . a",
         "A> B<",
     ),
     Example(
         "Queue",
-        "All move in one direction. A cell that its agent leaves is free for the next one, so there "
-        "is no conflict.",
+        "All move in one direction. A cell that its agent leaves is free for the next one, so "
+        "there is no conflict.",
         "SB",
         ". . . . . . / A B C . . a / . . . . . .",
         "A> B> C>",
     ),
     Example(
         "Chain",
-        "The first of a queue runs into an obstacle and bounces. The second cannot enter its cell, "
-        "and so on to the last one.",
+        "The first of a queue runs into an obstacle and bounces. The second cannot enter its "
+        "cell, and so on to the last one.",
         "SB",
         ". . . . . . / A B C # . a / . . . . . .",
         "A> B> C>",
     ),
     Example(
         "Contact",
-        "Under -O a pursuer captures an evader by reaching its cell. Here both head for the same "
-        "one; contact of adversaries is the aim of the game, and nobody is at fault.",
+        "Under -O a pursuer captures an evader by reaching its cell. Here both head for the "
+        "same one; contact of adversaries is the aim of the game, and nobody is at fault.",
         "O",
         ". . . . . / . A . a . / . . . . .",
         "A> a<",
@@ -143,16 +146,16 @@ GALLERY = (
     ),
     Example(
         "Drones",
-        "Under -D every contact destroys: the evader is captured, and its pursuer is lost with it. "
-        "Another pursuer flies out of the board.",
+        "Under -D every contact destroys: the evader is captured, and its pursuer is lost with "
+        "it. Another pursuer flies out of the board.",
         "D",
         ". . . B . / . A . a . / . . . . b",
         "A> a< B^",
     ),
     Example(
         "Surround",
-        "Three pursuers stand around an evader and the fourth closes the ring. Under -SD the evader "
-        "is removed, under -S it stays captured as long as the ring holds.",
+        "Three pursuers stand around an evader and the fourth closes the ring. Under -SD the "
+        "evader is removed, under -S it stays captured as long as the ring holds.",
         "SD",
         ". . A . . / . B a . C / . . D . . / b . . . .",
         "C<",
@@ -160,24 +163,24 @@ GALLERY = (
     ),
     Example(
         "Walls help",
-        "Obstacles and the border count as pursuers do: one pursuer is enough for an evader in a "
-        "corner. Remove the obstacle (Build), and it is free.",
+        "Obstacles and the border count as pursuers do: one pursuer is enough for an evader in "
+        "a corner. Remove the obstacle (Build), and it is free.",
         "S",
         "a . A . / # . . . / . . . b",
         "A<",
     ),
     Example(
         "Bump",
-        "Under -S an evader bounces off a pursuer, and so loses its move. Pursuers that enter its "
-        "cell bounce as well: surround it instead.",
+        "Under -S an evader bounces off a pursuer, and so loses its move. Pursuers that enter "
+        "its cell bounce as well: surround it instead.",
         "S",
         ". . . . . / . A a . . / . . B . .",
         "A> a<",
     ),
     Example(
         "Turns",
-        "Under -TO agents move one after the other: the pursuer reaches the evader before it can "
-        "leave. Under -O all move at once, and the evader escapes.",
+        "Under -TO agents move one after the other: the pursuer reaches the evader before it "
+        "can leave. Under -O all move at once, and the evader escapes.",
         "TO",
         ". . . . . . / . A a . . . / . . . . . .",
         "A> a>",
@@ -185,11 +188,11 @@ GALLERY = (
     ),
     Example(
         "Chase",
-        "Scripts play: three hunters against two agents that flee. Press Run. Give an agent moves of "
-        "your own at any time, or choose another script for it.",
+        "Scripts play: three hunters against two agents that flee. Press Run. Give an agent "
+        "moves of your own at any time, or choose another script for it.",
         "O",
-        "A . . . . . . . . / . . # # . . . . . / . . . # . . a . . / B . . . . . . . . / "
-        ". . . . . # . . . / . . . . b # . . . / C . . . . . . . .",
+        "A . . . . . . . . / . . # # . . . . . / . . . # . . a . . / B . . . . . . . . / . . . "
+        ". . # . . . / . . . . b # . . . / C . . . . . . . .",
         "A=hunter B=hunter C=hunter a=dodger b=fleer",
     ),
 )

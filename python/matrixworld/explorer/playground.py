@@ -74,6 +74,10 @@ SCRIPT_TEXTS = {
 """What scripts do."""
 
 
+DOCUMENTED = re.compile(r"^([\w, ]+) : .*\n((?: {4}.+\n)+)", re.MULTILINE)
+"""Names of parameters in a docstring, and their text."""
+
+
 class Playground:
     """A scene of the playground: a link to it, a page that begins with it, a frame in a notebook.
 
@@ -180,7 +184,8 @@ def page_data(scene: str = "") -> dict[str, Any]:
 def _plain(row: Rules | Rewards) -> dict[str, Any]:
     """Return fields as values that JSON can hold."""
     return {
-        name: value.name if isinstance(value, Enum) else value for name, value in asdict(row).items()
+        name: value.name if isinstance(value, Enum) else value
+        for name, value in asdict(row).items()
     }
 
 
@@ -197,6 +202,8 @@ def _field(name: str) -> dict[str, Any]:
 def _documented() -> dict[str, str]:
     """Return the texts of the fields in the docstring of `Rules`."""
     texts: dict[str, str] = {}
-    for names, text in re.findall(r"^([\w, ]+) : .*\n((?: {4}.+\n)+)", cleandoc(Rules.__doc__ or ""), re.M):
+    for names, text in re.findall(
+        r"^([\w, ]+) : .*\n((?: {4}.+\n)+)", cleandoc(Rules.__doc__ or ""), re.M
+    ):
         texts |= dict.fromkeys(names.split(", "), " ".join(text.split()))
     return texts

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 5b268cc8c916f97ac72d857a4ccd22ce7285ec9885152c494d5a86d9b80effce */
+/* built from web/ by "npm run build"; sources 18aa387b2d90c8ff47ef7d9a4d7d5f3e3cee253c9b90b49f30326e95fddfe083 */
 "use strict";(()=>{var pt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},q={DISAPPEAR:0,REACH:1,BOUNCE:2},ht={OCCUPATION:0,SURROUND:1},ft={FAULT:0,INVOLVED:1};var gt=["obstacle","teammate","adversary"],ze=["vertex","edge","chain"],bt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ve=["p\
 ursuer_{number}","evader_{number}"],yt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Y={"both held":"both bounce","both doomed":"\
@@ -53,10 +53,10 @@ statistics.length"].length,n=s=>{let a=t[`statistics.${s}`],i=a.length/r;return 
 ever_capture_rate:o("ever_capture_rate"),captured_fraction:o("captured_fraction"),length:o("length"),return:n("return"),survivors:n("survivors"),overlap:n("over\
 lap"),collisions:n("collisions"),faults:n("faults"),agent_steps:n("agent_steps")}}function Ot(t,e,r,n){let o=[ve(r.config),B(r.pursuers),B(r.evaders),n];return Z(
 t,s=>{let[a,i,l,c]=o.map(d=>s.arrays(d));return t[e](a,i,l,c)}),be(t)}function It(t,e,r,n){let o={seed:H("seed",r),episode:H("episode",n)};return new xe(e.config,
-r,n,Ot(t,"_play_match",e,o))}function Nt(t,e,r,n){if(!Number.isInteger(n)||n<1)throw _("n_episodes","at least 1",n);let o={seed:H("seed",r),n_episodes:Int32Array.
-of(n)},s=Ot(t,"_play_rollout",e,o);return Array.from({length:n},(a,i)=>Pt(s,i))}var Lt=new FinalizationRegistry(([t,e])=>t._world_free(e)),Q=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(e,r){this.engine=e,this.config=r,this.
-n_agents=r.n_pursuers+r.n_evaders,this.n_actions=r.diagonal?9:5,this.at=Z(e,n=>e._world_new(n.arrays(ve(r)))),Lt.register(this,[e,this.at],this)}free(){this.freed||
-(this.freed=!0,Lt.unregister(this),this.engine._world_free(this.at))}reset(e={}){let r=Rt(e,this.config);this.call(n=>this.engine._world_reset(this.at,n.arrays(
+r,n,Ot(t,"_play_match",e,o))}function Lt(t,e,r,n){if(!Number.isInteger(n)||n<1)throw _("n_episodes","at least 1",n);let o={seed:H("seed",r),n_episodes:Int32Array.
+of(n)},s=Ot(t,"_play_rollout",e,o);return Array.from({length:n},(a,i)=>Pt(s,i))}var Nt=new FinalizationRegistry(([t,e])=>t._world_free(e)),Q=class{config;n_agents;n_actions;engine;at;freed=!1;constructor(e,r){this.engine=e,this.config=r,this.
+n_agents=r.n_pursuers+r.n_evaders,this.n_actions=r.diagonal?9:5,this.at=Z(e,n=>e._world_new(n.arrays(ve(r)))),Nt.register(this,[e,this.at],this)}free(){this.freed||
+(this.freed=!0,Nt.unregister(this),this.engine._world_free(this.at))}reset(e={}){let r=Rt(e,this.config);this.call(n=>this.engine._world_reset(this.at,n.arrays(
 r)))}step(e){let r=we(e);this.call(n=>this.engine._world_step(this.at,n.arrays(r)))}playTurn(e){let r=we(e);this.call(n=>this.engine._world_play_turn(this.at,n.
 arrays(r)))}decide(e,r,n){let{n_pursuers:o}=this.config,s=r==="pursuer"?[0,o]:[o,this.n_agents];return this.choose(e,s,n)}choose(e,[r,n],o){if(o.length!==this.n_agents)
 throw _("actions",String(this.n_agents),o.length);let s=[B(e),we(o)],{actions:a}=this.call(i=>this.engine._world_decide(this.at,i.arrays(s[0]),r,n,i.arrays(s[1])));
@@ -69,7 +69,7 @@ e),{logits:o}=this.call(i=>this.engine._world_logits(this.at,i.arrays(n),r)),s=o
 s),action:a}}snapshot(){return this.call(()=>this.engine._world_snapshot(this.at))}restore(e){let r=kt(e);this.call(n=>this.engine._world_restore(this.at,n.arrays(
 r)))}call(e){if(this.freed)throw _("world","one that is in use","one that was freed");return Z(this.engine,e),be(this.engine)}};function pn(t){let e=Math.max(...t),
 r=Array.from(t,o=>Math.exp(o-e)),n=r.reduce((o,s)=>o+s,0);return Float32Array.from(r,o=>o/n)}var Ze=class{compiled;constructor(e){this.compiled=e}world(e){return new Q(this.compiled,e)}match(e,r,n,o,s=0){return It(this.compiled,{config:e,pursuers:r,evaders:n},
-o,s)}rollout(e,r,n,o,s){return Nt(this.compiled,{config:e,pursuers:r,evaders:n},o,s)}},$t;function Ut(t=globalThis.matrixworldEngine){return $t??=hn(t),$t}async function hn(t){
+o,s)}rollout(e,r,n,o,s){return Lt(this.compiled,{config:e,pursuers:r,evaders:n},o,s)}},$t;function Ut(t=globalThis.matrixworldEngine){return $t??=hn(t),$t}async function hn(t){
 if(!t)throw new Error("matrixworldEngine: expected the script engine.js before this one, got none");let e=Uint8Array.from(atob(t.binary),r=>r.charCodeAt(0));return new Ze(
 await t({wasmBinary:e}))}var fn="http://www.w3.org/2000/svg";function u(t,e={},...r){return Ft(document.createElement(t),e,r)}function b(t,e={},...r){return Ft(document.createElementNS(
 fn,t),e,r)}function Ft(t,e,r){for(let[n,o]of Object.entries(e))o==null||o===!1||(typeof o=="function"?t.addEventListener(n.slice(2),o):t.setAttribute(n,o===!0?"":
@@ -116,7 +116,7 @@ select({seed:String(crypto.getRandomValues(new BigUint64Array(1))[0]),episode:0}
 evader",1),E:o("evader",-1),m:()=>document.getElementById("matrix")?.focus(),a:()=>r.inspector.next(1),A:()=>r.inspector.next(-1),Escape:()=>r.inspector.choose(
 null),d:Qe,"?":()=>n.showModal()};document.addEventListener("keydown",a=>{let i=a.target instanceof HTMLSelectElement||a.target instanceof HTMLInputElement,l=a.
 target instanceof HTMLButtonElement&&(a.key===" "||a.key==="Enter");if(n.open||i||l||a.defaultPrevented||a.ctrlKey||a.metaKey||a.altKey)return;let c=s[a.key]??s[a.
-key.toLowerCase()],d=Number(a.key)-1;if(_e(r.player,a)||c)c?.();else if(t[d])et(t[d],d,e);else return;a.preventDefault()})}var tt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]],N=(t,e)=>e<t.nPursuers,M=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],En=(t,e)=>t[0]===e[0]&&
+key.toLowerCase()],d=Number(a.key)-1;if(_e(r.player,a)||c)c?.();else if(t[d])et(t[d],d,e);else return;a.preventDefault()})}var tt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]],L=(t,e)=>e<t.nPursuers,M=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],En=(t,e)=>t[0]===e[0]&&
 t[1]===e[1],rt=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,nt=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),ot=(t,e)=>nt(t.fault,e),Kt=(t,e)=>!ot(
 t,e)&&nt(t.involved,e,2);function Se(t,e,r){let n=!En(M(t,r),M(e,r)),o=e.involved===void 0||nt(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function Ee(t,e,r){
 let[n,o]=M(t,r),[s,a]=tt[e.actions?.[r]??0];return[n+s,o+a]}function Ce(t,e,r){return Array.from({length:r.everCaptured.length},(o,s)=>s).filter(o=>r.everCaptured[o]&&
@@ -125,59 +125,59 @@ let[n,o]=M(t,r),[s,a]=tt[e.actions?.[r]??0];return[n+s,o+a]}function Ce(t,e,r){r
 alive[n])continue;let[o,s]=M(e,n),a=o*t.cols+s,i=r.get(a);i?i.push(n):r.set(a,[n])}return r}function Yt(t,e){let r=Array.from(e.alive,(n,o)=>{let[s,a]=M(e,o);return{
 x:a+.5,y:s+.5,size:1,alpha:0}});for(let n of se(t,e).values()){let o=qt[Math.min(n.length,qt.length)-1];n.forEach((s,a)=>{let[i,l]=o.at[Math.min(a,o.at.length-1)],
 c=r[s];c.x+=i,c.y+=l,c.size=o.size,c.alpha=1})}return r}var Jt=t=>t*t*(3-2*t),W=(t,e,r)=>t+(e-t)*r,Zt=t=>Math.min(1,Math.max(0,t));function Qt(t,e,r,n){let o={1:2,
-2:r}[t.interaction]??1;if(o===1)return Jt(n);let s=o===r?e:+!N(t,e),a=Math.max(1/o,Tn);return Jt(Zt((n-s/(o-1)*(1-a))/a))}function Re(t,e){let r=t.moments.length-
+2:r}[t.interaction]??1;if(o===1)return Jt(n);let s=o===r?e:+!L(t,e),a=Math.max(1/o,Tn);return Jt(Zt((n-s/(o-1)*(1-a))/a))}function Re(t,e){let r=t.moments.length-
 1,n=Math.min(Math.floor(e),r),o=t.moments[n],s=Yt(t,o);if(n===r||e===n)return s;let a=t.moments[n+1],i=Yt(t,a);return s.map((l,c)=>{let d=Qt(t,c,s.length,e-n);return kn(
 o,a,c,l,i[c],d)})}function er(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[s,a]=[t.moments[o],t.moments[Math.min(o+1,n)]],i=Qt(t,e,s.alive.length,
 r-o),[[l,c],[d,m]]=[M(s,e),M(a,e)];return[W(c,m,i)+.5,W(l,d,i)+.5]}function kn(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:W(n.x,o.x,s),y:W(n.y,o.y,s),size:a?n.size:
 W(n.size,o.size,s),alpha:a?Zt((1-s)/(1-Rn)):W(n.alpha,o.alpha,s)};if(Se(t,e,r)){let[l,c]=M(t,r),[d,m]=Ee(t,e,r),f=Cn*Math.sin(Math.PI*s);i.x+=(m-c)*f,i.y+=(d-l)*
-f}return i}var tr=2*Math.PI;function L(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,tr)}function ke(t,e,r,n){let o=n/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,r+i*
+f}return i}var tr=2*Math.PI;function N(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,tr)}function ke(t,e,r,n){let o=n/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,r+i*
 o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[c,d]=s[(l+1)%3];t.arcTo(a,i,c,d,n*.09)}),t.closePath()}function rr(t,e,r,n){
 let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function nr(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let s=n/
 2*(o%2?.6:.95),a=tr*o/16;t.lineTo(e+s*Math.sin(a),r-s*Math.cos(a))}t.closePath()}function or(t,e,r,n,o,s){let a=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var sr=4,Pn=1.6,On=.95,In=5,Nn=.16,Ln=.09,$n=.2,ar=.75,R=(t,e)=>t.left+e*t.cell,k=(t,e)=>t.top+e*t.cell;function G(t,e,r){return N(e,r)?t.colors.pursuer:t.colors.
-evader}function ir({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,c]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,c),s<In)return;t.fillStyle=
-r.line;let d=Math.max(1,Math.round(s/60));for(let m=1;m<i;m++)t.fillRect(n+m*s,o,d,c);for(let m=1;m<a;m++)t.fillRect(n,o+m*s,l,d)}function lr({ctx:t,grid:e,colors:r},n){
-let{left:o,top:s,cell:a,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let d=0;d<i*l;d++){if(!n.obstacles[d])continue;let[m,f]=[Math.floor(d/l),d%l];t.fillRect(o+f*
-a,s+m*a,a,a)}let c=Math.max(2,Math.round(a/18));t.strokeStyle=r.frame,t.lineWidth=c,t.strokeRect(o-c/2,s-c/2,l*a+c,i*a+c)}function cr({ctx:t,grid:e,colors:r},n){
-let{left:o,top:s,cell:a,rows:i,cols:l}=e,c=a<24*n?5:1;t.font=`500 ${Math.round(Math.min(15*n,Math.max(9*n,a*.32)))}px system-ui, sans-serif`,t.fillStyle=r.muted,
-t.textBaseline="alphabetic",t.textAlign="center";let d=5*n+a/40;for(let m=0;m<l;m+=c)t.fillText(String(m),o+(m+.5)*a,s-d);t.textAlign="right",t.textBaseline="mi\
-ddle";for(let m=0;m<i;m+=c)t.fillText(String(m),o-d,s+(m+.5)*a)}function ur(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.floor(e.fov/2)+.5,[l,c]=[Math.max(0,n-i),Math.
-min(a.cols,n+i)],[d,m]=[Math.max(0,o-i),Math.min(a.rows,o+i)],f=[R(a,l),k(a,d),(c-l)*a.cell,(m-d)*a.cell],p=G(t,e,r);s.globalAlpha=.11,s.fillStyle=p,s.fillRect(
-...f),s.globalAlpha=.8,s.strokeStyle=p,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...f),s.globalAlpha=1}function dr(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.min(
-Math.ceil(r),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.max(1,a.cell*Nn);for(let c=Math.max(1,Math.ceil(r-n));c<=i;c++){let[d,m]=[e.moments[c-
-1],e.moments[c]],f=Math.max(0,Math.min(1,(r-c)/n));s.globalAlpha=ar+($n-ar)*f;for(let p=0;p<m.alive.length;p++){let g=c===i&&r<i;if(!d.alive[p]||!(l.alive[p]||g))
-continue;let h=(N(e,p)?-1:1)*Ln,[y,w]=M(d,p),[S,v]=M(m,p);if(y===S&&w===v)continue;let x=g?o[p].x:v+.5,C=g?o[p].y:S+.5;s.strokeStyle=G(t,e,p),s.beginPath(),s.moveTo(
-R(a,w+.5+h),k(a,y+.5+h)),s.lineTo(R(a,x+h),k(a,C+h)),s.stroke()}}s.globalAlpha=1}function mr(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.
-max(1,n-sr+1);o<=n;o++){let[s,a]=[e.moments[o-1],e.moments[o]],i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/sr,l=Ce(e,s,a);for(let c of Te(s,a))l.includes(c)||Fn(t,M(a,c),
-i);for(let c of l)Un(t,M(a,c),i)}t.ctx.globalAlpha=1}function Un({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,nr(t,R(e,o+.5),k(e,n+.5),Math.max(8,e.cell*Pn)),
-t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Fn({ctx:t,grid:e,colors:r},[n,o],s){
-t.globalAlpha=s,rr(t,R(e,o+.5),k(e,n+.5),Math.max(7,e.cell*On)),t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function pr({
-ctx:t,grid:e,colors:r},n,o){let s=Math.max(1,e.cell*.07);t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*
-.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)continue;let l=[R(e,i)+s,k(e,a)+s,e.cell-2*s,e.cell-2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=
-o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function hr({ctx:t,grid:e,colors:r},n,o,s,a){t.globalAlpha=a,L(t,R(e,n),k(e,o),Math.max(8,e.cell*s*1.02)),
-t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(s)),t.stroke(),t.globalAlpha=1}var Hn=.8,Bn=.92,Dn=15,Wn=7,it=9;function fr(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&Gn(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of se(e,r).values())a.length>
-it&&zn(t,n[a[it-1]],a.length-it+1)}function Gn(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:c}=t,d=N(e,n),[m,f]=[l.left+o.x*l.cell,l.top+o.y*l.cell],p=Math.max(4,l.cell*
-o.size*(d?Bn:Hn)),g=G(t,e,n),h=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(d?ke:L)(i,m,f,p),p>Wn*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(2,
-p*.1),i.stroke()),i.fillStyle=h?c.paper:g,i.fill(),h&&(L(i,m,f,p*.82),i.strokeStyle=g,i.lineWidth=p*.18,i.stroke()),!s||p<Dn*a)return;let y=String(d?n:n-e.nPursuers);
+t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var sr=4,Pn=1.6,On=.95,In=5,Ln=.16,Nn=9,$n=.09,Un=.2,ar=.75,R=(t,e)=>t.left+e*t.cell,k=(t,e)=>t.top+e*t.cell;function G(t,e,r){return L(e,r)?t.colors.pursuer:t.
+colors.evader}function ir({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,c]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,c),s<In)return;
+t.fillStyle=r.line;let d=Math.max(1,Math.round(s/60));for(let m=1;m<i;m++)t.fillRect(n+m*s,o,d,c);for(let m=1;m<a;m++)t.fillRect(n,o+m*s,l,d)}function lr({ctx:t,
+grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let d=0;d<i*l;d++){if(!n.obstacles[d])continue;let[m,f]=[Math.floor(d/l),
+d%l];t.fillRect(o+f*a,s+m*a,a,a)}let c=Math.min(5,Math.max(2,Math.round(a/18)));t.strokeStyle=r.frame,t.lineWidth=c,t.strokeRect(o-c/2,s-c/2,l*a+c,i*a+c)}function cr({
+ctx:t,grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,cols:l}=e,c=a<24*n?5:1;t.font=`500 ${Math.round(Math.min(15*n,Math.max(9*n,a*.32)))}px system-ui, sans-\
+serif`,t.fillStyle=r.muted,t.textBaseline="alphabetic",t.textAlign="center";let d=5*n+a/40;for(let m=0;m<l;m+=c)t.fillText(String(m),o+(m+.5)*a,s-d);t.textAlign=
+"right",t.textBaseline="middle";for(let m=0;m<i;m+=c)t.fillText(String(m),o-d,s+(m+.5)*a)}function ur(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.floor(e.fov/2)+.5,[l,
+c]=[Math.max(0,n-i),Math.min(a.cols,n+i)],[d,m]=[Math.max(0,o-i),Math.min(a.rows,o+i)],f=[R(a,l),k(a,d),(c-l)*a.cell,(m-d)*a.cell],p=G(t,e,r);s.globalAlpha=.11,
+s.fillStyle=p,s.fillRect(...f),s.globalAlpha=.8,s.strokeStyle=p,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...f),s.globalAlpha=1}function dr(t,e,r,n,o){let{
+ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(Nn,Math.max(1,a.cell*Ln));for(let c=Math.max(1,
+Math.ceil(r-n));c<=i;c++){let[d,m]=[e.moments[c-1],e.moments[c]],f=Math.max(0,Math.min(1,(r-c)/n));s.globalAlpha=ar+(Un-ar)*f;for(let p=0;p<m.alive.length;p++){
+let g=c===i&&r<i;if(!d.alive[p]||!(l.alive[p]||g))continue;let h=(L(e,p)?-1:1)*$n,[y,w]=M(d,p),[S,v]=M(m,p);if(y===S&&w===v)continue;let x=g?o[p].x:v+.5,C=g?o[p].
+y:S+.5;s.strokeStyle=G(t,e,p),s.beginPath(),s.moveTo(R(a,w+.5+h),k(a,y+.5+h)),s.lineTo(R(a,x+h),k(a,C+h)),s.stroke()}}s.globalAlpha=1}function mr(t,e,r){let n=Math.
+min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-sr+1);o<=n;o++){let[s,a]=[e.moments[o-1],e.moments[o]],i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/sr,l=Ce(e,
+s,a);for(let c of Te(s,a))l.includes(c)||Hn(t,M(a,c),i);for(let c of l)Fn(t,M(a,c),i)}t.ctx.globalAlpha=1}function Fn({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=
+s,nr(t,R(e,o+.5),k(e,n+.5),Math.max(8,e.cell*Pn)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}
+function Hn({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,rr(t,R(e,o+.5),k(e,n+.5),Math.max(7,e.cell*On)),t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.
+cell*.17),t.lineCap="round",t.stroke()}function pr({ctx:t,grid:e,colors:r},n,o){let s=Math.max(1,e.cell*.07);t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.
+max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)continue;let l=[R(e,i)+s,k(e,a)+s,e.cell-2*s,e.cell-
+2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function hr({ctx:t,grid:e,colors:r},n,o,s,a){t.globalAlpha=
+a,N(t,R(e,n),k(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(s)),t.stroke(),t.globalAlpha=1}var Bn=.8,Dn=.92,Wn=15,Gn=7,it=9;function fr(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&zn(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of se(e,r).values())a.length>
+it&&Vn(t,n[a[it-1]],a.length-it+1)}function zn(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:c}=t,d=L(e,n),[m,f]=[l.left+o.x*l.cell,l.top+o.y*l.cell],p=Math.max(4,l.cell*
+o.size*(d?Dn:Bn)),g=G(t,e,n),h=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(d?ke:N)(i,m,f,p),p>Gn*a&&(i.strokeStyle=c.paper,i.lineWidth=Math.max(2,
+p*.1),i.stroke()),i.fillStyle=h?c.paper:g,i.fill(),h&&(N(i,m,f,p*.82),i.strokeStyle=g,i.lineWidth=p*.18,i.stroke()),!s||p<Wn*a)return;let y=String(d?n:n-e.nPursuers);
 i.font=`700 ${Math.round(p*(d?.4:.5)*(y.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=h?g:c.paper,i.fillText(
-y,m,f+p*(d?.17:.03))}function zn({ctx:t,grid:e,colors:r},n,o){let[s,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
+y,m,f+p*(d?.17:.03))}function Vn({ctx:t,grid:e,colors:r},n,o){let[s,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=r.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${o}`,s,a),t.fillStyle=r.ink,t.fillText(`+${o}`,
-s,a)}var Vn=.46,jn=.86,Kn=.6,gr=.4,Xn=.74,qn=.58;function br(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
-l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<s.alive.length;c++)Se(o,s,c)&&Yn(t,e,M(o,c),Ee(o,s,c));a.globalAlpha=
-1}function Yn({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=m=>R(e,n[1]+.5+s*m),l=m=>k(e,n[0]+.5+a*m),c=rt(r,o)?Xn:qn;t.setLineDash([e.cell*.09,e.cell*
+s,a)}var jn=.46,Kn=.86,Xn=.66,gr=.48,qn=.78,Yn=.58;function br(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
+l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let c=0;c<s.alive.length;c++)Se(o,s,c)&&Jn(t,e,M(o,c),Ee(o,s,c));a.globalAlpha=
+1}function Jn({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=m=>R(e,n[1]+.5+s*m),l=m=>k(e,n[0]+.5+a*m),c=rt(r,o)?qn:Yn;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i(gr),l(gr)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let d=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(c)-a*d,l(c)+
-s*d),t.lineTo(i(c)+a*d,l(c)-s*d),t.stroke()}function yr(t,e,r,n,o,s){let a=tt[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=t,d=rt(e,[n[0]+a[0],n[1]+a[1]])?jn:
-Kn,m=Vn*o.size,f=[R(l,o.x+a[1]*m),k(l,o.y+a[0]*m),R(l,o.x+a[1]*d),k(l,o.y+a[0]*d)],p=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,h]of[[c.paper,
+s*d),t.lineTo(i(c)+a*d,l(c)-s*d),t.stroke()}function yr(t,e,r,n,o,s){let a=tt[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=t,d=rt(e,[n[0]+a[0],n[1]+a[1]])?Kn:
+Xn,m=jn*o.size,f=[R(l,o.x+a[1]*m),k(l,o.y+a[0]*m),R(l,o.x+a[1]*d),k(l,o.y+a[0]*d)],p=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,h]of[[c.paper,
 p*2.1],[G(t,e,r),p]])i.strokeStyle=g,i.lineWidth=h,or(i,...f,l.cell*.2),i.stroke()}var wr={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null};function xr(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(Math.ceil(r),e.
 moments.length-1),c=e.moments[l],d=r===l,m=Re(e,r),f=d?1:Math.max(0,1-2*(l-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),ir(t);for(let h of n.viewers)m[h]?.
-alpha&&ur(t,e,h,...er(e,h,r));lr(t,e),n.axes&&cr(t,o),dr(t,e,r,n.trail,m),pr(t,c.contested??[],f),mr(t,e,r),br(t,e,l,f);let p=d?c:e.moments[Math.max(0,l-1)];if(fr(
-t,e,p,m,n.numbers,o),m.forEach(({x:h,y,size:w},S)=>{let v=Kt(c,S)?.4:0,x=ot(c,S)?1:v;x&&hr(t,h,y,w,x*f)}),d&&n.plan)for(let[h,y]of m.entries())y.alpha&&yr(t,e,h,
-M(c,h),y,n.plan[h]??0);s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=n.selected===null?void 0:m[n.selected];g?.alpha&&vr(t,Math.floor(g.y),Math.floor(
-g.x),.02),n.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),vr(t,n.cursor[0],n.cursor[1],.1),s.setLineDash([]))}function vr({ctx:t,grid:e},r,n,o){let[s,a]=[e.left+
-(n+o)*e.cell,e.top+(r+o)*e.cell],i=e.cell*(1-2*o);t.beginPath(),t.roundRect(s,a,i,i,e.cell*.1),t.stroke()}function _r(t,e,r){let n=.24+(r?.62:0);return(e+n)/(t+n)}function Mr(t,e,r,n,o,s){let a=r?30*s:0,i=(d,m)=>Math.max((d-a)/(m+2*.12),d/(m+2*.12+(r?.62:0))),l=Math.
+alpha&&ur(t,e,h,...er(e,h,r));lr(t,e),n.axes&&cr(t,o),dr(t,e,r,n.trail,m),pr(t,c.contested??[],f),mr(t,e,r),br(t,e,l,f),m.forEach(({x:h,y,size:w},S)=>{let v=Kt(
+c,S)?.4:0,x=ot(c,S)?1:v;x&&hr(t,h,y,w,x*f)});let p=d?c:e.moments[Math.max(0,l-1)];if(fr(t,e,p,m,n.numbers,o),d&&n.plan)for(let[h,y]of m.entries())y.alpha&&yr(t,
+e,h,M(c,h),y,n.plan[h]??0);s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=n.selected===null?void 0:m[n.selected];g?.alpha&&vr(t,g.x,g.y,g.size*.96),n.
+cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),vr(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),s.setLineDash([]))}function vr({ctx:t,grid:e},r,n,o){let s=o*e.cell;t.beginPath(),
+t.roundRect(e.left+r*e.cell-s/2,e.top+n*e.cell-s/2,s,s,s*.1),t.stroke()}function _r(t,e,r){let n=.24+(r?.62:0);return(e+n)/(t+n)}function Mr(t,e,r,n,o,s){let a=r?30*s:0,i=(d,m)=>Math.max((d-a)/(m+2*.12),d/(m+2*.12+(r?.62:0))),l=Math.
 max(1,Math.floor(Math.min(i(n,e),i(o,t)))),c=r?Math.min(.62*l,a):0;return{rows:t,cols:e,cell:l,left:Math.round((n-e*l+c)/2),top:Math.round((o-t*l+c)/2)}}function Ar(t,e,r){
-let n=Math.floor((r-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return n>=0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var Jn={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
-evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Pe(t){let e=getComputedStyle(t),r=Object.entries(Jn).map(([n,o])=>[n,e.getPropertyValue(
+let n=Math.floor((r-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return n>=0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var Zn={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
+evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Pe(t){let e=getComputedStyle(t),r=Object.entries(Zn).map(([n,o])=>[n,e.getPropertyValue(
 o).trim()]);return Object.fromEntries(r)}var V=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,z=class{canvas;#e=null;#n=0;#s;#a={rows:1,cols:1,left:0,top:0,cell:1};#r=0;#t;#o;constructor(e,r={}){
 this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#s={...wr,...r},this.#t=new ResizeObserver(()=>this.#i()),this.#t.observe(e),this.#o=new MutationObserver(
 ()=>this.redraw()),this.#o.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
@@ -191,28 +191,28 @@ this.#e,o).get(n[0]*this.#e.cols+n[1])??[],a=Re(this.#e,Math.round(this.#n)),i=l
 s.reduce((l,c)=>i(c)<i(l)?c:l):null}pointOf(e,r){let n=this.canvas.getBoundingClientRect(),o=n.width/this.canvas.width,{left:s,top:a,cell:i}=this.#a;return[n.left+
 (s+e*i)*o,n.top+(a+r*i)*o]}#c(){if(!this.#e)return;let{rows:e,cols:r}=this.#e;this.canvas.style.setProperty("--board-aspect",String(_r(e,r,this.#s.axes)))}#i(){
 let e=devicePixelRatio||1,{width:r,height:n}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(r*e)),this.canvas.height=Math.max(1,Math.
-round(n*e)),this.drawNow()}};var Qn={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2};function eo(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:Qn[t.rules.interaction],
-obstacles:e,moments:r}}function Oe(t){let e=Array.from({length:t.length+1},(r,n)=>to(t,n));return eo(t.config,t.map,e)}function to(t,e){let r=t.n_agents,n=t.config.n_evaders,o=(a,i,l)=>a.
+round(n*e)),this.drawNow()}};var eo={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2};function to(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:eo[t.rules.interaction],
+obstacles:e,moments:r}}function Oe(t){let e=Array.from({length:t.length+1},(r,n)=>ro(t,n));return to(t.config,t.map,e)}function ro(t,e){let r=t.n_agents,n=t.config.n_evaders,o=(a,i,l)=>a.
 subarray(i*l,(i+1)*l),s={positions:o(t.last_positions,e,2*r),alive:o(t.alive,e,r),captured:o(t.captured,e,n),everCaptured:o(t.ever_captured,e,n)};return e===0?s:
-{...s,actions:o(t.actions,e-1,r),involved:o(t.involved,e-1,3*r),fault:o(t.fault,e-1,3*r),get contested(){return t.conflicts(e).map(a=>a.cell)}}}var ro={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
+{...s,actions:o(t.actions,e-1,r),involved:o(t.involved,e-1,3*r),fault:o(t.fault,e-1,3*r),get contested(){return t.conflicts(e).map(a=>a.cell)}}}var no={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
 l10 7-10 7z"};function Sr(t){let e=document.createElementNS("http://www.w3.org/2000/svg","svg");e.setAttribute("viewBox","0 0 24 24"),e.setAttribute("aria-hidde\
-n","true"),e.classList.add("icon");let r=document.createElementNS("http://www.w3.org/2000/svg","path");return r.setAttribute("d",ro[t]),e.append(r),e}function ae(t,e,r,n){
+n","true"),e.classList.add("icon");let r=document.createElementNS("http://www.w3.org/2000/svg","path");return r.setAttribute("d",no[t]),e.append(r),e}function ae(t,e,r,n){
 let o=document.createElement("button");return o.type="button",o.className="player-button",o.append(Sr(t)),o.ariaLabel=e,o.title=`${e} (${r})`,o.addEventListener(
 "click",n),o}function Ie(t){let e=document.createElement("div");e.className="player",e.role="group",e.ariaLabel="Player";let r=ae("play","Play","Space",()=>t.toggle()),
-n=no(t),o=oo(t),s=document.createElement("output");s.className="player-count",e.append(ae("first","First step","Home",()=>t.move(-t.length)),ae("back","Step bac\
+n=oo(t),o=so(t),s=document.createElement("output");s.className="player-count",e.append(ae("first","First step","Home",()=>t.move(-t.length)),ae("back","Step bac\
 k","←",()=>t.move(-1)),r,ae("forward","Step forward","→",()=>t.move(1)),ae("last","Last step","End",()=>t.move(t.length)),n,s,o);let a=()=>{r.replaceChildren(
 Sr(t.playing?"pause":"play")),r.ariaLabel=t.playing?"Pause":"Play",r.title=`${r.ariaLabel} (Space)`,n.max=String(t.length),n.value=String(t.step),n.ariaValueText=
 `step ${t.step} of ${t.length}`,s.textContent=`${t.step} / ${t.length}`,s.style.minWidth=`${2*String(t.length).length+3}ch`,o.value=String(t.speed)};return t.addEventListener(
 "step",a),t.addEventListener("state",a),e.addEventListener("keydown",i=>{!(i.target instanceof HTMLSelectElement||i.key===" "&&i.target!==n)&&_e(t,i)&&i.preventDefault()}),
-a(),e}function no(t){let e=document.createElement("input");return e.type="range",e.className="player-scrub",e.min="0",e.step="1",e.ariaLabel="Step",e.addEventListener(
-"input",()=>{t.pause(),t.jump(Number(e.value))}),e}function oo(t){let e=document.createElement("select");return e.className="player-speed",e.ariaLabel="Speed",e.
-title="Steps a second (+ and -)",e.append(...ne.map(r=>new Option(`${r} / s`,String(r)))),e.addEventListener("change",()=>{t.speed=Number(e.value)}),e}var A=(t,e=2)=>t==null?"-":t.toFixed(e),lt=(t,e=1)=>t==null?"-":`${(100*t).toFixed(e)} %`;function Ne(t,e,r,n=2){return e===null||r===null?t.toFixed(n):`${t.toFixed(
+a(),e}function oo(t){let e=document.createElement("input");return e.type="range",e.className="player-scrub",e.min="0",e.step="1",e.ariaLabel="Step",e.addEventListener(
+"input",()=>{t.pause(),t.jump(Number(e.value))}),e}function so(t){let e=document.createElement("select");return e.className="player-speed",e.ariaLabel="Speed",e.
+title="Steps a second (+ and -)",e.append(...ne.map(r=>new Option(`${r} / s`,String(r)))),e.addEventListener("change",()=>{t.speed=Number(e.value)}),e}var A=(t,e=2)=>t==null?"-":t.toFixed(e),lt=(t,e=1)=>t==null?"-":`${(100*t).toFixed(e)} %`;function Le(t,e,r,n=2){return e===null||r===null?t.toFixed(n):`${t.toFixed(
 n)} (${e.toFixed(n)} to ${r.toFixed(n)})`}var Er=t=>t.toLocaleString("en-GB");function ie(t,e,r,n=!1){let o=(e-t)/Math.max(1,r),s=10**Math.floor(Math.log10(o||1)),
 a=[1,2,5,10].map(c=>c*s).find(c=>c>=o)??10*s;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(
-0,l-i+1)},(c,d)=>(i+d)*a)}function j(t,e,{pursuer:r,evader:n,episode:o,seed:s}){let a=e.seeds[r][n];return t.match(e.world,re(e,"pursuer",r),re(e,"evader",n),BigInt(s??a),o)}var Cr=40,le=new Map,ce=({run:t,pursuer:e,evader:r},n)=>`${t} ${e} ${r} ${n}`,Le=class{element;#e;#n;#s=u("div",{class:"episodes",role:"group","aria-label":"Epi\
+0,l-i+1)},(c,d)=>(i+d)*a)}function j(t,e,{pursuer:r,evader:n,episode:o,seed:s}){let a=e.seeds[r][n];return t.match(e.world,re(e,"pursuer",r),re(e,"evader",n),BigInt(s??a),o)}var Cr=40,le=new Map,ce=({run:t,pursuer:e,evader:r},n)=>`${t} ${e} ${r} ${n}`,Ne=class{element;#e;#n;#s=u("div",{class:"episodes",role:"group","aria-label":"Epi\
 sodes of this cell"});#a=u("p",{class:"check small numbers","aria-live":"polite"});#r=0;constructor(e,r){[this.#e,this.#n]=[e,r],this.element=u("div",{class:"st\
-rip-of-episodes"},this.#s,this.#a)}show(e,r,n){let{selected:o}=this.#e;o.seed===null&&le.set(ce(o,o.episode),Tr(n)),this.#o(r),ao(this.#r),this.#t(e,r)}#t(e,r){
-let{selected:n}=this.#e,s=ee(r,n.pursuer,n.evader)?.rates.findIndex((a,i)=>!le.has(ce(n,i)))??-1;s<0||s>=Cr||(this.#r=so(()=>{this.#n.playing||(le.set(ce(n,s),Tr(
+rip-of-episodes"},this.#s,this.#a)}show(e,r,n){let{selected:o}=this.#e;o.seed===null&&le.set(ce(o,o.episode),Tr(n)),this.#o(r),io(this.#r),this.#t(e,r)}#t(e,r){
+let{selected:n}=this.#e,s=ee(r,n.pursuer,n.evader)?.rates.findIndex((a,i)=>!le.has(ce(n,i)))??-1;s<0||s>=Cr||(this.#r=ao(()=>{this.#n.playing||(le.set(ce(n,s),Tr(
 j(e,r,{...n,episode:s,seed:null}))),this.#o(r)),this.#t(e,r)}))}#o(e){let{selected:r}=this.#e,n=ee(e,r.pursuer,r.evader);if(!n){this.#s.replaceChildren(),this.#a.
 textContent="The evaluation played no episodes of this pair.";return}let o=Math.min(Cr,n.rates.length);this.#s.replaceChildren(...n.rates.slice(0,o).map((c,d)=>this.#c(
 c,d)));let s=n.rates.slice(0,o).map((c,d)=>le.get(ce(r,d))),a=s.filter(c=>c!==void 0),i=s.flatMap((c,d)=>c&&(Math.abs(c.rate-n.rates[d])>1e-6||c.length!==n.lengths[d])?
@@ -221,10 +221,10 @@ c,d)));let s=n.rates.slice(0,o).map((c,d)=>le.get(ce(r,d))),a=s.filter(c=>c!==vo
 ll ${a.length} episodes, mean capture rate ${A(l,3)}. The cell says ${A(n.rate,3)}.`}#c(e,r){let{selected:n}=this.#e,o=u("span",{class:"bar"});return o.style.height=
 `${Math.round(100*e)}%`,u("button",{type:"button",class:"episode",title:`Episode ${r+1}: capture rate ${A(e)}`,"aria-label":`Episode ${r+1}, capture rate ${A(e)}`,
 "aria-pressed":String(r===n.episode&&n.seed===null),"data-played":le.has(ce(n,r)),onclick:()=>this.#e.select({episode:r,seed:null})},o,u("span",{class:"count"},
-r+1))}},Tr=t=>({rate:t.statistics.capture_rate,length:t.length}),so=t=>"requestIdleCallback"in window?requestIdleCallback(t,{timeout:1e3}):setTimeout(t,100),ao=t=>"\
-cancelIdleCallback"in window?cancelIdleCallback(t):clearTimeout(t);var ue=(t,e)=>t<e?`pursuer_${t}`:`evader_${t-e}`,ct=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var Rr=0,kr=1,io=2,lo=176;function Or(t,e,r,n){let o=devicePixelRatio||1,s=Pe(t);t.width=t.height=lo*o;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
-i;a.fillStyle=s.paper,a.fillRect(0,0,t.width,t.height);for(let d=0;r&&d<i*i;d++){let[m,f]=[(d%i+.5)*l,(Math.floor(d/i)+.5)*l],p=h=>!!r[h*i*i+d];p(io)&&(a.fillStyle=
-s.obstacle,a.fillRect(m-l/2,f-l/2,l,l));let g=p(Rr)&&p(kr)?l*.18:0;p(Rr)&&Pr(a,L,m+g,f+g,l*.74,s.evader),p(kr)&&Pr(a,ke,m-g,f-g,l*.86,s.pursuer)}a.strokeStyle=n<
+r+1))}},Tr=t=>({rate:t.statistics.capture_rate,length:t.length}),ao=t=>"requestIdleCallback"in window?requestIdleCallback(t,{timeout:1e3}):setTimeout(t,100),io=t=>"\
+cancelIdleCallback"in window?cancelIdleCallback(t):clearTimeout(t);var ue=(t,e)=>t<e?`pursuer_${t}`:`evader_${t-e}`,ct=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var Rr=0,kr=1,lo=2,co=176;function Or(t,e,r,n){let o=devicePixelRatio||1,s=Pe(t);t.width=t.height=co*o;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
+i;a.fillStyle=s.paper,a.fillRect(0,0,t.width,t.height);for(let d=0;r&&d<i*i;d++){let[m,f]=[(d%i+.5)*l,(Math.floor(d/i)+.5)*l],p=h=>!!r[h*i*i+d];p(lo)&&(a.fillStyle=
+s.obstacle,a.fillRect(m-l/2,f-l/2,l,l));let g=p(Rr)&&p(kr)?l*.18:0;p(Rr)&&Pr(a,N,m+g,f+g,l*.74,s.evader),p(kr)&&Pr(a,ke,m-g,f-g,l*.86,s.pursuer)}a.strokeStyle=n<
 e.n_pursuers?s.pursuer:s.evader,a.lineWidth=2*o;let c=Math.floor(i/2)*l;a.strokeRect(c,c,l,l)}function Pr(t,e,r,n,o,s){e(t,r,n,o),t.fillStyle=s,t.fill()}var $e=class{element;#e;#n=u("canvas",{class:"seen",role:"img"});#s=u("h3");#a=u("p",{class:"small muted"});#r=u("div",{class:"answers"});#t=null;#o=null;#c=null;#i=null;#l=null;#m=0;constructor(e){
 this.#e=e,this.element=u("div",{class:"inspector","data-open":"false"},u("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and what its \
 network answers."),u("div",{class:"inspected"},this.#n,u("div",{class:"answer"},this.#s,this.#r,this.#a)))}get agent(){return this.#l}show(e,r,n,o){(this.#o!==r||
@@ -234,23 +234,23 @@ element.dataset.open=String(e!==null),this.#e(e),this.at(this.#m)}next(e){let r=
 !n||!o||!s||a===null)return;let i=a<r.config.n_pursuers?"pursuer":"evader";this.#s.replaceChildren(u("span",{class:i},ue(a,r.config.n_pursuers)));let l=!!r.alive[e*
 r.n_agents+a];r.seek(n,e),Or(this.#n,r.config,l?n.view(a):null,a),this.#n.ariaLabel=`Field of view of ${ue(a,r.config.n_pursuers)}: evaders, pursuers and obstac\
 les around it`;let c=e<r.length?r.actions[e*r.n_agents+a]:null;if(!l)return this.#u([],"It is gone.");let d=re(o,i,s[i]);if(typeof d=="string")return this.#u([],
-`The script "${d}" plays for it${c===null?"":`; it goes ${ct[c]}`}.`);let{probabilities:m}=n.answer(d,a),f=Array.from(m,(g,h)=>co(ct[h],g,h===c)),p=d.sampled?"T\
+`The script "${d}" plays for it${c===null?"":`; it goes ${ct[c]}`}.`);let{probabilities:m}=n.answer(d,a),f=Array.from(m,(g,h)=>uo(ct[h],g,h===c)),p=d.sampled?"T\
 he action is drawn from these probabilities.":"The most probable action is taken.";this.#u(f,c===null?"The episode is over.":p)}#u(e,r){this.#r.replaceChildren(
-...e),this.#a.textContent=r}};function co(t,e,r){let n=u("span",{class:"filled"});return n.style.width=`${100*e}%`,u("div",{class:r?"action taken":"action"},u("\
-span",{},t),u("span",{class:"track"},n),u("span",{class:"numbers"},e.toFixed(2)))}function Ir(t,e,r){if(r===0)return[{kind:"start",text:uo(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=d=>ue(d,t.config.n_pursuers),a=Ce(e,n,o),i=t.conflicts(
+...e),this.#a.textContent=r}};function uo(t,e,r){let n=u("span",{class:"filled"});return n.style.width=`${100*e}%`,u("div",{class:r?"action taken":"action"},u("\
+span",{},t),u("span",{class:"track"},n),u("span",{class:"numbers"},e.toFixed(2)))}function Ir(t,e,r){if(r===0)return[{kind:"start",text:mo(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=d=>ue(d,t.config.n_pursuers),a=Ce(e,n,o),i=t.conflicts(
 r),l=new Set(i.flatMap(d=>d.doomed)),c=a.map(d=>({kind:"capture",text:`${s(d)} is captured`,agents:[d]}));for(let d of Te(n,o))!a.includes(d)&&!l.has(d)&&c.push(
 {kind:"end",text:`${s(d)} disappears`,agents:[d]});return c.push(...i.map(({kind:d,text:m,agents:f})=>({kind:d,text:m,agents:f}))),r===t.length&&c.unshift({kind:"\
-end",text:mo(t),agents:[]}),c}function uo({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
- steps`}function mo(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
- evaders captured`}var po=60,Ue=class{element;player=new D(0,{speed:8,still:V()});inspector;#e;#n;#s;#a;#r=u("h2",{class:"match-title"});#t=u("p",{class:"tally numbers"});#o=u("ol",
+end",text:po(t),agents:[]}),c}function mo({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
+ steps`}function po(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
+ evaders captured`}var ho=60,Ue=class{element;player=new D(0,{speed:8,still:V()});inspector;#e;#n;#s;#a;#r=u("h2",{class:"match-title"});#t=u("p",{class:"tally numbers"});#o=u("ol",
 {class:"words","aria-live":"off","aria-label":"What happened in this step"});#c=u("p",{class:"problem",role:"alert"});#i=null;#l=null;#m=null;#u=0;#p=!1;constructor(e,r){
-[this.#n,this.#s]=[e,r];let n=u("canvas",{"aria-label":"The match"});this.#e=new z(n,{numbers:!1}),this.#a=new Le(r,this.player),this.inspector=new $e(o=>this.#w(
+[this.#n,this.#s]=[e,r];let n=u("canvas",{"aria-label":"The match"});this.#e=new z(n,{numbers:!1}),this.#a=new Ne(r,this.player),this.inspector=new $e(o=>this.#w(
 o)),n.addEventListener("click",o=>this.inspector.choose(this.#e.agentAt(o.clientX,o.clientY))),this.element=u("section",{class:"card match-card","aria-label":"M\
 atch",id:"match"},u("div",{class:"match"},u("header",{class:"match-head"},this.#r,this.#t),u("div",{class:"stage"},n),Ie(this.player),this.#a.element,this.#c,u(
 "div",{class:"aside"},this.#o,this.inspector.element))),this.player.addEventListener("frame",()=>this.#m&&this.#e.show(this.#m,this.player.time)),this.player.addEventListener(
 "step",()=>this.#y()),r.on("match",()=>this.#b())}get#d(){return this.#n[this.#s.selected.run]}get match(){return this.#l}start(e){this.#i=e,this.#f()}playSoon(){
 this.#p=!0,this.#u||this.#h()}#h(){!this.#p||!this.#l||(this.#p=!1,this.player.jump(0),V()||this.player.play())}#b(){this.#g(),clearTimeout(this.#u),this.#u=setTimeout(
-()=>this.#f(),po)}#f(){clearTimeout(this.#u),this.#u=0,this.player.pause(),this.#g();let{selected:e}=this.#s,r=["pursuer","evader"].find(n=>!te(this.#d,n,e[n]));
+()=>this.#f(),ho)}#f(){clearTimeout(this.#u),this.#u=0,this.player.pause(),this.#g();let{selected:e}=this.#s,r=["pursuer","evader"].find(n=>!te(this.#d,n,e[n]));
 this.#c.textContent=r?`The page holds no genome of ${r}s ${e[r]}: it would be too large. Choose a generation of ${this.#d.teams[r].kept.join(", ")}.`:"",!(r||!this.#i)&&
 (this.#l=j(this.#i,this.#d,e),this.#m=Oe(this.#l),this.#a.show(this.#i,this.#d,this.#l),this.inspector.show(this.#i,this.#d,this.#l,e),this.player.length=this.#l.
 length,this.player.jump(0),this.#y(),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader} ${e.episode} ${e.seed??""}`,this.#h())}#g(){let{pursuer:e,evader:r,
@@ -260,18 +260,18 @@ r)),u("span",{class:"muted small"},l))}#y(){let e=this.#l;if(!e||!this.#m)return
 everCaptured).filter(Boolean).length;this.#t.replaceChildren(u("strong",{},s),` of ${o} captured`,u("span",{class:"muted"},` · step ${r}`)),this.#o.replaceChildren(
 ...Ir(e,this.#m,r).map(a=>u("li",{class:a.kind,"data-agents":a.agents.join(" ")},a.text))),this.inspector.at(r),this.#v()}#w(e){this.#e.look={selected:e,viewers:e===
 null?[]:[e]},this.#v()}#v(){let e=this.inspector.agent;for(let r of this.#o.children){let n=r.dataset.agents?.split(" ")??[];r.classList.toggle("about",e!==null&&
-n.includes(String(e)))}}};var T={left:52,bottom:46,top:76,right:84},K=10,ho=160,Fe=class{element;#e;#n;#s=u("canvas",{"aria-hidden":"true"});#a=b("svg",{"aria-hidden":"true"});#r=b("g");#t;#o=u(
+n.includes(String(e)))}}};var T={left:52,bottom:46,top:76,right:84},K=10,fo=160,Fe=class{element;#e;#n;#s=u("canvas",{"aria-hidden":"true"});#a=b("svg",{"aria-hidden":"true"});#r=b("g");#t;#o=u(
 "p",{class:"readout numbers","aria-live":"polite"});#c=null;constructor(e,r){[this.#n,this.#e]=[e,r],this.#t=u("div",{class:"matrix",id:"matrix",tabindex:0,role:"\
 application","aria-label":"Payoff matrix. Arrow keys choose a match, Enter plays it."},this.#s,this.#a),this.element=u("section",{class:"card matrix-card","aria\
 -label":"Payoff matrix"},this.#o,this.#t),new ResizeObserver(()=>this.#l()).observe(this.#t),this.#t.addEventListener("pointermove",n=>this.#b(n)),this.#t.addEventListener(
 "pointerleave",()=>r.point({})),this.#t.addEventListener("click",n=>this.#f(n)),this.#t.addEventListener("keydown",n=>this.#g(n)),r.on("run",()=>this.#l()),r.on(
 "match",()=>this.#u()),r.on("hover",()=>this.#u())}get#i(){return this.#n[this.#e.selected.run]}#l(){let[e,r]=this.#i.payoff.shape,{clientWidth:n,clientHeight:o}=this.#t;
-if(n<50)return;let a=Math.max(ho,Math.min(n-T.left-T.right,o-T.top-T.bottom))/Math.max(e,r),i=Math.max(T.left,(n-r*a-T.right+T.left)/2),l={width:n,height:o,left:i,
+if(n<50)return;let a=Math.max(fo,Math.min(n-T.left-T.right,o-T.top-T.bottom))/Math.max(e,r),i=Math.max(T.left,(n-r*a-T.right+T.left)/2),l={width:n,height:o,left:i,
 top:T.top,cell:a,rows:e,columns:r};this.#c=l,Ae(this.#s,this.#i.payoff,{left:i,top:T.top,width:r*a,height:e*a}),this.#a.setAttribute("viewBox",`0 0 ${n} ${o}`),
-this.#a.replaceChildren(fo(l),go(l),...this.#m(l),this.#r),this.#u()}#m(e){let r=this.#i.findings?.generalization;if(!r)return[];let{left:n,top:o,cell:s,rows:a,
+this.#a.replaceChildren(go(l),bo(l),...this.#m(l),this.#r),this.#u()}#m(e){let r=this.#i.findings?.generalization;if(!r)return[];let{left:n,top:o,cell:s,rows:a,
 columns:i}=e,[l,c]=[n+i*s+K,o-K],[d,m]=[T.right-K-14,T.top-K-14],f=y=>(y+.5)*s,p=(y,w)=>`${(l+y*d).toFixed(1)} ${(o+a*s-f(w)).toFixed(1)}`,g=(y,w)=>`${(n+f(w)).
-toFixed(1)} ${(c-y*m).toFixed(1)}`,h={class:"side"};return[b("rect",{...h,x:l,y:o,width:d,height:a*s}),b("rect",{...h,x:n,y:c-m,width:i*s,height:m}),...Lr(r.pursuers,
-p,"of-pursuers"),...Lr(r.evaders,g,"of-evaders"),b("text",{class:"tick",x:l,y:o+a*s+16,"text-anchor":"start"},"0"),b("text",{class:"tick",x:l+d,y:o+a*s+16,"text\
+toFixed(1)} ${(c-y*m).toFixed(1)}`,h={class:"side"};return[b("rect",{...h,x:l,y:o,width:d,height:a*s}),b("rect",{...h,x:n,y:c-m,width:i*s,height:m}),...Nr(r.pursuers,
+p,"of-pursuers"),...Nr(r.evaders,g,"of-evaders"),b("text",{class:"tick",x:l,y:o+a*s+16,"text-anchor":"start"},"0"),b("text",{class:"tick",x:l+d,y:o+a*s+16,"text\
 -anchor":"end"},"1"),b("text",{class:"tick",x:n-6,y:c-4,"text-anchor":"end"},"0"),b("text",{class:"tick",x:n-6,y:c-m+8,"text-anchor":"end"},"1"),b("text",{class:"\
 label of-pursuers",x:l+d,y:o+a*s+34,"text-anchor":"end"},"captures"),b("text",{class:"label of-evaders",x:n+i*s+K,y:c-m+10,"text-anchor":"start"},"escapes")]}#u(){
 let e=this.#c;if(!e)return;let{selected:r,hover:n}=this.#e,{left:o,top:s,cell:a,rows:i,columns:l}=e,c=g=>s+(i-1-g)*a,d=[],m=(g,h)=>b("rect",{class:h,x:o,y:c(g),
@@ -281,28 +281,28 @@ l;g++){let h=g+n.lag;h>=0&&h<i&&d.push(b("rect",{class:"lagged",x:o+g*a,y:c(h),w
 b("rect",{class:"chosen under",...p}),b("rect",{class:"chosen",...p})),this.#r.replaceChildren(...d),this.#p()}#p(){let{selected:e,hover:r}=this.#e,n=r.pursuer??
 e.pursuer,o=r.evader??e.evader,s=ee(this.#i,n,o);this.#o.replaceChildren(u("span",{class:"pursuer"},`Pursuers ${n}`)," against ",u("span",{class:"evader"},`evad\
 ers ${o}`),": ",...s?[u("strong",{},`capture rate ${A(s.rate,3)}`),u("span",{class:"muted"},`, mean of ${s.rates.length} episodes`)]:[u("span",{class:"muted"},"\
-no episodes were played in the evaluation")],u("span",{class:"muted wide"},this.#d(n,o)))}#d(e,r){let n=this.#i.findings?.generalization;if(!n)return"";let o=(s,a)=>Ne(
+no episodes were played in the evaluation")],u("span",{class:"muted wide"},this.#d(n,o)))}#d(e,r){let n=this.#i.findings?.generalization;if(!n)return"";let o=(s,a)=>Le(
 s.mean[a]??0,s.low?.[a]??null,s.high?.[a]??null);return`Against all opponents: captures ${o(n.pursuers,e)}, escapes ${o(n.evaders,r)}`}#h(e){let r=this.#c;if(!r)
 return null;let n=this.#t.getBoundingClientRect(),o=Math.floor((e.clientX-n.left-r.left)/r.cell),s=r.rows-1-Math.floor((e.clientY-n.top-r.top)/r.cell),[a,i]=[s>=
 0&&s<r.rows,o>=0&&o<r.columns];return a||i?{g:a?s:-1,h:i?o:-1,inside:a&&i}:null}#b(e){let r=this.#h(e);this.#e.point(r?{pursuer:r.g<0?null:r.g,evader:r.h<0?null:
 r.h}:{})}#f(e){let r=this.#h(e);r&&(this.#e.select({...r.g<0?{}:{pursuer:r.g},...r.h<0?{}:{evader:r.h}}),r.inside&&this.#t.dispatchEvent(new CustomEvent("play",
 {bubbles:!0})))}#g(e){let n={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],ArrowLeft:[0,-1]}[e.key];if(e.key==="Enter")this.#t.dispatchEvent(new CustomEvent("\
-play",{bubbles:!0}));else if(n){let o=e.shiftKey?5:1,[s,a]=this.#i.payoff.shape,{pursuer:i,evader:l}=this.#e.selected;this.#e.select({pursuer:Nr(i+o*n[0],s),evader:Nr(
-l+o*n[1],a)})}else return;e.preventDefault(),e.stopPropagation()}},Nr=(t,e)=>Math.min(e-1,Math.max(0,t));function fo({left:t,top:e,cell:r,rows:n,columns:o}){let s=b(
+play",{bubbles:!0}));else if(n){let o=e.shiftKey?5:1,[s,a]=this.#i.payoff.shape,{pursuer:i,evader:l}=this.#e.selected;this.#e.select({pursuer:Lr(i+o*n[0],s),evader:Lr(
+l+o*n[1],a)})}else return;e.preventDefault(),e.stopPropagation()}},Lr=(t,e)=>Math.min(e-1,Math.max(0,t));function go({left:t,top:e,cell:r,rows:n,columns:o}){let s=b(
 "g",{class:"axes"}),a=e+n*r,i=l=>ie(0,l-1,Math.min(l,l*r/44),!0);for(let l of i(o))s.append(b("text",{class:"tick",x:t+(l+.5)*r,y:a+16,"text-anchor":"middle"},l));
 for(let l of i(n))s.append(b("text",{class:"tick",x:t-7,y:a-(l+.5)*r,"text-anchor":"end","dominant-baseline":"middle"},l));return s.append(b("text",{class:"labe\
 l of-evaders",x:t+o*r/2,y:a+36,"text-anchor":"middle"},"evader generation"),b("text",{class:"label of-pursuers",transform:`translate(${t-36} ${e+n*r/2}) rotate(\
--90)`,"text-anchor":"middle"},"pursuer generation")),s}function go({left:t,top:e,cell:r,rows:n,columns:o}){let s=b("g",{class:"diagonal"}),a=Math.min(n,o);if(a<
+-90)`,"text-anchor":"middle"},"pursuer generation")),s}function bo({left:t,top:e,cell:r,rows:n,columns:o}){let s=b("g",{class:"diagonal"}),a=Math.min(n,o);if(a<
 3)return s;let i=e+n*r;for(let l of["H","V"]){let c=`M${t} ${i}`;for(let d=1;d<=a;d++){let[m,f]=[`H${t+d*r}`,`V${i-d*r}`];c+=l==="H"?m+f:f+m}s.append(b("path",{
-d:c,class:"under"}),b("path",{d:c}))}return s}function Lr(t,e,r){let n=s=>s.map((a,i)=>e(a??0,i)),o=[];return t.low&&t.high&&o.push(b("path",{class:`band ${r}`,
-d:`M${[...n(t.high),...n(t.low).reverse()].join("L")}Z`})),o.push(b("path",{class:`line ${r}`,d:`M${n(t.mean).join("L")}`})),o}function $r(t,e,r){let{findings:n}=t;if(!n)return null;let o=u("dialog",{class:"four","aria-label":"Four matches"}),s=i=>{let l=r();l&&yo(o,t,i,e,l)},a=n.checkerboards.
-map(i=>bo(t,i,s));return{element:E("Checkerboards","Two generations of each team: each pursuers are better against one of the evaders. Click one: its four match\
+d:c,class:"under"}),b("path",{d:c}))}return s}function Nr(t,e,r){let n=s=>s.map((a,i)=>e(a??0,i)),o=[];return t.low&&t.high&&o.push(b("path",{class:`band ${r}`,
+d:`M${[...n(t.high),...n(t.low).reverse()].join("L")}Z`})),o.push(b("path",{class:`line ${r}`,d:`M${n(t.mean).join("L")}`})),o}function $r(t,e,r){let{findings:n}=t;if(!n)return null;let o=u("dialog",{class:"four","aria-label":"Four matches"}),s=i=>{let l=r();l&&vo(o,t,i,e,l)},a=n.checkerboards.
+map(i=>yo(t,i,s));return{element:E("Checkerboards","Two generations of each team: each pursuers are better against one of the evaders. Click one: its four match\
 es side by side.",a.length?u("div",{class:"boards"},...a):u("p",{},`No four cells differ by more than ${n.margin} in this way.`),a.length?u("p",{class:"small mu\
 ted"},"The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise makes."):null,o)}}var Ur=({
-pursuers:[t,e],evaders:[r,n]})=>[[t,r],[t,n],[e,r],[e,n]];function bo(t,e,r){let[n,o]=e.pursuers,[s,a]=e.evaders,i=Ur(e).map(([l,c])=>{let d=t.payoff.capture_rate[l][c],
+pursuers:[t,e],evaders:[r,n]})=>[[t,r],[t,n],[e,r],[e,n]];function yo(t,e,r){let[n,o]=e.pursuers,[s,a]=e.evaders,i=Ur(e).map(([l,c])=>{let d=t.payoff.capture_rate[l][c],
 m=u("span",{class:d>.55?"cell light":"cell"},A(d));return m.style.backgroundColor=Gt(d),m});return u("button",{type:"button",class:"miniature numbers",onclick:()=>r(
 e),"aria-label":`Pursuers ${n} and ${o}, evaders ${s} and ${a}: four matches`},u("span",{}),u("span",{class:"evader"},s),u("span",{class:"evader"},a),u("span",{
-class:"pursuer"},n),i[0],i[1],u("span",{class:"pursuer"},o),i[2],i[3])}function yo(t,e,r,n,o){let s=Ur(r).filter(([m,f])=>te(e,"pursuer",m)&&te(e,"evader",f)),a=s.
+class:"pursuer"},n),i[0],i[1],u("span",{class:"pursuer"},o),i[2],i[3])}function vo(t,e,r,n,o){let s=Ur(r).filter(([m,f])=>te(e,"pursuer",m)&&te(e,"evader",f)),a=s.
 map(([m,f])=>j(o,e,{run:n.selected.run,pursuer:m,evader:f,episode:0,seed:null})),i=new D(Math.max(0,...a.map(m=>m.length)),{speed:16,still:V()}),l=a.map((m,f)=>{
 let[p,g]=s[f],h=u("canvas",{"aria-label":`Pursuers ${p} against evaders ${g}`}),y=u("span",{class:"numbers"}),w=()=>{t.close(),n.select({pursuer:p,evader:g})};return{
 element:u("figure",{},u("figcaption",{},u("span",{},u("span",{class:"pursuer"},p)," against ",u("span",{class:"evader"},g),u("span",{class:"muted small"},` cell\
@@ -312,9 +312,9 @@ f.length)];p.textContent=`${Array.from(g.everCaptured).filter(Boolean).length} o
 p",d),t.replaceChildren(u("header",{},u("h2",{},"Four matches of a checkerboard"),u("button",{type:"button",onclick:()=>t.close()},"Close")),u("div",{class:"gri\
 d-of-four"},...l.map(m=>m.element)),Ie(i)),t.addEventListener("close",()=>{i.pause(),l.forEach(m=>m.board.close()),t.replaceChildren()},{once:!0}),t.showModal(),
 c(),d(),V()||i.play()}var He={pursuer:"evader",evader:"pursuer"};function Fr(t,e){let r=t.findings?.ciao;if(!r)return null;let n=["pursuer","evader"].map(o=>{let{fading:s,stripes:a,period:i}=r[`${o}\
-s`],l=`fading ${A(s)}, stripes ${A(a)}${i===null?"":` every ${i} generations`}`;return vo(t,o,l,e)});return{element:E("CIAO","Current individuals against ancest\
+s`],l=`fading ${A(s)}, stripes ${A(a)}${i===null?"":` every ${i} generations`}`;return wo(t,o,l,e)});return{element:E("CIAO","Current individuals against ancest\
 ral opponents, by the team's own score. Stripes that come back: cycling. Darker away from the diagonal: forgetting.",u("div",{class:"triangles"},...n.map(o=>o.element))),
-update:()=>n.forEach(o=>o.update())}}function vo(t,e,r,n){let o=e==="pursuer"?0:1,[s,a]=[t.payoff.shape[o],t.payoff.shape[1-o]],i=(v,x)=>e==="pursuer"?t.payoff.
+update:()=>n.forEach(o=>o.update())}}function wo(t,e,r,n){let o=e==="pursuer"?0:1,[s,a]=[t.payoff.shape[o],t.payoff.shape[1-o]],i=(v,x)=>e==="pursuer"?t.payoff.
 capture_rate[v][x]:1-t.payoff.capture_rate[x][v],l=u("canvas",{width:a,height:s,role:"img","aria-label":`CIAO of the ${e}s: ${r}`}),c=l.getContext("2d"),d=c?.createImageData(
 a,s);for(let v=0;d&&v<s;v++)for(let x=0;x<=Math.min(v,a-1);x++)d.data.set([...oe(i(v,x)),255],4*((s-1-v)*a+x));d&&c?.putImageData(d,0,0);let m=b("rect",{class:"\
 chosen",width:1,height:1}),f=b("rect",{class:"chosen under",width:1,height:1}),p=b("svg",{viewBox:`0 0 ${a} ${s}`,preserveAspectRatio:"none","aria-hidden":"true"},
@@ -336,7 +336,7 @@ y(n),r:5,class:`dot ${r}`}))}function ut(...t){return u("p",{class:"legend small
 (o=e(i,l),n.replaceChildren(o.root),s())};return n.addEventListener("pointermove",i=>r.point?.(o?.at(i.clientX)??null)),n.addEventListener("pointerleave",()=>r.
 point?.(null)),r.choose&&(n.classList.add("chooses"),n.addEventListener("click",i=>o&&r.choose?.(o.at(i.clientX),o,i))),new ResizeObserver(a).observe(n),{element:n,
 redraw:a,remark:s}}var dt=["of-pursuers","of-evaders","of-both"],Dr={low:0,high:1,label:"capture rate"};function Wr(t,e){let{training:r}=t,{capture_rate:n,generation:o,learner:s,epochs:a}=r,
-i=n.map((p,g)=>(g+1)*a),l=wo(n,r.window),c=i.at(-1)??1,d=(p,g)=>{let h=o.flatMap((y,w)=>y===p&&(s[w]===g||s[w]===2)?[w]:[]);return h.length?[i[h[0]],i[h.at(-1)]]:
+i=n.map((p,g)=>(g+1)*a),l=xo(n,r.window),c=i.at(-1)??1,d=(p,g)=>{let h=o.flatMap((y,w)=>y===p&&(s[w]===g||s[w]===2)?[w]:[]);return h.length?[i[h[0]],i[h.at(-1)]]:
 null},m=We(`Capture rate in ${c} epochs of training`,(p,g)=>{let h=De(p,g,{low:0,high:c,label:"epoch",whole:!0},Dr);for(let[y,w]of[["raw",n],["",l]])for(let[S,v]of dt.
 entries()){let x=w.map((C,$)=>s[$]===S||s[$+1]===S?C:null);x.some(C=>C!==null)&&de(h,i,x,`${v} ${y}`)}return h},{marks:p=>{let{pursuer:g,evader:h}=e.selected;for(let[
 y,w]of[[0,g],[1,h]]){let S=d(e.hover[y?"evader":"pursuer"]??w,y);S&&me(p,(S[0]+S[1])/2,dt[y])}},choose:p=>{let g=Math.min(i.length-1,Math.max(0,Math.round(p/a)-
@@ -353,31 +353,31 @@ high:a+i,label:"Elo points"});for(let p of["pursuer","evader"])de(f,n[p].map((g,
 hover[m]??e.selected[m];me(d,f,`of-${m}s`,n[m][f]??null)}},choose:(d,m,f)=>{let p=Math.round(d),g=f.clientY-m.root.getBoundingClientRect().top,h=w=>Math.abs(m.y(
 n[w][p]??1/0)-g),y=h("pursuer")<=h("evader")?"pursuer":"evader";p>=0&&p<n[y].length&&e.select({[y]:p})}});return{element:E("Ratings",`One number for each genera\
 tion, which cycles do not fit. The game itself: ${A(r.offset,0)} points for the pursuers.`,ut(["pursuers","of-pursuers"],["evaders","of-evaders"]),c.element),update:c.
-remark}}function wo(t,e){let r=[0];for(let n of t)r.push(r.at(-1)+n);return t.map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(
-e/2)+1)];return(r[a]-r[s])/(a-s)})}var xo={present:"●",absent:"○","cannot tell":"?"};function Vr(t){let{findings:e}=t;if(!e)return null;let[,...r]=e.table,n=new Map(e.reasons.map(a=>{let[i,,l]=_o(
+remark}}function xo(t,e){let r=[0];for(let n of t)r.push(r.at(-1)+n);return t.map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(
+e/2)+1)];return(r[a]-r[s])/(a-s)})}var _o={present:"●",absent:"○","cannot tell":"?"};function Vr(t){let{findings:e}=t;if(!e)return null;let[,...r]=e.table,n=new Map(e.reasons.map(a=>{let[i,,l]=Mo(
 a);return[i,l]})),o=r.map(([a,i,l,c])=>{let d=c===e.window?n.get(a):void 0;return u("li",{class:`finding ${i.replace(" ","-")}`},u("span",{class:"sign","aria-hi\
-dden":"true"},xo[i]??""),u("div",{},u("p",{},u("strong",{},a),` ${i}`,u("span",{class:"muted"},` · ${c}`)),d?u("p",{class:"small"},`${d}.`):null,u("p",{class:"\
+dden":"true"},_o[i]??""),u("div",{},u("p",{},u("strong",{},a),` ${i}`,u("span",{class:"muted"},` · ${c}`)),d?u("p",{class:"small"},`${d}.`):null,u("p",{class:"\
 small muted numbers"},l)))}),s=E("What happened","Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",u("p",
 {class:"headline"},e.headline),u("ul",{class:"findings"},...o),t.limits?u("p",{class:"small"},t.limits):null,u("details",{class:"small"},u("summary",{},"Headlin\
-e numbers in words"),...e.description.map(a=>u("p",{},a)),Ao(e)));return s.classList.add("diagnosis"),{element:s}}function _o(t){let[e="",r=""]=t.split(/: (.*)/s),
-[n="",o=""]=r.split(/, because (.*)/s);return[e.toLowerCase(),n,Mo(o.replace(/\.$/,""))]}var Mo=t=>t.charAt(0).toUpperCase()+t.slice(1);function Ao({noise:t}){return t.
+e numbers in words"),...e.description.map(a=>u("p",{},a)),So(e)));return s.classList.add("diagnosis"),{element:s}}function Mo(t){let[e="",r=""]=t.split(/: (.*)/s),
+[n="",o=""]=r.split(/, because (.*)/s);return[e.toLowerCase(),n,Ao(o.replace(/\.$/,""))]}var Ao=t=>t.charAt(0).toUpperCase()+t.slice(1);function So({noise:t}){return t.
 transitive_share_noise===null?null:u("p",{},`Last half: transitive share ${A(t.transitive_share)} (an order of strength with the same noise rarely falls below ${A(
 t.transitive_share_noise)}), checkerboards ${lt(t.checkerboard_share)} (it rarely exceeds ${lt(t.checkerboard_share_noise)}).`)}function jr(t){let e=[t.held_out?.pursuers,t.held_out?.evaders].filter(r=>r!=null);return e.length?{element:E("Held-out opponents",`The last generations against\
- opponents that no run has met; 95 % intervals over ${e[0].episodes} episodes.`,...e.map(So))}:null}function So(t){let e=n=>n.at(-1),r=[["mean",e(t.mean)],...Object.
+ opponents that no run has met; 95 % intervals over ${e[0].episodes} episodes.`,...e.map(Eo))}:null}function Eo(t){let e=n=>n.at(-1),r=[["mean",e(t.mean)],...Object.
 entries(t.against).map(([n,o])=>[n,e(o)])];return u("table",{class:"scores numbers"},u("caption",{},u("span",{class:t.team},`${t.team}s`),` of generation ${t.generations.
-at(-1)}, ${t.score}`),...r.map(([n,o],s)=>u("tr",{class:s?"":"mean"},u("th",{scope:"row"},n),u("td",{class:"range"},Eo(o,t.team)),u("td",{},Ne(o.value,o.low,o.high)))))}
-function Eo({value:t,low:e,high:r},n){let o=u("span",{class:`between ${n}`});o.style.left=`${100*(e??t)}%`,o.style.width=`${100*((r??t)-(e??t))}%`;let s=u("span",
+at(-1)}, ${t.score}`),...r.map(([n,o],s)=>u("tr",{class:s?"":"mean"},u("th",{scope:"row"},n),u("td",{class:"range"},Co(o,t.team)),u("td",{},Le(o.value,o.low,o.high)))))}
+function Co({value:t,low:e,high:r},n){let o=u("span",{class:`between ${n}`});o.style.left=`${100*(e??t)}%`,o.style.width=`${100*((r??t)-(e??t))}%`;let s=u("span",
 {class:`value ${n}`});return s.style.left=`${100*t}%`,u("span",{class:"scale","aria-hidden":"true"},o,s)}function Xr(t){let e=t.settings.filter(o=>o.changed),r=t.settings.filter(o=>!o.changed),n=E("Settings",`${t.schedule}, seed ${t.seed}. Every setting is an optio\
 n of matrixworld evolve.`,e.length?Kr(e,"other than the default"):u("p",{class:"small"},"All settings are the defaults."),u("details",{class:"small"},u("summary",
 {},`${r.length} settings with their defaults`),Kr(r,"defaults")));return n.classList.add("settings"),{element:n}}function Kr(t,e){return u("div",{class:"wide-ta\
 ble"},u("table",{class:"small"},u("caption",{class:"heard"},`Settings: ${e}`),...t.map(({name:r,value:n,help:o})=>u("tr",{},u("th",{scope:"row"},`--${r.replaceAll(
 "_","-")}`),u("td",{class:"numbers"},n),u("td",{class:"muted"},o)))))}function E(t,e,...r){return u("section",{class:"card panel","aria-label":t},u("header",{},u("h2",{},t),u("p",{class:"small muted"},e)),...r)}function qr(t,e,r){
-let n=new Map,o=u("div",{class:"panels"}),s=[],a=()=>s.forEach(l=>l.update?.()),i=()=>{let l=t[e.selected.run];s=n.get(l)??Co(l,e,r),n.set(l,s),o.replaceChildren(
-...s.map(c=>c.element)),a()};return e.on("run",i),e.on("match",a),e.on("hover",a),i(),o}function Co(t,e,r){return[Vr(t),Wr(t,e),$r(t,e,r),Gr(t,e),zr(t,e),Fr(t,e),
+let n=new Map,o=u("div",{class:"panels"}),s=[],a=()=>s.forEach(l=>l.update?.()),i=()=>{let l=t[e.selected.run];s=n.get(l)??To(l,e,r),n.set(l,s),o.replaceChildren(
+...s.map(c=>c.element)),a()};return e.on("run",i),e.on("match",a),e.on("hover",a),i(),o}function To(t,e,r){return[Vr(t),Wr(t,e),$r(t,e,r),Gr(t,e),zr(t,e),Fr(t,e),
 jr(t),Xr(t)].filter(o=>o!==null)}var Yr={pursuer:null,evader:null,lag:null},Ge=class extends EventTarget{#e;#n=Yr;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#n}select(e){
 let r=this.#e,n=["run","pursuer","evader"].some(o=>o in e&&e[o]!==r[o]);this.#e={...r,...n?{episode:0,seed:null}:{},...e},this.#e.run!==r.run&&this.dispatchEvent(
 new Event("run")),this.dispatchEvent(new Event("match"))}point(e){let r={...Yr,...e};r.pursuer===this.#n.pursuer&&r.evader===this.#n.evader&&r.lag===this.#n.lag||
-(this.#n=r,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var pe=Dt(),{runs:X}=pe,[To,Ro]=X[0].payoff.shape,he=new Ge({run:0,pursuer:To-1,evader:Ro-1,episode:0,seed:null}),fe=new Ue(X,he),Jr=new Fe(X,he),mt=Vt(),Zr=null;
+(this.#n=r,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var pe=Dt(),{runs:X}=pe,[Ro,ko]=X[0].payoff.shape,he=new Ge({run:0,pursuer:Ro-1,evader:ko-1,episode:0,seed:null}),fe=new Ue(X,he),Jr=new Fe(X,he),mt=Vt(),Zr=null;
 document.getElementById("page").replaceWith(u("header",{class:"top"},u("h1",{},pe.title),u("p",{class:"muted small about"},`matrixworld ${pe.version}`),u("div",
 {class:"tools"},Ht(),u("button",{type:"button",title:"Keys (?)","aria-label":"Keys",onclick:()=>mt.showModal()},"?"))),...pe.note?[u("p",{class:"note small mute\
 d"},pe.note)]:[],zt(X,he),u("main",{class:"stages"},Jr.element,fe.element),qr(X,he,()=>Zr),mt);Jr.element.addEventListener("play",()=>fe.playSoon());jt(X,he,fe,
