@@ -2,11 +2,11 @@
 
 import type { ScriptName } from "../engine/types.ts";
 import { html, svg } from "../page/dom.ts";
-import { command, rulesName } from "./arena.ts";
+import { rulesName } from "./arena.ts";
 import { agentName, nAgents, teamOf, withNext } from "./scene.ts";
 import type { Scene, Team } from "./scene.ts";
 import type { Store } from "./store.ts";
-import { ARROWS, DIRECTIONS, commandText } from "./words.ts";
+import { DIRECTIONS, commandText } from "./words.ts";
 
 /** Return the shape of a team's agents. */
 export function glyph(team: Team): SVGSVGElement {
@@ -21,14 +21,14 @@ interface Row {
   readonly rewards: readonly HTMLTableCellElement[];
 }
 
-/** Return the card with the table and the pad of the chosen agent. */
+/** Return the card with the table. */
 export function agentsPanel(store: Store): HTMLElement {
   const heads = [0, 1].map(() => html("th", { class: "reward", scope: "col" }));
   const body = html("tbody");
   const table = html("table", { class: "agents" },
     html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "agent"), html("th", { scope: "col" }, "next"), ...heads)), body);
   const element = html("section", { class: "card agents-card" },
-    html("div", { class: "agents-head" }, html("h2", {}, "Agents"), pad(store)), html("div", { class: "agents-scroll" }, table));
+    html("h2", {}, "Agents"), html("div", { class: "agents-scroll" }, table));
   let rows: Row[] = [];
   let shape = "";
   const update = (): void => {
@@ -41,7 +41,8 @@ export function agentsPanel(store: Store): HTMLElement {
     }
     heads.forEach((head, place) => {
       head.hidden = place >= store.games.length;
-      head.textContent = store.games.length > 1 && store.games[place] ? `reward ${rulesName(store, place)}` : "reward";
+      head.textContent = store.games.length > 1 && store.games[place] ? rulesName(store, place) : "reward";
+      head.title = "Reward of the step";
     });
     rows.forEach((each, agent) => fill(store, each, agent));
   };
@@ -97,25 +98,4 @@ function fill(store: Store, { element, choice, state, rewards }: Row, agent: num
 function signed(reward: number): string {
   const text = String(Number(Math.abs(reward).toPrecision(5)));
   return reward < 0 ? `−${text}` : reward > 0 ? `+${text}` : "0";
-}
-
-/** Buttons with directions for the chosen agent, laid out as on a compass. */
-function pad(store: Store): HTMLElement {
-  const order = [8, 1, 5, 4, 0, 2, 7, 3, 6];
-  const buttons = order.map((action) => html("button", {
-    type: "button", class: "pad-button", "aria-label": DIRECTIONS[action], onclick: () => command(store, action),
-  }, ARROWS[action]));
-  const element = html("div", { class: "pad", role: "group", "aria-label": "Move of the chosen agent" }, ...buttons);
-  const update = (): void => {
-    const chosen = store.selected === null ? undefined : store.scene.next[store.selected];
-    order.forEach((action, place) => {
-      const button = buttons[place]!;
-      button.hidden = action > 4 && !store.scene.diagonal;
-      button.disabled = store.selected === null || store.game.over;
-      button.setAttribute("aria-pressed", String(chosen === action));
-    });
-  };
-  store.addEventListener("change", update);
-  update();
-  return element;
 }

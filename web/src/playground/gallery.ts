@@ -3,6 +3,7 @@
 import { sceneOf } from "./link.ts";
 import { html } from "../page/dom.ts";
 import type { Store } from "./store.ts";
+import { unbroken } from "./words.ts";
 
 /** Return the row of examples, with the text of the one that is shown. */
 export function gallery(store: Store): HTMLElement {
@@ -19,7 +20,7 @@ export function gallery(store: Store): HTMLElement {
   const element = html("nav", { class: "gallery", "aria-label": "Examples" }, html("div", { class: "chips" }, ...buttons), text);
   const update = (): void => {
     store.data.gallery.forEach((example, place) => buttons[place]!.setAttribute("aria-pressed", String(example === store.example)));
-    text.textContent = store.example?.text ?? "A scene of your own. Choose an example, or change this one.";
+    text.replaceChildren(...unbroken(store.example?.text ?? "A scene of your own. Choose an example, or change this one."));
   };
   store.addEventListener("change", update);
   update();

@@ -16,7 +16,7 @@ import { rulesPanel } from "./rules_panel.ts";
 import type { Scene } from "./scene.ts";
 import { Store } from "./store.ts";
 import { story } from "./story.ts";
-import { addAgent, removeChosen, toolbar } from "./toolbar.ts";
+import { addAgent, removeChosen, toolbar, undoButton } from "./toolbar.ts";
 
 /** Return the scene that a text names, or the first example and what is wrong with the text. */
 function read(text: string, data: PageData): { scene: Scene; problem: string } {
@@ -43,7 +43,7 @@ function page(store: Store): { elements: HTMLElement[]; open: Record<"share" | "
   const open = { share: share.open, keys: () => keys.showModal() };
   const header = html("header", { class: "top" },
     html("h1", {}, html("span", { class: "muted" }, "matrixworld "), "playground"),
-    html("div", { class: "buttons" },
+    html("div", { class: "buttons" }, undoButton(store),
       html("button", { type: "button", title: "Link to this scene (L)", onclick: open.share }, "Share"),
       html("button", { type: "button", title: "Keys (?)", onclick: open.keys }, "Keys"), themeButton()));
   const main = html("main", { class: "layout" },

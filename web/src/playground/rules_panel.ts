@@ -55,7 +55,7 @@ function fieldChoice(store: Store, field: Field): Control {
     return input;
   });
   const labels = field.values.map(({ label }, place) => html("label", {}, inputs[place], html("span", {}, label)));
-  const used = html("span", { class: "used-mark" }, "decided this step");
+  const used = html("span", { class: "used-mark", title: "This rule decided what happened in the step that is shown" }, "decided");
   const element = html("fieldset", { class: "field", title: field.text },
     html("legend", {}, field.label, used), html("div", { class: "segments" }, ...labels));
   return {
@@ -120,8 +120,8 @@ function board(store: Store): Control {
   rewards.addEventListener("change", () => change(store, { ...store.scene, rewards: store.data.rewards[rewards.value]! }));
   return {
     element: html("div", { class: "board-settings" },
-      html("div", { class: "pair" }, html("span", {}, "Board"), html("span", { class: "sides" }, rows, "×", cols)),
-      html("label", { class: "pair" }, html("span", {}, "Diagonal moves"), diagonal),
+      html("div", { class: "pair" }, html("span", {}, "Board"), html("span", { class: "sides" }, rows, "×", cols),
+        html("label", { class: "sides" }, diagonal, "diagonal")),
       html("div", { class: "pair" }, html("label", { for: "rewards" }, "Rewards"), rewards)),
     update: () => {
       const { scene } = store;

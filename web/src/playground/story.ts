@@ -3,7 +3,7 @@
 import { html } from "../page/dom.ts";
 import { rulesName } from "./arena.ts";
 import type { Store } from "./store.ts";
-import { linesOf } from "./words.ts";
+import { linesOf, unbroken } from "./words.ts";
 import type { Line } from "./words.ts";
 
 const LABELS: Record<Line["kind"], string> = {
@@ -55,7 +55,7 @@ function item({ kind, text, blame }: Line): HTMLElement {
   return html(
     "li", { class: `line line-${kind}` },
     label && html("span", { class: "tag" }, label),
-    html("span", { class: "line-text" }, text),
+    html("span", { class: "line-text" }, ...unbroken(text)),
     blame && html("span", { class: "line-blame muted" }, blame),
   );
 }

@@ -4,14 +4,17 @@ import { icon } from "../board/player_bar.ts";
 import type { Icon } from "../board/player_bar.ts";
 import { html } from "../page/dom.ts";
 import { glyph } from "./agents_panel.ts";
+import { command } from "./arena.ts";
 import { MOST_AGENTS, added, freeCell, nAgents, removed } from "./scene.ts";
 import type { Team } from "./scene.ts";
 import type { Mode, Store } from "./store.ts";
+import { ARROWS, DIRECTIONS } from "./words.ts";
 
 /** Return the bar, with a line for messages. */
 export function toolbar(store: Store): HTMLElement {
   const steps = stepButtons(store);
   const modes = modeButtons(store);
+  const pad = padButtons(store);
   const build = buildButtons(store);
   const message = html("p", { class: "message", role: "status" });
   store.addEventListener("message", (event) => {
@@ -19,7 +22,7 @@ export function toolbar(store: Store): HTMLElement {
     message.textContent = text;
     message.classList.toggle("problem", problem);
   });
-  const controls = [steps, modes, build];
+  const controls = [steps, modes, pad, build];
   const update = (): void => controls.forEach((control) => control.update());
   store.addEventListener("change", update);
   store.addEventListener("change", () => {
@@ -78,16 +81,43 @@ function buildButtons(store: Store): Control {
   const add = (team: Team, name: string, key: string): HTMLButtonElement =>
     html("button", { type: "button", title: `Add ${name} (${key})`, "aria-label": `Add ${name}`, onclick: () => addAgent(store, team) }, "+", glyph(team));
   const remove = html("button", { type: "button", title: "Remove the chosen agent (Delete)", onclick: () => removeChosen(store) }, "Remove");
-  const undo = html("button", { type: "button", title: "Undo the last change (Ctrl+Z)", onclick: () => store.undo() }, "Undo");
   const building = [add("pursuers", "a pursuer", "+"), add("evaders", "an evader", "-"), remove];
   return {
-    element: html("div", { class: "buttons" }, ...building, undo),
+    element: html("div", { class: "buttons" }, ...building),
     update: () => {
       building.forEach((each) => (each.hidden = store.mode !== "build"));
       remove.setAttribute("aria-disabled", String(store.selected === null));
-      undo.setAttribute("aria-disabled", String(!store.canUndo));
     },
   };
+}
+
+/** Directions for the chosen agent, in the order west to east. */
+function padButtons(store: Store): Control {
+  const order = [8, 7, 4, 1, 0, 3, 2, 5, 6];
+  const buttons = order.map((action) => html("button", {
+    type: "button", "aria-label": DIRECTIONS[action], title: `The chosen agent: ${DIRECTIONS[action]}`, onclick: () => command(store, action),
+  }, ARROWS[action]));
+  return {
+    element: html("div", { class: "buttons pad", role: "group", "aria-label": "Move of the chosen agent" }, ...buttons),
+    update: () => {
+      const chosen = store.selected === null ? undefined : store.scene.next[store.selected];
+      order.forEach((action, place) => {
+        const button = buttons[place]!;
+        button.hidden = store.mode === "build" || (action > 4 && !store.scene.diagonal);
+        button.setAttribute("aria-disabled", String(store.selected === null || store.game.over));
+        button.setAttribute("aria-pressed", String(chosen === action));
+      });
+    },
+  };
+}
+
+/** Return the button that undoes changes, for the head of the page. */
+export function undoButton(store: Store): HTMLButtonElement {
+  const undo = html("button", { type: "button", title: "Undo the last change (Ctrl+Z)", onclick: () => store.undo() }, "Undo");
+  const update = (): void => undo.setAttribute("aria-disabled", String(!store.canUndo));
+  store.addEventListener("change", update);
+  update();
+  return undo;
 }
 
 /** Add an agent on a free cell near the middle, and choose it. */

@@ -1,6 +1,7 @@
 // What happened in a step, in words. Sentences about conflicts are the engine's own.
 
 import type { Moment } from "../board/recording.ts";
+import { html } from "../page/dom.ts";
 import type { Conflict, Rules } from "../engine/types.ts";
 import type { Game } from "./game.ts";
 import { agentName, nAgents } from "./scene.ts";
@@ -76,4 +77,9 @@ function endLines(scene: Scene, game: Game, step: number): Line[] {
   if (terminated) reason = left(0, first) ? "every evader is captured or gone" : "no pursuer is left";
   if (terminated && !left(first, nAgents(scene))) reason = "no evader is left";
   return [{ kind: "end", text: `The episode has ended: ${reason}.`, blame: "", used: [] }];
+}
+
+/** Return a text for the page, in which cells and names of variants are not broken between lines. */
+export function unbroken(text: string): (string | HTMLElement)[] {
+  return text.split(/(\(-?\d+, -?\d+\)|-[A-Z]{1,3}\b)/).map((part, place) => (place % 2 ? html("span", { class: "whole" }, part) : part));
 }

@@ -1,5 +1,5 @@
-/* built from web/ by "npm run build"; sources 1a817fece0e067997190adf3e4bf7df02565cffc9d1ee9bc8b2982eff333f6fa */
-"use strict";(()=>{var ft={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Z={DISAPPEAR:0,REACH:1,BOUNCE:2},gt={OCCUPATION:0,SURROUND:1},bt={FAULT:0,INVOLVED:1};var yt=["obstacle","teammate","adversary"],ze=["vertex","edge","chain"],vt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ke=["p\
+/* built from web/ by "npm run build"; sources 5f8ff5b7aabb9e16078b9774d8316c8b4b861ed0a864cdb487b250e23e31bf46 */
+"use strict";(()=>{var ft={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Z={DISAPPEAR:0,REACH:1,BOUNCE:2},gt={OCCUPATION:0,SURROUND:1},bt={FAULT:0,INVOLVED:1};var yt=["obstacle","teammate","adversary"],Ve=["vertex","edge","chain"],vt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ke=["p\
 ursuer_{number}","evader_{number}"],wt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Q={"both held":"both bounce","both doomed":"\
 both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},xt="{event}: {outcome}",Xe={random:"any action, all equally likely",
@@ -7,8 +7,8 @@ still:"always stays",chaser:"moves to where the nearest adversary in view is nea
 haser":"a chaser that takes any action in half of the steps","clumsy-fleer":"a fleer that takes any action in half of the steps",hunter:"a chaser of the nearest\
  adversary in view to which no teammate in view is nearer",surrounder:"a chaser of the nearest free cell beside an adversary in view without a teammate",dodger:"\
 moves to where all adversaries in view together are farthest; each cell that holds some weighs 2**14 // (1 + moves)**2"},_t={free:".GS",blocked:"#@OTW"};var B=1+vt.length;function ee(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function qe(t,e){return t<e?ee(Ke[0],{number:t}):ee(Ke[1],{number:t-e})}function on(t,e){
-let[r,n,o,s,a,i,l,...u]=Array.from(t),d=a<0?[s]:[s,a],[m,p,h]=u.map(w=>d.filter((_,v)=>w>>v&1)),g=d.map(w=>qe(w,e)),f=ee(wt[a<0?"obstacle":ze[o]],{first:g[0],second:g[g.
-length-1],cell:`(${i}, ${l})`}),y=ee(xt,{event:f,outcome:sn(d.length,p,h,e)});return{kind:yt[n],form:ze[o],agents:d,cell:[i,l],at_fault:m,held:p,doomed:h,turn:r,
+let[r,n,o,s,a,i,l,...u]=Array.from(t),d=a<0?[s]:[s,a],[m,p,h]=u.map(w=>d.filter((_,v)=>w>>v&1)),g=d.map(w=>qe(w,e)),f=ee(wt[a<0?"obstacle":Ve[o]],{first:g[0],second:g[g.
+length-1],cell:`(${i}, ${l})`}),y=ee(xt,{event:f,outcome:sn(d.length,p,h,e)});return{kind:yt[n],form:Ve[o],agents:d,cell:[i,l],at_fault:m,held:p,doomed:h,turn:r,
 text:y}}function sn(t,e,r,n){if(t===2&&e.length===2)return Q["both held"];if(t===2&&r.length===2)return Q["both doomed"];let o=s=>a=>ee(Q[s],{agent:qe(a,n)});return[
 ...e.map(o("held")),...r.map(o("doomed"))].join(", ")||Q.none}function ve(t,e){let r=[];for(let n=0;n<t.length;n+=B)r.push(on(t.subarray(n+1,n+B),e));return r}var I=class extends Error{name="EngineError"};function M(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new I(`${t}\
 : expected ${e}, got ${n}`)}var D=class{bytes;constructor(e){this.bytes=e}},St=0,Je=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],Mt=4,Et=4,an=new TextEncoder,
@@ -89,10 +89,10 @@ e))),this.#i(this.#t),this.#m("frame")}#i(e){e!==this.#r&&(this.#r=e,this.#m("st
 this.#c=null;let e=this.#s.now();this.#p(Math.min(.25,(e-this.#u)/1e3)),this.#u=e,this.#m("frame"),(this.#o||this.#t!==this.#r)&&(this.#c=this.#s.request(()=>this.#l()))}#p(e){
 let r=e;for(;r>0;){if(this.#t===this.#r){if(!this.#o)return;if(this.#r===this.#e)return this.pause();this.#i(this.#r+1)}let n=this.#o?this.#n:1/this.glide,o=this.#r-
 this.#t,s=Math.min(Math.abs(o),r*n);r-=s/n,this.#t=s===Math.abs(o)?this.#r:this.#t+Math.sign(o)*s}this.#o&&this.#t===this.#e&&this.pause()}#m(e){this.dispatchEvent(
-new Event(e))}};function V(t,e){if(e.ctrlKey||e.metaKey||e.altKey)return!1;let r=e.shiftKey?10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.move(r),ArrowLeft:()=>t.
+new Event(e))}};function z(t,e){if(e.ctrlKey||e.metaKey||e.altKey)return!1;let r=e.shiftKey?10:1,o={" ":()=>t.toggle(),ArrowRight:()=>t.move(r),ArrowLeft:()=>t.
 move(-r),Home:()=>t.move(-t.length),End:()=>t.move(t.length),"+":()=>t.changeSpeed(1),"-":()=>t.changeSpeed(-1)}[e.key];return o?.(),o!==void 0}var ie=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
 209,81],[165,219,54],[210,226,27],[253,231,37]];function le(t){let e=Math.min(1,Math.max(0,t))*(ie.length-1),r=Math.min(ie.length-2,Math.floor(e)),[n,o]=[ie[r],
-ie[r+1]],s=a=>Math.round(n[a]+(e-r)*(o[a]-n[a]));return[s(0),s(1),s(2)]}var Vt=t=>`rgb(${le(t).join(" ")})`,zt=()=>`linear-gradient(to right, ${ie.map(t=>`rgb(${t.
+ie[r+1]],s=a=>Math.round(n[a]+(e-r)*(o[a]-n[a]));return[s(0),s(1),s(2)]}var zt=t=>`rgb(${le(t).join(" ")})`,Vt=()=>`linear-gradient(to right, ${ie.map(t=>`rgb(${t.
 join(" ")})`).join(", ")})`;function Se(t,e,r){let n=devicePixelRatio||1;t.style.left=`${r.left}px`,t.style.top=`${r.top}px`,t.style.width=`${r.width}px`,t.style.height=`${r.height}px`,t.width=
 Math.round(r.width*n),t.height=Math.round(r.height*n);let o=t.getContext("2d"),s=An(e);!o||!s||(o.imageSmoothingEnabled=!1,o.drawImage(s,0,0,t.width,t.height))}
 function An(t){let[e,r]=t.shape,n=document.createElement("canvas");[n.width,n.height]=[r,e];let o=n.getContext("2d");if(!o)return null;let s=o.createImageData(r,
@@ -117,7 +117,7 @@ select({seed:String(crypto.getRandomValues(new BigUint64Array(1))[0]),episode:0}
 evader",1),E:o("evader",-1),m:()=>document.getElementById("matrix")?.focus(),a:()=>r.inspector.next(1),A:()=>r.inspector.next(-1),Escape:()=>r.inspector.choose(
 null),d:tt,"?":()=>n.showModal()};document.addEventListener("keydown",a=>{let i=a.target instanceof HTMLSelectElement||a.target instanceof HTMLInputElement,l=a.
 target instanceof HTMLButtonElement&&(a.key===" "||a.key==="Enter");if(document.querySelector("dialog[open]")||i||l||a.defaultPrevented||a.ctrlKey||a.metaKey||a.
-altKey)return;let u=s[a.key]??s[a.key.toLowerCase()],d=Number(a.key)-1;if(V(r.player,a)||u)u?.();else if(t[d])rt(t[d],d,e);else return;a.preventDefault()})}var nt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]],N=(t,e)=>e<t.nPursuers,E=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Pn=(t,e)=>t[0]===e[0]&&
+altKey)return;let u=s[a.key]??s[a.key.toLowerCase()],d=Number(a.key)-1;if(z(r.player,a)||u)u?.();else if(t[d])rt(t[d],d,e);else return;a.preventDefault()})}var nt=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]],N=(t,e)=>e<t.nPursuers,E=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Pn=(t,e)=>t[0]===e[0]&&
 t[1]===e[1],ot=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,st=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),at=(t,e)=>st(t.fault,e),Yt=(t,e)=>!at(
 t,e)&&st(t.involved,e,2);function Ae(t,e,r){let n=!Pn(E(t,r),E(e,r)),o=e.involved===void 0||st(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function Ce(t,e,r){
 let[n,o]=E(t,r),[s,a]=nt[e.actions?.[r]??0];return[n+s,o+a]}function Te(t,e,r){return Array.from({length:r.everCaptured.length},(o,s)=>s).filter(o=>r.everCaptured[o]&&
@@ -125,60 +125,60 @@ let[n,o]=E(t,r),[s,a]=nt[e.actions?.[r]??0];return[n+s,o+a]}function Te(t,e,r){r
 -.23,-.23],[.23,-.23]]},{size:.36,at:Jt.flatMap(t=>Jt.map(e=>[e,t]))}],On=.3,In=.35,Ln=.55;function ce(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
 alive[n])continue;let[o,s]=E(e,n),a=o*t.cols+s,i=r.get(a);i?i.push(n):r.set(a,[n])}return r}function Qt(t,e){let r=Array.from(e.alive,(n,o)=>{let[s,a]=E(e,o);return{
 x:a+.5,y:s+.5,size:1,alpha:0}});for(let n of ce(t,e).values()){let o=Zt[Math.min(n.length,Zt.length)-1];n.forEach((s,a)=>{let[i,l]=o.at[Math.min(a,o.at.length-1)],
-u=r[s];u.x+=i,u.y+=l,u.size=o.size,u.alpha=1})}return r}var er=t=>t*t*(3-2*t),z=(t,e,r)=>t+(e-t)*r,tr=t=>Math.min(1,Math.max(0,t));function rr(t,e,r,n){let o={1:2,
+u=r[s];u.x+=i,u.y+=l,u.size=o.size,u.alpha=1})}return r}var er=t=>t*t*(3-2*t),V=(t,e,r)=>t+(e-t)*r,tr=t=>Math.min(1,Math.max(0,t));function rr(t,e,r,n){let o={1:2,
 2:r}[t.interaction]??1;if(o===1)return er(n);let s=o===r?e:+!N(t,e),a=Math.max(1/o,In);return er(tr((n-s/(o-1)*(1-a))/a))}function ke(t,e){let r=t.moments.length-
 1,n=Math.min(Math.floor(e),r),o=t.moments[n],s=Qt(t,o);if(n===r||e===n)return s;let a=t.moments[n+1],i=Qt(t,a);return s.map((l,u)=>{let d=rr(t,u,s.length,e-n);return Nn(
 o,a,u,l,i[u],d)})}function nr(t,e,r){let n=t.moments.length-1,o=Math.min(Math.floor(r),n),[s,a]=[t.moments[o],t.moments[Math.min(o+1,n)]],i=rr(t,e,s.alive.length,
-r-o),[[l,u],[d,m]]=[E(s,e),E(a,e)];return[z(u,m,i)+.5,z(l,d,i)+.5]}function Nn(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:z(n.x,o.x,s),y:z(n.y,o.y,s),size:a?n.size:
-z(n.size,o.size,s),alpha:a?tr((1-s)/(1-Ln)):z(n.alpha,o.alpha,s)};if(Ae(t,e,r)){let[l,u]=E(t,r),[d,m]=Ce(t,e,r),p=On*Math.sin(Math.PI*s);i.x+=(m-u)*p,i.y+=(d-l)*
+r-o),[[l,u],[d,m]]=[E(s,e),E(a,e)];return[V(u,m,i)+.5,V(l,d,i)+.5]}function Nn(t,e,r,n,o,s){let a=n.alpha>o.alpha,i={x:V(n.x,o.x,s),y:V(n.y,o.y,s),size:a?n.size:
+V(n.size,o.size,s),alpha:a?tr((1-s)/(1-Ln)):V(n.alpha,o.alpha,s)};if(Ae(t,e,r)){let[l,u]=E(t,r),[d,m]=Ce(t,e,r),p=On*Math.sin(Math.PI*s);i.x+=(m-u)*p,i.y+=(d-l)*
 p}return i}var or=2*Math.PI;function $(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,or)}function Pe(t,e,r,n){let o=n/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,r+i*
 o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[u,d]=s[(l+1)%3];t.arcTo(a,i,u,d,n*.09)}),t.closePath()}function sr(t,e,r,n){
 let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function ar(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let s=n/
 2*(o%2?.6:.95),a=or*o/16;t.lineTo(e+s*Math.sin(a),r-s*Math.cos(a))}t.closePath()}function ir(t,e,r,n,o,s){let a=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
-t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var lr=4,$n=1.6,Un=.95,Hn=5,Fn=.16,Bn=.09,Dn=.2,cr=.75,R=(t,e)=>t.left+e*t.cell,k=(t,e)=>t.top+e*t.cell;function K(t,e,r){return N(e,r)?t.colors.pursuer:t.colors.
-evader}function ur({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,u]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,u),s<Hn)return;t.fillStyle=
-r.line;let d=Math.max(1,Math.round(s/60));for(let m=1;m<i;m++)t.fillRect(n+m*s,o,d,u);for(let m=1;m<a;m++)t.fillRect(n,o+m*s,l,d)}function dr({ctx:t,grid:e,colors:r},n){
-let{left:o,top:s,cell:a,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let d=0;d<i*l;d++){if(!n.obstacles[d])continue;let[m,p]=[Math.floor(d/l),d%l];t.fillRect(o+p*
-a,s+m*a,a,a)}let u=Math.max(2,Math.round(a/18));t.strokeStyle=r.frame,t.lineWidth=u,t.strokeRect(o-u/2,s-u/2,l*a+u,i*a+u)}function mr({ctx:t,grid:e,colors:r},n){
-let{left:o,top:s,cell:a,rows:i,cols:l}=e,u=a<24*n?5:1;t.font=`500 ${Math.round(Math.min(15*n,Math.max(9*n,a*.32)))}px system-ui, sans-serif`,t.fillStyle=r.muted,
-t.textBaseline="alphabetic",t.textAlign="center";let d=5*n+a/40;for(let m=0;m<l;m+=u)t.fillText(String(m),o+(m+.5)*a,s-d);t.textAlign="right",t.textBaseline="mi\
-ddle";for(let m=0;m<i;m+=u)t.fillText(String(m),o-d,s+(m+.5)*a)}function pr(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.floor(e.fov/2)+.5,[l,u]=[Math.max(0,n-i),Math.
-min(a.cols,n+i)],[d,m]=[Math.max(0,o-i),Math.min(a.rows,o+i)],p=[R(a,l),k(a,d),(u-l)*a.cell,(m-d)*a.cell],h=K(t,e,r);s.globalAlpha=.11,s.fillStyle=h,s.fillRect(
-...p),s.globalAlpha=.8,s.strokeStyle=h,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...p),s.globalAlpha=1}function hr(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.min(
-Math.ceil(r),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.max(1,a.cell*Fn);for(let u=Math.max(1,Math.ceil(r-n));u<=i;u++){let[d,m]=[e.moments[u-
-1],e.moments[u]],p=Math.max(0,Math.min(1,(r-u)/n));s.globalAlpha=cr+(Dn-cr)*p;for(let h=0;h<m.alive.length;h++){let g=u===i&&r<i;if(!d.alive[h]||!(l.alive[h]||g))
-continue;let f=(N(e,h)?-1:1)*Bn,[y,w]=E(d,h),[_,v]=E(m,h);if(y===_&&w===v)continue;let x=g?o[h].x:v+.5,C=g?o[h].y:_+.5;s.strokeStyle=K(t,e,h),s.beginPath(),s.moveTo(
-R(a,w+.5+f),k(a,y+.5+f)),s.lineTo(R(a,x+f),k(a,C+f)),s.stroke()}}s.globalAlpha=1}function fr(t,e,r){let n=Math.min(Math.ceil(r),e.moments.length-1);for(let o=Math.
-max(1,n-lr+1);o<=n;o++){let[s,a]=[e.moments[o-1],e.moments[o]],i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/lr,l=Te(e,s,a);for(let u of Re(s,a))l.includes(u)||Gn(t,E(a,u),
-i);for(let u of l)Wn(t,E(a,u),i)}t.ctx.globalAlpha=1}function Wn({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,ar(t,R(e,o+.5),k(e,n+.5),Math.max(8,e.cell*$n)),
-t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}function Gn({ctx:t,grid:e,colors:r},[n,o],s){
-t.globalAlpha=s,sr(t,R(e,o+.5),k(e,n+.5),Math.max(7,e.cell*Un)),t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.cell*.17),t.lineCap="round",t.stroke()}function gr({
-ctx:t,grid:e,colors:r},n,o){let s=Math.max(1,e.cell*.07);t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*
-.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)continue;let l=[R(e,i)+s,k(e,a)+s,e.cell-2*s,e.cell-2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=
-o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function br({ctx:t,grid:e,colors:r},n,o,s,a){t.globalAlpha=a,$(t,R(e,n),k(e,o),Math.max(8,e.cell*s*1.02)),
-t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(s)),t.stroke(),t.globalAlpha=1}var jn=.8,Vn=.92,zn=15,Kn=7,ct=9;function yr(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&Xn(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of ce(e,r).values())a.length>
-ct&&qn(t,n[a[ct-1]],a.length-ct+1)}function Xn(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:u}=t,d=N(e,n),[m,p]=[l.left+o.x*l.cell,l.top+o.y*l.cell],h=Math.max(4,l.cell*
-o.size*(d?Vn:jn)),g=K(t,e,n),f=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(d?Pe:$)(i,m,p,h),h>Kn*a&&(i.strokeStyle=u.paper,i.lineWidth=Math.max(2,
-h*.1),i.stroke()),i.fillStyle=f?u.paper:g,i.fill(),f&&($(i,m,p,h*.82),i.strokeStyle=g,i.lineWidth=h*.18,i.stroke()),!s||h<zn*a)return;let y=String(d?n:n-e.nPursuers);
+t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var lr=4,$n=1.6,Un=.95,Hn=5,Fn=.16,Bn=9,Dn=.09,Wn=.2,cr=.75,R=(t,e)=>t.left+e*t.cell,k=(t,e)=>t.top+e*t.cell;function K(t,e,r){return N(e,r)?t.colors.pursuer:t.
+colors.evader}function ur({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,u]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,u),s<Hn)return;
+t.fillStyle=r.line;let d=Math.max(1,Math.round(s/60));for(let m=1;m<i;m++)t.fillRect(n+m*s,o,d,u);for(let m=1;m<a;m++)t.fillRect(n,o+m*s,l,d)}function dr({ctx:t,
+grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,cols:l}=e;t.fillStyle=r.obstacle;for(let d=0;d<i*l;d++){if(!n.obstacles[d])continue;let[m,p]=[Math.floor(d/l),
+d%l];t.fillRect(o+p*a,s+m*a,a,a)}let u=Math.min(5,Math.max(2,Math.round(a/18)));t.strokeStyle=r.frame,t.lineWidth=u,t.strokeRect(o-u/2,s-u/2,l*a+u,i*a+u)}function mr({
+ctx:t,grid:e,colors:r},n){let{left:o,top:s,cell:a,rows:i,cols:l}=e,u=a<24*n?5:1;t.font=`500 ${Math.round(Math.min(15*n,Math.max(9*n,a*.32)))}px system-ui, sans-\
+serif`,t.fillStyle=r.muted,t.textBaseline="alphabetic",t.textAlign="center";let d=5*n+a/40;for(let m=0;m<l;m+=u)t.fillText(String(m),o+(m+.5)*a,s-d);t.textAlign=
+"right",t.textBaseline="middle";for(let m=0;m<i;m+=u)t.fillText(String(m),o-d,s+(m+.5)*a)}function pr(t,e,r,n,o){let{ctx:s,grid:a}=t,i=Math.floor(e.fov/2)+.5,[l,
+u]=[Math.max(0,n-i),Math.min(a.cols,n+i)],[d,m]=[Math.max(0,o-i),Math.min(a.rows,o+i)],p=[R(a,l),k(a,d),(u-l)*a.cell,(m-d)*a.cell],h=K(t,e,r);s.globalAlpha=.11,
+s.fillStyle=h,s.fillRect(...p),s.globalAlpha=.8,s.strokeStyle=h,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...p),s.globalAlpha=1}function hr(t,e,r,n,o){let{
+ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(Bn,Math.max(1,a.cell*Fn));for(let u=Math.max(1,
+Math.ceil(r-n));u<=i;u++){let[d,m]=[e.moments[u-1],e.moments[u]],p=Math.max(0,Math.min(1,(r-u)/n));s.globalAlpha=cr+(Wn-cr)*p;for(let h=0;h<m.alive.length;h++){
+let g=u===i&&r<i;if(!d.alive[h]||!(l.alive[h]||g))continue;let f=(N(e,h)?-1:1)*Dn,[y,w]=E(d,h),[_,v]=E(m,h);if(y===_&&w===v)continue;let x=g?o[h].x:v+.5,C=g?o[h].
+y:_+.5;s.strokeStyle=K(t,e,h),s.beginPath(),s.moveTo(R(a,w+.5+f),k(a,y+.5+f)),s.lineTo(R(a,x+f),k(a,C+f)),s.stroke()}}s.globalAlpha=1}function fr(t,e,r){let n=Math.
+min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-lr+1);o<=n;o++){let[s,a]=[e.moments[o-1],e.moments[o]],i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/lr,l=Te(e,
+s,a);for(let u of Re(s,a))l.includes(u)||jn(t,E(a,u),i);for(let u of l)Gn(t,E(a,u),i)}t.ctx.globalAlpha=1}function Gn({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=
+s,ar(t,R(e,o+.5),k(e,n+.5),Math.max(8,e.cell*$n)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}
+function jn({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,sr(t,R(e,o+.5),k(e,n+.5),Math.max(7,e.cell*Un)),t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.
+cell*.17),t.lineCap="round",t.stroke()}function gr({ctx:t,grid:e,colors:r},n,o){let s=Math.max(1,e.cell*.07);t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.
+max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)continue;let l=[R(e,i)+s,k(e,a)+s,e.cell-2*s,e.cell-
+2*s];t.globalAlpha=.2*o,t.fillRect(...l),t.globalAlpha=o,t.strokeRect(...l)}t.setLineDash([]),t.globalAlpha=1}function br({ctx:t,grid:e,colors:r},n,o,s,a){t.globalAlpha=
+a,$(t,R(e,n),k(e,o),Math.max(8,e.cell*s*1.02)),t.strokeStyle=r.collision,t.lineWidth=Math.max(1.5,e.cell*.085*Math.sqrt(s)),t.stroke(),t.globalAlpha=1}var zn=.8,Vn=.92,Kn=15,Xn=7,ct=9;function yr(t,e,r,n,o,s){n.forEach((a,i)=>{a.alpha>0&&qn(t,e,r,i,a,o,s)}),t.ctx.globalAlpha=1;for(let a of ce(e,r).values())a.length>
+ct&&Yn(t,n[a[ct-1]],a.length-ct+1)}function qn(t,e,r,n,o,s,a){let{ctx:i,grid:l,colors:u}=t,d=N(e,n),[m,p]=[l.left+o.x*l.cell,l.top+o.y*l.cell],h=Math.max(4,l.cell*
+o.size*(d?Vn:zn)),g=K(t,e,n),f=!d&&!!r.captured[n-e.nPursuers];if(i.globalAlpha=o.alpha,(d?Pe:$)(i,m,p,h),h>Xn*a&&(i.strokeStyle=u.paper,i.lineWidth=Math.max(2,
+h*.1),i.stroke()),i.fillStyle=f?u.paper:g,i.fill(),f&&($(i,m,p,h*.82),i.strokeStyle=g,i.lineWidth=h*.18,i.stroke()),!s||h<Kn*a)return;let y=String(d?n:n-e.nPursuers);
 i.font=`700 ${Math.round(h*(d?.4:.5)*(y.length>1?.8:1))}px system-ui, sans-serif`,i.textAlign="center",i.textBaseline="middle",i.fillStyle=f?g:u.paper,i.fillText(
-y,m,p+h*(d?.17:.03))}function qn({ctx:t,grid:e,colors:r},n,o){let[s,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
+y,m,p+h*(d?.17:.03))}function Yn({ctx:t,grid:e,colors:r},n,o){let[s,a]=[e.left+n.x*e.cell,e.top+n.y*e.cell];t.font=`700 ${Math.round(e.cell*.3)}px system-ui, sa\
 ns-serif`,t.textAlign="center",t.textBaseline="middle",t.strokeStyle=r.paper,t.lineWidth=e.cell*.1,t.strokeText(`+${o}`,s,a),t.fillStyle=r.ink,t.fillText(`+${o}`,
-s,a)}var Yn=.46,Jn=.86,Zn=.6,vr=.4,Qn=.74,eo=.58;function wr(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
-l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let u=0;u<s.alive.length;u++)Ae(o,s,u)&&to(t,e,E(o,u),Ce(o,s,u));a.globalAlpha=
-1}function to({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=m=>R(e,n[1]+.5+s*m),l=m=>k(e,n[0]+.5+a*m),u=ot(r,o)?Qn:eo;t.setLineDash([e.cell*.09,e.cell*
+s,a)}var Jn=.46,Zn=.86,Qn=.66,vr=.48,eo=.78,to=.58;function wr(t,e,r,n){let[o,s]=[e.moments[r-1],e.moments[r]];if(!o)return;let{ctx:a,grid:i,colors:l}=t;a.strokeStyle=
+l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=n;for(let u=0;u<s.alive.length;u++)Ae(o,s,u)&&ro(t,e,E(o,u),Ce(o,s,u));a.globalAlpha=
+1}function ro({ctx:t,grid:e},r,n,o){let[s,a]=[o[1]-n[1],o[0]-n[0]],i=m=>R(e,n[1]+.5+s*m),l=m=>k(e,n[0]+.5+a*m),u=ot(r,o)?eo:to;t.setLineDash([e.cell*.09,e.cell*
 .06]),t.beginPath(),t.moveTo(i(vr),l(vr)),t.lineTo(i(u),l(u)),t.stroke(),t.setLineDash([]);let d=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(u)-a*d,l(u)+
-s*d),t.lineTo(i(u)+a*d,l(u)-s*d),t.stroke()}function xr(t,e,r,n,o,s){let a=nt[s];if(!s||!a)return;let{ctx:i,grid:l,colors:u}=t,d=ot(e,[n[0]+a[0],n[1]+a[1]])?Jn:
-Zn,m=Yn*o.size,p=[R(l,o.x+a[1]*m),k(l,o.y+a[0]*m),R(l,o.x+a[1]*d),k(l,o.y+a[0]*d)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,f]of[[u.paper,
+s*d),t.lineTo(i(u)+a*d,l(u)-s*d),t.stroke()}function xr(t,e,r,n,o,s){let a=nt[s];if(!s||!a)return;let{ctx:i,grid:l,colors:u}=t,d=ot(e,[n[0]+a[0],n[1]+a[1]])?Zn:
+Qn,m=Jn*o.size,p=[R(l,o.x+a[1]*m),k(l,o.y+a[0]*m),R(l,o.x+a[1]*d),k(l,o.y+a[0]*d)],h=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,f]of[[u.paper,
 h*2.1],[K(t,e,r),h]])i.strokeStyle=g,i.lineWidth=f,ir(i,...p,l.cell*.2),i.stroke()}var Mr={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null};function Er(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(Math.ceil(r),e.
 moments.length-1),u=e.moments[l],d=r===l,m=ke(e,r),p=d?1:Math.max(0,1-2*(l-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),ur(t);for(let f of n.viewers)m[f]?.
-alpha&&pr(t,e,f,...nr(e,f,r));dr(t,e),n.axes&&mr(t,o),hr(t,e,r,n.trail,m),gr(t,u.contested??[],p),fr(t,e,r),wr(t,e,l,p);let h=d?u:e.moments[Math.max(0,l-1)];if(yr(
-t,e,h,m,n.numbers,o),m.forEach(({x:f,y,size:w},_)=>{let v=Yt(u,_)?.4:0,x=at(u,_)?1:v;x&&br(t,f,y,w,x*p)}),d&&n.plan)for(let[f,y]of m.entries())y.alpha&&xr(t,e,f,
-E(u,f),y,n.plan[f]??0);s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=n.selected===null?void 0:m[n.selected];g?.alpha&&_r(t,Math.floor(g.y),Math.floor(
-g.x),.02),n.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),_r(t,n.cursor[0],n.cursor[1],.1),s.setLineDash([]))}function _r({ctx:t,grid:e},r,n,o){let[s,a]=[e.left+
-(n+o)*e.cell,e.top+(r+o)*e.cell],i=e.cell*(1-2*o);t.beginPath(),t.roundRect(s,a,i,i,e.cell*.1),t.stroke()}function Sr(t,e,r){let n=.24+(r?.62:0);return(e+n)/(t+n)}function Ar(t,e,r,n,o,s){let a=r?30*s:0,i=(d,m)=>Math.max((d-a)/(m+2*.12),d/(m+2*.12+(r?.62:0))),l=Math.
+alpha&&pr(t,e,f,...nr(e,f,r));dr(t,e),n.axes&&mr(t,o),hr(t,e,r,n.trail,m),gr(t,u.contested??[],p),fr(t,e,r),wr(t,e,l,p),m.forEach(({x:f,y,size:w},_)=>{let v=Yt(
+u,_)?.4:0,x=at(u,_)?1:v;x&&br(t,f,y,w,x*p)});let h=d?u:e.moments[Math.max(0,l-1)];if(yr(t,e,h,m,n.numbers,o),d&&n.plan)for(let[f,y]of m.entries())y.alpha&&xr(t,
+e,f,E(u,f),y,n.plan[f]??0);s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=n.selected===null?void 0:m[n.selected];g?.alpha&&_r(t,g.x,g.y,g.size*.96),n.
+cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),_r(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),s.setLineDash([]))}function _r({ctx:t,grid:e},r,n,o){let s=o*e.cell;t.beginPath(),
+t.roundRect(e.left+r*e.cell-s/2,e.top+n*e.cell-s/2,s,s,s*.1),t.stroke()}function Sr(t,e,r){let n=.24+(r?.62:0);return(e+n)/(t+n)}function Ar(t,e,r,n,o,s){let a=r?30*s:0,i=(d,m)=>Math.max((d-a)/(m+2*.12),d/(m+2*.12+(r?.62:0))),l=Math.
 max(1,Math.floor(Math.min(i(n,e),i(o,t)))),u=r?Math.min(.62*l,a):0;return{rows:t,cols:e,cell:l,left:Math.round((n-e*l+u)/2),top:Math.round((o-t*l+u)/2)}}function Cr(t,e,r){
-let n=Math.floor((r-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return n>=0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var ro={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
-evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Oe(t){let e=getComputedStyle(t),r=Object.entries(ro).map(([n,o])=>[n,e.getPropertyValue(
+let n=Math.floor((r-t.top)/t.cell),o=Math.floor((e-t.left)/t.cell);return n>=0&&n<t.rows&&o>=0&&o<t.cols?[n,o]:null}var no={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
+evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Oe(t){let e=getComputedStyle(t),r=Object.entries(no).map(([n,o])=>[n,e.getPropertyValue(
 o).trim()]);return Object.fromEntries(r)}var q=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,X=class{canvas;#e=null;#n=0;#s;#a={rows:1,cols:1,left:0,top:0,cell:1};#r=0;#t;#o;constructor(e,r={}){
 this.canvas=e,e.classList.add("board"),e.setAttribute("role","img"),this.#s={...Mr,...r},this.#t=new ResizeObserver(()=>this.#u()),this.#t.observe(e),this.#o=new MutationObserver(
 ()=>this.redraw()),this.#o.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
@@ -192,28 +192,28 @@ this.#e,o).get(n[0]*this.#e.cols+n[1])??[],a=ke(this.#e,Math.round(this.#n)),i=l
 s.reduce((l,u)=>i(u)<i(l)?u:l):null}pointOf(e,r){let n=this.canvas.getBoundingClientRect(),o=n.width/this.canvas.width,{left:s,top:a,cell:i}=this.#a;return[n.left+
 (s+e*i)*o,n.top+(a+r*i)*o]}#c(){if(!this.#e)return;let{rows:e,cols:r}=this.#e;this.canvas.style.setProperty("--board-aspect",String(Sr(e,r,this.#s.axes)))}#u(){
 let e=devicePixelRatio||1,{width:r,height:n}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(r*e)),this.canvas.height=Math.max(1,Math.
-round(n*e)),this.drawNow()}};var oo={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2};function so(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:oo[t.rules.interaction],
-obstacles:e,moments:r}}function Ie(t){let e=Array.from({length:t.length+1},(r,n)=>ao(t,n));return so(t.config,t.map,e)}function ao(t,e){let r=t.n_agents,n=t.config.n_evaders,o=(a,i,l)=>a.
+round(n*e)),this.drawNow()}};var so={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2};function ao(t,e,r){return{rows:t.rows,cols:t.cols,nPursuers:t.n_pursuers,fov:t.fov,interaction:so[t.rules.interaction],
+obstacles:e,moments:r}}function Ie(t){let e=Array.from({length:t.length+1},(r,n)=>io(t,n));return ao(t.config,t.map,e)}function io(t,e){let r=t.n_agents,n=t.config.n_evaders,o=(a,i,l)=>a.
 subarray(i*l,(i+1)*l),s={positions:o(t.last_positions,e,2*r),alive:o(t.alive,e,r),captured:o(t.captured,e,n),everCaptured:o(t.ever_captured,e,n)};return e===0?s:
-{...s,actions:o(t.actions,e-1,r),involved:o(t.involved,e-1,3*r),fault:o(t.fault,e-1,3*r),get contested(){return t.conflicts(e).map(a=>a.cell)}}}var io={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
+{...s,actions:o(t.actions,e-1,r),involved:o(t.involved,e-1,3*r),fault:o(t.fault,e-1,3*r),get contested(){return t.conflicts(e).map(a=>a.cell)}}}var lo={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
 l10 7-10 7z"};function Tr(t){let e=document.createElementNS("http://www.w3.org/2000/svg","svg");e.setAttribute("viewBox","0 0 24 24"),e.setAttribute("aria-hidde\
-n","true"),e.classList.add("icon");let r=document.createElementNS("http://www.w3.org/2000/svg","path");return r.setAttribute("d",io[t]),e.append(r),e}function ue(t,e,r,n){
+n","true"),e.classList.add("icon");let r=document.createElementNS("http://www.w3.org/2000/svg","path");return r.setAttribute("d",lo[t]),e.append(r),e}function ue(t,e,r,n){
 let o=document.createElement("button");return o.type="button",o.className="player-button",o.append(Tr(t)),o.ariaLabel=e,o.title=`${e} (${r})`,o.addEventListener(
 "click",n),o}function Le(t){let e=document.createElement("div");e.className="player",e.role="group",e.ariaLabel="Player";let r=ue("play","Play","Space",()=>t.toggle()),
-n=lo(t),o=co(t),s=document.createElement("output");s.className="player-count",e.append(ue("first","First step","Home",()=>t.move(-t.length)),ue("back","Step bac\
+n=co(t),o=uo(t),s=document.createElement("output");s.className="player-count",e.append(ue("first","First step","Home",()=>t.move(-t.length)),ue("back","Step bac\
 k","←",()=>t.move(-1)),r,ue("forward","Step forward","→",()=>t.move(1)),ue("last","Last step","End",()=>t.move(t.length)),n,s,o);let a=()=>{r.replaceChildren(
 Tr(t.playing?"pause":"play")),r.ariaLabel=t.playing?"Pause":"Play",r.title=`${r.ariaLabel} (Space)`,n.max=String(t.length),n.value=String(t.step),n.ariaValueText=
 `step ${t.step} of ${t.length}`,s.textContent=`${t.step} / ${t.length}`,s.style.minWidth=`${2*String(t.length).length+3}ch`,o.value=String(t.speed)};return t.addEventListener(
-"step",a),t.addEventListener("state",a),e.addEventListener("keydown",i=>{!(i.target instanceof HTMLSelectElement||i.key===" "&&i.target!==n)&&V(t,i)&&i.preventDefault()}),
-a(),e}function lo(t){let e=document.createElement("input");return e.type="range",e.className="player-scrub",e.min="0",e.step="1",e.ariaLabel="Step",e.addEventListener(
-"input",()=>{t.pause(),t.jump(Number(e.value))}),e}function co(t){let e=document.createElement("select");return e.className="player-speed",e.ariaLabel="Speed",e.
+"step",a),t.addEventListener("state",a),e.addEventListener("keydown",i=>{!(i.target instanceof HTMLSelectElement||i.key===" "&&i.target!==n)&&z(t,i)&&i.preventDefault()}),
+a(),e}function co(t){let e=document.createElement("input");return e.type="range",e.className="player-scrub",e.min="0",e.step="1",e.ariaLabel="Step",e.addEventListener(
+"input",()=>{t.pause(),t.jump(Number(e.value))}),e}function uo(t){let e=document.createElement("select");return e.className="player-speed",e.ariaLabel="Speed",e.
 title="Steps a second (+ and -)",e.append(...ae.map(r=>new Option(`${r} / s`,String(r)))),e.addEventListener("change",()=>{t.speed=Number(e.value)}),e}var S=(t,e=2)=>t==null?"-":t.toFixed(e),ut=(t,e=1)=>t==null?"-":`${(100*t).toFixed(e)} %`;function Ne(t,e,r,n=2){return e===null||r===null?t.toFixed(n):`${t.toFixed(
 n)} (${e.toFixed(n)} to ${r.toFixed(n)})`}var Rr=t=>t.toLocaleString("en-GB");function de(t,e,r,n=!1){let o=(e-t)/Math.max(1,r),s=10**Math.floor(Math.log10(o||1)),
 a=[1,2,5,10].map(u=>u*s).find(u=>u>=o)??10*s;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(t/a-1e-9),l=Math.floor(e/a+1e-9);return Array.from({length:Math.max(
 0,l-i+1)},(u,d)=>(i+d)*a)}function Y(t,e,{pursuer:r,evader:n,episode:o,seed:s}){let a=e.seeds[r][n];return t.match(e.world,se(e,"pursuer",r),se(e,"evader",n),BigInt(s??a),o)}var kr=40,me=new Map,pe=({run:t,pursuer:e,evader:r},n)=>`${t} ${e} ${r} ${n}`,$e=class{element;#e;#n;#s=c("div",{class:"episodes",role:"group","aria-label":"Epi\
 sodes of this cell"});#a=c("p",{class:"check small numbers","aria-live":"polite"});#r=0;constructor(e,r){[this.#e,this.#n]=[e,r],this.element=c("div",{class:"st\
-rip-of-episodes"},this.#s,this.#a)}show(e,r,n){let{selected:o}=this.#e;o.seed===null&&me.set(pe(o,o.episode),Pr(n)),this.#o(r),mo(this.#r),this.#t(e,r)}#t(e,r){
-let{selected:n}=this.#e,s=ne(r,n.pursuer,n.evader)?.rates.findIndex((a,i)=>!me.has(pe(n,i)))??-1;s<0||s>=kr||(this.#r=uo(()=>{this.#n.playing||(me.set(pe(n,s),Pr(
+rip-of-episodes"},this.#s,this.#a)}show(e,r,n){let{selected:o}=this.#e;o.seed===null&&me.set(pe(o,o.episode),Pr(n)),this.#o(r),po(this.#r),this.#t(e,r)}#t(e,r){
+let{selected:n}=this.#e,s=ne(r,n.pursuer,n.evader)?.rates.findIndex((a,i)=>!me.has(pe(n,i)))??-1;s<0||s>=kr||(this.#r=mo(()=>{this.#n.playing||(me.set(pe(n,s),Pr(
 Y(e,r,{...n,episode:s,seed:null}))),this.#o(r)),this.#t(e,r)}))}#o(e){let{selected:r}=this.#e,n=ne(e,r.pursuer,r.evader);if(!n){this.#s.replaceChildren(),this.#a.
 textContent="The evaluation played no episodes of this pair.";return}let o=Math.min(kr,n.rates.length);this.#s.replaceChildren(...n.rates.slice(0,o).map((u,d)=>this.#c(
 u,d)));let s=n.rates.slice(0,o).map((u,d)=>me.get(pe(r,d))),a=s.filter(u=>u!==void 0),i=s.flatMap((u,d)=>u&&(Math.abs(u.rate-n.rates[d])>1e-6||u.length!==n.lengths[d])?
@@ -222,9 +222,9 @@ u,d)));let s=n.rates.slice(0,o).map((u,d)=>me.get(pe(r,d))),a=s.filter(u=>u!==vo
 ll ${a.length} episodes, mean capture rate ${S(l,3)}. The cell says ${S(n.rate,3)}.`}#c(e,r){let{selected:n}=this.#e,o=c("span",{class:"bar"});return o.style.height=
 `${Math.round(100*e)}%`,c("button",{type:"button",class:"episode",title:`Episode ${r+1}: capture rate ${S(e)}`,"aria-label":`Episode ${r+1}, capture rate ${S(e)}`,
 "aria-pressed":String(r===n.episode&&n.seed===null),"data-played":me.has(pe(n,r)),onclick:()=>this.#e.select({episode:r,seed:null})},o,c("span",{class:"count"},
-r+1))}},Pr=t=>({rate:t.statistics.capture_rate,length:t.length}),uo=t=>"requestIdleCallback"in window?requestIdleCallback(t,{timeout:1e3}):setTimeout(t,100),mo=t=>"\
-cancelIdleCallback"in window?cancelIdleCallback(t):clearTimeout(t);var he=(t,e)=>t<e?`pursuer_${t}`:`evader_${t-e}`,dt=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var Or=0,Ir=1,po=2,ho=176;function Nr(t,e,r,n){let o=devicePixelRatio||1,s=Oe(t);t.width=t.height=ho*o;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
-i;a.fillStyle=s.paper,a.fillRect(0,0,t.width,t.height);for(let d=0;r&&d<i*i;d++){let[m,p]=[(d%i+.5)*l,(Math.floor(d/i)+.5)*l],h=f=>!!r[f*i*i+d];h(po)&&(a.fillStyle=
+r+1))}},Pr=t=>({rate:t.statistics.capture_rate,length:t.length}),mo=t=>"requestIdleCallback"in window?requestIdleCallback(t,{timeout:1e3}):setTimeout(t,100),po=t=>"\
+cancelIdleCallback"in window?cancelIdleCallback(t):clearTimeout(t);var he=(t,e)=>t<e?`pursuer_${t}`:`evader_${t-e}`,dt=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var Or=0,Ir=1,ho=2,fo=176;function Nr(t,e,r,n){let o=devicePixelRatio||1,s=Oe(t);t.width=t.height=fo*o;let a=t.getContext("2d");if(!a)return;let{fov:i}=e,l=t.width/
+i;a.fillStyle=s.paper,a.fillRect(0,0,t.width,t.height);for(let d=0;r&&d<i*i;d++){let[m,p]=[(d%i+.5)*l,(Math.floor(d/i)+.5)*l],h=f=>!!r[f*i*i+d];h(ho)&&(a.fillStyle=
 s.obstacle,a.fillRect(m-l/2,p-l/2,l,l));let g=h(Or)&&h(Ir)?l*.18:0;h(Or)&&Lr(a,$,m+g,p+g,l*.74,s.evader),h(Ir)&&Lr(a,Pe,m-g,p-g,l*.86,s.pursuer)}a.strokeStyle=n<
 e.n_pursuers?s.pursuer:s.evader,a.lineWidth=2*o;let u=Math.floor(i/2)*l;a.strokeRect(u,u,l,l)}function Lr(t,e,r,n,o,s){e(t,r,n,o),t.fillStyle=s,t.fill()}var Ue=class{element;#e;#n=c("canvas",{class:"seen",role:"img"});#s=c("h3");#a=c("p",{class:"small muted"});#r=c("div",{class:"answers"});#t=null;#o=null;#c=null;#u=null;#i=null;#d=0;constructor(e){
 this.#e=e,this.element=c("div",{class:"inspector","data-open":"false"},c("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and what its \
@@ -235,15 +235,15 @@ element.dataset.open=String(e!==null),this.#e(e),this.at(this.#d)}next(e){let r=
 !n||!o||!s||a===null)return;let i=a<r.config.n_pursuers?"pursuer":"evader";this.#s.replaceChildren(c("span",{class:i},he(a,r.config.n_pursuers)));let l=!!r.alive[e*
 r.n_agents+a];r.seek(n,e),Nr(this.#n,r.config,l?n.view(a):null,a),this.#n.ariaLabel=`Field of view of ${he(a,r.config.n_pursuers)}: evaders, pursuers and obstac\
 les around it`;let u=e<r.length?r.actions[e*r.n_agents+a]:null;if(!l)return this.#l([],"It is gone.");let d=se(o,i,s[i]);if(typeof d=="string")return this.#l([],
-`The script "${d}" plays for it${u===null?"":`; it goes ${dt[u]}`}.`);let{probabilities:m}=n.answer(d,a),p=Array.from(m,(g,f)=>fo(dt[f],g,f===u)),h=d.sampled?"I\
+`The script "${d}" plays for it${u===null?"":`; it goes ${dt[u]}`}.`);let{probabilities:m}=n.answer(d,a),p=Array.from(m,(g,f)=>go(dt[f],g,f===u)),h=d.sampled?"I\
 ts action is drawn from these probabilities.":"It takes the most probable action.";this.#l(p,u===null?"The episode is over.":h)}#l(e,r){this.#r.replaceChildren(
-...e),this.#a.textContent=r}};function fo(t,e,r){let n=c("span",{class:"filled"});return n.style.width=`${100*e}%`,c("div",{class:r?"action taken":"action"},c("\
-span",{},t),c("span",{class:"track"},n),c("span",{class:"numbers"},e.toFixed(2)))}function $r(t,e,r){if(r===0)return[{kind:"start",text:go(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=d=>he(d,t.config.n_pursuers),a=Te(e,n,o),i=t.conflicts(
+...e),this.#a.textContent=r}};function go(t,e,r){let n=c("span",{class:"filled"});return n.style.width=`${100*e}%`,c("div",{class:r?"action taken":"action"},c("\
+span",{},t),c("span",{class:"track"},n),c("span",{class:"numbers"},e.toFixed(2)))}function $r(t,e,r){if(r===0)return[{kind:"start",text:bo(t),agents:[]}];let[n,o]=[e.moments[r-1],e.moments[r]],s=d=>he(d,t.config.n_pursuers),a=Te(e,n,o),i=t.conflicts(
 r),l=new Set(i.flatMap(d=>d.doomed)),u=a.map(d=>({kind:"capture",text:`${s(d)} is captured`,agents:[d]}));for(let d of Re(n,o))!a.includes(d)&&!l.has(d)&&u.push(
 {kind:"end",text:`${s(d)} disappears`,agents:[d]});return u.push(...i.map(({kind:d,text:m,agents:p})=>({kind:d,text:m,agents:p}))),r===t.length&&u.unshift({kind:"\
-end",text:bo(t),agents:[]}),u}function go({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
- steps`}function bo(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
- evaders captured`}var yo=60,He=class{element;player=new j(0,{speed:8,still:q()});inspector;#e;#n;#s;#a;#r=c("h2",{class:"match-title"});#t=c("p",{class:"tally numbers"});#o=c("ol",
+end",text:yo(t),agents:[]}),u}function bo({config:t}){return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps}\
+ steps`}function yo(t){let e=Math.round(t.statistics.capture_rate*t.config.n_evaders);return`The episode ends after ${t.length} steps with ${e} of ${t.config.n_evaders}\
+ evaders captured`}var vo=60,He=class{element;player=new j(0,{speed:8,still:q()});inspector;#e;#n;#s;#a;#r=c("h2",{class:"match-title"});#t=c("p",{class:"tally numbers"});#o=c("ol",
 {class:"words","aria-live":"off","aria-label":"What happened in this step"});#c=c("p",{class:"problem",role:"alert"});#u=null;#i=null;#d=null;#l=0;#p=!1;constructor(e,r){
 [this.#n,this.#s]=[e,r];let n=c("canvas",{"aria-label":"The match"});this.#e=new X(n,{numbers:!1}),this.#a=new $e(r,this.player),this.inspector=new Ue(o=>this.#x(
 o)),n.addEventListener("click",o=>this.inspector.choose(this.#e.agentAt(o.clientX,o.clientY))),this.element=c("section",{class:"card match-card","aria-label":"M\
@@ -251,7 +251,7 @@ atch",id:"match"},c("div",{class:"match"},c("header",{class:"match-head"},this.#
 inspector.element),Le(this.player),this.#a.element)),this.player.addEventListener("frame",()=>this.#d&&this.#e.show(this.#d,this.player.time)),this.player.addEventListener(
 "step",()=>this.#b()),r.on("match",()=>this.#h()),this.#g(),this.#v(0,0)}get#m(){return this.#n[this.#s.selected.run]}get match(){return this.#i}start(e){this.#u=
 e,this.#f()}playSoon(){this.#p=!0,this.#l||this.#y()}#y(){!this.#p||!this.#i||(this.#p=!1,this.player.jump(0),q()||this.player.play())}#h(){this.#g(),clearTimeout(
-this.#l),this.#l=setTimeout(()=>this.#f(),yo)}#f(){clearTimeout(this.#l),this.#l=0,this.player.pause(),this.#g();let{selected:e}=this.#s,r=["pursuer","evader"].
+this.#l),this.#l=setTimeout(()=>this.#f(),vo)}#f(){clearTimeout(this.#l),this.#l=0,this.player.pause(),this.#g();let{selected:e}=this.#s,r=["pursuer","evader"].
 find(n=>!oe(this.#m,n,e[n]));this.#c.textContent=r?`The page holds no genome of ${r}s ${e[r]}: it would be too large. Choose a generation of ${this.#m.teams[r].
 kept.join(", ")}.`:"",!(r||!this.#u)&&(this.#i=Y(this.#u,this.#m,e),this.#d=Ie(this.#i),this.#a.show(this.#u,this.#m,this.#i),this.inspector.show(this.#u,this.#m,
 this.#i,e),this.player.length=this.#i.length,this.player.jump(0),this.#b(),this.element.dataset.played=`${e.run} ${e.pursuer} ${e.evader} ${e.episode} ${e.seed??
@@ -261,16 +261,16 @@ t ",c("span",{class:"evader"},i("evader",r)),c("span",{class:"muted small"},l))}
 this.#v(Array.from(n.everCaptured).filter(Boolean).length,r),this.#o.replaceChildren(...$r(e,this.#d,r).map(o=>c("li",{class:o.kind,"data-agents":o.agents.join(
 " ")},o.text))),this.inspector.at(r),this.#w()}#v(e,r){this.#t.replaceChildren(c("strong",{},e),` of ${this.#m.world.n_evaders} captured`,c("span",{class:"muted"},
 ` · step ${r}`))}#x(e){this.#e.look={selected:e,viewers:e===null?[]:[e]},this.#w()}#w(){let e=this.inspector.agent;for(let r of this.#o.children){let n=r.dataset.
-agents?.split(" ")??[];r.classList.toggle("about",e!==null&&n.includes(String(e)))}}};var T={left:52,bottom:46,top:76,right:84},O=10,vo=160,Fe=T.right-O-14,fe=T.top-O-14,Be=class{element;#e;#n;#s=c("canvas",{"aria-hidden":"true"});#a=b("svg",{"ar\
+agents?.split(" ")??[];r.classList.toggle("about",e!==null&&n.includes(String(e)))}}};var T={left:52,bottom:46,top:76,right:84},O=10,wo=160,Fe=T.right-O-14,fe=T.top-O-14,Be=class{element;#e;#n;#s=c("canvas",{"aria-hidden":"true"});#a=b("svg",{"ar\
 ia-hidden":"true"});#r=b("g");#t;#o=c("h2");#c=c("strong",{class:"rate numbers"});#u=c("span",{class:"small muted"});#i=c("p",{class:"small muted numbers"});#d=null;constructor(e,r){
 [this.#n,this.#e]=[e,r],this.#t=c("div",{class:"matrix",id:"matrix",tabindex:0,role:"application","aria-label":"Payoff matrix. Arrow keys choose a match, Enter \
 plays it."},this.#s,this.#a);let n=c("header",{class:"readout","aria-live":"polite"},c("div",{},this.#o,this.#i),c("div",{class:"of-cell"},this.#c,this.#u));this.
-element=c("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#t,wo()),this.#f(),new ResizeObserver(()=>this.#p()).observe(this.#t),this.#t.
+element=c("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#t,xo()),this.#f(),new ResizeObserver(()=>this.#p()).observe(this.#t),this.#t.
 addEventListener("pointermove",o=>this.#v(o)),this.#t.addEventListener("pointerleave",()=>r.point({})),this.#t.addEventListener("click",o=>this.#x(o)),this.#t.addEventListener(
 "mousedown",o=>o.preventDefault()),this.#t.addEventListener("keydown",o=>this.#w(o)),r.on("run",()=>this.#p()),r.on("match",()=>this.#h()),r.on("hover",()=>this.#h())}get#l(){
-return this.#n[this.#e.selected.run]}#p(){let[e,r]=this.#l.payoff.shape,{clientWidth:n,clientHeight:o}=this.#t;if(n<50)return;let a=Math.max(vo,Math.min(n-T.left-
+return this.#n[this.#e.selected.run]}#p(){let[e,r]=this.#l.payoff.shape,{clientWidth:n,clientHeight:o}=this.#t;if(n<50)return;let a=Math.max(wo,Math.min(n-T.left-
 T.right,o-T.top-T.bottom))/Math.max(e,r),i=Math.max(T.left,(n-r*a-T.right+T.left)/2),l={width:n,height:o,left:i,top:T.top,cell:a,rows:e,columns:r};this.#d=l,Se(
-this.#s,this.#l.payoff,{left:i,top:T.top,width:r*a,height:e*a}),this.#a.setAttribute("viewBox",`0 0 ${n} ${o}`),this.#a.replaceChildren(xo(l),_o(l),...this.#y(l),
+this.#s,this.#l.payoff,{left:i,top:T.top,width:r*a,height:e*a}),this.#a.setAttribute("viewBox",`0 0 ${n} ${o}`),this.#a.replaceChildren(_o(l),Mo(l),...this.#y(l),
 this.#r),this.#h()}#m(e){let r=this.#l.findings?.generalization;if(!r)return[];let{selected:n,hover:o}=this.#e,[s,a]=[o.pursuer??n.pursuer,o.evader??n.evader],[
 i,l]=Hr(e,r.pursuers.mean[s]??0,s),[u,d]=Fr(e,r.evaders.mean[a]??0,a);return[b("circle",{class:"dot of-pursuers",cx:i,cy:l,r:5}),b("circle",{class:"dot of-evade\
 rs",cx:u,cy:d,r:5})]}#y(e){let r=this.#l.findings?.generalization;if(!r)return[];let{left:n,top:o,cell:s,rows:a,columns:i}=e,[l,u]=[n+i*s+O,o-O],d={class:"side"};
@@ -291,24 +291,24 @@ clientX-n.left-r.left)/r.cell),s=r.rows-1-Math.floor((e.clientY-n.top-r.top)/r.c
 i}:null}#v(e){let r=this.#b(e);this.#e.point(r?{pursuer:r.g<0?null:r.g,evader:r.h<0?null:r.h}:{})}#x(e){let r=this.#b(e);r&&(this.#e.select({...r.g<0?{}:{pursuer:r.
 g},...r.h<0?{}:{evader:r.h}}),r.inside&&this.#t.dispatchEvent(new CustomEvent("play",{bubbles:!0})))}#w(e){let n={ArrowUp:[1,0],ArrowDown:[-1,0],ArrowRight:[0,1],
 ArrowLeft:[0,-1]}[e.key];if(e.key==="Enter")this.#t.dispatchEvent(new CustomEvent("play",{bubbles:!0}));else if(n){let o=e.shiftKey?5:1,[s,a]=this.#l.payoff.shape,
-{pursuer:i,evader:l}=this.#e.selected;this.#e.select({pursuer:Ur(i+o*n[0],s),evader:Ur(l+o*n[1],a)})}else return;e.preventDefault(),e.stopPropagation()}};function wo(){
-let t=c("span",{class:"gradient"});return t.style.backgroundImage=zt(),c("p",{class:"scale-of-rates small muted"},"0 all escape",t,"1 all caught")}var Ur=(t,e)=>Math.
-min(e-1,Math.max(0,t));function xo({left:t,top:e,cell:r,rows:n,columns:o}){let s=b("g",{class:"axes"}),a=e+n*r,i=l=>de(0,l-1,Math.min(l,l*r/44),!0);for(let l of i(
+{pursuer:i,evader:l}=this.#e.selected;this.#e.select({pursuer:Ur(i+o*n[0],s),evader:Ur(l+o*n[1],a)})}else return;e.preventDefault(),e.stopPropagation()}};function xo(){
+let t=c("span",{class:"gradient"});return t.style.backgroundImage=Vt(),c("p",{class:"scale-of-rates small muted"},"0 all escape",t,"1 all caught")}var Ur=(t,e)=>Math.
+min(e-1,Math.max(0,t));function _o({left:t,top:e,cell:r,rows:n,columns:o}){let s=b("g",{class:"axes"}),a=e+n*r,i=l=>de(0,l-1,Math.min(l,l*r/44),!0);for(let l of i(
 o))s.append(b("text",{class:"tick",x:t+(l+.5)*r,y:a+16,"text-anchor":"middle"},l));for(let l of i(n))s.append(b("text",{class:"tick",x:t-7,y:a-(l+.5)*r,"text-an\
 chor":"end","dominant-baseline":"middle"},l));return s.append(b("text",{class:"label of-evaders",x:t+o*r/2,y:a+36,"text-anchor":"middle"},"evader generation"),b(
-"text",{class:"label of-pursuers",transform:`translate(${t-36} ${e+n*r/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generation")),s}function _o({left:t,top:e,
+"text",{class:"label of-pursuers",transform:`translate(${t-36} ${e+n*r/2}) rotate(-90)`,"text-anchor":"middle"},"pursuer generation")),s}function Mo({left:t,top:e,
 cell:r,rows:n,columns:o}){let s=b("g",{class:"diagonal"}),a=Math.min(n,o);if(a<3)return s;let i=e+n*r;for(let l of["H","V"]){let u=`M${t} ${i}`;for(let d=1;d<=a;d++){
 let[m,p]=[`H${t+d*r}`,`V${i-d*r}`];u+=l==="H"?m+p:p+m}s.append(b("path",{d:u,class:"under"}),b("path",{d:u}))}return s}var Hr=({left:t,top:e,cell:r,rows:n,columns:o},s,a)=>[
 t+o*r+O+s*Fe,e+(n-a-.5)*r],Fr=({left:t,top:e,cell:r},n,o)=>[t+(o+.5)*r,e-O-n*fe];function Br(t,e,r){let n=s=>s.map((a,i)=>e(a??0,i).map(l=>l.toFixed(1)).join(" ")),
 o=[];return t.low&&t.high&&o.push(b("path",{class:`band ${r}`,d:`M${[...n(t.high),...n(t.low).reverse()].join("L")}Z`})),o.push(b("path",{class:`line ${r}`,d:`M${n(
-t.mean).join("L")}`})),o}function Dr(t,e,r){let{findings:n}=t;if(!n)return null;let o=c("dialog",{class:"four","aria-label":"Four matches"}),s=i=>{let l=r();l&&Eo(o,t,i,e,l)},a=n.checkerboards.
-map(i=>Mo(t,i,s));return{element:A("Checkerboards","Two generations of each team: each pursuers are better against one of the evaders. Click one: its four match\
+t.mean).join("L")}`})),o}function Dr(t,e,r){let{findings:n}=t;if(!n)return null;let o=c("dialog",{class:"four","aria-label":"Four matches"}),s=i=>{let l=r();l&&So(o,t,i,e,l)},a=n.checkerboards.
+map(i=>Eo(t,i,s));return{element:A("Checkerboards","Two generations of each team: each pursuers are better against one of the evaders. Click one: its four match\
 es side by side.",a.length?c("div",{class:"boards"},...a):c("p",{},`No four cells differ by more than ${n.margin} in this way.`),a.length?c("p",{class:"small mu\
 ted"},"The strongest of all pairs, so noise makes them look stronger than they are. The diagnosis says whether there are more than noise makes."):null,o)}}var Wr=({
-pursuers:[t,e],evaders:[r,n]})=>[[t,r],[t,n],[e,r],[e,n]];function Mo(t,e,r){let[n,o]=e.pursuers,[s,a]=e.evaders,i=Wr(e).map(([l,u])=>{let d=t.payoff.capture_rate[l][u],
-m=c("span",{class:d>.55?"cell light":"cell"},S(d));return m.style.backgroundColor=Vt(d),m});return c("button",{type:"button",class:"miniature numbers",onclick:()=>r(
+pursuers:[t,e],evaders:[r,n]})=>[[t,r],[t,n],[e,r],[e,n]];function Eo(t,e,r){let[n,o]=e.pursuers,[s,a]=e.evaders,i=Wr(e).map(([l,u])=>{let d=t.payoff.capture_rate[l][u],
+m=c("span",{class:d>.55?"cell light":"cell"},S(d));return m.style.backgroundColor=zt(d),m});return c("button",{type:"button",class:"miniature numbers",onclick:()=>r(
 e),"aria-label":`Pursuers ${n} and ${o}, evaders ${s} and ${a}: four matches`},c("span",{}),c("span",{class:"evader"},s),c("span",{class:"evader"},a),c("span",{
-class:"pursuer"},n),i[0],i[1],c("span",{class:"pursuer"},o),i[2],i[3])}function Eo(t,e,r,n,o){let s=Wr(r).filter(([p,h])=>oe(e,"pursuer",p)&&oe(e,"evader",h)),a=s.
+class:"pursuer"},n),i[0],i[1],c("span",{class:"pursuer"},o),i[2],i[3])}function So(t,e,r,n,o){let s=Wr(r).filter(([p,h])=>oe(e,"pursuer",p)&&oe(e,"evader",h)),a=s.
 map(([p,h])=>Y(o,e,{run:n.selected.run,pursuer:p,evader:h,episode:0,seed:null})),i=new j(Math.max(0,...a.map(p=>p.length)),{speed:16,still:q()}),l=a.map((p,h)=>{
 let[g,f]=s[h],y=c("canvas",{"aria-label":`Pursuers ${g} against evaders ${f}`}),w=c("span",{class:"numbers"}),_=()=>{t.close(),n.select({pursuer:g,evader:f})};return{
 element:c("figure",{},c("figcaption",{},c("span",{},c("span",{class:"pursuer"},g)," against ",c("span",{class:"evader"},f),c("span",{class:"muted small"},` cell\
@@ -317,11 +317,11 @@ y,{numbers:!1}),tally:w}}),u=()=>l.forEach(p=>p.board.show(p.recording,i.time)),
 h.length)];g.textContent=`${Array.from(f.everCaptured).filter(Boolean).length} of ${h.config.n_evaders}`});i.addEventListener("frame",u),i.addEventListener("ste\
 p",d),t.replaceChildren(c("header",{},c("h2",{},"Four matches of a checkerboard"),c("button",{type:"button",onclick:()=>t.close()},"Close")),c("div",{class:"gri\
 d-of-four"},...l.map(p=>p.element)),Le(i));let m=p=>{!(p.target instanceof HTMLSelectElement||p.target instanceof HTMLButtonElement&&p.key===" ")&&!p.defaultPrevented&&
-V(i,p)&&p.preventDefault()};t.addEventListener("keydown",m),t.addEventListener("close",()=>{t.removeEventListener("keydown",m),i.pause(),l.forEach(p=>p.board.close()),
+z(i,p)&&p.preventDefault()};t.addEventListener("keydown",m),t.addEventListener("close",()=>{t.removeEventListener("keydown",m),i.pause(),l.forEach(p=>p.board.close()),
 t.replaceChildren()},{once:!0}),t.showModal(),u(),d(),q()||i.play()}var De={pursuer:"evader",evader:"pursuer"};function Gr(t,e){let r=t.findings?.ciao;if(!r)return null;let n=["pursuer","evader"].map(o=>{let{fading:s,stripes:a,period:i}=r[`${o}\
-s`],l=`fading ${S(s)}, stripes ${S(a)}${i===null?"":` every ${i} generations`}`;return So(t,o,l,e)});return{element:A("CIAO","Current individuals against ancest\
+s`],l=`fading ${S(s)}, stripes ${S(a)}${i===null?"":` every ${i} generations`}`;return Ao(t,o,l,e)});return{element:A("CIAO","Current individuals against ancest\
 ral opponents, by the team's own score. Stripes that come back: cycling. Darker away from the diagonal: forgetting.",c("div",{class:"triangles"},...n.map(o=>o.element))),
-update:()=>n.forEach(o=>o.update())}}function So(t,e,r,n){let o=e==="pursuer"?0:1,[s,a]=[t.payoff.shape[o],t.payoff.shape[1-o]],i=(v,x)=>e==="pursuer"?t.payoff.
+update:()=>n.forEach(o=>o.update())}}function Ao(t,e,r,n){let o=e==="pursuer"?0:1,[s,a]=[t.payoff.shape[o],t.payoff.shape[1-o]],i=(v,x)=>e==="pursuer"?t.payoff.
 capture_rate[v][x]:1-t.payoff.capture_rate[x][v],l=c("canvas",{width:a,height:s,role:"img","aria-label":`CIAO of the ${e}s: ${r}`}),u=l.getContext("2d"),d=u?.createImageData(
 a,s);for(let v=0;d&&v<s;v++)for(let x=0;x<=Math.min(v,a-1);x++)d.data.set([...le(i(v,x)),255],4*((s-1-v)*a+x));d&&u?.putImageData(d,0,0);let m=b("rect",{class:"\
 chosen",width:1,height:1}),p=b("rect",{class:"chosen under",width:1,height:1}),h=b("svg",{viewBox:`0 0 ${a} ${s}`,preserveAspectRatio:"none","aria-hidden":"true"},
@@ -333,25 +333,25 @@ x=n.hover[De[e]]??n.selected[De[e]];for(let C of[m,p])C.setAttribute("x",String(
 n`),c("p",{class:"small numbers"},r)),update:w}}var We={left:46,right:12,top:10,bottom:42},jr={x:56,y:34};function Ge(t,e,r,n){let[o,s]=[We.left,We.top],a=Math.max(o+40,t-We.right),i=Math.max(s+40,e-We.bottom),
 l=(f,y,w)=>_=>y+(_-f.low)/(f.high-f.low||1)*(w-y),[u,d]=[l(r,o,a),l(n,i,s)],m=b("g"),p=b("svg",{width:t,height:e,viewBox:`0 0 ${t} ${e}`,class:"plot"}),h=b("g",
 {class:"axes"});for(let f of de(n.low,n.high,(i-s)/jr.y,n.whole))h.append(b("line",{x1:o,x2:a,y1:d(f),y2:d(f),class:"grid"}),b("text",{x:o-8,y:d(f),"text-anchor":"\
-end","dominant-baseline":"middle"},Vr(f)));for(let f of de(r.low,r.high,(a-o)/jr.x,r.whole))h.append(b("text",{x:u(f),y:i+16,"text-anchor":"middle"},Vr(f)));return h.
+end","dominant-baseline":"middle"},zr(f)));for(let f of de(r.low,r.high,(a-o)/jr.x,r.whole))h.append(b("text",{x:u(f),y:i+16,"text-anchor":"middle"},zr(f)));return h.
 append(b("line",{x1:o,x2:a,y1:i,y2:i,class:"axis"}),b("text",{x:(o+a)/2,y:e-6,"text-anchor":"middle",class:"label"},r.label),b("text",{transform:`translate(12 ${(s+
 i)/2}) rotate(-90)`,"text-anchor":"middle",class:"label"},n.label)),p.append(h,m),{root:p,marks:m,left:o,right:a,top:s,bottom:i,x:u,y:d,at:f=>{let y=f-p.getBoundingClientRect().
-left;return r.low+(y-o)/(a-o)*(r.high-r.low)}}}var Vr=t=>String(Number(t.toPrecision(6))).replace("-","−");function ge(t,e,r,n){let o="",s="M";r.forEach((i,l)=>{
+left;return r.low+(y-o)/(a-o)*(r.high-r.low)}}}var zr=t=>String(Number(t.toPrecision(6))).replace("-","−");function ge(t,e,r,n){let o="",s="M";r.forEach((i,l)=>{
 i===null?s="M":(o+=`${s}${t.x(e[l]).toFixed(1)} ${t.y(i).toFixed(1)}`,s="L")});let a=b("path",{d:o,class:`line ${n}`});return t.root.insertBefore(a,t.marks),a}function be(t,e,r,n=null){let o=t.x(e);t.marks.append(b("line",{x1:o,x2:o,y1:t.top,y2:t.bottom,class:`mark ${r}`})),n!==null&&t.marks.append(b("circle",{cx:o,cy:t.
 y(n),r:5,class:`dot ${r}`}))}function mt(...t){return c("p",{class:"legend small"},...t.map(([e,r])=>c("span",{class:`key ${r}`},e)))}function je(t,e,r={}){let n=c(
 "div",{class:"chart",role:"img","aria-label":t}),o=null,s=()=>{o?.marks.replaceChildren(),o&&r.marks?.(o)},a=()=>{let{clientWidth:i,clientHeight:l}=n;i<50||l<50||
 (o=e(i,l),n.replaceChildren(o.root),s())};return n.addEventListener("pointermove",i=>r.point?.(o?.at(i.clientX)??null)),n.addEventListener("pointerleave",()=>r.
 point?.(null)),r.choose&&(n.classList.add("chooses"),n.addEventListener("click",i=>o&&r.choose?.(o.at(i.clientX),o,i))),new ResizeObserver(a).observe(n),{element:n,
-redraw:a,remark:s}}var pt=["of-pursuers","of-evaders","of-both"],zr={low:0,high:1,label:"capture rate"};function Kr(t,e){let{training:r}=t,{capture_rate:n,generation:o,learner:s,epochs:a}=r,
-i=n.map((h,g)=>(g+1)*a),l=Ao(n,r.window),u=i.at(-1)??1,d=(h,g)=>{let f=o.flatMap((y,w)=>y===h&&(s[w]===g||s[w]===2)?[w]:[]);return f.length?[i[f[0]],i[f.at(-1)]]:
-null},m=je(`Capture rate in ${u} epochs of training`,(h,g)=>{let f=Ge(h,g,{low:0,high:u,label:"epoch",whole:!0},zr);for(let[y,w]of[["raw",n],["",l]])for(let[_,v]of pt.
+redraw:a,remark:s}}var pt=["of-pursuers","of-evaders","of-both"],Vr={low:0,high:1,label:"capture rate"};function Kr(t,e){let{training:r}=t,{capture_rate:n,generation:o,learner:s,epochs:a}=r,
+i=n.map((h,g)=>(g+1)*a),l=Co(n,r.window),u=i.at(-1)??1,d=(h,g)=>{let f=o.flatMap((y,w)=>y===h&&(s[w]===g||s[w]===2)?[w]:[]);return f.length?[i[f[0]],i[f.at(-1)]]:
+null},m=je(`Capture rate in ${u} epochs of training`,(h,g)=>{let f=Ge(h,g,{low:0,high:u,label:"epoch",whole:!0},Vr);for(let[y,w]of[["raw",n],["",l]])for(let[_,v]of pt.
 entries()){let x=w.map((C,F)=>s[F]===_||s[F+1]===_?C:null);x.some(C=>C!==null)&&ge(f,i,x,`${v} ${y}`)}return f},{marks:h=>{let{pursuer:g,evader:f}=e.selected;for(let[
 y,w]of[[0,g],[1,f]]){let _=d(e.hover[y?"evader":"pursuer"]??w,y);_&&be(h,(_[0]+_[1])/2,pt[y])}},choose:h=>{let g=Math.min(i.length-1,Math.max(0,Math.round(h/a)-
 1)),f=o[g];s[g]!==1&&e.select({pursuer:Math.min(f,t.payoff.shape[0]-1)}),s[g]!==0&&e.select({evader:Math.min(f,t.payoff.shape[1]-1)})}}),p=[...new Set(s)].sort().
 map(h=>[["pursuers learn","evaders learn","both teams learn"][h],pt[h]]);return{element:A("Training",`${Rr(r.matches)} training matches. Lines: the generations \
 that are selected.`,mt(...p),m.element),update:m.remark}}function Xr(t,e){let r=t.findings?.lags;if(!r)return null;let[n,o]=[r.lags[0],r.lags.at(-1)],s=Math.min(
 5,(Math.max(...r.cells)+1)/2),a=r.means.map((l,u)=>r.cells[u]>=s?l:null),i=je("Lag profile",(l,u)=>{let d=Ge(l,u,{low:n,high:o,label:"lag: pursuer minus evader \
-generation",whole:!0},zr);return ge(d,r.lags,r.means,"raw ink"),ge(d,r.lags,a,"ink"),d},{marks:l=>{let{pursuer:u,evader:d}=e.selected;be(l,0,"zero");let m=e.hover.
+generation",whole:!0},Vr);return ge(d,r.lags,r.means,"raw ink"),ge(d,r.lags,a,"ink"),d},{marks:l=>{let{pursuer:u,evader:d}=e.selected;be(l,0,"zero");let m=e.hover.
 lag??u-d;be(l,m,"ink",r.means[m-n])},point:l=>{let u=l===null?null:Math.round(l);e.point({lag:u!==null&&u>=n&&u<=o?u:null})}});return{element:A("Lag profile","L\
 eft: evaders are later. Right: pursuers are later. It rises if both teams keep what they learn. Faint: fewer than 5 cells.",i.element),update:i.remark}}function qr(t,e){
 let r=t.findings?.ratings;if(!r)return null;let n={pursuer:r.pursuers,evader:r.evaders},o=[...r.pursuers,...r.evaders].map(d=>d??0),[s,a]=[Math.min(...o),Math.max(
@@ -360,31 +360,31 @@ high:a+i,label:"Elo points"});for(let h of["pursuer","evader"])ge(p,n[h].map((g,
 hover[m]??e.selected[m];be(d,p,`of-${m}s`,n[m][p]??null)}},choose:(d,m,p)=>{let h=Math.round(d),g=p.clientY-m.root.getBoundingClientRect().top,f=w=>Math.abs(m.y(
 n[w][h]??1/0)-g),y=f("pursuer")<=f("evader")?"pursuer":"evader";h>=0&&h<n[y].length&&e.select({[y]:h})}});return{element:A("Ratings",`One number for each genera\
 tion, which cycles do not fit. The game itself: ${S(r.offset,0)} points for the pursuers.`,mt(["pursuers","of-pursuers"],["evaders","of-evaders"]),u.element),update:u.
-remark}}function Ao(t,e){let r=[0];for(let n of t)r.push(r.at(-1)+n);return t.map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(
-e/2)+1)];return(r[a]-r[s])/(a-s)})}var Co={present:"●",absent:"○","cannot tell":"?"};function Yr(t){let{findings:e}=t;if(!e)return null;let[,...r]=e.table,n=new Map(e.reasons.map(a=>{let[i,,l]=To(
+remark}}function Co(t,e){let r=[0];for(let n of t)r.push(r.at(-1)+n);return t.map((n,o)=>{let[s,a]=[Math.max(0,o-Math.floor((e-1)/2)),Math.min(t.length,o+Math.floor(
+e/2)+1)];return(r[a]-r[s])/(a-s)})}var To={present:"●",absent:"○","cannot tell":"?"};function Yr(t){let{findings:e}=t;if(!e)return null;let[,...r]=e.table,n=new Map(e.reasons.map(a=>{let[i,,l]=Ro(
 a);return[i,l]})),o=r.map(([a,i,l,u])=>{let d=u===e.window?n.get(a):void 0;return c("li",{class:`finding ${i.replace(" ","-")}`},c("span",{class:"sign","aria-hi\
-dden":"true"},Co[i]??""),c("div",{},c("p",{},c("strong",{},a),` ${i}`,c("span",{class:"muted"},` · ${u}`)),d?c("p",{class:"small"},`${d}.`):null,c("p",{class:"\
+dden":"true"},To[i]??""),c("div",{},c("p",{},c("strong",{},a),` ${i}`,c("span",{class:"muted"},` · ${u}`)),d?c("p",{class:"small"},`${d}.`):null,c("p",{class:"\
 small muted numbers"},l)))}),s=A("What happened","Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",c("p",
 {class:"headline"},e.headline),c("ul",{class:"findings"},...o),t.limits?c("p",{class:"small"},t.limits):null,c("details",{class:"small"},c("summary",{},"Headlin\
-e numbers in words"),...e.description.map(a=>c("p",{},a)),ko(e)));return s.classList.add("diagnosis"),{element:s}}function To(t){let[e="",r=""]=t.split(/: (.*)/s),
-[n="",o=""]=r.split(/, because (.*)/s);return[e.toLowerCase(),n,Ro(o.replace(/\.$/,""))]}var Ro=t=>t.charAt(0).toUpperCase()+t.slice(1);function ko({noise:t}){return t.
+e numbers in words"),...e.description.map(a=>c("p",{},a)),Po(e)));return s.classList.add("diagnosis"),{element:s}}function Ro(t){let[e="",r=""]=t.split(/: (.*)/s),
+[n="",o=""]=r.split(/, because (.*)/s);return[e.toLowerCase(),n,ko(o.replace(/\.$/,""))]}var ko=t=>t.charAt(0).toUpperCase()+t.slice(1);function Po({noise:t}){return t.
 transitive_share_noise===null?null:c("p",{},`Last half: transitive share ${S(t.transitive_share)} (an order of strength with the same noise rarely falls below ${S(
 t.transitive_share_noise)}), checkerboards ${ut(t.checkerboard_share)} (it rarely exceeds ${ut(t.checkerboard_share_noise)}).`)}function Jr(t){let e=[t.held_out?.pursuers,t.held_out?.evaders].filter(r=>r!=null);return e.length?{element:A("Held-out opponents",`The last generations against\
- opponents that no run has met; 95 % intervals over ${e[0].episodes} episodes.`,...e.map(Po))}:null}function Po(t){let e=n=>n.at(-1),r=[["mean",e(t.mean)],...Object.
+ opponents that no run has met; 95 % intervals over ${e[0].episodes} episodes.`,...e.map(Oo))}:null}function Oo(t){let e=n=>n.at(-1),r=[["mean",e(t.mean)],...Object.
 entries(t.against).map(([n,o])=>[n,e(o)])];return c("table",{class:"scores numbers"},c("caption",{},c("span",{class:t.team},`${t.team}s`),` of generation ${t.generations.
-at(-1)}, ${t.score}`),...r.map(([n,o],s)=>c("tr",{class:s?"":"mean"},c("th",{scope:"row"},n),c("td",{class:"range"},Oo(o,t.team)),c("td",{},Ne(o.value,o.low,o.high)))))}
-function Oo({value:t,low:e,high:r},n){let o=c("span",{class:`between ${n}`});o.style.left=`${100*(e??t)}%`,o.style.width=`${100*((r??t)-(e??t))}%`;let s=c("span",
+at(-1)}, ${t.score}`),...r.map(([n,o],s)=>c("tr",{class:s?"":"mean"},c("th",{scope:"row"},n),c("td",{class:"range"},Io(o,t.team)),c("td",{},Ne(o.value,o.low,o.high)))))}
+function Io({value:t,low:e,high:r},n){let o=c("span",{class:`between ${n}`});o.style.left=`${100*(e??t)}%`,o.style.width=`${100*((r??t)-(e??t))}%`;let s=c("span",
 {class:`value ${n}`});return s.style.left=`${100*t}%`,c("span",{class:"scale","aria-hidden":"true"},o,s)}function Qr(t){let e=t.settings.filter(o=>o.changed),r=t.settings.filter(o=>!o.changed),n=A("Settings",`${t.schedule}, seed ${t.seed}. Every setting is an optio\
 n of matrixworld evolve.`,e.length?Zr(e,"other than the default"):c("p",{class:"small"},"All settings are the defaults."),c("details",{class:"small"},c("summary",
 {},`${r.length} settings with their defaults`),Zr(r,"defaults")));return n.classList.add("settings"),{element:n}}function Zr(t,e){return c("div",{class:"wide-ta\
 ble"},c("table",{class:"small"},c("caption",{class:"heard"},`Settings: ${e}`),...t.map(({name:r,value:n,help:o})=>c("tr",{},c("th",{scope:"row"},`--${r.replaceAll(
 "_","-")}`),c("td",{class:"numbers"},n),c("td",{class:"muted"},o)))))}function A(t,e,...r){return c("section",{class:"card panel","aria-label":t},c("header",{},c("h2",{},t),c("p",{class:"small muted"},e)),...r)}function en(t,e,r){
-let n=new Map,o=c("div",{class:"panels"}),s=[],a=()=>s.forEach(l=>l.update?.()),i=()=>{let l=t[e.selected.run];s=n.get(l)??Io(l,e,r),n.set(l,s),o.replaceChildren(
-...s.map(u=>u.element)),a()};return e.on("run",i),e.on("match",a),e.on("hover",a),i(),o}function Io(t,e,r){return[Yr(t),Kr(t,e),Dr(t,e,r),Xr(t,e),qr(t,e),Gr(t,e),
-Jr(t),Qr(t)].filter(o=>o!==null)}var tn={pursuer:null,evader:null,lag:null},Ve=class extends EventTarget{#e;#n=tn;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#n}select(e){
+let n=new Map,o=c("div",{class:"panels"}),s=[],a=()=>s.forEach(l=>l.update?.()),i=()=>{let l=t[e.selected.run];s=n.get(l)??Lo(l,e,r),n.set(l,s),o.replaceChildren(
+...s.map(u=>u.element)),a()};return e.on("run",i),e.on("match",a),e.on("hover",a),i(),o}function Lo(t,e,r){return[Yr(t),Kr(t,e),Dr(t,e,r),Xr(t,e),qr(t,e),Gr(t,e),
+Jr(t),Qr(t)].filter(o=>o!==null)}var tn={pursuer:null,evader:null,lag:null},ze=class extends EventTarget{#e;#n=tn;constructor(e){super(),this.#e=e}get selected(){return this.#e}get hover(){return this.#n}select(e){
 let r=this.#e,n=["run","pursuer","evader"].some(o=>o in e&&e[o]!==r[o]);this.#e={...r,...n?{episode:0,seed:null}:{},...e},this.#e.run!==r.run&&this.dispatchEvent(
 new Event("run")),this.dispatchEvent(new Event("match"))}point(e){let r={...tn,...e};r.pursuer===this.#n.pursuer&&r.evader===this.#n.evader&&r.lag===this.#n.lag||
-(this.#n=r,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var ye=Gt(),{runs:U}=ye,[Lo,No]=U[0].payoff.shape,J=new Ve({run:0,pursuer:Lo-1,evader:No-1,episode:0,seed:null}),H=new He(U,J),rn=new Be(U,J),ht=Xt(),nn=null;document.
+(this.#n=r,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var ye=Gt(),{runs:U}=ye,[No,$o]=U[0].payoff.shape,J=new ze({run:0,pursuer:No-1,evader:$o-1,episode:0,seed:null}),H=new He(U,J),rn=new Be(U,J),ht=Xt(),nn=null;document.
 getElementById("page").replaceWith(c("header",{class:"top"},c("h1",{},ye.title),c("p",{class:"muted small about"},`matrixworld ${ye.version}`),c("div",{class:"t\
 ools"},Dt(),c("button",{type:"button",title:"Keys (?)","aria-label":"Keys",onclick:()=>ht.showModal()},"?"))),...ye.note?[c("p",{class:"note small muted"},ye.note)]:
 [],Kt(U,J),c("main",{class:"stages"},rn.element,H.element),en(U,J,()=>nn),ht);Object.assign(window,{matrixworldExplorer:{get match(){return H.match},get step(){
