@@ -80,9 +80,10 @@ export class MatrixPanel {
     const side = Math.max(LEAST_SIDE, Math.min(width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom));
     const cell = side / Math.max(rows, columns);
     const left = Math.max(MARGIN.left, (width - columns * cell - MARGIN.right + MARGIN.left) / 2);
-    const places = { width, height, left, top: MARGIN.top, cell, rows, columns };
+    const top = MARGIN.top + Math.max(0, (height - MARGIN.top - MARGIN.bottom - rows * cell) / 2);
+    const places = { width, height, left, top, cell, rows, columns };
     this.#places = places;
-    drawCells(this.#canvas, this.#run.payoff, { left, top: MARGIN.top, width: columns * cell, height: rows * cell });
+    drawCells(this.#canvas, this.#run.payoff, { left, top, width: columns * cell, height: rows * cell });
     this.#overlay.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.#overlay.replaceChildren(axes(places), diagonal(places), ...this.#curves(places), this.#marks);
     this.#mark();
@@ -130,8 +131,8 @@ export class MatrixPanel {
     const { left, top, cell, rows, columns } = places;
     const y = (g: number): number => top + (rows - 1 - g) * cell;
     const marks: SVGElement[] = [];
-    const across = (g: number, style: string) => svg("rect", { class: style, x: left, y: y(g), width: columns * cell + GAP + MARGIN.right - 24, height: cell });
-    const down = (h: number, style: string) => svg("rect", { class: style, x: left + h * cell, y: 14, width: cell, height: top - 14 + rows * cell });
+    const across = (g: number, style: string) => svg("rect", { class: style, x: left, y: y(g), width: columns * cell + GAP + WIDE, height: cell });
+    const down = (h: number, style: string) => svg("rect", { class: style, x: left + h * cell, y: top - GAP - HIGH, width: cell, height: GAP + HIGH + rows * cell });
     marks.push(across(selected.pursuer, "strip pursuer"), down(selected.evader, "strip evader"));
     if (hover.pursuer !== null && hover.pursuer < rows) marks.push(across(hover.pursuer, "strip hover"));
     if (hover.evader !== null && hover.evader < columns) marks.push(down(hover.evader, "strip hover"));

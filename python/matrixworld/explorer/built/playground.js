@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 5f8ff5b7aabb9e16078b9774d8316c8b4b861ed0a864cdb487b250e23e31bf46 */
+/* built from web/ by "npm run build"; sources 5b9560f2768b7d2454eb82eeb174f4c1980b33e0dbd90e6e6943a597548fe1ad */
 "use strict";(()=>{var ct={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},J={DISAPPEAR:0,REACH:1,BOUNCE:2},dt={OCCUPATION:0,SURROUND:1},ut={FAULT:0,INVOLVED:1};var pt=["obstacle","teammate","adversary"],Le=["vertex","edge","chain"],mt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ie=["p\
 ursuer_{number}","evader_{number}"],ht={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Z={"both held":"both bounce","both doomed":"\
