@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 5b9560f2768b7d2454eb82eeb174f4c1980b33e0dbd90e6e6943a597548fe1ad */
+/* built from web/ by "npm run build"; sources f7dd6701580d969de04e7f3db6c800286f2b406415737f540c065aa31a905052 */
 "use strict";(()=>{var ct={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},J={DISAPPEAR:0,REACH:1,BOUNCE:2},dt={OCCUPATION:0,SURROUND:1},ut={FAULT:0,INVOLVED:1};var pt=["obstacle","teammate","adversary"],Le=["vertex","edge","chain"],mt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ie=["p\
 ursuer_{number}","evader_{number}"],ht={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Z={"both held":"both bounce","both doomed":"\
