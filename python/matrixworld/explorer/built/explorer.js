@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 18aa387b2d90c8ff47ef7d9a4d7d5f3e3cee253c9b90b49f30326e95fddfe083 */
+/* built from web/ by "npm run build"; sources 8f865b5e524208fe04af241e96025d510691405e208064afcfaaca6d35df1fff */
 "use strict";(()=>{var pt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},q={DISAPPEAR:0,REACH:1,BOUNCE:2},ht={OCCUPATION:0,SURROUND:1},ft={FAULT:0,INVOLVED:1};var gt=["obstacle","teammate","adversary"],ze=["vertex","edge","chain"],bt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ve=["p\
 ursuer_{number}","evader_{number}"],yt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},Y={"both held":"both bounce","both doomed":"\
