@@ -4,8 +4,9 @@
     python web/build_engine.py --check    compile, and compare with the file that the package keeps
 
 Needs emscripten 3.1.6 (Debian 12: ``apt-get install emscripten node-acorn``) and Eigen's headers
-(``pip install cmeel-eigen==3.4.1``). Equal sources give equal bytes, so the kept file can be compared.
-Its first line holds a digest of the sources: a test finds a stale file where emscripten is missing.
+(``pip install cmeel-eigen==3.4.1``). Equal sources give equal bytes, so the kept file can be
+compared. Its first line holds a digest of the sources: a test finds a stale file where emscripten
+is missing.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ ROOT = Path(__file__).resolve().parents[1]
 BUILT = ROOT / "python/matrixworld/explorer/built/engine.js"
 OBJECTS = ROOT / "build/web_engine"
 VERSION = "3.1.6"  # another one makes other bytes
+UNUSED = {"bindings", "tests"}  # rooms of cpp/
 
 # As CMakeLists.txt: products are fused with sums where the code says so and nowhere else.
 COMPILE = [
@@ -47,9 +49,6 @@ def sources() -> list[Path]:
     """Return all files that the built engine is made of, sorted by path."""
     engine = [path for path in (ROOT / "cpp").rglob("*.?pp") if path.parent.name not in UNUSED]
     return sorted([*engine, *(ROOT / "web/engine").glob("*.?pp"), Path(__file__).resolve()])
-
-
-UNUSED = {"bindings", "tests"}
 
 
 def digest() -> str:

@@ -39,7 +39,7 @@ OUTCOMES = {
 """How a conflict ended; the texts of single agents are joined by commas."""
 
 SENTENCE = "{event}: {outcome}"
-"""A conflict in words. The explorer's page fills the same templates (`web/src/engine/tables.ts`)."""
+"""A conflict in words. Pages fill the same templates (`web/src/engine/tables.ts`)."""
 
 
 @dataclass(frozen=True)

@@ -41,9 +41,16 @@ bool succeeds(Call call) {
 
 // The numbers of a conflict in the order of Python's CONFLICT_COLUMNS.
 std::array<int, 10> numbers_of(const Conflict& c, const Grid& grid) {
-    return {c.turn,           static_cast<int>(c.kind), static_cast<int>(c.form), c.first,
-            c.second,         grid.row(c.cell),         grid.col(c.cell),         int{c.at_fault},
-            int{c.held},      int{c.doomed}};
+    return {c.turn,
+            static_cast<int>(c.kind),
+            static_cast<int>(c.form),
+            c.first,
+            c.second,
+            grid.row(c.cell),
+            grid.col(c.cell),
+            int{c.at_fault},
+            int{c.held},
+            int{c.doomed}};
 }
 
 void append_conflicts(const PlayedWorld& played, int step, std::vector<int>& table) {
@@ -146,8 +153,8 @@ void add_statistics(const std::vector<EpisodeStatistics>& episodes, const Config
     for (const StatisticField& statistic : statistic_fields()) {
         const OutputField& field = statistic.field;
         const std::size_t n_items = field.n_items(config);
-        std::uint8_t* out = outputs.add("statistics." + field.name, field.dtype,
-                                        episodes.size() * n_items);
+        std::uint8_t* out =
+            outputs.add("statistics." + field.name, field.dtype, episodes.size() * n_items);
         for (const EpisodeStatistics& episode : episodes) {
             source.statistics = &episode;
             field.write(source, out);
@@ -245,10 +252,9 @@ EMSCRIPTEN_KEEPALIVE bool world_snapshot(PlayedWorld* played) {
     return succeeds([&] {
         const Snapshot snapshot = played->snapshot();
         add_value("turn", played->turn());
-        for_each_field(snapshot, played->config(),
-                       [](const SnapshotField& field, const auto& value) {
-                           add_value(field.name, value);
-                       });
+        for_each_field(
+            snapshot, played->config(),
+            [](const SnapshotField& field, const auto& value) { add_value(field.name, value); });
     });
 }
 

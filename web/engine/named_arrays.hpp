@@ -53,8 +53,8 @@ class Inputs {
         if (!array) return {};
         if (array->dtype != static_cast<int>(dtype_of<T>())) {
             throw std::invalid_argument(std::string(name) + ": expected dtype " +
-                                        std::to_string(static_cast<int>(dtype_of<T>())) +
-                                        ", got " + std::to_string(array->dtype));
+                                        std::to_string(static_cast<int>(dtype_of<T>())) + ", got " +
+                                        std::to_string(array->dtype));
         }
         // One entry after the other: the elements of a std::vector<bool> have no addresses.
         const auto* data = static_cast<const T*>(array->data);

@@ -132,8 +132,8 @@ class PlayedWorld {
     std::vector<std::uint8_t> commit(const std::vector<int>& actions, int first, int last) const {
         const auto n_agents = static_cast<std::size_t>(setup_->config.n_agents());
         if (actions.size() != n_agents) {
-            throw std::invalid_argument("actions: expected " + std::to_string(n_agents) +
-                                        ", got " + std::to_string(actions.size()));
+            throw std::invalid_argument("actions: expected " + std::to_string(n_agents) + ", got " +
+                                        std::to_string(actions.size()));
         }
         std::vector<std::uint8_t> committed(n_agents, 0);
         commit_actions(world_, 0, first, last, actions.data(), committed.data());

@@ -88,7 +88,8 @@ struct Player {
             throw std::invalid_argument("script: expected the name of a script, got '" +
                                         in.text("script") + "'");
         }
-        const auto activation = in.text("activation") == "tanh" ? Activation::Tanh : Activation::Relu;
+        const auto activation =
+            in.text("activation") == "tanh" ? Activation::Tanh : Activation::Relu;
         candidates.network.emplace(config.fov, in.list<int>("hidden"), config.n_actions(),
                                    activation, in.number<bool>("sampled"));
         genome = in.list<float>("genome");
