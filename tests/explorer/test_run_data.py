@@ -80,9 +80,7 @@ def test_genomes_are_exact(race: SavedRun) -> None:
             population = race.teams[team]
             assert not isinstance(population, str)
             raw = np.frombuffer(archives.blobs[f"genomes-{number}-{team}"], "<f4")
-            np.testing.assert_array_equal(
-                raw.reshape(population.genomes.shape), population.genomes
-            )
+            np.testing.assert_array_equal(raw.reshape(population.genomes.shape), population.genomes)
             assert teams[team]["kept"] == [0, 1, 2]
 
 

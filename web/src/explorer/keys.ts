@@ -63,7 +63,7 @@ export function listenToKeys(runs: readonly Run[], store: Store, match: MatchPan
   document.addEventListener("keydown", (event) => {
     const field = event.target instanceof HTMLSelectElement || event.target instanceof HTMLInputElement;
     const pressed = event.target instanceof HTMLButtonElement && (event.key === " " || event.key === "Enter");
-    if (help.open || field || pressed || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (document.querySelector("dialog[open]") || field || pressed || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     const action = actions[event.key] ?? actions[event.key.toLowerCase()];
     const number = Number(event.key) - 1;
     if (playerKey(match.player, event) || action) action?.();

@@ -34,6 +34,14 @@ document.getElementById("page")!.replaceWith(
   panels(runs, store, () => engine),
   help,
 );
+// For the browser's console, and for tests.
+Object.assign(window, {
+  matrixworldExplorer: {
+    get match() { return match.match; },
+    get step() { return match.player.step; },
+    get shape() { return runs[store.selected.run]!.payoff.shape; },
+  },
+});
 matrix.element.addEventListener("play", () => match.playSoon());
 listenToKeys(runs, store, match, help);
 

@@ -47,15 +47,17 @@ export class MatchPanel {
       "section", { class: "card match-card", "aria-label": "Match", id: "match" },
       html("div", { class: "match" },
         html("header", { class: "match-head" }, this.#title, this.#tally),
-        html("div", { class: "stage" }, canvas),
-        playerBar(this.player),
-        this.#strip.element,
         this.#problem,
-        html("div", { class: "aside" }, this.#words, this.inspector.element)),
+        html("div", { class: "stage" }, canvas),
+        html("div", { class: "aside" }, this.#words, this.inspector.element),
+        playerBar(this.player),
+        this.#strip.element),
     );
     this.player.addEventListener("frame", () => this.#recording && this.#board.show(this.#recording, this.player.time));
     this.player.addEventListener("step", () => this.#tell());
     store.on("match", () => this.#rest());
+    this.#entitle();
+    this.#count(0, 0);
   }
 
   get #run(): Run {
@@ -134,13 +136,16 @@ export class MatchPanel {
     if (!match || !this.#recording) return;
     const step = this.player.step;
     const moment = this.#recording.moments[step]!;
-    const evaders = match.config.n_evaders;
-    const captured = Array.from(moment.everCaptured).filter(Boolean).length;
-    this.#tally.replaceChildren(html("strong", {}, captured), ` of ${evaders} captured`, html("span", { class: "muted" }, ` · step ${step}`));
+    this.#count(Array.from(moment.everCaptured).filter(Boolean).length, step);
     this.#words.replaceChildren(...wordsOf(match, this.#recording, step).map((word) =>
       html("li", { class: word.kind, "data-agents": word.agents.join(" ") }, word.text)));
     this.inspector.at(step);
     this.#mark();
+  }
+
+  #count(captured: number, step: number): void {
+    this.#tally.replaceChildren(
+      html("strong", {}, captured), ` of ${this.#run.world.n_evaders} captured`, html("span", { class: "muted" }, ` · step ${step}`));
   }
 
   #look(agent: number | null): void {
