@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 5b9560f2768b7d2454eb82eeb174f4c1980b33e0dbd90e6e6943a597548fe1ad */
+/* built from web/ by "npm run build"; sources b0d4c8a713045713e4c0a7a2c0242871886000f0062780f7e2e271402fcdb0f7 */
 "use strict";(()=>{var gt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Q={DISAPPEAR:0,REACH:1,BOUNCE:2},bt={OCCUPATION:0,SURROUND:1},yt={FAULT:0,INVOLVED:1};var vt=["obstacle","teammate","adversary"],Ve=["vertex","edge","chain"],wt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ke=["p\
 ursuer_{number}","evader_{number}"],xt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ee={"both held":"both bounce","both doomed":"\
