@@ -52,16 +52,17 @@ class Example:
     compare: str | None = None
 
     @property
+    def commands(self) -> list[int | str]:
+        """What each agent does next."""
+        letters = sorted(letter for letter in self.drawing if letter.isalpha())
+        moves = {move[0]: move[1:] for move in self.moves.split()}
+        return [_command(moves.get(letter, "")) for letter in letters]
+
+    @property
     def scene(self) -> str:
         """The scene as it stands in a link."""
         world = drawn_world(self.rules, self.drawing)
-        letters = sorted(letter for letter in self.drawing if letter.isalpha())
-        commands = dict.fromkeys(letters, "")
-        for move in self.moves.split():
-            commands[move[0]] = move[1:]
-        return scene_link(
-            world, [_command(text) for text in commands.values()], compare=self.compare
-        )
+        return scene_link(world, self.commands, compare=self.compare)
 
 
 def _command(text: str) -> int | str:

@@ -22,7 +22,7 @@ next        what the agents do next, likewise
 
 >>> import matrixworld as mw
 >>> world = mw.World("SB", rows=2, cols=4, n_pursuers=2, n_evaders=1)
->>> world.reset(pursuers=[[0, 0], [0, 2]], evaders=[[1, 3]])
+>>> world.reset(0, pursuers=[[0, 0], [0, 2]], evaders=[[1, 3]])
 >>> scene_link(world, [mw.Action.EAST, mw.Action.WEST, "fleer"])
 'rules=SB&size=2x4&pursuers=0.0_0.2&evaders=1.3&next=24d'
 """

@@ -110,7 +110,9 @@ def _inline(text: str, forbidden: tuple[str, ...]) -> Markup:
         raise ValueError(f"built file: expected no {found[0]!r}, which would end its element")
     from markupsafe import Markup
 
-    return Markup(text)  # not escaped: browsers read scripts and style sheets as they are
+    # The first line names the sources of all pages: a page changes only with its own.
+    content = text.partition("\n")[2]
+    return Markup(content)  # not escaped: browsers read scripts and style sheets as they are
 
 
 def without_engine(page: str) -> str:

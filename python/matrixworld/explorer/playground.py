@@ -3,7 +3,7 @@
 >>> import matrixworld as mw
 >>> from matrixworld.explorer import Playground
 >>> world = mw.World("SB", rows=3, cols=5, n_pursuers=2, n_evaders=1)
->>> world.reset(pursuers=[[0, 0], [0, 2]], evaders=[[2, 4]])
+>>> world.reset(0, pursuers=[[0, 0], [0, 2]], evaders=[[2, 4]])
 >>> Playground(world, ["hunter", mw.Action.WEST, "fleer"]).url()
 'playground.html#rules=SB&size=3x5&pursuers=0.0_0.2&evaders=2.4&next=f4d'
 """

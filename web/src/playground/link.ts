@@ -84,9 +84,9 @@ export function sceneOf(text: string, data: PageData): Scene {
   if (text.length > LONGEST) refuse("link", `at most ${LONGEST} characters`, `${text.length} characters`);
   const parts = partsOf(text);
   const read = (part: (typeof PARTS)[number], missing = ""): string => parts.get(part) ?? missing;
+  const rules = readRules("rules", read("rules"), data);
   const [rows, cols] = readSize(read("size"));
   const cells = (part: "pursuers" | "evaders"): Start[] => list(read(part)).map((each) => readStart(part, each, rows, cols));
-  const rules = readRules("rules", read("rules"), data);
   const [seed, episode, steps] = readSeed(read("seed", "0.0.0"));
   const start = {
     rules,

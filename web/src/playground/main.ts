@@ -3,30 +3,40 @@
 import "./playground.css";
 
 import { EngineError, loadEngine } from "../engine/engine.ts";
+import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
 import { changeTheme, themeButton } from "../page/theme.ts";
 import { actKey, arena } from "./arena.ts";
 import { agentsPanel } from "./agents_panel.ts";
 import { pageData } from "./data.ts";
-import type { PageData } from "./data.ts";
+import type { Example, PageData } from "./data.ts";
 import { keysDialog, shareDialog } from "./dialogs.ts";
 import { gallery } from "./gallery.ts";
 import { LinkError, linkOf, sceneOf } from "./link.ts";
 import { rulesPanel } from "./rules_panel.ts";
-import type { Scene } from "./scene.ts";
 import { Store } from "./store.ts";
 import { story } from "./story.ts";
 import { addAgent, removeChosen, toolbar, undoButton } from "./toolbar.ts";
 
-/** Return the scene that a text names, or the first example and what is wrong with the text. */
-function read(text: string, data: PageData): { scene: Scene; problem: string } {
+/** Make the store of a text; without a scene in it, of the first example, and say what is wrong. */
+function storeOf(engine: Engine, data: PageData, text: string): { store: Store; problem: string } {
+  const made = (scene: string): Store => new Store(engine, data, sceneOf(scene, data), exampleOf(data, scene));
   const first = data.gallery[0]!.scene;
   try {
-    return { scene: sceneOf(text || data.scene || first, data), problem: "" };
+    return { store: made(text || first), problem: "" };
   } catch (error) {
-    if (!(error instanceof LinkError)) throw error;
-    return { scene: sceneOf(first, data), problem: `This link holds no scene. ${error.message}` };
+    return { store: made(first), problem: problemOf(error) };
   }
+}
+
+/** Return what is wrong with a link; other errors are the page's own. */
+function problemOf(error: unknown): string {
+  if (error instanceof LinkError || error instanceof EngineError) return `This link holds no scene. ${error.message}`;
+  throw error;
+}
+
+function exampleOf(data: PageData, scene: string): Example | null {
+  return data.gallery.find((example) => example.scene === scene) ?? null;
 }
 
 function hash(): string {
@@ -110,30 +120,17 @@ function followAddress(store: Store): void {
   });
   window.addEventListener("hashchange", () => {
     if (hash() === own) return;
-    const { scene, problem } = read(hash(), store.data);
-    if (problem) return store.say(problem, true);
-    own = hash();
-    store.change(scene, { example: store.data.gallery.find((example) => example.scene === own) ?? null });
+    try {
+      store.change(sceneOf(hash(), store.data), { example: exampleOf(store.data, hash()) });
+    } catch (error) {
+      store.say(problemOf(error), true);
+    }
   });
 }
 
-/** Make the store of a text; a scene that the engine refuses is told like one that cannot be read. */
-async function start(data: PageData): Promise<{ store: Store; problem: string }> {
-  const engine = await loadEngine();
-  const text = hash() || data.scene;
-  const { scene, problem } = read(text, data);
-  const example = data.gallery.find((each) => each.scene === (text || data.gallery[0]!.scene)) ?? null;
-  try {
-    return { store: new Store(engine, data, scene, example), problem };
-  } catch (error) {
-    if (!(error instanceof EngineError)) throw error;
-    const first = sceneOf(data.gallery[0]!.scene, data);
-    return { store: new Store(engine, data, first, data.gallery[0]!), problem: `This link holds no scene. ${error.message}` };
-  }
-}
-
 async function show(root: HTMLElement): Promise<void> {
-  const { store, problem } = await start(pageData());
+  const data = pageData();
+  const { store, problem } = storeOf(await loadEngine(), data, hash() || data.scene);
   const { elements, open } = page(store);
   root.append(...elements);
   listenToKeys(store, open);

@@ -177,7 +177,7 @@ export class Store extends EventTarget {
     return this.#undo.length > 0;
   }
 
-  /** Tell the reader something; a problem stays until the next change. */
+  /** Tell the reader something; it stays until the next change. */
   say(text: string, problem = false): void {
     this.dispatchEvent(new CustomEvent("message", { detail: { text, problem } }));
   }

@@ -28,7 +28,7 @@ export function story(store: Store): HTMLElement {
     if (key === shown) return;
     shown = key;
     title.textContent = step ? `Step ${step}` : "Start";
-    body.replaceChildren(...parts.flatMap((part) => section(part, step)));
+    body.replaceChildren(...parts.map((part) => section(part, step)));
     heard.textContent = step ? `Step ${step}. ${parts.map(spoken).join(" ")}` : "";
   };
   store.addEventListener("change", update);
@@ -43,11 +43,10 @@ interface Part {
   readonly ended: boolean;
 }
 
-function section({ name, lines, ended }: Part, step: number): HTMLElement[] {
-  const heading = name ? [html("h3", {}, name)] : [];
+function section({ name, lines, ended }: Part, step: number): HTMLElement {
   const hint = ended ? "The episode had ended." : "Give agents their moves, then play a step.";
-  if (ended || !step) return [...heading, html("p", { class: "muted" }, hint)];
-  return [...heading, html("ul", { class: "lines" }, ...lines.map(item))];
+  const told = ended || !step ? html("p", { class: "muted" }, hint) : html("ul", { class: "lines" }, ...lines.map(item));
+  return html("div", { class: "story-part" }, name && html("h3", {}, name), told);
 }
 
 function item({ kind, text, blame }: Line): HTMLElement {

@@ -26,7 +26,7 @@ export function toolbar(store: Store): HTMLElement {
   const update = (): void => controls.forEach((control) => control.update());
   store.addEventListener("change", update);
   store.addEventListener("change", () => {
-    if (message.classList.contains("problem")) message.textContent = "";
+    message.textContent = "";
     message.classList.remove("problem");
   });
   store.player.addEventListener("step", update);

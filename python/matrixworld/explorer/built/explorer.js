@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources f7dd6701580d969de04e7f3db6c800286f2b406415737f540c065aa31a905052 */
+/* built from web/ by "npm run build"; sources 557b643e1df4f5984947fb2c5906c42003623899d203253596be8017a165b62d */
 "use strict";(()=>{var St={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ee={DISAPPEAR:0,REACH:1,BOUNCE:2},_t={OCCUPATION:0,SURROUND:1},Mt={FAULT:0,INVOLVED:1};var At=["obstacle","teammate","adversary"],Xe=["vertex","edge","chain"],Et=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],qe=["p\
 ursuer_{number}","evader_{number}"],Ct={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},te={"both held":"both bounce","both doomed":"\
