@@ -11,6 +11,7 @@ import { helpDialog, listenToKeys } from "./keys.ts";
 import { MatchPanel } from "./match.ts";
 import { MatrixPanel } from "./matrix.ts";
 import { panels } from "./panels.ts";
+import { playedMatch } from "./play.ts";
 import { raceTabs } from "./races.ts";
 import { Store } from "./store.ts";
 import { openPlayground } from "./to_playground.ts";
@@ -43,6 +44,7 @@ Object.assign(window, {
   matrixworldExplorer: {
     get match() { return match.match; },
     get step() { return match.player.step; },
+    play: (episode: number) => engine && playedMatch(engine, runs[store.selected.run]!, { ...store.selected, episode }),
     get shape() { return runs[store.selected.run]!.payoff.shape; },
   },
 });
