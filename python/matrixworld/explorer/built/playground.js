@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 1c2ecb700b0e5f7211bc5ed8a59d7f98ed0af16291f7c4aa1ac6fd7d2eeaf668 */
+/* built from web/ by "npm run build"; sources d9467629371cf55026ac513dea5f229c0fe42af70befed3a3b7f6e1f27daa9b1 */
 "use strict";(()=>{var ct={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},q={DISAPPEAR:0,REACH:1,BOUNCE:2},dt={OCCUPATION:0,SURROUND:1},ut={FAULT:0,INVOLVED:1};var pt=["obstacle","teammate","adversary"],Le=["vertex","edge","chain"],mt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ie=["p\
 ursuer_{number}","evader_{number}"],ht={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},J={"both held":"both bounce","both doomed":"\
