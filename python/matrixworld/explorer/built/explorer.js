@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources b0d4c8a713045713e4c0a7a2c0242871886000f0062780f7e2e271402fcdb0f7 */
+/* built from web/ by "npm run build"; sources 84cb6e11e426d716282999a8ba3d0dcad160afa33a35e53207c09ef1257b6fc8 */
 "use strict";(()=>{var gt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},Q={DISAPPEAR:0,REACH:1,BOUNCE:2},bt={OCCUPATION:0,SURROUND:1},yt={FAULT:0,INVOLVED:1};var vt=["obstacle","teammate","adversary"],Ve=["vertex","edge","chain"],wt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ke=["p\
 ursuer_{number}","evader_{number}"],xt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},ee={"both held":"both bounce","both doomed":"\
@@ -146,7 +146,7 @@ serif`,t.fillStyle=r.muted,t.textBaseline="alphabetic",t.textAlign="center";let 
 c]=[Math.max(0,n-i),Math.min(a.cols,n+i)],[d,m]=[Math.max(0,o-i),Math.min(a.rows,o+i)],p=[R(a,l),k(a,d),(c-l)*a.cell,(m-d)*a.cell],f=X(t,e,r);s.globalAlpha=.11,
 s.fillStyle=f,s.fillRect(...p),s.globalAlpha=.8,s.strokeStyle=f,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...p),s.globalAlpha=1}function fr(t,e,r,n,o){let{
 ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(Dn,Math.max(1,a.cell*Bn));for(let c=Math.max(1,
-Math.ceil(r-n));c<=i;c++){let[d,m]=[e.moments[c-1],e.moments[c]],p=Math.max(0,Math.min(1,(r-c)/n));s.globalAlpha=ur+(Gn-ur)*p;for(let f=0;f<m.alive.length;f++){
+Math.floor(r-n)+1);c<=i;c++){let[d,m]=[e.moments[c-1],e.moments[c]],p=Math.max(0,Math.min(1,(r-c)/n));s.globalAlpha=ur+(Gn-ur)*p;for(let f=0;f<m.alive.length;f++){
 let g=c===i&&r<i;if(!d.alive[f]||!(l.alive[f]||g))continue;let h=($(e,f)?-1:1)*Wn,[y,w]=E(d,f),[_,v]=E(m,f);if(y===_&&w===v)continue;let x=g?o[f].x:v+.5,C=g?o[f].
 y:_+.5;s.strokeStyle=X(t,e,f),s.beginPath(),s.moveTo(R(a,w+.5+h),k(a,y+.5+h)),s.lineTo(R(a,x+h),k(a,C+h)),s.stroke()}}s.globalAlpha=1}function gr(t,e,r){let n=Math.
 min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-cr+1);o<=n;o++){let[s,a]=[e.moments[o-1],e.moments[o]],i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/cr,l=Re(e,
