@@ -274,3 +274,43 @@ def test_reduced_motion_shows_moments_only(browser: Browser, page: Path) -> None
     browser.press(RIGHT)
     assert browser.js("window.matrixworldExplorer.step") == 1
     browser.prefer(prefers_reduced_motion="no-preference")
+
+
+def test_a_step_opens_in_the_playground(browser: Browser, page: Path, job: Job) -> None:
+    browser.open(page)
+    browser.wait(PLAYED)
+    select(browser, 0, 1, 2)
+    browser.press(HOME, RIGHT, RIGHT, RIGHT)
+    here = browser.driver.current_window_handle
+    browser.press("g")
+    browser.driver.switch_to.window(browser.driver.window_handles[-1])
+    try:
+        browser.wait("document.body.dataset.ready === 'true'")
+        scene = browser.js(
+            "(({pursuers, evaders, next}) => ({cells: [...pursuers, ...evaders].map((a) => a.cell),"
+            " next}))(window.playground.scene)"
+        )
+        episode = job["race"].record(1, 2)
+        assert scene["cells"] == episode.last_positions[2].tolist()
+        assert scene["next"] == episode.actions[2].tolist()
+        assert browser.errors() == []
+    finally:
+        browser.driver.close()
+        browser.driver.switch_to.window(here)
+
+
+def test_an_address_leads_to_a_match_and_its_step(browser: Browser, page: Path) -> None:
+    browser.open(page)
+    browser.wait(PLAYED)
+    browser.driver.execute_script("location.hash = '#run=1&pursuers=2&evaders=0&episode=1&step=4'")
+    browser.wait(f"{PLAYED} === '1 2 0 1 '")
+    assert browser.js("window.matrixworldExplorer.step") == 4
+    browser.press(RIGHT)
+    address = "#run=1&pursuers=2&evaders=0&episode=1&step=5"
+    assert browser.js("location.hash") == address
+    browser.driver.refresh()
+    browser.wait(f"document.body.dataset.ready === 'true' && {PLAYED} === '1 2 0 1 '")
+    assert browser.js("window.matrixworldExplorer.step") == 5
+    browser.driver.execute_script("location.hash = '#run=7&pursuers=-1&evaders=%3Cimg%3E&seed=x'")
+    browser.wait("location.hash.startsWith('#run=1&pursuers=2&evaders=0')")
+    assert browser.errors() == []

@@ -24,12 +24,17 @@ if TYPE_CHECKING:
 _ENDS_SCRIPT = ("</script", "<!--", "<script")
 _ENDS_STYLE = ("</style",)
 
+ENGINE_PLACE = "/* the engine */"
+"""What stands for the engine in a page without it; the page's script looks for the same."""
+
 
 def render_page(
     page: str,
     title: str,
     data: Mapping[str, Any],
     blobs: Mapping[str, bytes] | None = None,
+    *,
+    opens: Sequence[str] = (),
 ) -> str:
     """Return a page as HTML.
 
@@ -43,6 +48,8 @@ def render_page(
         Plain values that JSON can hold, which the script reads.
     blobs : mapping of str to bytes, optional
         Large data by identifier, apart from the JSON so that the script decodes what it needs.
+    opens : sequence of str, optional
+        Names of pages that this one makes and opens: they are under its policy, too.
 
     Returns
     -------
@@ -54,15 +61,17 @@ def render_page(
     ValueError
         If a number is not finite, or a built file holds markup that would end it.
     """
-    scripts = [_inline(built_text(name, "js"), _ENDS_SCRIPT) for name in (ENGINE, page)]
+    scripts = {name: _inline(built_text(name, "js"), _ENDS_SCRIPT) for name in (ENGINE, page)}
     style = _inline(built_text(page, "css"), _ENDS_STYLE)
+    more_scripts = [built_text(name, "js") for name in opens]
+    more_styles = [built_text(name, "css") for name in opens]
     return (
         _environment()
         .get_template(f"{page}.html")
         .render(
             title=title,
             version=__version__,
-            policy=_policy(scripts, style),
+            policy=_policy([*scripts.values(), *more_scripts], [style, *more_styles]),
             scripts=scripts,
             style=style,
             data=data,
@@ -106,15 +115,19 @@ def _inline(text: str, forbidden: tuple[str, ...]) -> Markup:
     return Markup(content)  # not escaped: browsers read scripts and style sheets as they are
 
 
-def _policy(scripts: Sequence[str], style: str) -> str:
-    """Return the content security policy: these scripts, this style, and pictures made here."""
-    digests = " ".join(f"'{_digest(script)}'" for script in scripts)
+def without_engine(page: str) -> str:
+    """Return a page whose engine is left out; a page that opens it has the engine already."""
+    return page.replace(built_text(ENGINE, "js"), ENGINE_PLACE)
+
+
+def _policy(scripts: Sequence[str], styles: Sequence[str]) -> str:
+    """Return the content security policy: these scripts and styles, and pictures made here."""
     return "; ".join(
         (
             "default-src 'none'",
             # Compiling the engine needs a permission of its own; `eval` of text stays forbidden.
-            f"script-src {digests} 'wasm-unsafe-eval'",
-            f"style-src '{_digest(style)}'",
+            f"script-src {_digests(scripts)} 'wasm-unsafe-eval'",
+            f"style-src {_digests(styles)}",
             "img-src data: blob:",
             "base-uri 'none'",
             "form-action 'none'",
@@ -122,5 +135,6 @@ def _policy(scripts: Sequence[str], style: str) -> str:
     )
 
 
-def _digest(text: str) -> str:
-    return f"sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}"
+def _digests(texts: Sequence[str]) -> str:
+    digests = [base64.b64encode(hashlib.sha256(text.encode()).digest()) for text in texts]
+    return " ".join(f"'sha256-{digest.decode()}'" for digest in digests)

@@ -5,19 +5,24 @@ import { loadEngine } from "../engine/engine.ts";
 import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
 import { themeButton } from "../page/theme.ts";
+import { followAddress, placeOf } from "./address.ts";
 import { readData } from "./data.ts";
 import { helpDialog, listenToKeys } from "./keys.ts";
 import { MatchPanel } from "./match.ts";
 import { MatrixPanel } from "./matrix.ts";
 import { panels } from "./panels.ts";
+import { playedMatch } from "./play.ts";
 import { raceTabs } from "./races.ts";
 import { Store } from "./store.ts";
+import { openPlayground } from "./to_playground.ts";
 
 const data = readData();
 const { runs } = data;
 const [rows, columns] = runs[0]!.payoff.shape;
-const store = new Store({ run: 0, pursuer: rows - 1, evader: columns - 1, episode: 0, seed: null });
-const match = new MatchPanel(runs, store);
+const first = placeOf(location.hash, runs, { run: 0, pursuer: rows - 1, evader: columns - 1, episode: 0, seed: null });
+const { step, ...selected } = first;
+const store = new Store(selected);
+const match = new MatchPanel(runs, store, data.playground);
 const matrix = new MatrixPanel(runs, store);
 const help = helpDialog();
 let engine: Engine | null = null;
@@ -39,11 +44,14 @@ Object.assign(window, {
   matrixworldExplorer: {
     get match() { return match.match; },
     get step() { return match.player.step; },
+    play: (episode: number) => engine && playedMatch(engine, runs[store.selected.run]!, { ...store.selected, episode }),
     get shape() { return runs[store.selected.run]!.payoff.shape; },
   },
 });
 matrix.element.addEventListener("play", () => match.playSoon());
-listenToKeys(runs, store, match, help);
+match.goTo(step);
+followAddress(runs, store, match);
+listenToKeys(runs, store, match, help, () => openPlayground(match.shown, data.playground));
 
 // The page is drawn before the engine is compiled.
 requestAnimationFrame(() => setTimeout(() => {

@@ -7,12 +7,14 @@ import { playerBar } from "../board/player_bar.ts";
 import type { Recording } from "../board/recording.ts";
 import type { Engine, Match } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
+import type { PageData } from "../playground/data.ts";
 import { isKept } from "./data.ts";
 import type { Run } from "./data.ts";
 import { EpisodeStrip } from "./episodes.ts";
 import { Inspector } from "./inspector.ts";
 import { playedMatch } from "./play.ts";
 import type { Store } from "./store.ts";
+import { playgroundButton } from "./to_playground.ts";
 import { wordsOf } from "./words.ts";
 
 /** Milliseconds that a selection has to rest before its match is played. */
@@ -35,8 +37,9 @@ export class MatchPanel {
   #recording: Recording | null = null;
   #due = 0;
   #plays = false;
+  #goal = 0;
 
-  constructor(runs: readonly Run[], store: Store) {
+  constructor(runs: readonly Run[], store: Store, playground: PageData) {
     [this.#runs, this.#store] = [runs, store];
     const canvas = html("canvas", { "aria-label": "The match" });
     this.#board = new Board(canvas, { numbers: false });
@@ -49,7 +52,7 @@ export class MatchPanel {
         html("header", { class: "match-head" }, this.#title, this.#tally),
         this.#problem,
         html("div", { class: "stage" }, canvas),
-        html("div", { class: "aside" }, this.#words, this.inspector.element),
+        html("div", { class: "aside" }, this.#words, playgroundButton(() => this.shown, playground), this.inspector.element),
         playerBar(this.player),
         this.#strip.element),
     );
@@ -69,6 +72,11 @@ export class MatchPanel {
     return this.#match;
   }
 
+  /** The match and its step that is shown. */
+  get shown(): { match: Match; step: number } | null {
+    return this.#match && { match: this.#match, step: this.player.step };
+  }
+
   /** Begin to play matches. */
   start(engine: Engine): void {
     this.#engine = engine;
@@ -79,6 +87,12 @@ export class MatchPanel {
   playSoon(): void {
     this.#plays = true;
     if (!this.#due) this.#begin();
+  }
+
+  /** Show a step of the selected match, as soon as it is there. */
+  goTo(step: number): void {
+    this.#goal = step;
+    if (!this.#due && this.#match) this.#load();
   }
 
   #begin(): void {
@@ -111,7 +125,8 @@ export class MatchPanel {
     this.#strip.show(this.#engine, this.#run, this.#match);
     this.inspector.show(this.#engine, this.#run, this.#match, selected);
     this.player.length = this.#match.length;
-    this.player.jump(0);
+    this.player.jump(this.#goal);
+    this.#goal = 0;
     this.#tell();
     this.element.dataset["played"] = `${selected.run} ${selected.pursuer} ${selected.evader} ${selected.episode} ${selected.seed ?? ""}`;
     this.#begin();
