@@ -108,7 +108,7 @@ export function drawTrails(
   const last = recording.moments[end]!;
   ctx.lineCap = "round";
   ctx.lineWidth = Math.min(WIDEST_TRAIL, Math.max(1, grid.cell * TRAIL_WIDTH));
-  for (let step = Math.max(1, Math.ceil(time - steps)); step <= end; step++) {
+  for (let step = Math.max(1, Math.floor(time - steps) + 1); step <= end; step++) {
     const [before, after] = [recording.moments[step - 1]!, recording.moments[step]!];
     const age = Math.max(0, Math.min(1, (time - step) / steps));
     ctx.globalAlpha = NEWEST_TRAIL + (OLDEST_TRAIL - NEWEST_TRAIL) * age;

@@ -17,7 +17,9 @@ export function glyph(team: Team): SVGSVGElement {
 interface Row {
   readonly element: HTMLTableRowElement;
   readonly choice: HTMLSelectElement;
+  /** In place of the choice: why an agent does nothing. */
   readonly state: HTMLElement;
+  readonly heard: HTMLElement;
   readonly rewards: readonly HTMLTableCellElement[];
 }
 
@@ -62,10 +64,11 @@ function row(store: Store, agent: number): Row {
     store.change(withNext(store.scene, agent, /^\d$/.test(chosen) ? Number(chosen) : (chosen as ScriptName)));
   });
   const state = html("span", { class: "state muted" });
-  const select = html("button", { type: "button", class: "agent-name", onclick: () => (store.selected = agent) }, glyph(teamOf(scene, agent)), name);
+  const heard = html("span", { class: "heard" });
+  const select = html("button", { type: "button", class: "agent-name", onclick: () => (store.selected = agent) }, glyph(teamOf(scene, agent)), name, heard);
   const rewards = [0, 1].map(() => html("td", { class: "reward numbers" }));
-  const element = html("tr", {}, html("th", { scope: "row" }, select, state), html("td", {}, choice), ...rewards);
-  return { element, choice, state, rewards };
+  const element = html("tr", {}, html("th", { scope: "row" }, select), html("td", {}, choice, state), ...rewards);
+  return { element, choice, state, heard, rewards };
 }
 
 function choices(store: Store, scene: Scene): HTMLElement[] {
@@ -74,7 +77,7 @@ function choices(store: Store, scene: Scene): HTMLElement[] {
   return [html("optgroup", { label: "move" }, ...actions), html("optgroup", { label: "script" }, ...scripts)];
 }
 
-function fill(store: Store, { element, choice, state, rewards }: Row, agent: number): void {
+function fill(store: Store, { element, choice, state, heard, rewards }: Row, agent: number): void {
   const { scene, game, player } = store;
   const moment = game.recording.moments[Math.min(player.step, game.length)]!;
   const evader = agent - scene.pursuers.length;
@@ -83,7 +86,12 @@ function fill(store: Store, { element, choice, state, rewards }: Row, agent: num
   element.classList.toggle("gone", !moment.alive[agent]);
   choice.value = String(scene.next[agent]);
   choice.disabled = !moment.alive[agent] || game.over;
-  state.textContent = moment.alive[agent] ? (captured ? "captured" : "") : captured ? "captured, gone" : "gone";
+  choice.hidden = !moment.alive[agent];
+  state.hidden = Boolean(moment.alive[agent]);
+  state.textContent = captured ? "captured" : "gone";
+  // Captured evaders are hollow, as on the board.
+  element.classList.toggle("captured", captured);
+  heard.textContent = captured ? " captured" : "";
   rewards.forEach((cell, place) => {
     const other = store.games[place];
     cell.hidden = !other;

@@ -82,10 +82,11 @@ function buildButtons(store: Store): Control {
     html("button", { type: "button", title: `Add ${name} (${key})`, "aria-label": `Add ${name}`, onclick: () => addAgent(store, team) }, "+", glyph(team));
   const remove = html("button", { type: "button", title: "Remove the chosen agent (Delete)", onclick: () => removeChosen(store) }, "Remove");
   const building = [add("pursuers", "a pursuer", "+"), add("evaders", "an evader", "-"), remove];
+  const element = html("div", { class: "buttons", role: "group", "aria-label": "Agents" }, ...building);
   return {
-    element: html("div", { class: "buttons" }, ...building),
+    element,
     update: () => {
-      building.forEach((each) => (each.hidden = store.mode !== "build"));
+      element.hidden = store.mode !== "build";
       remove.setAttribute("aria-disabled", String(store.selected === null));
     },
   };
@@ -97,13 +98,15 @@ function padButtons(store: Store): Control {
   const buttons = order.map((action) => html("button", {
     type: "button", "aria-label": DIRECTIONS[action], title: `The chosen agent: ${DIRECTIONS[action]}`, onclick: () => command(store, action),
   }, ARROWS[action]));
+  const element = html("div", { class: "buttons pad", role: "group", "aria-label": "Move of the chosen agent" }, ...buttons);
   return {
-    element: html("div", { class: "buttons pad", role: "group", "aria-label": "Move of the chosen agent" }, ...buttons),
+    element,
     update: () => {
+      element.hidden = store.mode === "build";
       const chosen = store.selected === null ? undefined : store.scene.next[store.selected];
       order.forEach((action, place) => {
         const button = buttons[place]!;
-        button.hidden = store.mode === "build" || (action > 4 && !store.scene.diagonal);
+        button.hidden = action > 4 && !store.scene.diagonal;
         button.setAttribute("aria-disabled", String(store.selected === null || store.game.over));
         button.setAttribute("aria-pressed", String(chosen === action));
       });

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources d9467629371cf55026ac513dea5f229c0fe42af70befed3a3b7f6e1f27daa9b1 */
+/* built from web/ by "npm run build"; sources e241fb7e792a8f00a1c99ce7535b38f1ebbbef85a0ecd898cd76ca169a638b8f */
 "use strict";(()=>{var _t={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ee={DISAPPEAR:0,REACH:1,BOUNCE:2},Mt={OCCUPATION:0,SURROUND:1},At={FAULT:0,INVOLVED:1};var Et=["obstacle","teammate","adversary"],qe=["vertex","edge","chain"],Ct=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ye=["p\
 ursuer_{number}","evader_{number}"],Tt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},te={"both held":"both bounce","both doomed":"\
@@ -153,7 +153,7 @@ serif`,e.fillStyle=r.muted,e.textBaseline="alphabetic",e.textAlign="center";let 
 c]=[Math.max(0,n-i),Math.min(a.cols,n+i)],[d,m]=[Math.max(0,s-i),Math.min(a.rows,s+i)],p=[k(a,l),O(a,d),(c-l)*a.cell,(m-d)*a.cell],f=J(e,t,r);o.globalAlpha=.11,
 o.fillStyle=f,o.fillRect(...p),o.globalAlpha=.8,o.strokeStyle=f,o.lineWidth=Math.max(1,a.cell/24),o.strokeRect(...p),o.globalAlpha=1}function Sr(e,t,r,n,s){let{
 ctx:o,grid:a}=e,i=Math.min(Math.ceil(r),t.moments.length-1),l=t.moments[i];o.lineCap="round",o.lineWidth=Math.min(ts,Math.max(1,a.cell*es));for(let c=Math.max(1,
-Math.ceil(r-n));c<=i;c++){let[d,m]=[t.moments[c-1],t.moments[c]],p=Math.max(0,Math.min(1,(r-c)/n));o.globalAlpha=yr+(ns-yr)*p;for(let f=0;f<m.alive.length;f++){
+Math.floor(r-n)+1);c<=i;c++){let[d,m]=[t.moments[c-1],t.moments[c]],p=Math.max(0,Math.min(1,(r-c)/n));o.globalAlpha=yr+(ns-yr)*p;for(let f=0;f<m.alive.length;f++){
 let g=c===i&&r<i;if(!d.alive[f]||!(l.alive[f]||g))continue;let h=(B(t,f)?-1:1)*rs,[b,w]=M(d,f),[S,v]=M(m,f);if(b===S&&w===v)continue;let x=g?s[f].x:v+.5,C=g?s[f].
 y:S+.5;o.strokeStyle=J(e,t,f),o.beginPath(),o.moveTo(k(a,w+.5+h),O(a,b+.5+h)),o.lineTo(k(a,x+h),O(a,C+h)),o.stroke()}}o.globalAlpha=1}function _r(e,t,r){let n=Math.
 min(Math.ceil(r),t.moments.length-1);for(let s=Math.max(1,n-gr+1);s<=n;s++){let[o,a]=[t.moments[s-1],t.moments[s]],i=s>r?Math.max(0,1-2*(s-r)):1-(r-s)/gr,l=Oe(t,
