@@ -6,7 +6,7 @@
 // web/, so that a test can tell built files that are older than their sources.
 
 import { createHash } from "node:crypto";
-import { readFileSync, readdirSync } from "node:fs";
+import { readFileSync, readdirSync, statSync } from "node:fs";
 import { dirname, join, relative, sep } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -15,20 +15,20 @@ import { build } from "esbuild";
 const HERE = dirname(fileURLToPath(import.meta.url));
 const BUILT = join(HERE, "..", "python", "matrixworld", "explorer", "built");
 const PAGES = ["explorer", "playground"];
+/** What the pages are built from. The engine is built by itself, see build_engine.py. */
+const SOURCES = ["src", "build.mjs", "package.json", "package-lock.json", "tsconfig.json"];
 
-/** Return all files below a folder, without installed packages. */
-function files(folder) {
-  return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
-    const path = join(folder, entry.name);
-    if (entry.isDirectory()) return entry.name === "node_modules" ? [] : files(path);
-    return [path];
-  });
+/** Return all files below a path. */
+function files(path) {
+  if (!statSync(path).isDirectory()) return [path];
+  return readdirSync(path).flatMap((name) => files(join(path, name)));
 }
 
 /** Return the digest of paths and contents of the sources; `explorer/built.py` computes the same. */
 function digest() {
   const hash = createHash("sha256");
-  const names = files(HERE).map((path) => relative(HERE, path).split(sep).join("/"));
+  const paths = SOURCES.flatMap((source) => files(join(HERE, source)));
+  const names = paths.map((path) => relative(HERE, path).split(sep).join("/"));
   for (const name of names.sort()) {
     const content = createHash("sha256").update(readFileSync(join(HERE, name))).digest("hex");
     hash.update(`${name} ${content}\n`);

@@ -14,9 +14,12 @@ BUILT = Path(__file__).parent / "built"
 """Directory of the built files."""
 PAGES = ("explorer", "playground")
 KINDS = ("js", "css")
+ENGINE = "engine"
+"""Name of the script that holds the engine as WebAssembly, which all pages share."""
 
 _FIRST_LINE = re.compile(r"sources ([0-9a-f]{64}) \*/")
-_INSTALLED = "node_modules"
+SOURCES = ("src", "build.mjs", "package.json", "package-lock.json", "tsconfig.json")
+"""What the pages are built from, in ``web/``."""
 
 
 def built_text(page: str, kind: str) -> str:
@@ -32,10 +35,15 @@ def recorded_digest(page: str, kind: str) -> str:
 
 def source_digest(web: Path) -> str:
     """Return the digest of the sources in a directory, as ``web/build.mjs`` computes it."""
-    files = {file.relative_to(web).as_posix(): file for file in web.rglob("*") if file.is_file()}
+    paths = [file for source in SOURCES for file in _files(web / source)]
+    names = {path.relative_to(web).as_posix(): path for path in paths}
     digest = hashlib.sha256()
-    for name in sorted(files):
-        if _INSTALLED not in name.split("/"):
-            content = hashlib.sha256(files[name].read_bytes()).hexdigest()
-            digest.update(f"{name} {content}\n".encode())
+    for name in sorted(names):
+        content = hashlib.sha256(names[name].read_bytes()).hexdigest()
+        digest.update(f"{name} {content}\n".encode())
     return digest.hexdigest()
+
+
+def _files(path: Path) -> list[Path]:
+    """Return all files below a path; the path itself if it is a file."""
+    return [file for file in path.rglob("*") if file.is_file()] if path.is_dir() else [path]

@@ -15,7 +15,8 @@ from typing import Any
 
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
 from matrixworld.explorer.archives import archives_of
-from matrixworld.explorer.page import render_page, write_page
+from matrixworld.explorer.page import render_page, without_engine, write_page
+from matrixworld.explorer.playground import Playground, page_data
 from matrixworld.explorer.run_data import run_data
 from matrixworld.version import __version__
 
@@ -134,9 +135,12 @@ def explorer_page(
         "title": title,
         "note": note,
         "step": archives.step,
+        "playground": page_data(),
         "runs": plain,
     }
-    return render_page("explorer", f"{title} - matrixworld", data, archives.blobs)
+    playground = without_engine(Playground().html()).encode()
+    blobs = {**archives.blobs, "playground": playground}
+    return render_page("explorer", f"{title} - matrixworld", data, blobs, opens=["playground"])
 
 
 def _name(path: Path, common: Path) -> str:

@@ -10,9 +10,9 @@ import { arrow } from "./shapes.ts";
 /** Where arrows start and end, as shares of a move; the border leaves less room. */
 const START = 0.46;
 const END = 0.86;
-const END_OUTSIDE = 0.6;
-const HELD_START = 0.4;
-const HELD_END = 0.74;
+const END_OUTSIDE = 0.66;
+const HELD_START = 0.48;
+const HELD_END = 0.78;
 const HELD_OUTSIDE = 0.58;
 
 /** Moves of a step that were held: dashed arrows that end at a bar. */

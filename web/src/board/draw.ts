@@ -51,14 +51,14 @@ export function draw(sheet: Sheet, recording: Recording, time: number, look: Loo
   drawContested(sheet, moment.contested ?? [], strength);
   drawMarks(sheet, recording, time);
   drawBounces(sheet, recording, step, strength);
-  // What evaders look like changes at the end of a step, when captures are judged.
-  const shown = still ? moment : recording.moments[Math.max(0, step - 1)]!;
-  drawAgents(sheet, recording, shown, poses, look.numbers, ratio);
   poses.forEach(({ x, y, size }, agent) => {
     const faint = innocent(moment, agent) ? 0.4 : 0;
     const ring = atFault(moment, agent) ? 1 : faint;
     if (ring) drawRing(sheet, x, y, size, ring * strength);
   });
+  // What evaders look like changes at the end of a step, when captures are judged.
+  const shown = still ? moment : recording.moments[Math.max(0, step - 1)]!;
+  drawAgents(sheet, recording, shown, poses, look.numbers, ratio);
   if (still && look.plan) {
     for (const [agent, pose] of poses.entries()) {
       if (pose.alpha) drawPlan(sheet, recording, agent, cellOf(moment, agent), pose, look.plan[agent] ?? 0);
@@ -67,18 +67,18 @@ export function draw(sheet: Sheet, recording: Recording, time: number, look: Loo
   ctx.lineWidth = Math.max(2, 2.5 * ratio);
   ctx.strokeStyle = colors.focus;
   const chosen = look.selected === null ? undefined : poses[look.selected];
-  if (chosen?.alpha) markCell(sheet, Math.floor(chosen.y), Math.floor(chosen.x), 0.02);
+  if (chosen?.alpha) markPlace(sheet, chosen.x, chosen.y, chosen.size * 0.96);
   if (look.cursor) {
     ctx.setLineDash([grid.cell * 0.12, grid.cell * 0.08]);
-    markCell(sheet, look.cursor[0], look.cursor[1], 0.1);
+    markPlace(sheet, look.cursor[1] + 0.5, look.cursor[0] + 0.5, 0.8);
     ctx.setLineDash([]);
   }
 }
 
-function markCell({ ctx, grid }: Sheet, row: number, col: number, inset: number): void {
-  const [x, y] = [grid.left + (col + inset) * grid.cell, grid.top + (row + inset) * grid.cell];
-  const side = grid.cell * (1 - 2 * inset);
+/** Outline a square around a place, all in cells. */
+function markPlace({ ctx, grid }: Sheet, x: number, y: number, size: number): void {
+  const side = size * grid.cell;
   ctx.beginPath();
-  ctx.roundRect(x, y, side, side, grid.cell * 0.1);
+  ctx.roundRect(grid.left + x * grid.cell - side / 2, grid.top + y * grid.cell - side / 2, side, side, side * 0.1);
   ctx.stroke();
 }

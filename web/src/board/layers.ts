@@ -20,6 +20,8 @@ const CROSS = 0.95;
 /** Cell sizes in pixels below which lines between cells would fill the picture. */
 const SMALLEST_GRID = 5;
 const TRAIL_WIDTH = 0.16;
+/** A trail on a large cell is a line, not a bar: pixels. */
+const WIDEST_TRAIL = 9;
 /** Trails of the teams lie beside each other. */
 const TRAIL_SHIFT = 0.09;
 const OLDEST_TRAIL = 0.2;
@@ -54,7 +56,7 @@ export function drawObstacles({ ctx, grid, colors }: Sheet, recording: Recording
     const [row, col] = [Math.floor(index / cols), index % cols];
     ctx.fillRect(left + col * cell, top + row * cell, cell, cell);
   }
-  const frame = Math.max(2, Math.round(cell / 18));
+  const frame = Math.min(5, Math.max(2, Math.round(cell / 18)));
   ctx.strokeStyle = colors.frame;
   ctx.lineWidth = frame;
   ctx.strokeRect(left - frame / 2, top - frame / 2, cols * cell + frame, rows * cell + frame);
@@ -105,8 +107,8 @@ export function drawTrails(
   const end = Math.min(Math.ceil(time), recording.moments.length - 1);
   const last = recording.moments[end]!;
   ctx.lineCap = "round";
-  ctx.lineWidth = Math.max(1, grid.cell * TRAIL_WIDTH);
-  for (let step = Math.max(1, Math.ceil(time - steps)); step <= end; step++) {
+  ctx.lineWidth = Math.min(WIDEST_TRAIL, Math.max(1, grid.cell * TRAIL_WIDTH));
+  for (let step = Math.max(1, Math.floor(time - steps) + 1); step <= end; step++) {
     const [before, after] = [recording.moments[step - 1]!, recording.moments[step]!];
     const age = Math.max(0, Math.min(1, (time - step) / steps));
     ctx.globalAlpha = NEWEST_TRAIL + (OLDEST_TRAIL - NEWEST_TRAIL) * age;

@@ -15,8 +15,6 @@ const FRAMES: Clock = {
 
 /** Steps a second that can be chosen. */
 export const SPEEDS: readonly number[] = [0.5, 1, 2, 4, 8, 16, 32, 64];
-/** Seconds of a single step forward or back. */
-const GLIDE = 0.28;
 
 /**
  * A moment of a recording that moves with time.
@@ -40,6 +38,9 @@ export class Player extends EventTarget {
   #frame: number | null = null;
   #last = 0;
 
+  /** Seconds of a single step forward or back. */
+  glide = 0.28;
+
   /** `still`: whether pictures jump from moment to moment, for readers who want no motion. */
   constructor(length: number, options: { speed?: number; still?: boolean; clock?: Clock } = {}) {
     super();
@@ -57,6 +58,11 @@ export class Player extends EventTarget {
   /** What to draw: 3 is moment 3, and 3.5 half of step 4. */
   get time(): number {
     return this.#still ? this.#step : this.#time;
+  }
+
+  /** Whether the step that is shown has been drawn to its end. */
+  get arrived(): boolean {
+    return this.#time === this.#step;
   }
 
   get playing(): boolean {
@@ -160,7 +166,7 @@ export class Player extends EventTarget {
         if (this.#step === this.#length) return this.pause();
         this.#aim(this.#step + 1);
       }
-      const rate = this.#playing ? this.#speed : Math.max(this.#speed, 1 / GLIDE);
+      const rate = this.#playing ? this.#speed : 1 / this.glide;
       const distance = this.#step - this.#time;
       const reach = Math.min(Math.abs(distance), left * rate);
       left -= reach / rate;

@@ -3,7 +3,7 @@
 
 import { Board, stillMotion } from "../board/board.ts";
 import { recordingOf } from "../board/from_engine.ts";
-import { Player } from "../board/player.ts";
+import { Player, playerKey } from "../board/player.ts";
 import { playerBar } from "../board/player_bar.ts";
 import type { Engine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
@@ -86,7 +86,13 @@ function showFour(dialog: HTMLDialogElement, run: Run, board: Checkerboard, stor
     html("header", {}, html("h2", {}, "Four matches of a checkerboard"), html("button", { type: "button", onclick: () => dialog.close() }, "Close")),
     html("div", { class: "grid-of-four" }, ...views.map((view) => view.element)),
     playerBar(player));
+  const key = (event: KeyboardEvent): void => {
+    const own = event.target instanceof HTMLSelectElement || (event.target instanceof HTMLButtonElement && event.key === " ");
+    if (!own && !event.defaultPrevented && playerKey(player, event)) event.preventDefault();
+  };
+  dialog.addEventListener("keydown", key);
   dialog.addEventListener("close", () => {
+    dialog.removeEventListener("keydown", key);
     player.pause();
     views.forEach((view) => view.board.close());
     dialog.replaceChildren();

@@ -18,4 +18,4 @@ export function viridis(rate: number): readonly [number, number, number] {
 export const viridisText = (rate: number): string => `rgb(${viridis(rate).join(" ")})`;
 
 /** Return stops of a CSS gradient that shows the scale. */
-export const viridisGradient = (): string => `linear-gradient(to top, ${ANCHORS.map((color) => `rgb(${color.join(" ")})`).join(", ")})`;
+export const viridisGradient = (): string => `linear-gradient(to right, ${ANCHORS.map((color) => `rgb(${color.join(" ")})`).join(", ")})`;

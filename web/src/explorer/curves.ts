@@ -8,6 +8,8 @@ import type { Panel } from "./panels.ts";
 import type { Store } from "./store.ts";
 
 const LEARNERS = ["of-pursuers", "of-evaders", "of-both"] as const;
+/** More points than that fill the chart with thick lines. */
+const MANY = 2500;
 const RATE = { low: 0, high: 1, label: "capture rate" };
 
 /** Capture rate over training, in the colour of the team that learns. */
@@ -17,13 +19,14 @@ export function trainingPanel(run: Run, store: Store): Panel {
   const epoch = capture_rate.map((_, i) => (i + 1) * epochs);
   const smooth = movingMean(capture_rate, training.window);
   const last = epoch.at(-1) ?? 1;
+  const dense = epoch.length > MANY ? "dense" : "";
   const spanOf = (chosen: number, team: number): [number, number] | null => {
     const inside = generation.flatMap((each, i) => (each === chosen && (learner[i] === team || learner[i] === 2) ? [i] : []));
     return inside.length ? [epoch[inside[0]!]!, epoch[inside.at(-1)!]!] : null;
   };
   const made = chart(`Capture rate in ${last} epochs of training`, (width, height) => {
     const into = frame(width, height, { low: 0, high: last, label: "epoch", whole: true }, RATE);
-    for (const [style, values] of [["raw", capture_rate], ["", smooth]] as const) {
+    for (const [style, values] of [["raw", capture_rate], [dense, smooth]] as const) {
       for (const [team, name] of LEARNERS.entries()) {
         // A piece of the curve has the colour of the team that learned on the way to its end.
         const own = values.map((value, i) => (learner[i] === team || learner[i + 1] === team ? value : null));

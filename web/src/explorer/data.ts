@@ -1,5 +1,6 @@
 // What the page holds of its runs; `matrixworld.explorer.run_data` writes it.
 
+import type { PageData } from "../playground/data.ts";
 import type { NetworkPolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
 
 export type Team = "pursuer" | "evader";
@@ -125,6 +126,7 @@ export interface Data {
   readonly title: string;
   readonly note: string;
   readonly step: number;
+  readonly playground: PageData;
   readonly runs: readonly Run[];
 }
 
@@ -164,14 +166,19 @@ const decoded = new Map<string, Float32Array>();
 function genomesOf(identifier: string): Float32Array {
   const known = decoded.get(identifier);
   if (known) return known;
-  const binary = atob(text(identifier));
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < bytes.length; i++) bytes[i] = binary.charCodeAt(i);
-  const genomes = new Float32Array(bytes.buffer);
+  const genomes = new Float32Array(bytesOf(identifier).buffer);
   decoded.set(identifier, genomes);
   return genomes;
 }
 
-function text(identifier: string): string {
+/** Return what a data element of the page holds as base64. */
+export function bytesOf(identifier: string): Uint8Array<ArrayBuffer> {
+  const binary = atob(text(identifier));
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; i++) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
+export function text(identifier: string): string {
   return document.getElementById(identifier)?.textContent ?? "";
 }

@@ -27,7 +27,7 @@ export class Inspector {
     this.element = html(
       "div", { class: "inspector", "data-open": "false" },
       html("p", { class: "hint small muted" }, "Click an agent, or press A: what it sees, and what its network answers."),
-      html("div", { class: "inspected" }, this.#canvas, html("div", { class: "answer" }, this.#name, this.#bars, this.#note)),
+      html("div", { class: "inspected" }, this.#canvas, html("div", { class: "answer" }, this.#name, this.#note), this.#bars),
     );
   }
 
@@ -81,7 +81,7 @@ export class Inspector {
     if (typeof policy === "string") return this.#say([], `The script "${policy}" plays for it${taken === null ? "" : `; it goes ${ACTIONS[taken]}`}.`);
     const { probabilities } = world.answer(policy, agent);
     const bars = Array.from(probabilities, (probability, action) => bar(ACTIONS[action]!, probability, action === taken));
-    const drawn = policy.sampled ? "The action is drawn from these probabilities." : "The most probable action is taken.";
+    const drawn = policy.sampled ? "Its action is drawn from these probabilities." : "It takes the most probable action.";
     this.#say(bars, taken === null ? "The episode is over." : drawn);
   }
 

@@ -22,6 +22,7 @@ const KEYS: readonly (readonly [keys: readonly string[], text: string])[] = [
   [["M"], "to the matrix: arrow keys choose a match, Enter plays it"],
   [["A"], "next agent: what it sees; with Shift the one before"],
   [["Esc"], "no agent"],
+  [["G"], "this step in the playground: any other rules, actions and places"],
   [["1", "9"], "first to ninth run"],
   [["D"], "light or dark"],
   [["?"], "this list"],
@@ -42,7 +43,7 @@ export function helpDialog(): HTMLDialogElement {
 }
 
 /** Listen to the keys of the page. */
-export function listenToKeys(runs: readonly Run[], store: Store, match: MatchPanel, help: HTMLDialogElement): void {
+export function listenToKeys(runs: readonly Run[], store: Store, match: MatchPanel, help: HTMLDialogElement, playground: () => void): void {
   const step = (name: "pursuer" | "evader", by: number) => (): void => {
     const count = runs[store.selected.run]!.payoff.shape[name === "pursuer" ? 0 : 1];
     store.select({ [name]: Math.min(count - 1, Math.max(0, store.selected[name] + by)) });
@@ -57,13 +58,14 @@ export function listenToKeys(runs: readonly Run[], store: Store, match: MatchPan
     a: () => match.inspector.next(1),
     A: () => match.inspector.next(-1),
     Escape: () => match.inspector.choose(null),
+    g: playground,
     d: changeTheme,
     "?": () => help.showModal(),
   };
   document.addEventListener("keydown", (event) => {
     const field = event.target instanceof HTMLSelectElement || event.target instanceof HTMLInputElement;
     const pressed = event.target instanceof HTMLButtonElement && (event.key === " " || event.key === "Enter");
-    if (help.open || field || pressed || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (document.querySelector("dialog[open]") || field || pressed || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     const action = actions[event.key] ?? actions[event.key.toLowerCase()];
     const number = Number(event.key) - 1;
     if (playerKey(match.player, event) || action) action?.();

@@ -7,12 +7,14 @@ import { playerBar } from "../board/player_bar.ts";
 import type { Recording } from "../board/recording.ts";
 import type { Engine, Match } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
+import type { PageData } from "../playground/data.ts";
 import { isKept } from "./data.ts";
 import type { Run } from "./data.ts";
 import { EpisodeStrip } from "./episodes.ts";
 import { Inspector } from "./inspector.ts";
 import { playedMatch } from "./play.ts";
 import type { Store } from "./store.ts";
+import { playgroundButton } from "./to_playground.ts";
 import { wordsOf } from "./words.ts";
 
 /** Milliseconds that a selection has to rest before its match is played. */
@@ -35,8 +37,9 @@ export class MatchPanel {
   #recording: Recording | null = null;
   #due = 0;
   #plays = false;
+  #goal = 0;
 
-  constructor(runs: readonly Run[], store: Store) {
+  constructor(runs: readonly Run[], store: Store, playground: PageData) {
     [this.#runs, this.#store] = [runs, store];
     const canvas = html("canvas", { "aria-label": "The match" });
     this.#board = new Board(canvas, { numbers: false });
@@ -47,15 +50,17 @@ export class MatchPanel {
       "section", { class: "card match-card", "aria-label": "Match", id: "match" },
       html("div", { class: "match" },
         html("header", { class: "match-head" }, this.#title, this.#tally),
-        html("div", { class: "stage" }, canvas),
-        playerBar(this.player),
-        this.#strip.element,
         this.#problem,
-        html("div", { class: "aside" }, this.#words, this.inspector.element)),
+        html("div", { class: "stage" }, canvas),
+        html("div", { class: "aside" }, this.#words, playgroundButton(() => this.shown, playground), this.inspector.element),
+        playerBar(this.player),
+        this.#strip.element),
     );
     this.player.addEventListener("frame", () => this.#recording && this.#board.show(this.#recording, this.player.time));
     this.player.addEventListener("step", () => this.#tell());
     store.on("match", () => this.#rest());
+    this.#entitle();
+    this.#count(0, 0);
   }
 
   get #run(): Run {
@@ -65,6 +70,11 @@ export class MatchPanel {
   /** The match that is shown, for tests. */
   get match(): Match | null {
     return this.#match;
+  }
+
+  /** The match and its step that is shown. */
+  get shown(): { match: Match; step: number } | null {
+    return this.#match && { match: this.#match, step: this.player.step };
   }
 
   /** Begin to play matches. */
@@ -77,6 +87,12 @@ export class MatchPanel {
   playSoon(): void {
     this.#plays = true;
     if (!this.#due) this.#begin();
+  }
+
+  /** Show a step of the selected match, as soon as it is there. */
+  goTo(step: number): void {
+    this.#goal = step;
+    if (!this.#due && this.#match) this.#load();
   }
 
   #begin(): void {
@@ -109,7 +125,8 @@ export class MatchPanel {
     this.#strip.show(this.#engine, this.#run, this.#match);
     this.inspector.show(this.#engine, this.#run, this.#match, selected);
     this.player.length = this.#match.length;
-    this.player.jump(0);
+    this.player.jump(this.#goal);
+    this.#goal = 0;
     this.#tell();
     this.element.dataset["played"] = `${selected.run} ${selected.pursuer} ${selected.evader} ${selected.episode} ${selected.seed ?? ""}`;
     this.#begin();
@@ -134,13 +151,16 @@ export class MatchPanel {
     if (!match || !this.#recording) return;
     const step = this.player.step;
     const moment = this.#recording.moments[step]!;
-    const evaders = match.config.n_evaders;
-    const captured = Array.from(moment.everCaptured).filter(Boolean).length;
-    this.#tally.replaceChildren(html("strong", {}, captured), ` of ${evaders} captured`, html("span", { class: "muted" }, ` · step ${step}`));
+    this.#count(Array.from(moment.everCaptured).filter(Boolean).length, step);
     this.#words.replaceChildren(...wordsOf(match, this.#recording, step).map((word) =>
       html("li", { class: word.kind, "data-agents": word.agents.join(" ") }, word.text)));
     this.inspector.at(step);
     this.#mark();
+  }
+
+  #count(captured: number, step: number): void {
+    this.#tally.replaceChildren(
+      html("strong", {}, captured), ` of ${this.#run.world.n_evaders} captured`, html("span", { class: "muted" }, ` · step ${step}`));
   }
 
   #look(agent: number | null): void {

@@ -4,6 +4,7 @@
 import { html, svg } from "../page/dom.ts";
 import { cellOf } from "./data.ts";
 import type { Band, Run } from "./data.ts";
+import { viridisGradient } from "./colormap.ts";
 import { interval, rate, ticks } from "./format.ts";
 import { drawCells } from "./heatmap.ts";
 import type { Store } from "./store.ts";
@@ -12,6 +13,11 @@ import type { Store } from "./store.ts";
 const MARGIN = { left: 52, bottom: 46, top: 76, right: 84 };
 const GAP = 10;
 const LEAST_SIDE = 160;
+/** Room of the curve on the right and of the one above. */
+const WIDE = MARGIN.right - GAP - 14;
+const HIGH = MARGIN.top - GAP - 14;
+
+type Point = [x: number, y: number];
 
 interface Places {
   readonly width: number;
@@ -33,7 +39,10 @@ export class MatrixPanel {
   readonly #overlay = svg("svg", { "aria-hidden": "true" });
   readonly #marks = svg("g");
   readonly #room: HTMLElement;
-  readonly #readout = html("p", { class: "readout numbers", "aria-live": "polite" });
+  readonly #pair = html("h2");
+  readonly #rate = html("strong", { class: "rate numbers" });
+  readonly #more = html("span", { class: "small muted" });
+  readonly #all = html("p", { class: "small muted numbers" });
   #places: Places | null = null;
 
   constructor(runs: readonly Run[], store: Store) {
@@ -43,11 +52,17 @@ export class MatrixPanel {
       { class: "matrix", id: "matrix", tabindex: 0, role: "application", "aria-label": "Payoff matrix. Arrow keys choose a match, Enter plays it." },
       this.#canvas, this.#overlay,
     );
-    this.element = html("section", { class: "card matrix-card", "aria-label": "Payoff matrix" }, this.#readout, this.#room);
+    const readout = html("header", { class: "readout", "aria-live": "polite" },
+      html("div", {}, this.#pair, this.#all),
+      html("div", { class: "of-cell" }, this.#rate, this.#more));
+    this.element = html("section", { class: "card matrix-card", "aria-label": "Payoff matrix" }, readout, this.#room, scaleOfRates());
+    this.#say();
     new ResizeObserver(() => this.#draw()).observe(this.#room);
     this.#room.addEventListener("pointermove", (event) => this.#point(event));
     this.#room.addEventListener("pointerleave", () => store.point({}));
     this.#room.addEventListener("click", (event) => this.#choose(event));
+    // A click leaves the arrow keys to the player; Tab and M give them to the matrix.
+    this.#room.addEventListener("mousedown", (event) => event.preventDefault());
     this.#room.addEventListener("keydown", (event) => this.#key(event));
     store.on("run", () => this.#draw());
     store.on("match", () => this.#mark());
@@ -65,12 +80,27 @@ export class MatrixPanel {
     const side = Math.max(LEAST_SIDE, Math.min(width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom));
     const cell = side / Math.max(rows, columns);
     const left = Math.max(MARGIN.left, (width - columns * cell - MARGIN.right + MARGIN.left) / 2);
-    const places = { width, height, left, top: MARGIN.top, cell, rows, columns };
+    const top = MARGIN.top + Math.max(0, (height - MARGIN.top - MARGIN.bottom - rows * cell) / 2);
+    const places = { width, height, left, top, cell, rows, columns };
     this.#places = places;
-    drawCells(this.#canvas, this.#run.payoff, { left, top: MARGIN.top, width: columns * cell, height: rows * cell });
+    drawCells(this.#canvas, this.#run.payoff, { left, top, width: columns * cell, height: rows * cell });
     this.#overlay.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.#overlay.replaceChildren(axes(places), diagonal(places), ...this.#curves(places), this.#marks);
     this.#mark();
+  }
+
+  /** Dots on the curves at the generations that are shown. */
+  #dots(places: Places): SVGElement[] {
+    const scores = this.#run.findings?.generalization;
+    if (!scores) return [];
+    const { selected, hover } = this.#store;
+    const [g, h] = [hover.pursuer ?? selected.pursuer, hover.evader ?? selected.evader];
+    const [px, py] = ofPursuers(places, scores.pursuers.mean[g] ?? 0, g);
+    const [ex, ey] = ofEvaders(places, scores.evaders.mean[h] ?? 0, h);
+    return [
+      svg("circle", { class: "dot of-pursuers", cx: px, cy: py, r: 5 }),
+      svg("circle", { class: "dot of-evaders", cx: ex, cy: ey, r: 5 }),
+    ];
   }
 
   #curves(places: Places): SVGElement[] {
@@ -78,22 +108,18 @@ export class MatrixPanel {
     if (!scores) return [];
     const { left, top, cell, rows, columns } = places;
     const [right, above] = [left + columns * cell + GAP, top - GAP];
-    const [wide, high] = [MARGIN.right - GAP - 14, MARGIN.top - GAP - 14];
-    const middle = (generation: number): number => (generation + 0.5) * cell;
-    const ofPursuers = (score: number, g: number): string => `${(right + score * wide).toFixed(1)} ${(top + rows * cell - middle(g)).toFixed(1)}`;
-    const ofEvaders = (score: number, h: number): string => `${(left + middle(h)).toFixed(1)} ${(above - score * high).toFixed(1)}`;
     const box = { class: "side" };
     return [
-      svg("rect", { ...box, x: right, y: top, width: wide, height: rows * cell }),
-      svg("rect", { ...box, x: left, y: above - high, width: columns * cell, height: high }),
-      ...curve(scores.pursuers, ofPursuers, "of-pursuers"),
-      ...curve(scores.evaders, ofEvaders, "of-evaders"),
+      svg("rect", { ...box, x: right, y: top, width: WIDE, height: rows * cell }),
+      svg("rect", { ...box, x: left, y: above - HIGH, width: columns * cell, height: HIGH }),
+      ...curve(scores.pursuers, (score, g) => ofPursuers(places, score, g), "of-pursuers"),
+      ...curve(scores.evaders, (score, h) => ofEvaders(places, score, h), "of-evaders"),
       svg("text", { class: "tick", x: right, y: top + rows * cell + 16, "text-anchor": "start" }, "0"),
-      svg("text", { class: "tick", x: right + wide, y: top + rows * cell + 16, "text-anchor": "end" }, "1"),
+      svg("text", { class: "tick", x: right + WIDE, y: top + rows * cell + 16, "text-anchor": "end" }, "1"),
       svg("text", { class: "tick", x: left - 6, y: above - 4, "text-anchor": "end" }, "0"),
-      svg("text", { class: "tick", x: left - 6, y: above - high + 8, "text-anchor": "end" }, "1"),
-      svg("text", { class: "label of-pursuers", x: right + wide, y: top + rows * cell + 34, "text-anchor": "end" }, "captures"),
-      svg("text", { class: "label of-evaders", x: left + columns * cell + GAP, y: above - high + 10, "text-anchor": "start" }, "escapes"),
+      svg("text", { class: "tick", x: left - 6, y: above - HIGH + 8, "text-anchor": "end" }, "1"),
+      svg("text", { class: "label of-pursuers", x: right + WIDE, y: top + rows * cell + 34, "text-anchor": "end" }, "captures"),
+      svg("text", { class: "label of-evaders", x: left + columns * cell + GAP, y: above - HIGH + 10, "text-anchor": "start" }, "escapes"),
     ];
   }
 
@@ -105,8 +131,8 @@ export class MatrixPanel {
     const { left, top, cell, rows, columns } = places;
     const y = (g: number): number => top + (rows - 1 - g) * cell;
     const marks: SVGElement[] = [];
-    const across = (g: number, style: string) => svg("rect", { class: style, x: left, y: y(g), width: columns * cell + GAP + MARGIN.right - 24, height: cell });
-    const down = (h: number, style: string) => svg("rect", { class: style, x: left + h * cell, y: 14, width: cell, height: top - 14 + rows * cell });
+    const across = (g: number, style: string) => svg("rect", { class: style, x: left, y: y(g), width: columns * cell + GAP + WIDE, height: cell });
+    const down = (h: number, style: string) => svg("rect", { class: style, x: left + h * cell, y: top - GAP - HIGH, width: cell, height: GAP + HIGH + rows * cell });
     marks.push(across(selected.pursuer, "strip pursuer"), down(selected.evader, "strip evader"));
     if (hover.pursuer !== null && hover.pursuer < rows) marks.push(across(hover.pursuer, "strip hover"));
     if (hover.evader !== null && hover.evader < columns) marks.push(down(hover.evader, "strip hover"));
@@ -116,6 +142,7 @@ export class MatrixPanel {
         if (g >= 0 && g < rows) marks.push(svg("rect", { class: "lagged", x: left + h * cell, y: y(g), width: cell, height: cell }));
       }
     }
+    marks.push(...this.#dots(places));
     const at = { x: left + selected.evader * cell, y: y(selected.pursuer), width: cell, height: cell };
     marks.push(svg("rect", { class: "chosen under", ...at }), svg("rect", { class: "chosen", ...at }));
     this.#marks.replaceChildren(...marks);
@@ -127,20 +154,18 @@ export class MatrixPanel {
     const g = hover.pursuer ?? selected.pursuer;
     const h = hover.evader ?? selected.evader;
     const cell = cellOf(this.#run, g, h);
-    this.#readout.replaceChildren(
-      html("span", { class: "pursuer" }, `Pursuers ${g}`), " against ", html("span", { class: "evader" }, `evaders ${h}`), ": ",
-      ...(cell
-        ? [html("strong", {}, `capture rate ${rate(cell.rate, 3)}`), html("span", { class: "muted" }, `, mean of ${cell.rates.length} episodes`)]
-        : [html("span", { class: "muted" }, "no episodes were played in the evaluation")]),
-      html("span", { class: "muted wide" }, this.#scores(g, h)),
-    );
+    this.#pair.replaceChildren(
+      html("span", { class: "pursuer" }, `Pursuers ${g}`), " against ", html("span", { class: "evader" }, `evaders ${h}`));
+    this.#rate.textContent = cell ? rate(cell.rate, 3) : "-";
+    this.#more.textContent = cell ? `capture rate, mean of ${cell.rates.length} episodes` : "the evaluation played no episodes";
+    this.#all.textContent = this.#scores(g, h);
   }
 
   #scores(g: number, h: number): string {
     const scores = this.#run.findings?.generalization;
     if (!scores) return "";
     const one = (band: Band, at: number): string => interval(band.mean[at] ?? 0, band.low?.[at] ?? null, band.high?.[at] ?? null);
-    return `Against all opponents: captures ${one(scores.pursuers, g)}, escapes ${one(scores.evaders, h)}`;
+    return `Against all: captures ${one(scores.pursuers, g)}, escapes ${one(scores.evaders, h)}`;
   }
 
   #under(event: PointerEvent | MouseEvent): { g: number; h: number; inside: boolean } | null {
@@ -182,6 +207,13 @@ export class MatrixPanel {
   }
 }
 
+/** The colours of capture rates. */
+function scaleOfRates(): HTMLElement {
+  const bar = html("span", { class: "gradient" });
+  bar.style.backgroundImage = viridisGradient();
+  return html("p", { class: "scale-of-rates small muted" }, "0 all escape", bar, "1 all caught");
+}
+
 const clamp = (value: number, count: number): number => Math.min(count - 1, Math.max(0, value));
 
 function axes({ left, top, cell, rows, columns }: Places): SVGElement {
@@ -218,8 +250,15 @@ function diagonal({ left, top, cell, rows, columns }: Places): SVGElement {
   return made;
 }
 
-function curve(scores: Band, place: (score: number, generation: number) => string, style: string): SVGElement[] {
-  const points = (values: Band["mean"]): string[] => values.map((score, generation) => place(score ?? 0, generation));
+/** The place of a score on the curve on the right, and on the curve above. */
+const ofPursuers = ({ left, top, cell, rows, columns }: Places, score: number, g: number): Point =>
+  [left + columns * cell + GAP + score * WIDE, top + (rows - g - 0.5) * cell];
+const ofEvaders = ({ left, top, cell }: Places, score: number, h: number): Point =>
+  [left + (h + 0.5) * cell, top - GAP - score * HIGH];
+
+function curve(scores: Band, place: (score: number, generation: number) => Point, style: string): SVGElement[] {
+  const points = (values: Band["mean"]): string[] =>
+    values.map((score, generation) => place(score ?? 0, generation).map((value) => value.toFixed(1)).join(" "));
   const made: SVGElement[] = [];
   if (scores.low && scores.high) {
     made.push(svg("path", { class: `band ${style}`, d: `M${[...points(scores.high), ...points(scores.low).reverse()].join("L")}Z` }));
