@@ -50,6 +50,16 @@ OUTCOME_TEXTS = {
 }
 """What happens to an agent, as it stands in tables of rules."""
 
+INTERACTION_TEXTS = {
+    Interaction.SIMULTANEOUS: "all at once",
+    Interaction.SWARM_TURNS: "team by team",
+    Interaction.AGENT_TURNS: "one at a time",
+}
+"""Which agents move together, as it stands in tables of rules."""
+
+CAPTURE_TEXTS = {Capture.OCCUPATION: "occupation", Capture.SURROUND: "surrounding"}
+"""What captures an evader, as it stands in tables of rules."""
+
 DISAPPEARING = {Outcome.DISAPPEAR}
 """The outcomes that remove an agent."""
 

@@ -6,6 +6,8 @@ tournament.py       ``tournament``: payoff matrices, also of two runs
 replay.py           ``replay``: watch a match
 score.py            ``score``: a run against held-out opponents
 exploit.py          ``exploit``: evolve a best response to a champion
+explore.py          ``explore``: a page of finished runs that plays their matches
+playground.py       ``playground``: a page on which conflicts are played by hand
 plot.py             ``plot``: draw the figures of finished runs again
 diagnose.py         ``diagnose``: what happened in a race, and what to try
 analyze.py          ``analyze``: all measures of payoffs, also of a matrix of one's own
@@ -43,7 +45,9 @@ from matrixworld.cli.bench import bench_command
 from matrixworld.cli.diagnose import diagnose_command
 from matrixworld.cli.evolve import evolve_command
 from matrixworld.cli.exploit import exploit_command
+from matrixworld.cli.explore import explore_command
 from matrixworld.cli.options import Commands
+from matrixworld.cli.playground import playground_command
 from matrixworld.cli.plot import plot_command
 from matrixworld.cli.replay import replay_command
 from matrixworld.cli.score import score_command
@@ -72,6 +76,8 @@ for command in (
     tournament_command,
     score_command,
     exploit_command,
+    explore_command,
+    playground_command,
     plot_command,
     diagnose_command,
     analyze_command,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from matrixworld.cli.console import print_table
-from matrixworld.rules import OUTCOME_TEXTS, VARIANTS, Capture, Interaction, Rules
+from matrixworld.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS, VARIANTS, Rules
 
 HEADS = (
     "variant",
@@ -16,13 +16,7 @@ HEADS = (
     "capture by",
     "the captured",
 )
-MOVES = {
-    Interaction.SIMULTANEOUS: "all at once",
-    Interaction.SWARM_TURNS: "team by team",
-    Interaction.AGENT_TURNS: "one at a time",
-}
 OUTCOMES = {outcome: text.split()[0] for outcome, text in OUTCOME_TEXTS.items()}
-CAPTURES = {Capture.OCCUPATION: "occupation", Capture.SURROUND: "surrounding"}
 LEGEND = """\
 Obstacle, teammate, adversary: what happens to an agent that collides with an obstacle or the
 border, with a teammate, with an adversary. It reaches the cell, bounces back to its own cell, or
@@ -43,10 +37,10 @@ def variants_command() -> None:
 def _row(name: str, rules: Rules) -> tuple[str, ...]:
     return (
         name,
-        MOVES[rules.interaction],
+        INTERACTION_TEXTS[rules.interaction],
         OUTCOMES[rules.obstacle],
         OUTCOMES[rules.teammate],
         f"{OUTCOMES[rules.evader]} / {OUTCOMES[rules.pursuer]}",
-        CAPTURES[rules.capture],
+        CAPTURE_TEXTS[rules.capture],
         "disappear" if rules.removes_captured else "stay",
     )
