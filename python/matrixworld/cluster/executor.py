@@ -119,7 +119,7 @@ class ClusterExecutor(Executor):
             The result. Until a worker takes the work it can be cancelled.
         """
         self._check_open()
-        work = Work((fn, args, kwargs), Future())
+        work = Work(Call(fn, args, kwargs), Future())
         self._events.put(work)
         if self._lost is not None:  # in the meantime
             self._fail_handed_in(self._lost)
