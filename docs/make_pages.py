@@ -1,4 +1,4 @@
-"""Write the pages of the variants, and their pictures, from the modules of `matrixworld.envs`.
+"""Write the pages of the variants, and their pictures, from `matrixworld.envs`; the playground.
 
 python docs/make_pages.py
 """
@@ -11,8 +11,10 @@ from pathlib import Path
 
 import matrixworld as mw
 from matrixworld import replay
+from matrixworld.explorer import Playground
 
-FOLDER = Path(__file__).parent / "variants"
+DOCS = Path(__file__).parent
+FOLDER = DOCS / "variants"
 CELL = 30  # pixels
 SIZE = {"rows": 12, "cols": 16, "obstacles": 0.06, "max_steps": 200}
 
@@ -101,3 +103,4 @@ def write(folder: Path) -> None:
 
 if __name__ == "__main__":
     write(FOLDER)
+    Playground().save(DOCS / "playground.html", force=True)

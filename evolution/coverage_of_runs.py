@@ -15,10 +15,10 @@ from matrixworld.analysis import Estimate
 RUNS = (2, 3, 5, 10, 20)
 SCORED_RUNS = (3, 5, 6, 10, 20)
 """Numbers of runs whose scores are simulated."""
-TASKS = np.array([0.9, 0.7, 0.55, 0.4, 0.3, 0.1])
-"""Mean score of a run in each task."""
+OPPONENTS = np.array([0.9, 0.7, 0.55, 0.4, 0.3, 0.1])
+"""Mean score of a run against each opponent."""
 NOISE = 0.05
-"""Standard deviation of the score of a run in a task."""
+"""Standard deviation of the score of a run against an opponent."""
 BETTER = 0.1
 """How much higher the normal runs score that runs of each shape are compared with."""
 MANY = 200_000
@@ -88,7 +88,7 @@ def of_runs(name: str, runs: int) -> Simulation:
     return Simulation(0, runs, truths, estimates)
 
 
-# ---- Scores of runs in several tasks -------------------------------------------------------------
+# ---- Scores of runs against several opponents ----------------------------------------------------
 
 EFFECTS: dict[str, Callable[[np.random.Generator, int], Matrix]] = {
     "normal": lambda rng, n: rng.normal(0.0, 0.1, n),
@@ -96,17 +96,17 @@ EFFECTS: dict[str, Callable[[np.random.Generator, int], Matrix]] = {
     "two outcomes, 1 : 1": lambda rng, n: _two_outcomes(0.5)(rng, n) / 2 - 0.25,
     "two outcomes, 4 : 1": lambda rng, n: _two_outcomes(0.2)(rng, n) / 1.5 - 0.2,
 }
-"""What a run adds to its scores in all tasks."""
+"""What a run adds to its scores against all opponents."""
 
 
 def scores_of(name: str, runs: int, rng: np.random.Generator) -> Matrix:
-    """Return scores (runs, tasks) in [0, 1]; those of one run depend on each other."""
+    """Return scores (runs, opponents) in [0, 1]; those of one run depend on each other."""
     effect = EFFECTS[name](rng, runs)[:, None]
-    return np.clip(TASKS + effect + rng.normal(0.0, NOISE, (runs, len(TASKS))), 0.0, 1.0)
+    return np.clip(OPPONENTS + effect + rng.normal(0.0, NOISE, (runs, len(OPPONENTS))), 0.0, 1.0)
 
 
 def better_scores(runs: int, rng: np.random.Generator) -> Matrix:
-    """Return scores (runs, tasks) of the group that others are compared with."""
+    """Return scores (runs, opponents) of the group that others are compared with."""
     return np.clip(scores_of("normal", runs, rng) + BETTER, 0.0, 1.0)
 
 
@@ -128,7 +128,7 @@ def true_scores(name: str) -> Mapping[Case, float]:
 
 
 def of_scores(name: str, runs: int) -> Simulation:
-    """Return the aggregates over the scores of runs in several tasks."""
+    """Return the aggregates over the scores of runs against several opponents."""
 
     def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
         scores, other = scores_of(name, runs, rng), better_scores(runs, rng)

@@ -4,10 +4,10 @@
     python evolution/interval_coverage.py --quick     20 repetitions of the small cases, seconds
 
 An interval of level 95 % should contain the true value in 95 of 100 repetitions. The data are runs
-(normal, skewed, heavy-tailed, bounded shares, two outcomes), their scores in several tasks
+(normal, skewed, heavy-tailed, bounded shares, two outcomes), their scores against several opponents
 (`coverage_of_runs.py`), payoff matrices (four true matrices, win or loss and shares of 30 evaders
-whose captures are correlated), scores of one pair, and collision counts.
-Intervals that the package withholds are counted as not given.
+whose captures are correlated), scores of one pair, and collision counts. Intervals that the package
+withholds are counted as not given.
 
 Method: the functions of ``matrixworld.analysis`` and `matrixworld.SafetyMonitor`, with their
 sources. Look at the worst case of each interval, and at the exceptions below 90 %. ``--results``

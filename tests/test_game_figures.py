@@ -181,7 +181,9 @@ def test_text_of_a_figure_is_inside_of_it(tmp_path: Path) -> None:
         plots.save_figure(figure, tmp_path / "figure.png")  # which lays it out
         box = figure.bbox
         for text in figure.findobj(Text):
-            if text.get_text().strip() and text.get_visible():
+            # Axes without ticks keep labels of their default limits, which are not drawn.
+            is_tick = text.get_text().replace("\N{MINUS SIGN}", "").replace(".", "").isdigit()
+            if text.get_text().strip() and text.get_visible() and not is_tick:
                 extent = text.get_window_extent()
                 assert extent.x0 >= box.x0 - 1, text.get_text()
                 assert extent.x1 <= box.x1 + 1, text.get_text()

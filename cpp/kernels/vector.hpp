@@ -7,6 +7,7 @@
 #endif
 
 #include "kernels/kernels.hpp"
+#include "kernels/multiply_add.hpp"
 
 namespace matrixworld {
 
@@ -51,19 +52,25 @@ inline V larger(V a, V b) {
     return a > b ? a : b;
 }
 
-// a * b + c, rounded once ("multiply-add"). The base level calls the library's fma lane by lane:
-// slow, but with the same bits.
+#if defined(__FMA__) || defined(__FP_FAST_FMAF) || defined(__aarch64__)
+#define MATRIXWORLD_FUSED  // there is an instruction for a * b + c, rounded once
+#endif
+
+// a * b + c, rounded once ("multiply-add"). Without an instruction (old x86 processors, WebAssembly),
+// the same bits by way of doubles.
 #if defined(__AVX512F__)
 inline Vec madd(Vec a, Vec b, Vec c) { return _mm512_fmadd_ps(a, b, c); }
 inline Half madd(Half a, Half b, Half c) { return _mm256_fmadd_ps(a, b, c); }
 #elif defined(__FMA__)
 inline Vec madd(Vec a, Vec b, Vec c) { return _mm256_fmadd_ps(a, b, c); }
-#else
+#elif defined(MATRIXWORLD_FUSED)
 inline Vec madd(Vec a, Vec b, Vec c) {
     Vec result;
     for (int i = 0; i < kLanes; ++i) result[i] = __builtin_fmaf(a[i], b[i], c[i]);
     return result;
 }
+#else
+inline Vec madd(Vec a, Vec b, Vec c) { return multiply_add(a, b, c); }
 #endif
 
 // e^x for x <= 0, to about 1e-7; 0 below -87, where e^x leaves the range of normal floats.

@@ -18,6 +18,29 @@ CONFLICT_COLUMNS = (
 """What the numbers of a conflict mean. The second agent is -1 for an obstacle; the last three
 numbers have bit 0 set for the first agent and bit 1 for the second."""
 
+AGENT_NAMES = ("pursuer_{number}", "evader_{number}")
+"""Names of a team's agents, which count from 0 in each team."""
+
+EVENTS = {
+    "obstacle": "{first} ran into the obstacle or border at {cell}",
+    "vertex": "{first} and {second} both headed for {cell}",
+    "edge": "{first} and {second} meant to swap, {first} to {cell}",
+    "chain": "{first} headed for {cell}, where {second} had to stay",
+}
+"""What happened in a conflict, by its form; with an obstacle it is always the first."""
+
+OUTCOMES = {
+    "both held": "both bounce",
+    "both doomed": "both disappear",
+    "held": "{agent} bounces",
+    "doomed": "{agent} disappears",
+    "none": "nobody is stopped",
+}
+"""How a conflict ended; the texts of single agents are joined by commas."""
+
+SENTENCE = "{event}: {outcome}"
+"""A conflict in words. Pages fill the same templates (`web/src/engine/tables.ts`)."""
+
 
 @dataclass(frozen=True)
 class Conflict:
@@ -62,7 +85,9 @@ class Conflict:
 
 def agent_name(agent: int, n_pursuers: int) -> str:
     """Return the name of an agent: ``pursuer_0`` and so on, then ``evader_0`` and so on."""
-    return f"pursuer_{agent}" if agent < n_pursuers else f"evader_{agent - n_pursuers}"
+    if agent < n_pursuers:
+        return AGENT_NAMES[0].format(number=agent)
+    return AGENT_NAMES[1].format(number=agent - n_pursuers)
 
 
 def conflict_of(numbers: Sequence[int], n_pursuers: int) -> Conflict:
@@ -86,30 +111,20 @@ def conflict_of(numbers: Sequence[int], n_pursuers: int) -> Conflict:
         tuple(agent for side, agent in enumerate(agents) if bit >> side & 1) for bit in bits
     )
     names = [agent_name(agent, n_pursuers) for agent in agents]
-    if second < 0:
-        event = f"{names[0]} ran into the obstacle or border at {cell}"
-    else:
-        event = _EVENTS[FORMS[form]](names, cell)
-    outcome = _outcome(agents, held, doomed, n_pursuers)
-    return Conflict(
-        KINDS[kind], FORMS[form], agents, cell, at_fault, held, doomed, turn, f"{event}: {outcome}"
+    event = EVENTS["obstacle" if second < 0 else FORMS[form]].format(
+        first=names[0], second=names[-1], cell=cell
     )
-
-
-_EVENTS = {
-    "vertex": lambda names, cell: f"{names[0]} and {names[1]} both headed for {cell}",
-    "edge": lambda names, cell: f"{names[0]} and {names[1]} meant to swap, {names[0]} to {cell}",
-    "chain": lambda names, cell: f"{names[0]} headed for {cell}, where {names[1]} had to stay",
-}
+    text = SENTENCE.format(event=event, outcome=_outcome(agents, held, doomed, n_pursuers))
+    return Conflict(KINDS[kind], FORMS[form], agents, cell, at_fault, held, doomed, turn, text)
 
 
 def _outcome(
     agents: tuple[int, ...], held: tuple[int, ...], doomed: tuple[int, ...], n_pursuers: int
 ) -> str:
     if len(agents) == 2 and held == agents:
-        return "both bounce"
+        return OUTCOMES["both held"]
     if len(agents) == 2 and doomed == agents:
-        return "both disappear"
-    parts = [f"{agent_name(agent, n_pursuers)} bounces" for agent in held]
-    parts += [f"{agent_name(agent, n_pursuers)} disappears" for agent in doomed]
-    return ", ".join(parts) or "nobody is stopped"
+        return OUTCOMES["both doomed"]
+    stopped = [*(("held", agent) for agent in held), *(("doomed", agent) for agent in doomed)]
+    parts = [OUTCOMES[how].format(agent=agent_name(agent, n_pursuers)) for how, agent in stopped]
+    return ", ".join(parts) or OUTCOMES["none"]

@@ -58,7 +58,7 @@ INTERACTION_TEXTS = {
 """Which agents move together, as it stands in tables of rules."""
 
 CAPTURE_TEXTS = {Capture.OCCUPATION: "occupation", Capture.SURROUND: "surrounding"}
-"""How an evader is captured, as it stands in tables of rules."""
+"""What captures an evader, as it stands in tables of rules."""
 
 DISAPPEARING = {Outcome.DISAPPEAR}
 """The outcomes that remove an agent."""

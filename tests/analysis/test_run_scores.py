@@ -108,7 +108,7 @@ def test_groups_that_do_not_overlap_have_no_interval() -> None:
     [
         (
             lambda: analysis.interquartile_mean([0.1]),
-            r"scores of shape \(runs, tasks\), got \(1,\)",
+            r"scores of shape \(runs, opponents\), got \(1,\)",
         ),
         (lambda: analysis.interquartile_mean([[np.nan]]), r"finite scores, got \[nan\]"),
         (lambda: analysis.interquartile_mean([[0.1]], level=1), r"level in \(0, 1\), got 1"),
@@ -116,7 +116,7 @@ def test_groups_that_do_not_overlap_have_no_interval() -> None:
         (lambda: analysis.performance_profile(ONE, [[1]]), r"thresholds of shape \(k,\)"),
         (lambda: analysis.performance_profile(ONE, [1, 0]), "ascending thresholds"),
         (lambda: analysis.performance_profile(ONE, [0, np.inf]), "finite thresholds"),
-        (lambda: analysis.probability_of_improvement(ONE, TASK), "the same 5 tasks, got 1"),
+        (lambda: analysis.probability_of_improvement(ONE, TASK), "the same 5 opponents, got 1"),
     ],
 )
 def test_bad_input_is_refused(call, message: str) -> None:  # type: ignore[no-untyped-def]

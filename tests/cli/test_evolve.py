@@ -51,6 +51,7 @@ def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """Draw no figures, in tests of something else."""
     monkeypatch.setattr(report, "draw_run", lambda run: [])
     monkeypatch.setattr(report, "draw_comparison", lambda races, path: path)
+    monkeypatch.setattr(report, "write_explorer", lambda results, page: None)
 
 
 @pytest.fixture(scope="module")
@@ -185,7 +186,8 @@ def test_the_main_job_is_the_package_s_races(job, tmp_path):
 def test_the_main_job_writes_figures_and_numbers(job):
     output, _ = job
     names = {path.name for path in output.iterdir()}
-    assert names == {*MAIN_JOB, "job.json", ".lock", "comparison.png", "summary.json"}
+    written = {"job.json", ".lock", "comparison.png", "summary.json", "explorer.html"}
+    assert names == {*MAIN_JOB, *written}
     for name in MAIN_JOB:
         assert {path.name for path in (output / name).glob("*.png")} == FIGURES
     for path in output.rglob("*.png"):

@@ -49,9 +49,11 @@ from matrixworld.analysis.alpha_rank import AlphaRank, alpha_rank, fixation_prob
 from matrixworld.analysis.analyze import Analysis, analyze
 from matrixworld.analysis.ciao import Ciao, Triangle, autocorrelation, ciao
 from matrixworld.analysis.cycles import (
+    Checkerboard,
     Checkerboards,
     TwoWayParts,
     checkerboards,
+    strongest_checkerboards,
     transitive_share,
     two_way_parts,
 )
@@ -146,6 +148,7 @@ __all__ = [
     "AlphaRank",
     "Analysis",
     "Band",
+    "Checkerboard",
     "Checkerboards",
     "Ciao",
     "Disengagement",
@@ -232,6 +235,7 @@ __all__ = [
     "response_gain",
     "strength_change",
     "strength_gain",
+    "strongest_checkerboards",
     "summarize",
     "swap_teams",
     "swing",

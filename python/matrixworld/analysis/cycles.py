@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -34,6 +35,25 @@ class Checkerboards:
     def share(self) -> float:
         """``count / possible``; NaN where no quadruple is possible."""
         return self.count / self.possible if self.possible else math.nan
+
+
+@dataclass(frozen=True)
+class Checkerboard:
+    """One checkerboard: each of its pursuers is better against its own evader.
+
+    Parameters
+    ----------
+    pursuers : tuple of int
+        The two pursuer generations.
+    evaders : tuple of int
+        The two evader generations: the first pursuers are better against the first evaders.
+    margin : float
+        By how much each of the two better cells exceeds each of the two worse ones.
+    """
+
+    pursuers: tuple[int, int]
+    evaders: tuple[int, int]
+    margin: float
 
 
 class TwoWayParts(NamedTuple):
@@ -197,3 +217,57 @@ def _count_from(p: int, matrix: Rates, prefers: Mask, margin: float) -> int:
     found = prefers[p] & prefers[after].transpose(0, 2, 1)
     found &= p_leads[:, :, None] & p_trails[:, None, :]
     return int(np.count_nonzero(found))
+
+
+def strongest_checkerboards(
+    payoff: ArrayLike, *, count: int = 12, margin: float = 0.0
+) -> tuple[Checkerboard, ...]:
+    """Return checkerboards with large margins that differ from each other.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+    count : int, optional
+        The most checkerboards, at least 0. The default is 12.
+    margin : float, optional
+        Their margins are above this, in [0, 1).
+
+    Returns
+    -------
+    tuple of Checkerboard
+        In descending order of the margin. No two have more than two generations in common: a strong
+        one has many neighbours that show the same. The largest of many margins is larger than the
+        true one; `noise_reference` says how many checkerboards noise alone makes.
+
+    Raises
+    ------
+    ValueError
+        Unless ``count >= 0`` and ``0 <= margin < 1``.
+    """
+    matrix = check_payoff(payoff)
+    require(count >= 0, "a count of at least 0", count)
+    require(0.0 <= margin < 1.0, "a margin in [0, 1)", margin)
+    pairs = itertools.combinations(range(len(matrix)), 2)
+    boards = sorted((_strongest_of(matrix, p, q) for p, q in pairs), key=lambda b: -b.margin)
+    chosen: list[Checkerboard] = []
+    for board in boards:
+        if board.margin <= margin or len(chosen) == count:
+            break
+        if all(_in_common(board, other) <= 2 for other in chosen):
+            chosen.append(board)
+    return tuple(chosen)
+
+
+def _strongest_of(matrix: Rates, p: int, q: int) -> Checkerboard:
+    """Return the checkerboard of two rows with the largest margin, which may be negative."""
+    better = np.minimum(matrix[p][:, None], matrix[q])  # (evaders of p, evaders of q)
+    worse = np.maximum(matrix[p], matrix[q][:, None])
+    margins = better - worse
+    a, b = np.unravel_index(int(margins.argmax()), margins.shape)
+    return Checkerboard((p, q), (int(a), int(b)), float(margins[a, b]))
+
+
+def _in_common(one: Checkerboard, other: Checkerboard) -> int:
+    pursuers = set(one.pursuers) & set(other.pursuers)
+    return len(pursuers) + len(set(one.evaders) & set(other.evaders))

@@ -1,4 +1,4 @@
-"""Scores of several runs on several tasks: interquartile mean, performance profile, comparison."""
+"""Scores of several runs against the same opponents: middle, performance profile, comparison."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ class PerformanceProfile:
     thresholds : ndarray of float64, shape (k,)
         The thresholds.
     shares : Band
-        Share of the scores of all runs and tasks above each threshold, with its pointwise interval
-        over runs.
+        Share of the scores of all runs and opponents above each threshold, with its pointwise
+        interval over runs.
     """
 
     thresholds: Rates
@@ -81,8 +81,8 @@ def interquartile_mean(
 
     Parameters
     ----------
-    scores : array_like of float, shape (runs, tasks)
-        One finite score of each run in each task, such as against each held-out opponent.
+    scores : array_like of float, shape (runs, opponents)
+        One finite score of each run against each opponent, such as the held-out ones.
     level : float, optional
         Confidence level, in (0, 1).
     resamples : int, optional
@@ -102,13 +102,13 @@ def interquartile_mean(
 
     Notes
     -----
-    A quarter of the scores of all runs and tasks is left out at each end, so single runs that fail
-    and single tasks that are easy count less than in the mean.
+    A quarter of all scores is left out at each end, so single runs that fail and single opponents
+    that are easy count less than in the mean.
 
-    Whole runs are resampled. Agarwal et al. resample each task on its own (stratified), because
-    their runs on different tasks are different trainings. Scores of one run against several
-    opponents depend on each other: resampled on their own they would seem more certain than they
-    are. Where tasks are independent, whole runs are right as well.
+    Whole runs are resampled. Agarwal et al. have tasks in place of opponents, and resample each on
+    its own (stratified), because their runs of different tasks are different trainings. Scores of
+    one run against several opponents depend on each other: resampled on their own they would seem
+    more certain than they are. Where they are independent, whole runs are right as well.
 
     The interval is an expanded percentile interval (Hesterberg): its quantiles are
     ``Phi(-+sqrt(n / (n - 1)) t)``, with the t quantile of n - 1 degrees of freedom. Plain
@@ -141,8 +141,8 @@ def performance_profile(
 
     Parameters
     ----------
-    scores : array_like of float, shape (runs, tasks)
-        One finite score of each run in each task.
+    scores : array_like of float, shape (runs, opponents)
+        One finite score of each run against each opponent.
     thresholds : array_like of float, shape (k,), optional
         Thresholds in ascending order. The default is 0, 0.01 ... 1, for rates.
     level : float, optional
@@ -151,7 +151,7 @@ def performance_profile(
     Returns
     -------
     PerformanceProfile
-        The shares of all runs and tasks. There is no interval below `fewest_runs`.
+        The shares of all runs and opponents. There is no interval below `fewest_runs`.
 
     Raises
     ------
@@ -160,9 +160,10 @@ def performance_profile(
 
     Notes
     -----
-    The share is a mean over runs of the share of tasks in which a run is above the threshold, so
-    its interval is that of `band_over_runs`. It is pointwise: a whole curve leaves it more often.
-    Where all runs have the same share it has no width, which is no certainty.
+    Each run has a share: that of the opponents against which it is above the threshold. The profile
+    is the mean over runs, so its interval is that of `band_over_runs`. It is pointwise: a whole
+    curve leaves it more often. Where all runs have the same share it has no width, which is no
+    certainty.
 
     References
     ----------
@@ -187,17 +188,17 @@ def probability_of_improvement(
 
     Parameters
     ----------
-    one : array_like of float, shape (runs, tasks)
-        One finite score of each run in each task.
-    other : array_like of float, shape (other_runs, tasks)
-        Scores of the other group in the same tasks.
+    one : array_like of float, shape (runs, opponents)
+        One finite score of each run against each opponent.
+    other : array_like of float, shape (other_runs, opponents)
+        Scores of the other group against the same opponents.
     level : float, optional
         Confidence level, in (0, 1).
 
     Returns
     -------
     Estimate
-        Mean over tasks; equal scores count one half. There is no interval if a group has fewer
+        Mean over opponents; equal scores count one half. There is no interval if a group has fewer
         runs than `fewest_runs`, or if the groups do not overlap.
 
     Raises
@@ -217,9 +218,10 @@ def probability_of_improvement(
     Agarwal et al. (2021), "Deep reinforcement learning at the edge of the statistical precipice".
     """
     first, second = _check_scores(one), _check_scores(other)
-    tasks = first.shape[1]
-    require(second.shape[1] == tasks, f"scores in the same {tasks} tasks", second.shape[1])
-    # Signs of the differences, shape (runs, other runs, tasks): wins 1, ties 1/2, losses 0.
+    opponents = first.shape[1]
+    expected = f"scores against the same {opponents} opponents"
+    require(second.shape[1] == opponents, expected, second.shape[1])
+    # Signs of the differences, shape (runs, other runs, opponents): wins 1, ties 1/2, losses 0.
     wins = (np.sign(first[:, np.newaxis] - second[np.newaxis]) + 1.0) / 2.0
     beaten, beating = wins.mean(axis=(1, 2)), wins.mean(axis=(0, 2))
     value, fewest = float(wins.mean()), min(len(first), len(second))
@@ -247,7 +249,7 @@ def _middle_mean(scores: Rates) -> float:
 
 def _check_scores(scores: ArrayLike) -> Rates:
     array = np.asarray(scores, dtype=np.float64)
-    require(array.ndim == 2 and array.size > 0, "scores of shape (runs, tasks)", array.shape)
+    require(array.ndim == 2 and array.size > 0, "scores of shape (runs, opponents)", array.shape)
     bad = array[~np.isfinite(array)]
     require(not len(bad), "finite scores", bad[:1])
     return array

@@ -17,7 +17,8 @@ from matrixworld.cli.options import (
     refuse_existing,
     write_json,
 )
-from matrixworld.cli.race_groups import Group, groups_of, of_seeds, one_group, races_argument
+from matrixworld.cli.race_groups import Group, groups_of, one_group, races_argument
+from matrixworld.cli.run_groups import of_seeds
 from matrixworld.cli.seed_tables import print_missing
 
 

@@ -10,6 +10,7 @@ from pathlib import Path, PurePath
 import click
 
 from matrixworld.cli.console import command
+from matrixworld.coevolution.many.job import JOB
 from matrixworld.coevolution.opponents.registry import ALTERNATING, HALL_OF_FAME, SCHEDULES
 from matrixworld.coevolution.storage.run_files import OtherVersionError
 from matrixworld.coevolution.storage.saved_run import run_directories
@@ -54,6 +55,18 @@ def run_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Pat
         names = ", ".join([*map(str, runs[:MOST_NAMES]), *["..."] * (len(runs) > MOST_NAMES)])
         raise click.BadParameter(f"expected one run, got a directory of several: {names}")
     return runs[0]
+
+
+def can_resume(path: Path) -> bool:
+    """Return whether a directory holds a run, or runs that have been asked for."""
+    return bool(find_runs(path)) or (path / JOB).exists()
+
+
+def resumed_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Path | None:
+    """Return a directory that holds something to resume."""
+    if value is not None and not can_resume(Path(value)):
+        raise click.BadParameter(f"expected a directory that holds a run, got {value!r}")
+    return None if value is None else Path(value)
 
 
 def all_of(

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import Executor
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import click
 
-from matrixworld.cli.arguments import failures, find_runs, resume_command
+from matrixworld.cli.arguments import can_resume, failures, resume_command, resumed_of
+from matrixworld.cli.clusters import cluster_option, on_cluster, refuse_threads
 from matrixworld.cli.console import INTERRUPTED, note, warnings_as_notes
 from matrixworld.cli.jobs import default_directory, found_job, new_job, play_run, play_runs
 from matrixworld.cli.options import (
@@ -32,7 +34,7 @@ from matrixworld.coevolution import (
     start,
 )
 from matrixworld.coevolution.many.evolve_many import check_job
-from matrixworld.coevolution.many.job import JOB, Job
+from matrixworld.coevolution.many.job import Job
 
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
@@ -41,6 +43,7 @@ Examples:
   matrixworld evolve my-race --variant SB --schedule generalist-generalist
   matrixworld evolve my-races --seeds 0-9
   matrixworld evolve --against random --team evader
+  matrixworld evolve my-races --seeds 0-999 --cluster tcp://head-node:8786
   matrixworld evolve --resume my-race
 """
 
@@ -51,17 +54,19 @@ Examples:
     "--resume",
     "resumed",
     metavar="DIR",
-    type=click.Path(path_type=Path),
+    callback=resumed_of,
     help="continue the run, or all runs, in this directory",
 )
 @seeds_option
 @threads_option
+@cluster_option
 @setting_options
 def evolve_command(
     output: Path | None,
     resumed: Path | None,
     seeds: tuple[int, ...] | None,
     threads: int | None,
+    where: str | None,
     **options: Any,
 ) -> None:
     """Let pursuers and evaders evolve against each other.
@@ -79,15 +84,18 @@ def evolve_command(
     Several runs play side by side, as many as --threads; threads that are left over are shared
     among them. Ctrl-C stops. --resume continues from the last checkpoint, with the same results.
     Results do not depend on --threads.
+
+    With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
+    must see OUTPUT under the same path; docs/cluster.md says how to start them.
     """
     given = given_options(options)
     with failures(), warnings_as_notes():
         if resumed:
             _refuse_settings(output, {**given, **({"seeds": seeds} if seeds else {})})
-            _play_old(resumed, threads)
+            _play_old(resumed, threads, where)
         else:
             _refuse_seed(seeds, given)
-            _play_new(settings_from(given), seeds, output, threads)
+            _play_new(settings_from(given), seeds, output, threads, where)
 
 
 def _refuse_seed(seeds: tuple[int, ...] | None, given: dict[str, Any]) -> None:
@@ -100,39 +108,57 @@ def _play_new(
     seeds: tuple[int, ...] | None,
     output: Path | None,
     threads: int | None,
+    where: str | None,
 ) -> None:
     job = new_job(settings, seeds)
+    elsewhere = _elsewhere(job, where, threads)
     root = _new_directory(output, default_directory(settings[0], seeds))
     # Some settings can be checked only when opponents and start genomes have been read.
     try:
-        check_job(job or Job({".": settings[0]}), root, None, threads)
+        check_job(job or Job({".": settings[0]}), root, elsewhere, threads)
         work = job or start(settings[0], root, threads=threads)
     except ValueError as error:
         raise click.UsageError(in_options(str(error))) from error
     with _resumable(root):
-        _play(work, root, threads, new=True)
+        _play(work, root, threads, where, new=True)
 
 
-def _play_old(root: Path, threads: int | None) -> None:
+def _elsewhere(job: Job | None, where: str | None, threads: int | None) -> Executor | None:
+    """Return an executor for checks if runs play on other machines; a single run cannot."""
+    if where is None:
+        return None
+    refuse_threads(where, threads)
+    if job is None:
+        raise click.UsageError(
+            "--cluster: expected several runs, such as --seeds 0-9, got one, which cannot be shared"
+        )
+    return Executor()
+
+
+def _play_old(root: Path, threads: int | None, where: str | None) -> None:
     # The run is restored inside the block: reading it may fail or take some time.
     with _resumable(root):
         job = found_job(root)
+        elsewhere = _elsewhere(job, where, threads)
         try:
             if job is not None:
-                check_job(job, root, None, threads)
+                check_job(job, root, elsewhere, threads)
             work = job or resume(root, threads=threads)
         except ValueError as error:
             # The package of a learner of the user's own may be missing, or have changed.
             raise click.ClickException(str(error)) from error
-        _play(work, root, threads, new=False)
+        _play(work, root, threads, where, new=False)
 
 
-def _play(work: Job | Run[Any], root: Path, threads: int | None, *, new: bool) -> None:
+def _play(
+    work: Job | Run[Any], root: Path, threads: int | None, where: str | None, *, new: bool
+) -> None:
     """Play a job or a single run, and report the results; exit code 1 if runs failed."""
     if isinstance(work, Run):
         report([play_run(work)], root, threads)
         return
-    results, failed = play_runs(work, root, threads, new=new)
+    with on_cluster(where, threads, root, work.runs.values()) as executor:
+        results, failed = play_runs(work, root, threads, executor, new=new)
     if any(name != getattr(each, "schedule", "") for name, each in work.runs.items()):
         report_seeds(results, work.asked(), root, failed, threads)
     elif results:
@@ -155,18 +181,13 @@ def _resumable(root: Path) -> Iterator[None]:
     try:
         yield
     except KeyboardInterrupt:
-        if not _exists(root):  # stopped before anything was made: the command itself is repeated
+        if not can_resume(root):  # stopped before anything was made: the command itself is repeated
             raise
         note(hint)
         raise click.exceptions.Exit(INTERRUPTED) from None
     except (OSError, PluginError):
         note(hint)
         raise
-
-
-def _exists(root: Path) -> bool:
-    """Return whether a directory holds something to resume."""
-    return bool(find_runs(root)) or (root / JOB).exists()
 
 
 def _refuse_settings(output: Path | None, given: dict[str, Any]) -> None:
@@ -194,7 +215,7 @@ def _check_free(root: Path) -> None:
     except FileExistsError as error:
         hint = (
             f"; {resume_command(root)} continues the run in it, or prints its result again"
-            if _exists(root)
+            if can_resume(root)
             else ""
         )
         raise click.UsageError(

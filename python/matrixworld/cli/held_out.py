@@ -42,7 +42,7 @@ def held_out_scores(races: Sequence[Result], threads: int | None) -> dict[Path, 
     dict of Path to dict
         Scores by run directory. They are those of ``matrixworld score`` without options.
     """
-    missing = [race for race in races if _kept(race) is None]
+    missing = [race for race in races if kept_scores(race) is None]
     counts = [_matches(race) for race in missing]
     if missing:
         with progress() as report:
@@ -52,7 +52,7 @@ def held_out_scores(races: Sequence[Result], threads: int | None) -> dict[Path, 
                 saved = open_run(race.path)
                 found = score(saved, episodes=EPISODES, seed=SEED, threads=threads, report=part)
                 _keep(race, {f"{team}s": each.to_json() for team, each in found.items()})
-    return {race.path: _kept(race) or {} for race in races}
+    return {race.path: kept_scores(race) or {} for race in races}
 
 
 def _matches(race: Result) -> int:
@@ -65,8 +65,8 @@ def _keep(race: Result, scores: Scores) -> None:
     save_json(race.path / SCORES, values, owner=_owner(race))
 
 
-def _kept(race: Result) -> Scores | None:
-    """Return the scores in the run directory; None if they have to be played."""
+def kept_scores(race: Result) -> Scores | None:
+    """Return the scores in the run directory; None if none are kept there, or other ones."""
     try:
         kept = load_json(race.path / SCORES, owner=_owner(race))
     except (FileNotFoundError, DamagedFileError):

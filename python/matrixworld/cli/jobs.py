@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -125,7 +126,7 @@ def found_job(root: Path) -> Job | None:
     Raises
     ------
     click.UsageError
-        If there is neither a run nor a job, or the directory is a part of a job.
+        If the directory is a part of a job.
     """
     runs = find_runs(root)
     if runs == [root]:
@@ -133,10 +134,6 @@ def found_job(root: Path) -> Job | None:
     job = open_job(root)
     if job is not None:
         return job
-    if not runs:
-        raise click.UsageError(
-            f"--resume: expected a directory that holds a run, got {str(root)!r}"
-        )
     if open_job(root.parent) is not None:
         hint = resume_command(root.parent)
         raise click.UsageError(f"--resume: expected a whole job, got a part of it; {hint}")
@@ -153,7 +150,12 @@ def play_run(run: Run[Any]) -> Result:
 
 
 def play_runs(
-    job: Job, root: Path, threads: int | None, *, new: bool
+    job: Job,
+    root: Path,
+    threads: int | None,
+    executor: Executor | None = None,
+    *,
+    new: bool,
 ) -> tuple[list[Result], dict[Path, str]]:
     """Play the runs of a job, with a line of progress for each.
 
@@ -165,7 +167,7 @@ def play_runs(
         Why the other ones failed.
     """
     with job_progress() as report:
-        outcome = play_job(job, root, keep=new, threads=threads, report=report)
+        outcome = play_job(job, root, keep=new, executor=executor, threads=threads, report=report)
     for error in outcome.failures.values():
         if isinstance(error, PluginError):  # the user's own code: the traceback is wanted
             note("".join(traceback.format_exception(error)))

@@ -26,7 +26,8 @@ from matrixworld.cli.figures import (
 from matrixworld.cli.held_out import held_out_scores
 from matrixworld.cli.jobs import Result
 from matrixworld.cli.options import force_option, refuse_existing
-from matrixworld.cli.race_groups import Group, Unfinished, finished_runs, of_seeds, run_groups
+from matrixworld.cli.race_groups import Group, run_groups
+from matrixworld.cli.run_groups import Unfinished, finished_runs, of_seeds, root_of
 from matrixworld.cli.seed_figures import (
     draw_generalization,
     draw_seeds,
@@ -172,11 +173,11 @@ def _draw_all(
     tasks: list[Task] = [
         (figure_files(run, selection), partial(draw_run, run, selection)) for run in singles
     ]
-    root = Path(os.path.commonpath([run.path.absolute() for run in results]))
     if comparison is not None or (len(races) > 1 and not seeds and selection.name is None):
+        root = Path(os.path.commonpath([run.path.absolute() for run in results]))
         tasks.append(_side_by_side(races, root, comparison, selection))
     if seeds:
-        tasks += _over_seeds(run_groups(races, unfinished), races, root, selection)
+        tasks += _over_seeds(run_groups(races, unfinished), races, root_of(results), selection)
     # All files are checked before the first is drawn.
     refuse_existing(*(file for files, _ in tasks for file in files), force=force)
     for _, draw in tasks:

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from matrixworld.cli.console import TERMS, command
+from matrixworld.cli.explore import write_explorer
 from matrixworld.cli.figures import draw_comparison, draw_run
 from matrixworld.cli.held_out import held_out_scores
 from matrixworld.cli.judgements import counts, print_head, print_judgement
 from matrixworld.cli.race_tables import print_claims, print_comparison
 from matrixworld.coevolution import SingleSettings
 from matrixworld.coevolution.types import other
+from matrixworld.explorer.explore import PAGE
 from matrixworld.files import save_json
 
 if TYPE_CHECKING:
@@ -45,6 +47,7 @@ def report(results: Sequence[Result], root: Path, threads: int | None = None) ->
         draw_comparison(races, root / "comparison.png")
         numbers = {n: {**race.numbers, "held_out": scores[race.path]} for n, race in races.items()}
         save_json(root / "summary.json", {"runs": numbers})
+    write_explorer(results, root / PAGE)
     if races:
         _print_races(races, scores)
     _print_files(drawn, root, races=len(races))
@@ -86,6 +89,7 @@ def _with_interval(numbers: Mapping[str, Any], name: str, form: str) -> str:
 
 def _print_files(drawn: Mapping[Path, Sequence[Path]], root: Path, *, races: int) -> None:
     click.echo(f"\nAll files are in {root}:")
+    click.echo(f"  {PAGE}: open it in a browser; it plays every match of the payoff matrices")
     if races > 1:
         click.echo("  comparison.png: the races side by side; summary.json: their numbers")
     for path, figures in drawn.items():

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
 from functools import partial
 from pathlib import Path
 
 import click
 
 from matrixworld.cli.arguments import failures, find_runs, run_of
+from matrixworld.cli.clusters import cluster_option, on_cluster
 from matrixworld.cli.console import print_wrapped, progress
 from matrixworld.cli.options import (
     episodes_option,
@@ -20,7 +22,7 @@ from matrixworld.cli.options import (
     threads_option,
     write_json,
 )
-from matrixworld.cli.race_groups import finished_runs, of_seeds
+from matrixworld.cli.run_groups import finished_runs, of_seeds
 from matrixworld.cli.seed_scores import LEGEND as SEEDS_LEGEND
 from matrixworld.cli.seed_scores import SCORE, plain_scored, print_scored, scored_groups
 from matrixworld.coevolution import HeldOutScores, Report, SavedRun, Team, open_run, score
@@ -67,6 +69,7 @@ def _runs(ctx: click.Context, param: click.Parameter, value: str) -> list[Path]:
 @json_option
 @force_option
 @threads_option
+@cluster_option
 def score_command(
     runs: list[Path],
     generation: int | None,
@@ -76,6 +79,7 @@ def score_command(
     json_file: Path | None,
     force: bool,
     threads: int | None,
+    where: str | None,
 ) -> None:
     """Score a run's teams against held-out opponents.
 
@@ -84,10 +88,13 @@ def score_command(
     all runs meet them in the same episodes: runs can be compared. RUN need not be finished. Of a
     job of several seeds (evolve --seeds) the finished ones are scored: mean and interval over the
     seeds of each group.
+
+    With --cluster the workers of a Dask cluster play blocks of the matches. It pays with
+    --generation all and many episodes. The workers need not see RUN.
     """
     refuse_existing(json_file, force=force)
-    with failures():
-        play = partial(_play, generation, episodes, steps, seed, threads)
+    with failures(), on_cluster(where, threads) as executor:
+        play = partial(_play, generation, episodes, steps, seed, threads, executor)
         if len(runs) == 1:
             [scores] = _play_all(runs, play).values()
             _print(scores)
@@ -127,6 +134,7 @@ def _play(
     steps: int | None,
     seed: int,
     threads: int | None,
+    executor: Executor | None,
     saved: SavedRun,
     report: Report,
 ) -> dict[Team, HeldOutScores]:
@@ -139,6 +147,7 @@ def _play(
             seed=seed,
             threads=threads,
             report=report,
+            executor=executor,
         )
     except IndexError as error:
         # The message begins with "generation", which is an option here.

@@ -14,6 +14,7 @@ from matrixworld.cli.console import TERMS, command, print_table, print_wrapped
 from matrixworld.cli.held_out import held_out_scores
 from matrixworld.cli.judgements import print_head
 from matrixworld.cli.race_groups import Group, group_of_runs
+from matrixworld.cli.run_groups import by_settings
 from matrixworld.cli.seed_figures import draw_seeds
 from matrixworld.cli.seed_tables import (
     STRIP_LEGEND,
@@ -61,7 +62,7 @@ def report_seeds(
     threads : int, optional
         Threads that play matches. By default all cores.
     """
-    of_group = {name: _runs_of(name, results, root) for name in asked}
+    of_group, asked = _by_group(results, asked, root)
     races = {name: runs for name, runs in of_group.items() if runs and runs[0].is_race}
     others = {name: runs for name, runs in of_group.items() if name not in races}
     scores = held_out_scores([run for runs in races.values() for run in runs], threads)
@@ -91,6 +92,26 @@ def _inside(root: Path, path: Path) -> str:
 
 def _plain_run(run: Result, scores: Mapping[Path, Scores]) -> dict[str, Any]:
     return {**run.numbers, **({"held_out": scores[run.path]} if run.is_race else {})}
+
+
+def _by_group(
+    results: Sequence[Result], asked: Asked, root: Path
+) -> tuple[dict[str, list[Result]], Asked]:
+    """Return the runs of each group of the same settings, and the seeds that were asked for."""
+    of_group: dict[str, list[Result]] = {}
+    seeds: dict[str, Sequence[int]] = {}
+    for name in asked:
+        runs = _runs_of(name, results, root)
+        parts = by_settings(runs)
+        # A directory of a job that was made in Python may hold runs of several settings.
+        for part in parts if len(parts) > 1 else []:
+            own = ", ".join(_inside(root, run.path) for run in part)
+            of_group[own], seeds[own] = part, [run.settings.seed for run in part]
+        missing = _missing(asked[name], runs)
+        if len(parts) < 2 or missing:
+            of_group[name] = runs if len(parts) < 2 else []
+            seeds[name] = asked[name] if len(parts) < 2 else missing
+    return of_group, seeds
 
 
 def _runs_of(name: str, results: Sequence[Result], root: Path) -> list[Result]:

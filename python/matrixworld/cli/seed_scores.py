@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from matrixworld.analysis import Estimate, fewest_runs, interquartile_mean, interval_over_runs
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.cli.console import print_wrapped
-from matrixworld.cli.race_groups import by_settings, finished_runs, name_and_missing
+from matrixworld.cli.run_groups import by_settings, finished_runs, name_and_missing
 from matrixworld.cli.seed_tables import shown
 from matrixworld.coevolution import HeldOutScores, Team
 

@@ -4,21 +4,7 @@ They need no display and do not touch the state of ``pyplot``. Save a figure wit
 ``plots.save_figure(figure, path)``, as pixels or as vector graphics, or show it as the last
 expression of a notebook cell after ``%matplotlib inline``.
 
-=========================  =======================================================================
-payoff_heatmap             every pursuer generation against every evader generation
-generalization_curves      mean score of each generation against all opponents, beside baselines
-generalization_over_seeds  the same of several seeds, with intervals
-lag_profile_curve          mean capture rate by how much later the pursuers are than the evaders
-training_curve             capture rate while pursuers and evaders learn in turn
-collision_rates            collisions by team and kind over generations
-comparison                 several races side by side, with their judgements and numbers
-seed_bands                 bands over seeds: generalisation, strength and lag profile
-verdict_strip              verdicts on each seed, and on all together
-seed_scores                performance profiles and interquartile means of scores of several seeds
-rules_table                variants of the game as rows of a table
-conflict_outcomes          what the engine makes of the same moves under each outcome
-interaction_models         which agents observe and act together in a round
-=========================  =======================================================================
+=========================  ================================================================
 """
 
 from __future__ import annotations

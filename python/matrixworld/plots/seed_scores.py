@@ -39,7 +39,7 @@ def seed_scores(
     *,
     title: str = "Scores of the last generation against held-out opponents",
 ) -> Figure:
-    """Draw scores of groups of runs in several tasks: performance profiles and their middle.
+    """Draw scores of groups of runs: performance profiles and interquartile means.
 
     A row for each team. On the left the share of all scores (runs times opponents) above each
     threshold, with its pointwise 95% interval over seeds. On the right the interquartile mean with

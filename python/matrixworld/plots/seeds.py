@@ -44,8 +44,8 @@ def seed_bands(
 ) -> Figure:
     """Draw how groups of runs went on: means over seeds with 95% bands, a column for each group.
 
-    The rows show generalisation (mean score against all opponents), strength (Elo rating) and lag
-    profile. Thin lines are single seeds, if there are at most `MOST_LINES`.
+    The rows show generalisation (mean score against all opponents, the strength in verdicts), Elo
+    rating and lag profile. Thin lines are single seeds, if there are at most `MOST_LINES`.
 
     Parameters
     ----------

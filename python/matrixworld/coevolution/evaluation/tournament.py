@@ -8,7 +8,7 @@ from concurrent.futures import Executor, as_completed
 from dataclasses import dataclass, replace
 from itertools import product
 from math import isqrt
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +32,8 @@ MEANS = ("collisions", "faults", "agent_steps", "pursuer_survivors", "evader_sur
 """Statistics of which a payoff holds the mean over the episodes."""
 STATISTICS = ("capture_rate", "length", *MEANS)
 """All statistics that a payoff needs."""
+
+Key = TypeVar("Key")
 
 
 def tournament(
@@ -109,16 +111,27 @@ def tournament(
     else:
         check_instance("executor", executor, Executor)
         blocks = _blocks(size, _block_size(size, block_seconds / pairs.seconds()))
-        for block, statistics in _played(pairs, blocks, executor, threads or 1):
+        parts = ((block, pairs.part(block)) for block in blocks)
+        for block, statistics in play_parts(parts, executor, threads or 1):
             on_row(cells.fill(block, statistics))
     return cells.payoff()
 
 
-def _played(
-    pairs: Pairs, blocks: Iterable[Block], executor: Executor, threads: int
-) -> Iterator[tuple[Block, EpisodeStatistics]]:
-    """Yield the blocks in the order in which an executor ends them."""
-    futures = {executor.submit(play_pairs, pairs.part(block), threads): block for block in blocks}
+def play_parts(
+    parts: Iterable[tuple[Key, Pairs]], executor: Executor, threads: int
+) -> Iterator[tuple[Key, EpisodeStatistics]]:
+    """Yield the keys and the statistics of pairs in the order in which an executor ends them.
+
+    Parameters
+    ----------
+    parts : iterable of (key, Pairs)
+        Pairs that are played together, each with a key of any type.
+    executor : Executor
+        Plays them.
+    threads : int
+        Threads of each part.
+    """
+    futures = {executor.submit(play_pairs, pairs, threads): key for key, pairs in parts}
     try:
         for future in as_completed(futures):
             # Popped, so that the statistics are not held twice.

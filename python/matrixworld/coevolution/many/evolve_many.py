@@ -20,7 +20,7 @@ from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.run_directory import RunDirectory
 from matrixworld.coevolution.storage.run_files import CONFIG, LOCK, OtherVersionError
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
-from matrixworld.files import locked
+from matrixworld.files import is_temporary, locked
 from matrixworld.memory import check_memory
 from matrixworld.reading import DamagedFileError
 
@@ -188,7 +188,8 @@ def check_job(job: Job, root: Path, executor: Executor | None, threads: int | No
 def check_directory(root: Path, job: Job) -> None:
     """Raise an error unless a directory is new, empty, or that of the same job."""
     found = open_job(root)
-    if found is None and root.exists():
+    # A cluster's probe is a temporary file, and may be there.
+    if found is None and root.exists() and not all(is_temporary(f.name) for f in root.iterdir()):
         RunDirectory(root).check_empty()
     if found is not None and found.runs != job.runs:
         different = found.runs.items() ^ job.runs.items()

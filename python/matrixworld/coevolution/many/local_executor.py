@@ -4,27 +4,31 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import pickle
 import queue
 import signal
+import sys
 import threading
+import traceback
 import warnings
 from collections.abc import Callable
-from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import Executor, Future
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from multiprocessing import resource_tracker
+from multiprocessing.connection import Connection
+from multiprocessing.context import SpawnProcess
+from typing import Any, NamedTuple, TypeVar
 
 from matrixworld.checks import check_integer, usable_cores
 from matrixworld.coevolution.runs.alternating import DisengagementWarning
 
 TRIES = 3
 """Workers that a task may lose before it fails."""
-KILL = getattr(signal, "SIGKILL", signal.SIGTERM)
 
 Result = TypeVar("Result")
 
 
-class WorkerDiedError(BrokenExecutor):
+class WorkerDiedError(RuntimeError):
     """A task has lost `TRIES` worker processes, for example for lack of memory."""
 
 
@@ -46,8 +50,8 @@ class LocalExecutor(Executor):
 
     Notes
     -----
-    `ProcessPoolExecutor` gives up all tasks when one worker dies. Here each worker is a pool of its
-    own, and the task of a dead worker is done again: it must be able to continue what it has begun.
+    `ProcessPoolExecutor` gives up all tasks when one worker dies. Here each worker stands alone,
+    and the task of a dead one is done again: it must be able to continue what it has begun.
     Workers are started when there is work. They ignore Ctrl-C, and end with this process, even if
     it is killed.
     """
@@ -57,6 +61,9 @@ class LocalExecutor(Executor):
         self._tasks: queue.SimpleQueue[_Task | None] = queue.SimpleQueue()
         self._workers = [_Worker() for _ in range(count)]
         self._closed = False
+        # Started by the first process, it would let Ctrl-C through to that (see `_serve`).
+        if sys.platform != "win32":
+            resource_tracker.ensure_running()
         self._threads = [
             threading.Thread(target=self._serve, args=(worker,), daemon=True)
             for worker in self._workers
@@ -114,8 +121,8 @@ class _Worker:
     """One worker process at a time."""
 
     def __init__(self) -> None:
-        self._pool: ProcessPoolExecutor | None = None
-        self._pid: int | None = None
+        self._process: SpawnProcess | None = None
+        self._pipe: Connection | None = None
         self._killed = False
 
     def do(self, task: _Task) -> None:
@@ -124,46 +131,100 @@ class _Worker:
             if self._killed:
                 break
             try:
-                result = self._started().submit(task.call, *task.args, **task.kwargs).result()
-            except BrokenProcessPool:
+                result, error = self._answer(task)
+            except (EOFError, OSError):  # the process is dead
                 self.close()
-            except BaseException as error:  # noqa: BLE001, it belongs to the future
-                task.future.set_exception(error)
+            except Exception as bad:  # noqa: BLE001, such as arguments that cannot be pickled
+                task.future.set_exception(bad)
                 return
             else:
-                task.future.set_result(result)
+                _settle(task.future, result, error)
                 return
         problem = "killed" if self._killed else f"expected a worker that lives, lost {TRIES}"
         task.future.set_exception(WorkerDiedError(f"worker process: {problem}"))
 
     def close(self) -> None:
-        """End the process, which does nothing now."""
-        if self._pool is not None:
-            self._pool.shutdown()
-        self._pool = self._pid = None
+        """End the process, which does nothing now or is dead."""
+        if self._pipe is not None:
+            self._pipe.close()  # the process reads its end
+        if self._process is not None:
+            self._process.join()
+        self._process = self._pipe = None
 
     def kill(self) -> None:
-        """End the process at once."""
+        """End the process at once, also while it starts."""
         self._killed = True
-        if self._pid is not None:
-            os.kill(self._pid, KILL)
+        process = self._process
+        if process is not None:
+            process.kill()
 
-    def _started(self) -> ProcessPoolExecutor:
-        if self._pool is None:
+    def _answer(self, task: _Task) -> tuple[Any, _Failure | None]:
+        if self._pipe is None:
             # spawn: a fork would copy locks that other threads of this process hold.
             context = multiprocessing.get_context("spawn")
-            self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=_prepare)
-            self._pid = self._pool.submit(os.getpid).result()
-        return self._pool
+            self._pipe, theirs = context.Pipe()
+            self._process = context.Process(target=_work, args=(theirs,), daemon=True)
+            self._process.start()
+            theirs.close()  # else its end would not be seen when the process dies
+            if self._killed:  # meanwhile
+                self._process.kill()
+        self._pipe.send((task.call, task.args, task.kwargs))
+        answer: tuple[Any, _Failure | None] = self._pipe.recv()
+        return answer
 
 
-def _prepare() -> None:
-    """Prepare a worker process."""
+class _RemoteError(Exception):
+    """The traceback of an error in a worker process, as text."""
+
+
+class _Failure(NamedTuple):
+    """An error in a worker process: pickled alone, it would lose its traceback."""
+
+    error: BaseException
+    traceback: str
+
+
+def _settle(future: Future[Any], result: Any, failure: _Failure | None) -> None:
+    if failure is None:
+        future.set_result(result)
+        return
+    failure.error.__cause__ = _RemoteError(f"\n{failure.traceback}")
+    future.set_exception(failure.error)
+
+
+# In the worker process:
+
+
+def _work(pipe: Connection) -> None:
+    """Do what comes through a pipe until it is closed."""
     # Ctrl-C reaches all processes of a terminal; the main process tells the workers to stop.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # The main process warns when a run has ended, with its name.
     warnings.simplefilter("ignore", DisengagementWarning)
     threading.Thread(target=_end_with_parent, daemon=True).start()
+    while True:
+        try:
+            call, args, kwargs = pipe.recv()
+        except EOFError:
+            return
+        pipe.send(_outcome(call, args, kwargs))
+
+
+def _outcome(
+    call: Callable[..., Any], args: tuple[Any, ...], kwargs: dict[str, Any]
+) -> tuple[Any, _Failure | None]:
+    try:
+        result = call(*args, **kwargs)
+        pickle.dumps(result)
+    except BaseException as error:  # noqa: BLE001, it belongs to the future
+        text = "".join(traceback.format_exception(error))
+        try:
+            # Some errors can be pickled, but not made again from what was pickled.
+            pickle.loads(pickle.dumps(error))  # noqa: S301, of this process
+        except Exception:  # noqa: BLE001, whatever its class does
+            error = RuntimeError(f"{type(error).__name__}: {error}")
+        return None, _Failure(error, text)
+    return result, None
 
 
 def _end_with_parent() -> None:

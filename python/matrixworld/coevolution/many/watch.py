@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Iterable, Mapping
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -143,12 +143,13 @@ class Watch:
         report(self.progress())
 
     def _take(self, name: str, future: Future[Values]) -> None:
-        # CancelledError, which a vanished cluster raises, is no result either.
         try:
             self.finished[name] = future.result()
             if self.finished[name]["disengagement"]:
                 text = f"{name}: {self.finished[name]['disengagement']}"
                 warnings.warn(text, DisengagementWarning, stacklevel=6)
+        except BrokenExecutor:  # of the whole job: no task can be done any more
+            raise
         except Exception as error:  # noqa: BLE001, of one run: the others go on
             self.failures[name] = error
 

@@ -1,0 +1,91 @@
+"""``matrixworld explore``: write the page of finished runs, and open it."""
+
+from __future__ import annotations
+
+import webbrowser
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import zip_longest
+from pathlib import Path
+
+import click
+
+from matrixworld.cli.arguments import all_of, failures, find_runs
+from matrixworld.cli.console import note, print_wrapped
+from matrixworld.cli.held_out import kept_scores
+from matrixworld.cli.jobs import Result, Settings, open_result
+from matrixworld.cli.options import force_option, refuse_existing
+from matrixworld.coevolution import open_run
+from matrixworld.explorer.explore import MOST_RUNS, explorer_page, page_file
+from matrixworld.explorer.page import write_page
+
+
+@click.command("explore")
+@click.argument(
+    "runs",
+    nargs=-1,
+    required=True,
+    metavar="RUN...",
+    callback=all_of(find_runs, "directories that hold runs"),
+)
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help="the page  [default: explorer.html in the run directory, or in the directory that holds "
+    "all of the runs]",
+)
+@click.option("--open/--no-open", "opens", default=True, help="open the page in a browser")
+@force_option
+def explore_command(runs: list[Path], output: Path | None, opens: bool, force: bool) -> None:
+    """Write one page that shows finished runs and plays their matches, and open it.
+
+    The page is a single file that needs no network and no installation. It holds the genomes and
+    the engine: a click on a cell of the payoff matrix plays that very match. RUN is a run
+    directory, or a directory of several.
+    """
+    with failures():
+        page = output or page_file(runs)
+        refuse_existing(page, force=force)
+        results = [open_result(path) for path in runs]
+        write_explorer(results, page)
+        click.echo(page)
+        if opens and not webbrowser.open(page.absolute().as_uri()):
+            note("No browser was found here; open the file in one.")
+
+
+def write_explorer(results: Sequence[Result], page: Path) -> None:
+    """Write the page of finished runs, of the first ones if there are many, and say which."""
+    shown = of_each_group(results, MOST_RUNS)
+    left_out = ""
+    if len(shown) < len(results):
+        left_out = (
+            f"The page shows {len(shown)} of {len(results)} runs; matrixworld explore RUN... makes "
+            "one of others."
+        )
+        print_wrapped(left_out)
+    scores = {result.path: kept for result in shown if (kept := kept_scores(result)) is not None}
+    html = explorer_page(
+        [open_run(result.path) for result in shown], held_out=scores, note=left_out
+    )
+    write_page(page, html)
+
+
+def of_each_group(results: Sequence[Result], most: int) -> list[Result]:
+    """Return at most so many runs, in their order: of each settings the first seeds, in turn."""
+    groups: list[list[Result]] = []
+    for result in results:
+        # Runs that differ in their seed only are one group.
+        same = [g for g in groups if _same_but_seed(g[0].settings, result.settings)]
+        if same:
+            same[0].append(result)
+        else:
+            groups.append([result])
+    in_turn = [each for turn in zip_longest(*groups) for each in turn if each is not None]
+    chosen = {result.path for result in in_turn[:most]}
+    return [result for result in results if result.path in chosen]
+
+
+def _same_but_seed(one: Settings, other: Settings) -> bool:
+    return type(one) is type(other) and one == replace(other, seed=one.seed)

@@ -1,0 +1,148 @@
+"""The page of finished runs: payoff matrices whose matches it plays, and all that belongs to them.
+
+>>> from matrixworld.explorer import explore
+>>> explore("runs/O-seed0/generalist-generalist")  # doctest: +SKIP
+"""
+
+from __future__ import annotations
+
+import html
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
+from matrixworld.explorer.archives import archives_of
+from matrixworld.explorer.page import render_page, without_engine, write_page
+from matrixworld.explorer.playground import Playground, page_data
+from matrixworld.explorer.run_data import run_data
+from matrixworld.version import __version__
+
+PAGE = "explorer.html"
+"""Name of the page in a run directory, or beside several."""
+MOST_RUNS = 12
+"""The most runs of a page."""
+
+Path_ = str | os.PathLike[str]
+
+
+@dataclass(frozen=True)
+class Explorer:
+    """A page that was written; notebooks show it in a frame.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    """
+
+    path: Path
+
+    def _repr_html_(self) -> str:
+        """Return a frame that shows the page, for notebooks."""
+        # The page travels inside the frame: notebooks do not serve files from elsewhere.
+        content = html.escape(self.path.read_text(encoding="utf-8"), quote=True)
+        return (
+            f'<iframe srcdoc="{content}" style="width: 100%; height: 860px; border: 0" '
+            f'title="{html.escape(self.path.name, quote=True)}"></iframe>'
+        )
+
+
+def explore(*runs: Path_, file: Path_ | None = None, force: bool = False) -> Explorer:
+    """Write the page of finished runs.
+
+    Parameters
+    ----------
+    *runs : str or path
+        Run directories, at least one and at most 12.
+    file : str or path, optional
+        The page. The default is ``explorer.html`` in the run directory, or in the directory that
+        holds all of the runs.
+    force : bool, optional
+        Whether to replace a file that exists. The default is False.
+
+    Returns
+    -------
+    Explorer
+        The page; the last expression of a notebook's cell shows it.
+
+    Raises
+    ------
+    ValueError
+        If the number of runs is another one.
+    FileNotFoundError
+        If a directory holds no run, or its run is not finished.
+    FileExistsError
+        If the file exists.
+    DamagedFileError
+        If a file of a run is cut or altered.
+    """
+    if not 1 <= len(runs) <= MOST_RUNS:
+        raise ValueError(f"runs: expected 1 to {MOST_RUNS} run directories, got {len(runs)}")
+    paths = [Path(run) for run in runs]
+    page = page_file(paths) if file is None else Path(file)
+    if page.exists() and not force:
+        raise FileExistsError(f"{page}: exists; force=True replaces it")
+    write_page(page, explorer_page([open_run(path) for path in paths]))
+    return Explorer(page)
+
+
+def page_file(paths: Sequence[Path]) -> Path:
+    """Return where the page of runs goes by default: beside what it shows."""
+    return Path(os.path.commonpath([path.absolute() for path in paths])) / PAGE
+
+
+def explorer_page(
+    runs: Sequence[SavedRun],
+    *,
+    held_out: Mapping[Path, Mapping[str, Any]] | None = None,
+    note: str = "",
+) -> str:
+    """Return the page of finished runs as HTML.
+
+    Parameters
+    ----------
+    runs : sequence of SavedRun
+        The runs, in the order of the page.
+    held_out : mapping of Path to mapping, optional
+        Scores against held-out opponents by run directory; see `run_data.run_data`.
+    note : str, optional
+        What the page does not show, such as further runs of the job.
+
+    Returns
+    -------
+    str
+        The page.
+
+    Raises
+    ------
+    FileNotFoundError
+        If a run is not finished.
+    """
+    paths = [run.files.path.absolute() for run in runs]
+    common = Path(os.path.commonpath(paths))
+    names = [_name(path, common) for path in paths]
+    archives = archives_of(runs)
+    plain = [
+        {**run_data(name, run, (held_out or {}).get(run.files.path)), "teams": teams}
+        for name, run, teams in zip(names, runs, archives.teams, strict=True)
+    ]
+    title = names[0] if len(names) == 1 else common.name
+    data = {
+        "version": __version__,
+        "title": title,
+        "note": note,
+        "step": archives.step,
+        "playground": page_data(),
+        "runs": plain,
+    }
+    playground = without_engine(Playground().html()).encode()
+    blobs = {**archives.blobs, "playground": playground}
+    return render_page("explorer", f"{title} - matrixworld", data, blobs, opens=["playground"])
+
+
+def _name(path: Path, common: Path) -> str:
+    """Return the name of a run: its path below the directory that holds all of them."""
+    return path.name if path == common else path.relative_to(common).as_posix()

@@ -1,0 +1,209 @@
+"""The playground: conflicts on a small board, step by step, under any rules.
+
+>>> import matrixworld as mw
+>>> from matrixworld.explorer import Playground
+>>> world = mw.World("SB", rows=3, cols=5, n_pursuers=2, n_evaders=1)
+>>> world.reset(0, pursuers=[[0, 0], [0, 2]], evaders=[[2, 4]])
+>>> Playground(world, ["hunter", mw.Action.WEST, "fleer"]).url()
+'playground.html#rules=SB&size=3x5&pursuers=0.0_0.2&evaders=2.4&next=f4d'
+"""
+
+from __future__ import annotations
+
+import html
+import os
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from enum import Enum
+from inspect import cleandoc
+from pathlib import Path
+from typing import Any
+
+from matrixworld.envs.variant_texts import VARIANT_TEXTS
+from matrixworld.explorer.gallery import GALLERY
+from matrixworld.explorer.links import Command, scene_link
+from matrixworld.explorer.page import render_page, write_page
+from matrixworld.policy import SCRIPTS
+from matrixworld.rules import (
+    CAPTURE_TEXTS,
+    INTERACTION_TEXTS,
+    OUTCOME_TEXTS,
+    VARIANTS,
+    Capture,
+    Interaction,
+    Outcome,
+    Rewards,
+    Rules,
+)
+from matrixworld.world import World
+
+PAGE = "playground.html"
+"""Name of the page where no other is given."""
+
+LABELS = {
+    "interaction": "Agents move",
+    "obstacle": "Obstacle or border: the agent",
+    "teammate": "Teammates collide: both",
+    "evader": "Adversaries collide: the evader",
+    "pursuer": "Adversaries collide: the pursuer",
+    "capture": "Evaders are captured by",
+    "captured_disappear": "A surrounded evader",
+}
+"""The fields of `Rules`, as the page names them."""
+
+VALUES: Mapping[type, Mapping[Any, str]] = {
+    Interaction: INTERACTION_TEXTS,
+    Outcome: {outcome: text.split()[0] for outcome, text in OUTCOME_TEXTS.items()},
+    Capture: CAPTURE_TEXTS,
+    bool: {False: "stays", True: "disappears"},
+}
+"""The values of fields by their type, as the page names them."""
+
+SCRIPT_TEXTS = {
+    "random": "any action, all equally likely",
+    "still": "always stays",
+    "chaser": "moves to where the nearest adversary in view is nearest",
+    "fleer": "moves to where the nearest adversary in view is farthest",
+    "clumsy-chaser": "a chaser that takes any action in half of the steps",
+    "hunter": "a chaser of the nearest adversary in view to which no teammate in view is nearer",
+    "surrounder": "a chaser of the nearest free cell beside an adversary without a teammate",
+    "clumsy-fleer": "a fleer that takes any action in half of the steps",
+    "dodger": "moves to where all adversaries in view together are farthest",
+}
+"""What scripts do."""
+
+
+DOCUMENTED = re.compile(r"^([\w, ]+) : .*\n((?: {4}.+\n)+)", re.MULTILINE)
+"""Names of parameters in a docstring, and their text."""
+
+
+class Playground:
+    """A scene of the playground: a link to it, a page that begins with it, a frame in a notebook.
+
+    Parameters
+    ----------
+    world : World, optional
+        A world between two rounds; in the playground it goes on as it would here. By default the
+        page begins with its first example.
+    actions : sequence, shape (A,), optional
+        What each agent does next: an `Action`, or the name of a script. By default all stay.
+    compare : Rules or str, optional
+        Rules to compare with, or the name of a variant: a second board plays the same actions.
+
+    Attributes
+    ----------
+    scene : str
+        The scene as it stands in a link; see `matrixworld.explorer.links`.
+
+    Raises
+    ------
+    ValueError, TypeError
+        If the world is in the middle of a round or too large, or another argument is not valid.
+    """
+
+    scene: str
+
+    def __init__(
+        self,
+        world: World | None = None,
+        actions: Sequence[Command] | None = None,
+        *,
+        compare: Rules | str | None = None,
+    ) -> None:
+        if world is None and (actions is not None or compare is not None):
+            raise ValueError("world: expected a world together with actions or compare, got None")
+        self.scene = "" if world is None else scene_link(world, actions, compare=compare)
+
+    def url(self, page: str | os.PathLike[str] = PAGE) -> str:
+        """Return a link to the scene in a page that was written before.
+
+        Parameters
+        ----------
+        page : str or path, optional
+            Address of the page. The default is ``playground.html``.
+
+        Returns
+        -------
+        str
+            The link.
+        """
+        return f"{os.fspath(page)}#{self.scene}"
+
+    def html(self) -> str:
+        """Return the page, which begins with the scene."""
+        return render_page("playground", "matrixworld playground", page_data(self.scene))
+
+    def save(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
+        """Write the page.
+
+        Parameters
+        ----------
+        path : str or path
+            The file.
+        force : bool, optional
+            Whether to replace a file that exists. The default is False.
+
+        Raises
+        ------
+        FileExistsError
+            If the file exists.
+        """
+        if Path(path).exists() and not force:
+            raise FileExistsError(f"{os.fspath(path)}: exists; force=True replaces it")
+        write_page(path, self.html())
+
+    def __repr__(self) -> str:
+        return f"<Playground: {self.scene or 'the first example'}>"
+
+    def _repr_html_(self) -> str:
+        """Return a frame that shows the page, for notebooks."""
+        # The page travels inside the frame: notebooks do not serve files from elsewhere.
+        content = html.escape(self.html(), quote=True)
+        return (
+            f'<iframe srcdoc="{content}" style="width: 100%; height: 860px; border: 0" '
+            'title="playground"></iframe>'
+        )
+
+
+def page_data(scene: str = "") -> dict[str, Any]:
+    """Return what the page knows of the package: rules, scripts, rewards and examples."""
+    return {
+        "variants": {name: _plain(rules) for name, rules in VARIANTS.items()},
+        "titles": {name: VARIANT_TEXTS[name].title for name in VARIANTS},
+        "fields": [_field(name) for name in LABELS],
+        "rewards": {"paper": _plain(Rewards.paper()), "published": _plain(Rewards.published())},
+        "scripts": [{"name": name, "text": SCRIPT_TEXTS[name]} for name in SCRIPTS],
+        "gallery": [
+            {"title": each.title, "text": each.text, "scene": each.scene} for each in GALLERY
+        ],
+        "scene": scene,
+    }
+
+
+def _plain(row: Rules | Rewards) -> dict[str, Any]:
+    """Return fields as values that JSON can hold."""
+    return {
+        name: value.name if isinstance(value, Enum) else value
+        for name, value in asdict(row).items()
+    }
+
+
+def _field(name: str) -> dict[str, Any]:
+    """Return a field of `Rules`: its label, its documentation and its values."""
+    texts = VALUES[type(getattr(Rules(), name))]
+    values = [
+        {"name": value.name if isinstance(value, Enum) else str(value).lower(), "label": text}
+        for value, text in texts.items()
+    ]
+    return {"name": name, "label": LABELS[name], "text": _documented()[name], "values": values}
+
+
+def _documented() -> dict[str, str]:
+    """Return the texts of the fields in the docstring of `Rules`."""
+    texts: dict[str, str] = {}
+    for names, text in re.findall(
+        r"^([\w, ]+) : .*\n((?: {4}.+\n)+)", cleandoc(Rules.__doc__ or ""), re.M
+    ):
+        texts |= dict.fromkeys(names.split(", "), " ".join(text.split()))
+    return texts

@@ -1,0 +1,122 @@
+"""``matrixworld explore``, and the page at the end of ``evolve``."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from command_line import JOB, MAIN_JOB, matrixworld_command, words
+from matrixworld.cli import explore
+from matrixworld.cli.explore import of_each_group
+from matrixworld.cli.jobs import open_result
+from matrixworld.coevolution import start
+from tiny_race import tiny_race
+
+
+@pytest.fixture(autouse=True)
+def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Open no browser; return what would have been opened."""
+    addresses: list[str] = []
+    monkeypatch.setattr(explore.webbrowser, "open", lambda url: addresses.append(url) or True)
+    return addresses
+
+
+@pytest.fixture(scope="module")
+def job(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """A tiny main job and what evolve printed."""
+    output = tmp_path_factory.mktemp("job") / "main job"
+    return output, matrixworld_command("evolve", output, *words(JOB), "--threads", 1).output
+
+
+def data_of(page: Path) -> dict[str, Any]:
+    found = re.search(r'id="data">(.*?)</script>', page.read_text(encoding="utf-8"))
+    assert found
+    data: dict[str, Any] = json.loads(found[1])
+    return data
+
+
+def test_evolve_ends_with_a_page_of_all_its_races(job: tuple[Path, str]) -> None:
+    root, output = job
+    data = data_of(root / "explorer.html")
+    assert [run["name"] for run in data["runs"]] == [*MAIN_JOB]
+    assert data["title"] == "main job"
+    assert "explorer.html: open it in a browser" in output
+
+
+def test_the_page_has_the_held_out_scores_of_the_report(job: tuple[Path, str]) -> None:
+    root, _ = job
+    scores = json.loads((root / MAIN_JOB[0] / "scores.json").read_text())
+    [first, *_] = data_of(root / "explorer.html")["runs"]
+    assert first["held_out"] == {team: scores[team] for team in ("pursuers", "evaders")}
+
+
+def test_a_page_is_written_beside_the_run_and_opened(
+    job: tuple[Path, str], opened: list[str]
+) -> None:
+    run = job[0] / MAIN_JOB[1]
+    result = matrixworld_command("explore", run)
+    page = run / "explorer.html"
+    assert result.output.strip() == str(page)
+    assert opened == [page.as_uri()]
+    matrixworld_command("explore", run, "--force", "--no-open")
+    assert opened == [page.as_uri()]
+
+
+def test_nothing_is_replaced_unasked(job: tuple[Path, str], opened: list[str]) -> None:
+    page = job[0] / "explorer.html"
+    before = page.read_bytes()
+    result = matrixworld_command("explore", job[0], code=2)
+    assert "exists; give --force to replace it" in result.output
+    assert page.read_bytes() == before
+    assert opened == []
+
+
+def test_a_file_of_another_name(job: tuple[Path, str], tmp_path: Path) -> None:
+    page = tmp_path / "two.html"
+    runs = [job[0] / name for name in MAIN_JOB[:2]]
+    matrixworld_command("explore", *runs, "-o", page, "--no-open")
+    assert [run["name"] for run in data_of(page)["runs"]] == [*MAIN_JOB[:2]]
+
+
+def test_an_unfinished_run_is_refused(tmp_path: Path) -> None:
+    start(tiny_race(), tmp_path / "run")
+    result = matrixworld_command("explore", tmp_path / "run", code=2)
+    assert "expected a finished run" in result.output
+    assert not (tmp_path / "run" / "explorer.html").exists()
+
+
+def test_a_directory_without_a_run_is_refused(tmp_path: Path) -> None:
+    result = matrixworld_command("explore", tmp_path, code=2)
+    assert "expected directories that hold runs" in result.output
+
+
+def test_a_machine_without_a_browser_gets_the_file(
+    job: tuple[Path, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(explore.webbrowser, "open", lambda url: False)
+    result = matrixworld_command("explore", job[0], "-o", tmp_path / "page.html")
+    assert "No browser was found here" in result.output
+    assert (tmp_path / "page.html").exists()
+
+
+def test_many_seeds_show_some_of_each_group_and_say_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    names = [f"{schedule}-{seed}" for schedule in ("generalist-specialist", "hall-of-fame")
+             for seed in range(3)]  # fmt: skip
+    for name in names:
+        schedule, _, seed = name.rpartition("-")
+        start(tiny_race(schedule=schedule, seed=int(seed)), tmp_path / name, threads=1).run()
+    monkeypatch.setattr(explore, "MOST_RUNS", 4)
+    result = matrixworld_command("explore", tmp_path, "--no-open")
+    data = data_of(tmp_path / "explorer.html")
+    shown = [name for name in names if name[-1] in "01"]
+    assert sorted(run["name"] for run in data["runs"]) == sorted(shown)
+    assert data["note"].startswith("The page shows 4 of 6 runs")
+    assert "The page shows 4 of 6 runs" in result.output
+    results = [open_result(tmp_path / name) for name in names]
+    assert of_each_group(results, 6) == results

@@ -1,0 +1,316 @@
+"""The explorer in a real browser: its matches are those of the run, move by move."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from browser import DESKTOP, PHONE, Browser
+from matrixworld import World
+from matrixworld.coevolution import SavedRun, open_run, start
+from matrixworld.coevolution.seeding import evaluation_seed
+from matrixworld.explorer import explore, explorer_page
+from matrixworld.explorer.archives import archives_of
+from matrixworld.explorer.page import render_page, write_page
+from matrixworld.explorer.run_data import run_data
+from tiny_race import tiny_race, tiny_single
+
+Job = dict[str, SavedRun]
+CELLS = 10
+HOME, RIGHT, DOWN, ESCAPE = "\ue011", "\ue014", "\ue015", "\ue00c"
+PLAYED = "document.querySelector('#match').dataset.played"
+
+# What a test reads of the match that is shown.
+MATCH = """(() => {
+  const match = window.matrixworldExplorer.match;
+  const at = match.length * match.n_agents;
+  return {
+    length: match.length,
+    rate: match.statistics.capture_rate,
+    last: Array.from(match.last_positions.subarray(2 * at)),
+    captured: Array.from(match.ever_captured.subarray(match.length * match.config.n_evaders)),
+    conflicts: Array.from({length: match.length}, (_, i) => match.conflicts(i + 1))
+      .map((step) => step.map((conflict) => conflict.text)),
+  };
+})()"""
+
+
+@pytest.fixture(scope="module")
+def job(tmp_path_factory: pytest.TempPathFactory) -> Job:
+    """Three runs of different worlds: obstacles, diagonal moves and turns, and a single team."""
+    root = tmp_path_factory.mktemp("job")
+    settings = {
+        "race": tiny_race(obstacles=0.15, eval_steps=30),
+        "turns": tiny_race(variant="TO", diagonal=True, eval_steps=20, schedule="hall-of-fame"),
+        "single": tiny_single(team="evader", against="chaser"),
+    }
+    for name, each in settings.items():
+        start(each, root / name, threads=1).run()
+    return {name: open_run(root / name) for name in settings}
+
+
+@pytest.fixture(scope="module")
+def page(job: Job) -> Path:
+    return explore(*(run.files.path for run in job.values())).path
+
+
+@pytest.fixture
+def opened(browser: Browser, page: Path) -> Browser:
+    browser.open(page)
+    browser.wait(PLAYED)
+    return browser
+
+
+def select(
+    browser: Browser, run: int, pursuer: int, evader: int, episode: int = 0
+) -> dict[str, Any]:
+    """Click a run and a cell, choose an episode, and return the match that the page plays."""
+    browser.click(f".race:nth-child({run + 1})")
+    click_cell(browser, pursuer, evader)
+    for _ in range(episode):
+        browser.press("n")
+    browser.wait(f"{PLAYED} === '{run} {pursuer} {evader} {episode} '")
+    match: dict[str, Any] = browser.js(MATCH)
+    return match
+
+
+def click_cell(browser: Browser, pursuer: int, evader: int) -> None:
+    from selenium.webdriver import ActionChains
+    from selenium.webdriver.common.by import By
+
+    matrix = browser.driver.find_element(By.ID, "matrix")
+    place = browser.js(
+        """(() => {
+          const [g, h] = arguments, canvas = document.querySelector('#matrix canvas');
+          const [rows, columns] = window.matrixworldExplorer.shape;
+          canvas.scrollIntoView({block: 'center', behavior: 'instant'});
+          const box = canvas.getBoundingClientRect();
+          const room = document.querySelector('#matrix').getBoundingClientRect();
+          return [box.left + (h + .5) / columns * box.width - room.left - room.width / 2,
+                  box.top + (rows - g - .5) / rows * box.height - room.top - room.height / 2];
+        })()""",
+        pursuer,
+        evader,
+    )
+    action = ActionChains(browser.driver, duration=0)
+    action.move_to_element_with_offset(matrix, round(place[0]), round(place[1])).click().perform()
+
+
+def random_matches(job: Job) -> list[tuple[int, int, int, int]]:
+    """Draw matches of all runs: run, generations, episode."""
+    rng = np.random.default_rng(3)
+    shapes = [(3, 3), (3, 3), (1, 4)]
+    runs = [number % len(job) for number in range(CELLS)]
+    return [(r, *map(int, rng.integers(0, [*shapes[r], 3]))) for r in runs]
+
+
+def test_clicks_play_the_matches_of_the_run(opened: Browser, job: Job) -> None:
+    runs = list(job.values())
+    for number, g, h, episode in random_matches(job):
+        played = select(opened, number, g, h, episode)
+        expected = runs[number].record(g, h, episode)
+        assert played["length"] == expected.length
+        assert played["last"] == expected.last_positions[-1].ravel().tolist()
+        assert played["captured"] == expected.ever_captured[-1].astype(int).tolist()
+    assert opened.errors() == []
+
+
+def test_conflicts_have_the_package_s_words(opened: Browser, job: Job) -> None:
+    seen = 0
+    for number, g, h in [(0, 0, 1), (0, 2, 0), (1, 0, 1), (1, 2, 2)]:
+        played = select(opened, number, g, h)
+        episode = [*job.values()][number].record(g, h)
+        for step, texts in enumerate(played["conflicts"], 1):
+            assert texts == [conflict.text for conflict in episode.explain(step)]
+            seen += len(texts)
+    assert seen > 20
+    assert opened.errors() == []
+
+
+def test_the_page_confirms_the_cell(opened: Browser, job: Job) -> None:
+    select(opened, 0, 2, 1)
+    opened.wait("document.querySelector('.check').dataset.equal === 'true'")
+    rate = job["race"].payoff().capture_rate[2, 1]
+    assert opened.js("document.querySelector('.check').textContent") == (
+        f"Played here: all 3 episodes, mean capture rate {rate:.3f}. The cell says {rate:.3f}."
+    )
+
+
+def test_the_page_says_if_its_matches_differ(browser: Browser, job: Job, tmp_path: Path) -> None:
+    html = explorer_page([job["race"]])
+    seed = f'"{run_data("race", job["race"])["seeds"][2][2]}"'
+    assert html.count(seed) == 1
+    write_page(tmp_path / "other.html", html.replace(seed, '"1"'))
+    browser.open(tmp_path / "other.html")
+    browser.wait("document.querySelector('.check').textContent.includes('differs')")
+
+
+def test_keys(opened: Browser) -> None:
+    select(opened, 0, 1, 1)
+    opened.wait("window.matrixworldExplorer.step > 0")  # a click plays the match
+    opened.press(" ", HOME)
+    opened.wait("window.matrixworldExplorer.step === 0")
+    opened.press(RIGHT, RIGHT)
+    opened.wait("window.matrixworldExplorer.step === 2")
+    opened.press("p", "E")
+    opened.wait(f"{PLAYED} === '0 2 0 0 '")
+    opened.press("n", "n", "N")
+    opened.wait(f"{PLAYED} === '0 2 0 1 '")
+    opened.press("m", DOWN, RIGHT)
+    opened.wait(f"{PLAYED} === '0 1 1 0 '")
+    opened.press("r")
+    opened.wait(f"{PLAYED}.match(/^0 1 1 0 [0-9]+$/) !== null")
+    opened.press("o")
+    opened.wait(f"{PLAYED} === '0 1 1 0 '")
+    opened.press("?")
+    assert opened.js("document.querySelector('dialog.help').open")
+    opened.press(ESCAPE)
+    assert not opened.js("document.querySelector('dialog.help').open")
+    opened.press("2")
+    opened.wait(f"{PLAYED} === '1 1 1 0 '")
+    opened.press("d")
+    assert opened.js("document.documentElement.dataset.theme") in ("light", "dark")
+    assert opened.errors() == []
+
+
+def test_an_agent_shows_its_view_and_the_answer_of_its_network(opened: Browser, job: Job) -> None:
+    select(opened, 0, 2, 2)
+    opened.press(HOME, "a")
+    name = "document.querySelector('.inspector h3').textContent"
+    assert opened.js(name) == "pursuer_0"
+    run = job["race"]
+    world = World(run.settings.world(run.settings.eval_steps))
+    world.reset(evaluation_seed(run.settings.seed, 2, 2))
+    population = run.teams["pursuer"]
+    assert not isinstance(population, str)
+    logits = population.network.logits(population.genomes[2], world.views()[:1])[0].astype(float)
+    expected = np.exp(logits - logits.max()) / np.exp(logits - logits.max()).sum()
+    shown = opened.js(
+        "Array.from(document.querySelectorAll('.action .numbers')).map((e) => +e.textContent)"
+    )
+    np.testing.assert_allclose(shown, expected, atol=0.0051)
+
+
+def test_a_checkerboard_plays_four_matches(browser: Browser, job: Job, tmp_path: Path) -> None:
+    data = run_data("race", job["race"])
+    board = {"pursuers": [0, 2], "evaders": [1, 0], "margin": 0.4}
+    html = render_page(
+        "explorer", "a board",
+        {"version": "", "title": "a board", "note": "", "step": 1,
+         "runs": [{**data, "teams": archives_of([job["race"]]).teams[0],
+                   "findings": {**data["findings"], "checkerboards": [board]}}]},
+        archives_of([job["race"]]).blobs,
+    )  # fmt: skip
+    write_page(tmp_path / "board.html", html)
+    browser.open(tmp_path / "board.html")
+    browser.wait(PLAYED)
+    browser.driver.execute_script("document.querySelector('.miniature').click()")
+    assert browser.js("document.querySelectorAll('dialog.four canvas').length") == 4
+    browser.press(ESCAPE)
+    assert browser.js("document.querySelectorAll('dialog.four canvas').length") == 0
+    assert browser.errors() == []
+
+
+@pytest.mark.parametrize("size", [DESKTOP, PHONE])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_nothing_is_wider_than_the_window(
+    browser: Browser, page: Path, size: tuple[int, int], scheme: str
+) -> None:
+    browser.prefer(prefers_color_scheme=scheme)
+    browser.open(page, size)
+    browser.wait(PLAYED)
+    assert browser.js("document.documentElement.scrollWidth") <= size[0]
+    assert browser.errors() == []
+
+
+def test_the_page_does_not_jump_when_the_match_arrives(browser: Browser, page: Path) -> None:
+    browser.open(page)
+    browser.wait(PLAYED)
+    shift = browser.driver.execute_async_script(
+        """const done = arguments[0]; let sum = 0;
+        new PerformanceObserver((list) => { for (const e of list.getEntries()) sum += e.value; })
+          .observe({type: 'layout-shift', buffered: true});
+        setTimeout(() => done(sum), 300);"""
+    )
+    assert shift < 0.02
+
+
+def test_texts_from_files_stay_texts(browser: Browser, job: Job, tmp_path: Path) -> None:
+    name = "<img src=x onerror=document.title='owned'> &amp; \"'"
+    source = job["race"].files.path
+    shutil.copytree(source, tmp_path / name)
+    page = explore(tmp_path / name).path
+    browser.open(page)
+    browser.wait(PLAYED)
+    assert browser.js("document.querySelector('h1').textContent") == name
+    assert browser.js("document.title").startswith(name)
+    assert browser.js("document.images.length") == 0
+    assert browser.errors() == []
+
+
+def test_a_page_with_an_altered_script_does_not_run(
+    browser: Browser, page: Path, tmp_path: Path
+) -> None:
+    added = "<script>document.title = 'owned'</script></body>"
+    html = page.read_text().replace("</body>", added)
+    write_page(tmp_path / "altered.html", html)
+    browser.open(tmp_path / "altered.html")
+    assert browser.js("document.title") != "owned"
+    assert any("Content Security Policy" in error for error in browser.errors())
+
+
+def test_reduced_motion_shows_moments_only(browser: Browser, page: Path) -> None:
+    browser.prefer(prefers_reduced_motion="reduce")
+    browser.open(page)
+    browser.wait(PLAYED)
+    click_cell(browser, 1, 1)
+    browser.wait(f"{PLAYED} === '0 1 1 0 '")
+    # A click plays no motion picture to readers who asked for none; steps jump.
+    assert browser.js("window.matrixworldExplorer.step") == 0
+    browser.press(RIGHT)
+    assert browser.js("window.matrixworldExplorer.step") == 1
+    browser.prefer(prefers_reduced_motion="no-preference")
+
+
+def test_a_step_opens_in_the_playground(browser: Browser, page: Path, job: Job) -> None:
+    browser.open(page)
+    browser.wait(PLAYED)
+    select(browser, 0, 1, 2)
+    browser.press(HOME, RIGHT, RIGHT, RIGHT)
+    here = browser.driver.current_window_handle
+    browser.press("g")
+    browser.driver.switch_to.window(browser.driver.window_handles[-1])
+    try:
+        browser.wait("document.body.dataset.ready === 'true'")
+        scene = browser.js(
+            "(({pursuers, evaders, next}) => ({cells: [...pursuers, ...evaders].map((a) => a.cell),"
+            " next}))(window.playground.scene)"
+        )
+        episode = job["race"].record(1, 2)
+        assert scene["cells"] == episode.last_positions[2].tolist()
+        assert scene["next"] == episode.actions[2].tolist()
+        assert browser.errors() == []
+    finally:
+        browser.driver.close()
+        browser.driver.switch_to.window(here)
+
+
+def test_an_address_leads_to_a_match_and_its_step(browser: Browser, page: Path) -> None:
+    browser.open(page)
+    browser.wait(PLAYED)
+    browser.driver.execute_script("location.hash = '#run=1&pursuers=2&evaders=0&episode=1&step=4'")
+    browser.wait(f"{PLAYED} === '1 2 0 1 '")
+    assert browser.js("window.matrixworldExplorer.step") == 4
+    browser.press(RIGHT)
+    address = "#run=1&pursuers=2&evaders=0&episode=1&step=5"
+    assert browser.js("location.hash") == address
+    browser.driver.refresh()
+    browser.wait(f"document.body.dataset.ready === 'true' && {PLAYED} === '1 2 0 1 '")
+    assert browser.js("window.matrixworldExplorer.step") == 5
+    browser.driver.execute_script("location.hash = '#run=7&pursuers=-1&evaders=%3Cimg%3E&seed=x'")
+    browser.wait("location.hash.startsWith('#run=1&pursuers=2&evaders=0')")
+    assert browser.errors() == []

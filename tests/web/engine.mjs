@@ -1,0 +1,36 @@
+// The built engine as a page loads it, and numbers as JSON can hold them.
+
+import { readFileSync } from "node:fs";
+import vm from "node:vm";
+
+const ROOT = new URL("../../", import.meta.url);
+const BUILT = new URL("python/matrixworld/explorer/built/engine.js", ROOT);
+
+export const wrapper = await import(new URL("web/src/engine/engine.ts", ROOT));
+export const conflicts = await import(new URL("web/src/engine/conflicts.ts", ROOT));
+vm.runInThisContext(readFileSync(BUILT, "utf8"), { filename: BUILT.pathname });
+export const engine = await wrapper.loadEngine();
+
+/** Return a policy whose genome is the base64 of its float32 numbers, or the name of a script. */
+export function policyOf(given) {
+  if (typeof given === "string") return given;
+  const bytes = Uint8Array.from(Buffer.from(given.genome, "base64"));
+  return { ...given, genome: new Float32Array(bytes.buffer) };
+}
+
+/** Return a value as JSON can hold it: arrays as lists, large integers as text. */
+export function plain(value) {
+  if (typeof value === "bigint") return String(value);
+  if (ArrayBuffer.isView(value)) return Array.from(value, plain);
+  return value;
+}
+
+/** Return the input of the program, which is JSON. */
+export function input() {
+  return JSON.parse(readFileSync(0, "utf8"));
+}
+
+/** Write the output of the program. */
+export function output(value) {
+  process.stdout.write(JSON.stringify(value, (_, each) => plain(each)));
+}

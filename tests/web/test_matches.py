@@ -1,0 +1,331 @@
+"""Matches and worlds of the built engine equal those of the extension, bit for bit."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld.conflicts import conflict_of
+from node import Commands, policy_json
+from rows import CUSTOM, config_of, random_actions, random_genome
+
+BIG_SEED = 2**64 - 3  # no double holds it
+ARRAYS = (
+    *("positions", "last_positions", "alive", "captured", "ever_captured", "actions", "rewards"),
+    *("involved", "fault", "map"),
+)
+READ = ("positions", "alive", "rewards", "captors", "involved", "fault", "views", "capture_rate")
+
+
+def plain(conflict: mw.Conflict) -> dict[str, Any]:
+    """Return a conflict as JSON holds it."""
+    values = {item.name: getattr(conflict, item.name) for item in fields(conflict)}
+    return {k: list(v) if isinstance(v, tuple) else v for k, v in values.items()}
+
+
+def team(config: mw.WorldConfig, hidden: tuple[int, ...], seed: int, **more: Any) -> mw.Population:
+    network = mw.Network.for_config(config, hidden, **more)
+    return mw.Population(random_genome(network, seed), network)
+
+
+# ---- Matches ------------------------------------------------------------------------------------
+
+MATCHES = {
+    "one hidden layer": ("O", (32,), {"activation": "relu"}, {}),
+    "two, tanh": ("SB", (64, 64), {"activation": "tanh"}, {"diagonal": True}),
+    "no hidden layer, largest output": ("B", (), {"sampled": False}, {"obstacles": 0.1}),
+    "largest output of two layers": ("R", (40, 30), {"sampled": False, "activation": "tanh"}, {}),
+    "agents take turns": ("TO", (16,), {"activation": "tanh"}, {"obstacles": 0.15}),
+    "teams take turns": ("swarm-SD", (7,), {}, {"n_pursuers": 9}),
+    "a crowd": ("O", (32,), {}, {"rows": 20, "cols": 20, "n_pursuers": 70, "n_evaders": 80}),
+}
+
+
+@pytest.mark.parametrize("name", MATCHES)
+def test_a_match_equals_the_recorded_one(run_command: Commands, name: str) -> None:
+    """Positions, actions, rewards, captures and the texts of conflicts of every step."""
+    row, hidden, more, changes = MATCHES[name]
+    config = config_of(row, max_steps=60, **changes)
+    pursuers, evaders = team(config, hidden, 1, **more), team(config, hidden, 2, **more)
+    wanted = mw.record(config, pursuers, evaders, seed=BIG_SEED, episode=3)
+    seek = [wanted.length, 0, wanted.length // 2, wanted.length]
+    got = run_command(
+        do="match",
+        config=config.to_json(),
+        pursuers=policy_json(pursuers),
+        evaders=policy_json(evaders),
+        seed=str(BIG_SEED),
+        episode=3,
+        seek=seek,
+    )
+    assert got["length"] == wanted.length
+    for array in ARRAYS:
+        expected = getattr(wanted, array)
+        values = np.array(got[array], expected.dtype).reshape(expected.shape)
+        np.testing.assert_array_equal(values, expected, err_msg=array)
+    texts = [[each["text"] for each in conflicts] for conflicts in got["conflicts"]]
+    steps = range(1, wanted.length + 1)
+    assert texts == [[], *([str(each) for each in wanted.explain(step)] for step in steps)]
+    sought = [np.array(moment).reshape(-1, 2).tolist() for moment in got["sought"]]
+    assert sought == [wanted.positions[step].tolist() for step in seek]
+
+
+@pytest.mark.parametrize("script", mw.SCRIPTS)
+def test_every_script_plays_as_in_the_extension(run_command: Commands, script: str) -> None:
+    config = config_of("SB", max_steps=40, obstacles=0.1, fov=7)
+    wanted = mw.record(config, script, "dodger", seed=5)
+    got = run_command(
+        do="match",
+        config=config.to_json(),
+        pursuers=script,
+        evaders="dodger",
+        seed="5",
+        episode=0,
+        seek=[],
+    )
+    assert got["positions"] == wanted.positions.ravel().tolist()
+
+
+def test_statistics_of_episodes_are_those_of_a_rollout(run_command: Commands) -> None:
+    config = config_of("O", max_steps=30)
+    pursuers, evaders = team(config, (32,), 1), team(config, (8,), 2)
+    wanted = mw.rollout(config, pursuers, evaders, mw.Matches.of(0, 0, [9]), worlds=4, threads=1)
+    got = run_command(
+        do="rollout",
+        config=config.to_json(),
+        pursuers=policy_json(pursuers),
+        evaders=policy_json(evaders),
+        seed="9",
+        episodes=4,
+    )
+    for episode, statistics in enumerate(got):
+        for name, value in statistics.items():
+            names = [name] if hasattr(wanted, name) else [f"pursuer_{name}", f"evader_{name}"]
+            expected = np.array([getattr(wanted, each)[0, episode] for each in names])
+            np.testing.assert_array_equal(
+                np.array(value, expected.dtype).ravel(), expected.ravel(), err_msg=name
+            )
+
+
+# ---- Worlds -------------------------------------------------------------------------------------
+
+
+def played_in_python(
+    config: mw.WorldConfig, start: dict[str, Any], actions: np.ndarray, turns: bool
+) -> list[dict[str, Any]]:
+    """Return what a world tells after its start and after each row of actions."""
+    world = mw.World(config)
+    world.keeps_conflicts = True
+    world.reset(**start)
+    moments = []
+    for row in [None, *actions]:
+        if row is not None and turns:
+            world.play_turn(row)
+        elif row is not None:
+            world.step(row)
+        told = {name: array.ravel().tolist() for name, array in world.read(*READ).items()}
+        conflicts = [] if row is None else [plain(each) for each in world.conflicts]
+        over = world.terminated or world.truncated
+        moments.append({**told, "conflicts": conflicts, "turn": world.turn, "over": over})
+        if over and not world.turn:
+            break
+    return moments
+
+
+@pytest.mark.parametrize("row", [*mw.VARIANTS, *CUSTOM])
+def test_a_world_plays_as_in_the_extension(run_command: Commands, row: str) -> None:
+    """All arrays and conflicts, round by round; turn by turn where the rules have turns."""
+    rewards = mw.Rewards(pursuer_collide=(-1, -2, -3), blame=mw.Blame.INVOLVED, evader_step=0.3)
+    config = config_of(row, obstacles=0.1, max_steps=9, rewards=rewards)
+    turns = config.rules.interaction is not mw.Interaction.SIMULTANEOUS
+    start = {"seed": BIG_SEED, "episode": 2}
+    actions = random_actions(7, config.n_actions, 12, config.n_agents)
+    wanted = played_in_python(config, start, actions, turns)
+    got = run_command(
+        do="play",
+        config=config.to_json(),
+        start={"seed": str(BIG_SEED), "episode": 2},
+        actions=actions[: len(wanted) - 1].tolist(),
+        turns=turns,
+        read=READ,
+    )
+    assert got["moments"] == wanted
+
+
+def test_positions_and_obstacles_by_hand(run_command: Commands) -> None:
+    rows = ["..#.", "....", "#..."]
+    config = config_of("B", rows=3, cols=4, n_pursuers=2, n_evaders=1)
+    start = {"pursuers": [[0, 0], [1, 1]], "evaders": [[0, 3]], "obstacles": rows}
+    actions = np.array([[2, 1, 4], [2, 3, 0]])
+    wanted = played_in_python(config, start, actions, turns=False)
+    command = {"do": "play", "actions": actions.tolist(), "turns": False, "read": READ}
+    got = run_command(config=config.to_json(), start=start, **command)
+    assert got["moments"] == wanted
+    assert got["map"] == [int(cell == "#") for cell in "".join(rows)]
+    # The same map in the settings.
+    fixed = {**config.to_json(), "obstacles": rows}
+    del start["obstacles"]
+    assert run_command(config=fixed, start=start, **command)["moments"] == wanted
+
+
+def test_a_snapshot_goes_on_in_another_world(run_command: Commands) -> None:
+    """Also in the middle of a round, and with cells changed by hand: two agents on one cell."""
+    config = config_of("swarm-S", max_steps=30)
+    actions = random_actions(3, config.n_actions, 9, config.n_agents).tolist()
+    world, twin = (
+        run_command(
+            do="resume",
+            config=config.to_json(),
+            start={"seed": "4"},
+            before=actions[:5],
+            after=actions[5:],
+            edit=edit,
+            read=READ,
+        )
+        for edit in ([], [["cells", 0, 8], ["cells", 1, 8]])
+    )
+    original = mw.World(config)
+    original.keeps_conflicts = True
+    original.reset(4)
+    for row in actions:
+        original.play_turn(row)
+    wanted = {name: array.ravel().tolist() for name, array in original.read(*READ).items()}
+    for told in world:
+        assert {name: told[name] for name in READ} == wanted
+        assert told["turn"] == original.turn
+    assert twin[0] == twin[1]
+    assert twin[0] != world[0]
+
+
+# ---- Networks -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("sampled", [True, False])
+def test_what_a_network_answers(run_command: Commands, sampled: bool) -> None:
+    config = config_of("O", obstacles=0.1)
+    policy = team(config, (16, 8), 4, sampled=sampled, activation="tanh")
+    actions = random_actions(2, config.n_actions, 3, config.n_agents)
+    world = mw.World(config)
+    world.reset(11)
+    for row in actions:
+        world.step(row)
+    alive = np.flatnonzero(world.alive)
+    chosen = np.full(config.n_agents, 9)
+    world.decide(policy, range(config.n_pursuers), chosen)
+    got = run_command(
+        do="decide",
+        config=config.to_json(),
+        start={"seed": "11"},
+        actions=actions.tolist(),
+        policy=policy_json(policy),
+        team="pursuer",
+        agents=alive.tolist(),
+    )
+    assert got["chosen"] == chosen.tolist()
+    logits = np.array([answer["logits"] for answer in got["answers"]], np.float32)
+    np.testing.assert_array_equal(
+        logits, world._core.logits(policy.network.core, policy.genomes[0])
+    )
+    weights = np.exp(logits.astype(float) - logits.max(axis=1, keepdims=True))
+    shares = [answer["probabilities"] for answer in got["answers"]]
+    np.testing.assert_allclose(shares, weights / weights.sum(axis=1, keepdims=True), rtol=1e-6)
+    by_agent = dict(zip(alive.tolist(), got["answers"], strict=True))
+    for agent in alive[alive < config.n_pursuers]:
+        assert by_agent[agent]["action"] == chosen[agent]
+    assert got["view"] == world.views()[alive[0]].ravel().tolist()
+
+
+# ---- Words --------------------------------------------------------------------------------------
+
+
+def test_conflicts_have_the_words_of_python(run_command: Commands) -> None:
+    """All kinds, forms and outcomes, with all agents at fault, held and doomed."""
+    bits = range(4)
+    rows = [
+        (turn, kind, form, first, second, 3, 0, fault, held, doomed)
+        for turn, first, second in [(0, 0, 4), (2, 1, 0), (1, 5, 3), (0, 2, -1), (0, 3, -1)]
+        for kind in range(3)
+        for form in range(3)
+        for fault in bits
+        for held in bits
+        for doomed in bits
+    ]
+    table = [number for row in rows for number in (1, *row)]
+    got = run_command(do="texts", table=table, n_pursuers=3)
+    assert got == [plain(conflict_of(row, 3)) for row in rows]
+
+
+# ---- Refusals -----------------------------------------------------------------------------------
+
+OPEN = config_of("O").to_json()
+REFUSED = {
+    "rows": ({"rows": 0}, "rows: expected 1 to 4096, got 0"),
+    "a share of a row": ({"rows": 3.5}, "rows: expected an integer, got 3.5"),
+    "a team": ({"n_pursuers": None}, "n_pursuers: expected an integer, got null"),
+    "too many": ({"n_pursuers": 40}, "more agents than free cells: expected at most 42 agents"),
+    "view": ({"fov": 4}, "fov: expected an odd number, got 4"),
+    "switch": ({"diagonal": 1}, "diagonal: expected true or false, got 1"),
+    "share": ({"obstacles": 1.5}, "obstacle density: expected a number in [0, 1), got 1.5"),
+    "shape": (
+        {"obstacles": ["..", ".."]},
+        "obstacle map: expected shape (7, 6), the rows and cols",
+    ),
+    "rows of a map": ({"obstacles": ["..", "."]}, "obstacle map: expected shape (7, 6)"),
+    "character": ({"obstacles": ["?" * 6] * 7}, "map, row 0: expected '.GS' (free) or '#@OTW'"),
+    "outcome": (
+        {"rules": {**OPEN["rules"], "evader": "EXPLODE"}},
+        "evader: expected one of DISAPPEAR, REACH, BOUNCE, got 'EXPLODE'",
+    ),
+    "penalty": (
+        {"rewards": {**OPEN["rewards"], "evader_collide": [1, 2]}},
+        "evader_collide: expected 1 or 3 numbers, got [1,2]",
+    ),
+    "reward": (
+        {"rewards": {**OPEN["rewards"], "evader_step": 1e39}},
+        "evader_step: expected a finite number, got 1e+39",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_settings_are_refused_with_a_reason(run_command: Commands, name: str) -> None:
+    changes, message = REFUSED[name]
+    got = run_command(do="refuse", config={**OPEN, **changes})
+    assert got["kind"] == "EngineError"
+    assert got["error"].startswith(message)
+
+
+STARTS = {
+    "overlap": ({"pursuers": [[0, 0]] * 3}, None, "positions: expected distinct cells"),
+    "outside": ({"evaders": [[9, 9]] * 4}, None, "position (9, 9): expected a cell of the 7 x 6"),
+    "count": ({"evaders": [[0, 0]]}, None, "evader positions: expected 4 (row, col) pairs, got 1"),
+    "seed": ({"seed": str(2**64)}, None, "seed: expected an integer from 0 to 2^64 - 1"),
+    "action": (None, [7] * 7, "actions: expected 0 to 4, got 7"),
+    "actions": (None, [0], "actions: expected 7, got 1"),
+}
+
+
+@pytest.mark.parametrize("name", STARTS)
+def test_a_refused_call_leaves_the_world_as_it_was(run_command: Commands, name: str) -> None:
+    start, actions, message = STARTS[name]
+    got = run_command(do="refuse", config=OPEN, start=start, actions=actions)
+    assert got["message"].startswith(message)
+    assert got["same"]
+
+
+def test_a_genome_of_another_size_is_refused(run_command: Commands) -> None:
+    config = config_of("O")
+    policy = policy_json(team(config, (4,), 1))
+    got = run_command(
+        do="rollout",
+        config={**config.to_json(), "fov": 7},
+        pursuers=policy,
+        evaders="still",
+        seed="1",
+        episodes=1,
+    )
+    assert got["error"] == "genome: expected 617 numbers, got 329"

@@ -1,0 +1,110 @@
+// The buttons of a player: the same on every page.
+
+import { Player, SPEEDS, playerKey } from "./player.ts";
+
+const ICONS = {
+  first: "M6 5v14M19 5 9 12l10 7z",
+  back: "M17 5 7 12l10 7z",
+  play: "M7 4.5 19 12 7 19.5z",
+  pause: "M8 5v14M16 5v14",
+  forward: "M7 5l10 7-10 7z",
+  last: "M18 5v14M5 5l10 7-10 7z",
+} as const;
+
+export type Icon = keyof typeof ICONS;
+
+/** Return an icon that has the colour of the text around it. */
+export function icon(name: Icon): SVGSVGElement {
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  svg.setAttribute("viewBox", "0 0 24 24");
+  svg.setAttribute("aria-hidden", "true");
+  svg.classList.add("icon");
+  const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
+  path.setAttribute("d", ICONS[name]);
+  svg.append(path);
+  return svg;
+}
+
+function button(name: Icon, label: string, keys: string, act: () => void): HTMLButtonElement {
+  const made = document.createElement("button");
+  made.type = "button";
+  made.className = "player-button";
+  made.append(icon(name));
+  made.ariaLabel = label;
+  made.title = `${label} (${keys})`;
+  made.addEventListener("click", act);
+  return made;
+}
+
+/**
+ * Return a bar with the buttons, the position and the speed of a player.
+ *
+ * Its keys work while the focus is in the bar. A page that gives them to a larger part calls
+ * `playerKey` there.
+ */
+export function playerBar(player: Player): HTMLElement {
+  const bar = document.createElement("div");
+  bar.className = "player";
+  bar.role = "group";
+  bar.ariaLabel = "Player";
+  const play = button("play", "Play", "Space", () => player.toggle());
+  const scrub = scrubber(player);
+  const speed = speeds(player);
+  const count = document.createElement("output");
+  count.className = "player-count";
+  bar.append(
+    button("first", "First step", "Home", () => player.move(-player.length)),
+    button("back", "Step back", "←", () => player.move(-1)),
+    play,
+    button("forward", "Step forward", "→", () => player.move(1)),
+    button("last", "Last step", "End", () => player.move(player.length)),
+    scrub, count, speed,
+  );
+  const update = (): void => {
+    play.replaceChildren(icon(player.playing ? "pause" : "play"));
+    play.ariaLabel = player.playing ? "Pause" : "Play";
+    play.title = `${play.ariaLabel} (Space)`;
+    scrub.max = String(player.length);
+    scrub.value = String(player.step);
+    scrub.ariaValueText = `step ${player.step} of ${player.length}`;
+    // As wide as the longest number, so that nothing moves while it counts.
+    count.textContent = `${player.step} / ${player.length}`;
+    count.style.minWidth = `${2 * String(player.length).length + 3}ch`;
+    speed.value = String(player.speed);
+  };
+  player.addEventListener("step", update);
+  player.addEventListener("state", update);
+  bar.addEventListener("keydown", (event) => {
+    // A list keeps its own keys, and a button Space, which clicks it.
+    const own = event.target instanceof HTMLSelectElement || (event.key === " " && event.target !== scrub);
+    if (!own && playerKey(player, event)) event.preventDefault();
+  });
+  update();
+  return bar;
+}
+
+function scrubber(player: Player): HTMLInputElement {
+  const scrub = document.createElement("input");
+  scrub.type = "range";
+  scrub.className = "player-scrub";
+  scrub.min = "0";
+  scrub.step = "1";
+  scrub.ariaLabel = "Step";
+  scrub.addEventListener("input", () => {
+    player.pause();
+    player.jump(Number(scrub.value));
+  });
+  return scrub;
+}
+
+function speeds(player: Player): HTMLSelectElement {
+  const speed = document.createElement("select");
+  speed.className = "player-speed";
+  speed.ariaLabel = "Speed";
+  speed.title = "Steps a second (+ and -)";
+  speed.append(...SPEEDS.map((each) => new Option(`${each} / s`, String(each))));
+  speed.addEventListener("change", () => {
+    player.speed = Number(speed.value);
+  });
+  return speed;
+}

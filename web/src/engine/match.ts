@@ -1,0 +1,143 @@
+/** Recorded episodes: what `matrixworld.record` and `matrixworld.rollout` return in Python. */
+
+import { CONFLICT_WIDTH, conflictsOf } from "./conflicts.ts";
+import { expected } from "./errors.ts";
+import { call, lastOutputs } from "./heap.ts";
+import type { Compiled, Inputs, NumberArray, Outputs } from "./heap.ts";
+import { configInputs, policyInputs, word } from "./inputs.ts";
+import type { Conflict, EpisodeArrays, EpisodeStatistics, TeamPolicy, WorldConfig } from "./types.ts";
+import type { World } from "./world.ts";
+
+/** What plays: the settings and the policies of both teams. */
+export interface Pair {
+  config: WorldConfig;
+  pursuers: TeamPolicy;
+  evaders: TeamPolicy;
+}
+
+/** A recorded episode of T steps. Step t (from 1) leads from moment t - 1 to moment t. */
+export class Match implements EpisodeArrays {
+  readonly config: WorldConfig;
+  readonly seed: bigint;
+  readonly episode: number;
+  readonly n_agents: number;
+  readonly statistics: EpisodeStatistics;
+  readonly positions: Int32Array;
+  readonly last_positions: Int32Array;
+  readonly alive: Uint8Array;
+  readonly captured: Uint8Array;
+  readonly ever_captured: Uint8Array;
+  readonly actions: Uint8Array;
+  readonly rewards: Float32Array;
+  readonly involved: Uint8Array;
+  readonly fault: Uint8Array;
+  readonly map: Uint8Array;
+  private readonly conflict_table: Int32Array;
+  private readonly first_conflict: Int32Array; // by step: its first row of the table
+
+  constructor(config: WorldConfig, seed: bigint, episode: number, outputs: Outputs) {
+    this.config = config;
+    this.seed = seed;
+    this.episode = episode;
+    this.n_agents = config.n_pursuers + config.n_evaders;
+    this.statistics = statisticsOf(outputs, 0);
+    this.positions = outputs["positions"] as Int32Array;
+    this.last_positions = outputs["last_positions"] as Int32Array;
+    this.alive = outputs["alive"] as Uint8Array;
+    this.captured = outputs["captured"] as Uint8Array;
+    this.ever_captured = outputs["ever_captured"] as Uint8Array;
+    this.actions = outputs["actions"] as Uint8Array;
+    this.rewards = outputs["rewards"] as Float32Array;
+    this.involved = outputs["involved"] as Uint8Array;
+    this.fault = outputs["fault"] as Uint8Array;
+    this.map = outputs["map"] as Uint8Array;
+    this.conflict_table = outputs["conflict_table"] as Int32Array;
+    this.first_conflict = firstOfSteps(this.conflict_table, this.length);
+  }
+
+  /** T */
+  get length(): number {
+    return this.actions.length / this.n_agents;
+  }
+
+  /** Return the conflicts of step t, 1 to T; none for the moment 0. */
+  conflicts(step: number): Conflict[] {
+    this.check(step);
+    const [first, last] = [this.first_conflict[step]!, this.first_conflict[step + 1]!];
+    const rows = this.conflict_table.subarray(first * CONFLICT_WIDTH, last * CONFLICT_WIDTH);
+    return conflictsOf(rows, this.config.n_pursuers);
+  }
+
+  /** Set a world of the same settings to moment t: the state before step t + 1. */
+  seek(world: World, step: number): void {
+    this.check(step);
+    const here = world.seed === this.seed && world.episode === BigInt(this.episode);
+    if (!here || world.turn !== 0 || world.steps > step) world.reset({ seed: this.seed, episode: this.episode });
+    for (let t = world.steps; t < step; ++t) {
+      world.step(this.actions.subarray(t * this.n_agents, (t + 1) * this.n_agents));
+    }
+  }
+
+  private check(step: number): void {
+    if (Number.isInteger(step) && step >= 0 && step <= this.length) return;
+    throw expected("step", `0 to ${this.length}`, step);
+  }
+}
+
+/** Return the first row of each step 0 to T + 1 in a table of conflicts. */
+function firstOfSteps(table: Int32Array, length: number): Int32Array {
+  const first = new Int32Array(length + 2);
+  for (let at = 0; at < table.length; at += CONFLICT_WIDTH) ++first[table[at]! + 1]!;
+  for (let step = 1; step < first.length; ++step) first[step]! += first[step - 1]!;
+  return first;
+}
+
+/** Return the statistics of one episode among those of a call. */
+function statisticsOf(outputs: Outputs, episode: number): EpisodeStatistics {
+  const n_episodes = outputs["statistics.length"]!.length;
+  const part = (name: string): NumberArray => {
+    const all = outputs[`statistics.${name}`]!;
+    const size = all.length / n_episodes;
+    return all.slice(episode * size, (episode + 1) * size);
+  };
+  const number = (name: string): number => Number(part(name)[0]);
+  return {
+    capture_rate: number("capture_rate"),
+    ever_capture_rate: number("ever_capture_rate"),
+    captured_fraction: number("captured_fraction"),
+    length: number("length"),
+    return: part("return") as Float64Array,
+    survivors: part("survivors") as Int32Array,
+    overlap: part("overlap") as Float32Array,
+    collisions: part("collisions") as Int32Array,
+    faults: part("faults") as Int32Array,
+    agent_steps: part("agent_steps") as BigInt64Array,
+  };
+}
+
+type Play = "_play_match" | "_play_rollout";
+
+function play(engine: Compiled, name: Play, pair: Pair, last: Inputs): Outputs {
+  const inputs = [configInputs(pair.config), policyInputs(pair.pursuers), policyInputs(pair.evaders), last] as const;
+  call(engine, (block) => {
+    const [config, pursuers, evaders, rest] = inputs.map((each) => block.arrays(each)) as [
+      ...[number, number, number, number],
+    ];
+    return engine[name](config, pursuers, evaders, rest);
+  });
+  return lastOutputs(engine);
+}
+
+/** Play one episode and return every moment. */
+export function playMatch(engine: Compiled, pair: Pair, seed: bigint, episode: number): Match {
+  const key = { seed: word("seed", seed), episode: word("episode", episode) };
+  return new Match(pair.config, seed, episode, play(engine, "_play_match", pair, key));
+}
+
+/** Play episodes 0 to n - 1 of a match and return their statistics. */
+export function playRollout(engine: Compiled, pair: Pair, seed: bigint, n_episodes: number): EpisodeStatistics[] {
+  if (!Number.isInteger(n_episodes) || n_episodes < 1) throw expected("n_episodes", "at least 1", n_episodes);
+  const matches = { seed: word("seed", seed), n_episodes: Int32Array.of(n_episodes) };
+  const outputs = play(engine, "_play_rollout", pair, matches);
+  return Array.from({ length: n_episodes }, (_, episode) => statisticsOf(outputs, episode));
+}

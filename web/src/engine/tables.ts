@@ -1,0 +1,82 @@
+// Written by web/write_tables.py from the Python package; do not edit.
+
+import type { WorldConfig } from "./types.ts";
+
+/** The numbers that the engine has for the names of enumerations. */
+export const INTERACTIONS = {"SIMULTANEOUS": 0, "SWARM_TURNS": 1, "AGENT_TURNS": 2} as const;
+export const OUTCOMES = {"DISAPPEAR": 0, "REACH": 1, "BOUNCE": 2} as const;
+export const CAPTURES = {"OCCUPATION": 0, "SURROUND": 1} as const;
+export const BLAMES = {"FAULT": 0, "INVOLVED": 1} as const;
+
+/** The actions by their numbers; the last four are diagonal. */
+export const ACTIONS = [
+  "STAY",
+  "NORTH",
+  "EAST",
+  "SOUTH",
+  "WEST",
+  "NORTHEAST",
+  "SOUTHEAST",
+  "SOUTHWEST",
+  "NORTHWEST"
+] as const;
+
+/** The texts of conflicts: templates that Python fills, too. */
+export const KINDS = ["obstacle", "teammate", "adversary"] as const;
+export const FORMS = ["vertex", "edge", "chain"] as const;
+export const CONFLICT_COLUMNS = [
+  "turn",
+  "kind",
+  "form",
+  "first",
+  "second",
+  "row",
+  "col",
+  "at_fault",
+  "held",
+  "doomed"
+] as const;
+export const AGENT_NAMES = ["pursuer_{number}", "evader_{number}"] as const;
+export const CONFLICT_EVENTS = {
+  "obstacle": "{first} ran into the obstacle or border at {cell}",
+  "vertex": "{first} and {second} both headed for {cell}",
+  "edge": "{first} and {second} meant to swap, {first} to {cell}",
+  "chain": "{first} headed for {cell}, where {second} had to stay"
+} as const;
+export const CONFLICT_OUTCOMES = {
+  "both held": "both bounce",
+  "both doomed": "both disappear",
+  "held": "{agent} bounces",
+  "doomed": "{agent} disappears",
+  "none": "nobody is stopped"
+} as const;
+export const CONFLICT_SENTENCE = "{event}: {outcome}" as const;
+
+/** What each script does. */
+export const SCRIPTS = {
+  "random": "any action, all equally likely",
+  "still": "always stays",
+  "chaser": "moves to where the nearest adversary in view is nearest",
+  "fleer": "moves to where the nearest adversary in view is farthest",
+  "clumsy-chaser": "a chaser that takes any action in half of the steps",
+  "clumsy-fleer": "a fleer that takes any action in half of the steps",
+  "hunter": "a chaser of the nearest adversary in view to which no teammate in view is nearer",
+  "surrounder": "a chaser of the nearest free cell beside an adversary in view without a teammate",
+  "dodger": "moves to where all adversaries in view together are farthest; each cell that holds some weighs 2**14 // (1 + moves)**2"
+} as const;
+
+/** Characters of passable and of impassable cells in a map. */
+export const MAP_CHARACTERS = {"free": ".GS", "blocked": "#@OTW"} as const;
+
+/** The settings of each variant, with the default sizes. */
+export const VARIANTS: Readonly<Record<string, WorldConfig>> = {
+  D: {"rules": {"interaction": "SIMULTANEOUS", "obstacle": "DISAPPEAR", "teammate": "DISAPPEAR", "evader": "DISAPPEAR", "pursuer": "DISAPPEAR", "capture": "OCCUPATION", "captured_disappear": false}, "rows": 40, "cols": 40, "n_pursuers": 8, "n_evaders": 30, "fov": 11, "diagonal": false, "max_steps": 500, "obstacles": 0.0, "rewards": {"pursuer_capture": 10.0, "evader_capture": -10.0, "pursuer_neighbor": 0.1, "evader_neighbor": -0.1, "pursuer_collide": -12.0, "evader_collide": -12.0, "pursuer_step": -0.05, "evader_step": -0.05, "blame": "FAULT", "capture_repeats": false}},
+  R: {"rules": {"interaction": "SIMULTANEOUS", "obstacle": "BOUNCE", "teammate": "REACH", "evader": "REACH", "pursuer": "REACH", "capture": "OCCUPATION", "captured_disappear": false}, "rows": 40, "cols": 40, "n_pursuers": 8, "n_evaders": 30, "fov": 11, "diagonal": false, "max_steps": 500, "obstacles": 0.0, "rewards": {"pursuer_capture": 10.0, "evader_capture": -10.0, "pursuer_neighbor": 0.1, "evader_neighbor": -0.1, "pursuer_collide": -12.0, "evader_collide": -12.0, "pursuer_step": -0.05, "evader_step": -0.05, "blame": "FAULT", "capture_repeats": false}},
+  B: {"rules": {"interaction": "SIMULTANEOUS", "obstacle": "BOUNCE", "teammate": "BOUNCE", "evader": "REACH", "pursuer": "REACH", "capture": "OCCUPATION", "captured_disappear": false}, "rows": 40, "cols": 40, "n_pursuers": 8, "n_evaders": 30, "fov": 11, "diagonal": false, "max_steps": 500, "obstacles": 0.0, "rewards": {"pursuer_capture": 10.0, "evader_capture": -10.0, "pursuer_neighbor": 0.1, "evader_neighbor": -0.1, "pursuer_collide": -12.0, "evader_collide": -12.0, "pursuer_step": -0.05, "evader_step": -0.05, "blame": "FAULT", "capture_repeats": false}},
+  O: {"rules": {"interaction": "SIMULTANEOUS", "obstacle": "BOUNCE", "teammate": "REACH", "evader": "DISAPPEAR", "pursuer": "REACH", "capture": "OCCUPATION", "captured_disappear": false}, "rows": 40, "cols": 40, "n_pursuers": 8, "n_evaders": 30, "fov": 11, "diagonal": false, "max_steps": 500, "obstacles": 0.0, "rewards": {"pursuer_capture": 10.0, "evader_capture": -10.0, "pursuer_neighbor": 0.1, "evader_neighbor": -0.1, "pursuer_collide": -12.0, "evader_collide": -12.0, "pursuer_step": -0.05, "evader_step": -0.05, "blame": "FAULT", "capture_repeats": false}},
+  S: {"rules": {"interaction": "SIMULTANEOUS", "obstacle": "BOUNCE", "teammate": "REACH", "evader": "BOUNCE", "pursuer": "REACH", "capture": "SURROUND", "captured_disappear": false}, "rows": 40, "cols": 40, "n_pursuers": 20, "n_evaders": 5, "fov": 11, "diagonal": false, "max_steps": 500, "obstacles": 0.0, "rewards": {"pursuer_capture": 10.0, "evader_capture": -10.0, "pursuer_neighbor": 0.1, "evader_neighbor": -0.1, "pursuer_collide": -12.0, "evader_collide": -12.0, "pursuer_step": -0.05, "evader_step": -0.05, "blame": "FAULT", "capture_repeats": false}},
+  SB: {"rules": {"interaction": "SIMULTANEOUS", "obstacle": "BOUNCE", "teammate": "BOUNCE", "evader": "BOUNCE", "pursuer": "REACH", "capture": "SURROUND", "captured_disappear": false}, "rows": 40, "cols": 40, "n_pursuers": 20, "n_evaders": 5, "fov": 11, "diagonal": false, "max_steps": 500, "obstacles": 0.0, "rewards": {"pursuer_capture": 10.0, "evader_capture": -10.0, "pursuer_neighbor": 0.1, "evader_neighbor": -0.1, "pursuer_collide": -12.0, "evader_collide": -12.0, "pursuer_step": -0.05, "evader_step": -0.05, "blame": "FAULT", "capture_repeats": false}},
+  SD: {"rules": {"interaction": "SIMULTANEOUS", "obstacle": "BOUNCE", "teammate": "REACH", "evader": "BOUNCE", "pursuer": "REACH", "capture": "SURROUND", "captured_disappear": true}, "rows": 40, "cols": 40, "n_pursuers": 20, "n_evaders": 5, "fov": 11, "diagonal": false, "max_steps": 500, "obstacles": 0.0, "rewards": {"pursuer_capture": 10.0, "evader_capture": -10.0, "pursuer_neighbor": 0.1, "evader_neighbor": -0.1, "pursuer_collide": -12.0, "evader_collide": -12.0, "pursuer_step": -0.05, "evader_step": -0.05, "blame": "FAULT", "capture_repeats": false}},
+  SDB: {"rules": {"interaction": "SIMULTANEOUS", "obstacle": "BOUNCE", "teammate": "BOUNCE", "evader": "BOUNCE", "pursuer": "REACH", "capture": "SURROUND", "captured_disappear": true}, "rows": 40, "cols": 40, "n_pursuers": 20, "n_evaders": 5, "fov": 11, "diagonal": false, "max_steps": 500, "obstacles": 0.0, "rewards": {"pursuer_capture": 10.0, "evader_capture": -10.0, "pursuer_neighbor": 0.1, "evader_neighbor": -0.1, "pursuer_collide": -12.0, "evader_collide": -12.0, "pursuer_step": -0.05, "evader_step": -0.05, "blame": "FAULT", "capture_repeats": false}},
+  TO: {"rules": {"interaction": "AGENT_TURNS", "obstacle": "BOUNCE", "teammate": "REACH", "evader": "DISAPPEAR", "pursuer": "REACH", "capture": "OCCUPATION", "captured_disappear": false}, "rows": 40, "cols": 40, "n_pursuers": 8, "n_evaders": 30, "fov": 11, "diagonal": false, "max_steps": 500, "obstacles": 0.0, "rewards": {"pursuer_capture": 10.0, "evader_capture": -10.0, "pursuer_neighbor": 0.1, "evader_neighbor": -0.1, "pursuer_collide": -12.0, "evader_collide": -12.0, "pursuer_step": -0.05, "evader_step": -0.05, "blame": "FAULT", "capture_repeats": false}},
+};

@@ -1,0 +1,176 @@
+/** One world, to play and to look at: what `matrixworld.World` is in Python. */
+
+import { conflictsOf } from "./conflicts.ts";
+import { expected } from "./errors.ts";
+import { call, lastOutputs } from "./heap.ts";
+import type { Compiled } from "./heap.ts";
+import { actionsInputs, configInputs, policyInputs, snapshotInputs, startInputs } from "./inputs.ts";
+import type { Answer, Conflict, Snapshot, Start, TeamPolicy, WorldArrays, WorldConfig } from "./types.ts";
+
+// Worlds that nothing refers to any more give their memory back.
+const released = new FinalizationRegistry<readonly [Compiled, number]>(([engine, world]) => engine._world_free(world));
+
+/** One world. Arrays that it returns are copies. `Engine.world` makes one. */
+export class World {
+  readonly config: WorldConfig;
+  readonly n_agents: number;
+  readonly n_actions: number;
+  private readonly engine: Compiled;
+  private readonly at: number;
+  private freed = false;
+
+  /** Make a world, in its first episode of seed 0. Throws EngineError for settings out of range. */
+  constructor(engine: Compiled, config: WorldConfig) {
+    this.engine = engine;
+    this.config = config;
+    this.n_agents = config.n_pursuers + config.n_evaders;
+    this.n_actions = config.diagonal ? 9 : 5;
+    this.at = call(engine, (block) => engine._world_new(block.arrays(configInputs(config))));
+    released.register(this, [engine, this.at], this);
+  }
+
+  /** Give the memory back; otherwise that happens some time after the last use. */
+  free(): void {
+    if (this.freed) return;
+    this.freed = true;
+    released.unregister(this);
+    this.engine._world_free(this.at);
+  }
+
+  // ---- Play -------------------------------------------------------------------------------------
+
+  /** Start an episode. The world stays as it was if the start is refused. */
+  reset(start: Start = {}): void {
+    const inputs = startInputs(start, this.config);
+    this.call((block) => this.engine._world_reset(this.at, block.arrays(inputs)));
+  }
+
+  /** Play one round with the actions (A,) of all agents; those of gone agents are ignored. */
+  step(actions: ArrayLike<number>): void {
+    const inputs = actionsInputs(actions);
+    this.call((block) => this.engine._world_step(this.at, block.arrays(inputs)));
+  }
+
+  /** Play the next turn of a round; only the actions of the living `actors` are read. */
+  playTurn(actions: ArrayLike<number>): void {
+    const inputs = actionsInputs(actions);
+    this.call((block) => this.engine._world_play_turn(this.at, block.arrays(inputs)));
+  }
+
+  /**
+   * Return the actions (A,) with those that a policy chooses now for the living agents of its team;
+   * other entries are those of `actions`. It uses the random numbers of a match for the same seed,
+   * episode and step.
+   */
+  decide(policy: TeamPolicy, team: "pursuer" | "evader", actions: ArrayLike<number>): Uint8Array {
+    const { n_pursuers } = this.config;
+    const agents = team === "pursuer" ? ([0, n_pursuers] as const) : ([n_pursuers, this.n_agents] as const);
+    return this.choose(policy, agents, actions);
+  }
+
+  private choose(policy: TeamPolicy, [first, last]: readonly [number, number], given: ArrayLike<number>): Uint8Array {
+    if (given.length !== this.n_agents) throw expected("actions", String(this.n_agents), given.length);
+    const inputs = [policyInputs(policy), actionsInputs(given)] as const;
+    const { actions } = this.call((block) =>
+      this.engine._world_decide(this.at, block.arrays(inputs[0]), first, last, block.arrays(inputs[1])),
+    );
+    return Uint8Array.from(actions as Int32Array);
+  }
+
+  // ---- Look -------------------------------------------------------------------------------------
+
+  /** Turns in a round: 1 where all agents move at once, 2 for teams, A for single agents. */
+  get n_turns(): number {
+    return this.turnNumbers()[1]!;
+  }
+
+  /** Number of the next turn, from 0. */
+  get turn(): number {
+    return this.turnNumbers()[0]!;
+  }
+
+  /** The agents [first, last) that act in the next turn. */
+  get actors(): readonly [first: number, last: number] {
+    const [, , first, last] = this.turnNumbers();
+    return [first!, last!];
+  }
+
+  private turnNumbers(): Int32Array {
+    return this.call(() => this.engine._world_turn(this.at))["turn"] as Int32Array;
+  }
+
+  /** Rounds played in this episode. */
+  get steps(): number {
+    return this.read("steps")[0]!;
+  }
+
+  get seed(): bigint {
+    return this.read("seed")[0]!;
+  }
+
+  get episode(): bigint {
+    return this.read("episode")[0]!;
+  }
+
+  /** Whether the episode has ended, by captures or at max_steps. */
+  get over(): boolean {
+    return this.read("terminated")[0] === 1 || this.read("truncated")[0] === 1;
+  }
+
+  /** Return one array. */
+  read<Name extends keyof WorldArrays>(name: Name): WorldArrays[Name] {
+    return this.call((block) => this.engine._world_read(this.at, block.text(name)))[name] as WorldArrays[Name];
+  }
+
+  /** Return the view of one agent, (3, fov, fov): evaders, pursuers, obstacles. */
+  view(agent: number): Uint8Array {
+    const size = 3 * this.config.fov ** 2;
+    return this.read("views").slice(agent * size, (agent + 1) * size);
+  }
+
+  /** Return the obstacles of this episode, (rows, cols). */
+  map(): Uint8Array {
+    return this.read("state").slice(2 * this.config.rows * this.config.cols);
+  }
+
+  /** Return the conflicts of the last round (of its turns so far, in the middle of one). */
+  conflicts(): Conflict[] {
+    const { conflict_table } = this.call(() => this.engine._world_conflicts(this.at));
+    return conflictsOf(conflict_table as Int32Array, this.config.n_pursuers);
+  }
+
+  /** Return what a network answers to the view of a living agent. */
+  answer(policy: TeamPolicy, agent: number): Answer {
+    const inputs = policyInputs(policy);
+    const { logits } = this.call((block) => this.engine._world_logits(this.at, block.arrays(inputs), agent));
+    const outputs = logits as Float32Array;
+    const action = this.choose(policy, [agent, agent + 1], new Uint8Array(this.n_agents))[agent]!;
+    return { logits: outputs, probabilities: softmax(outputs), action };
+  }
+
+  // ---- Moments ----------------------------------------------------------------------------------
+
+  /** Return the whole state, from which any world of these settings can go on. */
+  snapshot(): Snapshot {
+    return this.call(() => this.engine._world_snapshot(this.at)) as unknown as Snapshot;
+  }
+
+  /** Go on from a state, which may be an edited one. The world stays as it was if it is refused. */
+  restore(snapshot: Snapshot): void {
+    const inputs = snapshotInputs(snapshot);
+    this.call((block) => this.engine._world_restore(this.at, block.arrays(inputs)));
+  }
+
+  private call(invoke: Parameters<typeof call>[1]): ReturnType<typeof lastOutputs> {
+    if (this.freed) throw expected("world", "one that is in use", "one that was freed");
+    call(this.engine, invoke);
+    return lastOutputs(this.engine);
+  }
+}
+
+function softmax(logits: Float32Array): Float32Array {
+  const largest = Math.max(...logits);
+  const weights = Array.from(logits, (logit) => Math.exp(logit - largest));
+  const total = weights.reduce((sum, weight) => sum + weight, 0);
+  return Float32Array.from(weights, (weight) => weight / total);
+}

@@ -1,0 +1,151 @@
+// Line charts: axes, lines, bands and marks as SVG, drawn anew when their room changes.
+
+import { html, svg } from "../page/dom.ts";
+import { ticks } from "./format.ts";
+import type { Curve } from "./data.ts";
+
+export interface Axis {
+  readonly low: number;
+  readonly high: number;
+  readonly label: string;
+  /** Whether ticks are whole numbers. */
+  readonly whole?: boolean;
+}
+
+/** The axes of a chart and its scales, in pixels. */
+export interface Frame {
+  readonly root: SVGSVGElement;
+  /** What moves with the selection; cleared by `clear`. */
+  readonly marks: SVGGElement;
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+  readonly bottom: number;
+  x(value: number): number;
+  y(value: number): number;
+  /** The value of the horizontal axis at a place in the window. */
+  at(clientX: number): number;
+}
+
+const MARGIN = { left: 46, right: 12, top: 10, bottom: 42 };
+/** Pixels of a tick's label. */
+const TICK_ROOM = { x: 56, y: 34 };
+
+/** Return an empty chart of a size in pixels. */
+export function frame(width: number, height: number, horizontal: Axis, vertical: Axis): Frame {
+  const [left, top] = [MARGIN.left, MARGIN.top];
+  const right = Math.max(left + 40, width - MARGIN.right);
+  const bottom = Math.max(top + 40, height - MARGIN.bottom);
+  const scale = (axis: Axis, from: number, to: number) => (value: number): number =>
+    from + ((value - axis.low) / (axis.high - axis.low || 1)) * (to - from);
+  const [x, y] = [scale(horizontal, left, right), scale(vertical, bottom, top)];
+  const marks = svg("g");
+  const root = svg("svg", { width, height, viewBox: `0 0 ${width} ${height}`, class: "plot" });
+  const axes = svg("g", { class: "axes" });
+  for (const value of ticks(vertical.low, vertical.high, (bottom - top) / TICK_ROOM.y, vertical.whole)) {
+    axes.append(
+      svg("line", { x1: left, x2: right, y1: y(value), y2: y(value), class: "grid" }),
+      svg("text", { x: left - 8, y: y(value), "text-anchor": "end", "dominant-baseline": "middle" }, shown(value)),
+    );
+  }
+  for (const value of ticks(horizontal.low, horizontal.high, (right - left) / TICK_ROOM.x, horizontal.whole)) {
+    axes.append(svg("text", { x: x(value), y: bottom + 16, "text-anchor": "middle" }, shown(value)));
+  }
+  axes.append(
+    svg("line", { x1: left, x2: right, y1: bottom, y2: bottom, class: "axis" }),
+    svg("text", { x: (left + right) / 2, y: height - 6, "text-anchor": "middle", class: "label" }, horizontal.label),
+    svg("text", { transform: `translate(12 ${(top + bottom) / 2}) rotate(-90)`, "text-anchor": "middle", class: "label" }, vertical.label),
+  );
+  root.append(axes, marks);
+  const at = (clientX: number): number => {
+    const place = clientX - root.getBoundingClientRect().left;
+    return horizontal.low + ((place - left) / (right - left)) * (horizontal.high - horizontal.low);
+  };
+  return { root, marks, left, right, top, bottom, x, y, at };
+}
+
+const shown = (value: number): string => String(Number(value.toPrecision(6))).replace("-", "−");
+
+/** Add a curve; where it is not defined, it is interrupted. */
+export function line(into: Frame, xs: readonly number[], ys: Curve, style: string): SVGPathElement {
+  let path = "";
+  let pen = "M";
+  ys.forEach((value, i) => {
+    if (value === null) pen = "M";
+    else {
+      path += `${pen}${into.x(xs[i]!).toFixed(1)} ${into.y(value).toFixed(1)}`;
+      pen = "L";
+    }
+  });
+  const made = svg("path", { d: path, class: `line ${style}` });
+  into.root.insertBefore(made, into.marks);
+  return made;
+}
+
+/** Add the area between two curves. */
+export function band(into: Frame, xs: readonly number[], low: Curve, high: Curve, style: string): void {
+  const point = (i: number, value: number | null): string => `${into.x(xs[i]!).toFixed(1)} ${into.y(value ?? 0).toFixed(1)}`;
+  const there = xs.map((_, i) => point(i, high[i]!));
+  const back = xs.map((_, i) => point(i, low[i]!)).reverse();
+  into.root.insertBefore(svg("path", { d: `M${[...there, ...back].join("L")}Z`, class: `band ${style}` }), into.marks);
+}
+
+/** Add a mark on a value of the horizontal axis: a line, and a dot where a curve is. */
+export function mark(into: Frame, value: number, style: string, dot: number | null = null): void {
+  const place = into.x(value);
+  into.marks.append(svg("line", { x1: place, x2: place, y1: into.top, y2: into.bottom, class: `mark ${style}` }));
+  if (dot !== null) into.marks.append(svg("circle", { cx: place, cy: into.y(dot), r: 5, class: `dot ${style}` }));
+}
+
+/** Add an entry for each named curve, above the chart. */
+export function legend(...entries: readonly (readonly [text: string, style: string])[]): HTMLElement {
+  return html(
+    "p", { class: "legend small" },
+    ...entries.map(([text, style]) => html("span", { class: `key ${style}` }, text)),
+  );
+}
+
+export interface Chart {
+  readonly element: HTMLElement;
+  /** Draw everything anew, or only the marks. */
+  redraw(): void;
+  remark(): void;
+}
+
+/**
+ * Return an element that holds a chart and draws it as wide as it is.
+ *
+ * `draw` makes the chart for a size, `marks` what moves with the selection, and `point` and `choose`
+ * get the value of the horizontal axis under the pointer.
+ */
+export function chart(
+  label: string,
+  draw: (width: number, height: number) => Frame,
+  options: {
+    marks?: (into: Frame) => void;
+    point?: (value: number | null) => void;
+    choose?: (value: number, into: Frame, event: MouseEvent) => void;
+  } = {},
+): Chart {
+  const element = html("div", { class: "chart", role: "img", "aria-label": label });
+  let shownFrame: Frame | null = null;
+  const remark = (): void => {
+    shownFrame?.marks.replaceChildren();
+    if (shownFrame) options.marks?.(shownFrame);
+  };
+  const redraw = (): void => {
+    const { clientWidth, clientHeight } = element;
+    if (clientWidth < 50 || clientHeight < 50) return;
+    shownFrame = draw(clientWidth, clientHeight);
+    element.replaceChildren(shownFrame.root);
+    remark();
+  };
+  element.addEventListener("pointermove", (event) => options.point?.(shownFrame?.at(event.clientX) ?? null));
+  element.addEventListener("pointerleave", () => options.point?.(null));
+  if (options.choose) {
+    element.classList.add("chooses");
+    element.addEventListener("click", (event) => shownFrame && options.choose?.(shownFrame.at(event.clientX), shownFrame, event));
+  }
+  new ResizeObserver(redraw).observe(element);
+  return { element, redraw, remark };
+}

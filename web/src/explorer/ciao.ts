@@ -1,0 +1,73 @@
+// CIAO: current individuals against ancestral opponents, a triangle for each team.
+
+import { html, svg } from "../page/dom.ts";
+import { viridis } from "./colormap.ts";
+import type { Run, Team } from "./data.ts";
+import { rate } from "./format.ts";
+import { card } from "./panels.ts";
+import type { Panel } from "./panels.ts";
+import type { Store } from "./store.ts";
+
+const OTHER: Readonly<Record<Team, Team>> = { pursuer: "evader", evader: "pursuer" };
+
+export function ciaoPanel(run: Run, store: Store): Panel | null {
+  const both = run.findings?.ciao;
+  if (!both) return null;
+  const triangles = (["pursuer", "evader"] as const).map((team) => {
+    const { fading, stripes, period } = both[`${team}s`];
+    const numbers = `fading ${rate(fading)}, stripes ${rate(stripes)}${period === null ? "" : ` every ${period} generations`}`;
+    return triangle(run, team, numbers, store);
+  });
+  return {
+    element: card("CIAO", "Current individuals against ancestral opponents, by the team's own score. Stripes that come back: cycling. Darker away from the diagonal: forgetting.",
+      html("div", { class: "triangles" }, ...triangles.map((each) => each.element))),
+    update: () => triangles.forEach((each) => each.update()),
+  };
+}
+
+function triangle(run: Run, team: Team, numbers: string, store: Store): { element: HTMLElement; update(): void } {
+  const own = team === "pursuer" ? 0 : 1;
+  const [rows, columns] = [run.payoff.shape[own], run.payoff.shape[1 - own]!];
+  const score = (row: number, column: number): number =>
+    team === "pursuer" ? run.payoff.capture_rate[row]![column]! : 1 - run.payoff.capture_rate[column]![row]!;
+  const canvas = html("canvas", { width: columns, height: rows, role: "img", "aria-label": `CIAO of the ${team}s: ${numbers}` });
+  const ctx = canvas.getContext("2d");
+  const image = ctx?.createImageData(columns, rows);
+  for (let row = 0; image && row < rows; row++) {
+    for (let column = 0; column <= Math.min(row, columns - 1); column++) {
+      image.data.set([...viridis(score(row, column)), 255], 4 * ((rows - 1 - row) * columns + column));
+    }
+  }
+  if (image) ctx?.putImageData(image, 0, 0);
+  const place = svg("rect", { class: "chosen", width: 1, height: 1 });
+  const under = svg("rect", { class: "chosen under", width: 1, height: 1 });
+  const overlay = svg("svg", { viewBox: `0 0 ${columns} ${rows}`, preserveAspectRatio: "none", "aria-hidden": "true" }, under, place);
+  const frame = html("div", { class: "triangle" }, canvas, overlay);
+  frame.style.aspectRatio = `${columns} / ${rows}`;
+  const at = (event: MouseEvent): [number, number] | null => {
+    const box = frame.getBoundingClientRect();
+    const column = Math.floor(((event.clientX - box.left) / box.width) * columns);
+    const row = rows - 1 - Math.floor(((event.clientY - box.top) / box.height) * rows);
+    return column >= 0 && row < rows && column <= row ? [row, column] : null;
+  };
+  const cell = (found: [number, number]): { [name in Team]: number } =>
+    ({ [team]: found[0], [OTHER[team]]: found[1] }) as { [name in Team]: number };
+  frame.addEventListener("pointermove", (event) => store.point(at(event) ? cell(at(event)!) : {}));
+  frame.addEventListener("pointerleave", () => store.point({}));
+  frame.addEventListener("click", (event) => at(event) && store.select(cell(at(event)!)));
+  const update = (): void => {
+    const row = store.hover[team] ?? store.selected[team];
+    const column = store.hover[OTHER[team]] ?? store.selected[OTHER[team]];
+    for (const each of [place, under]) {
+      each.setAttribute("x", String(column));
+      each.setAttribute("y", String(rows - 1 - row));
+      each.style.display = column <= row ? "" : "none";
+    }
+  };
+  const element = html("figure", {},
+    html("figcaption", { class: "small" }, html("span", { class: team }, `${team}s`)),
+    frame,
+    html("p", { class: "small muted" }, `horizontal: ${OTHER[team]} generation; vertical: ${team} generation`),
+    html("p", { class: "small numbers" }, numbers));
+  return { element, update };
+}

@@ -1,0 +1,135 @@
+// Training curve, lag profile and ratings.
+
+import { chart, frame, legend, line, mark } from "./chart.ts";
+import type { Run, Team } from "./data.ts";
+import { rate, thousands } from "./format.ts";
+import { card } from "./panels.ts";
+import type { Panel } from "./panels.ts";
+import type { Store } from "./store.ts";
+
+const LEARNERS = ["of-pursuers", "of-evaders", "of-both"] as const;
+/** More points than that fill the chart with thick lines. */
+const MANY = 2500;
+const RATE = { low: 0, high: 1, label: "capture rate" };
+
+/** Capture rate over training, in the colour of the team that learns. */
+export function trainingPanel(run: Run, store: Store): Panel {
+  const { training } = run;
+  const { capture_rate, generation, learner, epochs } = training;
+  const epoch = capture_rate.map((_, i) => (i + 1) * epochs);
+  const smooth = movingMean(capture_rate, training.window);
+  const last = epoch.at(-1) ?? 1;
+  const dense = epoch.length > MANY ? "dense" : "";
+  const spanOf = (chosen: number, team: number): [number, number] | null => {
+    const inside = generation.flatMap((each, i) => (each === chosen && (learner[i] === team || learner[i] === 2) ? [i] : []));
+    return inside.length ? [epoch[inside[0]!]!, epoch[inside.at(-1)!]!] : null;
+  };
+  const made = chart(`Capture rate in ${last} epochs of training`, (width, height) => {
+    const into = frame(width, height, { low: 0, high: last, label: "epoch", whole: true }, RATE);
+    for (const [style, values] of [["raw", capture_rate], [dense, smooth]] as const) {
+      for (const [team, name] of LEARNERS.entries()) {
+        // A piece of the curve has the colour of the team that learned on the way to its end.
+        const own = values.map((value, i) => (learner[i] === team || learner[i + 1] === team ? value : null));
+        if (own.some((value) => value !== null)) line(into, epoch, own, `${name} ${style}`);
+      }
+    }
+    return into;
+  }, {
+    marks: (into) => {
+      const { pursuer, evader } = store.selected;
+      for (const [team, chosen] of [[0, pursuer], [1, evader]] as const) {
+        const span = spanOf(store.hover[team ? "evader" : "pursuer"] ?? chosen, team);
+        if (span) mark(into, (span[0] + span[1]) / 2, LEARNERS[team]);
+      }
+    },
+    choose: (value) => {
+      const at = Math.min(epoch.length - 1, Math.max(0, Math.round(value / epochs) - 1));
+      const chosen = generation[at]!;
+      if (learner[at] !== 1) store.select({ pursuer: Math.min(chosen, run.payoff.shape[0] - 1) });
+      if (learner[at] !== 0) store.select({ evader: Math.min(chosen, run.payoff.shape[1] - 1) });
+    },
+  });
+  const learning = [...new Set(learner)].sort().map((team) =>
+    [["pursuers learn", "evaders learn", "both teams learn"][team]!, LEARNERS[team]!] as const);
+  return {
+    element: card("Training", `${thousands(training.matches)} training matches. Lines: the generations that are selected.`,
+      legend(...learning), made.element),
+    update: made.remark,
+  };
+}
+
+/** The mean capture rate by the distance of the generations. */
+export function lagPanel(run: Run, store: Store): Panel | null {
+  const profile = run.findings?.lags;
+  if (!profile) return null;
+  const [low, high] = [profile.lags[0]!, profile.lags.at(-1)!];
+  const most = Math.min(5, (Math.max(...profile.cells) + 1) / 2);
+  const sure = profile.means.map((mean, i) => (profile.cells[i]! >= most ? mean : null));
+  const made = chart("Lag profile", (width, height) => {
+    const into = frame(width, height, { low, high, label: "lag: pursuer minus evader generation", whole: true }, RATE);
+    line(into, profile.lags, profile.means, "raw ink");
+    line(into, profile.lags, sure, "ink");
+    return into;
+  }, {
+    marks: (into) => {
+      const { pursuer, evader } = store.selected;
+      mark(into, 0, "zero");
+      const lag = store.hover.lag ?? pursuer - evader;
+      mark(into, lag, "ink", profile.means[lag - low]);
+    },
+    point: (value) => {
+      const lag = value === null ? null : Math.round(value);
+      store.point({ lag: lag !== null && lag >= low && lag <= high ? lag : null });
+    },
+  });
+  return {
+    element: card("Lag profile", "Left: evaders are later. Right: pursuers are later. It rises if both teams keep what they learn. Faint: fewer than 5 cells.", made.element),
+    update: made.remark,
+  };
+}
+
+/** Elo ratings of all generations. */
+export function ratingPanel(run: Run, store: Store): Panel | null {
+  const ratings = run.findings?.ratings;
+  if (!ratings) return null;
+  const curves = { pursuer: ratings.pursuers, evader: ratings.evaders };
+  const values = [...ratings.pursuers, ...ratings.evaders].map((value) => value ?? 0);
+  const [low, high] = [Math.min(...values), Math.max(...values)];
+  const room = 0.06 * (high - low || 1);
+  const last = Math.max(...run.payoff.shape) - 1;
+  const made = chart("Elo ratings by generation", (width, height) => {
+    const into = frame(width, height, { low: 0, high: last, label: "generation", whole: true }, { low: low - room, high: high + room, label: "Elo points" });
+    for (const team of ["pursuer", "evader"] as const) line(into, curves[team].map((_, g) => g), curves[team], `of-${team}s`);
+    return into;
+  }, {
+    marks: (into) => {
+      for (const team of ["pursuer", "evader"] as const) {
+        const chosen = store.hover[team] ?? store.selected[team];
+        mark(into, chosen, `of-${team}s`, curves[team][chosen] ?? null);
+      }
+    },
+    choose: (value, into, event) => {
+      const generation = Math.round(value);
+      const height = event.clientY - into.root.getBoundingClientRect().top;
+      const away = (team: Team): number => Math.abs(into.y(curves[team][generation] ?? Infinity) - height);
+      const team = away("pursuer") <= away("evader") ? "pursuer" : "evader";
+      if (generation >= 0 && generation < curves[team].length) store.select({ [team]: generation });
+    },
+  });
+  return {
+    element: card("Ratings", `One number for each generation, which cycles do not fit. The game itself: ${rate(ratings.offset, 0)} points for the pursuers.`,
+      legend(["pursuers", "of-pursuers"], ["evaders", "of-evaders"]), made.element),
+    update: made.remark,
+  };
+}
+
+/** Return the centred mean of a window of points, and of fewer at both ends. */
+function movingMean(values: readonly number[], window: number): number[] {
+  const sums = [0];
+  for (const value of values) sums.push(sums.at(-1)! + value);
+  return values.map((_, i) => {
+    const [from, to] = [Math.max(0, i - Math.floor((window - 1) / 2)), Math.min(values.length, i + Math.floor(window / 2) + 1)];
+    return (sums[to]! - sums[from]!) / (to - from);
+  });
+}
+

@@ -1,0 +1,184 @@
+// What the page holds of its runs; `matrixworld.explorer.run_data` writes it.
+
+import type { PageData } from "../playground/data.ts";
+import type { NetworkPolicy, ScriptName, TeamPolicy, WorldConfig } from "../engine/types.ts";
+
+export type Team = "pursuer" | "evader";
+export const TEAMS: readonly Team[] = ["pursuer", "evader"];
+/** Rows of a matrix; null where a number is not defined. */
+export type Matrix = readonly (readonly number[])[];
+export type Curve = readonly (number | null)[];
+
+export interface TeamData {
+  readonly script: ScriptName | null;
+  readonly network: {
+    readonly hidden: readonly number[];
+    readonly activation: "relu" | "tanh";
+    readonly fov: number;
+    readonly sampled: boolean;
+    readonly genome_size: number;
+  } | null;
+  readonly generations: number;
+  /** The generations whose genomes the page holds. */
+  readonly kept: readonly number[];
+  readonly genomes: string;
+}
+
+export interface Payoff {
+  /** Generations of the first cell that was played, and of the whole matrix. */
+  readonly first: readonly [number, number];
+  readonly shape: readonly [number, number];
+  readonly episodes: number;
+  readonly capture_rate: Matrix;
+  readonly capture_rates: readonly Matrix[];
+  readonly lengths: readonly Matrix[];
+  /** By cell, team and kind: agent-steps in collision in 1000 agent-steps. */
+  readonly collisions: readonly (readonly Matrix[])[];
+}
+
+export interface Training {
+  readonly capture_rate: readonly number[];
+  readonly length: readonly number[];
+  readonly generation: readonly number[];
+  /** 0: the pursuers learn, 1: the evaders, 2: both. */
+  readonly learner: readonly number[];
+  readonly epochs: number;
+  readonly window: number;
+  readonly matches: number;
+}
+
+export interface Setting {
+  readonly name: string;
+  readonly value: string;
+  readonly help: string;
+  readonly changed: boolean;
+}
+
+export interface Band {
+  readonly mean: Curve;
+  readonly low: Curve | null;
+  readonly high: Curve | null;
+}
+
+export interface Checkerboard {
+  readonly pursuers: readonly [number, number];
+  readonly evaders: readonly [number, number];
+  readonly margin: number;
+}
+
+interface OfTeams<Value> {
+  readonly pursuers: Value;
+  readonly evaders: Value;
+}
+
+export interface Findings {
+  readonly headline: string;
+  readonly window: string;
+  readonly table: readonly (readonly [string, string, string, string])[];
+  readonly reasons: readonly string[];
+  readonly description: readonly string[];
+  readonly noise: Readonly<Record<string, number | null>>;
+  readonly generalization: OfTeams<Band>;
+  readonly lags: { readonly lags: readonly number[]; readonly means: Curve; readonly cells: readonly number[] };
+  readonly ciao: OfTeams<{
+    readonly by_age: Curve; readonly fading: number | null; readonly stripes: number; readonly period: number | null;
+  }>;
+  readonly ratings: OfTeams<Curve> & { readonly offset: number };
+  readonly checkerboards: readonly Checkerboard[];
+  readonly margin: number;
+}
+
+export interface HeldOut {
+  readonly team: Team;
+  readonly score: string;
+  readonly episodes: number;
+  readonly generations: readonly number[];
+  readonly against: Readonly<Record<string, readonly Interval[]>>;
+  readonly mean: readonly Interval[];
+  readonly left_out: string;
+}
+
+export interface Interval {
+  readonly value: number;
+  readonly low: number | null;
+  readonly high: number | null;
+}
+
+export interface Run {
+  readonly name: string;
+  readonly race: boolean;
+  readonly schedule: string;
+  readonly learning: readonly Team[];
+  readonly seed: string;
+  readonly world: WorldConfig;
+  readonly settings: readonly Setting[];
+  readonly training: Training;
+  readonly payoff: Payoff;
+  readonly seeds: readonly (readonly string[])[];
+  readonly findings: Findings | null;
+  readonly limits: string;
+  readonly held_out: Readonly<Partial<Record<"pursuers" | "evaders", HeldOut | null>>> | null;
+  readonly teams: Readonly<Record<Team, TeamData>>;
+}
+
+export interface Data {
+  readonly version: string;
+  readonly title: string;
+  readonly note: string;
+  readonly step: number;
+  readonly playground: PageData;
+  readonly runs: readonly Run[];
+}
+
+/** Return the data of the page. */
+export function readData(): Data {
+  return JSON.parse(text("data")) as Data;
+}
+
+/** Return what was measured of a cell; null where no episodes were played for it. */
+export function cellOf(run: Run, g: number, h: number): { rate: number; rates: readonly number[]; lengths: readonly number[] } | null {
+  const [row, column] = [g - run.payoff.first[0], h - run.payoff.first[1]];
+  const rate = run.payoff.capture_rate[row]?.[column];
+  if (rate === undefined) return null;
+  return { rate, rates: run.payoff.capture_rates[row]![column]!, lengths: run.payoff.lengths[row]![column]! };
+}
+
+/** Return whether the page can play a generation of a team. */
+export function isKept(run: Run, team: Team, generation: number): boolean {
+  const data = run.teams[team];
+  return data.script !== null || data.kept.includes(generation);
+}
+
+/** Return what plays for a team: the genome of a generation, or a script. */
+export function policyOf(run: Run, team: Team, generation: number): TeamPolicy {
+  const { script, network, kept, genomes } = run.teams[team];
+  if (script !== null || network === null) return script ?? "random";
+  const place = kept.indexOf(generation);
+  if (place < 0) throw new RangeError(`${team}: expected a generation whose genome the page holds, got ${generation}`);
+  const size = network.genome_size;
+  const genome = genomesOf(genomes).subarray(place * size, (place + 1) * size);
+  return { hidden: network.hidden, activation: network.activation, sampled: network.sampled, genome } satisfies NetworkPolicy;
+}
+
+const decoded = new Map<string, Float32Array>();
+
+/** Return the genomes of an archive, decoded when a match first needs them. */
+function genomesOf(identifier: string): Float32Array {
+  const known = decoded.get(identifier);
+  if (known) return known;
+  const genomes = new Float32Array(bytesOf(identifier).buffer);
+  decoded.set(identifier, genomes);
+  return genomes;
+}
+
+/** Return what a data element of the page holds as base64. */
+export function bytesOf(identifier: string): Uint8Array<ArrayBuffer> {
+  const binary = atob(text(identifier));
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; i++) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
+export function text(identifier: string): string {
+  return document.getElementById(identifier)?.textContent ?? "";
+}

@@ -1,0 +1,53 @@
+// What happened in the race, in words, with the numbers that decide.
+
+import { html } from "../page/dom.ts";
+import type { Findings, Run } from "./data.ts";
+import { percent, rate } from "./format.ts";
+import { card } from "./panels.ts";
+import type { Panel } from "./panels.ts";
+
+const SIGNS: Readonly<Record<string, string>> = { present: "●", absent: "○", "cannot tell": "?" };
+
+export function diagnosisPanel(run: Run): Panel | null {
+  const { findings } = run;
+  if (!findings) return null;
+  const [, ...rows] = findings.table;
+  const reasons = new Map(findings.reasons.map((text) => {
+    const [name, , reason] = splitReason(text);
+    return [name, reason] as const;
+  }));
+  const items = rows.map(([condition, verdict, numbers, window]) => {
+    const reason = window === findings.window ? reasons.get(condition) : undefined;
+    return html("li", { class: `finding ${verdict.replace(" ", "-")}` },
+      html("span", { class: "sign", "aria-hidden": "true" }, SIGNS[verdict] ?? ""),
+      html("div", {},
+        html("p", {}, html("strong", {}, condition), ` ${verdict}`, html("span", { class: "muted" }, ` · ${window}`)),
+        reason ? html("p", { class: "small" }, `${reason}.`) : null,
+        html("p", { class: "small muted numbers" }, numbers)));
+  });
+  const element = card(
+    "What happened", "Each condition is present, absent, or its 95 % interval cannot tell. The intervals are about this run.",
+    html("p", { class: "headline" }, findings.headline),
+    html("ul", { class: "findings" }, ...items),
+    run.limits ? html("p", { class: "small" }, run.limits) : null,
+    html("details", { class: "small" }, html("summary", {}, "Headline numbers in words"),
+      ...findings.description.map((text) => html("p", {}, text)), noiseOf(findings)));
+  element.classList.add("diagnosis");
+  return { element };
+}
+
+/** Return condition, verdict and reason of a sentence "Cycling: absent, because ...". */
+function splitReason(text: string): [string, string, string] {
+  const [head = "", rest = ""] = text.split(/: (.*)/s);
+  const [verdict = "", reason = ""] = rest.split(/, because (.*)/s);
+  return [head.toLowerCase(), verdict, capital(reason.replace(/\.$/, ""))];
+}
+
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+function noiseOf({ noise }: Findings): HTMLElement | null {
+  if (noise["transitive_share_noise"] === null) return null;
+  return html("p", {},
+    `Last half: transitive share ${rate(noise["transitive_share"])} (an order of strength with the same noise rarely falls below ${rate(noise["transitive_share_noise"])}), `
+    + `checkerboards ${percent(noise["checkerboard_share"])} (it rarely exceeds ${percent(noise["checkerboard_share_noise"])}).`);
+}

@@ -1,0 +1,28 @@
+// Numbers as text: the same form everywhere on the page.
+
+/** A rate such as 0.43; a dash where it is not defined. */
+export const rate = (value: number | null | undefined, digits = 2): string =>
+  value === null || value === undefined ? "-" : value.toFixed(digits);
+
+export const percent = (value: number | null | undefined, digits = 1): string =>
+  value === null || value === undefined ? "-" : `${(100 * value).toFixed(digits)} %`;
+
+/** A value and its interval, where it has one. */
+export function interval(value: number, low: number | null, high: number | null, digits = 2): string {
+  return low === null || high === null
+    ? value.toFixed(digits)
+    : `${value.toFixed(digits)} (${low.toFixed(digits)} to ${high.toFixed(digits)})`;
+}
+
+export const thousands = (value: number): string => value.toLocaleString("en-GB");
+
+/** Return round values inside a range, about as many as wanted. */
+export function ticks(low: number, high: number, wanted: number, whole = false): number[] {
+  const rough = (high - low) / Math.max(1, wanted);
+  const power = 10 ** Math.floor(Math.log10(rough || 1));
+  let step = [1, 2, 5, 10].map((factor) => factor * power).find((each) => each >= rough) ?? 10 * power;
+  if (whole) step = Math.max(1, Math.round(step));
+  const first = Math.ceil(low / step - 1e-9);
+  const last = Math.floor(high / step + 1e-9);
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => (first + i) * step);
+}

@@ -1,0 +1,43 @@
+// Cells of a payoff matrix on a canvas, pursuer generations upwards.
+
+import type { Payoff } from "./data.ts";
+import { viridis } from "./colormap.ts";
+
+export interface Box {
+  readonly left: number;
+  readonly top: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Draw the capture rates of all cells; cells without episodes stay empty. */
+export function drawCells(canvas: HTMLCanvasElement, payoff: Payoff, box: Box): void {
+  const ratio = devicePixelRatio || 1;
+  canvas.style.left = `${box.left}px`;
+  canvas.style.top = `${box.top}px`;
+  canvas.style.width = `${box.width}px`;
+  canvas.style.height = `${box.height}px`;
+  canvas.width = Math.round(box.width * ratio);
+  canvas.height = Math.round(box.height * ratio);
+  const ctx = canvas.getContext("2d");
+  const cells = cellsOf(payoff);
+  if (!ctx || !cells) return;
+  ctx.imageSmoothingEnabled = false; // a cell is a square of one colour
+  ctx.drawImage(cells, 0, 0, canvas.width, canvas.height);
+}
+
+/** Return a picture with one pixel for each cell. */
+function cellsOf(payoff: Payoff): HTMLCanvasElement | null {
+  const [rows, columns] = payoff.shape;
+  const picture = document.createElement("canvas");
+  [picture.width, picture.height] = [columns, rows];
+  const ctx = picture.getContext("2d");
+  if (!ctx) return null;
+  const image = ctx.createImageData(columns, rows);
+  payoff.capture_rate.forEach((row, g) => row.forEach((rate, h) => {
+    const at = 4 * ((rows - 1 - g - payoff.first[0]) * columns + h + payoff.first[1]);
+    image.data.set([...viridis(rate), 255], at);
+  }));
+  ctx.putImageData(image, 0, 0);
+  return picture;
+}

@@ -1,0 +1,73 @@
+// The explorer: payoff matrices of finished runs, and the matches behind them.
+
+import "./explorer.css";
+import { loadEngine } from "../engine/engine.ts";
+import type { Engine } from "../engine/engine.ts";
+import { html } from "../page/dom.ts";
+import { themeButton } from "../page/theme.ts";
+import { followAddress, placeOf } from "./address.ts";
+import { readData } from "./data.ts";
+import { helpDialog, listenToKeys } from "./keys.ts";
+import { MatchPanel } from "./match.ts";
+import { MatrixPanel } from "./matrix.ts";
+import { panels } from "./panels.ts";
+import { playedMatch } from "./play.ts";
+import { raceTabs } from "./races.ts";
+import { Store } from "./store.ts";
+import { openPlayground } from "./to_playground.ts";
+
+const data = readData();
+const { runs } = data;
+const [rows, columns] = runs[0]!.payoff.shape;
+const first = placeOf(location.hash, runs, { run: 0, pursuer: rows - 1, evader: columns - 1, episode: 0, seed: null });
+const { step, ...selected } = first;
+const store = new Store(selected);
+const match = new MatchPanel(runs, store, data.playground);
+const matrix = new MatrixPanel(runs, store);
+const help = helpDialog();
+let engine: Engine | null = null;
+
+function about(): string {
+  const [only] = runs;
+  const made = `matrixworld ${data.version}`;
+  if (runs.length > 1 || !only) return made;
+  return only.race ? `${only.schedule}, seed ${only.seed} · ${made}` : `${only.learning.join(" and ")}s learn, seed ${only.seed} · ${made}`;
+}
+
+document.getElementById("page")!.replaceWith(
+  html("header", { class: "top" },
+    html("h1", {}, data.title),
+    html("p", { class: "muted small about" }, about()),
+    html("div", { class: "tools" }, themeButton(),
+      html("button", { type: "button", title: "Keys (?)", "aria-label": "Keys", onclick: () => help.showModal() }, "?"))),
+  ...(data.note ? [html("p", { class: "note small muted" }, data.note)] : []),
+  raceTabs(runs, store),
+  html("main", { class: "stages" }, matrix.element, match.element),
+  panels(runs, store, () => engine),
+  help,
+);
+// For the browser's console, and for tests.
+Object.assign(window, {
+  matrixworldExplorer: {
+    get match() { return match.match; },
+    get step() { return match.player.step; },
+    play: (episode: number) => engine && playedMatch(engine, runs[store.selected.run]!, { ...store.selected, episode }),
+    get shape() { return runs[store.selected.run]!.payoff.shape; },
+  },
+});
+matrix.element.addEventListener("play", () => match.playSoon());
+match.goTo(step);
+followAddress(runs, store, match);
+listenToKeys(runs, store, match, help, () => openPlayground(match.shown, data.playground));
+
+// The page is drawn before the engine is compiled.
+requestAnimationFrame(() => setTimeout(() => {
+  loadEngine().then((loaded) => {
+    engine = loaded;
+    match.start(loaded);
+    document.body.dataset["ready"] = "true";
+  }, (error: unknown) => {
+    match.element.prepend(html("p", { class: "problem", role: "alert" }, `The engine does not start here: ${String(error)}`));
+    document.body.dataset["ready"] = "true";
+  });
+}));

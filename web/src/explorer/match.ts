@@ -1,0 +1,179 @@
+// The selected match: played by the engine in the page, drawn, and told in words step by step.
+
+import { Board, stillMotion } from "../board/board.ts";
+import { recordingOf } from "../board/from_engine.ts";
+import { Player } from "../board/player.ts";
+import { playerBar } from "../board/player_bar.ts";
+import type { Recording } from "../board/recording.ts";
+import type { Engine, Match } from "../engine/engine.ts";
+import { html } from "../page/dom.ts";
+import type { PageData } from "../playground/data.ts";
+import { isKept } from "./data.ts";
+import type { Run } from "./data.ts";
+import { EpisodeStrip } from "./episodes.ts";
+import { Inspector } from "./inspector.ts";
+import { playedMatch } from "./play.ts";
+import type { Store } from "./store.ts";
+import { playgroundButton } from "./to_playground.ts";
+import { wordsOf } from "./words.ts";
+
+/** Milliseconds that a selection has to rest before its match is played. */
+const REST = 60;
+
+export class MatchPanel {
+  readonly element: HTMLElement;
+  readonly player = new Player(0, { speed: 8, still: stillMotion() });
+  readonly inspector: Inspector;
+  readonly #board: Board;
+  readonly #runs: readonly Run[];
+  readonly #store: Store;
+  readonly #strip: EpisodeStrip;
+  readonly #title = html("h2", { class: "match-title" });
+  readonly #tally = html("p", { class: "tally numbers" });
+  readonly #words = html("ol", { class: "words", "aria-live": "off", "aria-label": "What happened in this step" });
+  readonly #problem = html("p", { class: "problem", role: "alert" });
+  #engine: Engine | null = null;
+  #match: Match | null = null;
+  #recording: Recording | null = null;
+  #due = 0;
+  #plays = false;
+  #goal = 0;
+
+  constructor(runs: readonly Run[], store: Store, playground: PageData) {
+    [this.#runs, this.#store] = [runs, store];
+    const canvas = html("canvas", { "aria-label": "The match" });
+    this.#board = new Board(canvas, { numbers: false });
+    this.#strip = new EpisodeStrip(store, this.player);
+    this.inspector = new Inspector((agent) => this.#look(agent));
+    canvas.addEventListener("click", (event) => this.inspector.choose(this.#board.agentAt(event.clientX, event.clientY)));
+    this.element = html(
+      "section", { class: "card match-card", "aria-label": "Match", id: "match" },
+      html("div", { class: "match" },
+        html("header", { class: "match-head" }, this.#title, this.#tally),
+        this.#problem,
+        html("div", { class: "stage" }, canvas),
+        html("div", { class: "aside" }, this.#words, playgroundButton(() => this.shown, playground), this.inspector.element),
+        playerBar(this.player),
+        this.#strip.element),
+    );
+    this.player.addEventListener("frame", () => this.#recording && this.#board.show(this.#recording, this.player.time));
+    this.player.addEventListener("step", () => this.#tell());
+    store.on("match", () => this.#rest());
+    this.#entitle();
+    this.#count(0, 0);
+  }
+
+  get #run(): Run {
+    return this.#runs[this.#store.selected.run]!;
+  }
+
+  /** The match that is shown, for tests. */
+  get match(): Match | null {
+    return this.#match;
+  }
+
+  /** The match and its step that is shown. */
+  get shown(): { match: Match; step: number } | null {
+    return this.#match && { match: this.#match, step: this.player.step };
+  }
+
+  /** Begin to play matches. */
+  start(engine: Engine): void {
+    this.#engine = engine;
+    this.#load();
+  }
+
+  /** Play the selected match from its first step, as soon as it is there. */
+  playSoon(): void {
+    this.#plays = true;
+    if (!this.#due) this.#begin();
+  }
+
+  /** Show a step of the selected match, as soon as it is there. */
+  goTo(step: number): void {
+    this.#goal = step;
+    if (!this.#due && this.#match) this.#load();
+  }
+
+  #begin(): void {
+    if (!this.#plays || !this.#match) return;
+    this.#plays = false;
+    this.player.jump(0);
+    if (!stillMotion()) this.player.play();
+  }
+
+  // Keys pass over many cells; only the one where they rest is played.
+  #rest(): void {
+    this.#entitle();
+    clearTimeout(this.#due);
+    this.#due = setTimeout(() => this.#load(), REST);
+  }
+
+  #load(): void {
+    clearTimeout(this.#due);
+    this.#due = 0;
+    this.player.pause();
+    this.#entitle();
+    const { selected } = this.#store;
+    const missing = (["pursuer", "evader"] as const).find((team) => !isKept(this.#run, team, selected[team]));
+    this.#problem.textContent = missing
+      ? `The page holds no genome of ${missing}s ${selected[missing]}: it would be too large. Choose a generation of ${this.#run.teams[missing].kept.join(", ")}.`
+      : "";
+    if (missing || !this.#engine) return;
+    this.#match = playedMatch(this.#engine, this.#run, selected);
+    this.#recording = recordingOf(this.#match);
+    this.#strip.show(this.#engine, this.#run, this.#match);
+    this.inspector.show(this.#engine, this.#run, this.#match, selected);
+    this.player.length = this.#match.length;
+    this.player.jump(this.#goal);
+    this.#goal = 0;
+    this.#tell();
+    this.element.dataset["played"] = `${selected.run} ${selected.pursuer} ${selected.evader} ${selected.episode} ${selected.seed ?? ""}`;
+    this.#begin();
+  }
+
+  #entitle(): void {
+    const { pursuer, evader, episode, seed } = this.#store.selected;
+    const { teams, payoff } = this.#run;
+    const name = (team: "pursuer" | "evader", generation: number): string =>
+      teams[team].script ?? `${team}s ${generation}`;
+    const place = seed === null
+      ? episode < payoff.episodes ? `episode ${episode + 1} of ${payoff.episodes}` : `episode ${episode + 1}, not part of the cell`
+      : `seed ${seed}`;
+    this.#title.replaceChildren(
+      html("span", { class: "pursuer" }, name("pursuer", pursuer)), " against ",
+      html("span", { class: "evader" }, name("evader", evader)), html("span", { class: "muted small" }, place),
+    );
+  }
+
+  #tell(): void {
+    const match = this.#match;
+    if (!match || !this.#recording) return;
+    const step = this.player.step;
+    const moment = this.#recording.moments[step]!;
+    this.#count(Array.from(moment.everCaptured).filter(Boolean).length, step);
+    this.#words.replaceChildren(...wordsOf(match, this.#recording, step).map((word) =>
+      html("li", { class: word.kind, "data-agents": word.agents.join(" ") }, word.text)));
+    this.inspector.at(step);
+    this.#mark();
+  }
+
+  #count(captured: number, step: number): void {
+    this.#tally.replaceChildren(
+      html("strong", {}, captured), ` of ${this.#run.world.n_evaders} captured`, html("span", { class: "muted" }, ` · step ${step}`));
+  }
+
+  #look(agent: number | null): void {
+    this.#board.look = { selected: agent, viewers: agent === null ? [] : [agent] };
+    this.#mark();
+  }
+
+  /** Mark the sentences that speak of the selected agent. */
+  #mark(): void {
+    const agent = this.inspector.agent;
+    for (const item of this.#words.children) {
+      const agents = (item as HTMLElement).dataset["agents"]?.split(" ") ?? [];
+      item.classList.toggle("about", agent !== null && agents.includes(String(agent)));
+    }
+  }
+}

@@ -1,0 +1,268 @@
+// The payoff matrix: pursuer generations upwards, evader generations to the right, and along both
+// sides the mean score of each generation against all opponents.
+
+import { html, svg } from "../page/dom.ts";
+import { cellOf } from "./data.ts";
+import type { Band, Run } from "./data.ts";
+import { viridisGradient } from "./colormap.ts";
+import { interval, rate, ticks } from "./format.ts";
+import { drawCells } from "./heatmap.ts";
+import type { Store } from "./store.ts";
+
+/** Room around the cells, in pixels: axes on the left and below, curves above and on the right. */
+const MARGIN = { left: 52, bottom: 46, top: 76, right: 84 };
+const GAP = 10;
+const LEAST_SIDE = 160;
+/** Room of the curve on the right and of the one above. */
+const WIDE = MARGIN.right - GAP - 14;
+const HIGH = MARGIN.top - GAP - 14;
+
+type Point = [x: number, y: number];
+
+interface Places {
+  readonly width: number;
+  readonly height: number;
+  readonly left: number;
+  readonly top: number;
+  /** Side of a cell; the matrix is `columns` cells wide and `rows` high. */
+  readonly cell: number;
+  readonly rows: number;
+  readonly columns: number;
+}
+
+/** The matrix of the selected run, with its curves. */
+export class MatrixPanel {
+  readonly element: HTMLElement;
+  readonly #store: Store;
+  readonly #runs: readonly Run[];
+  readonly #canvas = html("canvas", { "aria-hidden": "true" });
+  readonly #overlay = svg("svg", { "aria-hidden": "true" });
+  readonly #marks = svg("g");
+  readonly #room: HTMLElement;
+  readonly #pair = html("h2");
+  readonly #rate = html("strong", { class: "rate numbers" });
+  readonly #more = html("span", { class: "small muted" });
+  readonly #all = html("p", { class: "small muted numbers" });
+  #places: Places | null = null;
+
+  constructor(runs: readonly Run[], store: Store) {
+    [this.#runs, this.#store] = [runs, store];
+    this.#room = html(
+      "div",
+      { class: "matrix", id: "matrix", tabindex: 0, role: "application", "aria-label": "Payoff matrix. Arrow keys choose a match, Enter plays it." },
+      this.#canvas, this.#overlay,
+    );
+    const readout = html("header", { class: "readout", "aria-live": "polite" },
+      html("div", {}, this.#pair, this.#all),
+      html("div", { class: "of-cell" }, this.#rate, this.#more));
+    this.element = html("section", { class: "card matrix-card", "aria-label": "Payoff matrix" }, readout, this.#room, scaleOfRates());
+    this.#say();
+    new ResizeObserver(() => this.#draw()).observe(this.#room);
+    this.#room.addEventListener("pointermove", (event) => this.#point(event));
+    this.#room.addEventListener("pointerleave", () => store.point({}));
+    this.#room.addEventListener("click", (event) => this.#choose(event));
+    // A click leaves the arrow keys to the player; Tab and M give them to the matrix.
+    this.#room.addEventListener("mousedown", (event) => event.preventDefault());
+    this.#room.addEventListener("keydown", (event) => this.#key(event));
+    store.on("run", () => this.#draw());
+    store.on("match", () => this.#mark());
+    store.on("hover", () => this.#mark());
+  }
+
+  get #run(): Run {
+    return this.#runs[this.#store.selected.run]!;
+  }
+
+  #draw(): void {
+    const [rows, columns] = this.#run.payoff.shape;
+    const { clientWidth: width, clientHeight: height } = this.#room;
+    if (width < 50) return;
+    const side = Math.max(LEAST_SIDE, Math.min(width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom));
+    const cell = side / Math.max(rows, columns);
+    const left = Math.max(MARGIN.left, (width - columns * cell - MARGIN.right + MARGIN.left) / 2);
+    const top = MARGIN.top + Math.max(0, (height - MARGIN.top - MARGIN.bottom - rows * cell) / 2);
+    const places = { width, height, left, top, cell, rows, columns };
+    this.#places = places;
+    drawCells(this.#canvas, this.#run.payoff, { left, top, width: columns * cell, height: rows * cell });
+    this.#overlay.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    this.#overlay.replaceChildren(axes(places), diagonal(places), ...this.#curves(places), this.#marks);
+    this.#mark();
+  }
+
+  /** Dots on the curves at the generations that are shown. */
+  #dots(places: Places): SVGElement[] {
+    const scores = this.#run.findings?.generalization;
+    if (!scores) return [];
+    const { selected, hover } = this.#store;
+    const [g, h] = [hover.pursuer ?? selected.pursuer, hover.evader ?? selected.evader];
+    const [px, py] = ofPursuers(places, scores.pursuers.mean[g] ?? 0, g);
+    const [ex, ey] = ofEvaders(places, scores.evaders.mean[h] ?? 0, h);
+    return [
+      svg("circle", { class: "dot of-pursuers", cx: px, cy: py, r: 5 }),
+      svg("circle", { class: "dot of-evaders", cx: ex, cy: ey, r: 5 }),
+    ];
+  }
+
+  #curves(places: Places): SVGElement[] {
+    const scores = this.#run.findings?.generalization;
+    if (!scores) return [];
+    const { left, top, cell, rows, columns } = places;
+    const [right, above] = [left + columns * cell + GAP, top - GAP];
+    const box = { class: "side" };
+    return [
+      svg("rect", { ...box, x: right, y: top, width: WIDE, height: rows * cell }),
+      svg("rect", { ...box, x: left, y: above - HIGH, width: columns * cell, height: HIGH }),
+      ...curve(scores.pursuers, (score, g) => ofPursuers(places, score, g), "of-pursuers"),
+      ...curve(scores.evaders, (score, h) => ofEvaders(places, score, h), "of-evaders"),
+      svg("text", { class: "tick", x: right, y: top + rows * cell + 16, "text-anchor": "start" }, "0"),
+      svg("text", { class: "tick", x: right + WIDE, y: top + rows * cell + 16, "text-anchor": "end" }, "1"),
+      svg("text", { class: "tick", x: left - 6, y: above - 4, "text-anchor": "end" }, "0"),
+      svg("text", { class: "tick", x: left - 6, y: above - HIGH + 8, "text-anchor": "end" }, "1"),
+      svg("text", { class: "label of-pursuers", x: right + WIDE, y: top + rows * cell + 34, "text-anchor": "end" }, "captures"),
+      svg("text", { class: "label of-evaders", x: left + columns * cell + GAP, y: above - HIGH + 10, "text-anchor": "start" }, "escapes"),
+    ];
+  }
+
+  /** Show what is selected, and what is under the pointer. */
+  #mark(): void {
+    const places = this.#places;
+    if (!places) return;
+    const { selected, hover } = this.#store;
+    const { left, top, cell, rows, columns } = places;
+    const y = (g: number): number => top + (rows - 1 - g) * cell;
+    const marks: SVGElement[] = [];
+    const across = (g: number, style: string) => svg("rect", { class: style, x: left, y: y(g), width: columns * cell + GAP + WIDE, height: cell });
+    const down = (h: number, style: string) => svg("rect", { class: style, x: left + h * cell, y: top - GAP - HIGH, width: cell, height: GAP + HIGH + rows * cell });
+    marks.push(across(selected.pursuer, "strip pursuer"), down(selected.evader, "strip evader"));
+    if (hover.pursuer !== null && hover.pursuer < rows) marks.push(across(hover.pursuer, "strip hover"));
+    if (hover.evader !== null && hover.evader < columns) marks.push(down(hover.evader, "strip hover"));
+    if (hover.lag !== null) {
+      for (let h = 0; h < columns; h++) {
+        const g = h + hover.lag;
+        if (g >= 0 && g < rows) marks.push(svg("rect", { class: "lagged", x: left + h * cell, y: y(g), width: cell, height: cell }));
+      }
+    }
+    marks.push(...this.#dots(places));
+    const at = { x: left + selected.evader * cell, y: y(selected.pursuer), width: cell, height: cell };
+    marks.push(svg("rect", { class: "chosen under", ...at }), svg("rect", { class: "chosen", ...at }));
+    this.#marks.replaceChildren(...marks);
+    this.#say();
+  }
+
+  #say(): void {
+    const { selected, hover } = this.#store;
+    const g = hover.pursuer ?? selected.pursuer;
+    const h = hover.evader ?? selected.evader;
+    const cell = cellOf(this.#run, g, h);
+    this.#pair.replaceChildren(
+      html("span", { class: "pursuer" }, `Pursuers ${g}`), " against ", html("span", { class: "evader" }, `evaders ${h}`));
+    this.#rate.textContent = cell ? rate(cell.rate, 3) : "-";
+    this.#more.textContent = cell ? `capture rate, mean of ${cell.rates.length} episodes` : "the evaluation played no episodes";
+    this.#all.textContent = this.#scores(g, h);
+  }
+
+  #scores(g: number, h: number): string {
+    const scores = this.#run.findings?.generalization;
+    if (!scores) return "";
+    const one = (band: Band, at: number): string => interval(band.mean[at] ?? 0, band.low?.[at] ?? null, band.high?.[at] ?? null);
+    return `Against all: captures ${one(scores.pursuers, g)}, escapes ${one(scores.evaders, h)}`;
+  }
+
+  #under(event: PointerEvent | MouseEvent): { g: number; h: number; inside: boolean } | null {
+    const places = this.#places;
+    if (!places) return null;
+    const box = this.#room.getBoundingClientRect();
+    const h = Math.floor((event.clientX - box.left - places.left) / places.cell);
+    const g = places.rows - 1 - Math.floor((event.clientY - box.top - places.top) / places.cell);
+    const [row, column] = [g >= 0 && g < places.rows, h >= 0 && h < places.columns];
+    return row || column ? { g: row ? g : -1, h: column ? h : -1, inside: row && column } : null;
+  }
+
+  #point(event: PointerEvent): void {
+    const at = this.#under(event);
+    this.#store.point(at ? { pursuer: at.g < 0 ? null : at.g, evader: at.h < 0 ? null : at.h } : {});
+  }
+
+  #choose(event: MouseEvent): void {
+    const at = this.#under(event);
+    if (!at) return;
+    this.#store.select({ ...(at.g < 0 ? {} : { pursuer: at.g }), ...(at.h < 0 ? {} : { evader: at.h }) });
+    if (at.inside) this.#room.dispatchEvent(new CustomEvent("play", { bubbles: true }));
+  }
+
+  #key(event: KeyboardEvent): void {
+    const moves: Record<string, readonly [number, number]> = {
+      ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowRight: [0, 1], ArrowLeft: [0, -1],
+    };
+    const move = moves[event.key];
+    if (event.key === "Enter") this.#room.dispatchEvent(new CustomEvent("play", { bubbles: true }));
+    else if (move) {
+      const many = event.shiftKey ? 5 : 1;
+      const [rows, columns] = this.#run.payoff.shape;
+      const { pursuer, evader } = this.#store.selected;
+      this.#store.select({ pursuer: clamp(pursuer + many * move[0], rows), evader: clamp(evader + many * move[1], columns) });
+    } else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+}
+
+/** The colours of capture rates. */
+function scaleOfRates(): HTMLElement {
+  const bar = html("span", { class: "gradient" });
+  bar.style.backgroundImage = viridisGradient();
+  return html("p", { class: "scale-of-rates small muted" }, "0 all escape", bar, "1 all caught");
+}
+
+const clamp = (value: number, count: number): number => Math.min(count - 1, Math.max(0, value));
+
+function axes({ left, top, cell, rows, columns }: Places): SVGElement {
+  const made = svg("g", { class: "axes" });
+  const bottom = top + rows * cell;
+  const every = (count: number): number[] => ticks(0, count - 1, Math.min(count, (count * cell) / 44), true);
+  for (const h of every(columns)) {
+    made.append(svg("text", { class: "tick", x: left + (h + 0.5) * cell, y: bottom + 16, "text-anchor": "middle" }, h));
+  }
+  for (const g of every(rows)) {
+    made.append(svg("text", { class: "tick", x: left - 7, y: bottom - (g + 0.5) * cell, "text-anchor": "end", "dominant-baseline": "middle" }, g));
+  }
+  made.append(
+    svg("text", { class: "label of-evaders", x: left + (columns * cell) / 2, y: bottom + 36, "text-anchor": "middle" }, "evader generation"),
+    svg("text", { class: "label of-pursuers", transform: `translate(${left - 36} ${top + (rows * cell) / 2}) rotate(-90)`, "text-anchor": "middle" }, "pursuer generation"),
+  );
+  return made;
+}
+
+/** Lines above and below the cells of equal generations, which stay visible. */
+function diagonal({ left, top, cell, rows, columns }: Places): SVGElement {
+  const made = svg("g", { class: "diagonal" });
+  const cells = Math.min(rows, columns);
+  if (cells < 3) return made;
+  const bottom = top + rows * cell;
+  for (const first of ["H", "V"]) {
+    let path = `M${left} ${bottom}`;
+    for (let i = 1; i <= cells; i++) {
+      const [x, y] = [`H${left + i * cell}`, `V${bottom - i * cell}`];
+      path += first === "H" ? x + y : y + x;
+    }
+    made.append(svg("path", { d: path, class: "under" }), svg("path", { d: path }));
+  }
+  return made;
+}
+
+/** The place of a score on the curve on the right, and on the curve above. */
+const ofPursuers = ({ left, top, cell, rows, columns }: Places, score: number, g: number): Point =>
+  [left + columns * cell + GAP + score * WIDE, top + (rows - g - 0.5) * cell];
+const ofEvaders = ({ left, top, cell }: Places, score: number, h: number): Point =>
+  [left + (h + 0.5) * cell, top - GAP - score * HIGH];
+
+function curve(scores: Band, place: (score: number, generation: number) => Point, style: string): SVGElement[] {
+  const points = (values: Band["mean"]): string[] =>
+    values.map((score, generation) => place(score ?? 0, generation).map((value) => value.toFixed(1)).join(" "));
+  const made: SVGElement[] = [];
+  if (scores.low && scores.high) {
+    made.push(svg("path", { class: `band ${style}`, d: `M${[...points(scores.high), ...points(scores.low).reverse()].join("L")}Z` }));
+  }
+  made.push(svg("path", { class: `line ${style}`, d: `M${points(scores.mean).join("L")}` }));
+  return made;
+}

@@ -1,0 +1,58 @@
+// What belongs to a run below its matrix: diagnosis, curves, checkerboards, scores, settings.
+
+import type { Engine } from "../engine/engine.ts";
+import { html } from "../page/dom.ts";
+import { checkerboardPanel } from "./checkerboards.ts";
+import { ciaoPanel } from "./ciao.ts";
+import { lagPanel, ratingPanel, trainingPanel } from "./curves.ts";
+import type { Run } from "./data.ts";
+import { diagnosisPanel } from "./diagnosis.ts";
+import { heldOutPanel } from "./held_out.ts";
+import { settingsPanel } from "./settings.ts";
+import type { Store } from "./store.ts";
+
+/** A panel of one run; `update` shows what is selected or under the pointer. */
+export interface Panel {
+  readonly element: HTMLElement;
+  update?(): void;
+}
+
+/** Return a card with a title and a line that says how to read it. */
+export function card(title: string, hint: string, ...content: (Node | null)[]): HTMLElement {
+  return html("section", { class: "card panel", "aria-label": title },
+    html("header", {}, html("h2", {}, title), html("p", { class: "small muted" }, hint)), ...content);
+}
+
+/** Return the panels of the selected run; those of the others are made when they are first shown. */
+export function panels(runs: readonly Run[], store: Store, engine: () => Engine | null): HTMLElement {
+  const made = new Map<Run, readonly Panel[]>();
+  const place = html("div", { class: "panels" });
+  let shown: readonly Panel[] = [];
+  const update = (): void => shown.forEach((panel) => panel.update?.());
+  const change = (): void => {
+    const run = runs[store.selected.run]!;
+    shown = made.get(run) ?? panelsOf(run, store, engine);
+    made.set(run, shown);
+    place.replaceChildren(...shown.map((panel) => panel.element));
+    update();
+  };
+  store.on("run", change);
+  store.on("match", update);
+  store.on("hover", update);
+  change();
+  return place;
+}
+
+function panelsOf(run: Run, store: Store, engine: () => Engine | null): Panel[] {
+  const all = [
+    diagnosisPanel(run),
+    trainingPanel(run, store),
+    checkerboardPanel(run, store, engine),
+    lagPanel(run, store),
+    ratingPanel(run, store),
+    ciaoPanel(run, store),
+    heldOutPanel(run),
+    settingsPanel(run),
+  ];
+  return all.filter((panel) => panel !== null);
+}

@@ -1,0 +1,60 @@
+// What is selected on the page. Every panel shows it, and changes it here only.
+
+/** A match: a cell of the matrix and one of its episodes. */
+export interface Selection {
+  readonly run: number;
+  readonly pursuer: number;
+  readonly evader: number;
+  readonly episode: number;
+  /** Another seed than that of the cell; null for the cell's own. */
+  readonly seed: string | null;
+}
+
+/** Generations under the pointer, in any panel; null where none is. */
+export interface Hover {
+  readonly pursuer: number | null;
+  readonly evader: number | null;
+  /** Pursuer minus evader generation: a diagonal. */
+  readonly lag: number | null;
+}
+
+export const NOTHING: Hover = { pursuer: null, evader: null, lag: null };
+
+/** The selection, and the pointer. It dispatches `run`, `match` and `hover` when they change. */
+export class Store extends EventTarget {
+  #selected: Selection;
+  #hover: Hover = NOTHING;
+
+  constructor(selected: Selection) {
+    super();
+    this.#selected = selected;
+  }
+
+  get selected(): Selection {
+    return this.#selected;
+  }
+
+  get hover(): Hover {
+    return this.#hover;
+  }
+
+  /** Change a part of the selection. Another cell begins with its episode 0 and its own seed. */
+  select(change: Partial<Selection>): void {
+    const before = this.#selected;
+    const moved = (["run", "pursuer", "evader"] as const).some((name) => name in change && change[name] !== before[name]);
+    this.#selected = { ...before, ...(moved ? { episode: 0, seed: null } : {}), ...change };
+    if (this.#selected.run !== before.run) this.dispatchEvent(new Event("run"));
+    this.dispatchEvent(new Event("match"));
+  }
+
+  point(at: Partial<Hover>): void {
+    const hover = { ...NOTHING, ...at };
+    if (hover.pursuer === this.#hover.pursuer && hover.evader === this.#hover.evader && hover.lag === this.#hover.lag) return;
+    this.#hover = hover;
+    this.dispatchEvent(new Event("hover"));
+  }
+
+  on(type: "run" | "match" | "hover", act: () => void): void {
+    this.addEventListener(type, act);
+  }
+}

@@ -1,0 +1,27 @@
+// Light and dark: the system's choice, unless the reader chooses another one for this page.
+
+import { html } from "./dom.ts";
+
+const dark = matchMedia("(prefers-color-scheme: dark)");
+
+/** Return whether the page is dark now. */
+export function isDark(): boolean {
+  const chosen = document.documentElement.dataset["theme"];
+  return chosen ? chosen === "dark" : dark.matches;
+}
+
+/** Change from light to dark, or back. */
+export function changeTheme(): void {
+  document.documentElement.dataset["theme"] = isDark() ? "light" : "dark";
+}
+
+/** Call a function when the colours change. */
+export function onTheme(act: () => void): void {
+  dark.addEventListener("change", act);
+  new MutationObserver(act).observe(document.documentElement, { attributeFilter: ["data-theme"] });
+}
+
+/** Return a button that changes the theme. */
+export function themeButton(): HTMLButtonElement {
+  return html("button", { type: "button", title: "Light or dark (D)", "aria-label": "Light or dark", onclick: changeTheme }, "◐");
+}

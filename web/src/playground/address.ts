@@ -1,0 +1,56 @@
+// The scene in the address of the page: a link to it, and what a reload shows.
+
+import { EngineError } from "../engine/engine.ts";
+import type { Engine } from "../engine/engine.ts";
+import type { Example, PageData } from "./data.ts";
+import { LinkError, linkOf, sceneOf } from "./link.ts";
+import { Store } from "./store.ts";
+
+/** Make the store of a text; without a scene in it, of the first example, and say what is wrong. */
+export function storeOf(engine: Engine, data: PageData, text: string): { store: Store; problem: string } {
+  const made = (scene: string): Store => new Store(engine, data, sceneOf(scene, data), exampleOf(data, scene));
+  const first = data.gallery[0]!.scene;
+  try {
+    return { store: made(text || first), problem: "" };
+  } catch (error) {
+    return { store: made(first), problem: problemOf(error) };
+  }
+}
+
+/** Return what is wrong with a link; other errors are the page's own. */
+function problemOf(error: unknown): string {
+  if (error instanceof LinkError || error instanceof EngineError) return `This link holds no scene. ${error.message}`;
+  throw error;
+}
+
+function exampleOf(data: PageData, scene: string): Example | null {
+  return data.gallery.find((example) => example.scene === scene) ?? null;
+}
+
+/** Return the part of the address that holds a scene. */
+export function hash(): string {
+  try {
+    return decodeURIComponent(location.hash.slice(1));
+  } catch {
+    return location.hash.slice(1); // broken escapes are told as part of a link that is no scene
+  }
+}
+
+/** Keep the scene in the address, so that a reload shows it and the address is a link to it. */
+export function followAddress(store: Store): void {
+  let own = linkOf(store.scene, store.data);
+  store.addEventListener("change", () => {
+    const now = linkOf(store.scene, store.data);
+    if (now === own) return;
+    own = now;
+    history.replaceState(null, "", `#${now}`);
+  });
+  window.addEventListener("hashchange", () => {
+    if (hash() === own) return;
+    try {
+      store.change(sceneOf(hash(), store.data), { example: exampleOf(store.data, hash()) });
+    } catch (error) {
+      store.say(problemOf(error), true);
+    }
+  });
+}

@@ -1,0 +1,85 @@
+// What happened in a step, in words. Sentences about conflicts are the engine's own.
+
+import type { Moment } from "../board/recording.ts";
+import { html } from "../page/dom.ts";
+import type { Conflict, Rules } from "../engine/types.ts";
+import type { Game } from "./game.ts";
+import { agentName, nAgents } from "./scene.ts";
+import type { Command, Scene } from "./scene.ts";
+
+export const DIRECTIONS = ["stay", "north", "east", "south", "west", "northeast", "southeast", "southwest", "northwest"];
+export const ARROWS = ["·", "↑", "→", "↓", "←", "↗", "↘", "↙", "↖"];
+
+export const commandText = (command: Command): string =>
+  typeof command === "number" ? `${ARROWS[command]} ${DIRECTIONS[command]}` : command;
+
+/** One line about a step. `used` names the fields of the rules that decided it. */
+export interface Line {
+  readonly kind: Conflict["kind"] | "capture" | "end" | "calm";
+  readonly text: string;
+  /** Who is to blame; empty where that is no question. */
+  readonly blame: string;
+  readonly used: readonly (keyof Rules)[];
+}
+
+const USED: Record<Conflict["kind"], readonly (keyof Rules)[]> = {
+  obstacle: ["obstacle"],
+  teammate: ["teammate"],
+  adversary: ["evader", "pursuer"],
+};
+
+const joined = (names: readonly string[]): string =>
+  names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`;
+
+/** Return what happened in a step of a game, line by line; at the start there is none. */
+export function linesOf(scene: Scene, game: Game, step: number): Line[] {
+  const [before, after, outcome] = [game.recording.moments[step - 1], game.recording.moments[step], game.outcomes[step]];
+  if (!before || !after || !outcome) return [];
+  const lines = [
+    ...outcome.conflicts.map((conflict) => conflictLine(scene, conflict)),
+    ...captureLines(scene, before, after, outcome.captors),
+  ];
+  const calm: Line = { kind: "calm", text: "No conflict, no capture.", blame: "", used: [] };
+  return [...(lines.length ? lines : [calm]), ...endLines(scene, game, step)];
+}
+
+function conflictLine(scene: Scene, conflict: Conflict): Line {
+  const guilty = conflict.at_fault.map((agent) => agentName(scene, agent));
+  const turn = scene.rules.interaction === "SIMULTANEOUS" ? "" : ` (turn ${conflict.turn + 1})`;
+  const blame = guilty.length ? `At fault: ${joined(guilty)}${turn}.` : `Nobody is at fault${turn}.`;
+  return { kind: conflict.kind, text: `${conflict.text}.`, blame, used: USED[conflict.kind] };
+}
+
+function captureLines(scene: Scene, before: Moment, after: Moment, captors: Int32Array): Line[] {
+  const lines: Line[] = [];
+  for (let evader = 0; evader < scene.evaders.length; evader++) {
+    const agent = scene.pursuers.length + evader;
+    const name = agentName(scene, agent);
+    const gone = before.alive[agent] && !after.alive[agent];
+    const by = captors[evader] ? ` by ${captors[evader]} ${captors[evader] === 1 ? "pursuer" : "pursuers"}` : "";
+    const used = ["capture", ...(gone ? ["captured_disappear"] : [])] as (keyof Rules)[];
+    if (after.captured[evader] && !before.captured[evader]) {
+      lines.push({ kind: "capture", text: `${name} is captured${by}${gone ? " and disappears" : ""}.`, blame: "", used });
+    } else if (before.captured[evader] && !after.captured[evader] && after.alive[agent]) {
+      lines.push({ kind: "capture", text: `${name} is free again.`, blame: "", used: ["capture"] });
+    }
+  }
+  return lines;
+}
+
+function endLines(scene: Scene, game: Game, step: number): Line[] {
+  const { terminated, truncated } = game.outcomes[step]!;
+  if (!terminated && !truncated) return [];
+  const alive = game.recording.moments[step]!.alive;
+  const left = (from: number, to: number): boolean => Array.from(alive).slice(from, to).some(Boolean);
+  const first = scene.pursuers.length;
+  let reason = `after ${scene.maxSteps} steps`;
+  if (terminated) reason = left(0, first) ? "every evader is captured or gone" : "no pursuer is left";
+  if (terminated && !left(first, nAgents(scene))) reason = "no evader is left";
+  return [{ kind: "end", text: `The episode has ended: ${reason}.`, blame: "", used: [] }];
+}
+
+/** Return a text for the page, in which cells and names of variants are not broken between lines. */
+export function unbroken(text: string): (string | HTMLElement)[] {
+  return text.split(/(\(-?\d+, -?\d+\)|-[A-Z]{1,3}\b)/).map((part, place) => (place % 2 ? html("span", { class: "whole" }, part) : part));
+}

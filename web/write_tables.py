@@ -1,0 +1,94 @@
+"""Write web/src/engine/tables.ts: what the page has in common with the Python package, as data.
+
+    python web/write_tables.py
+
+A test compares the file with what this writes.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import matrixworld as mw
+from matrixworld import conflicts, maps, policy
+
+LINE = 80  # characters
+TABLES = Path(__file__).parent / "src/engine/tables.ts"
+
+
+def numbers(enumeration: Any) -> dict[str, int]:
+    """Return the numbers that the engine has for the names of an enumeration."""
+    return {member.name: member.value for member in enumeration}
+
+
+def scripts() -> dict[str, str]:
+    """Return what each script does, from the table in the documentation of `SCRIPTS`."""
+    table = (
+        Path(policy.__file__).read_text(encoding="utf-8").split('"""Names of the scripted', 1)[1]
+    )
+    rows = re.split(r"^=+ +=+$", table, flags=re.MULTILINE)[1].strip("\n")
+    texts = re.sub(r"\n +", " ", rows).replace("``", "").splitlines()
+    return dict(re.split(r" {2,}", text, maxsplit=1) for text in texts)
+
+
+def tables() -> dict[str, Any]:
+    """Return all tables by their names in TypeScript."""
+    return {
+        "INTERACTIONS": numbers(mw.Interaction),
+        "OUTCOMES": numbers(mw.Outcome),
+        "CAPTURES": numbers(mw.Capture),
+        "BLAMES": numbers(mw.Blame),
+        "ACTIONS": [action.name for action in mw.Action],
+        "KINDS": conflicts.KINDS,
+        "FORMS": conflicts.FORMS,
+        "CONFLICT_COLUMNS": conflicts.CONFLICT_COLUMNS,
+        "AGENT_NAMES": conflicts.AGENT_NAMES,
+        "CONFLICT_EVENTS": conflicts.EVENTS,
+        "CONFLICT_OUTCOMES": conflicts.OUTCOMES,
+        "CONFLICT_SENTENCE": conflicts.SENTENCE,
+        "SCRIPTS": scripts(),
+        "MAP_CHARACTERS": {"free": maps.FREE, "blocked": maps.BLOCKED},
+        "VARIANTS": {name: mw.WorldConfig(name).to_json() for name in mw.VARIANTS},
+    }
+
+
+COMMENTS = {
+    "INTERACTIONS": "The numbers that the engine has for the names of enumerations.",
+    "ACTIONS": "The actions by their numbers; the last four are diagonal.",
+    "KINDS": "The texts of conflicts: templates that Python fills, too.",
+    "SCRIPTS": "What each script does.",
+    "MAP_CHARACTERS": "Characters of passable and of impassable cells in a map.",
+    "VARIANTS": "The settings of each variant, with the default sizes.",
+}
+
+
+def literal(table: Any) -> str:
+    """Return a table on one line, or on several if it is long."""
+    line = json.dumps(table)
+    return line if len(line) < LINE else json.dumps(table, indent=2)
+
+
+def text() -> str:
+    """Return the file."""
+    lines = [
+        "// Written by web/write_tables.py from the Python package; do not edit.",
+        "",
+        'import type { WorldConfig } from "./types.ts";',
+    ]
+    for name, table in tables().items():
+        if name in COMMENTS:
+            lines += ["", f"/** {COMMENTS[name]} */"]
+        if name == "VARIANTS":
+            lines += ["export const VARIANTS: Readonly<Record<string, WorldConfig>> = {"]
+            lines += [f"  {key}: {json.dumps(value)}," for key, value in table.items()]
+            lines += ["};"]
+        else:
+            lines += [f"export const {name} = {literal(table)} as const;"]
+    return "\n".join(lines) + "\n"
+
+
+if __name__ == "__main__":
+    TABLES.write_text(text(), encoding="utf-8")
