@@ -16,8 +16,8 @@ from matrixworld.cli.held_out import kept_scores
 from matrixworld.cli.jobs import Result, Settings, open_result
 from matrixworld.cli.options import force_option, refuse_existing
 from matrixworld.coevolution import open_run
-from matrixworld.explorer.explore import MOST_RUNS, explorer_page, page_file
 from matrixworld.explorer.page import write_page
+from matrixworld.explorer.runs_page import MOST_RUNS, explorer_page, page_file
 
 
 @click.command("explore")
