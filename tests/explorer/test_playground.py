@@ -279,9 +279,9 @@ def test_readers_of_the_page_hear_what_happened(page: PlaygroundPage) -> None:
         "Step 1. pursuer_0 and pursuer_1 both headed for (0, 1): both bounce. "
         "At fault: pursuer_0 and pursuer_1."
     )
-    unnamed = page.browser.js("""
-        [...document.querySelectorAll("button, select, input, canvas")]
-          .filter((each) => each.checkVisibility())
-          .filter((each) => !each.textContent && !each.ariaLabel && !each.labels?.length).length
-    """)
+    unnamed = page.browser.js(
+        "[...document.querySelectorAll('button, select, input, canvas')]"
+        ".filter((each) => each.checkVisibility())"
+        ".filter((each) => !each.textContent && !each.ariaLabel && !each.labels?.length).length"
+    )
     assert unnamed == 0

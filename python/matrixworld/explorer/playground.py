@@ -173,7 +173,7 @@ def page_data(scene: str = "") -> dict[str, Any]:
         "titles": {name: VARIANT_TEXTS[name].title for name in VARIANTS},
         "fields": [_field(name) for name in LABELS],
         "rewards": {"paper": _plain(Rewards.paper()), "published": _plain(Rewards.published())},
-        "scripts": [{"name": name, "text": SCRIPT_TEXTS[name]} for name in SCRIPTS],
+        "scripts": [{"name": name, "text": SCRIPT_TEXTS.get(name, "")} for name in SCRIPTS],
         "gallery": [
             {"title": each.title, "text": each.text, "scene": each.scene} for each in GALLERY
         ],
