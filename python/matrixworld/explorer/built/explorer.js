@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 4fb339d3ce732c9ab4e8ab21e16aac3ed00df61a910090b690f57b7a9ef0be46 */
+/* built from web/ by "npm run build"; sources 6acc212787271a78475ae1ecadb2df620a19cbf77a624086a9e15291cc51883b */
 "use strict";(()=>{var _t={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ee={DISAPPEAR:0,REACH:1,BOUNCE:2},Mt={OCCUPATION:0,SURROUND:1},At={FAULT:0,INVOLVED:1};var Et=["obstacle","teammate","adversary"],qe=["vertex","edge","chain"],Ct=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ye=["p\
 ursuer_{number}","evader_{number}"],Tt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},te={"both held":"both bounce","both doomed":"\
