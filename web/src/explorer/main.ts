@@ -27,10 +27,17 @@ const matrix = new MatrixPanel(runs, store);
 const help = helpDialog();
 let engine: Engine | null = null;
 
+function about(): string {
+  const [only] = runs;
+  const made = `matrixworld ${data.version}`;
+  if (runs.length > 1 || !only) return made;
+  return only.race ? `${only.schedule}, seed ${only.seed} · ${made}` : `${only.learning.join(" and ")}s learn, seed ${only.seed} · ${made}`;
+}
+
 document.getElementById("page")!.replaceWith(
   html("header", { class: "top" },
     html("h1", {}, data.title),
-    html("p", { class: "muted small about" }, `matrixworld ${data.version}`),
+    html("p", { class: "muted small about" }, about()),
     html("div", { class: "tools" }, themeButton(),
       html("button", { type: "button", title: "Keys (?)", "aria-label": "Keys", onclick: () => help.showModal() }, "?"))),
   ...(data.note ? [html("p", { class: "note small muted" }, data.note)] : []),
