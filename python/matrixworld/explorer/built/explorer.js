@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources e241fb7e792a8f00a1c99ce7535b38f1ebbbef85a0ecd898cd76ca169a638b8f */
+/* built from web/ by "npm run build"; sources 2c6da9e75dc48047af210d363425b3a672eef96f8e834d83912599dc4a110f6c */
 "use strict";(()=>{var _t={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ee={DISAPPEAR:0,REACH:1,BOUNCE:2},Mt={OCCUPATION:0,SURROUND:1},At={FAULT:0,INVOLVED:1};var Et=["obstacle","teammate","adversary"],qe=["vertex","edge","chain"],Ct=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ye=["p\
 ursuer_{number}","evader_{number}"],Tt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},te={"both held":"both bounce","both doomed":"\
