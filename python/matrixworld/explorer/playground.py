@@ -43,10 +43,10 @@ PAGE = "playground.html"
 
 LABELS = {
     "interaction": "Agents move",
-    "obstacle": "Obstacle or border: the agent",
+    "obstacle": "Obstacle or border: agent",
     "teammate": "Teammates collide: both",
-    "evader": "Adversaries collide: the evader",
-    "pursuer": "Adversaries collide: the pursuer",
+    "evader": "Adversaries collide: evader",
+    "pursuer": "Adversaries collide: pursuer",
     "capture": "Evaders are captured by",
     "captured_disappear": "A surrounded evader",
 }

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 2c6da9e75dc48047af210d363425b3a672eef96f8e834d83912599dc4a110f6c */
+/* built from web/ by "npm run build"; sources 209df75611d3a2e6cbe8a58f1a970a14fec210e0f7ab16608d6de9a8a1e88799 */
 "use strict";(()=>{var dt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},q={DISAPPEAR:0,REACH:1,BOUNCE:2},ut={OCCUPATION:0,SURROUND:1},pt={FAULT:0,INVOLVED:1};var mt=["obstacle","teammate","adversary"],Ie=["vertex","edge","chain"],ht=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Pe=["p\
 ursuer_{number}","evader_{number}"],ft={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},J={"both held":"both bounce","both doomed":"\
@@ -118,17 +118,17 @@ n,r,Number(t[3])]}function Pr(e){for(let t of["pursuers","evaders"]){let n=e[t].
 dd number",String(e.fov)),e.steps>e.maxSteps&&b("seed",`at most ${e.maxSteps} steps`,String(e.steps))}function Ur(e,t,n,r){let o=A(e).length;t.length>300&&b("pl\
 ayed",`at most ${300} steps`,`${t.length} steps`);let s=a=>i=>(i.length!==o&&b(a,`${o} characters, one for each agent`,i),[...i].map(l=>$r(a,l,e.diagonal?9:5,r)));
 return{...e,played:t.map(s("played")),next:n?s("next")(n):Array(o).fill(0)}}function $r(e,t,n,r){let o=/^\d$/.test(t)?Number(t):NaN;if(o<n)return o;let s=r.scripts[t.
-charCodeAt(0)-97],a=String.fromCharCode(97+r.scripts.length-1);return s?.name??b(e,`actions 0 to ${n-1} or scripts a to ${a}`,t)}var Dr={now:()=>performance.now(),request:e=>requestAnimationFrame(e),cancel:e=>cancelAnimationFrame(e)},Se=[.5,1,2,4,8,16,32,64],xe=class extends EventTarget{#t;#e;#r;#a;#o=0;#n=0;#s=!1;#l=null;#i=0;glide=.28;constructor(t,n={}){
+charCodeAt(0)-97],a=String.fromCharCode(97+r.scripts.length-1);return s?.name??b(e,`actions 0 to ${n-1} or scripts a to ${a}`,t)}var Dr={now:()=>performance.now(),request:e=>requestAnimationFrame(e),cancel:e=>cancelAnimationFrame(e)},Se=[.5,1,2,4,8,16,32,64],xe=class extends EventTarget{#t;#e;#r;#a;#o=0;#n=0;#s=!1;#c=null;#i=0;glide=.28;constructor(t,n={}){
 super(),this.#t=t,this.#e=n.speed??4,this.#a=n.still??!1,this.#r=n.clock??Dr}get step(){return this.#o}get time(){return this.#a?this.#o:this.#n}get arrived(){return this.#n===
-this.#o}get playing(){return this.#s}get length(){return this.#t}set length(t){this.#t=t,this.#o>t&&this.jump(t),this.#c("state")}get speed(){return this.#e}set speed(t){
-this.#e=t,this.#c("state")}changeSpeed(t){let n=Se.findIndex(r=>r>=this.#e);this.speed=Se[Math.min(Se.length-1,Math.max(0,n+t))]}play(){this.#s||!this.#t||(this.#o===
-this.#t&&this.jump(0),this.#s=!0,this.#c("state"),this.#p())}pause(){this.#s&&(this.#s=!1,this.#c("state"))}toggle(){this.#s?this.pause():this.play()}move(t){this.
+this.#o}get playing(){return this.#s}get length(){return this.#t}set length(t){this.#t=t,this.#o>t&&this.jump(t),this.#l("state")}get speed(){return this.#e}set speed(t){
+this.#e=t,this.#l("state")}changeSpeed(t){let n=Se.findIndex(r=>r>=this.#e);this.speed=Se[Math.min(Se.length-1,Math.max(0,n+t))]}play(){this.#s||!this.#t||(this.#o===
+this.#t&&this.jump(0),this.#s=!0,this.#l("state"),this.#p())}pause(){this.#s&&(this.#s=!1,this.#l("state"))}toggle(){this.#s?this.pause():this.play()}move(t){this.
 pause();let n=Math.min(this.#t,Math.max(0,this.#o+t));Math.abs(n-this.#n)>1?this.jump(n):this.#d(n),this.#p()}jump(t){this.#n=Math.min(this.#t,Math.max(0,Math.round(
-t))),this.#d(this.#n),this.#c("frame")}#d(t){t!==this.#o&&(this.#o=t,this.#c("step"))}#p(){this.#l===null&&(this.#i=this.#r.now(),this.#l=this.#r.request(()=>this.#u()))}#u(){
-this.#l=null;let t=this.#r.now();this.#m(Math.min(.25,(t-this.#i)/1e3)),this.#i=t,this.#c("frame"),(this.#s||this.#n!==this.#o)&&(this.#l=this.#r.request(()=>this.#u()))}#m(t){
-let n=t;for(;n>0;){if(this.#n===this.#o){if(!this.#s)return;if(this.#o===this.#t)return this.pause();this.#d(this.#o+1)}let r=this.#s?this.#e:1/this.glide,o=this.#o-
-this.#n,s=Math.min(Math.abs(o),n*r);n-=s/r,this.#n=s===Math.abs(o)?this.#o:this.#n+Math.sign(o)*s}this.#s&&this.#n===this.#t&&this.pause()}#c(t){this.dispatchEvent(
-new Event(t))}};var z=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]],U=(e,t)=>t<e.nPursuers,v=(e,t)=>[e.positions[2*t],e.positions[2*t+1]],Br=(e,t)=>e[0]===t[0]&&
+t))),this.#d(this.#n),this.#l("frame")}#d(t){t!==this.#o&&(this.#o=t,this.#l("step"),this.#a&&this.#l("frame"))}#p(){this.#c===null&&(this.#i=this.#r.now(),this.#c=
+this.#r.request(()=>this.#u()))}#u(){this.#c=null;let t=this.#r.now();this.#m(Math.min(.25,(t-this.#i)/1e3)),this.#i=t,(!this.#a||this.arrived)&&this.#l("frame"),
+(this.#s||this.#n!==this.#o)&&(this.#c=this.#r.request(()=>this.#u()))}#m(t){let n=t;for(;n>0;){if(this.#n===this.#o){if(!this.#s)return;if(this.#o===this.#t)return this.
+pause();this.#d(this.#o+1)}let r=this.#s?this.#e:1/this.glide,o=this.#o-this.#n,s=Math.min(Math.abs(o),n*r);n-=s/r,this.#n=s===Math.abs(o)?this.#o:this.#n+Math.
+sign(o)*s}this.#s&&this.#n===this.#t&&this.pause()}#l(t){this.dispatchEvent(new Event(t))}};var z=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]],U=(e,t)=>t<e.nPursuers,v=(e,t)=>[e.positions[2*t],e.positions[2*t+1]],Br=(e,t)=>e[0]===t[0]&&
 e[1]===t[1],qe=({rows:e,cols:t},[n,r])=>n>=0&&r>=0&&n<e&&r<t,Je=(e,t,n=3)=>e!==void 0&&[0,1,2].slice(0,n).some(r=>e[3*t+r]),Ze=(e,t)=>Je(e.fault,t),qt=(e,t)=>!Ze(
 e,t)&&Je(e.involved,t,2);function Ae(e,t,n){let r=!Br(v(e,n),v(t,n)),o=t.involved===void 0||Je(t.involved,n);return!!(t.alive[n]&&t.actions?.[n]&&!r&&o)}function Ee(e,t,n){
 let[r,o]=v(e,n),[s,a]=z[t.actions?.[n]??0];return[r+s,o+a]}function Jt(e,t,n){return Array.from({length:n.everCaptured.length},(o,s)=>s).filter(o=>n.everCaptured[o]&&
@@ -194,14 +194,14 @@ o).trim()]);return Object.fromEntries(n)}var Ln=()=>matchMedia("(prefers-reduced
 this.canvas=t,t.classList.add("board"),t.setAttribute("role","img"),this.#r={...Mn,...n},this.#n=new ResizeObserver(()=>this.#i()),this.#n.observe(t),this.#s=new MutationObserver(
 ()=>this.redraw()),this.#s.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
 this.#n.disconnect(),this.#s.disconnect(),matchMedia("(prefers-color-scheme: dark)").removeEventListener("change",this.redraw),cancelAnimationFrame(this.#o)}get look(){
-return this.#r}set look(t){this.#r={...this.#r,...t},this.#l(),this.redraw()}get time(){return this.#e}show(t,n){this.#t=t,this.#e=Math.min(Math.max(0,n),t.moments.
-length-1),this.#l(),this.redraw()}redraw=()=>{this.#o||(this.#o=requestAnimationFrame(()=>this.drawNow()))};drawNow(){cancelAnimationFrame(this.#o),this.#o=0;let t=this.
+return this.#r}set look(t){this.#r={...this.#r,...t},this.#c(),this.redraw()}get time(){return this.#e}show(t,n){this.#t=t,this.#e=Math.min(Math.max(0,n),t.moments.
+length-1),this.#c(),this.redraw()}redraw=()=>{this.#o||(this.#o=requestAnimationFrame(()=>this.drawNow()))};drawNow(){cancelAnimationFrame(this.#o),this.#o=0;let t=this.
 canvas.getContext("2d");if(!t||!this.#t)return;let{rows:n,cols:r}=this.#t,o=devicePixelRatio||1;this.#a=kn(n,r,this.#r.axes,this.canvas.width,this.canvas.height,
 o);let s={ctx:t,grid:this.#a,colors:On(this.canvas)};Tn(s,this.#t,this.#e,this.#r,o)}cellAt(t,n){let r=this.canvas.getBoundingClientRect(),o=this.canvas.width/r.
 width;return Nn(this.#a,(t-r.left)*o,(n-r.top)*o)}agentAt(t,n){let r=this.cellAt(t,n);if(!r||!this.#t)return null;let o=this.#t.moments[Math.round(this.#e)],s=ae(
 this.#t,o).get(r[0]*this.#t.cols+r[1])??[],a=_e(this.#t,Math.round(this.#e)),i=l=>{let[d,u]=this.pointOf(a[l].x,a[l].y);return Math.hypot(d-t,u-n)};return s.length?
 s.reduce((l,d)=>i(d)<i(l)?d:l):null}pointOf(t,n){let r=this.canvas.getBoundingClientRect(),o=r.width/this.canvas.width,{left:s,top:a,cell:i}=this.#a;return[r.left+
-(s+t*i)*o,r.top+(a+n*i)*o]}#l(){if(!this.#t)return;let{rows:t,cols:n}=this.#t;this.canvas.style.setProperty("--board-aspect",String(Rn(t,n,this.#r.axes)))}#i(){
+(s+t*i)*o,r.top+(a+n*i)*o]}#c(){if(!this.#t)return;let{rows:t,cols:n}=this.#t;this.canvas.style.setProperty("--board-aspect",String(Rn(t,n,this.#r.axes)))}#i(){
 let t=devicePixelRatio||1,{width:n,height:r}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(n*t)),this.canvas.height=Math.max(1,Math.
 round(r*t)),this.drawNow()}};var ho={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2};function In(e,t,n){return{rows:e.rows,cols:e.cols,nPursuers:e.n_pursuers,fov:e.fov,interaction:ho[e.rules.interaction],
 obstacles:t,moments:n}}function Pn(e,t){return{positions:e.read("last_positions"),alive:e.read("alive"),captured:e.read("captured"),everCaptured:e.read("ever_ca\
@@ -220,10 +220,10 @@ tured"),everCaptured:e.read("ever_captured")}}function go(e,t){let n=A(t),r=n.ma
 return{...e.snapshot(),seed:BigUint64Array.of(t.seed),episode:BigUint64Array.of(t.episode),cells:Int32Array.from(r,(s,a)=>n[a].gone?-1:s),last_cells:Int32Array.
 from(r,(s,a)=>n[a].gone?s:-1),captured:o("captured"),ever_captured:o("everCaptured"),capture_paid:o("everCaptured"),captors:new Int32Array(t.evaders.length),rewards:new Float32Array(
 S(t)),report:new Int32Array(S(t)),participants:new Int32Array(0),steps:Int32Array.of(t.steps),terminated:Uint8Array.of(Number(t.ended)),truncated:Uint8Array.of(
-+(t.steps>=t.maxSteps))}}function bo(e,t){return Object.keys(e).every(r=>["played","next","rules","others"].includes(r)||e[r]===t[r])}var yo={SIMULTANEOUS:.45,SWARM_TURNS:.9,AGENT_TURNS:1.4},vo=200,Te=class extends EventTarget{data;player;#t;#e;#r;#a=[];#o=[];#n=[];#s=!1;#l="act";#i=0;#d=null;constructor(t,n,r,o=null){
++(t.steps>=t.maxSteps))}}function bo(e,t){return Object.keys(e).every(r=>["played","next","rules","others"].includes(r)||e[r]===t[r])}var yo={SIMULTANEOUS:.45,SWARM_TURNS:.9,AGENT_TURNS:1.4},vo=200,Te=class extends EventTarget{data;player;#t;#e;#r;#a=[];#o=[];#n=[];#s=!1;#c="act";#i=0;#d=null;constructor(t,n,r,o=null){
 super(),this.#d=o,this.#t=t,this.data=n,this.#e=r,this.#r=this.#u(r),this.player=new xe(this.game.length,{still:Ln()}),this.player.jump(this.game.length),this.player.
-addEventListener("frame",()=>this.#f()),this.#c()}get scene(){return this.#e}get game(){return this.#r[0]}get games(){return this.#r}get mode(){return this.#l}set mode(t){
-this.stop(),this.#l=t,this.#h()}get selected(){return this.#i}set selected(t){this.#i=t,this.#h()}get running(){return this.#s}get example(){return this.#d}get canStep(){
+addEventListener("frame",()=>this.#f()),this.#l()}get scene(){return this.#e}get game(){return this.#r[0]}get games(){return this.#r}get mode(){return this.#c}set mode(t){
+this.stop(),this.#c=t,this.#h()}get selected(){return this.#i}set selected(t){this.#i=t,this.#h()}get running(){return this.#s}get example(){return this.#d}get canStep(){
 return!this.game.over&&this.#e.played.length<300}change(t,n={}){let r;try{r=this.#u(t)}catch(o){if(!(o instanceof x))throw o;return this.say(o.message,!0),!1}return n.
 part||(this.#a=[...this.#a,this.#e].slice(-vo)),this.#o=[],n.example!==void 0&&(this.#d=n.example),this.#n=[],this.#m(t,r),!0}step(){if(!this.canStep){this.stop(),
 this.say(this.game.over?"The episode has ended. Go back, or restart.":`The playground plays ${300} steps.`,!0);return}let n=this.#n.at(-1)===this.#e.next?this.#n.
@@ -234,8 +234,8 @@ return this.stop();this.#s=this.canStep,this.step()}stop(){this.#s&&(this.#s=!1,
 return this.#a.length>0}say(t,n=!1){this.dispatchEvent(new CustomEvent("message",{detail:{text:t,problem:n}}))}#p(t,n){let r=t.pop();r&&(this.stop(),n.push(this.#e),
 this.#n=[],this.#m(r,this.#u(r)))}#u(t){let n=t.others?[t.rules,t.others]:[t.rules],r=this.#r??[];return n.map(o=>{let s=r.find(a=>a.rules===o);return s?.follow(
 t)?s:new Me(this.#t,t,o)})}#m(t,n){let[r,o]=[this.#e,this.#r.length];for(let l of this.#r)n.includes(l)||l.free();this.#e=t,this.#r=n,this.#i!==null&&this.#i>=A(
-t).length&&(this.#i=null);let s=this.game.length,[a,i]=[this.player.step,r.rules!==t.rules||t.others!==null&&o<2];this.player.length=s,this.#c(),i&&s&&this.player.
-jump(s-1),i&&s||Math.abs(s-a)===1?this.player.move(s-this.player.step):this.player.jump(s),this.#h()}#c(){this.player.glide=yo[this.#e.rules.interaction]}#f(){this.#s&&
+t).length&&(this.#i=null);let s=this.game.length,[a,i]=[this.player.step,r.rules!==t.rules||t.others!==null&&o<2];this.player.length=s,this.#l(),i&&s&&this.player.
+jump(s-1),i&&s||Math.abs(s-a)===1?this.player.move(s-this.player.step):this.player.jump(s),this.#h()}#l(){this.player.glide=yo[this.#e.rules.interaction]}#f(){this.#s&&
 this.player.arrived&&this.step()}#h(){this.dispatchEvent(new Event("change"))}};function Un(e,t,n){let r=s=>new Te(e,t,se(s,t),Dn(t,s)),o=t.gallery[0].scene;try{return{store:r(n||o),problem:""}}catch(s){return{store:r(o),problem:$n(s)}}}function $n(e){
 if(e instanceof re||e instanceof x)return`This link holds no scene. ${e.message}`;throw e}function Dn(e,t){return e.gallery.find(n=>n.scene===t)??null}var Re=()=>[
 "file:","http:","https:"].includes(location.protocol);function le(){try{return decodeURIComponent(location.hash.slice(1))}catch{return location.hash.slice(1)}}function Bn(e){
