@@ -23,12 +23,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from tqdm import tqdm
 
 import matrixworld as mw
-from common import script_parser
+from common import finish_all, script_parser
 from matrixworld import analysis, coevolution
-from matrixworld.coevolution import RaceSettings, SavedRun, finish
+from matrixworld.coevolution import RaceSettings, SavedRun
 from matrixworld.coevolution.opponents import SAMPLERS
 
 FULL = RaceSettings(
@@ -43,13 +42,17 @@ QUICK = replace(
 Runs = Mapping[str, list[SavedRun]]
 
 
-def play(base: RaceSettings, names: list[str], seeds: range, root: Path) -> Runs:
+def play(
+    base: RaceSettings, names: list[str], seeds: range, root: Path, where: str | None = None
+) -> Runs:
     """Return a finished race of each sampler and seed."""
-    runs: dict[str, list[SavedRun]] = {name: [] for name in names}
-    for name, seed in tqdm([(n, s) for n in names for s in seeds], unit=" races", disable=None):
-        settings = replace(base, pursuers_meet=name, evaders_meet=name, seed=seed)
-        runs[name].append(finish(settings, root / name / str(seed)))
-    return runs
+    settings = {
+        f"{name}/{seed}": replace(base, pursuers_meet=name, evaders_meet=name, seed=seed)
+        for name in names
+        for seed in seeds
+    }
+    runs = finish_all(settings, root, where=where)
+    return {name: [runs[f"{name}/{seed}"] for seed in seeds] for name in names}
 
 
 def champions(runs: Runs, team: coevolution.Team, budget: int) -> mw.Population:
@@ -84,13 +87,13 @@ def scores(captured: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def main() -> None:
     """Play missing runs, and print the rates of each sampler's champions."""
-    parser = script_parser(__doc__, quick="a small world and one seed")
+    parser = script_parser(__doc__, quick="a small world and one seed", cluster=True)
     parser.add_argument("--seeds", type=int, help="races of each sampler")
     parser.add_argument("--samplers", nargs="+", choices=SAMPLERS, default=list(SAMPLERS))
     parser.add_argument("--runs", type=Path, default=Path("runs/archives"))
     args = parser.parse_args()
     base, few, episodes = (QUICK, 1, 2) if args.quick else (FULL, 5, 20)
-    runs = play(base, args.samplers, range(args.seeds or few), args.runs)
+    runs = play(base, args.samplers, range(args.seeds or few), args.runs, args.cluster)
     every = [run for of_name in runs.values() for run in of_name]
     # The smallest total is a number of matches that every race has played.
     budget = min(int(run.files.log()["matches"][-1]) for run in every)

@@ -21,8 +21,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import matrixworld as mw
-from common import script_parser
-from matrixworld import coevolution
+from common import finish_all, script_parser
 from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution import SingleSettings
 
@@ -89,15 +88,23 @@ QUICK = plan(
 )  # fmt: skip
 
 
-def trained(plan: Plan, change: dict[str, object], root: Path) -> list[mw.Population]:
-    """Return the last pursuers of each seed; start or continue the runs if necessary."""
-    found = []
-    for seed in range(plan.seeds):
-        settings = replace(plan.base, seed=seed, **change)  # type: ignore[arg-type]
-        with coevolution.ProgressBar() as bar:
-            run = coevolution.finish(settings, root / str(seed), report=bar)
+def trained(plan: Plan, root: Path, where: str | None) -> dict[str, list[mw.Population]]:
+    """Return the last pursuers of each training and seed; play the runs that are missing."""
+    settings = {
+        f"{name.replace(',', '').replace(' ', '-')}/{seed}": replace(
+            plan.base,
+            seed=seed,
+            **change,  # type: ignore[arg-type]
+        )
+        for seed in range(plan.seeds)
+        for name, change in plan.changes.items()
+    }
+    runs = finish_all(settings, root, where=where)
+    found: dict[str, list[mw.Population]] = {name: [] for name in plan.changes}
+    # In the order of the settings: seed by seed, each training in turn.
+    for run, name in zip(runs.values(), plan.seeds * list(plan.changes), strict=True):
         team = run.teams["pursuer"]
-        found.append(mw.Population(team.genomes[-1:], team.network))
+        found[name].append(mw.Population(team.genomes[-1:], team.network))
     return found
 
 
@@ -135,7 +142,7 @@ def shown(rates: list[float]) -> str:
 
 def main() -> None:
     """Train what is missing; print the table."""
-    parser = script_parser(__doc__, quick="a small world and few epochs")
+    parser = script_parser(__doc__, quick="a small world and few epochs", cluster=True)
     parser.add_argument("--runs", type=Path, default=Path("runs/catching_fleers"))
     args = parser.parse_args()
     chosen = QUICK if args.quick else FULL
@@ -143,10 +150,9 @@ def main() -> None:
     heads = [f"{evaders}, {size} pursuers" for evaders in EVADERS for size in chosen.teams]
     lines = [f"| pursuers | {' | '.join(heads)} |", "|---" * (len(heads) + 1) + "|"]
     lines += [row(chosen, script, [script], chosen.base.fov) for script in SCRIPTED]
-    for name, change in chosen.changes.items():
-        runs = trained(chosen, change, root / name.replace(",", "").replace(" ", "-"))
-        fov = replace(chosen.base, **change).fov  # type: ignore[arg-type]
-        lines.append(row(chosen, f"trained against {name}", list(runs), fov))
+    for name, teams in trained(chosen, root, args.cluster).items():
+        fov = replace(chosen.base, **chosen.changes[name]).fov  # type: ignore[arg-type]
+        lines.append(row(chosen, f"trained against {name}", list(teams), fov))
     print(*lines, sep="\n")
 
 

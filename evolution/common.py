@@ -1,17 +1,35 @@
-"""Command-line options and matches that several experiments share."""
+"""Command-line options, runs and matches that several experiments share."""
 
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterable, Iterator, Mapping
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
+from tqdm import tqdm
 
 import matrixworld as mw
-from matrixworld.coevolution import Team
+from matrixworld.cluster import cluster
+from matrixworld.coevolution import (
+    FailedRunsError,
+    JobProgress,
+    RaceSettings,
+    SavedRun,
+    SingleSettings,
+    Team,
+    open_run,
+)
+from matrixworld.coevolution.many import job_of
+from matrixworld.coevolution.many.evolve_many import play_job
+
+Settings = RaceSettings | SingleSettings
 
 
-def script_parser(doc: str | None, *, quick: str) -> argparse.ArgumentParser:
+def script_parser(doc: str | None, *, quick: str, cluster: bool = False) -> argparse.ArgumentParser:
     """Return a parser with the first line of a script's docstring and the option ``--quick``.
 
     Parameters
@@ -20,6 +38,8 @@ def script_parser(doc: str | None, *, quick: str) -> argparse.ArgumentParser:
         Docstring of the script.
     quick : str
         Help text of ``--quick``.
+    cluster : bool, optional
+        Whether the script takes ``--cluster``.
 
     Returns
     -------
@@ -29,7 +49,84 @@ def script_parser(doc: str | None, *, quick: str) -> argparse.ArgumentParser:
     # Docstrings are None under python -OO.
     parser = argparse.ArgumentParser(description=(doc or "").split("\n", 1)[0])
     parser.add_argument("--quick", action="store_true", help=quick)
+    if cluster:
+        parser.add_argument(
+            "--cluster",
+            metavar="auto|ADDRESS|FILE",
+            help="play on a Dask cluster (docs/cluster.md); default: this machine's cores",
+        )
     return parser
+
+
+@contextmanager
+def on_cluster(
+    where: str | None, directory: Path | None = None, settings: Iterable[Settings] = ()
+) -> Iterator[Executor | None]:
+    """Yield the executor that ``--cluster`` asks for, or None without it.
+
+    Parameters
+    ----------
+    where : str or None
+        Value of the option.
+    directory : Path, optional
+        Directory that the work reads and writes.
+    settings : iterable of RaceSettings or SingleSettings, optional
+        Settings of the runs to play.
+    """
+    if where is None:
+        yield None
+        return
+    alike = any(each.learner_name == "cma" for each in settings)
+    with cluster(where, directory=directory, like_processors=alike, tell=print) as executor:
+        yield executor
+
+
+@contextmanager
+def executor_of(where: str | None, processes: int) -> Iterator[Executor]:
+    """Yield the executor that ``--cluster`` asks for, or without it one of so many processes."""
+    with on_cluster(where) as given, given or ProcessPoolExecutor(processes) as executor:
+        yield executor
+
+
+def finish_all(
+    settings: Mapping[str, Settings],
+    root: Path,
+    *,
+    threads: int | None = None,
+    where: str | None = None,
+) -> dict[str, SavedRun]:
+    """Return finished runs by name; play the missing ones side by side.
+
+    Parameters
+    ----------
+    settings : mapping of str to RaceSettings or SingleSettings
+        Settings of each run, by the path of its directory in `root`.
+    root : Path
+        Directory of all runs. It may hold others, of earlier calls.
+    threads : int, optional
+        Threads in all, without a cluster. By default one for each core.
+    where : str, optional
+        Value of ``--cluster``.
+
+    Raises
+    ------
+    FailedRunsError
+        If runs failed, after all others have ended.
+    """
+    job = job_of(settings)
+    with (
+        on_cluster(where, root, settings.values()) as executor,
+        tqdm(total=len(job.runs), unit=" runs", disable=None) as bar,
+    ):
+
+        def report(progress: JobProgress) -> None:
+            bar.update(progress.finished - bar.n)
+
+        share = None if executor is not None else threads
+        outcome = play_job(job, root, keep=False, executor=executor, threads=share, report=report)
+    if outcome.failures:
+        raise FailedRunsError({root / name: why for name, why in outcome.failures.items()})
+    return {name: open_run(root / name) for name in settings}
 
 
 def play(

@@ -22,7 +22,6 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -30,7 +29,7 @@ from pathlib import Path
 import numpy as np
 
 import matrixworld as mw
-from common import script_parser
+from common import executor_of, script_parser
 from matrixworld import coevolution
 from matrixworld.coevolution import SingleSettings, SingleTeam, Team
 from matrixworld.coevolution.evaluation.held_out_opponents import NETWORK, held_out_scripts
@@ -178,7 +177,7 @@ def cell(genomes: dict[str, np.ndarray], team: Team, name: str, variant: str, ep
 
 def main() -> None:
     """Evolve and write the file, or print the table of a file."""
-    parser = script_parser(__doc__, quick="a few epochs of two variants")
+    parser = script_parser(__doc__, quick="a few epochs of two variants", cluster=True)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--output", type=Path, default=Path("held_out.npz"))
@@ -191,7 +190,7 @@ def main() -> None:
         genomes = {}
         # Variants are independent and each has its own generator, so the number of processes does
         # not change the file.
-        with ProcessPoolExecutor(args.processes) as pool:
+        with executor_of(args.cluster, args.processes) as pool:
             for variant, evolved in zip(variants, pool.map(teach, variants), strict=True):
                 genomes |= evolved
                 print(f"{variant} done", flush=True)

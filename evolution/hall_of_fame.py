@@ -25,9 +25,9 @@ import numpy as np
 from scipy import stats
 from tqdm import tqdm
 
-from common import script_parser
+from common import finish_all, script_parser
 from matrixworld import analysis, plots
-from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, finish, open_run, score
+from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, open_run, score
 
 FULL = RaceSettings(schedule="hall-of-fame")
 QUICK = replace(
@@ -86,20 +86,33 @@ def numbers_of(run: SavedRun, threads: int | None) -> Row:
     }
 
 
-def play(base: RaceSettings, seeds: range, root: Path, threads: int | None) -> dict[str, list[Row]]:
+def play(
+    base: RaceSettings, seeds: range, root: Path, threads: int | None, where: str | None
+) -> dict[str, list[Row]]:
     """Return the numbers of all races by kind, playing the missing ones."""
-    found: dict[str, list[Row]] = {name: [] for name in kinds(base)}
     # All kinds of a seed, then the next seed: an interrupted comparison is still one of equals.
-    jobs = [(seed, name, each) for seed in seeds for name, each in kinds(base).items()]
-    for seed, name, settings in tqdm(jobs, unit=" races", disable=None):
-        run = finish(replace(settings, seed=seed), place(root, name, seed), threads=threads)
-        found[name].append({"seed": seed, **numbers_of(run, threads)})
-    return found
+    runs = finish_all(
+        {
+            place(name, seed): replace(settings, seed=seed)
+            for seed in seeds
+            for name, settings in kinds(base).items()
+        },
+        root,
+        threads=threads,
+        where=where,
+    )
+    return {
+        name: [
+            {"seed": seed, **numbers_of(runs[place(name, seed)], threads)}
+            for seed in tqdm(seeds, unit=" scores", disable=None)
+        ]
+        for name in kinds(base)
+    }
 
 
-def place(root: Path, name: str, seed: int) -> Path:
-    """Return the directory of a race, where an interrupted script finds it again."""
-    return root / name.replace(" ", "-") / str(seed)
+def place(name: str, seed: int) -> str:
+    """Return the path of a race in the directory of all runs."""
+    return f"{name.replace(' ', '-')}/{seed}"
 
 
 def mean_with_interval(values: Sequence[float]) -> tuple[float, float, float]:
@@ -166,14 +179,14 @@ def read_races(path: Path) -> dict[str, list[Row]]:
 
 def main() -> None:
     """Play missing runs, print and write the comparison, and draw one race of each kind."""
-    parser = script_parser(__doc__, quick="a small world and two seeds")
+    parser = script_parser(__doc__, quick="a small world and two seeds", cluster=True)
     parser.add_argument("--seeds", type=int, help="races of each kind; default 10, or 2")
     parser.add_argument("--runs", type=Path, default=Path("runs/hall_of_fame"))
     parser.add_argument("--results", type=Path, default=Path("hall_of_fame"))
     parser.add_argument("--threads", type=int, help="default: one for each core")
     args = parser.parse_args()
     base, few = (QUICK, 2) if args.quick else (FULL, 10)
-    found = play(base, range(args.seeds or few), args.runs, args.threads)
+    found = play(base, range(args.seeds or few), args.runs, args.threads, args.cluster)
     args.results.mkdir(parents=True, exist_ok=True)
     write_races(args.results / "races.csv", found)
     # From the file, so that the table follows from the rounded numbers that are kept.
@@ -181,7 +194,7 @@ def main() -> None:
     (args.results / "comparison.md").write_text(text + "\n", encoding="utf-8")
     print(text)
     # One race of each kind: a mean over seeds would hide cycles of different phase.
-    first = {name: open_run(place(args.runs, name, 0)).payoff().capture_rate for name in found}
+    first = {name: open_run(args.runs / place(name, 0)).payoff().capture_rate for name in found}
     plots.comparison(first).savefig(args.results / "seed_0.png")
     print(f"Written: races.csv, comparison.md and seed_0.png in {args.results}")
 

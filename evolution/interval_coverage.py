@@ -4,9 +4,10 @@
     python evolution/interval_coverage.py --quick     20 repetitions of the small cases, seconds
 
 An interval of level 95 % should contain the true value in 95 of 100 repetitions. The data are runs
-(normal, skewed, heavy-tailed, bounded shares, two outcomes), payoff matrices (four true matrices,
-win or loss and shares of 30 evaders whose captures are correlated), scores of one pair, and
-collision counts. Intervals that the package withholds are counted as not given.
+(normal, skewed, heavy-tailed, bounded shares, two outcomes), their scores against several opponents
+(`coverage_of_runs.py`), payoff matrices (four true matrices, win or loss and shares of 30 evaders
+whose captures are correlated), scores of one pair, and collision counts. Intervals that the package
+withholds are counted as not given.
 
 Method: the functions of ``matrixworld.analysis`` and `matrixworld.SafetyMonitor`, with their
 sources. Look at the worst case of each interval, and at the exceptions below 90 %. ``--results``
@@ -27,10 +28,20 @@ from tqdm import tqdm
 
 import matrixworld as mw
 from common import script_parser
+from coverage_of_runs import (
+    EFFECTS,
+    RUNS,
+    SCORED_RUNS,
+    VALUES,
+    Case,
+    Matrix,
+    Simulation,
+    of_runs,
+    of_scores,
+)
 from matrixworld import analysis
 from matrixworld.analysis import MEASURES, Estimate
 
-RUNS = (2, 3, 5, 10, 20)
 EPISODES = (4, 10, 50, 200)
 SIZES = (8, 15, 31)
 SAFETY_EPISODES = (20, 50, 100)
@@ -42,32 +53,6 @@ FEWEST_GIVEN = 100
 """Fewest intervals of a case for its coverage to be quoted as the worst one."""
 ENOUGH = 0.90
 """Coverage below this is an exception."""
-
-Case = tuple[str, str]
-"""Interval and data."""
-Matrix = np.ndarray
-
-
-@dataclass(frozen=True)
-class Simulation:
-    """Data of one kind and amount, and the intervals that the package gives for them.
-
-    Parameters
-    ----------
-    size : int
-        Generations of each team; 0 without a matrix.
-    samples : int
-        Runs, or episodes of each cell.
-    truths : mapping of (str, str) to float
-        True value of each interval and kind of data; NaN where there is none.
-    estimates : callable
-        Takes a generator, draws data, and returns the estimate of each interval.
-    """
-
-    size: int
-    samples: int
-    truths: Mapping[Case, float]
-    estimates: Callable[[np.random.Generator], Mapping[Case, Estimate]]
 
 
 @dataclass(frozen=True)
@@ -91,42 +76,6 @@ class Count:
     repetitions: int
     given: int
     covered: int
-
-
-# ---- Runs ----------------------------------------------------------------------------------------
-
-
-def _two_outcomes(share: float) -> Callable[[np.random.Generator, int], Matrix]:
-    return lambda rng, n: np.where(rng.random(n) < share, 0.8, 0.2) + rng.normal(0, 0.03, n)
-
-
-VALUES: dict[str, tuple[float, Callable[[np.random.Generator, int], Matrix]]] = {
-    "normal": (0.4, lambda rng, n: rng.normal(0.4, 0.1, n)),
-    "skewed": (2.0, lambda rng, n: rng.gamma(2.0, 1.0, n)),
-    "very skewed": (math.exp(0.5), lambda rng, n: rng.lognormal(0.0, 1.0, n)),
-    "heavy-tailed": (0.0, lambda rng, n: rng.standard_t(3, n)),
-    "shares": (0.6, lambda rng, n: rng.beta(6.0, 4.0, n)),
-    "shares near 0": (0.1, lambda rng, n: rng.beta(1.0, 9.0, n)),
-    "two outcomes, 1 : 1": (0.5, _two_outcomes(0.5)),
-    "two outcomes, 4 : 1": (0.32, _two_outcomes(0.2)),
-}
-"""Mean and distribution of the numbers of runs."""
-
-
-def of_runs(name: str, runs: int) -> Simulation:
-    """Return the mean of runs, and their difference from as many normal runs."""
-    mean, draw = VALUES[name]
-    bounds = (0.0, 1.0) if name.startswith("shares") else (-math.inf, math.inf)
-
-    def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
-        one, other = draw(rng, runs), rng.normal(0.4, 0.1, runs)
-        return {
-            ("mean of runs", name): analysis.interval_over_runs(one, bounds=bounds),
-            ("difference of runs", name): analysis.difference_of_runs(one, other),
-        }
-
-    truths = {("mean of runs", name): mean, ("difference of runs", name): mean - 0.4}
-    return Simulation(0, runs, truths, estimates)
 
 
 # ---- Episodes ------------------------------------------------------------------------------------
@@ -269,6 +218,9 @@ def simulations(quick: bool) -> Iterator[Simulation]:
             for size in sizes:
                 yield from (of_matrix(k, scores, size, count, weights) for k in TRUE_MATRICES)
     yield from (of_collisions(count) for count in SAFETY_EPISODES[: 1 if quick else None])
+    # Last, because the seed of a simulation is its place: the counts of the others do not change.
+    for runs in (r for r in SCORED_RUNS if not quick or r <= QUICK_LIMIT):
+        yield from (of_scores(name, runs) for name in EFFECTS)
 
 
 def count(simulation: Simulation, repetitions: int, rng: np.random.Generator) -> list[Count]:
@@ -329,7 +281,8 @@ def _summary(rows: list[Count]) -> str:
     given = sum(row.given for row in rows) / sum(row.repetitions for row in rows)
     worst = min(filter(_is_known, rows), key=lambda row: _coverage([row]), default=None)
     cells = [rows[0].interval, str(rows[0].samples), f"{given:.0%}"]
-    cells += [f"{_coverage([row for row in rows if _has_truth(row)]):.1%}"]
+    known = [row for row in rows if _has_truth(row)]
+    cells += [f"{_coverage(known):.1%}" if sum(row.given for row in known) else ""]
     cells += ["", ""] if worst is None else [f"{_coverage([worst]):.1%}", _case(worst)]
     return f"| {' | '.join(cells)} |"
 

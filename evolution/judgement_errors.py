@@ -27,7 +27,7 @@ import hashlib
 import json
 import math
 from collections.abc import Iterable, Iterator
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures import as_completed
 from contextlib import closing
 from functools import cache
 from pathlib import Path
@@ -37,7 +37,7 @@ import numpy as np
 from tqdm import tqdm
 
 import judgement_cases
-from common import script_parser
+from common import executor_of, script_parser
 from judgement_cases import SOURCES
 from judgement_tables import write_tables
 from matrixworld import analysis
@@ -92,12 +92,17 @@ def version() -> str:
     return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()[:16]
 
 
-def judge_all(tasks: Iterable[Task], file: Path, processes: int) -> list[dict[str, Any]]:
+def judge_all(
+    tasks: Iterable[Task], file: Path, processes: int, where: str | None = None
+) -> list[dict[str, Any]]:
     """Judge all tasks that the file does not hold, append them, and return those asked for."""
     wanted = list(tasks)
     done = read_judgements(file)
     missing = [task for task in wanted if task not in done]
-    with file.open("a", encoding="utf-8") as out, closing(_results(missing, processes)) as results:
+    with (
+        file.open("a", encoding="utf-8") as out,
+        closing(_results(missing, processes, where)) as results,
+    ):
         for result in tqdm(results, total=len(missing), unit=" races", disable=None):
             # One line at a time, so that an interruption loses unfinished races only.
             out.write(json.dumps(result) + "\n")
@@ -106,11 +111,11 @@ def judge_all(tasks: Iterable[Task], file: Path, processes: int) -> list[dict[st
     return [found[task] for task in wanted]
 
 
-def _results(tasks: list[Task], processes: int) -> Iterator[dict[str, Any]]:
-    if processes == 1:
+def _results(tasks: list[Task], processes: int, where: str | None) -> Iterator[dict[str, Any]]:
+    if processes == 1 and where is None:
         yield from map(judged, tasks)
         return
-    with ProcessPoolExecutor(processes) as pool:
+    with executor_of(where, processes) as pool:
         try:
             for future in as_completed([pool.submit(judged, task) for task in tasks]):
                 yield future.result()
@@ -148,7 +153,7 @@ def chosen_tasks(
 
 def main() -> None:
     """Judge all races, and write tables and a figure."""
-    parser = script_parser(__doc__, quick="one seed of each kind")
+    parser = script_parser(__doc__, quick="one seed of each kind", cluster=True)
     parser.add_argument("--seeds", type=int, help=f"of each synthetic kind; default {SEEDS}")
     parser.add_argument("--first-seed", type=int, default=FIRST_SEED)
     parser.add_argument("--sources", nargs="+", choices=SOURCES, default=list(SOURCES))
@@ -159,7 +164,7 @@ def main() -> None:
     args.results.mkdir(parents=True, exist_ok=True)
     seeds = args.seeds or (1 if args.quick else SEEDS)
     tasks = list(chosen_tasks(args.sources, args.first_seed, seeds, development=args.development))
-    judgements = judge_all(tasks, args.results / "judgements.jsonl", args.processes)
+    judgements = judge_all(tasks, args.results / "judgements.jsonl", args.processes, args.cluster)
     print(write_tables(judgements, args.results))
     print(
         f"Written: {args.results}/errors.md, counts.csv, settings.csv, gains.csv, power.csv, .png"

@@ -360,7 +360,7 @@ def tables(numbers: Numbers) -> str:
 
 def main() -> None:
     """Play missing runs, test the claims, print and write the results."""
-    parser = script_parser(__doc__, quick="a small world and two seeds")
+    parser = script_parser(__doc__, quick="a small world and two seeds", cluster=True)
     parser.add_argument("--seeds", type=int, help="training seeds; default 20, or 2 with --quick")
     parser.add_argument("--long-seeds", type=int, help="seeds of the long races; default 5, or 2")
     parser.add_argument("--runs", type=Path, default=Path("runs/paper_claims"))
@@ -369,10 +369,8 @@ def main() -> None:
     args = parser.parse_args()
     plan, few, fewer = (QUICK, 2, 2) if args.quick else (FULL, 20, 5)
     long = fewer if args.long_seeds is None else args.long_seeds
-    runs = [
-        play(plan, seed, args.runs, args.threads, long=seed < long)
-        for seed in range(args.seeds or few)
-    ]
+    seeds = range(args.seeds or few)
+    runs = play(plan, seeds, args.runs, args.threads, long=range(long), where=args.cluster)
     numbers = measured(plan, runs, args.threads)
     text = tables(numbers)
     print(text)

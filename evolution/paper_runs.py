@@ -5,15 +5,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
-from functools import partial
 from pathlib import Path
 
 import numpy as np
-from tqdm import tqdm
 
 import matrixworld as mw
+from common import finish_all
 from matrixworld.analysis import team_phase_rates
 from matrixworld.coevolution import (
     RaceSettings,
@@ -23,7 +22,6 @@ from matrixworld.coevolution import (
     Team,
     open_run,
     resume,
-    start,
     tournament,
 )
 from matrixworld.coevolution.evaluation.held_out_scores import score_population
@@ -116,54 +114,60 @@ QUICK = plan(
 
 
 def play(
-    plan: Plan, seed: int, root: Path, threads: int | None, *, long: bool = False
-) -> dict[str, SavedRun]:
-    """Return the finished runs of one seed; start or continue them if necessary.
+    plan: Plan,
+    seeds: Sequence[int],
+    root: Path,
+    threads: int | None,
+    *,
+    long: Collection[int] = (),
+    where: str | None = None,
+) -> list[dict[str, SavedRun]]:
+    """Return the finished runs of each seed; play the missing ones side by side.
 
     Parameters
     ----------
     plan : Plan
         Settings of the runs.
-    seed : int
-        Training seed.
+    seeds : sequence of int
+        Training seeds.
     root : Path
         Directory of all runs.
     threads : int or None
         Threads; None: one for each core.
-    long : bool, optional
-        Whether to play the long races, too.
+    long : collection of int, optional
+        Seeds of the long races.
+    where : str, optional
+        Value of ``--cluster``.
 
     Returns
     -------
-    dict of str to SavedRun
-        Runs by name.
+    list of dict of str to SavedRun
+        Runs by name, for each seed.
     """
-    runs: dict[str, SavedRun] = {}
+    planned = {
+        (name, seed): replace(settings, seed=seed)
+        for seed in seeds
+        for name, settings in planned_runs(plan, long=seed in long).items()
+    }
+    played = finish_all(
+        {place(*key): settings for key, settings in planned.items()},
+        root,
+        threads=threads,
+        where=where,
+    )
+    runs: list[dict[str, SavedRun]] = [
+        {name: played[place(name, seed)] for name, each in planned if each == seed}
+        for seed in seeds
+    ]
+    # These continue from two of the runs above. There is one a seed.
+    for seed, of_seed in zip(seeds, runs, strict=True):
+        directory = root / place(EVADERS_TAUGHT, seed)
+        of_seed[EVADERS_TAUGHT] = teach(plan, seed, of_seed, directory, threads)
+    return runs
 
-    def played(name: str, begin: Callable[[Path], object]) -> None:
-        place = root / name.replace(" ", "-") / str(seed)
-        # A run that has begun is resumed, whether or not it has finished.
-        if not (place / "config.json").exists():
-            begin(place)
-        run = resume(place, threads=threads)
-        with tqdm(desc=f"seed {seed}: {name}", unit=" matches", disable=None, leave=False) as bar:
 
-            def report(what: str, done: int, total: int) -> None:
-                bar.total = total
-                bar.update(done - bar.n)
-
-            run.run(report)
-        runs[name] = open_run(place)
-
-    def taught(place: Path) -> None:
-        """Start evaders after half of their baseline, now against trained pursuers."""
-        half = plan.evaders.archive_every
-        settings = replace(plan.evaders, seed=seed, epochs=half)
-        genome = runs[EVADERS_ALONE].teams["evader"].genomes[1]
-        rivals = runs[PURSUERS_ALONE].teams["pursuer"]
-        champion = mw.Population(rivals.genomes[-1:], rivals.network)
-        SingleTeam(settings, place, opponents=champion, start=genome)
-
+def planned_runs(plan: Plan, *, long: bool) -> dict[str, RaceSettings | SingleSettings]:
+    """Return the settings of all runs of a seed that need no other run, by name."""
     planned: dict[str, RaceSettings | SingleSettings] = {
         **{name: replace(plan.race, schedule=name) for name in RACES},
         PURSUERS_ALONE: plan.pursuers,
@@ -175,11 +179,27 @@ def play(
             name: replace(plan.race, schedule=race, generations=plan.long)
             for race, name in LONG.items()
         }
-    # In this order: trained evaders continue from two of the runs before them.
-    for name, settings in planned.items():
-        played(name, partial(start, replace(settings, seed=seed)))
-    played(EVADERS_TAUGHT, taught)
-    return runs
+    return planned
+
+
+def place(name: str, seed: int) -> str:
+    """Return the path of a run in the directory of all runs."""
+    return f"{name.replace(' ', '-')}/{seed}"
+
+
+def teach(
+    plan: Plan, seed: int, runs: Mapping[str, SavedRun], directory: Path, threads: int | None
+) -> SavedRun:
+    """Return evaders after half of their baseline, then trained against trained pursuers."""
+    if not (directory / "config.json").exists():
+        half = plan.evaders.archive_every
+        settings = replace(plan.evaders, seed=seed, epochs=half)
+        genome = runs[EVADERS_ALONE].teams["evader"].genomes[1]
+        rivals = runs[PURSUERS_ALONE].teams["pursuer"]
+        champion = mw.Population(rivals.genomes[-1:], rivals.network)
+        SingleTeam(settings, directory, opponents=champion, start=genome)
+    resume(directory, threads=threads).run()
+    return open_run(directory)
 
 
 def cross_play(

@@ -20,7 +20,7 @@ import pytest
 from click.testing import Result
 
 from command_line import FIGURES, JOB, MAIN_JOB, PNG, RACE, WORLD, matrixworld_command, words
-from matrixworld.cli import held_out, jobs, report
+from matrixworld.cli import evolve, held_out, report
 from matrixworld.cli.arguments import find_runs
 from matrixworld.cli.options import option_name
 from matrixworld.cli.setting_options import SECTIONS, settings_from
@@ -35,8 +35,8 @@ from matrixworld.coevolution import (
     score,
     start,
 )
-from matrixworld.coevolution.runs import alternating
-from matrixworld.files import json_digest, load_json, save_json
+from matrixworld.coevolution.many.watch import Watch
+from matrixworld.files import json_digest, load_json, locked, save_json
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 
@@ -154,6 +154,15 @@ BAD = [
     (["--against", "nobody"], "clumsy-fleer, dodger or a run directory, got 'nobody'"),
     (["--threads", "0"], "0 is not in the range 1<=x<=1024"),
     (["--resume", "nothing"], "expected a directory that holds a run, got 'nothing'"),
+    (["--seeds", "0-3", "--seed", "1"], "--seeds: expected it without --seed, got both"),
+    *((["--seeds", bad], "expected seeds such as 0-9 or 0,3,5-7") for bad in ["", "a", "1-", "-1"]),
+    *((["--seeds", bad], "expected seeds such as 0-9") for bad in ["1,,2", "1 2", "1.5", "0-1-2"]),
+    (["--seeds", "5-2"], "expected the lower seed first, got 5-2"),
+    (["--seeds", "0-3,7,2"], "expected each seed once, got 2 several times"),
+    (["--seeds", "9223372036854775808"], "expected seeds from 0 to 9223372036854775807, got 922"),
+    (["--seeds", "0-9223372036854775807"], "expected at most 100,000 seeds, got 9,223,372,036,8"),
+    (["--seeds", "0-2", "--against", "nobody"], "or a run directory, got 'nobody'"),
+    (["--seeds", "0-2", "--population", "7"], "--population: expected an even number for es"),
 ]
 
 
@@ -177,7 +186,8 @@ def test_the_main_job_is_the_package_s_races(job, tmp_path):
 def test_the_main_job_writes_figures_and_numbers(job):
     output, _ = job
     names = {path.name for path in output.iterdir()}
-    assert names == {*MAIN_JOB, "comparison.png", "summary.json", "explorer.html"}
+    written = {"comparison.png", "summary.json", "explorer.html"}
+    assert names == {*MAIN_JOB, "job.json", ".lock", *written}
     for name in MAIN_JOB:
         assert {path.name for path in (output / name).glob("*.png")} == FIGURES
     for path in output.rglob("*.png"):
@@ -220,7 +230,7 @@ def test_the_main_job_prints_its_results(job):
     assert "Terms are explained in docs/glossary.md." in result.stdout
     assert f"All files are in {output}:" in result.stdout
     assert f"matrixworld replay '{output}/generalist-generalist' --pursuer 2" in result.stdout
-    assert "[3/3] generation 2: evaders" in result.stderr
+    assert "(3 of 3 runs)" in result.stderr
     assert "[1/3] pursuers against held-out opponents" in result.stderr
     assert "left" in result.stderr
 
@@ -239,8 +249,8 @@ def test_held_out_scores_are_those_of_the_command(job):
             assert printed[f"held-out, {team}s"][column] == f"{mean:.2f}"
 
 
-def test_a_job_builds_and_summarizes_each_run_once(undrawn, monkeypatch):
-    counts = {"built": 0, "read": 0, "summarized": 0, "scored": 0}
+def test_a_job_reads_and_scores_each_run_once(undrawn, monkeypatch):
+    counts = {"built": 0, "read": 0, "scored": 0}
     jobs = len(MAIN_JOB)
 
     def counted(what, function):
@@ -252,11 +262,10 @@ def test_a_job_builds_and_summarizes_each_run_once(undrawn, monkeypatch):
 
     monkeypatch.setattr(Race, "__init__", counted("built", Race.__init__))
     monkeypatch.setattr(RunDirectory, "payoff", counted("read", RunDirectory.payoff))
-    monkeypatch.setattr(alternating, "summarize", counted("summarized", alternating.summarize))
     monkeypatch.setattr(held_out, "score", counted("scored", held_out.score))
     matrixworld_command("evolve", "out", *words(JOB))
-    # A run hands its payoff on, so the file that it wrote is not read back.
-    assert counts == {"built": jobs, "read": 0, "summarized": jobs, "scored": jobs}
+    # Runs are played by worker processes, and only their files are read here.
+    assert counts == {"built": 0, "read": jobs, "scored": jobs}
 
 
 def test_the_commands_that_it_suggests_work(job, copy):
@@ -331,17 +340,32 @@ def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
 # Interrupting and going on
 
 
-@pytest.mark.parametrize("calls", [0, 7, 17])
+@pytest.mark.parametrize("calls", [0, 7, 11])
 def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(job, undrawn, monkeypatch, calls):
     play = StopAt(calls)
     monkeypatch.setattr(
-        jobs, "start", lambda settings, path, threads=None: start(settings, path, play=play)
+        evolve, "start", lambda settings, path, threads=None: start(settings, path, play=play)
     )
-    result = matrixworld_command("evolve", "out", *words(JOB), code=130)
+    one = [*words(RACE), "--schedule", MAIN_JOB[2]]
+    result = matrixworld_command("evolve", "out", *one, code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
-    assert find_runs(Path("out")) == [Path("out") / name for name in MAIN_JOB]
     resumed = matrixworld_command("evolve", "--resume", "out")
     assert "All files are in out:" in resumed.stdout
+    assert results(Path("out")) == results(job[0] / MAIN_JOB[2])
+
+
+def test_a_job_that_is_stopped_before_its_first_run_is_resumed_whole(job, undrawn, monkeypatch):
+    def stop(watch, *args, **options):
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Watch, "play", stop)
+        result = matrixworld_command("evolve", "out", *words(JOB), code=130)
+    assert "matrixworld evolve --resume out\n" in result.stderr
+    assert find_runs(Path("out")) == []
+    said = matrixworld_command("evolve", "out", *words(JOB), code=2).stderr
+    assert "--resume out continues the run in it" in said
+    matrixworld_command("evolve", "--resume", "out")
     for name in MAIN_JOB:
         assert results(Path("out") / name) == results(job[0] / name)
 
@@ -406,11 +430,15 @@ def test_resume_takes_no_settings(copy):
 
 
 def test_a_locked_run_and_a_damaged_run_give_an_error_of_one_line(copy):
-    files = RunDirectory.open(copy / MAIN_JOB[0])
-    with files.lock():
-        locked = matrixworld_command("evolve", "--resume", copy, code=1)
-    assert "Error: " in locked.stderr
-    assert "another process is running there" in locked.stderr
+    with locked(copy / ".lock"):
+        refused = matrixworld_command("evolve", "--resume", copy, code=1)
+    assert "Error: " in refused.stderr
+    assert "another process is running there" in refused.stderr
+    run = RunDirectory.open(copy / MAIN_JOB[1])
+    (run.path / "summary.json").unlink()
+    with run.lock():
+        refused = matrixworld_command("evolve", "--resume", run.path, code=1)
+    assert "another process is running there" in refused.stderr
     (copy / MAIN_JOB[0] / "payoff.npz").write_bytes(b"nothing")
     damaged = matrixworld_command("plot", copy, code=1)
     assert "payoff.npz: cut or altered" in damaged.stderr

@@ -18,10 +18,10 @@ NUMBER = r"-?\d+\.?\d*"
 
 
 def test_every_example_is_tested() -> None:
-    assert len(EXAMPLES) == PAGE.count("```python") == 3
+    assert len(EXAMPLES) == PAGE.count("```python") == 4
 
 
-@pytest.mark.parametrize("number", range(3))
+@pytest.mark.parametrize("number", range(4))
 def test_example(number: int, tmp_path: Path) -> None:
     code, shown = EXAMPLES[number]
     command = [sys.executable, "-W", "error", "-c", code]

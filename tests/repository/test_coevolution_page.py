@@ -20,11 +20,12 @@ def test_the_examples_run(tmp_path: Path) -> None:
     command = [sys.executable, "-W", "error", "-c", code]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    specialists, generalists, budget, alone = done.stdout.splitlines()
+    specialists, generalists, budget, alone, seeds = done.stdout.splitlines()
     assert specialists.startswith("specialist-specialist 0.")
     assert generalists.startswith("generalist-generalist 0.")
     assert re.fullmatch(r"\{'hall': \d, 'archive': \d\}", budget)
     assert alone == "True"
+    assert seeds == "[0, 1, 2]"
 
 
 def test_the_table_names_every_selection_and_nothing_else() -> None:

@@ -49,6 +49,19 @@ def test_intervals_over_episodes_cover_at_least_90_percent(script: ModuleType) -
             assert row.covered >= 0.9 * row.given, row
 
 
+def test_aggregates_over_runs_are_withheld_below_six_and_cover_from_ten_on(
+    script: ModuleType,
+) -> None:
+    counts = script.read_counts(RESULTS / "coverage.csv")
+    for interval in ("interquartile mean", "performance profile", "probability of improvement"):
+        rows = [row for row in counts if row.interval == interval]
+        assert {row.samples for row in rows} == {3, 5, 6, 10, 20}
+        assert len({row.data.split(", profile")[0] for row in rows}) == 4
+        assert not any(row.given for row in rows if row.samples < 6)
+        assert all(row.covered >= 0.9 * row.given for row in rows if row.samples >= 10)
+        assert all(row.given >= 0.85 * row.repetitions for row in rows if row.samples >= 6)
+
+
 def test_the_script_writes_counts_and_their_table(script: ModuleType, tmp_path: Path) -> None:
     printed = run_quickly("interval_coverage", tmp_path)
     counts = script.read_counts(tmp_path / "coverage/coverage.csv")

@@ -148,6 +148,7 @@ def _of_analysis() -> Iterator[Any]:
     yield analysis.exploitability(payoff, np.full(8, 1 / 8), np.full(8, 1 / 8))
     yield analysis.response_gain(scores[0, 0], scores[1, 1], budget=9)
     yield from (analysis.band_over_runs(payoff), analysis.MEASURES)
+    yield from (analysis.race_bands([payoff, payoff**2]), analysis.performance_profile(payoff))
 
 
 def _of_toys() -> Iterator[Any]:

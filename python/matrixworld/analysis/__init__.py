@@ -23,6 +23,8 @@ alpha_rank.py       alpha-Rank of two populations
 engagement.py       disengagement: one team wins nearly all matches
 intervals.py        intervals over training runs
 episode_intervals   intervals over the episodes of one run
+run_scores.py       interquartile mean and performance profile of scores of several runs
+race_bands.py       mean curves of several runs, with intervals
 summary.py          headline numbers of a matrix
 wording.py          judgements and summaries in words
 measures.py         named measures, for comparison between runs
@@ -123,7 +125,15 @@ from matrixworld.analysis.payoff import (
     logits,
     swap_teams,
 )
+from matrixworld.analysis.race_bands import RaceBands, race_bands
 from matrixworld.analysis.ratings import ELO_POINTS, Elo, MultiElo, elo, log_loss, multi_elo
+from matrixworld.analysis.run_scores import (
+    PerformanceProfile,
+    fewest_runs,
+    interquartile_mean,
+    performance_profile,
+    probability_of_improvement,
+)
 from matrixworld.analysis.single_run import RunAnalysis, analyze_run
 from matrixworld.analysis.sources import Payoffs, read_payoffs
 from matrixworld.analysis.strength import strength_change, strength_gain
@@ -159,7 +169,9 @@ __all__ = [
     "NoiseReference",
     "PartSummary",
     "Payoffs",
+    "PerformanceProfile",
     "Progress",
+    "RaceBands",
     "ResponseGain",
     "RunAnalysis",
     "Summary",
@@ -189,6 +201,7 @@ __all__ = [
     "elo",
     "explain",
     "exploitability",
+    "fewest_runs",
     "fitness_variance",
     "fixation_probability",
     "forgetting",
@@ -199,6 +212,7 @@ __all__ = [
     "headline",
     "held_out_forgetting",
     "historical_progress",
+    "interquartile_mean",
     "interval_over_runs",
     "judge",
     "judgement_table",
@@ -214,6 +228,9 @@ __all__ = [
     "multi_elo",
     "nash_averaging",
     "noise_reference",
+    "performance_profile",
+    "probability_of_improvement",
+    "race_bands",
     "read_payoffs",
     "response_gain",
     "strength_change",

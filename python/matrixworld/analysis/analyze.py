@@ -17,7 +17,6 @@ from matrixworld.analysis.intervals import (
     Band,
     Bounds,
     Estimate,
-    band_over_runs,
     few_runs,
     interval_over_runs,
     without_interval,
@@ -26,6 +25,7 @@ from matrixworld.analysis.judgement import Judgement, judge_payoffs
 from matrixworld.analysis.measures import MEASURES, measure_over_episodes
 from matrixworld.analysis.payoff import Rates, require
 from matrixworld.analysis.plain_values import plain_values
+from matrixworld.analysis.race_bands import race_bands
 from matrixworld.analysis.single_run import RunAnalysis, analyze_run
 from matrixworld.analysis.sources import Source, read_payoffs
 from matrixworld.analysis.wording import explain, headline
@@ -40,6 +40,11 @@ _OTHERS = {
     "evader_global_gain": ("global progress of the evaders per generation", -1.0, 1.0),
 }
 """Labels and bounds of numbers that are not in `MEASURES`."""
+BANDS = (
+    "pursuer_generalization", "evader_generalization", "pursuer_ratings", "evader_ratings",
+    "lag_profile",
+)  # fmt: skip
+"""Bands of `RaceBands` that an analysis contains."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +60,8 @@ class Analysis:
         with an interval over its episodes if they are known.
     bands : dict of str to Band
         Mean curves over runs with pointwise intervals: ``pursuer_generalization``, shape (n,),
-        ``evader_generalization``, shape (m,), and ``lag_profile``, shape (n + m - 1,).
+        ``evader_generalization``, shape (m,), the Elo ratings ``pursuer_ratings`` and
+        ``evader_ratings`` in points, and ``lag_profile``, shape (n + m - 1,).
     global_progress : Progress or None
         Progress against opponents of other runs; None without cross tests.
     judgement : Judgement
@@ -215,15 +221,8 @@ def _over_episodes(scores: Rates, level: float) -> dict[str, Estimate]:
 
 
 def _bands(runs: tuple[RunAnalysis, ...], level: float) -> dict[str, Band]:
-    curves: dict[str, list[Rates]] = {
-        "pursuer_generalization": [run.generalization.pursuers for run in runs],
-        "evader_generalization": [run.generalization.evaders for run in runs],
-        "lag_profile": [run.lag_profile.means for run in runs],
-    }
-    return {
-        name: band_over_runs(of_runs, level=level, bounds=(0.0, 1.0))
-        for name, of_runs in curves.items()
-    }
+    bands = race_bands([run.payoff for run in runs], level=level)
+    return {name: getattr(bands, name) for name in BANDS}
 
 
 def _label(name: str) -> str:

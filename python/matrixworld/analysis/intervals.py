@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.analysis.payoff import Rates, require
 from matrixworld.short_repr import short_repr
@@ -66,11 +66,14 @@ class Band:
         Lower ends; None for a single run.
     high : ndarray of float64, shape (k,), or None
         Upper ends; None for a single run.
+    runs : ndarray of int64, shape (k,), or None
+        Number of runs behind each point; None for a band over episodes.
     """
 
     mean: Rates
     low: Rates | None
     high: Rates | None
+    runs: NDArray[np.int64] | None = None
 
     __repr__ = short_repr
 
@@ -184,7 +187,7 @@ def band_over_runs(curves: ArrayLike, *, level: float = LEVEL, bounds: Bounds = 
     Parameters
     ----------
     curves : array_like of float, shape (runs, k)
-        One finite curve for each run.
+        One curve for each run; NaN where a run has no value. Every point needs a run.
     level : float, optional
         Confidence level of each point, in (0, 1). A whole curve leaves the band more often.
     bounds : tuple of float, optional
@@ -193,30 +196,44 @@ def band_over_runs(curves: ArrayLike, *, level: float = LEVEL, bounds: Bounds = 
     Returns
     -------
     Band
-        The mean curve, and its interval if there are several runs. Where all runs are equal, the
-        band has no width, which is no certainty.
+        The mean curve over the runs that have a value, and its interval if there are several runs:
+        NaN at points of a single run. Where all runs are equal, the band has no width, which is no
+        certainty.
 
     Raises
     ------
     ValueError
-        If the shape is another one, values are not finite, or the level is outside (0, 1).
+        If the shape is another one, a point has no run, values are infinite, or the level is
+        outside (0, 1).
     """
     array = np.asarray(curves, dtype=np.float64)
     require(array.ndim == 2 and array.size > 0, "curves of shape (runs, k)", array.shape)
-    require(bool(np.isfinite(array).all()), "finite curves", "others")
+    require(not np.isinf(array).any(), "finite curves", "infinite values")
+    known = ~np.isnan(array)
+    counts = known.sum(axis=0)
+    require(bool(counts.all()), "a run with a value at each point", "points without one")
     check_level(level)
-    runs, mean = len(array), array.mean(axis=0)
-    if runs == 1:
-        return Band(mean, None, None)
-    half = t_quantile(level, runs - 1) * array.std(axis=0, ddof=1) / math.sqrt(runs)
-    return Band(mean, np.maximum(mean - half, bounds[0]), np.minimum(mean + half, bounds[1]))
+    mean = np.nansum(array, axis=0) / counts
+    if len(array) == 1:
+        return Band(mean, None, None, counts)
+    squares = np.where(known, array - mean, 0.0) ** 2
+    # No interval where a single run is left: there is nothing to divide by.
+    freedom = np.where(counts > 1, counts - 1.0, np.nan)
+    half = t_quantiles(level, freedom) * np.sqrt(squares.sum(axis=0) / freedom / counts)
+    ends = np.maximum(mean - half, bounds[0]), np.minimum(mean + half, bounds[1])
+    return Band(mean, *ends, counts)
+
+
+def t_quantiles(level: float, freedom: Rates) -> Rates:
+    """Return half the width of two-sided t intervals in standard errors; NaN stays NaN."""
+    from scipy.special import stdtrit
+
+    return np.asarray(stdtrit(freedom, (1.0 + level) / 2.0), dtype=np.float64)
 
 
 def t_quantile(level: float, freedom: float) -> float:
     """Return half the width of a two-sided t interval in standard errors."""
-    from scipy.special import stdtrit
-
-    return float(stdtrit(freedom, (1.0 + level) / 2.0))
+    return float(t_quantiles(level, np.asarray(freedom)))
 
 
 def t_ends(values: Rates, level: float, bounds: Bounds) -> tuple[float, float]:

@@ -16,14 +16,22 @@ bench.py            ``bench``: how fast this machine plays; `bench_report` print
 options.py          options that several commands share, and old names of options
 setting_options.py  options from the fields of the settings
 arguments.py        run directories as arguments
-jobs.py             several runs as one job
+jobs.py             runs that a command plays: a single one, or several as one job
+seeds.py            the option ``--seeds``
 figures.py          the figures of a run
 report.py           what ``evolve`` prints at the end
+seed_report.py      the same of a job with several seeds
 race_tables.py      tables over the races of one job
 held_out.py         held-out scores of finished races, kept in run directories
+seed_report.py      what ``evolve`` prints at the end of a job of several seeds
+seed_tables.py      tables over the seeds of a job
+seed_figures.py     figures over the seeds of a job
+seed_scores.py      held-out scores over the seeds of a job
+run_groups.py       runs in groups that differ in their seed only
 race_groups.py      races to judge: runs grouped by settings, and payoff files
 judgements.py       the table of a judgement, and what limits it
 advice.py           what to try, from a judgement and the settings of the race
+job_progress.py     progress of several runs at one time
 console.py          progress, notes, wrapped text and tables
 ==================  ================================================================================
 """

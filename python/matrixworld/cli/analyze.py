@@ -17,7 +17,9 @@ from matrixworld.cli.options import (
     refuse_existing,
     write_json,
 )
-from matrixworld.cli.race_groups import one_group, races_argument
+from matrixworld.cli.race_groups import Group, groups_of, one_group, races_argument
+from matrixworld.cli.run_groups import of_seeds
+from matrixworld.cli.seed_tables import print_missing
 
 
 @click.command("analyze")
@@ -32,17 +34,28 @@ def analyze_command(
 
     FILE is a .csv or .npz file: pursuers in rows, evaders in columns, capture rates from 0 to 1;
     or one line for each pair, run and episode. RUN is a finished run directory or a directory of
-    several. Several runs must have the same settings; intervals are then over runs.
+    several. Several runs must have the same settings; intervals are then over runs. Of a job of
+    several seeds (evolve --seeds) each group of seeds is analysed.
     """
     refuse_existing(json_file, force=force)
     with failures():
-        group = one_group(races, episodes)
-        found = _analysis(group.payoffs)
-        print_head(f"{group.name}: {counts(found.judgement)}")
-        print_judgement(found.judgement)
-        click.echo(f"\n{_measures(found)}")
+        # The directories of a job of several seeds say which runs belong together.
+        seeds = of_seeds(races)
+        groups = groups_of(races, episodes) if seeds else [one_group(races, episodes)]
+        found = {group.name: _analysis(group.payoffs) for group in groups}
+        for group in groups:
+            _print(group, found[group.name])
         click.echo(f"\n{TERMS}")
-        write_json(json_file, found.to_json())
+        plain = {name: each.to_json() for name, each in found.items()}
+        alone = len(plain) == 1
+        write_json(json_file, next(iter(plain.values())) if alone else {"analyses": plain})
+
+
+def _print(group: Group, found: Analysis) -> None:
+    print_head(f"{group.name}: {counts(found.judgement)}")
+    print_judgement(found.judgement)
+    print_missing(group)
+    click.echo(f"\n{_measures(found)}")
 
 
 def _measures(found: Analysis) -> str:

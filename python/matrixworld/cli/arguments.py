@@ -2,71 +2,71 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path
+from pathlib import Path, PurePath
 
 import click
 
 from matrixworld.cli.console import command
+from matrixworld.coevolution.many.job import JOB
 from matrixworld.coevolution.opponents.registry import ALTERNATING, HALL_OF_FAME, SCHEDULES
-from matrixworld.coevolution.storage.run_files import CONFIG, OtherVersionError
+from matrixworld.coevolution.storage.run_files import OtherVersionError
+from matrixworld.coevolution.storage.saved_run import run_directories
 from matrixworld.files import LockedError
 from matrixworld.memory import OutOfMemoryError
 from matrixworld.policy import SCRIPTS
 from matrixworld.reading import DamagedFileError
 
-UNMADE = ".unmade"
-"""Marker file in a directory of several runs: not all of them have been created yet."""
-
 # From the newest opponents only to those of all generations: the generalists are the last schedule.
 ORDER = [*list(SCHEDULES)[:-1], HALL_OF_FAME, list(SCHEDULES)[-1], ALTERNATING]
 """The order in which the runs of one job are played and shown."""
+MOST_NAMES = 5
+"""Most runs that a message names."""
 
 
 def find_runs(path: Path) -> list[Path]:
-    """Return `path` if it is a run directory, else the run directories directly in it."""
-    # config.json is the last file of a new run: without it the run was not completely created.
-    if (path / CONFIG).is_file():
-        return [path]
-    # Only one level down: a response to a champion lies in its run, and is no part of the job.
-    return sorted(
-        (file.parent for file in path.glob(f"*/{CONFIG}")), key=lambda run: place_in_job(run.name)
-    )
+    """Return `path` if it is a run directory, else the run directories one or two levels below."""
+    found = run_directories(path)
+    return sorted(found, key=lambda run: place_in_job(run.relative_to(path)))
 
 
-def place_in_job(name: str) -> tuple[int, str]:
+def place_in_job(name: PurePath | str) -> tuple[tuple[int, int, str], ...]:
     """Return a sort key for the runs of one job, by the names of their directories."""
-    return ORDER.index(name) if name in ORDER else len(ORDER), name
+    return tuple(map(_place, PurePath(name).parts))
 
 
-def check_made(path: Path) -> None:
-    """Raise click.UsageError if only some of the runs in a directory have been created."""
-    if (path / UNMADE).exists():
-        raise click.UsageError(
-            f"{path}: the program was stopped while it created the runs, before any of them had "
-            f"begun; delete the directory and start again"
-        )
-
-
-def runs_of(ctx: click.Context, param: click.Parameter, value: str | None) -> list[Path]:
-    """Return the runs of a directory that is a run or holds several."""
-    if value is None:
-        return []
-    runs = find_runs(Path(value))
-    check_made(Path(value))
-    if not runs:
-        raise click.BadParameter(f"expected a directory that holds a run, got {value!r}")
-    return runs
+def _place(name: str) -> tuple[int, int, str]:
+    # seed-2 comes before seed-10.
+    seed = re.fullmatch(r"seed-(\d+)", name)
+    schedule = ORDER.index(name) if name in ORDER else len(ORDER)
+    return schedule, int(seed[1]) if seed else -1, name
 
 
 def run_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Path | None:
     """Return the run of a directory that is a run or holds exactly one."""
-    runs = runs_of(ctx, param, value)
+    if value is None:
+        return None
+    runs = find_runs(Path(value))
+    if not runs:
+        raise click.BadParameter(f"expected a directory that holds a run, got {value!r}")
     if len(runs) > 1:
-        names = ", ".join(str(run) for run in runs)
+        names = ", ".join([*map(str, runs[:MOST_NAMES]), *["..."] * (len(runs) > MOST_NAMES)])
         raise click.BadParameter(f"expected one run, got a directory of several: {names}")
-    return runs[0] if runs else None
+    return runs[0]
+
+
+def can_resume(path: Path) -> bool:
+    """Return whether a directory holds a run, or runs that have been asked for."""
+    return bool(find_runs(path)) or (path / JOB).exists()
+
+
+def resumed_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Path | None:
+    """Return a directory that holds something to resume."""
+    if value is not None and not can_resume(Path(value)):
+        raise click.BadParameter(f"expected a directory that holds a run, got {value!r}")
+    return None if value is None else Path(value)
 
 
 def all_of(

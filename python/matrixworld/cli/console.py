@@ -54,8 +54,18 @@ class ProgressLines:
         self._began: tuple[float, int] | None = None
         self._next = 0.0
 
-    def __call__(self, what: str, done: int, total: int) -> None:
-        """Write a line if another tenth of the job has been done since the last line."""
+    def __call__(self, what: str, done: int, total: int, before: int | None = None) -> None:
+        """Write a line if another tenth of the job has been done since the last line.
+
+        Parameters
+        ----------
+        what : str
+            What is being done.
+        done, total : int
+            What has been done, and all of it.
+        before : int, optional
+            What had been done before the job was resumed. By default as of the first call.
+        """
         if self._began is None:
             # A resumed job begins with matches done already: they do not count for the rate.
             self._began = self._clock(), done
@@ -63,7 +73,8 @@ class ProgressLines:
         # Shares such as 0.1 + 0.1 + 0.1 are inexact: the line at 30% must not wait for 30.01%.
         if done / total >= self._next - 1e-9:
             self._next = done / total + SHARE
-            seconds, since = self._clock() - self._began[0], done - self._began[1]
+            earlier = self._began[1] if before is None else before
+            seconds, since = self._clock() - self._began[0], done - earlier
             rate = since / seconds if seconds else 0.0
             left = tqdm.format_interval((total - done) / rate) if rate else "?"
             shown = f"{rate:,.0f}" if rate >= SLOW else f"{rate:.1f}"
@@ -97,6 +108,11 @@ def progress(stream: TextIO | None = None, unit: str = "matches") -> Iterator[Re
             yield bar
     else:
         yield ProgressLines(out, unit=unit)
+
+
+def part_of_job(report: Report, place: str, others: int, whole: int) -> Report:
+    """Return a report of one part of a job, of which other parts have done `others` of `whole`."""
+    return lambda what, done, total: report(place + what, others + done, whole)
 
 
 def note(text: str) -> None:

@@ -6,8 +6,7 @@ from pathlib import Path
 
 import click
 
-from matrixworld.analysis import Judgement, describe, explain, summarize
-from matrixworld.analysis.judgement import judge_payoffs
+from matrixworld.analysis import describe, explain, summarize
 from matrixworld.cli.advice import advice
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import TERMS, print_wrapped
@@ -20,6 +19,8 @@ from matrixworld.cli.options import (
     write_json,
 )
 from matrixworld.cli.race_groups import Group, groups_of, one_group, races_argument
+from matrixworld.cli.run_groups import of_seeds
+from matrixworld.cli.seed_tables import STRIP_LEGEND, print_missing, print_strip
 
 SINGLE_RUN = "The intervals are about this run. Runs with other seeds may differ."
 EACH = " (--each judges each of them)"
@@ -44,22 +45,31 @@ def diagnose_command(
 
     Each condition is present or absent, or its intervals cannot tell. RUN is a finished run
     directory or a directory of several, FILE a payoff matrix (.csv or .npz). Several runs are
-    judged together: they must have the same settings and different seeds.
+    judged together: they must have the same settings and different seeds. Of a job of several
+    seeds (evolve --seeds) each group of seeds is judged, with the verdict on each seed.
     """
     refuse_existing(json_file, force=force)
     with failures():
-        groups = groups_of(races, episodes) if each else [one_group(races, episodes, EACH)]
-        found = {group.name: judge_payoffs(group.payoffs) for group in groups}
+        # The directories of a job of several seeds say which runs belong together.
+        several = each or of_seeds(races)
+        groups = groups_of(races, episodes) if several else [one_group(races, episodes, EACH)]
         for group in groups:
-            _print(group, found[group.name], explained)
+            _print(group, explained)
         click.echo(f"\n{TERMS}")
-        plain = {name: judgement.to_json() for name, judgement in found.items()}
-        write_json(json_file, {"judgements": plain} if each else next(iter(plain.values())))
+        plain = {group.name: group.judgement.to_json() for group in groups}
+        alone = len(plain) == 1 and not each
+        write_json(json_file, next(iter(plain.values())) if alone else {"judgements": plain})
 
 
-def _print(group: Group, judgement: Judgement, explained: bool) -> None:
+def _print(group: Group, explained: bool) -> None:
+    judgement = group.judgement
     print_head(f"{group.name}: {counts(judgement)}")
     print_judgement(judgement)
+    if len(group.seeds) > 1 or group.missing:
+        click.echo()
+        print_strip(group)
+        print_missing(group)
+        print_wrapped(STRIP_LEGEND)
     if judgement.runs == 1:
         print_wrapped(SINGLE_RUN)
     if explained:

@@ -3,27 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import Executor
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import click
 
-from matrixworld.cli.arguments import (
-    check_made,
-    failures,
-    find_runs,
-    resume_command,
-    runs_of,
-)
+from matrixworld.cli.arguments import can_resume, failures, resume_command, resumed_of
+from matrixworld.cli.clusters import cluster_option, on_cluster, refuse_threads
 from matrixworld.cli.console import INTERRUPTED, note, warnings_as_notes
-from matrixworld.cli.jobs import (
-    Settings,
-    create_runs,
-    default_directory,
-    play_runs,
-    resume_runs,
-)
+from matrixworld.cli.jobs import default_directory, found_job, new_job, play_run, play_runs
 from matrixworld.cli.options import (
     SectionedCommand,
     given_options,
@@ -31,15 +21,29 @@ from matrixworld.cli.options import (
     threads_option,
 )
 from matrixworld.cli.report import report
+from matrixworld.cli.seed_report import report_seeds
+from matrixworld.cli.seeds import seeds_option
 from matrixworld.cli.setting_options import in_options, setting_options, settings_from
-from matrixworld.coevolution import PluginError, Run, RunDirectory
+from matrixworld.coevolution import (
+    PluginError,
+    RaceSettings,
+    Run,
+    RunDirectory,
+    SingleSettings,
+    resume,
+    start,
+)
+from matrixworld.coevolution.many.evolve_many import check_job
+from matrixworld.coevolution.many.job import Job
 
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
 Examples:
   matrixworld evolve
   matrixworld evolve my-race --variant SB --schedule generalist-generalist
+  matrixworld evolve my-races --seeds 0-9
   matrixworld evolve --against random --team evader
+  matrixworld evolve my-races --seeds 0-999 --cluster tcp://head-node:8786
   matrixworld evolve --resume my-race
 """
 
@@ -48,14 +52,22 @@ Examples:
 @click.argument("output", required=False, type=click.Path(path_type=Path, file_okay=False))
 @click.option(
     "--resume",
+    "resumed",
     metavar="DIR",
-    callback=runs_of,
+    callback=resumed_of,
     help="continue the run, or all runs, in this directory",
 )
+@seeds_option
 @threads_option
+@cluster_option
 @setting_options
 def evolve_command(
-    output: Path | None, resume: list[Path], threads: int | None, **options: Any
+    output: Path | None,
+    resumed: Path | None,
+    seeds: tuple[int, ...] | None,
+    threads: int | None,
+    where: str | None,
+    **options: Any,
 ) -> None:
     """Let pursuers and evaders evolve against each other.
 
@@ -63,30 +75,100 @@ def evolve_command(
     learns against the newest opponents only (specialists), in the second against living ones and a
     hall of fame, in the third against all earlier generations (generalists). A race ends with a
     payoff matrix, a judgement, scores against held-out opponents and figures. With --against one
-    team alone evolves against fixed opponents.
+    team alone evolves against fixed opponents. With --seeds there is a run of each seed.
 
     OUTPUT is a new directory: the run directory of a single run, or the parent of several. The
     default is a directory in runs/, named after variant and seed. A run that exists is never
     replaced.
 
-    Ctrl-C stops. --resume continues from the last checkpoint, with the same results. Results do
-    not depend on --threads.
+    Several runs play side by side, as many as --threads; threads that are left over are shared
+    among them. Ctrl-C stops. --resume continues from the last checkpoint, with the same results.
+    Results do not depend on --threads.
+
+    With --cluster several runs play on the workers of a Dask cluster, one thread each. All workers
+    must see OUTPUT under the same path; docs/cluster.md says how to start them.
     """
     given = given_options(options)
     with failures(), warnings_as_notes():
-        if resume:
-            _refuse_settings(output, given)
-            root = resume[0] if len(resume) == 1 else resume[0].parent
-            # The runs are restored inside the block: reading them may fail or take some time.
-            with _resumable(root):
-                report(play_runs(_old_runs(resume, threads)), root, threads)
+        if resumed:
+            _refuse_settings(output, {**given, **({"seeds": seeds} if seeds else {})})
+            _play_old(resumed, threads, where)
         else:
-            settings = settings_from(given)
-            root = _new_directory(settings[0], output)
-            # Outside the block: a job that is not completely created cannot be resumed.
-            runs = _new_runs(settings, root, threads)
-            with _resumable(root):
-                report(play_runs(runs), root, threads)
+            _refuse_seed(seeds, given)
+            _play_new(settings_from(given), seeds, output, threads, where)
+
+
+def _refuse_seed(seeds: tuple[int, ...] | None, given: dict[str, Any]) -> None:
+    if seeds is not None and "seed" in given:
+        raise click.UsageError("--seeds: expected it without --seed, got both")
+
+
+def _play_new(
+    settings: list[RaceSettings] | list[SingleSettings],
+    seeds: tuple[int, ...] | None,
+    output: Path | None,
+    threads: int | None,
+    where: str | None,
+) -> None:
+    job = new_job(settings, seeds)
+    elsewhere = _elsewhere(job, where, threads)
+    root = _new_directory(output, default_directory(settings[0], seeds))
+    # Some settings can be checked only when opponents and start genomes have been read.
+    try:
+        check_job(job or Job({".": settings[0]}), root, elsewhere, threads)
+        work = job or start(settings[0], root, threads=threads)
+    except ValueError as error:
+        raise click.UsageError(in_options(str(error))) from error
+    with _resumable(root):
+        _play(work, root, threads, where, new=True)
+
+
+def _elsewhere(job: Job | None, where: str | None, threads: int | None) -> Executor | None:
+    """Return an executor for checks if runs play on other machines; a single run cannot."""
+    if where is None:
+        return None
+    refuse_threads(where, threads)
+    if job is None:
+        raise click.UsageError(
+            "--cluster: expected several runs, such as --seeds 0-9, got one, which cannot be shared"
+        )
+    return Executor()
+
+
+def _play_old(root: Path, threads: int | None, where: str | None) -> None:
+    # The run is restored inside the block: reading it may fail or take some time.
+    with _resumable(root):
+        job = found_job(root)
+        elsewhere = _elsewhere(job, where, threads)
+        try:
+            if job is not None:
+                check_job(job, root, elsewhere, threads)
+            work = job or resume(root, threads=threads)
+        except ValueError as error:
+            # The package of a learner of the user's own may be missing, or have changed.
+            raise click.ClickException(str(error)) from error
+        _play(work, root, threads, where, new=False)
+
+
+def _play(
+    work: Job | Run[Any], root: Path, threads: int | None, where: str | None, *, new: bool
+) -> None:
+    """Play a job or a single run, and report the results; exit code 1 if runs failed."""
+    if isinstance(work, Run):
+        report([play_run(work)], root, threads)
+        return
+    with on_cluster(where, threads, root, work.runs.values()) as executor:
+        results, failed = play_runs(work, root, threads, executor, new=new)
+    if any(name != getattr(each, "schedule", "") for name, each in work.runs.items()):
+        report_seeds(results, work.asked(), root, failed, threads)
+    elif results:
+        report(results, root, threads)
+    if failed:
+        lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
+        raise click.ClickException(
+            f"{len(failed)} of {len(work.runs)} runs failed:{lines}\nTo try them again:\n"
+            f"  {resume_command(root)}"
+        )
 
 
 @contextmanager
@@ -99,6 +181,8 @@ def _resumable(root: Path) -> Iterator[None]:
     try:
         yield
     except KeyboardInterrupt:
+        if not can_resume(root):  # stopped before anything was made: the command itself is repeated
+            raise
         note(hint)
         raise click.exceptions.Exit(INTERRUPTED) from None
     except (OSError, PluginError):
@@ -115,9 +199,9 @@ def _refuse_settings(output: Path | None, given: dict[str, Any]) -> None:
         )
 
 
-def _new_directory(settings: Settings, output: Path | None) -> Path:
+def _new_directory(output: Path | None, default: Path) -> Path:
     """Return the directory of new runs, and print it if it is not `output`."""
-    root = output or default_directory(settings)
+    root = output or default
     if root.exists():
         _check_free(root)
     if output is None:
@@ -126,32 +210,14 @@ def _new_directory(settings: Settings, output: Path | None) -> Path:
 
 
 def _check_free(root: Path) -> None:
-    # First, because an incomplete job is not empty, and its own message says more.
-    check_made(root)
     try:
         RunDirectory(root).check_empty()
     except FileExistsError as error:
         hint = (
             f"; {resume_command(root)} continues the run in it, or prints its result again"
-            if find_runs(root)
+            if can_resume(root)
             else ""
         )
         raise click.UsageError(
             f"OUTPUT: expected a new or empty directory, got {str(root)!r}{hint}"
         ) from error
-
-
-def _new_runs(settings: list[Any], root: Path, threads: int | None) -> list[Run[Any]]:
-    # Some settings can be checked only when opponents and start genomes have been read.
-    try:
-        return create_runs(settings, root, threads)
-    except ValueError as error:
-        raise click.UsageError(in_options(str(error))) from error
-
-
-def _old_runs(paths: list[Path], threads: int | None) -> list[Run[Any]]:
-    # The package of a learner of the user's own may be missing, or have changed.
-    try:
-        return resume_runs(paths, threads)
-    except ValueError as error:
-        raise click.ClickException(str(error)) from error

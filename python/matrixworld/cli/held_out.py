@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from matrixworld.cli.console import progress
-from matrixworld.cli.jobs import Result, part_of_job
+from matrixworld.cli.console import part_of_job, progress
+from matrixworld.cli.jobs import Result
 from matrixworld.coevolution import open_run, score
 from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
 from matrixworld.coevolution.types import TEAMS
@@ -20,6 +20,8 @@ SCORES = "scores.json"
 EPISODES = 100
 """Episodes of each pair. They and the seed are the defaults of ``matrixworld score``."""
 SEED = 0
+
+ENDS = ("value", "low", "high")
 
 Scores = dict[str, Any]
 """``HeldOutScores.to_json()`` of the last ``"pursuers"`` and of the last ``"evaders"``."""
@@ -75,11 +77,12 @@ def kept_scores(race: Result) -> Scores | None:
 
 
 def _holds_means(kept: Scores) -> bool:
-    """Return whether scores have what is printed of them."""
+    """Return whether scores have what is printed and drawn of them."""
     try:
-        means = [kept[f"{team}s"]["mean"] for team in TEAMS]
-        found = [mean[end] for [mean] in means for end in ("value", "low", "high")]
-    except (KeyError, TypeError, ValueError):
+        teams = [kept[f"{team}s"] for team in TEAMS]
+        found = [mean[end] for each in teams for [mean] in [each["mean"]] for end in ENDS]
+        found += [one["value"] for each in teams for [one] in each["against"].values()]
+    except (AttributeError, KeyError, TypeError, ValueError):
         return False
     return all(type(number) is float for number in found)
 

@@ -1,9 +1,11 @@
-"""Several runs as one job: created or resumed together, played one after the other."""
+"""Runs that a command plays: a single one, or several as one job."""
 
 from __future__ import annotations
 
+import traceback
 from collections.abc import Sequence
-from dataclasses import dataclass
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -11,20 +13,19 @@ from typing import Any
 import click
 
 from matrixworld.analysis import Judgement, Summary, judge, summarize
-from matrixworld.cli.arguments import UNMADE, place_in_job, resume_command
+from matrixworld.cli.arguments import find_runs, place_in_job, resume_command
 from matrixworld.cli.console import note, progress
+from matrixworld.cli.job_progress import job_progress
 from matrixworld.coevolution import (
     Payoff,
+    PluginError,
     RaceSettings,
-    Report,
     Run,
     RunDirectory,
     SingleSettings,
-    check_own_code,
-    resume,
-    start,
 )
-from matrixworld.coevolution.settings.memory import check_run_memory
+from matrixworld.coevolution.many.evolve_many import BAD_FILES, described, play_job
+from matrixworld.coevolution.many.job import Job, job_of, open_job
 
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
@@ -88,72 +89,93 @@ def open_result(path: Path) -> Result:
     return Result(files, settings, Payoff.from_arrays(files.payoff()))
 
 
-def default_directory(settings: Settings) -> Path:
-    """Return the directory named after a run's variant and seed, such as ``runs/O-seed0``."""
+def default_directory(settings: Settings, seeds: Sequence[int] | None) -> Path:
+    """Return the directory named after a run's variant and seeds, such as ``runs/O-seed0``."""
+    named = f"seed{settings.seed}" if seeds is None else f"seeds{seeds[0]}-{seeds[-1]}"
     # Rules made in Python have no name.
     variant = settings.variant if isinstance(settings.variant, str) else "own-rules"
     # `against` may be the path of a run: its last part is the name.
     what = ""
     if isinstance(settings, SingleSettings):
         what = f"-{settings.team}-against-{Path(settings.against).name}"
-    return RUNS / f"{variant}{what}-seed{settings.seed}"
+    return RUNS / f"{variant}{what}-{named}"
 
 
-def create_runs(settings: Sequence[Settings], output: Path, threads: int | None) -> list[Run[Any]]:
-    """Create new runs: a single one in `output` itself, several in directories inside it.
+def new_job(settings: Sequence[Settings], seeds: Sequence[int] | None) -> Job | None:
+    """Return the job of runs that options ask for; None for a single run, which needs none.
 
-    Nothing is written if a run needs too much memory, or a learner or sampler of the user's own is
-    bad.
+    Parameters
+    ----------
+    settings : sequence of RaceSettings or SingleSettings
+        Settings of different schedules, or of a single run.
+    seeds : sequence of int or None
+        The seeds of each, None for the seed of the settings.
     """
-    for each in settings:
-        check_run_memory(each, threads)
-        check_own_code(each)
-    if len(settings) == 1:
-        return [start(settings[0], output, threads=threads)]
-    races = [each for each in settings if isinstance(each, RaceSettings)]
-    # The order in which --resume finds them, so that it prints and draws the same.
-    races.sort(key=lambda each: place_in_job(each.schedule))
-    output.mkdir(parents=True, exist_ok=True)
-    # The marker tells an incomplete job from a complete one: --resume must not play only some of
-    # the runs that were asked for.
-    (output / UNMADE).touch()
-    runs: list[Run[Any]] = [start(each, output / each.schedule, threads=threads) for each in races]
-    (output / UNMADE).unlink()
-    return runs
+    # The order in which find_runs finds them, so that --resume prints and draws the same.
+    ordered = sorted(settings, key=lambda each: place_in_job(getattr(each, "schedule", "")))
+    if seeds is not None:
+        return job_of([replace(each, seed=seed) for each in ordered for seed in seeds])
+    if len(ordered) == 1:
+        return None
+    return job_of({each.schedule: each for each in ordered if isinstance(each, RaceSettings)})
 
 
-def resume_runs(paths: Sequence[Path], threads: int | None) -> list[Run[Any]]:
-    """Restore runs from their directories."""
-    return [resume(path, threads=threads) for path in paths]
+def found_job(root: Path) -> Job | None:
+    """Return the job in a directory; None for a single run.
+
+    Raises
+    ------
+    click.UsageError
+        If the directory is a part of a job.
+    """
+    runs = find_runs(root)
+    if runs == [root]:
+        return None
+    job = open_job(root)
+    if job is not None:
+        return job
+    if open_job(root.parent) is not None:
+        hint = resume_command(root.parent)
+        raise click.UsageError(f"--resume: expected a whole job, got a part of it; {hint}")
+    # Runs that were put together by hand.
+    return Job({run.relative_to(root).as_posix(): RunDirectory(run).settings() for run in runs})
 
 
-def play_runs(runs: Sequence[Run[Any]]) -> list[Result]:
-    """Play each run to its end, with one progress bar for all."""
-    # The bar needs the matches of the whole job before the first run starts.
-    counts = [_matches(run) for run in runs]
-    whole = sum(total for _, total in counts)
-    results = []
+def play_run(run: Run[Any]) -> Result:
+    """Play a single run to its end, with a progress bar."""
     with progress() as report:
-        for number, run in enumerate(runs):
-            place = f"[{number + 1}/{len(runs)}] " if len(runs) > 1 else ""
-            # Runs before this one are finished; later ones may have been resumed half-way.
-            before = sum(total for _, total in counts[:number])
-            after = sum(done for done, _ in counts[number + 1 :])
-            if counts[number][0] < counts[number][1]:
-                note(f"{place}{run.files.path}")
-            # A finished run plays nothing, and returns its payoff from the file.
-            payoff = run.run(part_of_job(report, place, before + after, whole))
-            results.append(Result(run.files, run.settings, payoff))
-    return results
+        if not run.files.finished:
+            note(str(run.files.path))
+        return Result(run.files, run.settings, run.run(report))
 
 
-def part_of_job(report: Report, place: str, others: int, whole: int) -> Report:
-    """Return a report of one run as part of a job, in which other runs have played `others`."""
-    return lambda what, done, total: report(place + what, others + done, whole)
+def play_runs(
+    job: Job,
+    root: Path,
+    threads: int | None,
+    executor: Executor | None = None,
+    *,
+    new: bool,
+) -> tuple[list[Result], dict[Path, str]]:
+    """Play the runs of a job, with a line of progress for each.
 
-
-def _matches(run: Run[Any]) -> tuple[int, int]:
-    """Return the matches that a run has played, and all of them."""
-    total = run.total_matches()
-    # `training.matches` does not count those of the evaluation, which a finished run has played.
-    return total if run.files.finished else run.training.matches, total
+    Returns
+    -------
+    list of Result
+        The finished runs.
+    dict of Path to str
+        Why the other ones failed.
+    """
+    with job_progress() as report:
+        outcome = play_job(job, root, keep=new, executor=executor, threads=threads, report=report)
+    for error in outcome.failures.values():
+        if isinstance(error, PluginError):  # the user's own code: the traceback is wanted
+            note("".join(traceback.format_exception(error)))
+    failed = {root / n: described(root / n, error) for n, error in outcome.failures.items()}
+    results = []
+    for path in (root / name for name in job.runs if name in outcome.finished):
+        try:
+            results.append(open_result(path))
+        except BAD_FILES as error:  # noqa: PERF203, of one run: the others are shown
+            failed[path] = described(path, error)
+    return results, failed

@@ -3,16 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any, cast
 
 import click
 import numpy as np
 
-from matrixworld.analysis import Payoffs, read_payoffs
+from matrixworld.analysis import Judgement, Payoffs, read_payoffs
+from matrixworld.analysis.judgement import judge_payoffs
 from matrixworld.cli.arguments import all_of, find_runs
-from matrixworld.cli.jobs import Result, open_result
+from matrixworld.cli.jobs import Result
+from matrixworld.cli.run_groups import (
+    Unfinished,
+    by_settings,
+    different,
+    finished_runs,
+    name_and_missing,
+    note_groups_without_runs,
+)
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.reading import DamagedFileError
 
@@ -31,16 +41,30 @@ class Group:
         Payoffs of all of them.
     settings : RaceSettings or None
         Settings of the runs, with the seed of the first; None for files.
+    name : str
+        What the group is called: the directory of its seeds, or the paths.
+    runs : tuple of Result, optional
+        The runs; none for files.
+    missing : tuple of int, optional
+        Seeds of the same job that are not finished.
     """
 
     paths: tuple[Path, ...]
     payoffs: Payoffs
     settings: RaceSettings | None
+    name: str
+    runs: tuple[Result, ...] = ()
+    missing: tuple[int, ...] = ()
 
     @property
-    def name(self) -> str:
-        """The paths."""
-        return ", ".join(map(str, self.paths))
+    def seeds(self) -> tuple[int, ...]:
+        """Seeds of the runs, in their order."""
+        return tuple(run.settings.seed for run in self.runs)
+
+    @cached_property
+    def judgement(self) -> Judgement:
+        """The judgement of all of them together."""
+        return judge_payoffs(self.payoffs)
 
 
 def _is_payoff_file(path: Path) -> bool:
@@ -79,16 +103,23 @@ def groups_of(paths: Sequence[Path], episodes: int | None) -> list[Group]:
         or `episodes` differs from what a run or file holds.
     """
     files = [path for path in paths if _is_payoff_file(path)]
-    runs = [_race(path) for path in paths if path not in files]
-    by_settings: list[list[Result]] = []
+    runs, unfinished = finished_runs([path for path in paths if path not in files])
     for run in runs:
-        same = [g for g in by_settings if not _different([g[0].settings, run.settings])]
-        if same:
-            same[0].append(run)
-        else:
-            by_settings.append([run])
-    groups = [_of_runs(group, episodes) for group in by_settings]
+        # The payoff of one team alone is a single cell.
+        if not run.is_race:
+            raise click.UsageError(
+                f"{run.path}: expected a race, got a run in which one team evolved"
+            )
+    groups = run_groups(runs, unfinished, episodes)
     return [*groups, *(_of_files([path], episodes) for path in files)]
+
+
+def run_groups(
+    runs: Sequence[Result], unfinished: Unfinished, episodes: int | None = None
+) -> list[Group]:
+    """Return finished races in groups that differ in their seed only."""
+    note_groups_without_runs(unfinished, runs)
+    return [_of_runs(group, unfinished, episodes) for group in by_settings(runs)]
 
 
 def one_group(paths: Sequence[Path], episodes: int | None, hint: str = "") -> Group:
@@ -109,7 +140,7 @@ def one_group(paths: Sequence[Path], episodes: int | None, hint: str = "") -> Gr
 
 def _described(groups: Sequence[Group]) -> str:
     """Return a line for each group: the settings in which it differs, and its paths."""
-    names = _different([group.settings for group in groups if group.settings is not None])
+    names = different([group.settings for group in groups if group.settings is not None])
     return "".join(f"\n  {_shown(group.settings, names)}: {group.name}" for group in groups)
 
 
@@ -119,56 +150,26 @@ def _shown(settings: RaceSettings | None, names: Sequence[str]) -> str:
     return ", ".join(f"{name} {getattr(settings, name)}" for name in names) or "settings of a run"
 
 
-def _different(settings: Sequence[Any]) -> list[str]:
-    """Return the names of the fields, but the seed, in which settings differ."""
-    values = [_resolved(each) for each in settings]
-    return [name for name in values[0] if any(v[name] != values[0][name] for v in values)]
+def _of_runs(runs: Sequence[Result], unfinished: Unfinished, episodes: int | None) -> Group:
+    name, missing = name_and_missing(runs, unfinished)
+    return group_of_runs(name, runs, missing, episodes)
 
 
-def _resolved(settings: RaceSettings) -> dict[str, Any]:
-    """Return the fields, but the seed, with the values that a default stands for."""
-    world = settings.world(settings.train_steps)
-    given = {item.name: getattr(settings, item.name) for item in fields(RaceSettings)}
-    del given["seed"]
-    return {
-        **given,
-        "variant": settings.rules,
-        "rows": world.rows,
-        "cols": world.cols,
-        "pursuers": world.n_pursuers,
-        "evaders": world.n_evaders,
-        "learner": settings.learner_name,
-        "overlap_penalty": settings.resolved_overlap_penalty,
-    }
-
-
-def _race(path: Path) -> Result:
-    run = open_result(path)
-    # The payoff of one team alone is a single cell.
-    if not run.is_race:
-        raise click.UsageError(f"{path}: expected a race, got a run in which one team evolved")
-    return run
-
-
-def _of_runs(runs: Sequence[Result], episodes: int | None) -> Group:
-    seeds: dict[int, Path] = {}
-    for run in runs:
-        # Equal settings and seeds give equal runs, which are no independent observations.
-        if run.settings.seed in seeds:
-            raise click.UsageError(
-                f"expected runs with different seeds, got the same run twice: "
-                f"{seeds[run.settings.seed]}, {run.path}"
-            )
-        seeds[run.settings.seed] = run.path
+def group_of_runs(
+    name: str, runs: Sequence[Result], missing: Sequence[int], episodes: int | None = None
+) -> Group:
+    """Return finished races of the same settings as a group."""
     scores = np.stack([run.payoff.capture_rates for run in runs])
+    payoffs = _read(scores, episodes, per_episode=True)
+    settings = cast(RaceSettings, runs[0].settings)  # `groups_of` refuses others
     paths = tuple(run.path for run in runs)
-    settings = cast(RaceSettings, runs[0].settings)  # `_race` refuses others
-    return Group(paths, _read(scores, episodes, per_episode=True), settings)
+    return Group(paths, payoffs, settings, name, tuple(runs), tuple(missing))
 
 
 def _of_files(files: Sequence[Path], episodes: int | None) -> Group:
     # One file may hold several runs, which a list of files may not.
-    return Group(tuple(files), _read(files[0] if len(files) == 1 else list(files), episodes), None)
+    payoffs = _read(files[0] if len(files) == 1 else list(files), episodes)
+    return Group(tuple(files), payoffs, None, ", ".join(map(str, files)))
 
 
 def _read(source: Any, episodes: int | None, *, per_episode: bool = False) -> Payoffs:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
+from functools import partial
 from pathlib import Path
 
 import click
 
-from matrixworld.cli.arguments import failures, run_of
+from matrixworld.cli.arguments import failures, find_runs, run_of
+from matrixworld.cli.clusters import cluster_option, on_cluster
 from matrixworld.cli.console import print_wrapped, progress
 from matrixworld.cli.options import (
     episodes_option,
@@ -19,11 +22,13 @@ from matrixworld.cli.options import (
     threads_option,
     write_json,
 )
-from matrixworld.coevolution import HeldOutScores, SavedRun, Team, open_run, score
+from matrixworld.cli.run_groups import finished_runs, of_seeds
+from matrixworld.cli.seed_scores import LEGEND as SEEDS_LEGEND
+from matrixworld.cli.seed_scores import SCORE, plain_scored, print_scored, scored_groups
+from matrixworld.coevolution import HeldOutScores, Report, SavedRun, Team, open_run, score
 
 ALL = "all"
 LAST = -1
-SCORE = {"pursuer": "capture rate", "evader": "escape rate"}
 LEGEND = (
     "In brackets: 95% interval over the episodes. Runs with other seeds may differ by more. In the "
     "mean every opponent has the same weight."
@@ -40,8 +45,17 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
         raise click.BadParameter(f"expected a generation or {ALL}, got {value!r}") from None
 
 
+def _runs(ctx: click.Context, param: click.Parameter, value: str) -> list[Path]:
+    """Return the run of a directory, or all runs of a job of several seeds."""
+    runs = find_runs(Path(value))
+    if len(runs) > 1 and of_seeds(runs):
+        return runs
+    run = run_of(ctx, param, value)
+    return [] if run is None else [run]
+
+
 @click.command("score")
-@click.argument("run", callback=run_of)
+@click.argument("runs", metavar="RUN", callback=_runs)
 @click.option(
     "--generation",
     default=str(LAST),
@@ -55,8 +69,9 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
 @json_option
 @force_option
 @threads_option
+@cluster_option
 def score_command(
-    run: Path,
+    runs: list[Path],
     generation: int | None,
     episodes: int,
     steps: int | None,
@@ -64,43 +79,79 @@ def score_command(
     json_file: Path | None,
     force: bool,
     threads: int | None,
+    where: str | None,
 ) -> None:
     """Score a run's teams against held-out opponents.
 
     The opponents are scripts of different skill and, in worlds with the default views and actions,
     small networks that come with the package. No run has learnt against them, and with one --seed
-    all runs meet them in the same episodes: runs can be compared. RUN need not be finished.
+    all runs meet them in the same episodes: runs can be compared. RUN need not be finished. Of a
+    job of several seeds (evolve --seeds) the finished ones are scored: mean and interval over the
+    seeds of each group.
+
+    With --cluster the workers of a Dask cluster play blocks of the matches. It pays with
+    --generation all and many episodes. The workers need not see RUN.
     """
     refuse_existing(json_file, force=force)
-    with failures():
-        scores = _play(open_run(run), generation, episodes, steps, seed, threads)
-        _print(scores)
-        teams = {f"{team}s": each.to_json() for team, each in scores.items()}
-        write_json(json_file, {"run": str(run), "seed": seed, **teams})
+    with failures(), on_cluster(where, threads) as executor:
+        play = partial(_play, generation, episodes, steps, seed, threads, executor)
+        if len(runs) == 1:
+            [scores] = _play_all(runs, play).values()
+            _print(scores)
+            teams = {f"{team}s": each.to_json() for team, each in scores.items()}
+            write_json(json_file, {"run": str(runs[0]), "seed": seed, **teams})
+            return
+        finished = [run.path for run in finished_runs(runs)[0]]
+        groups = scored_groups(runs, _play_all(finished, play))
+        for group in groups:
+            print_scored(group)
+        click.echo()
+        print_wrapped(SEEDS_LEGEND)
+        plain = {group.name: plain_scored(group) for group in groups}
+        write_json(json_file, {"seed": seed, "groups": plain})
+
+
+Play = Callable[[SavedRun, Report], dict[Team, HeldOutScores]]
+
+
+def _play_all(paths: Sequence[Path], play: Play) -> dict[Path, dict[Team, HeldOutScores]]:
+    """Score runs one after the other, with one progress for all."""
+    found = {}
+    with progress() as report:
+        for number, path in enumerate(paths):
+            # Runs of a job play about equally many matches.
+            def part(what: str, done: int, total: int, number: int = number) -> None:
+                place = f"[{number + 1}/{len(paths)}] " if len(paths) > 1 else ""
+                report(place + what, number * total + done, len(paths) * total)
+
+            found[path] = play(open_run(path), part)
+    return found
 
 
 def _play(
-    saved: SavedRun,
     generation: int | None,
     episodes: int,
     steps: int | None,
     seed: int,
     threads: int | None,
+    executor: Executor | None,
+    saved: SavedRun,
+    report: Report,
 ) -> dict[Team, HeldOutScores]:
-    with progress() as report:
-        try:
-            return score(
-                saved,
-                generation=generation,
-                episodes=episodes,
-                steps=steps,
-                seed=seed,
-                threads=threads,
-                report=report,
-            )
-        except IndexError as error:
-            # The message begins with "generation", which is an option here.
-            raise click.UsageError(f"--{error}") from error
+    try:
+        return score(
+            saved,
+            generation=generation,
+            episodes=episodes,
+            steps=steps,
+            seed=seed,
+            threads=threads,
+            report=report,
+            executor=executor,
+        )
+    except IndexError as error:
+        # The message begins with "generation", which is an option here.
+        raise click.UsageError(f"--{error}") from error
 
 
 def _print(scores: Mapping[Team, HeldOutScores]) -> None:

@@ -8,6 +8,7 @@ import click
 
 from matrixworld.analysis import Generalization, Judgement, generalization, headline, judge
 from matrixworld.cli.arguments import failures, run_of
+from matrixworld.cli.clusters import cluster_option, on_cluster
 from matrixworld.cli.console import TERMS, progress
 from matrixworld.cli.figures import run_title, save_figure
 from matrixworld.cli.judgements import counts, print_head, print_judgement
@@ -36,6 +37,7 @@ SUFFIX = ".npz"
 @output_option
 @force_option
 @threads_option
+@cluster_option
 def tournament_command(
     run: Path,
     other: Path | None,
@@ -45,6 +47,7 @@ def tournament_command(
     output: Path | None,
     force: bool,
     threads: int | None,
+    where: str | None,
 ) -> None:
     """Play every generation against every other.
 
@@ -54,6 +57,8 @@ def tournament_command(
     The payoff is written to an .npz file, and a heat map beside it (.png). With the seed and the
     evaluation steps of RUN the first episodes of each pair are those of RUN's own payoff. The race
     of a single run is judged.
+
+    With --cluster the workers of a Dask cluster play blocks of the matrix. They need not see RUN.
     """
     with failures():
         ours = open_run(run)
@@ -63,7 +68,7 @@ def tournament_command(
         against = "" if other is None else f"-against-{other.name}"
         name = f"tournament{against}-{episodes}x{steps}-seed{seed}{SUFFIX}"
         target = _checked(output or run / name, force)
-        payoff = _play(ours, theirs, episodes, steps, seed, threads)
+        payoff = _play(ours, theirs, episodes, steps, seed, threads, where)
         # Generations of two runs have no common order in time, and are not judged.
         judgement = judge(payoff.capture_rates, per_episode=True) if other is None else None
         names = run_title(run, ours.settings), run_title(other or run, theirs.settings)
@@ -100,13 +105,19 @@ def _check_worlds(ours: SavedRun, theirs: SavedRun) -> None:
 
 
 def _play(
-    ours: SavedRun, theirs: SavedRun, episodes: int, steps: int, seed: int, threads: int | None
+    ours: SavedRun,
+    theirs: SavedRun,
+    episodes: int,
+    steps: int,
+    seed: int,
+    threads: int | None,
+    where: str | None,
 ) -> Payoff:
     pursuers, evaders = ours.teams["pursuer"], theirs.teams["evader"]
     # A script is one opponent; a team that learned has one for each generation.
     sizes = [len(t.genomes) if isinstance(t, Population) else 1 for t in (pursuers, evaders)]
     total = sizes[0] * sizes[1] * episodes
-    with progress() as report:
+    with on_cluster(where, threads) as executor, progress() as report:
         # The first row may take minutes, and the bar should be there before.
         report("tournament", 0, total)
         return tournament(
@@ -117,6 +128,7 @@ def _play(
             episodes=episodes,
             threads=threads,
             on_row=lambda played: report("tournament", played, total),
+            executor=executor,
         )
 
 

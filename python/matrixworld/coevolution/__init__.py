@@ -10,11 +10,13 @@ A race in a few lines::
 
 ``coevolution.resume("my-race").run()`` continues after an interruption.
 ``coevolution.finish(settings, "my-race")`` starts or continues the race, whichever is needed.
+``coevolution.evolve_many([settings, ...], "my-races")`` does so for many, side by side.
 ``coevolution.open_run("my-race").record(pursuer=30, evader=10)`` plays an episode again.
 
 ====================  ============================================================================
 package or module     contents
 ====================  ============================================================================
+many                  many runs at one call, side by side or on other machines
 runs                  races and other runs: training, checkpoints, evaluation at the end
 evaluation            payoff matrices, and scores against held-out opponents
 storage               run directories, to write and to read
@@ -70,6 +72,16 @@ from matrixworld.coevolution.learners.toolbox import (
     Individual,
     generate_update_toolbox,
 )
+from matrixworld.coevolution.many import (
+    FailedRunsError,
+    JobProgress,
+    LocalExecutor,
+    ProgressBars,
+    RunProgress,
+    StoppedError,
+    WorkerDiedError,
+    evolve_many,
+)
 from matrixworld.coevolution.opponents.registry import (
     ALTERNATING,
     HALL_OF_FAME,
@@ -93,7 +105,12 @@ from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSetti
 from matrixworld.coevolution.settings.training import TrainingSettings
 from matrixworld.coevolution.storage.run_directory import RunDirectory
 from matrixworld.coevolution.storage.run_files import OtherVersionError
-from matrixworld.coevolution.storage.saved_run import SavedRun, last_generation, open_run
+from matrixworld.coevolution.storage.saved_run import (
+    SavedRun,
+    last_generation,
+    open_run,
+    open_runs,
+)
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.files import LockedError
 from matrixworld.reading import DamagedFileError
@@ -113,11 +130,14 @@ __all__ = [
     "DamagedFileError",
     "DisengagementWarning",
     "EvolutionStrategy",
+    "FailedRunsError",
     "GeneticAlgorithm",
     "HallOfFameRace",
     "HeldOutScores",
     "Individual",
+    "JobProgress",
     "Learner",
+    "LocalExecutor",
     "LockedError",
     "Momentum",
     "NoEffectError",
@@ -126,18 +146,22 @@ __all__ = [
     "Payoff",
     "PluginError",
     "ProgressBar",
+    "ProgressBars",
     "Race",
     "RaceSettings",
     "Report",
     "Rollout",
     "Run",
     "RunDirectory",
+    "RunProgress",
     "SavedRun",
     "Schedule",
     "SingleSettings",
     "SingleTeam",
+    "StoppedError",
     "Team",
     "TrainingSettings",
+    "WorkerDiedError",
     "available",
     "best_response",
     "centred_ranks",
@@ -146,6 +170,7 @@ __all__ = [
     "check_sampler",
     "competitive_sharing",
     "evaluation_seed",
+    "evolve_many",
     "finish",
     "fitness",
     "generate_update_toolbox",
@@ -155,6 +180,7 @@ __all__ = [
     "mutate_from_table",
     "mutate_gaussian",
     "open_run",
+    "open_runs",
     "opponents",
     "reduced_virulence",
     "resume",

@@ -11,6 +11,9 @@ lag_profile_curve        mean capture rate by how much later the pursuers are th
 training_curve           capture rate while pursuers and evaders learn in turn
 collision_rates          collisions by team and kind over generations
 comparison               several races side by side, with their judgements and numbers
+seed_bands               bands over seeds: generalisation, Elo rating and lag profile
+verdict_strip            verdicts on each seed, and on all together
+seed_scores              performance profiles and interquartile means of scores of several seeds
 =======================  ==========================================================================
 """
 
@@ -24,8 +27,11 @@ from matrixworld.plots.payoffs import (
     lag_profile_curve,
     payoff_heatmap,
 )
+from matrixworld.plots.seed_scores import seed_scores
+from matrixworld.plots.seeds import seed_bands
 from matrixworld.plots.style import DPI
 from matrixworld.plots.training import collision_rates, training_curve
+from matrixworld.plots.verdicts import verdict_strip
 
 __all__ = [
     "COLORMAP",
@@ -36,5 +42,8 @@ __all__ = [
     "generalization_curves",
     "lag_profile_curve",
     "payoff_heatmap",
+    "seed_bands",
+    "seed_scores",
     "training_curve",
+    "verdict_strip",
 ]

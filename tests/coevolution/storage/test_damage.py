@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import killed
-from command_line import JOB, MAIN_JOB, RACE, matrixworld_command, words
+from command_line import MAIN_JOB, RACE, matrixworld_command, words
 from matrixworld import files
-from matrixworld.cli import jobs, report
+from matrixworld.cli import report
 from matrixworld.cli.console import INTERRUPTED
 from matrixworld.coevolution import (
     DamagedFileError,
@@ -198,7 +198,7 @@ def rewritten(directory, change):
     [
         (lambda config: config.update(format=1), r"expected format 5, got 1"),
         (lambda config: config.update(format=99, matrixworld="9.9"), r"written by matrixworld 9.9"),
-        (lambda config: config.pop("format"), r"expected format 5, got None"),
+        (lambda config: config.pop("format"), r"expected format 6, got None"),
         (lambda config: config["settings"].pop("seed"), r"missing fields \['seed'\]"),
         (lambda config: config["settings"].update(speed=1), r"unknown fields \['speed'\]"),
         (lambda config: config["settings"].update(fitness="beauty"), "fitness: expected one of"),
@@ -282,27 +282,6 @@ def test_a_command_stopped_while_it_makes_a_run_can_be_repeated(straight, tmp_pa
     assert "that holds a run" in matrixworld_command("evolve", "--resume", directory, code=2).stderr
     matrixworld_command(*command)
     assert results(directory) == results(straight)
-
-
-def test_an_incomplete_job_is_refused(tmp_path, monkeypatch):
-    directory = tmp_path / "job"
-    start, left = jobs.start, [1]
-
-    def second_fails(*args, **options):
-        if not left:
-            interrupted()
-        left.pop()
-        return start(*args, **options)
-
-    with monkeypatch.context() as patch:
-        patch.setattr(jobs, "start", second_fails)
-        matrixworld_command("evolve", directory, *words(JOB), code=INTERRUPTED)
-    for command in (["evolve", "--resume", directory], ["evolve", directory, *words(JOB)]):
-        said = matrixworld_command(*command, code=2).stderr
-        assert "was stopped while it created the runs" in said
-    shutil.rmtree(directory)
-    monkeypatch.setattr(report, "draw_comparison", lambda payoffs, path: path)
-    matrixworld_command("evolve", directory, *words(JOB))
 
 
 def interrupted(*args, **options):

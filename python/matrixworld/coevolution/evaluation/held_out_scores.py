@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, cast
@@ -13,6 +14,13 @@ from numpy.typing import NDArray
 from matrixworld.analysis import Estimate, mean_over_episodes
 from matrixworld.checks import check_instance, check_integer, check_threads
 from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
+from matrixworld.coevolution.evaluation.tournament import (
+    BLOCK_SECONDS,
+    Block,
+    Pairs,
+    play_pairs,
+    play_parts,
+)
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.seeding import Phase
 from matrixworld.coevolution.settings.single import SingleSettings
@@ -21,7 +29,7 @@ from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
 from matrixworld.memory import EPISODE, check_memory
 from matrixworld.policy import Population, TeamPolicy
-from matrixworld.rollout import Matches, Rollout, rollout
+from matrixworld.rollout import EpisodeStatistics, Rollout, rollout
 from matrixworld.seeds import match_seed
 from matrixworld.short_repr import short_repr
 
@@ -109,6 +117,8 @@ def score_population(
     threads: int | None = None,
     play: Rollout = rollout,
     on_row: Callable[[int], None] = lambda played: None,
+    executor: Executor | None = None,
+    block_seconds: float = BLOCK_SECONDS,
 ) -> HeldOutScores:
     """Play every genome of a team against every held-out opponent.
 
@@ -137,7 +147,12 @@ def score_population(
     play : callable, optional
         Plays matches: a pure function with the arguments of `matrixworld.rollout`.
     on_row : callable, optional
-        Called after each opponent with the number of episodes played so far.
+        Called after each opponent, or each block, with the number of episodes played so far.
+    executor : concurrent.futures.Executor, optional
+        Plays blocks of the matches, each with `threads` threads, by default one. The result is the
+        same.
+    block_seconds : float, optional
+        About the work of a block.
 
     Returns
     -------
@@ -155,21 +170,22 @@ def score_population(
     check_threads(threads)
     if opponents is None:
         opponents, left_out = fitting_opponents(team, config)
-    columns = []
     count = len(population.genomes)
     # Rates of the opponents so far, and the statistics of one more.
     check_memory("scores", count * episodes * (EPISODE + 2 * RATE * len(opponents)))
-    for number, opponent in enumerate(opponents.values()):
-        matches = _matches(team, count, held_out_seed(seed, team, number))
-        sides = (population, opponent) if team == "pursuer" else (opponent, population)
-        scores = play(config, *sides, matches, worlds=episodes, threads=threads)
-        captured = np.asarray(scores.capture_rate, np.float64)
-        columns.append(captured if team == "pursuer" else 1.0 - captured)
-        on_row(len(columns) * count * episodes)
+    each = [
+        _pairs(config, team, population, opponent, held_out_seed(seed, team, n), episodes, play)
+        for n, opponent in enumerate(opponents.values())
+    ]
+    captured = np.empty((count, len(opponents), episodes))
+    played = 0
+    for (number, genomes), statistics in _played(each, team, threads, executor, block_seconds):
+        captured[genomes, number] = statistics.capture_rate
+        played += statistics.capture_rate.size
+        on_row(played)
+    rates = captured if team == "pursuer" else 1.0 - captured
     numbers = range(count) if generations is None else generations
-    return HeldOutScores(
-        team, tuple(numbers), tuple(opponents), np.stack(columns, axis=1), left_out
-    )
+    return HeldOutScores(team, tuple(numbers), tuple(opponents), rates, left_out)
 
 
 def held_out_seed(seed: int, team: Team, number: int) -> int:
@@ -178,9 +194,53 @@ def held_out_seed(seed: int, team: Team, number: int) -> int:
     return match_seed(seed, TEAMS.index(team), number, int(Phase.HELD_OUT))
 
 
-def _matches(team: Team, count: int, seed: int) -> Matches:
-    each, same = np.arange(count), np.uint64(seed)
-    return Matches.of(each, 0, same) if team == "pursuer" else Matches.of(0, each, same)
+def _pairs(
+    config: WorldConfig,
+    team: Team,
+    population: Population,
+    opponent: TeamPolicy,
+    seed: int,
+    episodes: int,
+    play: Rollout,
+) -> Pairs:
+    """Return the pairs of all genomes with one opponent, all with the same seed."""
+    seeds = np.full(len(population.genomes), seed, dtype=np.uint64)
+    # An opponent is a column for pursuers and a row for evaders.
+    if team == "pursuer":
+        return Pairs(config, population, opponent, seeds[:, None], episodes, play)
+    return Pairs(config, opponent, population, seeds[None, :], episodes, play)
+
+
+Part = tuple[int, slice]
+"""Number of an opponent, and the genomes that meet it."""
+
+
+def _played(
+    each: Sequence[Pairs],
+    team: Team,
+    threads: int | None,
+    executor: Executor | None,
+    block_seconds: float,
+) -> Iterator[tuple[Part, EpisodeStatistics]]:
+    """Yield the statistics of all pairs: opponent by opponent, or in the blocks of an executor."""
+    if executor is None:
+        for number, pairs in enumerate(each):
+            yield (number, slice(None)), play_pairs(pairs, threads)
+        return
+    check_instance("executor", executor, Executor)
+    count = each[0].seeds.size
+    size = max(1, min(count, int(block_seconds / each[0].seconds())))
+    parts = (
+        ((number, genomes), pairs.part(_block(team, genomes)))
+        for number, pairs in enumerate(each)
+        for genomes in (slice(first, first + size) for first in range(0, count, size))
+    )
+    yield from play_parts(parts, executor, threads or 1)
+
+
+def _block(team: Team, genomes: slice) -> Block:
+    only = slice(0, 1)
+    return Block(genomes, only) if team == "pursuer" else Block(only, genomes)
 
 
 def score(
@@ -193,6 +253,7 @@ def score(
     threads: int | None = None,
     play: Rollout = rollout,
     report: Report = silent,
+    executor: Executor | None = None,
 ) -> dict[Team, HeldOutScores]:
     """Score each team that learned in a run against the held-out opponents of its variant.
 
@@ -215,6 +276,8 @@ def score(
         Plays matches: a pure function with the arguments of `matrixworld.rollout`.
     report : callable, optional
         Called with the progress, as in `Run.run`.
+    executor : concurrent.futures.Executor, optional
+        Plays blocks of the matches, as in `score_population`.
 
     Returns
     -------
@@ -251,6 +314,7 @@ def score(
             threads=threads,
             play=play,
             on_row=partial(_report_from, report, played, total, f"{team}s"),
+            executor=executor,
         )
         played += scores[team].matches
     return scores

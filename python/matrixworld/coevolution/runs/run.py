@@ -245,6 +245,7 @@ class Run(ABC, Generic[AnySettings]):
             "stages": self.stage,
             "training_matches": self.training.matches,
             "training_steps": self.training.steps,
+            "training_agent_steps": self.training.agent_steps,
             "evaluation_matches": int(payoff.lengths.size),
         }
 
@@ -276,6 +277,7 @@ class Run(ABC, Generic[AnySettings]):
             "stage": self.stage,
             "matches": self.training.matches,
             "steps": self.training.steps,
+            "agent_steps": self.training.agent_steps,
             "stage_capture_rates": np.array(self.stage_capture_rates, dtype=np.float64),
         }
         for part, stateful in self.stateful_parts().items():
@@ -298,7 +300,8 @@ class Run(ABC, Generic[AnySettings]):
         state = checkpoint.state
         self.stage = int(state["stage"])
         self.stage_capture_rates = state["stage_capture_rates"].tolist()
-        self.training.matches, self.training.steps = int(state["matches"]), int(state["steps"])
+        for counter in ("matches", "steps", "agent_steps"):
+            setattr(self.training, counter, int(state[counter]))
         self.training.rows = []
         for team in TEAMS:
             # In place, because other objects hold these lists.

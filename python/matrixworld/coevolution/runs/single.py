@@ -237,6 +237,12 @@ def _episode_summary(name: str, episodes: ArrayLike, *, most: float) -> dict[str
     }
 
 
+def check_sources(settings: SingleSettings) -> None:
+    """Raise an error unless opponents and start genome can be read and fit; keep nothing."""
+    _opponents(settings, None)
+    _start(settings, None)
+
+
 def _opponents(settings: SingleSettings, given: Population | None) -> TeamPolicy:
     """Return the opponents: those given, a script, or the last generation of a run."""
     if given is None and settings.against in SCRIPTS:

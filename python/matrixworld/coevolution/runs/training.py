@@ -32,8 +32,8 @@ class Training:
 
     Attributes
     ----------
-    matches, steps : int
-        Episodes and world steps played so far.
+    matches, steps, agent_steps : int
+        Episodes, world steps, and steps of living agents played so far.
     rows : list of dict
         Rows of the log, one per epoch, since the last checkpoint.
     """
@@ -45,6 +45,7 @@ class Training:
         self.threads: int | None = threads
         self.matches: int = 0
         self.steps: int = 0
+        self.agent_steps: int = 0
         self.rows: list[Row] = []
         self.rollout: Rollout = play
 
@@ -62,6 +63,7 @@ class Training:
         )
         self.matches += int(scores.length.size)
         self.steps += int(scores.length.sum())
+        self.agent_steps += int(scores.agent_steps.sum())
         return scores
 
     def play_candidates(

@@ -56,7 +56,9 @@ FORMS: dict[str, dict[str, Form]] = {
 MOST = np.finfo(np.float64).max
 """Largest number of a payoff: it is finite."""
 SEVERAL = "; the files are from several moments of the run"
-COUNTS = (STAGES, "training_matches", "training_steps", "evaluation_matches")
+COUNTS = (
+    STAGES, "training_matches", "training_steps", "training_agent_steps", "evaluation_matches",
+)  # fmt: skip
 """Entries of the summary, integers, of every kind of run."""
 MEANS = [f"{name}{end}" for name in ("capture_rate", "length") for end in ("", "_std")]
 ENDS = [f"{name}{end}" for name in ("capture_rate", "length") for end in ("_low", "_high")]

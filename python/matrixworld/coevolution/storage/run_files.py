@@ -47,9 +47,8 @@ from matrixworld.files import json_digest, load_arrays, load_json
 from matrixworld.reading import Arrays, DamagedFileError, one_line
 from matrixworld.version import __version__
 
-# Format 5 differs from 4 in the stage that the archive and the summary state, and in the settings
-# of learners and samplers of one's own.
-FORMAT = 5
+# Format 6 differs from 5 in the agent-steps that checkpoint and summary count.
+FORMAT = 6
 """Version of the directory's layout; another one is refused."""
 
 CONFIG, SUMMARY, LOG, LOCK = "config.json", "summary.json", "log.csv", ".lock"

@@ -247,6 +247,47 @@ def open_run(directory: str | Path) -> SavedRun:
     return SavedRun(files, settings, {team: policy(team) for team in TEAMS})
 
 
+def run_directories(path: Path) -> list[Path]:
+    """Return `path` if it is a run directory, else the run directories one or two levels below."""
+    # config.json is the last file of a new run: without it the run was not completely created.
+    if (path / CONFIG).is_file():
+        return [path]
+    found = [file.parent for file in path.glob(f"*/{CONFIG}")]
+    # A response to a champion lies in its run, and is no run of the job.
+    nested = [file.parent for file in path.glob(f"*/*/{CONFIG}") if file.parents[1] not in found]
+    return [*found, *nested]
+
+
+def open_runs(directory: str | Path, *, finished: bool = True) -> list[SavedRun]:
+    """Return the runs of a job, or of any directory that holds runs.
+
+    Parameters
+    ----------
+    directory : str or Path
+        A run directory, or one with run directories one or two levels below, such as
+        ``<schedule>/seed-<n>``.
+    finished : bool, optional
+        Whether runs that are not finished are left out.
+
+    Returns
+    -------
+    list of SavedRun
+        The runs by schedule or other name, then by seed.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the directory holds no run.
+    DamagedFileError, OtherVersionError
+        As for `open_run`.
+    """
+    paths = run_directories(Path(directory))
+    if not paths:
+        raise FileNotFoundError(f"{directory}: expected a directory that holds runs, got none")
+    runs = [open_run(path) for path in paths if not finished or RunDirectory(path).finished]
+    return sorted(runs, key=lambda run: (run.files.path.parent, run.settings.seed, run.files.path))
+
+
 def _population(files: RunDirectory, team: Team, genomes: Genomes) -> Population:
     """Return genomes of an archive as a population; DamagedFileError if they do not fit."""
     network = archive_network(files, team)

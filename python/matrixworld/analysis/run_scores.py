@@ -1,0 +1,267 @@
+"""Scores of several runs against the same opponents: middle, performance profile, comparison."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from matrixworld.analysis.intervals import (
+    LEVEL,
+    Band,
+    Estimate,
+    band_over_runs,
+    check_level,
+    difference_of_runs,
+    does_not_vary,
+    t_quantile,
+    without_interval,
+)
+from matrixworld.analysis.payoff import Rates, require
+from matrixworld.checks import check_integer
+from matrixworld.short_repr import short_repr
+
+RESAMPLES = 2000
+"""Bootstrap samples of an interquartile mean; the ends of the interval then vary by some percent of
+its width."""
+THRESHOLDS = np.linspace(0.0, 1.0, 101)
+"""Default thresholds of a performance profile, for scores that are rates."""
+TRIMMED = 0.25  # share of the scores that an interquartile mean leaves out at each end
+SEPARATE = "no interval: the scores of the two groups do not overlap"
+
+
+@dataclass(frozen=True, eq=False)
+class PerformanceProfile:
+    """Share of scores above each threshold.
+
+    Parameters
+    ----------
+    thresholds : ndarray of float64, shape (k,)
+        The thresholds.
+    shares : Band
+        Share of the scores of all runs and opponents above each threshold, with its pointwise
+        interval over runs.
+    """
+
+    thresholds: Rates
+    shares: Band
+
+    __repr__ = short_repr
+
+
+def fewest_runs(level: float = LEVEL) -> int:
+    """Return the fewest runs with which the intervals of this module are given.
+
+    Parameters
+    ----------
+    level : float, optional
+        Confidence level, in (0, 1).
+
+    Returns
+    -------
+    int
+        The smallest n with ``2 ** (1 - n) <= 1 - level``: 6 runs at a level of 95 %.
+
+    Notes
+    -----
+    All n runs lie on the same side of the median with probability ``2 ** (1 - n)``. A resample
+    contains only values of these runs, so a bootstrap interval of fewer runs cannot reach the
+    level, whatever its method.
+    """
+    check_level(level)
+    return max(2, math.ceil(1.0 - math.log2(1.0 - level)))
+
+
+def interquartile_mean(
+    scores: ArrayLike, *, level: float = LEVEL, resamples: int = RESAMPLES, seed: int = 0
+) -> Estimate:
+    """Return the mean of the middle half of all scores, with a bootstrap interval over runs.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (runs, opponents)
+        One finite score of each run against each opponent, such as the held-out ones.
+    level : float, optional
+        Confidence level, in (0, 1).
+    resamples : int, optional
+        Bootstrap samples, at least 100.
+    seed : int, optional
+        Seed of the bootstrap.
+
+    Returns
+    -------
+    Estimate
+        The interquartile mean. There is no interval below `fewest_runs`, and if all runs are equal.
+
+    Raises
+    ------
+    ValueError
+        If the shape is another one, scores are not finite, or an option is out of its range.
+
+    Notes
+    -----
+    A quarter of all scores is left out at each end, so single runs that fail and single opponents
+    that are easy count less than in the mean.
+
+    Whole runs are resampled. Agarwal et al. have tasks in place of opponents, and resample each on
+    its own (stratified), because their runs of different tasks are different trainings. Scores of
+    one run against several opponents depend on each other: resampled on their own they would seem
+    more certain than they are. Where they are independent, whole runs are right as well.
+
+    The interval is an expanded percentile interval (Hesterberg): its quantiles are
+    ``Phi(-+sqrt(n / (n - 1)) t)``, with the t quantile of n - 1 degrees of freedom. Plain
+    percentiles are too narrow for few runs.
+
+    References
+    ----------
+    Agarwal et al. (2021), "Deep reinforcement learning at the edge of the statistical precipice",
+    NeurIPS. Hesterberg (2015), "What teachers should know about the bootstrap", The American
+    Statistician 69(4).
+    """
+    array = _check_scores(scores)
+    check_integer("resamples", resamples, 100)
+    check_integer("seed", seed, 0)
+    value, runs = _middle_mean(array), len(array)
+    missing = _too_few(runs, level) or _all_equal(array)
+    if missing:
+        return without_interval(value, runs, missing)
+    rng = np.random.default_rng(seed)
+    drawn = [_middle_mean(array[rng.integers(runs, size=runs)]) for _ in range(resamples)]
+    tail = expanded_tail(runs, level)
+    low, high = np.quantile(drawn, [tail, 1.0 - tail])
+    return Estimate(value, float(low), float(high), "runs", runs)
+
+
+def performance_profile(
+    scores: ArrayLike, thresholds: ArrayLike = THRESHOLDS, *, level: float = LEVEL
+) -> PerformanceProfile:
+    """Return the share of scores above each threshold, with its pointwise interval over runs.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (runs, opponents)
+        One finite score of each run against each opponent.
+    thresholds : array_like of float, shape (k,), optional
+        Thresholds in ascending order. The default is 0, 0.01 ... 1, for rates.
+    level : float, optional
+        Confidence level of each point, in (0, 1).
+
+    Returns
+    -------
+    PerformanceProfile
+        The shares of all runs and opponents. There is no interval below `fewest_runs`.
+
+    Raises
+    ------
+    ValueError
+        If a shape is another one, or values are not finite or not ascending.
+
+    Notes
+    -----
+    Each run has a share: that of the opponents against which it is above the threshold. The profile
+    is the mean over runs, so its interval is that of `band_over_runs`. It is pointwise: a whole
+    curve leaves it more often. Where all runs have the same share it has no width, which is no
+    certainty.
+
+    References
+    ----------
+    Dolan and More (2002), "Benchmarking optimization software with performance profiles". Agarwal
+    et al. (2021), "Deep reinforcement learning at the edge of the statistical precipice".
+    """
+    array, places = _check_scores(scores), np.asarray(thresholds, dtype=np.float64)
+    require(places.ndim == 1 and places.size > 0, "thresholds of shape (k,)", places.shape)
+    require(bool(np.isfinite(places).all()), "finite thresholds", "others")
+    require(bool((np.diff(places) > 0.0).all()), "ascending thresholds", "others")
+    above = (array[:, :, np.newaxis] > places).mean(axis=1)
+    shares = band_over_runs(above, level=level, bounds=(0.0, 1.0))
+    if _too_few(len(array), level):
+        shares = replace(shares, low=None, high=None)
+    return PerformanceProfile(places, shares)
+
+
+def probability_of_improvement(
+    one: ArrayLike, other: ArrayLike, *, level: float = LEVEL
+) -> Estimate:
+    """Return how probably a run of one group scores higher than a run of another group.
+
+    Parameters
+    ----------
+    one : array_like of float, shape (runs, opponents)
+        One finite score of each run against each opponent.
+    other : array_like of float, shape (other_runs, opponents)
+        Scores of the other group against the same opponents.
+    level : float, optional
+        Confidence level, in (0, 1).
+
+    Returns
+    -------
+    Estimate
+        Mean over opponents; equal scores count one half. There is no interval if a group has fewer
+        runs than `fewest_runs`, or if the groups do not overlap.
+
+    Raises
+    ------
+    ValueError
+        If a shape is another one, scores are not finite, or the level is outside (0, 1).
+
+    Notes
+    -----
+    The Mann-Whitney statistic divided by the number of pairs. Each run has a placement, the share
+    of the other group that it beats. The interval is Welch's t interval of the placements (Brunner
+    and Munzel), clipped to [0, 1].
+
+    References
+    ----------
+    Mann and Whitney (1947). Brunner and Munzel (2000), "The nonparametric Behrens-Fisher problem".
+    Agarwal et al. (2021), "Deep reinforcement learning at the edge of the statistical precipice".
+    """
+    first, second = _check_scores(one), _check_scores(other)
+    opponents = first.shape[1]
+    expected = f"scores against the same {opponents} opponents"
+    require(second.shape[1] == opponents, expected, second.shape[1])
+    # Signs of the differences, shape (runs, other runs, opponents): wins 1, ties 1/2, losses 0.
+    wins = (np.sign(first[:, np.newaxis] - second[np.newaxis]) + 1.0) / 2.0
+    beaten, beating = wins.mean(axis=(1, 2)), wins.mean(axis=(0, 2))
+    value, fewest = float(wins.mean()), min(len(first), len(second))
+    missing = _too_few(fewest, level)
+    if not missing and does_not_vary(beaten) and does_not_vary(beating):
+        missing = SEPARATE
+    if missing:
+        return without_interval(value, fewest, missing)
+    # The difference of the means is `value`, because the second mean is 0.
+    return difference_of_runs(beaten, beating - value, level=level, bounds=(0.0, 1.0))
+
+
+def expanded_tail(runs: int, level: float) -> float:
+    """Return the probability below the lower end of an expanded percentile interval."""
+    from scipy.special import ndtr
+
+    return float(ndtr(-math.sqrt(runs / (runs - 1)) * t_quantile(level, runs - 1)))
+
+
+def _middle_mean(scores: Rates) -> float:
+    ordered = np.sort(scores, axis=None)
+    cut = int(TRIMMED * len(ordered))
+    return float(ordered[cut : len(ordered) - cut].mean())
+
+
+def _check_scores(scores: ArrayLike) -> Rates:
+    array = np.asarray(scores, dtype=np.float64)
+    require(array.ndim == 2 and array.size > 0, "scores of shape (runs, opponents)", array.shape)
+    bad = array[~np.isfinite(array)]
+    require(not len(bad), "finite scores", bad[:1])
+    return array
+
+
+def _too_few(runs: int, level: float) -> str:
+    """Return why so few runs have no interval; empty if there are enough."""
+    fewest = fewest_runs(level)
+    return f"no interval below {fewest} runs" if runs < fewest else ""
+
+
+def _all_equal(scores: Rates) -> str:
+    if np.ptp(scores, axis=0).max() > 0.0:
+        return ""
+    return f"no interval: all {len(scores)} runs are equal"

@@ -1,0 +1,216 @@
+"""A job: the runs that were asked for, by the names of their directories, and its file.
+
+The file is written before any run begins. A job that is stopped, even at once, therefore knows the
+runs that have not begun.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from matrixworld.checks import shown
+from matrixworld.coevolution.settings.race import RaceSettings
+from matrixworld.coevolution.settings.single import SingleSettings
+from matrixworld.coevolution.settings.training import settings_from_json, settings_to_json
+from matrixworld.coevolution.storage.run_files import OtherVersionError
+from matrixworld.files import load_json, save_json
+from matrixworld.policy import SCRIPTS
+from matrixworld.reading import one_line
+from matrixworld.version import __version__
+
+JOB = "job.json"
+FORMAT = 1
+"""Version of the file's layout; another one is refused."""
+KINDS: dict[str, type[RaceSettings] | type[SingleSettings]] = {
+    "race": RaceSettings,
+    "single": SingleSettings,
+}
+"""Classes of settings, by their names in files and tasks."""
+NAME = re.compile(r"\w[\w.=+-]*(/\w[\w.=+-]*)?")
+"""Names of runs: relative paths of one or two parts that every system accepts."""
+
+Settings = RaceSettings | SingleSettings
+
+
+@dataclass(frozen=True)
+class Job:
+    """Runs that were asked for together.
+
+    Parameters
+    ----------
+    runs : mapping of str to RaceSettings or SingleSettings
+        Settings of each run, by the path of its directory in that of the job.
+    """
+
+    runs: Mapping[str, Settings]
+
+    def asked(self) -> dict[str, list[int]]:
+        """Return the seeds that were asked for, by schedule or other name of a group of runs."""
+        found: dict[str, list[int]] = {}
+        for name, settings in self.runs.items():
+            found.setdefault(group_of(name, settings), []).append(settings.seed)
+        return found
+
+
+def job_of(settings: Sequence[Settings] | Mapping[str, Settings]) -> Job:
+    """Return the job of these settings, with a name for each run.
+
+    Parameters
+    ----------
+    settings : sequence, or mapping of str, of RaceSettings or SingleSettings
+        The settings, perhaps by name. Without names a race gets ``<schedule>/seed-<n>``, a run of
+        one team ``seed-<n>``.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If there are no settings, two runs have the same name or the same settings, or a name is
+        not the path of a directory.
+    """
+    given: Iterable[tuple[str, Any]] = (
+        settings.items() if isinstance(settings, Mapping) else map(_named, settings)
+    )
+    runs: dict[str, Settings] = {}
+    for name, each in given:
+        if not isinstance(each, (RaceSettings, SingleSettings)):
+            expected = "RaceSettings or SingleSettings"
+            raise TypeError(f"settings: expected {expected}, got {shown(each)}")
+        if name in runs:
+            raise ValueError(
+                f"settings: expected runs of different schedules or seeds, or a name for each, "
+                f"got two of {name}"
+            )
+        runs[name] = _from_anywhere(each)
+    _check_names(runs)
+    _check_different(runs)
+    return Job(runs)
+
+
+def _named(settings: Any) -> tuple[str, Any]:
+    folder = f"{settings.schedule}/" if isinstance(settings, RaceSettings) else ""
+    return f"{folder}seed-{getattr(settings, 'seed', None)}", settings
+
+
+def _check_names(runs: Mapping[str, Settings]) -> None:
+    if not runs:
+        raise ValueError("settings: expected at least one run, got none")
+    for name in runs:
+        if not isinstance(name, str) or not NAME.fullmatch(name) or name == JOB:
+            expected = "names such as sigma-0.1 or sigma-0.1/seed-3"
+            raise ValueError(f"settings: expected {expected}, got {shown(name)}")
+        # A run inside the directory of another one would be one of its files.
+        if "/" in name and name.partition("/")[0] in runs:
+            raise ValueError(f"settings: expected runs beside each other, got {name} in a run")
+
+
+def _check_different(runs: Mapping[str, Settings]) -> None:
+    """Raise ValueError for equal runs, which are no independent observations."""
+    seen: dict[str, str] = {}
+    for name, settings in runs.items():
+        other = seen.setdefault(settings_to_text(settings), name)
+        if other != name:
+            raise ValueError(f"settings: expected different runs, got {other} and {name}, equal")
+
+
+def _from_anywhere(settings: Settings) -> Settings:
+    """Return settings whose paths mean the same in another current directory, as workers have."""
+    if isinstance(settings, RaceSettings):
+        return settings
+    paths = {name: getattr(settings, name) for name in ("against", "start")}
+    absolute: dict[str, Any] = {
+        name: str(Path(path).absolute())
+        for name, path in paths.items()
+        if path is not None and path not in SCRIPTS
+    }
+    return replace(settings, **absolute)
+
+
+def group_of(name: str, settings: Settings) -> str:
+    """Return the name of the runs that differ from a run in their seed only, such as a schedule.
+
+    Parameters
+    ----------
+    name : str
+        Name of the run.
+    settings : RaceSettings or SingleSettings
+        Its settings.
+    """
+    folder, slash, last = name.rpartition("/")
+    if slash:
+        return folder
+    if last == f"seed-{settings.seed}" and isinstance(settings, SingleSettings):
+        return f"{settings.team}s against {Path(settings.against).name}"
+    return last
+
+
+# Settings as text:
+
+
+def settings_to_text(settings: Settings) -> str:
+    """Return the settings of a run as JSON text, from which `settings_from_text` makes them."""
+    kind = "race" if isinstance(settings, RaceSettings) else "single"
+    return json.dumps({"kind": kind, "settings": settings_to_json(settings)})
+
+
+def settings_from_text(text: str) -> Settings:
+    """Return settings equal to those of which `settings_to_text` made the text."""
+    values = json.loads(text)
+    return settings_from_json(KINDS[values["kind"]], values["settings"])
+
+
+# The file:
+
+
+def save_job(directory: Path, job: Job) -> None:
+    """Write the file of a job into its directory."""
+    # Settings that differ in the seed only are written once: 1,000 seeds take 40 kB, not 3 MB.
+    groups: dict[str, dict[str, Any]] = {}
+    for name, settings in job.runs.items():
+        values = json.loads(settings_to_text(settings))
+        seed = values["settings"].pop("seed")
+        key = json.dumps(values, sort_keys=True)
+        groups.setdefault(key, {**values, "seeds": {}})["seeds"][name] = seed
+    head = {"format": FORMAT, "matrixworld": __version__}
+    save_json(directory / JOB, {**head, "groups": list(groups.values())})
+
+
+def open_job(directory: str | Path) -> Job | None:
+    """Return the job of a directory, None if it holds no file of a job.
+
+    Raises
+    ------
+    DamagedFileError
+        If the file is cut or altered.
+    OtherVersionError
+        If it is of another version of the package.
+    """
+    path = Path(directory) / JOB
+    if not path.exists():
+        return None
+    values = load_json(path)
+    if values.get("format") != FORMAT:
+        got = one_line(values.get("format"))
+        raise OtherVersionError(f"{path}: expected format {FORMAT}, got {got}")
+    try:
+        job = Job({name: each for group in values["groups"] for name, each in _runs_in(group)})
+        _check_names(job.runs)
+    except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
+        # The checksum was correct, so that the file is not damaged.
+        raise OtherVersionError(
+            f"{path}: expected settings of matrixworld {__version__}, got those of "
+            f"{one_line(values.get('matrixworld', 'unknown'))}: {one_line(error)}"
+        ) from error
+    return job
+
+
+def _runs_in(group: Mapping[str, Any]) -> list[tuple[str, Settings]]:
+    kind, settings = KINDS[group["kind"]], group["settings"]
+    return [
+        (name, settings_from_json(kind, {**settings, "seed": seed}))
+        for name, seed in group["seeds"].items()
+    ]

@@ -1,0 +1,180 @@
+"""Figure of several seeds: bands over generations."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from numpy.typing import ArrayLike
+
+from matrixworld import analysis, colors
+from matrixworld.analysis import Band, Judgement, RaceBands
+from matrixworld.analysis.payoff import Rates
+from matrixworld.plots.style import (
+    DASHES,
+    fitting,
+    legend_below,
+    new_figure,
+    plain_axis,
+    unit_axis,
+    whole_numbers,
+    wrapped,
+)
+
+GROUPS = 5
+"""The most groups of seeds beside each other; further ones are in rows below."""
+MOST_LINES = 10
+"""With more seeds the single ones are not drawn: their lines would hide the band."""
+WIDEST = 32
+"""Characters of a line above a column."""
+
+
+def seed_bands(
+    payoffs: Mapping[str, Iterable[ArrayLike]],
+    judgements: Mapping[str, Judgement] | None = None,
+    *,
+    title: str | None = None,
+) -> Figure:
+    """Draw how groups of runs went on: means over seeds with 95% bands, a column for each group.
+
+    The rows show generalisation (mean score against all opponents, the strength in verdicts), Elo
+    rating and lag profile. Thin lines are single seeds, if there are at most `MOST_LINES`.
+
+    Parameters
+    ----------
+    payoffs : mapping of str to iterable of array_like of float, shape (n, m)
+        Payoff matrix of each seed, by the name of the group, such as a schedule. Runs may have
+        different numbers of generations.
+    judgements : mapping of str to Judgement, optional
+        Results of :func:`matrixworld.analysis.judge` by the name of the group.
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError
+        If there is no group, or as :func:`matrixworld.analysis.race_bands` does.
+    """
+    if not payoffs:
+        raise ValueError("expected at least one group of runs to draw, got none")
+    lines = -(-len(payoffs) // GROUPS)
+    columns = -(-len(payoffs) // lines)  # rows of equal length: 6 groups are 3 and 3
+    figure = new_figure(1.2 + 3.3 * max(2, columns), 0.8 + 7.8 * lines)
+    grid = figure.subplots(3 * lines, columns, squeeze=False, sharey=False)
+    # One column of three panels for each group, row by row.
+    panels = [[*grid[3 * line : 3 * line + 3, k]] for line, k in np.ndindex(lines, columns)]
+    groups = {name: [analysis.check_payoff(m) for m in each] for name, each in payoffs.items()}
+    ratings = []
+    for column, (name, matrices) in zip(panels, groups.items(), strict=False):
+        ratings.append(_draw_group(column, matrices))
+        _write_head(column[0], name, len(matrices), (judgements or {}).get(name))
+    for column in panels[len(payoffs) :]:
+        for axes in column:
+            axes.remove()
+    _share_scales(panels[: len(payoffs)], columns, ratings)
+    entries = _legend(singles=min(map(len, groups.values())) <= MOST_LINES)
+    legend_below(figure, [*entries.values()], [*entries], columns=2 if columns < 3 else 4)
+    if title:
+        figure.suptitle(fitting(figure, title))
+    return figure
+
+
+def _draw_group(column: Sequence[Axes], matrices: Sequence[Rates]) -> tuple[float, float]:
+    """Draw the three panels of a group; return the limits of the axis of ratings."""
+    bands = analysis.race_bands(matrices)
+    singles = matrices if len(matrices) <= MOST_LINES else []
+    scores, strength, lags = column
+    _draw_teams(
+        scores,
+        (bands.pursuer_generalization, bands.evader_generalization),
+        [analysis.generalization(matrix) for matrix in singles],
+    )
+    _draw_teams(strength, (bands.pursuer_ratings, bands.evader_ratings), map(_points, singles))
+    _draw_lags(lags, bands, singles)
+    for axes in column:
+        axes.xaxis.set_major_locator(whole_numbers(5))
+        axes.margins(x=0.02)
+        plain_axis(axes)
+    unit_axis(scores)
+    unit_axis(lags)
+    return strength.get_ylim()
+
+
+def _points(matrix: Rates) -> tuple[Rates, Rates]:
+    ratings = analysis.elo(matrix)
+    return analysis.ELO_POINTS * ratings.pursuers, analysis.ELO_POINTS * ratings.evaders
+
+
+def _draw_teams(
+    axes: Axes, bands: tuple[Band, Band], singles: Iterable[tuple[Rates, Rates]]
+) -> None:
+    """Draw the curves of both teams: thin ones of single seeds, and their means with bands."""
+    for curves in singles:
+        for curve, color in zip(curves, colors.TEAMS, strict=True):
+            axes.plot(curve, color=color, alpha=0.35, linewidth=0.6)
+    for band, color, style in zip(bands, colors.TEAMS, ("-", DASHES[0]), strict=True):
+        _draw_band(axes, np.arange(len(band.mean)), band, color, style)
+    axes.set_xlabel("generation")
+
+
+def _draw_lags(axes: Axes, bands: RaceBands, singles: Sequence[Rates]) -> None:
+    for matrix in singles:
+        profile = analysis.lag_profile(matrix)
+        axes.plot(profile.lags, profile.means, color=colors.INK, alpha=0.25, linewidth=0.6)
+    _draw_band(axes, bands.lags, bands.lag_profile, colors.INK, "-")
+    axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
+    axes.set_xlabel("lag: pursuer minus\nevader generation")
+
+
+def _draw_band(axes: Axes, places: Any, band: Band, color: str, style: str) -> None:
+    axes.plot(places, band.mean, color=color, linestyle=style, linewidth=1.7)
+    if band.low is not None and band.high is not None:
+        axes.fill_between(places, band.low, band.high, color=color, alpha=0.22, linewidth=0)
+
+
+def _write_head(axes: Axes, name: str, seeds: int, judgement: Judgement | None) -> None:
+    counted = "1 seed: no band" if seeds == 1 else f"{seeds} seeds"
+    found = "" if judgement is None else analysis.headline(judgement)
+    lines = [wrapped(name, WIDEST), counted, *textwrap.wrap(found, WIDEST)]
+    axes.set_title("\n".join(lines), size="medium")
+
+
+def _share_scales(
+    panels: Sequence[Sequence[Axes]], columns: int, ratings: Sequence[tuple[float, float]]
+) -> None:
+    """Give all groups the same scale of ratings, and label the first column only."""
+    low, high = min(low for low, _ in ratings), max(high for _, high in ratings)
+    names = ("mean score", "Elo rating (points)", "mean capture rate")
+    for number, column in enumerate(panels):
+        column[1].set_ylim(low, high)
+        for axes, name in zip(column, names, strict=True):
+            if number % columns == 0:
+                axes.set_ylabel(name)
+            else:
+                axes.tick_params(labelleft=False)
+
+
+def _legend(*, singles: bool) -> dict[str, Artist]:
+    pursuers, evaders = colors.TEAMS
+    entries: dict[str, Artist] = {
+        "pursuers (score: capture rate)": Line2D([], [], color=pursuers, linewidth=1.7),
+        "evaders (score: 1 - capture rate)": Line2D(
+            [], [], color=evaders, linewidth=1.7, linestyle="--"
+        ),
+        "95% interval of the mean over seeds": Patch(color=colors.MUTED, alpha=0.3, linewidth=0),
+    }
+    if singles:
+        entries["single seed"] = Line2D([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6)
+    return entries

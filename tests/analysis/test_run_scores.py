@@ -1,0 +1,124 @@
+"""Interquartile mean, performance profile and probability of improvement, beside references."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from interval_ends import ends
+from matrixworld import analysis
+from matrixworld.analysis.run_scores import expanded_tail
+from rliable_numbers import LEVEL, NUMBERS, ONE, OTHER, TASK, THRESHOLDS
+
+
+def test_values_are_those_of_rliable() -> None:
+    found = [analysis.interquartile_mean(each).value for each in (ONE, OTHER, TASK)]
+    np.testing.assert_allclose(found, NUMBERS["iqm"])
+    profile = analysis.performance_profile(ONE, THRESHOLDS)
+    np.testing.assert_allclose(profile.shares.mean, NUMBERS["profile"])
+    better = analysis.probability_of_improvement(ONE, OTHER).value
+    assert better == pytest.approx(NUMBERS["improvement"])
+    assert analysis.probability_of_improvement(OTHER, ONE).value == pytest.approx(
+        NUMBERS["no_improvement"]
+    )
+
+
+def test_the_bootstrap_of_one_task_is_that_of_rliable() -> None:
+    # With a single task, whole runs and stratified resampling are the same.
+    assert 1.0 - 2.0 * expanded_tail(len(TASK), 0.95) == pytest.approx(LEVEL)
+    found = analysis.interquartile_mean(TASK, resamples=20_000)
+    # The scores have two decimals, so the ends move in steps of 1/600.
+    np.testing.assert_allclose(ends(found), NUMBERS["iqm_ends"], atol=0.01)
+
+
+def test_the_interquartile_mean_is_a_trimmed_mean() -> None:
+    rng = np.random.default_rng(0)
+    for runs, tasks in ((1, 1), (1, 3), (2, 2), (7, 3), (10, 6)):
+        scores = rng.random((runs, tasks))
+        expected = stats.trim_mean(scores, 0.25, axis=None)
+        assert analysis.interquartile_mean(scores).value == pytest.approx(expected)
+
+
+def test_scores_of_one_run_are_resampled_together() -> None:
+    # All tasks of a run have the same score: ten tasks say no more than one.
+    one = np.random.default_rng(1).random((8, 1))
+    low, high = ends(analysis.interquartile_mean(one))
+    lows, highs = ends(analysis.interquartile_mean(np.repeat(one, 10, axis=1)))
+    assert highs - lows == pytest.approx(high - low, rel=0.2)
+
+
+def test_equal_arguments_give_equal_intervals() -> None:
+    assert analysis.interquartile_mean(ONE) == analysis.interquartile_mean(ONE)
+    assert analysis.interquartile_mean(ONE, seed=1) != analysis.interquartile_mean(ONE)
+
+
+def test_few_runs_have_no_interval() -> None:
+    assert [analysis.fewest_runs(level) for level in (0.5, 0.9, 0.95, 0.99)] == [2, 5, 6, 8]
+    for found in (
+        analysis.interquartile_mean(ONE[:5]),
+        analysis.probability_of_improvement(ONE, OTHER[:5]),
+        analysis.probability_of_improvement(ONE[:5], OTHER),
+    ):
+        assert (found.low, found.high) == (None, None)
+        assert (found.note, found.samples) == ("no interval below 6 runs", 5)
+    shares = analysis.performance_profile(ONE[:5]).shares
+    assert (shares.low, shares.high) == (None, None)
+    assert analysis.interquartile_mean(ONE[:6]).low is not None
+    assert analysis.interquartile_mean(ONE[:5], level=0.9).low is not None
+
+
+def test_equal_runs_have_no_interval() -> None:
+    found = analysis.interquartile_mean([[0.2, 0.8, 0.5]] * 7)
+    assert (found.low, found.note) == (None, "no interval: all 7 runs are equal")
+
+
+def test_a_profile_is_the_mean_over_runs_of_their_shares() -> None:
+    profile = analysis.performance_profile(ONE, THRESHOLDS)
+    for k, threshold in enumerate(THRESHOLDS):
+        shares = [np.mean([score > threshold for score in run]) for run in ONE]
+        assert profile.shares.mean[k] == pytest.approx(np.mean(shares))
+        expected = analysis.interval_over_runs(shares, bounds=(0.0, 1.0))
+        if expected.low is not None:
+            assert profile.shares.low is not None
+            assert profile.shares.high is not None
+            got = profile.shares.low[k], profile.shares.high[k]
+            assert got == pytest.approx((expected.low, expected.high))
+    assert len(analysis.performance_profile(ONE).thresholds) == 101
+
+
+def test_the_probability_of_improvement_has_the_interval_of_brunner_and_munzel() -> None:
+    one, other = ONE[:, :1], OTHER[:, :1]
+    found = analysis.probability_of_improvement(one, other)
+    test = stats.brunnermunzel(other.ravel(), one.ravel())
+    # The level at which the interval ends at 1/2 is one minus the p value.
+    at = ends(analysis.probability_of_improvement(one, other, level=1.0 - float(test.pvalue)))
+    assert min(abs(end - 0.5) for end in at) < 1e-9
+    assert ends(found)[0] < found.value < ends(found)[1]
+
+
+def test_groups_that_do_not_overlap_have_no_interval() -> None:
+    found = analysis.probability_of_improvement(ONE + 2.0, ONE)
+    assert (found.value, found.low) == (1.0, None)
+    assert found.note == "no interval: the scores of the two groups do not overlap"
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (
+            lambda: analysis.interquartile_mean([0.1]),
+            r"scores of shape \(runs, opponents\), got \(1,\)",
+        ),
+        (lambda: analysis.interquartile_mean([[np.nan]]), r"finite scores, got \[nan\]"),
+        (lambda: analysis.interquartile_mean([[0.1]], level=1), r"level in \(0, 1\), got 1"),
+        (lambda: analysis.interquartile_mean(ONE, resamples=9), "resamples: expected at least 100"),
+        (lambda: analysis.performance_profile(ONE, [[1]]), r"thresholds of shape \(k,\)"),
+        (lambda: analysis.performance_profile(ONE, [1, 0]), "ascending thresholds"),
+        (lambda: analysis.performance_profile(ONE, [0, np.inf]), "finite thresholds"),
+        (lambda: analysis.probability_of_improvement(ONE, TASK), "the same 5 opponents, got 1"),
+    ],
+)
+def test_bad_input_is_refused(call, message: str) -> None:  # type: ignore[no-untyped-def]
+    with pytest.raises(ValueError, match=message):
+        call()

@@ -1,0 +1,220 @@
+"""``matrixworld evolve --seeds``: layout, what is printed, interruptions and failures."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import click
+import pytest
+
+from command_line import MAIN_JOB, RACE, WORLD, matrixworld_command, words
+from matrixworld.cli import seed_report
+from matrixworld.cli.arguments import find_runs
+from matrixworld.cli.job_progress import JobLines
+from matrixworld.cli.seeds import seeds_of
+from matrixworld.coevolution import JobProgress, RunProgress, finish, open_run
+from matrixworld.coevolution.many.job import open_job
+from tiny_race import results, tiny_race, tiny_single
+
+posix = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
+
+ONE = {name: value for name, value in RACE.items() if name != "seed"}
+ALONE = {name: value for name, value in WORLD.items() if name != "seed"}
+
+
+@pytest.fixture(autouse=True)
+def elsewhere(tmp_path, monkeypatch):
+    """Run commands in a temporary directory."""
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("text", "seeds"),
+    [
+        ("0-9", tuple(range(10))),
+        ("0,3,5-7", (0, 3, 5, 6, 7)),
+        ("4", (4,)),
+        ("7-7", (7,)),
+        ("9,1", (9, 1)),
+        ("007", (7,)),
+        ("9223372036854775807", (2**63 - 1,)),
+        ("0-99999", tuple(range(100_000))),
+    ],
+)
+def test_seeds_that_a_text_names(text, seeds):
+    assert (
+        seeds_of(click.Context(click.Command("evolve")), click.Option(["--seeds"]), text) == seeds
+    )
+
+
+def test_a_directory_for_each_schedule_and_seed():
+    chosen = ["--schedule", MAIN_JOB[0], "--schedule", MAIN_JOB[2]]
+    said = matrixworld_command("evolve", "out", "--seeds", "2,10", *chosen, *words(ONE))
+    names = [f"{name}/seed-{n}" for name in (MAIN_JOB[0], MAIN_JOB[2]) for n in (2, 10)]
+    assert find_runs(Path("out")) == [Path("out") / name for name in names]
+    assert find_runs(Path("out") / MAIN_JOB[2]) == [Path("out") / name for name in names[2:]]
+    assert [*open_job("out").runs] == names
+    finish(tiny_race(seed=10, schedule=MAIN_JOB[2]), "alone")
+    assert results(Path("out") / names[3]) == results(Path("alone"))
+    assert "(4 of 4 runs)" in said.stderr
+    before = {path: path.read_bytes() for path in Path("out").rglob("*.*") if path.is_file()}
+    again = matrixworld_command("evolve", "--resume", "out")
+    assert again.stdout == said.stdout
+    assert {path: path.read_bytes() for path in before} == before
+    refused = matrixworld_command("evolve", "out", "--seeds", "2,10", *chosen, *words(ONE), code=2)
+    assert "matrixworld evolve --resume out continues the run in it" in refused.stderr
+    part = matrixworld_command("evolve", "--resume", f"out/{MAIN_JOB[0]}", code=2)
+    assert "expected a whole job, got a part of it; matrixworld evolve --resume out" in part.stderr
+    added = matrixworld_command("evolve", "--resume", "out", "--seeds", "3", code=2)
+    assert (
+        "expected no settings beside it, because a run keeps its own, got --seeds" in added.stderr
+    )
+
+
+def test_one_team_alone_and_the_default_directory():
+    epochs = ["--epochs", 5, "--archive-every", 2]
+    alone = ["--against", "random", "--team", "evader", *words(ALONE), *epochs]
+    said = matrixworld_command("evolve", "--seeds", "0-1", *alone)
+    assert said.stderr.startswith("Output directory: runs/O-evader-against-random-seeds0-1\n")
+    root = Path("runs/O-evader-against-random-seeds0-1")
+    assert find_runs(root) == [root / "seed-0", root / "seed-1"]
+    finish(tiny_single(seed=1, team="evader"), "alone")
+    assert results(root / "seed-1") == results(Path("alone"))
+
+
+def test_what_is_finished_missing_and_failed_is_reported(monkeypatch):
+    seen = {}
+
+    def keep(results, asked, root, failed, threads):
+        seen.update(seeds=[each.settings.seed for each in results], asked=asked, failed=failed)
+
+    monkeypatch.setattr("matrixworld.cli.evolve.report_seeds", keep)
+    one = ["--schedule", MAIN_JOB[2], *words(ONE)]
+    matrixworld_command("evolve", "out", "--seeds", "0-2", *one)
+    runs = find_runs(Path("out"))
+    (runs[1] / "payoff.npz").write_bytes(b"PK")
+    kept = runs[1] / "config.json"
+    said = matrixworld_command("evolve", "--resume", "out", code=1)
+    assert f"Error: 1 of 3 runs failed:\n  {runs[1]}: " in said.stderr
+    assert "payoff.npz: cut or altered" in said.stderr
+    assert "To try them again:\n  matrixworld evolve --resume out\n" in said.stderr
+    assert seen["seeds"] == [0, 2]
+    assert seen["asked"] == {MAIN_JOB[2]: [0, 1, 2]}
+    assert list(seen["failed"]) == [runs[1]]
+    # Results follow from the other files: without the damaged one they are made again.
+    (runs[1] / "payoff.npz").unlink()
+    matrixworld_command("evolve", "--resume", "out")
+    assert seen["seeds"] == [0, 1, 2]
+    assert not seen["failed"]
+    kept.write_text(kept.read_text()[:-9])
+    said = matrixworld_command("evolve", "--resume", "out", code=1)
+    assert "config.json" in said.stderr
+
+
+def process_of(*args):
+    """Start a command in a process of its own."""
+    return subprocess.Popen(
+        [sys.executable, "-m", "matrixworld", "evolve", *map(str, args)],
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+        # In a background job SIGINT may be ignored, and child processes inherit that.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+        start_new_session=True,
+    )
+
+
+def wait_for(found, seconds=120.0):
+    """Wait until something is found."""
+    deadline = time.monotonic() + seconds
+    while not found():
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+
+
+def group_exists(number):
+    """Return whether a group of processes has any left."""
+    try:
+        os.killpg(number, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+LONGER = {**ONE, "generations": 20, "pursuer_epochs": 40, "evader_epochs": 40}
+
+
+@posix
+def test_ctrl_c_in_a_terminal_says_how_to_continue_and_leaves_no_process():
+    process = process_of("out", "--seeds", "0-2", "--schedule", MAIN_JOB[0], *words(LONGER))
+    wait_for(lambda: len(list(Path("out").glob("*/*/log.csv"))) >= 1)
+    os.killpg(process.pid, signal.SIGINT)  # a terminal sends it to all processes
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "matrixworld evolve --resume out\n" in errors
+    assert "Traceback" not in errors
+    wait_for(lambda: not group_exists(process.pid), seconds=10.0)
+    assert {path.name for path in Path("out").iterdir()} == {MAIN_JOB[0], "job.json", ".lock"}
+
+
+@posix
+def test_killed_at_some_moments_and_resumed_ends_the_same(monkeypatch):
+    """After the file of the job, in the first runs, and in the last one."""
+    monkeypatch.setattr(seed_report, "report_seeds", lambda *args, **options: None)
+    moments = [
+        lambda: Path("out/job.json").exists(),
+        lambda: len(list(Path("out").glob("*/*/log.csv"))) >= 1,
+        lambda: len(list(Path("out").glob("*/*/summary.json"))) >= 1,
+    ]
+    shorter = {**LONGER, "generations": 4}
+    command = ["out", "--seeds", "0-2", "--schedule", MAIN_JOB[0], *words(shorter)]
+    for moment in moments:
+        process = process_of(*command)
+        wait_for(lambda moment=moment, process=process: moment() or process.poll() is not None)
+        process.kill()
+        process.communicate()
+        command = ["--resume", "out"]
+    matrixworld_command("evolve", "--resume", "out")
+    settings = tiny_race(**{**shorter, "hidden": (4,)}, schedule=MAIN_JOB[0], seed=1)
+    assert open_run(f"out/{MAIN_JOB[0]}/seed-1").settings == settings
+    finish(settings, "straight")
+    assert results(Path(f"out/{MAIN_JOB[0]}/seed-1")) == results(Path("straight"))
+
+
+def test_runs_that_were_put_together_by_hand_are_continued(tmp_path):
+    for seed in (0, 1):
+        finish(tiny_race(seed=seed), f"mine/{seed}")
+    Path("mine/1/summary.json").unlink()
+    before = Path("mine/0/summary.json").read_bytes()
+    said = matrixworld_command("evolve", "--resume", "mine").stdout
+    assert Path("mine/1/summary.json").exists()
+    assert Path("mine/0/summary.json").read_bytes() == before
+    assert not Path("mine/job.json").exists()
+    assert "1 of 1 seeds finished" in said
+
+
+def test_progress_as_lines(capsys):
+    lines = JobLines(sys.stderr)
+    for done in range(0, 101, 5):
+        running = {"seed-1": RunProgress("generation 1", done, 200, 0)}
+        lines(JobProgress(running, 1, 1 if done > 50 else 0, 4, done, 100, 0))
+    said = capsys.readouterr().err.splitlines()
+    assert len(said) == 10
+    first = r" 10%  10 of 100 matches, .* left \(1 of 4 runs, seed-1 5%\)"
+    assert re.fullmatch(first, said[0])
+    assert "(1 of 4 runs, 1 failed, seed-1 50%)" in said[-1]
+
+
+def test_the_file_of_a_job_is_plain_json():
+    matrixworld_command("evolve", "out", "--seeds", "3", "--schedule", MAIN_JOB[0], *words(ONE))
+    [group] = json.loads(Path("out/job.json").read_text())["groups"]
+    assert group["seeds"] == {f"{MAIN_JOB[0]}/seed-3": 3}
+    assert group["settings"]["schedule"] == MAIN_JOB[0]
+    assert "seed" not in group["settings"]

@@ -1,0 +1,192 @@
+"""Races and tournaments on a real Dask cluster, whose workers and scheduler are killed and frozen.
+
+Each test gets the workers that it asks for, in processes of their own.
+"""
+
+from __future__ import annotations
+
+import operator
+import os
+import signal
+import threading
+import time
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from dask_cluster import DaskCluster, dask_cluster, wait_until
+from matrixworld import coevolution
+from matrixworld.cluster import ClusterLostError, cluster
+from matrixworld.coevolution import (
+    FailedRunsError,
+    RaceSettings,
+    WorkerDiedError,
+    evolve_many,
+    finish,
+    tournament,
+)
+from tiny_race import results, tiny_race
+
+pytest.importorskip("distributed")
+
+SLOW = {"learner": "worker_code:Slow", "generations": 4}
+
+
+@pytest.fixture(scope="module")
+def dask(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DaskCluster]:
+    with dask_cluster(tmp_path_factory.mktemp("dask"), workers=0) as running:
+        yield running
+
+
+def races(count: int, **changes: Any) -> dict[str, RaceSettings]:
+    """Settings of races by name."""
+    return {f"race-{seed}": tiny_race(seed=seed, **changes) for seed in range(count)}
+
+
+def check_equal(directory: Path, settings: dict[str, RaceSettings], alone: Path) -> None:
+    """All races have the bytes that they have without a cluster."""
+    for name, each in settings.items():
+        finish(each, alone / name, threads=1)
+        assert results(directory / name) == results(alone / name), name
+
+
+def in_background(play: Callable[[], Any]) -> Future[Any]:
+    """The result of a function that runs in another thread."""
+    future: Future[Any] = Future()
+
+    def run() -> None:
+        try:
+            future.set_result(play())
+        except BaseException as error:  # noqa: BLE001, raised by the future
+            future.set_exception(error)
+
+    threading.Thread(target=run, daemon=True).start()
+    return future
+
+
+def have_begun(directory: Path, count: int) -> Callable[[], bool]:
+    """Whether so many races have begun to learn."""
+    return lambda: len(list(directory.glob("*/log.csv"))) >= count
+
+
+def test_races_equal_those_of_one_process(dask: DaskCluster, tmp_path: Path) -> None:
+    dask.workers(2)
+    settings = races(4)
+    with cluster(str(dask.file), directory=tmp_path / "many") as executor:
+        runs = evolve_many(settings, tmp_path / "many", executor=executor)
+    assert [run.files.path.name for run in runs] == list(settings)
+    check_equal(tmp_path / "many", settings, tmp_path / "alone")
+    assert not list((tmp_path / "many").glob(".*.tmp"))
+
+
+def test_a_tournament_equals_that_of_one_process(dask: DaskCluster, tmp_path: Path) -> None:
+    dask.workers(2)
+    run = finish(tiny_race(generations=5), tmp_path / "run", threads=1)
+    world = run.settings.world(12)
+    sides = run.teams["pursuer"], run.teams["evader"]
+    alone = tournament(world, *sides, seed=3, episodes=4, threads=1)
+    with cluster(dask.address) as executor:
+        shared = tournament(
+            world, *sides, seed=3, episodes=4, executor=executor, block_seconds=1e-9
+        )
+    for name, array in alone.arrays().items():
+        np.testing.assert_array_equal(array, shared.arrays()[name], strict=True)
+
+
+def test_errors_of_the_work_come_back(dask: DaskCluster) -> None:
+    dask.workers(2)
+    with cluster(dask.address) as executor:
+        wrong = executor.submit(operator.truediv, 1, 0)
+        right = [executor.submit(operator.add, 1, number) for number in range(20)]
+        assert [each.result() for each in right] == list(range(1, 21))
+        with pytest.raises(ZeroDivisionError):
+            wrong.result()
+    with pytest.raises(RuntimeError, match="submit: expected an executor that is not shut down"):
+        executor.submit(operator.add, 1, 2)
+
+
+def test_a_killed_worker_is_replaced_by_another(dask: DaskCluster, tmp_path: Path) -> None:
+    first, _ = dask.workers(2)
+    settings, place = races(4, **SLOW), tmp_path / "many"
+    with cluster(dask.address, directory=place) as executor:
+        played = in_background(lambda: evolve_many(settings, place, executor=executor))
+        wait_until(have_begun(place, 2), "two races")
+        dask.kill(first)
+        dask.workers(2)
+        assert len(played.result()) == len(settings)
+    check_equal(place, settings, tmp_path / "alone")
+
+
+def test_a_frozen_worker_does_no_harm(dask: DaskCluster, tmp_path: Path) -> None:
+    first, _ = dask.workers(2)
+    settings, place = races(3, **SLOW), tmp_path / "many"
+    with cluster(dask.address, directory=place) as executor:
+        played = in_background(lambda: evolve_many(settings, place, executor=executor))
+        wait_until(have_begun(place, 2), "two races")
+        first.send_signal(signal.SIGSTOP)
+        # It still holds the lock of its race when the scheduler has given it up.
+        wait_until(lambda: dask.given_up(first), "loss of the worker")
+        time.sleep(1)
+        assert not played.done()
+        first.send_signal(signal.SIGCONT)
+        assert len(played.result()) == len(settings)
+    check_equal(place, settings, tmp_path / "alone")
+    wait_until(lambda: first.poll() is not None, "end of the worker that was given up")
+
+
+def test_a_race_that_kills_workers_is_named(dask: DaskCluster, tmp_path: Path) -> None:
+    dask.workers(3)
+    place = tmp_path / "many"
+    good = races(4, **SLOW)
+    settings = {"deadly": tiny_race(learner="worker_code:Deadly"), **good}
+    with (
+        cluster(dask.address, directory=place) as executor,
+        pytest.raises(FailedRunsError, match="deadly: 2 workers died") as error,
+    ):
+        evolve_many(settings, place, executor=executor)
+    [(path, reason)] = error.value.failures.items()
+    assert path == place / "deadly"
+    assert isinstance(reason, WorkerDiedError)
+    assert len(error.value.finished) == len(good)
+    check_equal(place, good, tmp_path / "alone")
+
+
+def test_interrupted_tasks_stop_and_continue(dask: DaskCluster, tmp_path: Path) -> None:
+    dask.workers(2)
+    settings, place = races(3, **{**SLOW, "generations": 8}), tmp_path / "many"
+
+    def interrupt(progress: coevolution.JobProgress) -> None:
+        if have_begun(place, 1)():
+            raise KeyboardInterrupt
+
+    with cluster(dask.address, directory=place) as executor:
+        with pytest.raises(KeyboardInterrupt):
+            evolve_many(settings, place, executor=executor, report=interrupt)
+        # Both workers are free again: no task goes on behind the back of its job.
+        began = time.monotonic()
+        assert executor.submit(operator.add, 1, 2).result() == 3
+        assert time.monotonic() - began < 5
+        assert len(list(place.glob("*/summary.json"))) < len(settings)
+        evolve_many(settings, place, executor=executor)
+    check_equal(place, settings, tmp_path / "alone")
+
+
+def test_a_vanished_cluster_leaves_files_to_continue(tmp_path: Path) -> None:
+    settings, place = races(3, **SLOW), tmp_path / "many"
+    with dask_cluster(tmp_path / "dask", workers=2) as dask:
+        with cluster(dask.address, directory=place) as executor:
+            played = in_background(lambda: evolve_many(settings, place, executor=executor))
+            wait_until(have_begun(place, 2), "two races")
+            os.kill(dask.scheduler.pid, signal.SIGKILL)
+            with pytest.raises(ClusterLostError, match="the scheduler tcp://.* was lost"):
+                played.result()
+            with pytest.raises(ClusterLostError):
+                executor.submit(operator.add, 1, 2)
+        # Workers without a scheduler end by themselves.
+        wait_until(lambda: not dask.left(), "end of all workers")
+    evolve_many(settings, place, threads=1)
+    check_equal(place, settings, tmp_path / "alone")

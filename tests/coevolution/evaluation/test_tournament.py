@@ -1,0 +1,115 @@
+"""Tournaments in blocks, which an executor plays anywhere, are equal to those of one process."""
+
+from __future__ import annotations
+
+import multiprocessing
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+from matrixworld.coevolution import tournament
+from matrixworld.coevolution.evaluation.tournament import Pairs, _block_size, _blocks
+from matrixworld.coevolution.learners.registry import untrained
+from matrixworld.policy import Population
+from matrixworld.rollout import rollout
+from tiny_race import tiny_race
+
+SETTINGS = tiny_race()
+
+
+def population(team, count):
+    """Return so many different genomes."""
+    return Population(untrained(SETTINGS, team, count), SETTINGS.network)
+
+
+def played(pursuers=None, **options):
+    """Return the payoff of a small tournament, as bytes by name."""
+    sides = pursuers or population("pursuer", 7), population("evader", 5)
+    world = SETTINGS.world(12)
+    payoff = tournament(world, *sides, seed=3, episodes=4, first=(2, 1), **options)
+    return {
+        name: (array.dtype, array.shape, array.tobytes()) for name, array in payoff.arrays().items()
+    }
+
+
+class Backwards(Executor):
+    """Does its tasks when all are there, the last one first."""
+
+    def __init__(self, tasks):
+        self.tasks, self.left = [], tasks
+
+    def submit(self, fn, /, *args, **kwargs):
+        future = Future()
+        self.tasks.append((future, fn, args))
+        self.left -= 1
+        if not self.left:
+            for waiting, call, given in reversed(self.tasks):
+                waiting.set_result(call(*given))
+        return future
+
+
+@pytest.mark.parametrize("pairs", [1, 2, 3, 5, 6, 9, 10, 12, 34, 35, 1000])
+def test_blocks_of_any_size_give_the_same_bytes(pairs, monkeypatch):
+    monkeypatch.setattr(Pairs, "seconds", lambda self: 1.0)
+    counts = []
+    with ThreadPoolExecutor(2) as executor:
+        found = played(executor=executor, block_seconds=pairs, on_row=counts.append)
+    assert found == played()
+    assert counts == sorted(counts)
+    assert counts[-1] == 7 * 5 * 4
+
+
+def test_the_order_of_the_blocks_does_not_matter(monkeypatch):
+    monkeypatch.setattr(Pairs, "seconds", lambda self: 1.0)
+    assert played(executor=Backwards(7 * 5), block_seconds=1) == played()
+
+
+def test_other_processes_and_scripts():
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(1, mp_context=context) as executor:
+        assert played(executor=executor, block_seconds=1e-9) == played()
+        one = {"pursuers": "hunter"}
+        assert played(executor=executor, **one) == played(**one)
+
+
+@pytest.mark.parametrize("size", [(1, 1), (1, 50), (50, 1), (31, 31), (7, 300)])
+@pytest.mark.parametrize("pairs", [0.01, 1, 7, 40, 1e9])
+def test_blocks_cover_the_matrix_once_and_are_about_as_large_as_asked(size, pairs):
+    counts = np.zeros(size, int)
+    shape = _block_size(size, pairs)
+    for block in _blocks(size, shape):
+        counts[block] += 1
+    assert (counts == 1).all()
+    most = max(1, min(pairs, size[0] * size[1]))
+    assert most / 2 < shape[0] * shape[1] <= most or shape == (1, 1)
+
+
+def test_the_measured_block_takes_about_the_time_asked_for():
+    sides = population("pursuer", 31), population("evader", 31)
+    seeds = np.zeros((31, 31), np.uint64)
+    pairs = Pairs(SETTINGS.world(500), *sides, seeds, 10, rollout)
+    assert 1e-6 < pairs.seconds() < 0.1
+
+
+def test_an_error_of_a_block_is_raised_and_the_others_are_cancelled():
+    futures = []
+
+    class Keeps(Executor):
+        def submit(self, fn, /, *args, **kwargs):
+            future = Future()
+            futures.append(future)
+            if len(futures) == 2:
+                future.set_exception(ZeroDivisionError("no luck"))
+            return future
+
+    with pytest.raises(ZeroDivisionError, match="no luck"):
+        played(executor=Keeps(), block_seconds=1e-9)
+    assert len(futures) == 35
+    assert all(future.cancelled() for future in futures[:1] + futures[2:])
+
+
+@pytest.mark.parametrize("bad", [{"executor": 3}, {"block_seconds": 0}, {"block_seconds": -1.0}])
+def test_bad_arguments(bad):
+    with pytest.raises((TypeError, ValueError), match=next(iter(bad))):
+        played(**bad)

@@ -1,0 +1,441 @@
+"""Many runs at one call: the same bytes as one by one, whatever happens to them."""
+
+from __future__ import annotations
+
+import sys
+import threading
+import time
+import warnings
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
+
+import pytest
+
+from matrixworld.coevolution import (
+    DamagedFileError,
+    DisengagementWarning,
+    FailedRunsError,
+    LocalExecutor,
+    LockedError,
+    StoppedError,
+    WorkerDiedError,
+    evolve_many,
+    finish,
+    open_run,
+    start,
+)
+from matrixworld.coevolution.many import evolve_many as function
+from matrixworld.coevolution.many.job import JOB, job_of, open_job, save_job
+from matrixworld.coevolution.many.run_progress import PROGRESS, RunProgress, write_progress
+from matrixworld.coevolution.many.stop_mark import MARK, StopMark
+from matrixworld.files import LockedError as _Locked
+from tiny_race import directory_in_memory, results, tiny_race, tiny_single
+
+posix = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
+
+SETTINGS = [
+    tiny_race(seed=1),
+    tiny_race(seed=2),
+    tiny_race(seed=1, schedule="hall-of-fame", contemporaries=1, hall_sample=1),
+    tiny_race(seed=3, learner="cma"),
+    tiny_single(seed=1, team="evader", learner="ga"),
+]
+LONG = {"generations": 20, "pursuer_epochs": 50, "evader_epochs": 50}
+
+
+@pytest.fixture
+def tmp_path():
+    """A directory for many files, which are all synced."""
+    with directory_in_memory() as directory:
+        yield directory
+
+
+@pytest.fixture(scope="module")
+def straight():
+    """All files that `finish` makes of each of the settings, by name of the run."""
+    with directory_in_memory() as directory:
+        jobs = job_of(SETTINGS).runs
+        for name, settings in jobs.items():
+            finish(settings, directory / name, threads=1)
+        yield {name: files_in(directory / name) for name in jobs}
+
+
+def files_in(directory):
+    """Return all files of a run directory, but the lock."""
+    return {path.name: path.read_bytes() for path in directory.iterdir() if path.name != ".lock"}
+
+
+def check_equal(directory, straight):
+    """Compare all runs of a job, and what lies beside them."""
+    assert {name: files_in(directory / name) for name in straight} == straight
+    tops = {name.partition("/")[0] for name in straight}
+    assert {path.name for path in directory.iterdir()} == {*tops, JOB, ".lock"}
+
+
+class Reversed(Executor):
+    """Does its tasks in a thread each, one after the other, the last one first."""
+
+    def __init__(self, count):
+        self.tasks, self.left = [], count
+
+    def submit(self, fn, /, *args, **kwargs):
+        future = Future()
+        self.tasks.append((future, fn, args))
+        self.left -= 1
+        if not self.left:
+            threading.Thread(target=self.work).start()
+        return future
+
+    def work(self):
+        for future, fn, args in reversed(self.tasks):
+            future.set_result(fn(*args))
+
+
+@pytest.mark.parametrize("kind", ["one thread", "two threads", "last first"])
+def test_files_are_those_of_runs_one_by_one(kind, straight, tmp_path):
+    kinds = {
+        "one thread": lambda: ThreadPoolExecutor(1),
+        "two threads": lambda: ThreadPoolExecutor(2),
+        "last first": lambda: Reversed(len(SETTINGS)),
+    }
+    runs = evolve_many(SETTINGS, tmp_path / "job", executor=kinds[kind]())
+    assert [run.settings for run in runs] == SETTINGS
+    check_equal(tmp_path / "job", straight)
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_worker_processes_give_the_same_files(threads, straight, tmp_path):
+    seen = []
+    runs = evolve_many(SETTINGS, tmp_path / "job", threads=threads, report=seen.append)
+    assert [run.settings for run in runs] == SETTINGS
+    check_equal(tmp_path / "job", straight)
+    assert seen[0].asked == len(SETTINGS)
+    assert (seen[0].finished, seen[-1].finished) == (0, len(SETTINGS))
+    assert seen[-1].done == seen[-1].total
+    assert not seen[-1].running
+
+
+def test_finished_runs_are_only_opened(straight, tmp_path):
+    first = evolve_many(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
+
+    class Unused(Executor):
+        def submit(self, fn, /, *args, **kwargs):
+            raise AssertionError
+
+    again = evolve_many(SETTINGS, tmp_path, executor=Unused())
+    assert [run.files.path for run in again] == [run.files.path for run in first]
+    check_equal(tmp_path, straight)
+
+
+def test_the_job_knows_all_runs_before_any_begins(tmp_path):
+    class Refuses(Executor):
+        def submit(self, fn, /, *args, **kwargs):
+            raise RuntimeError("no workers")
+
+    with pytest.raises(RuntimeError, match="no workers"):
+        evolve_many(SETTINGS, tmp_path / "job", executor=Refuses())
+    assert [*open_job(tmp_path / "job").runs.values()] == SETTINGS
+    assert {path.name for path in (tmp_path / "job").iterdir()} == {JOB, ".lock"}
+
+
+# Stopping
+
+
+def stop_at(share):
+    """Return a report that presses Ctrl-C when a run is so far."""
+
+    def report(progress):
+        if any(each.share >= share for each in progress.running.values()):
+            raise KeyboardInterrupt
+
+    return report
+
+
+@pytest.mark.parametrize("kind", ["threads", "processes"])
+def test_ctrl_c_ends_all_runs_within_a_second_and_the_same_call_continues(kind, tmp_path):
+    settings = [tiny_race(seed=seed, **LONG) for seed in range(3)]
+    options = {"executor": ThreadPoolExecutor(2)} if kind == "threads" else {"threads": 2}
+    stopped = []
+
+    def report(progress):
+        if any(each.share > 0.2 for each in progress.running.values()):
+            stopped.append(time.monotonic())
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        evolve_many(settings, tmp_path / "job", report=report, **options)
+    # Half a second to the next look, an epoch, and the end of the workers.
+    assert time.monotonic() - stopped[0] < 2.5
+    paths = [tmp_path / "job" / name for name in job_of(settings).runs]
+    begun = [path for path in paths if (path / "config.json").exists()]
+    assert 1 <= len(begun) <= 2
+    assert not (tmp_path / "job" / MARK).exists()
+    with open_run(begun[0]).files.lock():
+        assert 0 < len(open_run(begun[0]).files.archive()["pursuer"]) < 21
+    for path in begun[0], tmp_path / "straight":
+        finish(settings[paths.index(begun[0])], path, threads=1)
+    assert results(begun[0]) == results(tmp_path / "straight")
+
+
+def test_a_stop_of_an_earlier_start_does_not_stop_a_later_one(tmp_path):
+    old = StopMark.start(tmp_path)
+    assert old.stands()
+    new = StopMark.start(tmp_path)
+    assert new.stands()
+    assert not old.stands()
+    old.stop()
+    assert new.stands()
+    new.stop()
+    assert not new.stands()
+    with pytest.raises(StoppedError, match="was stopped, or started again"):
+        new.check()
+
+
+def test_tasks_that_an_earlier_start_left_behind_end_and_the_later_start_waits(tmp_path):
+    """As after the death of a program whose workers are on other machines."""
+    settings = [tiny_race(seed=1, **LONG)]
+    pool = ThreadPoolExecutor(1)
+    left: list[Future] = []
+
+    class Leaves(Executor):
+        def submit(self, fn, /, *args, **kwargs):
+            left.append(pool.submit(fn, *args, **kwargs))
+            return left[-1]
+
+    stand = StopMark.stop
+    try:
+        StopMark.stop = lambda self: None
+        with pytest.raises(KeyboardInterrupt):
+            evolve_many(settings, tmp_path / "job", executor=Leaves(), report=stop_at(0.0))
+    finally:
+        StopMark.stop = stand
+    assert left[0].running()
+    [run] = evolve_many(settings, tmp_path / "job", executor=ThreadPoolExecutor(1))
+    with pytest.raises(StoppedError):
+        left[0].result()
+    finish(settings[0], tmp_path / "straight", threads=1)
+    assert results(run.files.path) == results(tmp_path / "straight")
+
+
+def test_a_job_is_played_by_one_process_at_a_time(tmp_path):
+    seen = []
+
+    def report(progress):
+        with pytest.raises(LockedError, match="another process is running there"):
+            evolve_many(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
+        seen.append(progress)
+
+    evolve_many(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1), report=report)
+    assert seen
+
+
+# Failures
+
+
+def failures_of(settings, directory, **options):
+    """Return the failures of a job by name of the run, and the directories of the finished runs."""
+    with pytest.raises(FailedRunsError) as raised:
+        evolve_many(settings, directory, **options)
+    error = raised.value
+    names = {path.relative_to(directory).as_posix(): each for path, each in error.failures.items()}
+    assert str(error).startswith(f"{len(names)} runs failed:\n")
+    for path in error.failures:
+        assert f"\n{path}: " in str(error)
+    return names, [run.files.path.relative_to(directory).as_posix() for run in error.finished]
+
+
+def test_damaged_and_foreign_runs_are_named_and_the_others_finish(straight, tmp_path):
+    job = job_of(SETTINGS)
+    save_job(tmp_path, job)
+    cut, foreign, altered, *others = job.runs
+    start(job.runs[cut], tmp_path / cut)
+    for name in ("checkpoint", "archive"):
+        (tmp_path / cut / f"{name}.npz").write_bytes(b"PK")
+    finish(tiny_race(seed=77), tmp_path / foreign)
+    finish(job.runs[altered], tmp_path / altered)
+    (tmp_path / altered / "payoff.npz").write_bytes(b"PK")
+    before = {name: files_in(tmp_path / name) for name in (foreign, altered)}
+    failures, finished = failures_of(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
+    # The payoff of a finished run is read when somebody asks for it.
+    assert {*failures} == {cut, foreign}
+    assert isinstance(failures[cut], DamagedFileError)
+    assert "expected a run of RaceSettings" in str(failures[foreign])
+    assert {name: files_in(tmp_path / name) for name in (foreign, altered)} == before
+    assert finished == [altered, *others]
+    assert {name: files_in(tmp_path / name) for name in others} == {n: straight[n] for n in others}
+
+
+def test_a_locked_run_is_waited_for_with_a_limit(straight, tmp_path):
+    job = job_of(SETTINGS)
+    save_job(tmp_path, job)
+    held = next(iter(job.runs))
+    run = start(job.runs[held], tmp_path / held)
+    with run.files.lock():
+        began = time.monotonic()
+        failures, finished = failures_of(
+            SETTINGS, tmp_path, executor=ThreadPoolExecutor(2), lock_wait=1.0
+        )
+        assert 1.0 <= time.monotonic() - began < 20.0
+    assert {*failures} == {held}
+    assert isinstance(failures[held], _Locked)
+    assert "another process is running there" in str(failures[held])
+    assert len(finished) == len(SETTINGS) - 1
+    lock = run.files.lock()
+    lock.__enter__()
+    threading.Timer(1.0, lock.__exit__, (None, None, None)).start()
+    evolve_many(SETTINGS, tmp_path, executor=ThreadPoolExecutor(2))
+    check_equal(tmp_path, straight)
+
+
+@posix
+def test_a_run_that_kills_its_workers_is_named_and_the_others_finish(tmp_path):
+    bad = tiny_race(learner="dying:Exits")
+    once = {"learner": "dying:DiesOnce", "learner_settings": {"marker": str(tmp_path / "dead")}}
+    settings = {"bad": bad, "once": tiny_race(**once), "good": tiny_race(seed=9)}
+    failures, finished = failures_of(settings, tmp_path / "job", threads=2)
+    assert {*failures} == {"bad"}
+    assert isinstance(failures["bad"], WorkerDiedError)
+    assert "lost 3" in str(failures["bad"])
+    assert finished == ["once", "good"]
+    assert (tmp_path / "dead").exists()
+    for name in finished:
+        finish(settings[name], tmp_path / name)
+        assert results(tmp_path / name) == results(tmp_path / "job" / name)
+
+
+def test_an_error_of_own_code_is_named_with_its_traceback(tmp_path):
+    settings = {"bad": tiny_race(learner="own_code:Fails"), "good": tiny_race()}
+    failures, finished = failures_of(settings, tmp_path, executor=ThreadPoolExecutor(1))
+    assert "ZeroDivisionError: no luck" in str(failures["bad"])
+    assert finished == ["good"]
+
+
+def test_a_vanished_cluster_leaves_files_and_the_same_call_continues(straight, tmp_path):
+    class Vanishes(Executor):
+        """Does two tasks, and cancels the others."""
+
+        count = 0
+
+        def submit(self, fn, /, *args, **kwargs):
+            self.count += 1
+            future = Future()
+            if self.count > 2:
+                future.cancel()
+                future.set_running_or_notify_cancel()
+            else:
+                future.set_result(fn(*args, **kwargs))
+            return future
+
+    failures, finished = failures_of(SETTINGS, tmp_path, executor=Vanishes())
+    assert (len(failures), len(finished)) == (3, 2)
+    evolve_many(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
+    check_equal(tmp_path, straight)
+
+
+def test_disengagements_are_warned_of_with_the_name_of_the_run(tmp_path):
+    settings = [tiny_race(seed=1, generations=6, rows=40, cols=40, train_steps=1, eval_steps=1)]
+    with warnings.catch_warnings(record=True) as alone:
+        warnings.simplefilter("always")
+        finish(settings[0], tmp_path / "alone")
+    assert [each.category for each in alone] == [DisengagementWarning]
+
+    class Silent(Executor):
+        """Does a task without its warnings, which appear in another process."""
+
+        def submit(self, fn, /, *args, **kwargs):
+            future = Future()
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                future.set_result(fn(*args, **kwargs))
+            return future
+
+    with pytest.warns(DisengagementWarning, match=r"^generalist-generalist/seed-1: "):
+        evolve_many(settings, tmp_path / "job", executor=Silent())
+
+
+# Bad input
+
+
+BAD = [
+    ({"executor": 3}, TypeError, "executor"),
+    ({"threads": 0}, ValueError, "threads"),
+    ({"executor": ThreadPoolExecutor(1), "threads": 2}, ValueError, "threads: expected None"),
+    ({"lock_wait": -1.0}, ValueError, "lock_wait"),
+    ({"settings": [tiny_race(), tiny_race()]}, ValueError, "settings: expected runs of different"),
+    ({"settings": [tiny_race(learner="nowhere:Learner")]}, ValueError, "nowhere"),
+    ({"settings": [tiny_single(against="nowhere")]}, FileNotFoundError, "nowhere"),
+    ({"settings": [tiny_race(population=2 * 10**9, rows=40, cols=40)]}, ValueError, "run.*memory"),
+]
+
+
+@pytest.mark.parametrize(
+    ("bad", "kind", "message"), BAD, ids=[str([*bad[0]]) + bad[2] for bad in BAD]
+)
+def test_bad_input_is_refused_before_anything_is_written(bad, kind, message, tmp_path):
+    with pytest.raises(kind, match=message):
+        evolve_many(**{"settings": SETTINGS, "directory": tmp_path / "job", **bad})
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_memory_is_that_of_the_runs_that_play_at_one_time(tmp_path, monkeypatch):
+    monkeypatch.setattr("matrixworld.memory.available_memory", lambda: 300_000_000)
+    monkeypatch.setattr(
+        sys.modules[function.__module__], "run_memory", lambda settings, threads: {"all": 10**8}
+    )
+    checked = sys.modules[function.__module__].check_job
+    checked(job_of(SETTINGS), tmp_path, None, 3)
+    with pytest.raises(ValueError, match="4 runs at one time: expected to need at most 300 MB"):
+        checked(job_of(SETTINGS), tmp_path, None, 4)
+    checked(job_of(SETTINGS), tmp_path, ThreadPoolExecutor(9), None)
+
+
+def test_a_directory_with_something_else_is_refused_and_stays(tmp_path):
+    (tmp_path / "mine").touch()
+    with pytest.raises(FileExistsError, match="expected a new or empty directory"):
+        evolve_many(SETTINGS, tmp_path)
+    (tmp_path / "mine").unlink()
+    evolve_many(SETTINGS[:2], tmp_path, executor=ThreadPoolExecutor(1))
+    before = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")}
+    for other in (SETTINGS, SETTINGS[:1], [tiny_race(seed=1), tiny_race(seed=2, sigma=0.3)]):
+        with pytest.raises(
+            ValueError, match=r"expected the runs in its job\.json, got others: gen"
+        ):
+            evolve_many(other, tmp_path)
+    assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")} == before
+
+
+# Progress
+
+
+def test_progress_files_that_are_old_or_broken_do_no_harm(straight, tmp_path):
+    save_job(tmp_path, job_of(SETTINGS))
+    write_progress(tmp_path, "generalist-generalist/seed-1", RunProgress("old", 5, 9, 0))
+    write_progress(tmp_path, "unknown", RunProgress("old", 5, 9, 0))
+    (tmp_path / PROGRESS / "seed-1").write_text("{")
+    seen = []
+    evolve_many(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1), report=seen.append)
+    assert not seen[0].running
+    check_equal(tmp_path, straight)
+
+
+def test_the_rate_does_not_count_what_was_played_before(tmp_path):
+    settings = [tiny_race(seed=seed, **LONG) for seed in range(2)]
+    with pytest.raises(KeyboardInterrupt):
+        evolve_many(settings, tmp_path, executor=ThreadPoolExecutor(1), report=stop_at(0.3))
+    seen = []
+
+    def report(progress):
+        seen.append(progress)
+        if progress.running:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        evolve_many(settings, tmp_path, executor=ThreadPoolExecutor(1), report=report)
+    assert seen[-1].before > 0.25 * seen[-1].total / 2
+    assert seen[-1].done - seen[-1].before < 0.2 * seen[-1].total
+    assert seen[-1].total == pytest.approx(2 * next(iter(seen[-1].running.values())).total)
+
+
+def test_a_local_executor_may_be_given_and_stays_open(tmp_path):
+    with LocalExecutor(1) as executor:
+        evolve_many(SETTINGS[:1], tmp_path, executor=executor)
+        assert executor.submit(pow, 2, 3).result() == 8

@@ -1,0 +1,121 @@
+"""The runs of a job: their names, the file that lists them, and settings as text."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from matrixworld.coevolution import DamagedFileError, OtherVersionError, RaceSettings
+from matrixworld.coevolution.many.job import (
+    JOB,
+    Job,
+    job_of,
+    open_job,
+    save_job,
+    settings_from_text,
+    settings_to_text,
+)
+from matrixworld.coevolution.settings import ALL_SCHEDULES
+from matrixworld.files import load_json, save_json
+from matrixworld.rules import VARIANTS
+from tiny_race import tiny_race, tiny_single
+
+RULES = replace(VARIANTS["SB"], name="mine") if hasattr(VARIANTS["SB"], "name") else VARIANTS["SB"]
+SETTINGS = [
+    *(tiny_race(schedule=name) for name in ALL_SCHEDULES),
+    tiny_race(variant=RULES, sigma=np.float32(0.3), obstacles=0.1),
+    tiny_race(obstacles=["......"] * 5 + [".#...."], hidden=(3, 2), activation="tanh"),
+    tiny_race(learner="own_code:HillClimber", learner_settings={"sigma": 0.2, "shrink": 0.5}),
+    tiny_race(
+        schedule="alternating", opponents=2, pursuers_meet="own_code:Hardest",
+        pursuers_meet_settings={"forget": 0.25},
+    ),
+    tiny_race(seed=2**63 - 1, learner="cma"),
+    tiny_single(team="evader", against="hunter"),
+    RaceSettings(),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("settings", SETTINGS, ids=range(len(SETTINGS)))
+def test_settings_come_back_equal_from_text_and_file(settings, tmp_path):
+    text = settings_to_text(settings)
+    assert settings_from_text(text) == settings
+    assert type(settings_from_text(text)) is type(settings)
+    assert settings_to_text(settings_from_text(text)) == text
+    save_job(tmp_path, Job({"one": settings, "other": replace(settings, seed=0)}))
+    assert open_job(tmp_path).runs == {"one": settings, "other": replace(settings, seed=0)}
+
+
+def test_names_and_what_was_asked_for():
+    races = [tiny_race(schedule=name, seed=n) for n in (3, 12) for name in ALL_SCHEDULES[:2]]
+    job = job_of([*races, tiny_single(seed=7)])
+    first, second = ALL_SCHEDULES[:2]
+    assert [*job.runs] == [
+        f"{first}/seed-3", f"{second}/seed-3", f"{first}/seed-12", f"{second}/seed-12", "seed-7",
+    ]  # fmt: skip
+    assert job.asked() == {first: [3, 12], second: [3, 12], "pursuers against random": [7]}
+    named = job_of({"sigma-0.1": tiny_race(), "sigma-0.2/seed-5": tiny_race(sigma=0.2)})
+    assert named.asked() == {"sigma-0.1": [5], "sigma-0.2": [5]}
+
+
+def test_paths_of_opponents_mean_the_same_to_workers_elsewhere(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    settings = job_of([tiny_single(against="runs/first", start="/other")]).runs["seed-5"]
+    assert settings.against == str(tmp_path / "runs/first")
+    assert settings.start == str(Path("/other"))
+
+
+BAD = [
+    ([], ValueError, "expected at least one run"),
+    ({}, ValueError, "expected at least one run"),
+    ([3], TypeError, "expected RaceSettings or SingleSettings, got 3"),
+    ({"a": None}, TypeError, "expected RaceSettings or SingleSettings, got None"),
+    ([tiny_race(), tiny_race(sigma=0.2)], ValueError, "got two of generalist-generalist/seed-5"),
+    ({"a": tiny_race(), "b": tiny_race()}, ValueError, "expected different runs, got a and b"),
+    ({"a": tiny_race(), "a/b": tiny_race(seed=1)}, ValueError, "got a/b in a run"),
+    *(
+        ({name: tiny_race()}, ValueError, "expected names such as")
+        for name in ("", ".", "..", "../a", "a/../b", "/a", "a/", "a/b/c", ".a", JOB, "a\n", "a@b")
+    ),
+]
+
+
+@pytest.mark.parametrize(("settings", "kind", "message"), BAD, ids=range(len(BAD)))
+def test_bad_jobs(settings, kind, message):
+    with pytest.raises(kind, match=message):
+        job_of(settings)
+
+
+def test_a_thousand_seeds_take_little_more_than_one(tmp_path):
+    save_job(tmp_path, job_of([tiny_race(seed=seed) for seed in range(1000)]))
+    assert (tmp_path / JOB).stat().st_size < 60_000
+    assert [each.seed for each in open_job(tmp_path).runs.values()] == [*range(1000)]
+
+
+def test_files_that_are_damaged_or_of_another_version(tmp_path):
+    assert open_job(tmp_path) is None
+    save_job(tmp_path, job_of([tiny_race()]))
+    values = load_json(tmp_path / JOB)
+    content = (tmp_path / JOB).read_text()
+    (tmp_path / JOB).write_text(content.replace('"seed-5"', '"seed-6"').replace(": 5", ": 6"))
+    with pytest.raises(DamagedFileError, match=r"job\.json: altered"):
+        open_job(tmp_path)
+    (tmp_path / JOB).write_text(content[:-30])
+    with pytest.raises(DamagedFileError, match=JOB):
+        open_job(tmp_path)
+    save_json(tmp_path / JOB, {**values, "format": 9})
+    with pytest.raises(OtherVersionError, match="expected format 1, got 9"):
+        open_job(tmp_path)
+    for groups in ([], 3, [{"kind": "race"}], [{**values["groups"][0], "kind": "war"}]):
+        save_json(tmp_path / JOB, {**values, "groups": groups})
+        with pytest.raises(OtherVersionError, match="expected settings of matrixworld"):
+            open_job(tmp_path)
+    outside = json.loads(json.dumps(values["groups"]))
+    outside[0]["seeds"] = {"../../elsewhere": 5}
+    save_json(tmp_path / JOB, {**values, "groups": outside})
+    with pytest.raises(OtherVersionError, match="expected names such as"):
+        open_job(tmp_path)

@@ -1,0 +1,65 @@
+"""Numbers of the package `rliable` 1.2.0 for the scores below, to compare ours with.
+
+    python -m venv .venv-rliable && .venv-rliable/bin/pip install rliable==1.2.0 "pandas<3"
+    .venv-rliable/bin/python tests/support/rliable_numbers.py
+
+prints them again. The tests do not install it, because it needs pandas, seaborn and an old arch,
+which fails to import beside pandas 3.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+
+import numpy as np
+
+
+def scores(runs: int, tasks: int, seed: int) -> np.ndarray:
+    """Scores (runs, tasks) in [0, 1] with two decimals, so that some are equal."""
+    rng = np.random.default_rng(seed)
+    values = np.linspace(0.2, 0.8, tasks) + rng.normal(0, 0.15, (runs, 1))
+    return np.round(np.clip(values + rng.normal(0, 0.1, (runs, tasks)), 0, 1), 2)
+
+
+ONE, OTHER, TASK = scores(9, 5, 1), scores(7, 5, 2), scores(12, 1, 3)
+THRESHOLDS = [0.0, 0.2, 0.35, 0.5, 0.65, 0.8, 1.0]
+LEVEL = 0.978486770166895
+"""Level of the plain percentile interval of `TASK` that equals the expanded one of level 95 %."""
+
+NUMBERS = {
+    "iqm": [0.5243478260869565, 0.4989473684210526, 0.135],
+    "iqm_ends": [0.06333333333333334, 0.32],
+    "profile": [
+        0.9555555555555556, 0.9111111111111111, 0.7333333333333333, 0.5555555555555556,
+        0.28888888888888886, 0.15555555555555556, 0.0,
+    ],
+    "improvement": 0.5492063492063493,
+    "no_improvement": 0.4507936507936508,
+}  # fmt: skip
+
+
+def main() -> None:
+    """Print the numbers, with rliable."""
+    from rliable import library, metrics
+
+    ends = library.get_interval_estimates(
+        {"task": TASK},
+        lambda x: np.array([metrics.aggregate_iqm(x)]),
+        reps=200_000,
+        confidence_interval_size=LEVEL,
+        random_state=np.random.RandomState(0),
+    )[1]["task"]
+    profile = library.score_distributions(ONE, THRESHOLDS)
+    numbers = {
+        "iqm": [float(metrics.aggregate_iqm(each)) for each in (ONE, OTHER, TASK)],
+        "iqm_ends": ends.ravel().tolist(),
+        "profile": profile.tolist(),
+        "improvement": float(metrics.probability_of_improvement(ONE, OTHER)),
+        "no_improvement": float(metrics.probability_of_improvement(OTHER, ONE)),
+    }
+    sys.stdout.write(json.dumps(numbers, indent=4) + "\n")
+
+
+if __name__ == "__main__":
+    main()
