@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources e4c7528ea9aaf6b747bf4803dd12556228cb6901401c98543d1252003ef325be */
+/* built from web/ by "npm run build"; sources 915e6450fa470053765ba92fd7199dae68d45c6d6bc8ac746ecaf8a345b29a96 */
 "use strict";(()=>{var _t={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ee={DISAPPEAR:0,REACH:1,BOUNCE:2},Mt={OCCUPATION:0,SURROUND:1},At={FAULT:0,INVOLVED:1};var Et=["obstacle","teammate","adversary"],qe=["vertex","edge","chain"],Ct=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Ye=["p\
 ursuer_{number}","evader_{number}"],Tt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},te={"both held":"both bounce","both doomed":"\
@@ -85,18 +85,19 @@ null:{rate:o,rates:e.payoff.capture_rates[n][s],lengths:e.payoff.lengths[n][s]}}
 let{script:n,network:s,kept:o,genomes:a}=e.teams[t];if(n!==null||s===null)return n??"random";let i=o.indexOf(r);if(i<0)throw new RangeError(`${t}: expected a ge\
 neration whose genome the page holds, got ${r}`);let l=s.genome_size,c=Hn(a).subarray(i*l,(i+1)*l);return{hidden:s.hidden,activation:s.activation,sampled:s.sampled,
 genome:c}}var Jt=new Map;function Hn(e){let t=Jt.get(e);if(t)return t;let r=new Float32Array(at(e).buffer);return Jt.set(e,r),r}function at(e){let t=atob(Ce(e)),
-r=new Uint8Array(t.length);for(let n=0;n<r.length;n++)r[n]=t.charCodeAt(n);return r}function Ce(e){return document.getElementById(e)?.textContent??""}var Bn={now:()=>performance.now(),request:e=>requestAnimationFrame(e),cancel:e=>cancelAnimationFrame(e)},le=[.5,1,2,4,8,16,32,64],X=class extends EventTarget{#e;#n;#o;#i;#r=0;#t=0;#s=!1;#c=null;#u=0;glide=.28;constructor(t,r={}){
-super(),this.#e=t,this.#n=r.speed??4,this.#i=r.still??!1,this.#o=r.clock??Bn}get step(){return this.#r}get time(){return this.#i?this.#r:this.#t}get arrived(){return this.#t===
+r=new Uint8Array(t.length);for(let n=0;n<r.length;n++)r[n]=t.charCodeAt(n);return r}function Ce(e){return document.getElementById(e)?.textContent??""}var Bn={now:()=>performance.now(),request:e=>requestAnimationFrame(e),cancel:e=>cancelAnimationFrame(e)},le=[.5,1,2,4,8,16,32,64],X=class extends EventTarget{#e;#n;#o;#a;#r=0;#t=0;#s=!1;#c=null;#u=0;glide=.28;constructor(t,r={}){
+super(),this.#e=t,this.#n=r.speed??4,this.#a=r.still??!1,this.#o=r.clock??Bn}get step(){return this.#r}get time(){return this.#a?this.#r:this.#t}get arrived(){return this.#t===
 this.#r}get playing(){return this.#s}get length(){return this.#e}set length(t){this.#e=t,this.#r>t&&this.jump(t),this.#m("state")}get speed(){return this.#n}set speed(t){
 this.#n=t,this.#m("state")}changeSpeed(t){let r=le.findIndex(n=>n>=this.#n);this.speed=le[Math.min(le.length-1,Math.max(0,r+t))]}play(){this.#s||!this.#e||(this.#r===
 this.#e&&this.jump(0),this.#s=!0,this.#m("state"),this.#d())}pause(){this.#s&&(this.#s=!1,this.#m("state"))}toggle(){this.#s?this.pause():this.play()}move(t){this.
-pause();let r=Math.min(this.#e,Math.max(0,this.#r+t));Math.abs(r-this.#t)>1?this.jump(r):this.#a(r),this.#d()}jump(t){this.#t=Math.min(this.#e,Math.max(0,Math.round(
-t))),this.#a(this.#t),this.#m("frame")}#a(t){t!==this.#r&&(this.#r=t,this.#m("step"))}#d(){this.#c===null&&(this.#u=this.#o.now(),this.#c=this.#o.request(()=>this.#l()))}#l(){
-this.#c=null;let t=this.#o.now();this.#h(Math.min(.25,(t-this.#u)/1e3)),this.#u=t,this.#m("frame"),(this.#s||this.#t!==this.#r)&&(this.#c=this.#o.request(()=>this.#l()))}#h(t){
-let r=t;for(;r>0;){if(this.#t===this.#r){if(!this.#s)return;if(this.#r===this.#e)return this.pause();this.#a(this.#r+1)}let n=this.#s?this.#n:1/this.glide,s=this.#r-
-this.#t,o=Math.min(Math.abs(s),r*n);r-=o/n,this.#t=o===Math.abs(s)?this.#r:this.#t+Math.sign(s)*o}this.#s&&this.#t===this.#e&&this.pause()}#m(t){this.dispatchEvent(
-new Event(t))}};function q(e,t){if(t.ctrlKey||t.metaKey||t.altKey)return!1;let r=t.shiftKey?10:1,s={" ":()=>e.toggle(),ArrowRight:()=>e.move(r),ArrowLeft:()=>e.
-move(-r),Home:()=>e.move(-e.length),End:()=>e.move(e.length),"+":()=>e.changeSpeed(1),"-":()=>e.changeSpeed(-1)}[t.key];return s?.(),s!==void 0}var ce=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
+pause();let r=Math.min(this.#e,Math.max(0,this.#r+t));Math.abs(r-this.#t)>1?this.jump(r):this.#i(r),this.#d()}jump(t){this.#t=Math.min(this.#e,Math.max(0,Math.round(
+t))),this.#i(this.#t),this.#m("frame")}#i(t){t!==this.#r&&(this.#r=t,this.#m("step"),this.#a&&this.#m("frame"))}#d(){this.#c===null&&(this.#u=this.#o.now(),this.#c=
+this.#o.request(()=>this.#l()))}#l(){this.#c=null;let t=this.#o.now();this.#h(Math.min(.25,(t-this.#u)/1e3)),this.#u=t,(!this.#a||this.arrived)&&this.#m("frame"),
+(this.#s||this.#t!==this.#r)&&(this.#c=this.#o.request(()=>this.#l()))}#h(t){let r=t;for(;r>0;){if(this.#t===this.#r){if(!this.#s)return;if(this.#r===this.#e)return this.
+pause();this.#i(this.#r+1)}let n=this.#s?this.#n:1/this.glide,s=this.#r-this.#t,o=Math.min(Math.abs(s),r*n);r-=o/n,this.#t=o===Math.abs(s)?this.#r:this.#t+Math.
+sign(s)*o}this.#s&&this.#t===this.#e&&this.pause()}#m(t){this.dispatchEvent(new Event(t))}};function q(e,t){if(t.ctrlKey||t.metaKey||t.altKey)return!1;let r=t.shiftKey?
+10:1,s={" ":()=>e.toggle(),ArrowRight:()=>e.move(r),ArrowLeft:()=>e.move(-r),Home:()=>e.move(-e.length),End:()=>e.move(e.length),"+":()=>e.changeSpeed(1),"-":()=>e.
+changeSpeed(-1)}[t.key];return s?.(),s!==void 0}var ce=[[68,1,84],[72,26,108],[71,47,125],[65,68,135],[57,86,140],[49,104,142],[42,120,142],[35,136,142],[31,152,139],[34,168,132],[53,183,121],[84,197,104],[122,
 209,81],[165,219,54],[210,226,27],[253,231,37]];function ue(e){let t=Math.min(1,Math.max(0,e))*(ce.length-1),r=Math.min(ce.length-2,Math.floor(t)),[n,s]=[ce[r],
 ce[r+1]],o=a=>Math.round(n[a]+(t-r)*(s[a]-n[a]));return[o(0),o(1),o(2)]}var Qt=e=>`rgb(${ue(e).join(" ")})`,er=()=>`linear-gradient(to right, ${ce.map(e=>`rgb(${e.
 join(" ")})`).join(", ")})`;function Te(e,t,r){let n=devicePixelRatio||1;e.style.left=`${r.left}px`,e.style.top=`${r.top}px`,e.style.width=`${r.width}px`,e.style.height=`${r.height}px`,e.width=
@@ -186,17 +187,17 @@ e.roundRect(t.left+r*t.cell-o/2,t.top+n*t.cell-o/2,o,o,o*.1),e.stroke()}function
 max(1,Math.floor(Math.min(i(n,t),i(s,e)))),c=r?Math.min(.62*l,a):0;return{rows:e,cols:t,cell:l,left:Math.round((n-t*l+c)/2),top:Math.round((s-e*l+c)/2)}}function Ir(e,t,r){
 let n=Math.floor((r-e.top)/e.cell),s=Math.floor((t-e.left)/e.cell);return n>=0&&n<e.rows&&s>=0&&s<e.cols?[n,s]:null}var bs={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
 evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function Ie(e){let t=getComputedStyle(e),r=Object.entries(bs).map(([n,s])=>[n,t.getPropertyValue(
-s).trim()]);return Object.fromEntries(r)}var Q=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Z=class{canvas;#e=null;#n=0;#o;#i={rows:1,cols:1,left:0,top:0,cell:1};#r=0;#t;#s;constructor(t,r={}){
+s).trim()]);return Object.fromEntries(r)}var Q=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Z=class{canvas;#e=null;#n=0;#o;#a={rows:1,cols:1,left:0,top:0,cell:1};#r=0;#t;#s;constructor(t,r={}){
 this.canvas=t,t.classList.add("board"),t.setAttribute("role","img"),this.#o={...Or,...r},this.#t=new ResizeObserver(()=>this.#u()),this.#t.observe(t),this.#s=new MutationObserver(
 ()=>this.redraw()),this.#s.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
 this.#t.disconnect(),this.#s.disconnect(),matchMedia("(prefers-color-scheme: dark)").removeEventListener("change",this.redraw),cancelAnimationFrame(this.#r)}get look(){
 return this.#o}set look(t){this.#o={...this.#o,...t},this.#c(),this.redraw()}get time(){return this.#n}show(t,r){this.#e=t,this.#n=Math.min(Math.max(0,r),t.moments.
 length-1),this.#c(),this.redraw()}redraw=()=>{this.#r||(this.#r=requestAnimationFrame(()=>this.drawNow()))};drawNow(){cancelAnimationFrame(this.#r),this.#r=0;let t=this.
-canvas.getContext("2d");if(!t||!this.#e)return;let{rows:r,cols:n}=this.#e,s=devicePixelRatio||1;this.#i=Nr(r,n,this.#o.axes,this.canvas.width,this.canvas.height,
-s);let o={ctx:t,grid:this.#i,colors:Ie(this.canvas)};Pr(o,this.#e,this.#n,this.#o,s)}cellAt(t,r){let n=this.canvas.getBoundingClientRect(),s=this.canvas.width/n.
-width;return Ir(this.#i,(t-n.left)*s,(r-n.top)*s)}agentAt(t,r){let n=this.cellAt(t,r);if(!n||!this.#e)return null;let s=this.#e.moments[Math.round(this.#n)],o=de(
+canvas.getContext("2d");if(!t||!this.#e)return;let{rows:r,cols:n}=this.#e,s=devicePixelRatio||1;this.#a=Nr(r,n,this.#o.axes,this.canvas.width,this.canvas.height,
+s);let o={ctx:t,grid:this.#a,colors:Ie(this.canvas)};Pr(o,this.#e,this.#n,this.#o,s)}cellAt(t,r){let n=this.canvas.getBoundingClientRect(),s=this.canvas.width/n.
+width;return Ir(this.#a,(t-n.left)*s,(r-n.top)*s)}agentAt(t,r){let n=this.cellAt(t,r);if(!n||!this.#e)return null;let s=this.#e.moments[Math.round(this.#n)],o=de(
 this.#e,s).get(n[0]*this.#e.cols+n[1])??[],a=$e(this.#e,Math.round(this.#n)),i=l=>{let[c,d]=this.pointOf(a[l].x,a[l].y);return Math.hypot(c-t,d-r)};return o.length?
-o.reduce((l,c)=>i(c)<i(l)?c:l):null}pointOf(t,r){let n=this.canvas.getBoundingClientRect(),s=n.width/this.canvas.width,{left:o,top:a,cell:i}=this.#i;return[n.left+
+o.reduce((l,c)=>i(c)<i(l)?c:l):null}pointOf(t,r){let n=this.canvas.getBoundingClientRect(),s=n.width/this.canvas.width,{left:o,top:a,cell:i}=this.#a;return[n.left+
 (o+t*i)*s,n.top+(a+r*i)*s]}#c(){if(!this.#e)return;let{rows:t,cols:r}=this.#e;this.canvas.style.setProperty("--board-aspect",String($r(t,r,this.#o.axes)))}#u(){
 let t=devicePixelRatio||1,{width:r,height:n}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(r*t)),this.canvas.height=Math.max(1,Math.
 round(n*t)),this.drawNow()}};var ws={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2};function xs(e,t,r){return{rows:e.rows,cols:e.cols,nPursuers:e.n_pursuers,fov:e.fov,interaction:ws[e.rules.interaction],
@@ -218,13 +219,13 @@ title="Steps a second (+ and -)",t.append(...le.map(r=>new Option(`${r} / s`,Str
 n)} (${t.toFixed(n)} to ${r.toFixed(n)})`}var Ur=e=>e.toLocaleString("en-GB");function pe(e,t,r,n=!1){let s=(t-e)/Math.max(1,r),o=10**Math.floor(Math.log10(s||1)),
 a=[1,2,5,10].map(c=>c*o).find(c=>c>=s)??10*o;n&&(a=Math.max(1,Math.round(a)));let i=Math.ceil(e/a-1e-9),l=Math.floor(t/a+1e-9);return Array.from({length:Math.max(
 0,l-i+1)},(c,d)=>(i+d)*a)}function L(e,t,{pursuer:r,evader:n,episode:s,seed:o}){let a=t.seeds[r][n];return e.match(t.world,ie(t,"pursuer",r),ie(t,"evader",n),BigInt(o??a),s)}var Dr=40,he=new Map,fe=({run:e,pursuer:t,evader:r},n)=>`${e} ${t} ${r} ${n}`,He=class{element;#e;#n;#o=u("div",{class:"episodes",role:"group","aria-label":"Epi\
-sodes of this cell"});#i=u("p",{class:"check small numbers","aria-live":"polite"});#r=0;constructor(t,r){[this.#e,this.#n]=[t,r],this.element=u("div",{class:"st\
-rip-of-episodes"},this.#o,this.#i)}show(t,r,n){let{selected:s}=this.#e;s.seed===null&&he.set(fe(s,s.episode),Hr(n)),this.#s(r),Cs(this.#r),this.#t(t,r)}#t(t,r){
+sodes of this cell"});#a=u("p",{class:"check small numbers","aria-live":"polite"});#r=0;constructor(t,r){[this.#e,this.#n]=[t,r],this.element=u("div",{class:"st\
+rip-of-episodes"},this.#o,this.#a)}show(t,r,n){let{selected:s}=this.#e;s.seed===null&&he.set(fe(s,s.episode),Hr(n)),this.#s(r),Cs(this.#r),this.#t(t,r)}#t(t,r){
 let{selected:n}=this.#e,o=oe(r,n.pursuer,n.evader)?.rates.findIndex((a,i)=>!he.has(fe(n,i)))??-1;o<0||o>=Dr||(this.#r=Es(()=>{this.#n.playing||(he.set(fe(n,o),Hr(
-L(t,r,{...n,episode:o,seed:null}))),this.#s(r)),this.#t(t,r)}))}#s(t){let{selected:r}=this.#e,n=oe(t,r.pursuer,r.evader);if(!n){this.#o.replaceChildren(),this.#i.
+L(t,r,{...n,episode:o,seed:null}))),this.#s(r)),this.#t(t,r)}))}#s(t){let{selected:r}=this.#e,n=oe(t,r.pursuer,r.evader);if(!n){this.#o.replaceChildren(),this.#a.
 textContent="The evaluation played no episodes of this pair.";return}let s=Math.min(Dr,n.rates.length);this.#o.replaceChildren(...n.rates.slice(0,s).map((c,d)=>this.#c(
 c,d)));let o=n.rates.slice(0,s).map((c,d)=>he.get(fe(r,d))),a=o.filter(c=>c!==void 0),i=o.flatMap((c,d)=>c&&(Math.abs(c.rate-n.rates[d])>1e-6||c.length!==n.lengths[d])?
-[d+1]:[]),l=a.reduce((c,d)=>c+d.rate,0)/a.length;this.#i.dataset.equal=String(!i.length&&a.length===n.rates.length),this.#i.textContent=i.length?`Episode ${i.join(
+[d+1]:[]),l=a.reduce((c,d)=>c+d.rate,0)/a.length;this.#a.dataset.equal=String(!i.length&&a.length===n.rates.length),this.#a.textContent=i.length?`Episode ${i.join(
 ", ")} differs from the evaluation.`:a.length<n.rates.length?`Played here: ${a.length} of ${n.rates.length} episodes, all as in the evaluation.`:`Played here: a\
 ll ${a.length} episodes, mean capture rate ${A(l,3)}. The cell says ${A(n.rate,3)}.`}#c(t,r){let{selected:n}=this.#e,s=u("span",{class:"bar"});return s.style.height=
 `${Math.round(100*t)}%`,u("button",{type:"button",class:"episode",title:`Episode ${r+1}: capture rate ${A(t)}`,"aria-label":`Episode ${r+1}, capture rate ${A(t)}`,
@@ -233,18 +234,18 @@ r+1))}},Hr=e=>({rate:e.statistics.capture_rate,length:e.length}),Es=e=>"requestI
 cancelIdleCallback"in window?cancelIdleCallback(e):clearTimeout(e);var ge=(e,t)=>e<t?`pursuer_${e}`:`evader_${e-t}`,gt=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var Br=0,Fr=1,Ts=2,Rs=176;function jr(e,t,r,n){let s=devicePixelRatio||1,o=Ie(e);e.width=e.height=Rs*s;let a=e.getContext("2d");if(!a)return;let{fov:i}=t,l=e.width/
 i;a.fillStyle=o.paper,a.fillRect(0,0,e.width,e.height);for(let d=0;r&&d<i*i;d++){let[m,p]=[(d%i+.5)*l,(Math.floor(d/i)+.5)*l],f=h=>!!r[h*i*i+d];f(Ts)&&(a.fillStyle=
 o.obstacle,a.fillRect(m-l/2,p-l/2,l,l));let g=f(Br)&&f(Fr)?l*.18:0;f(Br)&&Wr(a,F,m+g,p+g,l*.74,o.evader),f(Fr)&&Wr(a,Ne,m-g,p-g,l*.86,o.pursuer)}a.strokeStyle=n<
-t.n_pursuers?o.pursuer:o.evader,a.lineWidth=2*s;let c=Math.floor(i/2)*l;a.strokeRect(c,c,l,l)}function Wr(e,t,r,n,s,o){t(e,r,n,s),e.fillStyle=o,e.fill()}var Be=class{element;#e;#n=u("canvas",{class:"seen",role:"img"});#o=u("h3");#i=u("p",{class:"small muted"});#r=u("div",{class:"answers"});#t=null;#s=null;#c=null;#u=null;#a=null;#d=0;constructor(t){
+t.n_pursuers?o.pursuer:o.evader,a.lineWidth=2*s;let c=Math.floor(i/2)*l;a.strokeRect(c,c,l,l)}function Wr(e,t,r,n,s,o){t(e,r,n,s),e.fillStyle=o,e.fill()}var Be=class{element;#e;#n=u("canvas",{class:"seen",role:"img"});#o=u("h3");#a=u("p",{class:"small muted"});#r=u("div",{class:"answers"});#t=null;#s=null;#c=null;#u=null;#i=null;#d=0;constructor(t){
 this.#e=t,this.element=u("div",{class:"inspector","data-open":"false"},u("p",{class:"hint small muted"},"Click an agent, or press A: what it sees, and what its \
-network answers."),u("div",{class:"inspected"},this.#n,u("div",{class:"answer"},this.#o,this.#i),this.#r))}get agent(){return this.#a}show(t,r,n,s){(this.#s!==r||
-!this.#t)&&(this.#t?.free(),this.#t=t.world(r.world),this.#a!==null&&this.#s!==r&&this.choose(null)),[this.#s,this.#c,this.#u]=[r,n,s]}choose(t){this.#a=t,this.
-element.dataset.open=String(t!==null),this.#e(t),this.at(this.#d)}next(t){let r=this.#c;if(!r)return;let n=this.#a??(t>0?-1:0);for(let s=0;s<r.n_agents;s++)if(n=
-(n+t+r.n_agents)%r.n_agents,r.alive[this.#d*r.n_agents+n])return this.choose(n)}at(t){this.#d=t;let[r,n,s,o,a]=[this.#c,this.#t,this.#s,this.#u,this.#a];if(!r||
+network answers."),u("div",{class:"inspected"},this.#n,u("div",{class:"answer"},this.#o,this.#a),this.#r))}get agent(){return this.#i}show(t,r,n,s){(this.#s!==r||
+!this.#t)&&(this.#t?.free(),this.#t=t.world(r.world),this.#i!==null&&this.#s!==r&&this.choose(null)),[this.#s,this.#c,this.#u]=[r,n,s]}choose(t){this.#i=t,this.
+element.dataset.open=String(t!==null),this.#e(t),this.at(this.#d)}next(t){let r=this.#c;if(!r)return;let n=this.#i??(t>0?-1:0);for(let s=0;s<r.n_agents;s++)if(n=
+(n+t+r.n_agents)%r.n_agents,r.alive[this.#d*r.n_agents+n])return this.choose(n)}at(t){this.#d=t;let[r,n,s,o,a]=[this.#c,this.#t,this.#s,this.#u,this.#i];if(!r||
 !n||!s||!o||a===null)return;let i=a<r.config.n_pursuers?"pursuer":"evader";this.#o.replaceChildren(u("span",{class:i},ge(a,r.config.n_pursuers)));let l=!!r.alive[t*
 r.n_agents+a];r.seek(n,t),jr(this.#n,r.config,l?n.view(a):null,a),this.#n.ariaLabel=`Field of view of ${ge(a,r.config.n_pursuers)}: evaders, pursuers and obstac\
 les around it`;let c=t<r.length?r.actions[t*r.n_agents+a]:null;if(!l)return this.#l([],"It is gone.");let d=ie(s,i,o[i]);if(typeof d=="string")return this.#l([],
 `The script "${d}" plays for it${c===null?"":`; it goes ${gt[c]}`}.`);let{probabilities:m}=n.answer(d,a),p=Array.from(m,(g,h)=>ks(gt[h],g,h===c)),f=d.sampled?"I\
 ts action is drawn from these probabilities.":"It takes the most probable action.";this.#l(p,c===null?"The episode is over.":f)}#l(t,r){this.#r.replaceChildren(
-...t),this.#i.textContent=r}};function ks(e,t,r){let n=u("span",{class:"filled"});return n.style.width=`${100*t}%`,u("div",{class:r?"action taken":"action"},u("\
+...t),this.#a.textContent=r}};function ks(e,t,r){let n=u("span",{class:"filled"});return n.style.width=`${100*t}%`,u("div",{class:r?"action taken":"action"},u("\
 span",{},e),u("span",{class:"track"},n),u("span",{class:"numbers"},t.toFixed(2)))}var Os=(e,t)=>Object.keys(e).every(r=>e[r]===t[r]);function Gr(e,t){return Object.keys(t).find(r=>Os(t[r],e))??null}var ye="_",si=2n**64n-1n;var yt={fov:11,maxSteps:500,rewards:"paper"},$s=["rules","others","rewards","size","diagonal","fov","limit","seed","ended","walls","pursuers","evaders","played",
 "next"];function qr(e,t){let r=i=>i.map(l=>Is(l,t)).join(""),n=i=>`${Math.floor(i/e.cols)}.${i%e.cols}`,s=Ns(e.rewards,t),o=[e.seed,e.episode,e.steps].join("."),a={rules:Vr(
 e.rules,t),others:e.others?Vr(e.others,t):"",rewards:s===yt.rewards?"":s,size:`${e.rows}x${e.cols}`,diagonal:e.diagonal?"1":"",fov:e.fov===yt.fov?"":String(e.fov),
@@ -265,35 +266,35 @@ r),l=new Set(i.flatMap(d=>d.doomed)),c=a.map(d=>({kind:"capture",text:`${o(d)} i
 {kind:"end",text:`${o(d)} disappears`,agents:[d]});return c.push(...i.map(({kind:d,text:m,agents:p})=>({kind:d,text:m,agents:p}))),r===e.length&&c.unshift({kind:"\
 end",text:Hs(e),agents:[]}),c}function Ds({config:e}){return`${e.n_pursuers} pursuers and ${e.n_evaders} evaders on ${e.rows} x ${e.cols} cells, at most ${e.max_steps}\
  steps`}function Hs(e){let t=Math.round(e.statistics.capture_rate*e.config.n_evaders);return`The episode ends after ${e.length} steps with ${t} of ${e.config.n_evaders}\
- evaders captured`}var Bs=60,Fe=class{element;player=new X(0,{speed:8,still:Q()});inspector;#e;#n;#o;#i;#r=u("h2",{class:"match-title"});#t=u("p",{class:"tally numbers"});#s=u("ol",
-{class:"words","aria-live":"off","aria-label":"What happened in this step"});#c=u("p",{class:"problem",role:"alert"});#u=null;#a=null;#d=null;#l=0;#h=!1;#m=0;constructor(t,r,n){
-[this.#n,this.#o]=[t,r];let s=u("canvas",{"aria-label":"The match"});this.#e=new Z(s,{numbers:!1}),this.#i=new He(r,this.player),this.inspector=new Be(o=>this.#x(
+ evaders captured`}var Bs=60,Fe=class{element;player=new X(0,{speed:8,still:Q()});inspector;#e;#n;#o;#a;#r=u("h2",{class:"match-title"});#t=u("p",{class:"tally numbers"});#s=u("ol",
+{class:"words","aria-live":"off","aria-label":"What happened in this step"});#c=u("p",{class:"problem",role:"alert"});#u=null;#i=null;#d=null;#l=0;#h=!1;#m=0;constructor(t,r,n){
+[this.#n,this.#o]=[t,r];let s=u("canvas",{"aria-label":"The match"});this.#e=new Z(s,{numbers:!1}),this.#a=new He(r,this.player),this.inspector=new Be(o=>this.#x(
 o)),s.addEventListener("click",o=>this.inspector.choose(this.#e.agentAt(o.clientX,o.clientY))),this.element=u("section",{class:"card match-card","aria-label":"M\
 atch",id:"match"},u("div",{class:"match"},u("header",{class:"match-head"},this.#r,this.#t),this.#c,u("div",{class:"stage"},s),u("div",{class:"aside"},this.#s,Yr(
-()=>this.shown,n),this.inspector.element),Ue(this.player),this.#i.element)),this.player.addEventListener("frame",()=>this.#d&&this.#e.show(this.#d,this.player.time)),
-this.player.addEventListener("step",()=>this.#v()),r.on("match",()=>this.#b()),this.#g(),this.#w(0,0)}get#p(){return this.#n[this.#o.selected.run]}get match(){return this.#a}get shown(){
-return this.#a&&{match:this.#a,step:this.player.step}}start(t){this.#u=t,this.#y()}playSoon(){this.#h=!0,this.#l||this.#f()}goTo(t){this.#m=t,!this.#l&&this.#a&&
-this.#y()}#f(){!this.#h||!this.#a||(this.#h=!1,this.player.jump(0),Q()||this.player.play())}#b(){this.#g(),clearTimeout(this.#l),this.#l=setTimeout(()=>this.#y(),
+()=>this.shown,n),this.inspector.element),Ue(this.player),this.#a.element)),this.player.addEventListener("frame",()=>this.#d&&this.#e.show(this.#d,this.player.time)),
+this.player.addEventListener("step",()=>this.#v()),r.on("match",()=>this.#b()),this.#g(),this.#w(0,0)}get#p(){return this.#n[this.#o.selected.run]}get match(){return this.#i}get shown(){
+return this.#i&&{match:this.#i,step:this.player.step}}start(t){this.#u=t,this.#y()}playSoon(){this.#h=!0,this.#l||this.#f()}goTo(t){this.#m=t,!this.#l&&this.#i&&
+this.#y()}#f(){!this.#h||!this.#i||(this.#h=!1,this.player.jump(0),Q()||this.player.play())}#b(){this.#g(),clearTimeout(this.#l),this.#l=setTimeout(()=>this.#y(),
 Bs)}#y(){clearTimeout(this.#l),this.#l=0,this.player.pause(),this.#g();let{selected:t}=this.#o,r=["pursuer","evader"].find(n=>!ae(this.#p,n,t[n]));this.#c.textContent=
-r?`The page holds no genome of ${r}s ${t[r]}: it would be too large. Choose a generation of ${this.#p.teams[r].kept.join(", ")}.`:"",!(r||!this.#u)&&(this.#a=L(
-this.#u,this.#p,t),this.#d=Le(this.#a),this.#i.show(this.#u,this.#p,this.#a),this.inspector.show(this.#u,this.#p,this.#a,t),this.player.length=this.#a.length,this.
+r?`The page holds no genome of ${r}s ${t[r]}: it would be too large. Choose a generation of ${this.#p.teams[r].kept.join(", ")}.`:"",!(r||!this.#u)&&(this.#i=L(
+this.#u,this.#p,t),this.#d=Le(this.#i),this.#a.show(this.#u,this.#p,this.#i),this.inspector.show(this.#u,this.#p,this.#i,t),this.player.length=this.#i.length,this.
 player.jump(this.#m),this.#m=0,this.#v(),this.element.dataset.played=`${t.run} ${t.pursuer} ${t.evader} ${t.episode} ${t.seed??""}`,this.#f())}#g(){let{pursuer:t,
 evader:r,episode:n,seed:s}=this.#o.selected,{teams:o,payoff:a}=this.#p,i=(c,d)=>o[c].script??`${c}s ${d}`,l=s===null?n<a.episodes?`episode ${n+1} of ${a.episodes}`:
 `episode ${n+1}, not part of the cell`:`seed ${s}`;this.#r.replaceChildren(u("span",{class:"pursuer"},i("pursuer",t))," against ",u("span",{class:"evader"},i("e\
-vader",r)),u("span",{class:"muted small"},l))}#v(){let t=this.#a;if(!t||!this.#d)return;let r=this.player.step,n=this.#d.moments[r];this.#w(Array.from(n.everCaptured).
+vader",r)),u("span",{class:"muted small"},l))}#v(){let t=this.#i;if(!t||!this.#d)return;let r=this.player.step,n=this.#d.moments[r];this.#w(Array.from(n.everCaptured).
 filter(Boolean).length,r),this.#s.replaceChildren(...Jr(t,this.#d,r).map(s=>u("li",{class:s.kind,"data-agents":s.agents.join(" ")},s.text))),this.inspector.at(r),
 this.#S()}#w(t,r){this.#t.replaceChildren(u("strong",{},t),` of ${this.#p.world.n_evaders} captured`,u("span",{class:"muted"},` · step ${r}`))}#x(t){this.#e.look=
 {selected:t,viewers:t===null?[]:[t]},this.#S()}#S(){let t=this.inspector.agent;for(let r of this.#s.children){let n=r.dataset.agents?.split(" ")??[];r.classList.
-toggle("about",t!==null&&n.includes(String(t)))}}};var T={left:52,bottom:46,top:76,right:84},P=10,Fs=160,be=T.right-P-14,W=T.top-P-14,We=class{element;#e;#n;#o=u("canvas",{"aria-hidden":"true"});#i=y("svg",{"ari\
-a-hidden":"true"});#r=y("g");#t;#s=u("h2");#c=u("strong",{class:"rate numbers"});#u=u("span",{class:"small muted"});#a=u("p",{class:"small muted numbers"});#d=null;constructor(t,r){
+toggle("about",t!==null&&n.includes(String(t)))}}};var T={left:52,bottom:46,top:76,right:84},P=10,Fs=160,be=T.right-P-14,W=T.top-P-14,We=class{element;#e;#n;#o=u("canvas",{"aria-hidden":"true"});#a=y("svg",{"ari\
+a-hidden":"true"});#r=y("g");#t;#s=u("h2");#c=u("strong",{class:"rate numbers"});#u=u("span",{class:"small muted"});#i=u("p",{class:"small muted numbers"});#d=null;constructor(t,r){
 [this.#n,this.#e]=[t,r],this.#t=u("div",{class:"matrix",id:"matrix",tabindex:0,role:"application","aria-label":"Payoff matrix. Arrow keys choose a match, Enter \
-plays it."},this.#o,this.#i);let n=u("header",{class:"readout","aria-live":"polite"},u("div",{},this.#s,this.#a),u("div",{class:"of-cell"},this.#c,this.#u));this.
+plays it."},this.#o,this.#a);let n=u("header",{class:"readout","aria-live":"polite"},u("div",{},this.#s,this.#i),u("div",{class:"of-cell"},this.#c,this.#u));this.
 element=u("section",{class:"card matrix-card","aria-label":"Payoff matrix"},n,this.#t,Ws()),this.#b(),new ResizeObserver(()=>this.#h()).observe(this.#t),this.#t.
 addEventListener("pointermove",s=>this.#v(s)),this.#t.addEventListener("pointerleave",()=>r.point({})),this.#t.addEventListener("click",s=>this.#w(s)),this.#t.addEventListener(
 "mousedown",s=>s.preventDefault()),this.#t.addEventListener("keydown",s=>this.#x(s)),r.on("run",()=>this.#h()),r.on("match",()=>this.#f()),r.on("hover",()=>this.#f())}get#l(){
 return this.#n[this.#e.selected.run]}#h(){let[t,r]=this.#l.payoff.shape,{clientWidth:n,clientHeight:s}=this.#t;if(n<50)return;let a=Math.max(Fs,Math.min(n-T.left-
 T.right,s-T.top-T.bottom))/Math.max(t,r),i=Math.max(T.left,(n-r*a-T.right+T.left)/2),l=T.top+Math.max(0,(s-T.top-T.bottom-t*a)/2),c={width:n,height:s,left:i,top:l,
-cell:a,rows:t,columns:r};this.#d=c,Te(this.#o,this.#l.payoff,{left:i,top:l,width:r*a,height:t*a}),this.#i.setAttribute("viewBox",`0 0 ${n} ${s}`),this.#i.replaceChildren(
+cell:a,rows:t,columns:r};this.#d=c,Te(this.#o,this.#l.payoff,{left:i,top:l,width:r*a,height:t*a}),this.#a.setAttribute("viewBox",`0 0 ${n} ${s}`),this.#a.replaceChildren(
 js(c),Gs(c),...this.#p(c),this.#r),this.#f()}#m(t){let r=this.#l.findings?.generalization;if(!r)return[];let{selected:n,hover:s}=this.#e,[o,a]=[s.pursuer??n.pursuer,
 s.evader??n.evader],[i,l]=Qr(t,r.pursuers.mean[o]??0,o),[c,d]=en(t,r.evaders.mean[a]??0,a);return[y("circle",{class:"dot of-pursuers",cx:i,cy:l,r:5}),y("circle",
 {class:"dot of-evaders",cx:c,cy:d,r:5})]}#p(t){let r=this.#l.findings?.generalization;if(!r)return[];let{left:n,top:s,cell:o,rows:a,columns:i}=t,[l,c]=[n+i*o+P,
@@ -308,7 +309,7 @@ l;g++){let h=g+n.lag;h>=0&&h<i&&d.push(y("rect",{class:"lagged",x:s+g*a,y:c(h),w
 height:a};d.push(y("rect",{class:"chosen under",...f}),y("rect",{class:"chosen",...f})),this.#r.replaceChildren(...d),this.#b()}#b(){let{selected:t,hover:r}=this.#e,
 n=r.pursuer??t.pursuer,s=r.evader??t.evader,o=oe(this.#l,n,s);this.#s.replaceChildren(u("span",{class:"pursuer"},`Pursuers ${n}`)," against ",u("span",{class:"e\
 vader"},`evaders ${s}`)),this.#c.textContent=o?A(o.rate,3):"-",this.#u.textContent=o?`capture rate, mean of ${o.rates.length} episodes`:"the evaluation played n\
-o episodes",this.#a.textContent=this.#y(n,s)}#y(t,r){let n=this.#l.findings?.generalization;if(!n)return"";let s=(o,a)=>De(o.mean[a]??0,o.low?.[a]??null,o.high?.[a]??
+o episodes",this.#i.textContent=this.#y(n,s)}#y(t,r){let n=this.#l.findings?.generalization;if(!n)return"";let s=(o,a)=>De(o.mean[a]??0,o.low?.[a]??null,o.high?.[a]??
 null);return`Against all: captures ${s(n.pursuers,t)}, escapes ${s(n.evaders,r)}`}#g(t){let r=this.#d;if(!r)return null;let n=this.#t.getBoundingClientRect(),s=Math.
 floor((t.clientX-n.left-r.left)/r.cell),o=r.rows-1-Math.floor((t.clientY-n.top-r.top)/r.cell),[a,i]=[o>=0&&o<r.rows,s>=0&&s<r.columns];return a||i?{g:a?o:-1,h:i?
 s:-1,inside:a&&i}:null}#v(t){let r=this.#g(t);this.#e.point(r?{pursuer:r.g<0?null:r.g,evader:r.h<0?null:r.h}:{})}#w(t){let r=this.#g(t);r&&(this.#e.select({...r.
