@@ -18,6 +18,7 @@ namespace {
 typedef float Floats __attribute__((vector_size(16)));
 // Two numbers at a time, as many as the narrowest registers hold: compilers take wider comparisons
 // apart into single numbers.
+typedef float TwoFloats __attribute__((vector_size(8)));
 typedef double FourDoubles __attribute__((vector_size(32)));
 typedef double Doubles __attribute__((vector_size(16)));
 typedef long long Bits __attribute__((vector_size(16)));  // a comparison of doubles is -1 or 0
@@ -39,18 +40,65 @@ inline Doubles add_product_to_odd(Doubles a, Doubles b, Doubles c) {
     return (Doubles)(((Bits)sum + away) | (inexact & 1));
 }
 
+// The numbers of four floats as doubles.
+struct Wide {
+    Doubles halves[2];
+};
+
+inline Wide widened(Floats x) {
+    const FourDoubles wide = __builtin_convertvector(x, FourDoubles);
+    return {{Doubles{wide[0], wide[1]}, Doubles{wide[2], wide[3]}}};
+}
+
+inline Floats narrowed(const Wide& x) {
+    const FourDoubles wide{x.halves[0][0], x.halves[0][1], x.halves[1][0], x.halves[1][1]};
+    return __builtin_convertvector(wide, Floats);
+}
+
 inline Floats multiply_add(Floats a, Floats b, Floats c) {
-    const FourDoubles wide_a = __builtin_convertvector(a, FourDoubles);
-    const FourDoubles wide_b = __builtin_convertvector(b, FourDoubles);
-    const FourDoubles wide_c = __builtin_convertvector(c, FourDoubles);
-    FourDoubles sums{};
-    for (int i = 0; i < 4; i += 2) {
-        const auto pair = [i](const FourDoubles& x) { return Doubles{x[i], x[i + 1]}; };
-        const Doubles odd = add_product_to_odd(pair(wide_a), pair(wide_b), pair(wide_c));
-        sums[i] = odd[0];
-        sums[i + 1] = odd[1];
+    const Wide x = widened(a), y = widened(b), z = widened(c);
+    Wide sums;
+    for (int i = 0; i < 2; ++i) {
+        sums.halves[i] = add_product_to_odd(x.halves[i], y.halves[i], z.halves[i]);
     }
-    return __builtin_convertvector(sums, Floats);
+    return narrowed(sums);
+}
+
+// Long sums of products take a shorter way. Rounding a double to a float goes wrong only where the
+// double is in the middle between two floats, that is where the last 29 of its bits are a 1 and
+// zeros, or where the float is subnormal and has fewer bits. Both are rare. So products are added
+// without more ado, and `doubt` remembers whether a sum was one of these: then the caller does all
+// of it again by `multiply_add`.
+typedef unsigned Words __attribute__((vector_size(16)));  // lower and upper words of two doubles
+typedef int Signs __attribute__((vector_size(16)));
+
+struct Doubt {
+    Signs found{};
+
+    // One comparison tests both words: after the addition the lower word is the smallest integer in
+    // the middle between two floats; the upper word is among the smallest if the exponent is that of
+    // a subnormal float, and the largest for 0, which is exact.
+    void look_at(Doubles sum) {
+        static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the lower word comes first");
+        constexpr Words kept = {0x1FFFFFFF, 0x7FFFFFFF, 0x1FFFFFFF, 0x7FFFFFFF};
+        constexpr Words shift = {0x70000000, 0x7FFFFFFF, 0x70000000, 0x7FFFFFFF};
+        constexpr int lowest = -0x7FFFFFFF - 1;
+        constexpr int subnormal = lowest + 0x380FFFFF;  // the exponent of 2^-126, less 1
+        constexpr Signs limit = {lowest + 1, subnormal, lowest + 1, subnormal};
+        found |= (Signs)(((Words)sum & kept) + shift) < limit;
+    }
+
+    bool any() const { return found[0] | found[1] | found[2] | found[3]; }
+};
+
+// sum += x * y, rounded to floats; all numbers are floats, as doubles.
+inline void add_product(Wide& sum, double x, const Wide& y, Doubt& doubt) {
+    for (int i = 0; i < 2; ++i) {
+        const Doubles near = sum.halves[i] + Doubles{x, x} * y.halves[i];
+        doubt.look_at(near);
+        const TwoFloats rounded = __builtin_convertvector(near, TwoFloats);
+        sum.halves[i] = __builtin_convertvector(rounded, Doubles);
+    }
 }
 
 }  // namespace

@@ -69,8 +69,68 @@ void sum_seen(const Positions& positions, const int* agents, int n, const float*
     }
 }
 
-// A tile of kRows inputs by kVecs vectors of outputs. Each weight that is loaded serves kRows
-// inputs, and the sums in a tile do not wait for each other.
+// sum[i][v] += in[i, :] weights, for kRows inputs and kVecs vectors of outputs. Each weight that is
+// loaded serves kRows inputs, and the sums do not wait for each other.
+template <typename V, int kRows, int kVecs>
+inline void add_products(const float* in, int in_stride, int n_in, const float* weights, int width,
+                         V (&sum)[kRows][kVecs]) {
+    for (int k = 0; k < n_in; ++k) {
+        V row[kVecs];
+        for (int v = 0; v < kVecs; ++v) {
+            row[v] = load<V>(weights + static_cast<long>(k) * width + v * kLanesOf<V>);
+        }
+        for (int i = 0; i < kRows; ++i) {
+            const V x = splat<V>(in[static_cast<long>(i) * in_stride + k]);
+            for (int v = 0; v < kVecs; ++v) sum[i][v] = madd(x, row[v], sum[i][v]);
+        }
+    }
+}
+
+#if !defined(MATRIXWORLD_FUSED)
+// The same by doubles, in the registers for kRows inputs: the sums are right, and true is returned,
+// unless one of them may have been rounded twice.
+template <int kRows, int kVecs>
+inline bool add_products_in_doubles(const float* in, int in_stride, int n_in, const float* weights,
+                                    int width, const Vec (*start)[kVecs], Vec (*end)[kVecs]) {
+    Wide sum[kRows][kVecs];
+    for (int i = 0; i < kRows; ++i) {
+        for (int v = 0; v < kVecs; ++v) sum[i][v] = widened(start[i][v]);
+    }
+    Doubt doubt;
+    for (int k = 0; k < n_in; ++k) {
+        Wide row[kVecs];
+        for (int v = 0; v < kVecs; ++v) {
+            row[v] = widened(load<Vec>(weights + static_cast<long>(k) * width + v * kLanes));
+        }
+        for (int i = 0; i < kRows; ++i) {
+            const double x = in[static_cast<long>(i) * in_stride + k];
+            for (int v = 0; v < kVecs; ++v) add_product(sum[i][v], x, row[v], doubt);
+        }
+    }
+    for (int i = 0; i < kRows; ++i) {
+        for (int v = 0; v < kVecs; ++v) end[i][v] = narrowed(sum[i][v]);
+    }
+    return !doubt.any();
+}
+
+template <int kRows, int kVecs>
+inline void add_products(const float* in, int in_stride, int n_in, const float* weights, int width,
+                         Vec (&sum)[kRows][kVecs]) {
+    constexpr int kFew = 2;  // rows whose sums fit the registers
+    Vec end[kRows][kVecs];
+    bool sure = true;
+    for (int i = 0; i < kRows; i += kFew) {
+        sure &= add_products_in_doubles<kFew>(in + static_cast<long>(i) * in_stride, in_stride,
+                                              n_in, weights, width, sum + i, end + i);
+    }
+    if (!sure) return add_products<Vec, kRows, kVecs>(in, in_stride, n_in, weights, width, sum);
+    for (int i = 0; i < kRows; ++i) {
+        for (int v = 0; v < kVecs; ++v) sum[i][v] = end[i][v];
+    }
+}
+#endif
+
+// A tile of kRows inputs by kVecs vectors of outputs.
 template <typename V, int kRows, int kVecs>
 inline void dense_tile(const float* in, int in_stride, int n_in, const float* weights,
                        const float* bias, int width, Activation activation, float* out) {
@@ -79,16 +139,7 @@ inline void dense_tile(const float* in, int in_stride, int n_in, const float* we
     for (int i = 0; i < kRows; ++i) {
         for (int v = 0; v < kVecs; ++v) sum[i][v] = load<V>(bias + v * kStep);
     }
-    for (int k = 0; k < n_in; ++k) {
-        V row[kVecs];
-        for (int v = 0; v < kVecs; ++v) {
-            row[v] = load<V>(weights + static_cast<long>(k) * width + v * kStep);
-        }
-        for (int i = 0; i < kRows; ++i) {
-            const V x = splat<V>(in[static_cast<long>(i) * in_stride + k]);
-            for (int v = 0; v < kVecs; ++v) sum[i][v] = madd(x, row[v], sum[i][v]);
-        }
-    }
+    add_products(in, in_stride, n_in, weights, width, sum);
     for (int i = 0; i < kRows; ++i) {
         for (int v = 0; v < kVecs; ++v) {
             store(out + static_cast<long>(i) * width + v * kStep, activate(sum[i][v], activation));

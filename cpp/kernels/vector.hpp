@@ -52,14 +52,18 @@ inline V larger(V a, V b) {
     return a > b ? a : b;
 }
 
-// a * b + c, rounded once ("multiply-add"). Where there is no instruction for it (old x86 processors,
-// WebAssembly), the same bits by way of doubles.
+#if defined(__FMA__) || defined(__FP_FAST_FMAF) || defined(__aarch64__)
+#define MATRIXWORLD_FUSED  // there is an instruction for a * b + c, rounded once
+#endif
+
+// a * b + c, rounded once ("multiply-add"). Without an instruction (old x86 processors, WebAssembly),
+// the same bits by way of doubles.
 #if defined(__AVX512F__)
 inline Vec madd(Vec a, Vec b, Vec c) { return _mm512_fmadd_ps(a, b, c); }
 inline Half madd(Half a, Half b, Half c) { return _mm256_fmadd_ps(a, b, c); }
 #elif defined(__FMA__)
 inline Vec madd(Vec a, Vec b, Vec c) { return _mm256_fmadd_ps(a, b, c); }
-#elif defined(__FP_FAST_FMAF) || defined(__aarch64__)
+#elif defined(MATRIXWORLD_FUSED)
 inline Vec madd(Vec a, Vec b, Vec c) {
     Vec result;
     for (int i = 0; i < kLanes; ++i) result[i] = __builtin_fmaf(a[i], b[i], c[i]);
