@@ -186,8 +186,8 @@ def test_the_main_job_is_the_package_s_races(job, tmp_path):
 def test_the_main_job_writes_figures_and_numbers(job):
     output, _ = job
     names = {path.name for path in output.iterdir()}
-    written = {"comparison.png", "summary.json", "explorer.html"}
-    assert names == {*MAIN_JOB, "job.json", ".lock", *written}
+    written = {"job.json", ".lock", "comparison.png", "summary.json", "explorer.html"}
+    assert names == {*MAIN_JOB, *written}
     for name in MAIN_JOB:
         assert {path.name for path in (output / name).glob("*.png")} == FIGURES
     for path in output.rglob("*.png"):

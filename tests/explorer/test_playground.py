@@ -12,6 +12,7 @@ from matrixworld.explorer.gallery import GALLERY
 from playground_page import PlaygroundPage
 
 SCENE = "rules=SB&size=3x5&pursuers=0.0_0.2&evaders=2.4&next=240"
+AXIS = 28  # pixels for the numbers of rows and columns
 UP, RIGHT, DOWN, LEFT = "\ue013", "\ue014", "\ue015", "\ue012"
 ENTER, BACKSPACE, HOME, DELETE, CONTROL = "\ue007", "\ue003", "\ue011", "\ue017", "\ue009"
 
@@ -55,9 +56,9 @@ def drag(page: PlaygroundPage, *path: tuple[int, int]) -> None:
     mouse = ActionChains(page.browser.driver, duration=20)
     for number, cell in enumerate(path):
         left, top, width, height, rows, cols, row, col = page.browser.js(point, list(cell))
-        side = min((width - 30) / (cols + 0.24), (height - 30) / (rows + 0.24))
-        x = left + (width - cols * side + 30) / 2 + (col + 0.5) * side
-        y = top + (height - rows * side + 30) / 2 + (row + 0.5) * side
+        side = min((width - AXIS) / (cols + 0.24), (height - AXIS) / (rows + 0.24))
+        x = left + (width - cols * side + AXIS) / 2 + (col + 0.5) * side
+        y = top + (height - rows * side + AXIS) / 2 + (row + 0.5) * side
         mouse.w3c_actions.pointer_action.move_to_location(round(x), round(y))
         if number == 0:
             mouse.w3c_actions.pointer_action.pointer_down()

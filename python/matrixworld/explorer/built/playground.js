@@ -1,7 +1,7 @@
-/* built from web/ by "npm run build"; sources 915e6450fa470053765ba92fd7199dae68d45c6d6bc8ac746ecaf8a345b29a96 */
-"use strict";(()=>{var dt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},q={DISAPPEAR:0,REACH:1,BOUNCE:2},ut={OCCUPATION:0,SURROUND:1},pt={FAULT:0,INVOLVED:1};var mt=["obstacle","teammate","adversary"],Ie=["vertex","edge","chain"],ht=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Pe=["p\
+/* built from web/ by "npm run build"; sources 97146cbc5e7498844922182fc7618725689eea7d88854540a20ab7fbf7f1cc7f */
+"use strict";(()=>{var dt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},J={DISAPPEAR:0,REACH:1,BOUNCE:2},ut={OCCUPATION:0,SURROUND:1},pt={FAULT:0,INVOLVED:1};var mt=["obstacle","teammate","adversary"],Ie=["vertex","edge","chain"],ht=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Pe=["p\
 ursuer_{number}","evader_{number}"],ft={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
-{first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},J={"both held":"both bounce","both doomed":"\
+{first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},X={"both held":"both bounce","both doomed":"\
 both disappear",held:"{agent} bounces",doomed:"{agent} disappears",none:"nobody is stopped"},gt="{event}: {outcome}",Ue={random:"any action, all equally likely",
 still:"always stays",chaser:"moves to where the nearest adversary in view is nearest",fleer:"moves to where the nearest adversary in view is farthest","clumsy-c\
 haser":"a chaser that takes any action in half of the steps","clumsy-fleer":"a fleer that takes any action in half of the steps",hunter:"a chaser of the nearest\
@@ -9,8 +9,8 @@ haser":"a chaser that takes any action in half of the steps","clumsy-fleer":"a f
 moves to where all adversaries in view together are farthest; each cell that holds some weighs 2**14 // (1 + moves)**2"},bt={free:".GS",blocked:"#@OTW"};var B=1+ht.length;function Z(e,t){return e.replace(/\{(\w+)\}/g,(n,r)=>String(t[r]))}function $e(e,t){return e<t?Z(Pe[0],{number:e}):Z(Pe[1],{number:e-t})}function cr(e,t){
 let[n,r,o,s,a,i,l,...d]=Array.from(e),u=a<0?[s]:[s,a],[p,h,m]=d.map(C=>u.filter(($,D)=>C>>D&1)),g=u.map(C=>$e(C,t)),f=Z(ft[a<0?"obstacle":Ie[o]],{first:g[0],second:g[g.
 length-1],cell:`(${i}, ${l})`}),w=Z(gt,{event:f,outcome:dr(u.length,h,m,t)});return{kind:mt[r],form:Ie[o],agents:u,cell:[i,l],at_fault:p,held:h,doomed:m,turn:n,
-text:w}}function dr(e,t,n,r){if(e===2&&t.length===2)return J["both held"];if(e===2&&n.length===2)return J["both doomed"];let o=s=>a=>Z(J[s],{agent:$e(a,r)});return[
-...t.map(o("held")),...n.map(o("doomed"))].join(", ")||J.none}function de(e,t){let n=[];for(let r=0;r<e.length;r+=B)n.push(cr(e.subarray(r+1,r+B),t));return n}var x=class extends Error{name="EngineError"};function y(e,t,n){let r=typeof n=="string"?`'${n}'`:typeof n=="object"?JSON.stringify(n):String(n);return new x(`${e}\
+text:w}}function dr(e,t,n,r){if(e===2&&t.length===2)return X["both held"];if(e===2&&n.length===2)return X["both doomed"];let o=s=>a=>Z(X[s],{agent:$e(a,r)});return[
+...t.map(o("held")),...n.map(o("doomed"))].join(", ")||X.none}function de(e,t){let n=[];for(let r=0;r<e.length;r+=B)n.push(cr(e.subarray(r+1,r+B),t));return n}var x=class extends Error{name="EngineError"};function y(e,t,n){let r=typeof n=="string"?`'${n}'`:typeof n=="object"?JSON.stringify(n):String(n);return new x(`${e}\
 : expected ${t}, got ${r}`)}var H=class{bytes;constructor(t){this.bytes=t}},wt=0,Be=[Uint8Array,Uint8Array,Int32Array,BigInt64Array,BigUint64Array,Float32Array,Float64Array],yt=4,vt=4,ur=new TextEncoder,
 pr=new TextDecoder;function mr(e){for(let t=Be.length-1;t>wt;--t)if(e instanceof Be[t])return t;throw new TypeError("array: expected a typed array of the engine\
 's numbers, got another")}function De(e){return new Uint8Array(e.buffer,e.byteOffset,e.byteLength)}function hr(e){return ur.encode(`${e}\0`)}var He=class{engine;addresses=[];constructor(t){
@@ -24,7 +24,7 @@ of(t)}function pe(e,t){if(typeof t!="boolean")throw y(e,"true or false",t);retur
 hasOwn(n,t)?n[t]:void 0;if(r===void 0)throw y(e,`one of ${Object.keys(n).join(", ")}`,t);return Int32Array.of(r)}function We(e,t){if(typeof t!="number"||!(Math.
 abs(t)<=br))throw y(e,"a finite number",t);return t}function W(e,t){let r=typeof t=="bigint"||typeof t=="number"&&Number.isSafeInteger(t)?BigInt(t):-1n;if(r<0n||
 r>gr)throw y(e,"an integer from 0 to 2^64 - 1",t);return BigUint64Array.of(r)}function yr(e){return{"rules.interaction":L("interaction",e.interaction,dt),"rules\
-.obstacle":L("obstacle",e.obstacle,q),"rules.teammate":L("teammate",e.teammate,q),"rules.evader":L("evader",e.evader,q),"rules.pursuer":L("pursuer",e.pursuer,q),
+.obstacle":L("obstacle",e.obstacle,J),"rules.teammate":L("teammate",e.teammate,J),"rules.evader":L("evader",e.evader,J),"rules.pursuer":L("pursuer",e.pursuer,J),
 "rules.capture":L("capture",e.capture,ut),"rules.captured_disappear":pe("captured_disappear",e.captured_disappear)}}function xt(e,t){let n=typeof t=="number"?[t,
 t,t]:t;if(!Array.isArray(n)||n.length!==3)throw y(e,"1 or 3 numbers",t);return Float32Array.from(n,r=>We(e,r))}function vr(e){let t=(n,r)=>Float32Array.of(We(n,
 e[n]),We(r,e[r]));return{"rewards.capture":t("pursuer_capture","evader_capture"),"rewards.neighbor":t("pursuer_neighbor","evader_neighbor"),"rewards.step":t("pu\
@@ -95,17 +95,17 @@ map(zt).join(I),evaders:e.evaders.map(zt).join(I),played:e.played.map(n).join(I)
 fields.map(({name:r})=>String(e[r]).toLowerCase());return j(e,t.variants)??n.join(".")}function Cr(e,t){let n=JSON.stringify(e);return Object.keys(t.rewards).find(
 o=>JSON.stringify(t.rewards[o])===n)??Object.values(e).map(o=>String(o)).join(I)}function Mr(e,t){if(typeof e=="number")return String(e);let n=t.scripts.findIndex(
 ({name:r})=>r===e);return String.fromCharCode(97+n)}function se(e,t){e.length>jt&&b("link",`at most ${jt} characters`,`${e.length} characters`);let n=Tr(e),r=(h,m="")=>n.
-get(h)??m,o=Yt("rules",r("rules"),t),[s,a]=Rr(r("size")),i=h=>Xe(r(h)).map(m=>kr(h,m,s,a)),[l,d,u]=Ir(r("seed","0.0.0")),p={rules:o,others:n.has("others")?Yt("o\
+get(h)??m,o=Yt("rules",r("rules"),t),[s,a]=Rr(r("size")),i=h=>qe(r(h)).map(m=>kr(h,m,s,a)),[l,d,u]=Ir(r("seed","0.0.0")),p={rules:o,others:n.has("others")?Yt("o\
 thers",r("others"),t):null,rewards:Or(r("rewards",P.rewards),t),rows:s,cols:a,seed:l,episode:d,steps:u,diagonal:Vt("diagonal",r("diagonal","0")),fov:ve("fov",r(
 "fov",String(P.fov)),1,255),maxSteps:ve("limit",r("limit",String(P.maxSteps)),1,2**31-1),ended:Vt("ended",r("ended","0")),walls:Nr(r("walls"),s,a),pursuers:i("p\
-ursuers"),evaders:i("evaders"),played:[],next:[]};return Pr(p),Ur(p,Xe(r("played")),r("next"),t)}function Tr(e){let t=new Map;for(let n of e.replace(/^#/,"").split(
+ursuers"),evaders:i("evaders"),played:[],next:[]};return Pr(p),Ur(p,qe(r("played")),r("next"),t)}function Tr(e){let t=new Map;for(let n of e.replace(/^#/,"").split(
 "&").filter(Boolean)){let[r,o]=n.includes("=")?[n.slice(0,n.indexOf("=")),n.slice(n.indexOf("=")+1)]:[n,""];Ye.includes(r)||b("link",`parts ${Ye.join(", ")}`,r),
-t.has(r)&&b(r,"it once","it twice"),t.set(r,o)}return t}var Xe=e=>e?e.split(I):[];function ve(e,t,n,r){let o=/^\d{1,10}$/.test(t)?Number(t):NaN;return o>=n&&o<=
+t.has(r)&&b(r,"it once","it twice"),t.set(r,o)}return t}var qe=e=>e?e.split(I):[];function ve(e,t,n,r){let o=/^\d{1,10}$/.test(t)?Number(t):NaN;return o>=n&&o<=
 r||b(e,`a number from ${n} to ${r}`,t),o}function Vt(e,t){return t!=="0"&&t!=="1"&&b(e,"0 or 1",t),t==="1"}function Rr(e){let[t,n,...r]=e.split("x");return(t===
-void 0||n===void 0||r.length)&&b("size","rows and columns, such as 4x6",e),[ve("size",t,1,64),ve("size",n,1,64)]}function Xt(e,t,n,r){let o=/^(\d{1,4})\.(\d{1,4})$/.
+void 0||n===void 0||r.length)&&b("size","rows and columns, such as 4x6",e),[ve("size",t,1,64),ve("size",n,1,64)]}function qt(e,t,n,r){let o=/^(\d{1,4})\.(\d{1,4})$/.
 exec(t),s=[Number(o?.[1]),Number(o?.[2])];return(!o||s[0]>=n||s[1]>=r)&&b(e,`cells of a ${n} x ${r} grid, such as 0.2`,t),s}function kr(e,t,n,r){let o=/^(.*?)([ce]?)(x?)$/.
-exec(t),s=Xt(e,o[1],n,r);return e==="pursuers"&&o[2]&&b(e,"no captured pursuer",t),{cell:s,gone:o[3]==="x",captured:o[2]==="c",everCaptured:o[2]!==""}}function Nr(e,t,n){
-let r=Xe(e).map(o=>{let[s,a]=Xt("walls",o,t,n);return s*n+a});return[...new Set(r)].sort((o,s)=>o-s)}function Yt(e,t,n){let r=Object.hasOwn(n.variants,t)?n.variants[t]:
+exec(t),s=qt(e,o[1],n,r);return e==="pursuers"&&o[2]&&b(e,"no captured pursuer",t),{cell:s,gone:o[3]==="x",captured:o[2]==="c",everCaptured:o[2]!==""}}function Nr(e,t,n){
+let r=qe(e).map(o=>{let[s,a]=qt("walls",o,t,n);return s*n+a});return[...new Set(r)].sort((o,s)=>o-s)}function Yt(e,t,n){let r=Object.hasOwn(n.variants,t)?n.variants[t]:
 void 0;if(r)return r;let o=t.split("."),s=`${Object.keys(n.variants).join(", ")} or ${n.fields.length} values joined by "."`;o.length!==n.fields.length&&b(e,s,t);
 let a=n.fields.map(({name:i,values:l},d)=>{let u=l.find(p=>p.name.toLowerCase()===o[d])?.name;return u===void 0&&b(`${e}, ${i}`,l.map(p=>p.name.toLowerCase()).join(
 " or "),o[d]),[i,u==="true"?!0:u==="false"?!1:u]});return Object.fromEntries(a)}function Or(e,t){if(Object.hasOwn(t.rewards,e))return t.rewards[e];let n=Object.
@@ -118,20 +118,20 @@ n,r,Number(t[3])]}function Pr(e){for(let t of["pursuers","evaders"]){let n=e[t].
 dd number",String(e.fov)),e.steps>e.maxSteps&&b("seed",`at most ${e.maxSteps} steps`,String(e.steps))}function Ur(e,t,n,r){let o=A(e).length;t.length>300&&b("pl\
 ayed",`at most ${300} steps`,`${t.length} steps`);let s=a=>i=>(i.length!==o&&b(a,`${o} characters, one for each agent`,i),[...i].map(l=>$r(a,l,e.diagonal?9:5,r)));
 return{...e,played:t.map(s("played")),next:n?s("next")(n):Array(o).fill(0)}}function $r(e,t,n,r){let o=/^\d$/.test(t)?Number(t):NaN;if(o<n)return o;let s=r.scripts[t.
-charCodeAt(0)-97],a=String.fromCharCode(97+r.scripts.length-1);return s?.name??b(e,`actions 0 to ${n-1} or scripts a to ${a}`,t)}var Dr={now:()=>performance.now(),request:e=>requestAnimationFrame(e),cancel:e=>cancelAnimationFrame(e)},Se=[.5,1,2,4,8,16,32,64],xe=class extends EventTarget{#t;#e;#r;#a;#o=0;#n=0;#s=!1;#c=null;#i=0;glide=.28;constructor(t,n={}){
-super(),this.#t=t,this.#e=n.speed??4,this.#a=n.still??!1,this.#r=n.clock??Dr}get step(){return this.#o}get time(){return this.#a?this.#o:this.#n}get arrived(){return this.#n===
-this.#o}get playing(){return this.#s}get length(){return this.#t}set length(t){this.#t=t,this.#o>t&&this.jump(t),this.#l("state")}get speed(){return this.#e}set speed(t){
-this.#e=t,this.#l("state")}changeSpeed(t){let n=Se.findIndex(r=>r>=this.#e);this.speed=Se[Math.min(Se.length-1,Math.max(0,n+t))]}play(){this.#s||!this.#t||(this.#o===
+charCodeAt(0)-97],a=String.fromCharCode(97+r.scripts.length-1);return s?.name??b(e,`actions 0 to ${n-1} or scripts a to ${a}`,t)}var Dr={now:()=>performance.now(),request:e=>requestAnimationFrame(e),cancel:e=>cancelAnimationFrame(e)},Se=[.5,1,2,4,8,16,32,64],xe=class extends EventTarget{#t;#e;#o;#a;#r=0;#n=0;#s=!1;#c=null;#i=0;glide=.28;constructor(t,n={}){
+super(),this.#t=t,this.#e=n.speed??4,this.#a=n.still??!1,this.#o=n.clock??Dr}get step(){return this.#r}get time(){return this.#a?this.#r:this.#n}get arrived(){return this.#n===
+this.#r}get playing(){return this.#s}get length(){return this.#t}set length(t){this.#t=t,this.#r>t&&this.jump(t),this.#l("state")}get speed(){return this.#e}set speed(t){
+this.#e=t,this.#l("state")}changeSpeed(t){let n=Se.findIndex(r=>r>=this.#e);this.speed=Se[Math.min(Se.length-1,Math.max(0,n+t))]}play(){this.#s||!this.#t||(this.#r===
 this.#t&&this.jump(0),this.#s=!0,this.#l("state"),this.#p())}pause(){this.#s&&(this.#s=!1,this.#l("state"))}toggle(){this.#s?this.pause():this.play()}move(t){this.
-pause();let n=Math.min(this.#t,Math.max(0,this.#o+t));Math.abs(n-this.#n)>1?this.jump(n):this.#d(n),this.#p()}jump(t){this.#n=Math.min(this.#t,Math.max(0,Math.round(
-t))),this.#d(this.#n),this.#l("frame")}#d(t){t!==this.#o&&(this.#o=t,this.#l("step"),this.#a&&this.#l("frame"))}#p(){this.#c===null&&(this.#i=this.#r.now(),this.#c=
-this.#r.request(()=>this.#u()))}#u(){this.#c=null;let t=this.#r.now();this.#m(Math.min(.25,(t-this.#i)/1e3)),this.#i=t,(!this.#a||this.arrived)&&this.#l("frame"),
-(this.#s||this.#n!==this.#o)&&(this.#c=this.#r.request(()=>this.#u()))}#m(t){let n=t;for(;n>0;){if(this.#n===this.#o){if(!this.#s)return;if(this.#o===this.#t)return this.
-pause();this.#d(this.#o+1)}let r=this.#s?this.#e:1/this.glide,o=this.#o-this.#n,s=Math.min(Math.abs(o),n*r);n-=s/r,this.#n=s===Math.abs(o)?this.#o:this.#n+Math.
+pause();let n=Math.min(this.#t,Math.max(0,this.#r+t));Math.abs(n-this.#n)>1?this.jump(n):this.#d(n),this.#p()}jump(t){this.#n=Math.min(this.#t,Math.max(0,Math.round(
+t))),this.#d(this.#n),this.#l("frame")}#d(t){t!==this.#r&&(this.#r=t,this.#l("step"),this.#a&&this.#l("frame"))}#p(){this.#c===null&&(this.#i=this.#o.now(),this.#c=
+this.#o.request(()=>this.#u()))}#u(){this.#c=null;let t=this.#o.now();this.#m(Math.min(.25,(t-this.#i)/1e3)),this.#i=t,(!this.#a||this.arrived)&&this.#l("frame"),
+(this.#s||this.#n!==this.#r)&&(this.#c=this.#o.request(()=>this.#u()))}#m(t){let n=t;for(;n>0;){if(this.#n===this.#r){if(!this.#s)return;if(this.#r===this.#t)return this.
+pause();this.#d(this.#r+1)}let r=this.#s?this.#e:1/this.glide,o=this.#r-this.#n,s=Math.min(Math.abs(o),n*r);n-=s/r,this.#n=s===Math.abs(o)?this.#r:this.#n+Math.
 sign(o)*s}this.#s&&this.#n===this.#t&&this.pause()}#l(t){this.dispatchEvent(new Event(t))}};var z=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]],U=(e,t)=>t<e.nPursuers,v=(e,t)=>[e.positions[2*t],e.positions[2*t+1]],Br=(e,t)=>e[0]===t[0]&&
-e[1]===t[1],qe=({rows:e,cols:t},[n,r])=>n>=0&&r>=0&&n<e&&r<t,Je=(e,t,n=3)=>e!==void 0&&[0,1,2].slice(0,n).some(r=>e[3*t+r]),Ze=(e,t)=>Je(e.fault,t),qt=(e,t)=>!Ze(
-e,t)&&Je(e.involved,t,2);function Ae(e,t,n){let r=!Br(v(e,n),v(t,n)),o=t.involved===void 0||Je(t.involved,n);return!!(t.alive[n]&&t.actions?.[n]&&!r&&o)}function Ee(e,t,n){
-let[r,o]=v(e,n),[s,a]=z[t.actions?.[n]??0];return[r+s,o+a]}function Jt(e,t,n){return Array.from({length:n.everCaptured.length},(o,s)=>s).filter(o=>n.everCaptured[o]&&
+e[1]===t[1],Je=({rows:e,cols:t},[n,r])=>n>=0&&r>=0&&n<e&&r<t,Xe=(e,t,n=3)=>e!==void 0&&[0,1,2].slice(0,n).some(r=>e[3*t+r]),Ze=(e,t)=>Xe(e.fault,t),Jt=(e,t)=>!Ze(
+e,t)&&Xe(e.involved,t,2);function Ae(e,t,n){let r=!Br(v(e,n),v(t,n)),o=t.involved===void 0||Xe(t.involved,n);return!!(t.alive[n]&&t.actions?.[n]&&!r&&o)}function Ee(e,t,n){
+let[r,o]=v(e,n),[s,a]=z[t.actions?.[n]??0];return[r+s,o+a]}function Xt(e,t,n){return Array.from({length:n.everCaptured.length},(o,s)=>s).filter(o=>n.everCaptured[o]&&
 !t.everCaptured[o]).map(o=>e.nPursuers+o)}function Zt(e,t){return Array.from({length:t.alive.length},(r,o)=>o).filter(r=>e.alive[r]&&!t.alive[r])}var Qt=[-.31,0,.31],en=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
 -.23,-.23],[.23,-.23]]},{size:.36,at:Qt.flatMap(e=>Qt.map(t=>[t,e]))}],Hr=.3,Wr=.35,Fr=.55;function ae(e,t){let n=new Map;for(let r=0;r<t.alive.length;r++){if(!t.
 alive[r])continue;let[o,s]=v(t,r),a=o*e.cols+s,i=n.get(a);i?i.push(r):n.set(a,[r])}return n}function tn(e,t){let n=Array.from(t.alive,(r,o)=>{let[s,a]=v(t,o);return{
@@ -146,7 +146,7 @@ h}return i}var an=2*Math.PI;function ie(e,t,n,r){e.beginPath(),e.arc(t,n,r/2,0,a
 o]);e.beginPath(),e.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[d,u]=s[(l+1)%3];e.arcTo(a,i,d,u,r*.09)}),e.closePath()}function cn(e,t,n,r){
 let o=r*.32;e.beginPath(),e.moveTo(t-o,n-o),e.lineTo(t+o,n+o),e.moveTo(t+o,n-o),e.lineTo(t-o,n+o)}function dn(e,t,n,r){e.beginPath();for(let o=0;o<16;o++){let s=r/
 2*(o%2?.6:.95),a=an*o/16;e.lineTo(t+s*Math.sin(a),n-s*Math.cos(a))}e.closePath()}function un(e,t,n,r,o,s){let a=Math.atan2(o-n,r-t);e.beginPath(),e.moveTo(t,n),
-e.lineTo(r,o);for(let i of[-1,1])e.moveTo(r,o),e.lineTo(r-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var pn=4,Gr=1.6,zr=.95,Kr=5,Vr=.16,Yr=9,Xr=.09,qr=.2,mn=.75,E=(e,t)=>e.left+t*e.cell,_=(e,t)=>e.top+t*e.cell;function V(e,t,n){return U(t,n)?e.colors.pursuer:e.
+e.lineTo(r,o);for(let i of[-1,1])e.moveTo(r,o),e.lineTo(r-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var pn=4,Gr=1.6,zr=.95,Kr=5,Vr=.16,Yr=9,qr=.09,Jr=.2,mn=.75,E=(e,t)=>e.left+t*e.cell,_=(e,t)=>e.top+t*e.cell;function V(e,t,n){return U(t,n)?e.colors.pursuer:e.
 colors.evader}function hn({ctx:e,grid:t,colors:n}){let{left:r,top:o,cell:s,rows:a,cols:i}=t,[l,d]=[i*s,a*s];if(e.fillStyle=n.paper,e.fillRect(r,o,l,d),s<Kr)return;
 e.fillStyle=n.line;let u=Math.max(1,Math.round(s/60));for(let p=1;p<i;p++)e.fillRect(r+p*s,o,u,d);for(let p=1;p<a;p++)e.fillRect(r,o+p*s,l,u)}function fn({ctx:e,
 grid:t,colors:n},r){let{left:o,top:s,cell:a,rows:i,cols:l}=t;e.fillStyle=n.obstacle;for(let u=0;u<i*l;u++){if(!r.obstacles[u])continue;let[p,h]=[Math.floor(u/l),
@@ -157,11 +157,11 @@ serif`,e.fillStyle=n.muted,e.textBaseline="alphabetic",e.textAlign="center";let 
 d]=[Math.max(0,r-i),Math.min(a.cols,r+i)],[u,p]=[Math.max(0,o-i),Math.min(a.rows,o+i)],h=[E(a,l),_(a,u),(d-l)*a.cell,(p-u)*a.cell],m=V(e,t,n);s.globalAlpha=.11,
 s.fillStyle=m,s.fillRect(...h),s.globalAlpha=.8,s.strokeStyle=m,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...h),s.globalAlpha=1}function yn(e,t,n,r,o){let{
 ctx:s,grid:a}=e,i=Math.min(Math.ceil(n),t.moments.length-1),l=t.moments[i];s.lineCap="round",s.lineWidth=Math.min(Yr,Math.max(1,a.cell*Vr));for(let d=Math.max(1,
-Math.floor(n-r)+1);d<=i;d++){let[u,p]=[t.moments[d-1],t.moments[d]],h=Math.max(0,Math.min(1,(n-d)/r));s.globalAlpha=mn+(qr-mn)*h;for(let m=0;m<p.alive.length;m++){
-let g=d===i&&n<i;if(!u.alive[m]||!(l.alive[m]||g))continue;let f=(U(t,m)?-1:1)*Xr,[w,C]=v(u,m),[$,D]=v(p,m);if(w===$&&C===D)continue;let ce=g?o[m].x:D+.5,lr=g?o[m].
+Math.floor(n-r)+1);d<=i;d++){let[u,p]=[t.moments[d-1],t.moments[d]],h=Math.max(0,Math.min(1,(n-d)/r));s.globalAlpha=mn+(Jr-mn)*h;for(let m=0;m<p.alive.length;m++){
+let g=d===i&&n<i;if(!u.alive[m]||!(l.alive[m]||g))continue;let f=(U(t,m)?-1:1)*qr,[w,C]=v(u,m),[$,D]=v(p,m);if(w===$&&C===D)continue;let ce=g?o[m].x:D+.5,lr=g?o[m].
 y:$+.5;s.strokeStyle=V(e,t,m),s.beginPath(),s.moveTo(E(a,C+.5+f),_(a,w+.5+f)),s.lineTo(E(a,ce+f),_(a,lr+f)),s.stroke()}}s.globalAlpha=1}function vn(e,t,n){let r=Math.
-min(Math.ceil(n),t.moments.length-1);for(let o=Math.max(1,r-pn+1);o<=r;o++){let[s,a]=[t.moments[o-1],t.moments[o]],i=o>n?Math.max(0,1-2*(o-n)):1-(n-o)/pn,l=Jt(t,
-s,a);for(let d of Zt(s,a))l.includes(d)||Zr(e,v(a,d),i);for(let d of l)Jr(e,v(a,d),i)}e.ctx.globalAlpha=1}function Jr({ctx:e,grid:t,colors:n},[r,o],s){e.globalAlpha=
+min(Math.ceil(n),t.moments.length-1);for(let o=Math.max(1,r-pn+1);o<=r;o++){let[s,a]=[t.moments[o-1],t.moments[o]],i=o>n?Math.max(0,1-2*(o-n)):1-(n-o)/pn,l=Xt(t,
+s,a);for(let d of Zt(s,a))l.includes(d)||Zr(e,v(a,d),i);for(let d of l)Xr(e,v(a,d),i)}e.ctx.globalAlpha=1}function Xr({ctx:e,grid:t,colors:n},[r,o],s){e.globalAlpha=
 s,dn(e,E(t,o+.5),_(t,r+.5),Math.max(8,t.cell*Gr)),e.fillStyle=n.capture,e.fill(),e.strokeStyle=n.ink,e.lineWidth=Math.max(1,t.cell/36),e.lineJoin="round",e.stroke()}
 function Zr({ctx:e,grid:t,colors:n},[r,o],s){e.globalAlpha=s,cn(e,E(t,o+.5),_(t,r+.5),Math.max(7,t.cell*zr)),e.strokeStyle=n.collision,e.lineWidth=Math.max(2,t.
 cell*.17),e.lineCap="round",e.stroke()}function wn({ctx:e,grid:t,colors:n},r,o){let s=Math.max(1,t.cell*.07);e.strokeStyle=e.fillStyle=n.collision,e.lineWidth=Math.
@@ -176,64 +176,63 @@ w,p,h+m*(u?.17:.03))}function oo({ctx:e,grid:t,colors:n},r,o){let[s,a]=[t.left+r
 ns-serif`,e.textAlign="center",e.textBaseline="middle",e.strokeStyle=n.paper,e.lineWidth=t.cell*.1,e.strokeText(`+${o}`,s,a),e.fillStyle=n.ink,e.fillText(`+${o}`,
 s,a)}var so=.46,ao=.86,io=.66,An=.48,lo=.78,co=.58;function En(e,t,n,r){let[o,s]=[t.moments[n-1],t.moments[n]];if(!o)return;let{ctx:a,grid:i,colors:l}=e;a.strokeStyle=
 l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=r;for(let d=0;d<s.alive.length;d++)Ae(o,s,d)&&uo(e,t,v(o,d),Ee(o,s,d));a.globalAlpha=
-1}function uo({ctx:e,grid:t},n,r,o){let[s,a]=[o[1]-r[1],o[0]-r[0]],i=p=>E(t,r[1]+.5+s*p),l=p=>_(t,r[0]+.5+a*p),d=qe(n,o)?lo:co;e.setLineDash([t.cell*.09,t.cell*
+1}function uo({ctx:e,grid:t},n,r,o){let[s,a]=[o[1]-r[1],o[0]-r[0]],i=p=>E(t,r[1]+.5+s*p),l=p=>_(t,r[0]+.5+a*p),d=Je(n,o)?lo:co;e.setLineDash([t.cell*.09,t.cell*
 .06]),e.beginPath(),e.moveTo(i(An),l(An)),e.lineTo(i(d),l(d)),e.stroke(),e.setLineDash([]);let u=.17*t.cell/Math.hypot(s,a);e.beginPath(),e.moveTo(i(d)-a*u,l(d)+
-s*u),e.lineTo(i(d)+a*u,l(d)-s*u),e.stroke()}function _n(e,t,n,r,o,s){let a=z[s];if(!s||!a)return;let{ctx:i,grid:l,colors:d}=e,u=qe(t,[r[0]+a[0],r[1]+a[1]])?ao:io,
+s*u),e.lineTo(i(d)+a*u,l(d)-s*u),e.stroke()}function _n(e,t,n,r,o,s){let a=z[s];if(!s||!a)return;let{ctx:i,grid:l,colors:d}=e,u=Je(t,[r[0]+a[0],r[1]+a[1]])?ao:io,
 p=so*o.size,h=[E(l,o.x+a[1]*p),_(l,o.y+a[0]*p),E(l,o.x+a[1]*u),_(l,o.y+a[0]*u)],m=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[g,f]of[[d.paper,
 m*2.1],[V(e,t,n),m]])i.strokeStyle=g,i.lineWidth=f,un(i,...h,l.cell*.2),i.stroke()}var Mn={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null};function Tn(e,t,n,r,o){let{ctx:s,grid:a,colors:i}=e,l=Math.min(Math.ceil(n),t.
 moments.length-1),d=t.moments[l],u=n===l,p=_e(t,n),h=u?1:Math.max(0,1-2*(l-n));s.clearRect(0,0,s.canvas.width,s.canvas.height),hn(e);for(let f of r.viewers)p[f]?.
-alpha&&bn(e,t,f,...sn(t,f,n));fn(e,t),r.axes&&gn(e,o),yn(e,t,n,r.trail,p),wn(e,d.contested??[],h),vn(e,t,n),En(e,t,l,h),p.forEach(({x:f,y:w,size:C},$)=>{let D=qt(
+alpha&&bn(e,t,f,...sn(t,f,n));fn(e,t),r.axes&&gn(e,o),yn(e,t,n,r.trail,p),wn(e,d.contested??[],h),vn(e,t,n),En(e,t,l,h),p.forEach(({x:f,y:w,size:C},$)=>{let D=Jt(
 d,$)?.4:0,ce=Ze(d,$)?1:D;ce&&Sn(e,f,w,C,ce*h)});let m=u?d:t.moments[Math.max(0,l-1)];if(xn(e,t,m,p,r.numbers,o),u&&r.plan)for(let[f,w]of p.entries())w.alpha&&_n(
 e,t,f,v(d,f),w,r.plan[f]??0);s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let g=r.selected===null?void 0:p[r.selected];g?.alpha&&Cn(e,g.x,g.y,g.size*.96),
 r.cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Cn(e,r.cursor[1]+.5,r.cursor[0]+.5,.8),s.setLineDash([]))}function Cn({ctx:e,grid:t},n,r,o){let s=o*t.cell;e.beginPath(),
-e.roundRect(t.left+n*t.cell-s/2,t.top+r*t.cell-s/2,s,s,s*.1),e.stroke()}function Rn(e,t,n){let r=.24+(n?.62:0);return(t+r)/(e+r)}function kn(e,t,n,r,o,s){let a=n?30*s:0,i=(u,p)=>Math.max((u-a)/(p+2*.12),u/(p+2*.12+(n?.62:0))),l=Math.
-max(1,Math.floor(Math.min(i(r,t),i(o,e)))),d=n?Math.min(.62*l,a):0;return{rows:e,cols:t,cell:l,left:Math.round((r-t*l+d)/2),top:Math.round((o-e*l+d)/2)}}function Nn(e,t,n){
-let r=Math.floor((n-e.top)/e.cell),o=Math.floor((t-e.left)/e.cell);return r>=0&&r<e.rows&&o>=0&&o<e.cols?[r,o]:null}var po={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
+e.roundRect(t.left+n*t.cell-s/2,t.top+r*t.cell-s/2,s,s,s*.1),e.stroke()}var Rn=(e,t)=>(t+.24)/(e+.24);function kn(e,t,n,r,o,s){let a=n?28*s:0,i=(d,u)=>(d-a)/(u+2*.12),l=Math.max(1,Math.floor(Math.min(i(r,t),i(o,e))));return{rows:e,cols:t,
+cell:l,left:Math.round((r-t*l+a)/2),top:Math.round((o-e*l+a)/2)}}function Nn(e,t,n){let r=Math.floor((n-e.top)/e.cell),o=Math.floor((t-e.left)/e.cell);return r>=
+0&&r<e.rows&&o>=0&&o<e.cols?[r,o]:null}var po={paper:"--board-paper",line:"--board-line",frame:"--board-frame",ink:"--board-ink",muted:"--board-muted",obstacle:"--board-obstacle",pursuer:"--pursuer",
 evader:"--evader",capture:"--capture",collision:"--collision",focus:"--focus"};function On(e){let t=getComputedStyle(e),n=Object.entries(po).map(([r,o])=>[r,t.getPropertyValue(
-o).trim()]);return Object.fromEntries(n)}var Ln=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Ce=class{canvas;#t=null;#e=0;#r;#a={rows:1,cols:1,left:0,top:0,cell:1};#o=0;#n;#s;constructor(t,n={}){
-this.canvas=t,t.classList.add("board"),t.setAttribute("role","img"),this.#r={...Mn,...n},this.#n=new ResizeObserver(()=>this.#i()),this.#n.observe(t),this.#s=new MutationObserver(
+o).trim()]);return Object.fromEntries(n)}var Ln=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Ce=class{canvas;#t=null;#e=0;#o;#a={rows:1,cols:1,left:0,top:0,cell:1};#r=0;#n;#s;constructor(t,n={}){
+this.canvas=t,t.classList.add("board"),t.setAttribute("role","img"),this.#o={...Mn,...n},this.#n=new ResizeObserver(()=>this.#i()),this.#n.observe(t),this.#s=new MutationObserver(
 ()=>this.redraw()),this.#s.observe(document.documentElement,{attributes:!0}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",this.redraw)}close(){
-this.#n.disconnect(),this.#s.disconnect(),matchMedia("(prefers-color-scheme: dark)").removeEventListener("change",this.redraw),cancelAnimationFrame(this.#o)}get look(){
-return this.#r}set look(t){this.#r={...this.#r,...t},this.#c(),this.redraw()}get time(){return this.#e}show(t,n){this.#t=t,this.#e=Math.min(Math.max(0,n),t.moments.
-length-1),this.#c(),this.redraw()}redraw=()=>{this.#o||(this.#o=requestAnimationFrame(()=>this.drawNow()))};drawNow(){cancelAnimationFrame(this.#o),this.#o=0;let t=this.
-canvas.getContext("2d");if(!t||!this.#t)return;let{rows:n,cols:r}=this.#t,o=devicePixelRatio||1;this.#a=kn(n,r,this.#r.axes,this.canvas.width,this.canvas.height,
-o);let s={ctx:t,grid:this.#a,colors:On(this.canvas)};Tn(s,this.#t,this.#e,this.#r,o)}cellAt(t,n){let r=this.canvas.getBoundingClientRect(),o=this.canvas.width/r.
+this.#n.disconnect(),this.#s.disconnect(),matchMedia("(prefers-color-scheme: dark)").removeEventListener("change",this.redraw),cancelAnimationFrame(this.#r)}get look(){
+return this.#o}set look(t){this.#o={...this.#o,...t},this.#c(),this.redraw()}get time(){return this.#e}show(t,n){this.#t=t,this.#e=Math.min(Math.max(0,n),t.moments.
+length-1),this.#c(),this.redraw()}redraw=()=>{this.#r||(this.#r=requestAnimationFrame(()=>this.drawNow()))};drawNow(){cancelAnimationFrame(this.#r),this.#r=0;let t=this.
+canvas.getContext("2d");if(!t||!this.#t)return;let{rows:n,cols:r}=this.#t,o=devicePixelRatio||1;this.#a=kn(n,r,this.#o.axes,this.canvas.width,this.canvas.height,
+o);let s={ctx:t,grid:this.#a,colors:On(this.canvas)};Tn(s,this.#t,this.#e,this.#o,o)}cellAt(t,n){let r=this.canvas.getBoundingClientRect(),o=this.canvas.width/r.
 width;return Nn(this.#a,(t-r.left)*o,(n-r.top)*o)}agentAt(t,n){let r=this.cellAt(t,n);if(!r||!this.#t)return null;let o=this.#t.moments[Math.round(this.#e)],s=ae(
 this.#t,o).get(r[0]*this.#t.cols+r[1])??[],a=_e(this.#t,Math.round(this.#e)),i=l=>{let[d,u]=this.pointOf(a[l].x,a[l].y);return Math.hypot(d-t,u-n)};return s.length?
 s.reduce((l,d)=>i(d)<i(l)?d:l):null}pointOf(t,n){let r=this.canvas.getBoundingClientRect(),o=r.width/this.canvas.width,{left:s,top:a,cell:i}=this.#a;return[r.left+
-(s+t*i)*o,r.top+(a+n*i)*o]}#c(){if(!this.#t)return;let{rows:t,cols:n}=this.#t;this.canvas.style.setProperty("--board-aspect",String(Rn(t,n,this.#r.axes)))}#i(){
-let t=devicePixelRatio||1,{width:n,height:r}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(n*t)),this.canvas.height=Math.max(1,Math.
-round(r*t)),this.drawNow()}};var ho={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2};function In(e,t,n){return{rows:e.rows,cols:e.cols,nPursuers:e.n_pursuers,fov:e.fov,interaction:ho[e.rules.interaction],
+(s+t*i)*o,r.top+(a+n*i)*o]}#c(){if(!this.#t)return;let{rows:t,cols:n}=this.#t;this.canvas.style.setProperty("--board-aspect",String(Rn(t,n)))}#i(){let t=devicePixelRatio||
+1,{width:n,height:r}=this.canvas.getBoundingClientRect();this.canvas.width=Math.max(1,Math.round(n*t)),this.canvas.height=Math.max(1,Math.round(r*t)),this.drawNow()}};var ho={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2};function In(e,t,n){return{rows:e.rows,cols:e.cols,nPursuers:e.n_pursuers,fov:e.fov,interaction:ho[e.rules.interaction],
 obstacles:t,moments:n}}function Pn(e,t){return{positions:e.read("last_positions"),alive:e.read("alive"),captured:e.read("captured"),everCaptured:e.read("ever_ca\
-ptured"),actions:t,involved:e.read("involved"),fault:e.read("fault"),contested:e.conflicts().map(n=>n.cell)}}var Me=class{recording;rules;outcomes=[];#t;#e;#r=[];#a=[];constructor(t,n,r){this.#t=n,this.rules=r;let o=Ut(n,r);this.#e=t.world(o),this.#e.restore(go(this.#e,
-n)),this.recording=In(o,this.#e.map(),this.#r),this.#n(void 0);for(let s of n.played)this.#o(s)}follow(t){if(!bo(this.#t,t))return!1;let n=this.#t.played,r=t.played.
-findIndex((a,i)=>a!==n[i]),o=r<0?t.played.length:r,s=Math.min(o+1,this.#r.length);this.#r.length=this.outcomes.length=this.#a.length=s,this.#e.restore(this.#a.at(
--1));for(let a of t.played.slice(s-1))this.#o(a);return this.#t=t,!0}get length(){return this.#r.length-1}get over(){let{terminated:t,truncated:n}=this.outcomes.
+ptured"),actions:t,involved:e.read("involved"),fault:e.read("fault"),contested:e.conflicts().map(n=>n.cell)}}var Me=class{recording;rules;outcomes=[];#t;#e;#o=[];#a=[];constructor(t,n,r){this.#t=n,this.rules=r;let o=Ut(n,r);this.#e=t.world(o),this.#e.restore(go(this.#e,
+n)),this.recording=In(o,this.#e.map(),this.#o),this.#n(void 0);for(let s of n.played)this.#r(s)}follow(t){if(!bo(this.#t,t))return!1;let n=this.#t.played,r=t.played.
+findIndex((a,i)=>a!==n[i]),o=r<0?t.played.length:r,s=Math.min(o+1,this.#o.length);this.#o.length=this.outcomes.length=this.#a.length=s,this.#e.restore(this.#a.at(
+-1));for(let a of t.played.slice(s-1))this.#r(a);return this.#t=t,!0}get length(){return this.#o.length-1}get over(){let{terminated:t,truncated:n}=this.outcomes.
 at(-1);return t||n}actions(t){let n=Uint8Array.from(t,o=>typeof o=="number"?o:0),r=new Set(t.filter(o=>typeof o=="string"));for(let o of this.over?[]:r)for(let s of[
 "pursuer","evader"]){let a=this.#e.decide(o,s,n);t.forEach((i,l)=>{i===o&&l<this.#t.pursuers.length==(s==="pursuer")&&(n[l]=a[l])})}return n}scene(){let t=this.#e,
 [n,r]=[t.read("last_positions"),t.read("alive")],[o,s]=[t.read("captured"),t.read("ever_captured")],a=this.#t.pursuers.length,i=A(this.#t).map((l,d)=>({...je([n[2*
 d],n[2*d+1]]),gone:!r[d],captured:d>=a&&!!o[d-a],everCaptured:d>=a&&!!s[d-a]}));return{...this.#t,played:[],steps:t.steps,ended:this.outcomes.at(-1).terminated,
-pursuers:i.slice(0,a),evaders:i.slice(a)}}free(){this.#e.free()}#o(t){if(this.over)return;let n=this.actions(t);this.#e.step(n),this.#n(n)}#n(t){let n=this.#e;this.#r.
+pursuers:i.slice(0,a),evaders:i.slice(a)}}free(){this.#e.free()}#r(t){if(this.over)return;let n=this.actions(t);this.#e.step(n),this.#n(n)}#n(t){let n=this.#e;this.#o.
 push(t?Pn(n,t):fo(n)),this.#a.push(n.snapshot()),this.outcomes.push({conflicts:t?n.conflicts():[],rewards:n.read("rewards"),captors:n.read("captors"),terminated:!!n.
 read("terminated")[0],truncated:!!n.read("truncated")[0]})}};function fo(e){return{positions:e.read("last_positions"),alive:e.read("alive"),captured:e.read("cap\
 tured"),everCaptured:e.read("ever_captured")}}function go(e,t){let n=A(t),r=n.map(({cell:s})=>s[0]*t.cols+s[1]),o=s=>Uint8Array.from(t.evaders,a=>Number(a[s]));
 return{...e.snapshot(),seed:BigUint64Array.of(t.seed),episode:BigUint64Array.of(t.episode),cells:Int32Array.from(r,(s,a)=>n[a].gone?-1:s),last_cells:Int32Array.
 from(r,(s,a)=>n[a].gone?s:-1),captured:o("captured"),ever_captured:o("everCaptured"),capture_paid:o("everCaptured"),captors:new Int32Array(t.evaders.length),rewards:new Float32Array(
 S(t)),report:new Int32Array(S(t)),participants:new Int32Array(0),steps:Int32Array.of(t.steps),terminated:Uint8Array.of(Number(t.ended)),truncated:Uint8Array.of(
-+(t.steps>=t.maxSteps))}}function bo(e,t){return Object.keys(e).every(r=>["played","next","rules","others"].includes(r)||e[r]===t[r])}var yo={SIMULTANEOUS:.45,SWARM_TURNS:.9,AGENT_TURNS:1.4},vo=200,Te=class extends EventTarget{data;player;#t;#e;#r;#a=[];#o=[];#n=[];#s=!1;#c="act";#i=0;#d=null;constructor(t,n,r,o=null){
-super(),this.#d=o,this.#t=t,this.data=n,this.#e=r,this.#r=this.#u(r),this.player=new xe(this.game.length,{still:Ln()}),this.player.jump(this.game.length),this.player.
-addEventListener("frame",()=>this.#f()),this.#l()}get scene(){return this.#e}get game(){return this.#r[0]}get games(){return this.#r}get mode(){return this.#c}set mode(t){
++(t.steps>=t.maxSteps))}}function bo(e,t){return Object.keys(e).every(r=>["played","next","rules","others"].includes(r)||e[r]===t[r])}var yo={SIMULTANEOUS:.45,SWARM_TURNS:.9,AGENT_TURNS:1.4},vo=200,Te=class extends EventTarget{data;player;#t;#e;#o;#a=[];#r=[];#n=[];#s=!1;#c="act";#i=0;#d=null;constructor(t,n,r,o=null){
+super(),this.#d=o,this.#t=t,this.data=n,this.#e=r,this.#o=this.#u(r),this.player=new xe(this.game.length,{still:Ln()}),this.player.jump(this.game.length),this.player.
+addEventListener("frame",()=>this.#f()),this.#l()}get scene(){return this.#e}get game(){return this.#o[0]}get games(){return this.#o}get mode(){return this.#c}set mode(t){
 this.stop(),this.#c=t,this.#h()}get selected(){return this.#i}set selected(t){this.#i=t,this.#h()}get running(){return this.#s}get example(){return this.#d}get canStep(){
 return!this.game.over&&this.#e.played.length<300}change(t,n={}){let r;try{r=this.#u(t)}catch(o){if(!(o instanceof x))throw o;return this.say(o.message,!0),!1}return n.
-part||(this.#a=[...this.#a,this.#e].slice(-vo)),this.#o=[],n.example!==void 0&&(this.#d=n.example),this.#n=[],this.#m(t,r),!0}step(){if(!this.canStep){this.stop(),
+part||(this.#a=[...this.#a,this.#e].slice(-vo)),this.#r=[],n.example!==void 0&&(this.#d=n.example),this.#n=[],this.#m(t,r),!0}step(){if(!this.canStep){this.stop(),
 this.say(this.game.over?"The episode has ended. Go back, or restart.":`The playground plays ${300} steps.`,!0);return}let n=this.#n.at(-1)===this.#e.next?this.#n.
 slice(0,-1):[],r=$t(this.#e);this.change({...r,next:n.at(-1)??r.next}),this.#n=n}back(){this.stop();let{played:t}=this.#e;if(!this.game.length)return;let n=this.#e,
 r=this.#n.at(-1)===n.next?[...this.#n]:[];for(let o=t.length;o>=this.game.length;o--)n=Dt(n),r.push(n.next);this.change(n),this.#n=r}restart(){this.stop();let{played:t}=this.#e;
 if(!t.length)return;let n=[...this.#n.at(-1)===this.#e.next?this.#n:[],...[...t].reverse()];this.change({...this.#e,played:[],next:t[0]}),this.#n=n}run(){if(this.#s)
-return this.stop();this.#s=this.canStep,this.step()}stop(){this.#s&&(this.#s=!1,this.#h())}undo(){this.#p(this.#a,this.#o)}redo(){this.#p(this.#o,this.#a)}get canUndo(){
+return this.stop();this.#s=this.canStep,this.step()}stop(){this.#s&&(this.#s=!1,this.#h())}undo(){this.#p(this.#a,this.#r)}redo(){this.#p(this.#r,this.#a)}get canUndo(){
 return this.#a.length>0}say(t,n=!1){this.dispatchEvent(new CustomEvent("message",{detail:{text:t,problem:n}}))}#p(t,n){let r=t.pop();r&&(this.stop(),n.push(this.#e),
-this.#n=[],this.#m(r,this.#u(r)))}#u(t){let n=t.others?[t.rules,t.others]:[t.rules],r=this.#r??[];return n.map(o=>{let s=r.find(a=>a.rules===o);return s?.follow(
-t)?s:new Me(this.#t,t,o)})}#m(t,n){let[r,o]=[this.#e,this.#r.length];for(let l of this.#r)n.includes(l)||l.free();this.#e=t,this.#r=n,this.#i!==null&&this.#i>=A(
+this.#n=[],this.#m(r,this.#u(r)))}#u(t){let n=t.others?[t.rules,t.others]:[t.rules],r=this.#o??[];return n.map(o=>{let s=r.find(a=>a.rules===o);return s?.follow(
+t)?s:new Me(this.#t,t,o)})}#m(t,n){let[r,o]=[this.#e,this.#o.length];for(let l of this.#o)n.includes(l)||l.free();this.#e=t,this.#o=n,this.#i!==null&&this.#i>=A(
 t).length&&(this.#i=null);let s=this.game.length,[a,i]=[this.player.step,r.rules!==t.rules||t.others!==null&&o<2];this.player.length=s,this.#l(),i&&s&&this.player.
 jump(s-1),i&&s||Math.abs(s-a)===1?this.player.move(s-this.player.step):this.player.jump(s),this.#h()}#l(){this.player.glide=yo[this.#e.rules.interaction]}#f(){this.#s&&
 this.player.arrived&&this.step()}#h(){this.dispatchEvent(new Event("change"))}};function Un(e,t,n){let r=s=>new Te(e,t,se(s,t),Dn(t,s)),o=t.gallery[0].scene;try{return{store:r(n||o),problem:""}}catch(s){return{store:r(o),problem:$n(s)}}}function $n(e){
@@ -290,10 +289,10 @@ recording.moments[Math.min(d.step,l.length)],p=a-i.pursuers.length,h=p>=0&&!!u.c
 !u.alive[a]),n.value=String(i.next[a]),n.disabled=!u.alive[a]||l.over,n.hidden=!u.alive[a],r.hidden=!!u.alive[a],r.textContent=h?"captured":"gone",t.classList.toggle(
 "captured",h),o.textContent=h?" captured":"",s.forEach((m,g)=>{let f=e.games[g];m.hidden=!f;let w=f?.outcomes[d.step]?.rewards[a];m.textContent=d.step&&w!==void 0?
 $o(w):"";let C=l.outcomes[d.step]?.rewards[a];m.classList.toggle("differs",g>0&&w!==void 0&&C!==w)})}function $o(e){let t=String(Number(Math.abs(e).toPrecision(
-5)));return e<0?`−${t}`:e>0?`+${t}`:"0"}function Xn(e,...t){let n=c("button",{type:"button",class:"close","aria-label":"Close"},"✕"),r=c("dialog",{"aria-label":e},c("div",{class:"dialog-head"},c("h2",
-{},e),n),...t);return n.addEventListener("click",()=>r.close()),r.addEventListener("click",o=>o.target===r&&r.close()),r}function qn(e){let t=c("input",{type:"t\
+5)));return e<0?`−${t}`:e>0?`+${t}`:"0"}function qn(e,...t){let n=c("button",{type:"button",class:"close","aria-label":"Close"},"✕"),r=c("dialog",{"aria-label":e},c("div",{class:"dialog-head"},c("h2",
+{},e),n),...t);return n.addEventListener("click",()=>r.close()),r.addEventListener("click",o=>o.target===r&&r.close()),r}function Jn(e){let t=c("input",{type:"t\
 ext",readonly:!0,"aria-label":"Link"}),n=c("input",{type:"text",readonly:!0,"aria-label":"Scene"}),r=c("p",{class:"muted small",role:"status"}),o=a=>async()=>{a.
-select();try{await navigator.clipboard.writeText(a.value),r.textContent="Copied."}catch{r.textContent="Selected: copy it with Ctrl+C."}},s=Xn("Share this scene",
+select();try{await navigator.clipboard.writeText(a.value),r.textContent="Copied."}catch{r.textContent="Selected: copy it with Ctrl+C."}},s=qn("Share this scene",
 c("p",{},"The link holds the whole scene: board, agents, rules and moves. Nothing is sent anywhere."),c("label",{class:"copy",hidden:!Re()},c("span",{},"Link to\
  this page"),t,c("button",{type:"button",onclick:o(t)},"Copy")),c("label",{class:"copy"},c("span",{},"Scene, for any copy of the playground"),n,c("button",{type:"\
 button",onclick:o(n)},"Copy")),r);return{element:s,open:()=>{n.value=`#${oe(e.scene,e.data)}`,t.value=location.href.split("#")[0]+n.value,r.textContent="",s.showModal()}}}
@@ -302,10 +301,10 @@ t agent, or the one before"],[["↑","→","↓","←"],"the chosen agent moves 
 it"],[["S"],"the chosen agent stays"],[["1","… 9"],"choose a variant"],[["M"],"change between Move and Build"],[["Ctrl Z","Ctrl Y"],"undo, redo"],[["L"],"link\
  to this scene"],[["D"],"light or dark"],[["?"],"these keys"]],Bo=[[["↑","→","↓","←"],"move the cursor on the board"],[["Space"],"draw or erase an obsta\
 cle, or choose the agent there"],[["Shift ↑"],"carry the agent under the cursor"],[["+","-"],"add a pursuer, an evader"],[["Delete"],"remove the agent under t\
-he cursor"]];function Jn(){let e=n=>c("dl",{class:"keys"},...n.flatMap(([r,o])=>[c("dt",{},...r.map(s=>c("kbd",{},s))),c("dd",{},o)])),t=c("div",{class:"keys-co\
+he cursor"]];function Xn(){let e=n=>c("dl",{class:"keys"},...n.flatMap(([r,o])=>[c("dt",{},...r.map(s=>c("kbd",{},s))),c("dd",{},o)])),t=c("div",{class:"keys-co\
 lumns"},c("div",{},c("h3",{},"Anywhere"),e(Do)),c("div",{},c("h3",{},"On the board, in Build"),e(Bo),c("h3",{},"With mouse or finger"),c("p",{},"Move: press an \
 agent and drag it towards a cell beside it, or choose it and press that cell."),c("p",{},"Build: drag agents; draw on free cells to make obstacles, on obstacles\
- to erase them.")));return Xn("Keys",t)}function Zn(e){let t=e.data.gallery.map(s=>c("button",{type:"button",class:"chip",onclick:()=>{e.stop(),e.mode="act",e.change(se(s.scene,e.data),{example:s}),e.
+ to erase them.")));return qn("Keys",t)}function Zn(e){let t=e.data.gallery.map(s=>c("button",{type:"button",class:"chip",onclick:()=>{e.stop(),e.mode="act",e.change(se(s.scene,e.data),{example:s}),e.
 selected=0}},s.title)),n=c("p",{class:"example-text"}),r=c("nav",{class:"gallery","aria-label":"Examples"},c("div",{class:"chips"},...t),n),o=()=>{e.data.gallery.
 forEach((s,a)=>t[a].setAttribute("aria-pressed",String(s===e.example))),n.replaceChildren(...Ne(e.example?.text??"A scene of your own. Choose an example, or cha\
 nge this one."))};return e.addEventListener("change",o),o(),r}var Ho={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
@@ -336,29 +335,29 @@ document.querySelector("dialog[open]"))return;let a=s.key.length===1?s.key.toLow
 e.undo(),y:()=>e.redo()}[a];d&&!nr(s.target)&&(s.preventDefault(),d());return}if(s.altKey||zo(s.target,a))return;let i=n[Number(a)-1],l=r[a]??(e.mode==="build"?
 o[a]:void 0);if(l)l();else if(i)e.change({...e.scene,rules:e.data.variants[i]});else if(e.mode!=="act"||!at(e,s))return;s.preventDefault()})}var nr=e=>e instanceof
 HTMLInputElement&&!["radio","checkbox"].includes(e.type);function zo(e,t){return nr(e)||e instanceof HTMLSelectElement?!0:e instanceof HTMLInputElement?t===" "||
-t.startsWith("Arrow"):e instanceof HTMLButtonElement?t===" "||t==="Enter":e instanceof HTMLElement&&e.classList.contains("story-body")&&t.startsWith("Arrow")}function rr(e){let t=[Ko(e),...e.data.fields.map(r=>Vo(e,r)),Xo(e),qo(e)],n=()=>t.forEach(r=>r.update());return e.addEventListener("change",n),e.player.addEventListener(
-"step",n),n(),c("section",{class:"card rules"},...t.map(r=>r.element))}var X=(e,t)=>{e.stop(),e.change(t)};function Ko(e){let t=Object.keys(e.data.variants),n=t.
-map(o=>c("button",{type:"button",class:"chip",title:e.data.titles[o],onclick:()=>X(e,{...e.scene,rules:e.data.variants[o]})},`-${o}`)),r=c("p",{class:"muted sma\
+t.startsWith("Arrow"):e instanceof HTMLButtonElement?t===" "||t==="Enter":e instanceof HTMLElement&&e.classList.contains("story-body")&&t.startsWith("Arrow")}function rr(e){let t=[Ko(e),...e.data.fields.map(r=>Vo(e,r)),qo(e),Jo(e)],n=()=>t.forEach(r=>r.update());return e.addEventListener("change",n),e.player.addEventListener(
+"step",n),n(),c("section",{class:"card rules"},...t.map(r=>r.element))}var q=(e,t)=>{e.stop(),e.change(t)};function Ko(e){let t=Object.keys(e.data.variants),n=t.
+map(o=>c("button",{type:"button",class:"chip",title:e.data.titles[o],onclick:()=>q(e,{...e.scene,rules:e.data.variants[o]})},`-${o}`)),r=c("p",{class:"muted sma\
 ll variant-title"});return{element:c("div",{class:"variants"},c("h2",{},"Rules"),c("div",{class:"chips",role:"group","aria-label":"Variant"},...n),r),update:()=>{
 let o=j(e.scene.rules,e.data.variants);t.forEach((s,a)=>n[a].setAttribute("aria-pressed",String(s===o))),r.textContent=o?e.data.titles[o]:"Rules of your own"}}}
-function Vo(e,t){let n=t.values.map(({name:a})=>{let i=c("input",{type:"radio",name:t.name,value:a});return i.addEventListener("change",()=>X(e,{...e.scene,rules:Yo(
+function Vo(e,t){let n=t.values.map(({name:a})=>{let i=c("input",{type:"radio",name:t.name,value:a});return i.addEventListener("change",()=>q(e,{...e.scene,rules:Yo(
 e.scene.rules,t,a)})),i}),r=t.values.map(({label:a},i)=>c("label",{},n[i],c("span",{},a))),o=c("span",{class:"used-mark",title:"This rule decided what happened \
 in the step that is shown"},c("span",{},"decided")),s=c("fieldset",{class:"field",title:t.text},c("legend",{},t.label,o),c("div",{class:"segments"},...r));return{
 element:s,update:()=>{let{rules:a}=e.scene;n.forEach(l=>l.checked=l.value===String(a[t.name])),s.disabled=t.name==="captured_disappear"&&a.capture==="OCCUPATION";
 let i=Math.min(e.player.step,e.game.length);o.hidden=!ke(e.scene,e.game,i).some(l=>l.used.includes(t.name))||s.disabled}}}function Yo(e,t,n){return{...e,[t.name]:n===
-"true"?!0:n==="false"?!1:n}}function Xo(e){let t=Object.keys(e.data.variants),n=c("select",{id:"compare"},c("option",{value:""},"nothing"),c("option",{value:"pr\
+"true"?!0:n==="false"?!1:n}}function qo(e){let t=Object.keys(e.data.variants),n=c("select",{id:"compare"},c("option",{value:""},"nothing"),c("option",{value:"pr\
 esent"},"the present rules"),c("option",{value:"own",hidden:!0},"own rules"),...t.map(r=>c("option",{value:r},`-${r}: ${e.data.titles[r]}`)));return n.addEventListener(
-"change",()=>{let r={"":null,present:e.scene.rules}[n.value];X(e,{...e.scene,others:r===void 0?e.data.variants[n.value]:r})}),{element:c("div",{class:"pair"},c(
+"change",()=>{let r={"":null,present:e.scene.rules}[n.value];q(e,{...e.scene,others:r===void 0?e.data.variants[n.value]:r})}),{element:c("div",{class:"pair"},c(
 "label",{for:"compare"},"Compare with"),n),update:()=>{let{others:r}=e.scene,o=r&&t.find(s=>ze(r,e.data.variants[s]));n.value=r?o??"own":"",n.title=r?`Both boar\
-ds play the same moves: ${O(e,0)} and ${O(e,1)}`:""}}}function qo(e){let t=(a,i)=>{let l=c("input",{type:"number",min:1,max:64,"aria-label":i});return l.addEventListener(
-"change",()=>{let d={rows:e.scene.rows,cols:e.scene.cols,[a]:Math.round(Number(l.value))};d[a]>=1&&d[a]<=64?Jo(e,d.rows,d.cols):e.say(`${a}: expected 1 to ${64}\
+ds play the same moves: ${O(e,0)} and ${O(e,1)}`:""}}}function Jo(e){let t=(a,i)=>{let l=c("input",{type:"number",min:1,max:64,"aria-label":i});return l.addEventListener(
+"change",()=>{let d={rows:e.scene.rows,cols:e.scene.cols,[a]:Math.round(Number(l.value))};d[a]>=1&&d[a]<=64?Xo(e,d.rows,d.cols):e.say(`${a}: expected 1 to ${64}\
 , got ${l.value||"nothing"}`,!0),l.value=String(e.scene[a])}),l},[n,r]=[t("rows","Rows"),t("cols","Columns")],o=c("input",{type:"checkbox",id:"diagonal"});o.addEventListener(
-"change",()=>X(e,{...e.game.scene(),diagonal:o.checked,next:e.scene.next.map(a=>typeof a=="number"&&a>4?0:a)}));let s=c("select",{id:"rewards"},...Object.keys(e.
-data.rewards).map(a=>c("option",{value:a},a)),c("option",{value:"own",hidden:!0},"those of the link"));return s.addEventListener("change",()=>X(e,{...e.scene,rewards:e.
+"change",()=>q(e,{...e.game.scene(),diagonal:o.checked,next:e.scene.next.map(a=>typeof a=="number"&&a>4?0:a)}));let s=c("select",{id:"rewards"},...Object.keys(e.
+data.rewards).map(a=>c("option",{value:a},a)),c("option",{value:"own",hidden:!0},"those of the link"));return s.addEventListener("change",()=>q(e,{...e.scene,rewards:e.
 data.rewards[s.value]})),{element:c("div",{class:"board-settings"},c("div",{class:"pair"},c("span",{},"Board"),c("span",{class:"sides"},n,"×",r),c("label",{class:"\
 sides"},o,"diagonal")),c("div",{class:"pair"},c("label",{for:"rewards"},"Rewards"),s)),update:()=>{let{scene:a}=e;document.activeElement!==n&&(n.value=String(a.
 rows)),document.activeElement!==r&&(r.value=String(a.cols)),o.checked=a.diagonal;let i=JSON.stringify(a.rewards);s.value=Object.keys(e.data.rewards).find(l=>JSON.
-stringify(e.data.rewards[l])===i)??"own"}}}function Jo(e,t,n){let r=Ht(e.game.scene(),t,n);r.pursuers.length&&r.evaders.length?X(e,r):e.say(`No ${r.pursuers.length?
+stringify(e.data.rewards[l])===i)??"own"}}}function Xo(e,t,n){let r=Ht(e.game.scene(),t,n);r.pursuers.length&&r.evaders.length?q(e,r):e.say(`No ${r.pursuers.length?
 "evader":"pursuer"} would be left on a ${t} × ${n} board.`,!0)}var or={obstacle:"obstacle",teammate:"teammates",adversary:"adversaries",capture:"capture",end:"end",calm:""};function sr(e){let t=c("h2"),n=c("div",{class:"sto\
 ry-body",tabindex:0,role:"region","aria-label":"What happened"}),r=c("div",{class:"heard",role:"status"}),o=c("section",{class:"card story"},t,n,r),s="",a=()=>{
 let i=Math.min(e.player.step,e.game.length),l=e.games.map((u,p)=>{let h=ke(e.scene,u,i);return{name:e.games.length>1?O(e,p):"",lines:h,ended:i>u.length}}),d=JSON.
@@ -367,7 +366,7 @@ return e.addEventListener("change",a),e.player.addEventListener("step",a),a(),o}
  episode had ended.":"Give agents their moves, then play a step."):c("ul",{class:"lines"},...t.map(Qo));return c("div",{class:"story-part"},e&&c("h3",{},e),s)}function Qo({
 kind:e,text:t,turn:n,blame:r}){let o=n?`${or[e]}, turn ${n}`:or[e];return c("li",{class:`line line-${e}`},o&&c("span",{class:"tag"},o),c("span",{class:"line-tex\
 t"},...Ne(t)),r&&c("span",{class:"line-blame muted"},r))}var es=({name:e,lines:t,ended:n})=>[e,...n?["The episode had ended."]:t.map(({text:r,blame:o})=>`${r} ${o}`)].
-filter(Boolean).join(" ");function ar(e,t){let n=qn(t),r=Jn(),o=()=>r.showModal(),s=c("header",{class:"top"},c("h1",{},c("span",{class:"muted"},"matrixworld "),"playground"),c("div",{class:"\
+filter(Boolean).join(" ");function ar(e,t){let n=Jn(t),r=Xn(),o=()=>r.showModal(),s=c("header",{class:"top"},c("h1",{},c("span",{class:"muted"},"matrixworld "),"playground"),c("div",{class:"\
 buttons"},er(t),c("button",{type:"button",title:"Link to this scene (L)",onclick:n.open},"Share"),c("button",{type:"button",title:"Keys (?)",onclick:o},"Keys"),
 Wn())),a=c("main",{class:"layout"},rr(t),c("section",{class:"card stage","aria-label":"Board"},Vn(t),Qn(t)),c("div",{class:"side"},sr(t),Yn(t)));e.classList.add(
 "playground"),e.replaceChildren(s,Zn(t),a,n.element,r),tr(t,{share:n.open,keys:o})}async function ts(e){let t=Hn(),{store:n,problem:r}=Un(await It(),t,le()||t.scene);ar(e,n),Re()&&Bn(n),r&&n.say(r,!0),Object.assign(window,{playground:n})}var ir=document.
