@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 97146cbc5e7498844922182fc7618725689eea7d88854540a20ab7fbf7f1cc7f */
+/* built from web/ by "npm run build"; sources edfd6cb95b4529f2e942f339ac09594aed689d052a9eed8168526d193579c1f3 */
 "use strict";(()=>{var dt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},J={DISAPPEAR:0,REACH:1,BOUNCE:2},ut={OCCUPATION:0,SURROUND:1},pt={FAULT:0,INVOLVED:1};var mt=["obstacle","teammate","adversary"],Ie=["vertex","edge","chain"],ht=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Pe=["p\
 ursuer_{number}","evader_{number}"],ft={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},X={"both held":"both bounce","both doomed":"\
