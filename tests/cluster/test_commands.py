@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,7 @@ import pytest
 
 from command_line import RACE, matrixworld_command, run_together, words
 from dask_cluster import DaskCluster, dask_cluster, group_lives, kill_group, wait_until
+from matrixworld.cli import clusters
 from matrixworld.coevolution import RaceSettings, finish, open_run
 from tiny_race import results, tiny_race
 
@@ -109,3 +111,19 @@ def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path)
         assert isinstance(settings_of, RaceSettings)
         finish(settings_of, tmp_path / f"{seed}", threads=1)
         assert results(path) == results(tmp_path / f"{seed}")
+
+
+@pytest.mark.parametrize(("learner", "alike"), [("cma", True), ("es", False)])
+def test_cma_es_wants_like_processors(
+    monkeypatch: pytest.MonkeyPatch, learner: str, alike: bool
+) -> None:
+    asked: list[bool] = []
+
+    @contextmanager
+    def recorded(where: str, *, like_processors: bool, **options: object) -> Iterator[None]:
+        asked.append(like_processors)
+        yield
+
+    monkeypatch.setattr(clusters, "cluster", recorded)
+    with clusters.on_cluster("auto", None, settings=[tiny_race(), tiny_race(learner=learner)]):
+        assert asked == [alike]

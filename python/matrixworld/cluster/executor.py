@@ -16,6 +16,7 @@ from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, Executor, Future
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from queue import Empty, SimpleQueue
 from threading import Thread
 from time import monotonic
@@ -48,11 +49,12 @@ class UnfitWorkerError(RuntimeError):
 
 @dataclass
 class Work:
-    """A piece of work, and the future that waits for its result."""
+    """A piece of work, the future that waits for its result, and whether it is for some workers."""
 
     call: Call
     future: Future[Any]
     tries: int = 0
+    bound: bool = False
 
 
 class ClusterExecutor(Executor):
@@ -79,6 +81,7 @@ class ClusterExecutor(Executor):
         self._begun: dict[Any, Work] = {}
         self._fit: dict[str, int] = {}
         self._unfit: set[str] = set()
+        self._asked: set[str] = set()
         self._events: SimpleQueue[Any] = SimpleQueue()
         self._alone_since: float | None = None
         self._lost: ClusterLostError | None = None
@@ -116,7 +119,7 @@ class ClusterExecutor(Executor):
             The result. Until a worker takes the work it can be cancelled.
         """
         self._check_open()
-        work = Work((fn, args, kwargs), Future())
+        work = Work(Call(fn, args, kwargs), Future())
         self._events.put(work)
         if self._lost is not None:  # in the meantime
             self._fail_handed_in(self._lost)
@@ -183,15 +186,16 @@ class ClusterExecutor(Executor):
             if work.tries == 0 and not work.future.set_running_or_notify_cancel():
                 continue
             work.tries += 1
+            work.bound = bool(self._unfit or self._asked)
             given = self._client.submit(
                 perform,
                 self._probe,
                 work.call,
                 key=f"matrixworld-{secrets.token_hex(8)}",
                 pure=False,
-                # Dask forgets work with such a wish if it has lost all workers (see `_look`).
-                workers=list(self._fit) if self._unfit else None,
-                allow_other_workers=bool(self._unfit),
+                # Not always: thousands of addresses take longer than the rest of a task.
+                workers=list(self._fit) if work.bound else None,
+                allow_other_workers=work.bound,
             )
             self._watch(given, work)
 
@@ -236,9 +240,7 @@ class ClusterExecutor(Executor):
                 )
             )
         else:
-            # A worker without the package cannot even read the work, and does not say its name.
-            for worker, problem in self._problems(list(self._client.nthreads())).items():
-                self._exclude(worker, problem)
+            # A worker that cannot read the work. It is being asked, and will get no more.
             self._try_again(work, error)
 
     def _try_again(self, work: Work, error: BaseException) -> None:
@@ -248,30 +250,52 @@ class ClusterExecutor(Executor):
             work.future.set_exception(error)
 
     def _look(self) -> None:
-        """Look which workers there are. Those that have joined check themselves (`perform`)."""
+        """Look which workers there are, and let those that have joined check themselves."""
         try:
             threads = self._client.nthreads()
         except OSError as error:
             self._lose(f"{self._scheduler} does not answer ({error})")
             return
-        left = {each: n for each, n in threads.items() if each not in self._unfit}
-        if left and not self._fit and self._unfit:
-            self._hand_out_again()
-        self._fit = left
+        for worker in threads.keys() - self._fit.keys() - self._unfit - self._asked:
+            self._asked.add(worker)
+            # In a thread of its own: a worker that dies meanwhile takes long to answer.
+            Thread(target=self._ask, args=(worker, threads[worker]), daemon=True).start()
+        self._fit = {each: n for each, n in self._fit.items() if each in threads}
         self._wait_for_workers()
 
-    def _hand_out_again(self) -> None:
-        """Take back the work that was on the way when the last fit worker was lost."""
+    def _ask(self, worker: str, threads: int) -> None:
+        try:
+            problem = self._problems([worker]).get(worker, "")
+        except OSError:
+            problem = None
+        self._events.put(partial(self._admit, worker, threads, problem))
+
+    def _admit(self, worker: str, threads: int, problem: str | None) -> None:
+        """Take a worker that has joined; None if it does not answer, and is asked again."""
+        self._asked.discard(worker)
+        if problem:
+            self._exclude(worker, problem)
+        elif problem is not None:
+            if not self._fit:
+                self._take_back()
+            self._fit[worker] = threads
+
+    def _take_back(self) -> None:
+        """Take back the work for workers that are all lost: Dask would never give it to others."""
         for given, work in list(self._begun.items()):
-            del self._begun[given]
-            given.cancel()
-            self._try_again(work, UnfitWorkerError("cluster: all fit workers were lost"))
+            if work.bound:
+                del self._begun[given]
+                given.cancel()
+                self._try_again(work, UnfitWorkerError("cluster: all fit workers were lost"))
 
     def _problems(self, workers: list[str]) -> dict[str, str]:
         """Return the problems of those workers that have any."""
         if not workers:
             return {}
         answers = self._client.run(check, self._probe, workers=workers, on_error="return")
+        for answer in answers.values():
+            if isinstance(answer, OSError):
+                raise answer  # it has died
         return {worker: str(answer) for worker, answer in answers.items() if answer != ""}
 
     def _exclude(self, worker: str, problem: str) -> None:

@@ -10,8 +10,14 @@ from typing import Any
 
 from matrixworld.cluster.probe import Probe
 
-Call = tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]
-"""A function, its arguments and its keyword arguments."""
+
+@dataclass(frozen=True)
+class Call:
+    """A function with its arguments. Not a tuple: older versions of Dask would call it."""
+
+    function: Callable[..., Any]
+    args: tuple[Any, ...]
+    options: dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -31,10 +37,9 @@ def perform(probe: Probe, call: Call) -> Outcome:
         from distributed import get_worker
 
         return Outcome(unfit=unfit, worker=get_worker().address)
-    function, args, options = call
     # Errors of the work travel as values: all others are errors of the cluster.
     try:
-        return Outcome(function(*args, **options))
+        return Outcome(call.function(*call.args, **call.options))
     except Exception as error:  # noqa: BLE001, raised again where the work comes from
         return Outcome(error=error)
 
