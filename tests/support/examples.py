@@ -17,7 +17,7 @@ import numpy as np
 
 import matrixworld as mw
 from made_up_episode import made_up_episode
-from matrixworld import analysis, coevolution, replay, toys
+from matrixworld import analysis, cluster, coevolution, explorer, replay, toys
 from matrixworld.coevolution import learners, opponents, runs
 from tiny_race import TINY, tiny_race, tiny_single
 
@@ -89,7 +89,8 @@ def examples(directory: Path) -> Iterator[Any]:
 
     An object may be yielded several times, and changes between.
     """
-    for group in (_of_worlds(), _of_analysis(), _of_toys(), _of_learning(), _of_runs(directory)):
+    groups = (_of_worlds(), _of_analysis(), _of_toys(), _of_learning(), _of_runs(directory))
+    for group in (*groups, _of_jobs(directory)):
         yield from group
 
 
@@ -114,7 +115,7 @@ def _of_worlds() -> Iterator[Any]:
     # Conflicts exist only where agents collide.
     crowd = mw.World("B", rows=2, cols=2, n_pursuers=2, n_evaders=2)
     crowd.step([mw.Action.EAST] * 4, explain=True)
-    yield crowd.conflicts
+    yield from (crowd.conflicts, explorer.Playground(crowd), explorer.Explorer(Path("page.html")))
     monitor = mw.SafetyMonitor()
     yield monitor
     monitor.add_statistics(statistics)
@@ -148,6 +149,7 @@ def _of_analysis() -> Iterator[Any]:
     yield analysis.exploitability(payoff, np.full(8, 1 / 8), np.full(8, 1 / 8))
     yield analysis.response_gain(scores[0, 0], scores[1, 1], budget=9)
     yield from (analysis.band_over_runs(payoff), analysis.MEASURES)
+    yield analysis.strongest_checkerboards(payoff, count=1)
     yield from (analysis.race_bands([payoff, payoff**2]), analysis.performance_profile(payoff))
 
 
@@ -210,3 +212,15 @@ def _of_runs(directory: Path) -> Iterator[Any]:
         coevolution.LockedError("locked"),
         coevolution.DisengagementWarning("disengaged"),
     )
+
+
+def _of_jobs(directory: Path) -> Iterator[Any]:
+    yield coevolution.many.job_of([tiny_race(), tiny_race(seed=1)])
+    running = {"seed-0": coevolution.RunProgress("generation 1", 1, 9, 0)}
+    yield coevolution.JobProgress(running, 1, 0, 2, 10, 18, 0)
+    yield coevolution.many.StopMark(directory, "token")
+    failed = {Path("seed-0"): OSError("full")}
+    yield coevolution.FailedRunsError(failed, [coevolution.open_run(directory / "race")])
+    yield from (coevolution.StoppedError("stopped"), coevolution.WorkerDiedError("died"))
+    yield cluster.Probe(cluster.Traits("1.0", "c0de", "42", "2.0", "OpenBLAS"), sign=directory)
+    yield from (cluster.ClusterLostError("lost"), cluster.UnfitWorkerError("unfit"))
