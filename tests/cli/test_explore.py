@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from command_line import JOB, MAIN_JOB, matrixworld_command, words
+from command_line import JOB, MAIN_JOB, RACE, matrixworld_command, words
 from matrixworld.cli import explore
 from matrixworld.cli.explore import of_each_group
 from matrixworld.cli.jobs import open_result
@@ -120,3 +120,17 @@ def test_many_seeds_show_some_of_each_group_and_say_so(
     assert "The page shows 4 of 6 runs" in result.output
     results = [open_result(tmp_path / name) for name in names]
     assert of_each_group(results, 6) == results
+
+
+def test_a_job_of_several_seeds_ends_with_a_page(tmp_path: Path) -> None:
+    root = tmp_path / "job"
+    options = {name: value for name, value in RACE.items() if name != "seed"}
+    options |= {"schedule": "hall-of-fame", "joint_epochs": 2, "seeds": "0-1"}
+    del options["pursuer_epochs"], options["evader_epochs"]
+    output = matrixworld_command("evolve", root, *words(options)).output
+    assert "explorer.html: open it in a browser" in output
+    data = data_of(root / "explorer.html")
+    assert [run["name"] for run in data["runs"]] == ["seed-0", "seed-1"]
+    assert data["title"] == "hall-of-fame"
+    result = matrixworld_command("explore", root, "--no-open", code=2)
+    assert f"{root / 'explorer.html'}: exists" in result.output

@@ -51,6 +51,7 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.syspath_prepend(tmp_path)
     monkeypatch.setattr(report, "draw_run", lambda run: [])
     monkeypatch.setattr(report, "draw_comparison", lambda races, path: path)
+    monkeypatch.setattr(report, "write_explorer", lambda results, page: None)
     sys.modules.pop("mine", None)
 
 

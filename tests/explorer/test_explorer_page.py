@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -313,4 +314,26 @@ def test_an_address_leads_to_a_match_and_its_step(browser: Browser, page: Path) 
     assert browser.js("window.matrixworldExplorer.step") == 5
     browser.driver.execute_script("location.hash = '#run=7&pursuers=-1&evaders=%3Cimg%3E&seed=x'")
     browser.wait("location.hash.startsWith('#run=1&pursuers=2&evaders=0')")
+    assert browser.errors() == []
+
+
+def test_a_generation_whose_genome_is_not_there_is_explained(
+    browser: Browser, job: Job, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    population = job["race"].teams["pursuer"]
+    assert not isinstance(population, str)
+    few = partial(archives_of, most=4 * population.genomes[0].nbytes)
+    monkeypatch.setattr("matrixworld.explorer.runs_page.archives_of", few)
+    write_page(tmp_path / "page.html", explorer_page([job["race"]]))
+    browser.open(tmp_path / "page.html")
+    browser.wait(f"{PLAYED} === '0 2 2 0 '")
+    problem = "document.querySelector('#match .problem').textContent"
+    assert browser.js(problem) == ""
+    browser.press("P")
+    browser.wait(f"{problem} !== ''")
+    assert browser.js(problem).startswith("The page holds no genome of pursuers 1")
+    assert browser.js(problem).endswith("Choose a generation of 0, 2.")
+    browser.press("P")
+    browser.wait(f"{PLAYED} === '0 0 2 0 '")
+    assert browser.js(problem) == ""
     assert browser.errors() == []

@@ -125,3 +125,15 @@ def test_a_link_and_a_page_for_notebooks(tmp_path: Path) -> None:
 def test_the_page_in_docs_is_the_present_one() -> None:
     kept = (REPOSITORY / "docs" / "playground.html").read_text(encoding="utf-8")
     assert kept == Playground().html(), "run python docs/make_pages.py"
+
+
+def test_the_example_of_the_documentation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = (REPOSITORY / "docs" / "playground.md").read_text(encoding="utf-8")
+    found = re.search(r"^```python\n(.*?)^```", text, re.M | re.S)
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, Playground] = {}
+    exec(found[1], names)
+    assert names["playground"].scene.endswith("&next=24d")
+    assert (tmp_path / "lesson.html").is_file()
+    link = re.search(r"playground\.html#([^)]*)", text)
+    assert link[1] == GALLERY[0].scene

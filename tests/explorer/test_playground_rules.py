@@ -44,6 +44,7 @@ def start_world(
 
 @pytest.fixture(scope="module")
 def page(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> PlaygroundPage:
+    browser.prefer(prefers_reduced_motion="reduce")  # pictures of motion take time
     return PlaygroundPage(browser, tmp_path_factory.mktemp("playground") / "playground.html")
 
 

@@ -99,9 +99,7 @@ def state_of(world: mw.World) -> dict[str, Any]:
 def blame(world: mw.World, conflict: mw.Conflict) -> str:
     """Return the sentence about the agents at fault."""
     names = [world.config.agent_name(agent) for agent in conflict.at_fault]
-    together = world.config.rules.interaction is mw.Interaction.SIMULTANEOUS
-    turn = "" if together else f" (turn {conflict.turn + 1})"
-    return f"At fault: {' and '.join(names)}{turn}." if names else f"Nobody is at fault{turn}."
+    return f"At fault: {' and '.join(names)}." if names else "Nobody is at fault."
 
 
 def decided(world: mw.World, commands: list[int | str]) -> np.ndarray:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import webbrowser
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import zip_longest
 from pathlib import Path
 
@@ -13,11 +12,18 @@ import click
 from matrixworld.cli.arguments import all_of, failures, find_runs
 from matrixworld.cli.console import note, print_wrapped
 from matrixworld.cli.held_out import kept_scores
-from matrixworld.cli.jobs import Result, Settings, open_result
+from matrixworld.cli.jobs import Result
 from matrixworld.cli.options import force_option, refuse_existing
+from matrixworld.cli.run_groups import (
+    by_settings,
+    finished_runs,
+    note_groups_without_runs,
+    of_seeds,
+    root_of,
+)
 from matrixworld.coevolution import open_run
-from matrixworld.explorer.explore import MOST_RUNS, explorer_page, page_file
 from matrixworld.explorer.page import write_page
+from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, explorer_page, page_file
 
 
 @click.command("explore")
@@ -43,12 +49,15 @@ def explore_command(runs: list[Path], output: Path | None, opens: bool, force: b
 
     The page is a single file that needs no network and no installation. It holds the genomes and
     the engine: a click on a cell of the payoff matrix plays that very match. RUN is a run
-    directory, or a directory of several.
+    directory, or a directory of several; of many runs, the page shows the first seeds of each
+    schedule.
     """
     with failures():
-        page = output or page_file(runs)
+        results, unfinished = finished_runs(runs)
+        beside = root_of(results) / PAGE if of_seeds(runs) else page_file(runs)
+        page = output or beside
         refuse_existing(page, force=force)
-        results = [open_result(path) for path in runs]
+        note_groups_without_runs(unfinished, results)
         write_explorer(results, page)
         click.echo(page)
         if opens and not webbrowser.open(page.absolute().as_uri()):
@@ -61,8 +70,8 @@ def write_explorer(results: Sequence[Result], page: Path) -> None:
     left_out = ""
     if len(shown) < len(results):
         left_out = (
-            f"The page shows {len(shown)} of {len(results)} runs; matrixworld explore RUN... makes "
-            "one of others."
+            f"The page shows {len(shown)} of {len(results)} runs, the first seeds of each group; "
+            "matrixworld explore RUN... makes one of others."
         )
         print_wrapped(left_out)
     scores = {result.path: kept for result in shown if (kept := kept_scores(result)) is not None}
@@ -73,19 +82,9 @@ def write_explorer(results: Sequence[Result], page: Path) -> None:
 
 
 def of_each_group(results: Sequence[Result], most: int) -> list[Result]:
-    """Return at most so many runs, in their order: of each settings the first seeds, in turn."""
-    groups: list[list[Result]] = []
-    for result in results:
-        # Runs that differ in their seed only are one group.
-        same = [g for g in groups if _same_but_seed(g[0].settings, result.settings)]
-        if same:
-            same[0].append(result)
-        else:
-            groups.append([result])
-    in_turn = [each for turn in zip_longest(*groups) for each in turn if each is not None]
-    chosen = {result.path for result in in_turn[:most]}
+    """Return at most so many runs, in their order: of each group the first seeds, in turn."""
+    if len(results) <= most:
+        return list(results)
+    in_turn = [run for turn in zip_longest(*by_settings(results)) for run in turn if run]
+    chosen = {run.path for run in in_turn[:most]}
     return [result for result in results if result.path in chosen]
-
-
-def _same_but_seed(one: Settings, other: Settings) -> bool:
-    return type(one) is type(other) and one == replace(other, seed=one.seed)

@@ -16,7 +16,7 @@ from matrixworld.cli.judgements import counts, print_head, print_judgement
 from matrixworld.cli.race_tables import print_claims, print_comparison
 from matrixworld.coevolution import SingleSettings
 from matrixworld.coevolution.types import other
-from matrixworld.explorer.explore import PAGE
+from matrixworld.explorer.runs_page import PAGE
 from matrixworld.files import save_json
 
 if TYPE_CHECKING:

@@ -11,6 +11,7 @@ import click
 from matrixworld.analysis import interval_over_runs
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.cli.console import TERMS, command, print_table, print_wrapped
+from matrixworld.cli.explore import write_explorer
 from matrixworld.cli.held_out import held_out_scores
 from matrixworld.cli.judgements import print_head
 from matrixworld.cli.race_groups import Group, group_of_runs
@@ -27,6 +28,7 @@ from matrixworld.cli.seed_tables import (
     verdict_counts,
 )
 from matrixworld.coevolution.many.job import group_of
+from matrixworld.explorer.runs_page import PAGE
 from matrixworld.files import save_json
 
 if TYPE_CHECKING:
@@ -83,7 +85,9 @@ def report_seeds(
         _print_one_team(name, of_team, asked[name])
     for path, problem in failed.items():
         print_wrapped(f"Failed: {path}: {problem}")
-    _print_files(root, drawn)
+    if results:
+        write_explorer(results, root / PAGE)
+    _print_files(root, drawn, page=bool(results))
 
 
 def _inside(root: Path, path: Path) -> str:
@@ -172,8 +176,10 @@ def _print_one_team(name: str, runs: Sequence[Result], asked: Sequence[int]) -> 
         print_wrapped(f"Not finished: seeds {', '.join(map(str, missing))}.")
 
 
-def _print_files(root: Path, drawn: Sequence[Path]) -> None:
+def _print_files(root: Path, drawn: Sequence[Path], *, page: bool) -> None:
     click.echo(f"\nAll files are in {root}:")
+    if page:
+        click.echo(f"  {PAGE}: open it in a browser; it plays the matches of the runs")
     if drawn:
         click.echo(f"  {', '.join(file.name for file in drawn)}: the figures")
     click.echo(f"  {SUMMARY}: the numbers of each seed and of all together")

@@ -1,7 +1,7 @@
 """Pages that show runs and play their matches, with the engine inside.
 
 ==============  ====================================================================================
-explore.py      ``explore``: write the page of finished runs
+runs_page.py    ``explore``: write the page of finished runs
 run_data.py     a run as plain values: settings, training, results
 findings.py     what the analysis says of a race, as plain values
 archives.py     the teams of a run: networks, and genomes within a limit of size
@@ -15,7 +15,7 @@ built.py        the built scripts and style sheets
 
 from __future__ import annotations
 
-from matrixworld.explorer.explore import Explorer, explore, explorer_page
 from matrixworld.explorer.playground import Playground
+from matrixworld.explorer.runs_page import Explorer, explore, explorer_page
 
 __all__ = ["Explorer", "Playground", "explore", "explorer_page"]

@@ -39,7 +39,6 @@ def findings(payoff: Payoff) -> dict[str, Any]:
         "window": judgement.window,
         "table": [list(row) for row in analysis.judgement_table(judgement)],
         "reasons": analysis.explain(judgement).splitlines(),
-        "judgement": judgement.to_json(),
         "description": analysis.describe(summary).splitlines(),
         "noise": _noise(payoff, summary.last_half),
         "generalization": _generalization(payoff),

@@ -12,7 +12,7 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from matrixworld.explorer.built import ENGINE, built_text
+from matrixworld.explorer.built import ENGINE, KINDS, built_text
 from matrixworld.files import replacing
 from matrixworld.version import __version__
 
@@ -20,9 +20,8 @@ if TYPE_CHECKING:
     from jinja2 import Environment
     from markupsafe import Markup
 
-# Markup that would end or change a script element; the bundler writes none of it.
-_ENDS_SCRIPT = ("</script", "<!--", "<script")
-_ENDS_STYLE = ("</style",)
+# Markup that would end or change an element; the bundler writes none of it.
+_ENDS = {"js": ("</script", "<!--", "<script"), "css": ("</style",)}
 
 ENGINE_PLACE = "/* the engine */"
 """What stands for the engine in a page without it; the page's script looks for the same."""
@@ -61,10 +60,9 @@ def render_page(
     ValueError
         If a number is not finite, or a built file holds markup that would end it.
     """
-    scripts = {name: _inline(built_text(name, "js"), _ENDS_SCRIPT) for name in (ENGINE, page)}
-    style = _inline(built_text(page, "css"), _ENDS_STYLE)
-    more_scripts = [built_text(name, "js") for name in opens]
-    more_styles = [built_text(name, "css") for name in opens]
+    scripts = {name: _inline(name, "js") for name in (ENGINE, page)}
+    style = _inline(page, "css")
+    more_scripts, more_styles = ([_inline(name, kind) for name in opens] for kind in KINDS)
     return (
         _environment()
         .get_template(f"{page}.html")
@@ -104,20 +102,21 @@ def _environment() -> Environment:
     return environment
 
 
-def _inline(text: str, forbidden: tuple[str, ...]) -> Markup:
-    found = [markup for markup in forbidden if markup in text.lower()]
-    if found:
-        raise ValueError(f"built file: expected no {found[0]!r}, which would end its element")
+def _inline(page: str, kind: str) -> Markup:
+    """Return a built file as it stands in a page."""
     from markupsafe import Markup
 
     # The first line names the sources of all pages: a page changes only with its own.
-    content = text.partition("\n")[2]
-    return Markup(content)  # not escaped: browsers read scripts and style sheets as they are
+    text = built_text(page, kind).partition("\n")[2]
+    found = [markup for markup in _ENDS[kind] if markup in text.lower()]
+    if found:
+        raise ValueError(f"built file: expected no {found[0]!r}, which would end its element")
+    return Markup(text)  # not escaped: browsers read scripts and style sheets as they are
 
 
 def without_engine(page: str) -> str:
     """Return a page whose engine is left out; a page that opens it has the engine already."""
-    return page.replace(built_text(ENGINE, "js"), ENGINE_PLACE)
+    return page.replace(_inline(ENGINE, "js"), ENGINE_PLACE)
 
 
 def _policy(scripts: Sequence[str], styles: Sequence[str]) -> str:

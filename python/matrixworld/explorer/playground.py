@@ -43,10 +43,10 @@ PAGE = "playground.html"
 
 LABELS = {
     "interaction": "Agents move",
-    "obstacle": "Obstacle or border: the agent",
+    "obstacle": "Obstacle or border: agent",
     "teammate": "Teammates collide: both",
-    "evader": "Adversaries collide: the evader",
-    "pursuer": "Adversaries collide: the pursuer",
+    "evader": "Adversaries collide: evader",
+    "pursuer": "Adversaries collide: pursuer",
     "capture": "Evaders are captured by",
     "captured_disappear": "A surrounded evader",
 }
@@ -173,7 +173,7 @@ def page_data(scene: str = "") -> dict[str, Any]:
         "titles": {name: VARIANT_TEXTS[name].title for name in VARIANTS},
         "fields": [_field(name) for name in LABELS],
         "rewards": {"paper": _plain(Rewards.paper()), "published": _plain(Rewards.published())},
-        "scripts": [{"name": name, "text": SCRIPT_TEXTS[name]} for name in SCRIPTS],
+        "scripts": [{"name": name, "text": SCRIPT_TEXTS.get(name, "")} for name in SCRIPTS],
         "gallery": [
             {"title": each.title, "text": each.text, "scene": each.scene} for each in GALLERY
         ],

@@ -99,19 +99,11 @@ def plain_payoff(payoff: Payoff, shape: tuple[int, ...]) -> dict[str, Any]:
             for row in payoff.capture_rates.tolist()
         ],
         "lengths": payoff.lengths.tolist(),
-        "collisions": _per_1000(payoff),
     }
 
 
-def _per_1000(payoff: Payoff) -> list[Any]:
-    """Return agent-steps in collision in 1000 agent-steps, by cell, team and kind."""
-    steps = np.maximum(payoff.agent_steps[..., np.newaxis], 1.0)
-    rates: list[Any] = np.round(1000.0 * payoff.collisions / steps, 3).tolist()
-    return rates
-
-
 def training_curve(log: Mapping[str, NDArray[Any]], settings: Settings) -> dict[str, Any]:
-    """Return capture rate and length over training.
+    """Return the capture rate over training.
 
     Parameters
     ----------
@@ -123,9 +115,8 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: Settings) -> dict[
     Returns
     -------
     dict
-        Lists of equal lengths: ``capture_rate``, ``length``, ``generation`` and ``learner`` (0 the
-        pursuers, 1 the evaders, 2 both); ``epochs`` of a point, and ``window``, the points of a
-        moving average.
+        Lists of equal lengths: ``capture_rate``, ``generation`` and ``learner`` (0 the pursuers, 1
+        the evaders, 2 both); ``epochs`` of a point, and ``window``, the points of a moving average.
     """
     learner = (log["team"] == "evader").astype(int)
     both = isinstance(settings, RaceSettings) and settings.schedule == HALL_OF_FAME
@@ -134,7 +125,6 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: Settings) -> dict[
         log = {name: column[learner == 0] for name, column in log.items()}
         learner = np.full(len(log["team"]), 2)
     phases = [settings.total_epochs(team) for team in settings.learning_teams]
-    per_phase = isinstance(settings, RaceSettings)
     windows = WINDOWS * settings.generations if isinstance(settings, RaceSettings) else LONGEST
     window = max(1, min(phases) // windows)
     every = -(-len(learner) // MOST_POINTS)
@@ -142,12 +132,10 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: Settings) -> dict[
     counts = np.diff([*starts, len(learner)])
     return {
         "capture_rate": np.round(np.add.reduceat(log["capture_rate"], starts) / counts, 4).tolist(),
-        "length": np.round(np.add.reduceat(log["length"], starts) / counts, 1).tolist(),
         "generation": log["generation"][starts].tolist(),
         "learner": learner[starts].tolist(),
         "epochs": every,
         "window": max(1, round(window / every)),
-        "per_phase": per_phase,
         "matches": int(log["matches"][-1]) if len(learner) else 0,
     }
 

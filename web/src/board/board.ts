@@ -122,7 +122,7 @@ export class Board {
   #shape(): void {
     if (!this.#recording) return;
     const { rows, cols } = this.#recording;
-    this.canvas.style.setProperty("--board-aspect", String(aspect(rows, cols, this.#look.axes)));
+    this.canvas.style.setProperty("--board-aspect", String(aspect(rows, cols)));
   }
 
   #resize(): void {

@@ -11,28 +11,22 @@ export interface Geometry {
   readonly cell: number;
 }
 
-/** Room around the grid, in cells: for marks at the border, and for the numbers of rows and columns. */
+/** Room around the grid for marks at the border, in cells. */
 const MARGIN = 0.12;
-const AXIS = 0.62;
-/** Most room for those numbers, in pixels of the page: small grids have large cells. */
-const AXIS_PIXELS = 30;
+/** Room for the numbers of rows and columns, in pixels of the page. */
+const AXIS = 28;
 
 /** Return the width of a board divided by its height. */
-export function aspect(rows: number, cols: number, axes: boolean): number {
-  const more = 2 * MARGIN + (axes ? AXIS : 0);
-  return (cols + more) / (rows + more);
-}
+export const aspect = (rows: number, cols: number): number => (cols + 2 * MARGIN) / (rows + 2 * MARGIN);
 
 /** Return the largest grid that fits a canvas of this size, in the middle of it. */
 export function fit(
   rows: number, cols: number, axes: boolean, width: number, height: number, ratio: number,
 ): Geometry {
-  const most = axes ? AXIS_PIXELS * ratio : 0;
-  const room = (side: number, cells: number): number =>
-    Math.max((side - most) / (cells + 2 * MARGIN), side / (cells + 2 * MARGIN + (axes ? AXIS : 0)));
+  const axis = axes ? AXIS * ratio : 0;
+  const room = (side: number, cells: number): number => (side - axis) / (cells + 2 * MARGIN);
   // Whole pixels, so that lines between cells are sharp.
   const cell = Math.max(1, Math.floor(Math.min(room(width, cols), room(height, rows))));
-  const axis = axes ? Math.min(AXIS * cell, most) : 0;
   return {
     rows, cols, cell,
     left: Math.round((width - cols * cell + axis) / 2),

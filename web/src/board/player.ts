@@ -137,6 +137,7 @@ export class Player extends EventTarget {
     if (step === this.#step) return;
     this.#step = step;
     this.#emit("step");
+    if (this.#still) this.#emit("frame");
   }
 
   #start(): void {
@@ -151,7 +152,8 @@ export class Player extends EventTarget {
     // A page that was hidden continues where it was.
     this.#advance(Math.min(0.25, (now - this.#last) / 1000));
     this.#last = now;
-    this.#emit("frame");
+    // Without motion nothing changes until the step has had its time.
+    if (!this.#still || this.arrived) this.#emit("frame");
     if (this.#playing || this.#time !== this.#step) {
       this.#frame = this.#clock.request(() => this.#tick());
     }

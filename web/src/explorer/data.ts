@@ -32,13 +32,10 @@ export interface Payoff {
   readonly capture_rate: Matrix;
   readonly capture_rates: readonly Matrix[];
   readonly lengths: readonly Matrix[];
-  /** By cell, team and kind: agent-steps in collision in 1000 agent-steps. */
-  readonly collisions: readonly (readonly Matrix[])[];
 }
 
 export interface Training {
   readonly capture_rate: readonly number[];
-  readonly length: readonly number[];
   readonly generation: readonly number[];
   /** 0: the pursuers learn, 1: the evaders, 2: both. */
   readonly learner: readonly number[];

@@ -1,6 +1,7 @@
 // Dialogs of the page: the link of a scene, and the keys.
 
 import { html } from "../page/dom.ts";
+import { hasAddress } from "./address.ts";
 import { linkOf } from "./link.ts";
 import type { Store } from "./store.ts";
 
@@ -13,8 +14,8 @@ function dialog(title: string, ...children: (Node | string)[]): HTMLDialogElemen
   return made;
 }
 
-/** Return the dialog with the link to the scene, and what opens it; `own`: whether the page opens it. */
-export function shareDialog(store: Store, own: boolean): { element: HTMLDialogElement; open: () => void } {
+/** Return the dialog with the link to the scene, and what opens it. */
+export function shareDialog(store: Store): { element: HTMLDialogElement; open: () => void } {
   const link = html("input", { type: "text", readonly: true, "aria-label": "Link" });
   const code = html("input", { type: "text", readonly: true, "aria-label": "Scene" });
   const told = html("p", { class: "muted small", role: "status" });
@@ -29,7 +30,7 @@ export function shareDialog(store: Store, own: boolean): { element: HTMLDialogEl
   };
   const element = dialog("Share this scene",
     html("p", {}, "The link holds the whole scene: board, agents, rules and moves. Nothing is sent anywhere."),
-    html("label", { class: "copy", hidden: !own }, html("span", {}, "Link to this page"), link, html("button", { type: "button", onclick: copy(link) }, "Copy")),
+    html("label", { class: "copy", hidden: !hasAddress() }, html("span", {}, "Link to this page"), link, html("button", { type: "button", onclick: copy(link) }, "Copy")),
     html("label", { class: "copy" }, html("span", {}, "Scene, for any copy of the playground"), code, html("button", { type: "button", onclick: copy(code) }, "Copy")),
     told);
   return {

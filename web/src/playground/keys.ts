@@ -5,8 +5,8 @@ import { actKey } from "./arena.ts";
 import type { Store } from "./store.ts";
 import { addAgent, removeChosen } from "./toolbar.ts";
 
-/** Listen to the keys while no dialog is open but the one that holds the playground, if any does. */
-export function listenToKeys(store: Store, root: HTMLElement, open: Record<"share" | "keys", () => void>): () => void {
+/** Listen to the keys while no dialog is open. */
+export function listenToKeys(store: Store, open: Record<"share" | "keys", () => void>): void {
   const names = Object.keys(store.data.variants);
   const acts: Record<string, () => void> = {
     Enter: () => store.step(),
@@ -23,9 +23,8 @@ export function listenToKeys(store: Store, root: HTMLElement, open: Record<"shar
     "-": () => addAgent(store, "evaders"),
     Delete: () => removeChosen(store),
   };
-  const listen = (event: KeyboardEvent): void => {
-    const dialogs = [...document.querySelectorAll("dialog[open]")];
-    if (event.defaultPrevented || dialogs.some((dialog) => !dialog.contains(root))) return;
+  document.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || document.querySelector("dialog[open]")) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if ((event.ctrlKey || event.metaKey) && !event.altKey) {
       const act = { z: () => (event.shiftKey ? store.redo() : store.undo()), y: () => store.redo() }[key];
@@ -39,9 +38,7 @@ export function listenToKeys(store: Store, root: HTMLElement, open: Record<"shar
     else if (variant) store.change({ ...store.scene, rules: store.data.variants[variant]! });
     else if (store.mode !== "act" || !actKey(store, event)) return;
     event.preventDefault();
-  };
-  document.addEventListener("keydown", listen);
-  return () => document.removeEventListener("keydown", listen);
+  });
 }
 
 const isText = (target: EventTarget | null): boolean => target instanceof HTMLInputElement && !["radio", "checkbox"].includes(target.type);

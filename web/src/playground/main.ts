@@ -2,15 +2,15 @@
 
 import { loadEngine } from "../engine/engine.ts";
 import { html } from "../page/dom.ts";
-import { followAddress, hash, storeOf } from "./address.ts";
+import { followAddress, hasAddress, hash, storeOf } from "./address.ts";
 import { pageData } from "./data.ts";
 import { showPlayground } from "./page.ts";
 
 async function show(root: HTMLElement): Promise<void> {
   const data = pageData();
   const { store, problem } = storeOf(await loadEngine(), data, hash() || data.scene);
-  showPlayground(root, store, true);
-  followAddress(store);
+  showPlayground(root, store);
+  if (hasAddress()) followAddress(store);
   if (problem) store.say(problem, true);
   Object.assign(window, { playground: store }); // for tests, and for the curious
 }

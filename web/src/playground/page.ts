@@ -1,4 +1,4 @@
-// The playground as elements: a page of its own, or a dialog of another page.
+// The parts of the page, put together.
 
 import "./playground.css";
 
@@ -14,27 +14,21 @@ import type { Store } from "./store.ts";
 import { story } from "./story.ts";
 import { toolbar, undoButton } from "./toolbar.ts";
 
-/**
- * Show what a store holds inside an element, and listen to keys; returns what ends that.
- *
- * `own`: whether the page is the playground's own, so that its address is a link to the scene; other
- * pages give what closes it.
- */
-export function showPlayground(root: HTMLElement, store: Store, own: true | (() => void)): () => void {
-  const share = shareDialog(store, own === true);
+/** Show what a store holds inside an element, and listen to keys. */
+export function showPlayground(root: HTMLElement, store: Store): void {
+  const share = shareDialog(store);
   const keys = keysDialog();
   const openKeys = (): void => keys.showModal();
-  const close = own === true ? null : html("button", { type: "button", onclick: own }, "Close");
   const header = html("header", { class: "top" },
     html("h1", {}, html("span", { class: "muted" }, "matrixworld "), "playground"),
     html("div", { class: "buttons" }, undoButton(store),
       html("button", { type: "button", title: "Link to this scene (L)", onclick: share.open }, "Share"),
-      html("button", { type: "button", title: "Keys (?)", onclick: openKeys }, "Keys"), themeButton(), close));
+      html("button", { type: "button", title: "Keys (?)", onclick: openKeys }, "Keys"), themeButton()));
   const main = html("main", { class: "layout" },
     rulesPanel(store),
     html("section", { class: "card stage", "aria-label": "Board" }, arena(store), toolbar(store)),
     html("div", { class: "side" }, story(store), agentsPanel(store)));
   root.classList.add("playground");
   root.replaceChildren(header, gallery(store), main, share.element, keys);
-  return listenToKeys(store, root, { share: share.open, keys: openKeys });
+  listenToKeys(store, { share: share.open, keys: openKeys });
 }

@@ -55,7 +55,7 @@ function fieldChoice(store: Store, field: Field): Control {
     return input;
   });
   const labels = field.values.map(({ label }, place) => html("label", {}, inputs[place], html("span", {}, label)));
-  const used = html("span", { class: "used-mark", title: "This rule decided what happened in the step that is shown" }, "decided");
+  const used = html("span", { class: "used-mark", title: "This rule decided what happened in the step that is shown" }, html("span", {}, "decided"));
   const element = html("fieldset", { class: "field", title: field.text },
     html("legend", {}, field.label, used), html("div", { class: "segments" }, ...labels));
   return {

@@ -49,8 +49,8 @@ function section({ name, lines, ended }: Part, step: number): HTMLElement {
   return html("div", { class: "story-part" }, name && html("h3", {}, name), told);
 }
 
-function item({ kind, text, blame }: Line): HTMLElement {
-  const label = LABELS[kind];
+function item({ kind, text, turn, blame }: Line): HTMLElement {
+  const label = turn ? `${LABELS[kind]}, turn ${turn}` : LABELS[kind];
   return html(
     "li", { class: `line line-${kind}` },
     label && html("span", { class: "tag" }, label),

@@ -17,6 +17,8 @@ export const commandText = (command: Command): string =>
 export interface Line {
   readonly kind: Conflict["kind"] | "capture" | "end" | "calm";
   readonly text: string;
+  /** The turn in which it happened, from 1; 0 where all move at once. */
+  readonly turn: number;
   /** Who is to blame; empty where that is no question. */
   readonly blame: string;
   readonly used: readonly (keyof Rules)[];
@@ -36,18 +38,18 @@ export function linesOf(scene: Scene, game: Game, step: number): Line[] {
   const [before, after, outcome] = [game.recording.moments[step - 1], game.recording.moments[step], game.outcomes[step]];
   if (!before || !after || !outcome) return [];
   const lines = [
-    ...outcome.conflicts.map((conflict) => conflictLine(scene, conflict)),
+    ...outcome.conflicts.map((conflict) => conflictLine(scene, game.rules, conflict)),
     ...captureLines(scene, before, after, outcome.captors),
   ];
-  const calm: Line = { kind: "calm", text: "No conflict, no capture.", blame: "", used: [] };
+  const calm: Line = { kind: "calm", text: "No conflict, no capture.", turn: 0, blame: "", used: [] };
   return [...(lines.length ? lines : [calm]), ...endLines(scene, game, step)];
 }
 
-function conflictLine(scene: Scene, conflict: Conflict): Line {
+function conflictLine(scene: Scene, rules: Rules, conflict: Conflict): Line {
   const guilty = conflict.at_fault.map((agent) => agentName(scene, agent));
-  const turn = scene.rules.interaction === "SIMULTANEOUS" ? "" : ` (turn ${conflict.turn + 1})`;
-  const blame = guilty.length ? `At fault: ${joined(guilty)}${turn}.` : `Nobody is at fault${turn}.`;
-  return { kind: conflict.kind, text: `${conflict.text}.`, blame, used: USED[conflict.kind] };
+  const turn = rules.interaction === "SIMULTANEOUS" ? 0 : conflict.turn + 1;
+  const blame = guilty.length ? `At fault: ${joined(guilty)}.` : "Nobody is at fault.";
+  return { kind: conflict.kind, text: `${conflict.text}.`, turn, blame, used: USED[conflict.kind] };
 }
 
 function captureLines(scene: Scene, before: Moment, after: Moment, captors: Int32Array): Line[] {
@@ -59,9 +61,9 @@ function captureLines(scene: Scene, before: Moment, after: Moment, captors: Int3
     const by = captors[evader] ? ` by ${captors[evader]} ${captors[evader] === 1 ? "pursuer" : "pursuers"}` : "";
     const used = ["capture", ...(gone ? ["captured_disappear"] : [])] as (keyof Rules)[];
     if (after.captured[evader] && !before.captured[evader]) {
-      lines.push({ kind: "capture", text: `${name} is captured${by}${gone ? " and disappears" : ""}.`, blame: "", used });
+      lines.push({ kind: "capture", text: `${name} is captured${by}${gone ? " and disappears" : ""}.`, turn: 0, blame: "", used });
     } else if (before.captured[evader] && !after.captured[evader] && after.alive[agent]) {
-      lines.push({ kind: "capture", text: `${name} is free again.`, blame: "", used: ["capture"] });
+      lines.push({ kind: "capture", text: `${name} is free again.`, turn: 0, blame: "", used: ["capture"] });
     }
   }
   return lines;
@@ -76,7 +78,7 @@ function endLines(scene: Scene, game: Game, step: number): Line[] {
   let reason = `after ${scene.maxSteps} steps`;
   if (terminated) reason = left(0, first) ? "every evader is captured or gone" : "no pursuer is left";
   if (terminated && !left(first, nAgents(scene))) reason = "no evader is left";
-  return [{ kind: "end", text: `The episode has ended: ${reason}.`, blame: "", used: [] }];
+  return [{ kind: "end", text: `The episode has ended: ${reason}.`, turn: 0, blame: "", used: [] }];
 }
 
 /** Return a text for the page, in which cells and names of variants are not broken between lines. */
