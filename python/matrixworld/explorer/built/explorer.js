@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources af64239d79c937c3c856a8299e0e0b208f691f5efbdeade7d170bbd64c5f4e23 */
+/* built from web/ by "npm run build"; sources 6449396aee27b6bddadc36a5061a697173385993bf98e26891bf2f21a56d0041 */
 "use strict";(()=>{var _t={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ee={DISAPPEAR:0,REACH:1,BOUNCE:2},Mt={OCCUPATION:0,SURROUND:1},At={FAULT:0,INVOLVED:1};var Et=["obstacle","teammate","adversary"],Ye=["vertex","edge","chain"],Ct=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Xe=["p\
 ursuer_{number}","evader_{number}"],Tt={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},te={"both held":"both bounce","both doomed":"\
