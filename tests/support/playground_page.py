@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -75,7 +76,8 @@ class PlaygroundPage:
         return self.browser.js("document.querySelector('.message').textContent")
 
     def scene(self) -> str:
-        """Return the scene in the address."""
+        """Return the scene in the address, which follows the page after 0.1 s."""
+        time.sleep(0.25)
         return unquote(self.browser.js("location.hash.slice(1)"))
 
 

@@ -39,19 +39,27 @@ export function hash(): string {
   }
 }
 
+/** Milliseconds between changes of the address: browsers refuse many in a short time. */
+const REST = 100;
+
 /** Keep the scene in the address, so that a reload shows it and the address is a link to it. */
 export function followAddress(store: Store): void {
-  let own = linkOf(store.scene, store.data);
+  let [own, written, due] = [linkOf(store.scene, store.data), hash(), 0];
+  const write = (): void => {
+    due = 0;
+    if (hash() !== written) return; // another link was followed meanwhile
+    written = own;
+    history.replaceState(null, "", `#${own}`);
+  };
   store.addEventListener("change", () => {
-    const now = linkOf(store.scene, store.data);
-    if (now === own) return;
-    own = now;
-    history.replaceState(null, "", `#${now}`);
+    own = linkOf(store.scene, store.data);
+    if (own !== written && !due) due = setTimeout(write, REST);
   });
   window.addEventListener("hashchange", () => {
-    if (hash() === own) return;
+    written = hash();
+    if (written === own) return;
     try {
-      store.change(sceneOf(hash(), store.data), { example: exampleOf(store.data, hash()) });
+      store.change(sceneOf(written, store.data), { example: exampleOf(store.data, written) });
     } catch (error) {
       store.say(problemOf(error), true);
     }

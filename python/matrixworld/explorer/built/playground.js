@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 9c327c049828074b91f73c7189c789123ac1ed4ef9a0c0928329f9eee5abefc2 */
+/* built from web/ by "npm run build"; sources 47c1d6e5eb3aebd7ae83bb316c5091be0c99f4a34254038c705f019f263fc884 */
 "use strict";(()=>{var dt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},J={DISAPPEAR:0,REACH:1,BOUNCE:2},ut={OCCUPATION:0,SURROUND:1},pt={FAULT:0,INVOLVED:1};var mt=["obstacle","teammate","adversary"],Ie=["vertex","edge","chain"],ht=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Pe=["p\
 ursuer_{number}","evader_{number}"],ft={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},X={"both held":"both bounce","both doomed":"\
@@ -237,58 +237,59 @@ t).length&&(this.#i=null);let s=this.game.length,[a,i]=[this.player.step,n.rules
 jump(s-1),i&&s||Math.abs(s-a)===1?this.player.move(s-this.player.step):this.player.jump(s),this.#h()}#l(){this.player.glide=yo[this.#e.rules.interaction]}#f(){this.#s&&
 this.player.arrived&&this.step()}#h(){this.dispatchEvent(new Event("change"))}};function Pr(e,t,r){let n=s=>new Te(e,t,se(s,t),$r(t,s)),o=t.gallery[0].scene;try{return{store:n(r||o),problem:""}}catch(s){return{store:n(o),problem:Ur(s)}}}function Ur(e){
 if(e instanceof ne||e instanceof x)return`This link holds no scene. ${e.message}`;throw e}function $r(e,t){return e.gallery.find(r=>r.scene===t)??null}var Re=()=>[
-"file:","http:","https:"].includes(location.protocol);function le(){try{return decodeURIComponent(location.hash.slice(1))}catch{return location.hash.slice(1)}}function Dr(e){
-let t=oe(e.scene,e.data);e.addEventListener("change",()=>{let r=oe(e.scene,e.data);r!==t&&(t=r,history.replaceState(null,"",`#${r}`))}),window.addEventListener(
-"hashchange",()=>{if(le()!==t)try{e.change(se(le(),e.data),{example:$r(e.data,le())})}catch(r){e.say(Ur(r),!0)}})}function Br(){return JSON.parse(document.getElementById("data").textContent)}var wo=matchMedia("(prefers-color-scheme: dark)");function So(){let e=document.documentElement.dataset.theme;return e?e==="dark":wo.matches}function rt(){document.
-documentElement.dataset.theme=So()?"light":"dark"}function Hr(){return c("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:rt},"◐")}var N=["stay","north","east","south","west","northeast","southeast","southwest","northwest"],nt=["·","↑","→","↓","←","↗","↘","↙","↖"],Wr=e=>typeof e==
-"number"?`${nt[e]} ${N[e]}`:e,xo={obstacle:["obstacle"],teammate:["teammate"],adversary:["evader","pursuer"]},Ao=e=>e.length<2?e.join(""):`${e.slice(0,-1).join(
+"file:","http:","https:"].includes(location.protocol);function le(){try{return decodeURIComponent(location.hash.slice(1))}catch{return location.hash.slice(1)}}var wo=100;
+function Dr(e){let[t,r,n]=[oe(e.scene,e.data),le(),0],o=()=>{n=0,le()===r&&(r=t,history.replaceState(null,"",`#${t}`))};e.addEventListener("change",()=>{t=oe(e.
+scene,e.data),t!==r&&!n&&(n=setTimeout(o,wo))}),window.addEventListener("hashchange",()=>{if(r=le(),r!==t)try{e.change(se(r,e.data),{example:$r(e.data,r)})}catch(s){
+e.say(Ur(s),!0)}})}function Br(){return JSON.parse(document.getElementById("data").textContent)}var So=matchMedia("(prefers-color-scheme: dark)");function xo(){let e=document.documentElement.dataset.theme;return e?e==="dark":So.matches}function rt(){document.
+documentElement.dataset.theme=xo()?"light":"dark"}function Hr(){return c("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:rt},"◐")}var N=["stay","north","east","south","west","northeast","southeast","southwest","northwest"],nt=["·","↑","→","↓","←","↗","↘","↙","↖"],Wr=e=>typeof e==
+"number"?`${nt[e]} ${N[e]}`:e,Ao={obstacle:["obstacle"],teammate:["teammate"],adversary:["evader","pursuer"]},Eo=e=>e.length<2?e.join(""):`${e.slice(0,-1).join(
 ", ")} and ${e.at(-1)}`;function ke(e,t,r){let[n,o,s]=[t.recording.moments[r-1],t.recording.moments[r],t.outcomes[r]];if(!n||!o||!s)return[];let a=[...s.conflicts.
-map(l=>Eo(e,t.rules,l)),..._o(e,n,o,s.captors)],i={kind:"calm",text:"No conflict, no capture.",turn:0,blame:"",used:[]};return[...a.length?a:[i],...Co(e,t,r)]}function Eo(e,t,r){
-let n=r.at_fault.map(a=>T(e,a)),o=t.interaction==="SIMULTANEOUS"?0:r.turn+1,s=n.length?`At fault: ${Ao(n)}.`:"Nobody is at fault.";return{kind:r.kind,text:`${r.
-text}.`,turn:o,blame:s,used:xo[r.kind]}}function _o(e,t,r,n){let o=[];for(let s=0;s<e.evaders.length;s++){let a=e.pursuers.length+s,i=T(e,a),l=t.alive[a]&&!r.alive[a],
+map(l=>_o(e,t.rules,l)),...Co(e,n,o,s.captors)],i={kind:"calm",text:"No conflict, no capture.",turn:0,blame:"",used:[]};return[...a.length?a:[i],...Mo(e,t,r)]}function _o(e,t,r){
+let n=r.at_fault.map(a=>T(e,a)),o=t.interaction==="SIMULTANEOUS"?0:r.turn+1,s=n.length?`At fault: ${Eo(n)}.`:"Nobody is at fault.";return{kind:r.kind,text:`${r.
+text}.`,turn:o,blame:s,used:Ao[r.kind]}}function Co(e,t,r,n){let o=[];for(let s=0;s<e.evaders.length;s++){let a=e.pursuers.length+s,i=T(e,a),l=t.alive[a]&&!r.alive[a],
 d=n[s]?` by ${n[s]} ${n[s]===1?"pursuer":"pursuers"}`:"",u=["capture",...l?["captured_disappear"]:[]];r.captured[s]&&!t.captured[s]?o.push({kind:"capture",text:`${i}\
  is captured${d}${l?" and disappears":""}.`,turn:0,blame:"",used:u}):t.captured[s]&&!r.captured[s]&&r.alive[a]&&o.push({kind:"capture",text:`${i} is free again.`,
-turn:0,blame:"",used:["capture"]})}return o}function Co(e,t,r){let{terminated:n,truncated:o}=t.outcomes[r];if(!n&&!o)return[];let s=t.recording.moments[r].alive,
+turn:0,blame:"",used:["capture"]})}return o}function Mo(e,t,r){let{terminated:n,truncated:o}=t.outcomes[r];if(!n&&!o)return[];let s=t.recording.moments[r].alive,
 a=(d,u)=>Array.from(s).slice(d,u).some(Boolean),i=e.pursuers.length,l=`after ${e.maxSteps} steps`;return n&&(l=a(0,i)?"every evader is captured or gone":"no pur\
 suer is left"),n&&!a(i,S(e))&&(l="no evader is left"),[{kind:"end",text:`The episode has ended: ${l}.`,turn:0,blame:"",used:[]}]}function Ne(e){return e.split(/(\(-?\d+, -?\d+\)|-[A-Z]{1,3}\b)/).
-map((t,r)=>r%2?c("span",{class:"whole"},t):t)}var zr={ArrowUp:1,ArrowRight:2,ArrowDown:3,ArrowLeft:4},Mo={e:5,c:6,y:7,z:7,q:8};function Kr(e){let t=c("div",{class:"arena"}),r=[Fr(e,0),Fr(e,1)];t.append(...r.
+map((t,r)=>r%2?c("span",{class:"whole"},t):t)}var zr={ArrowUp:1,ArrowRight:2,ArrowDown:3,ArrowLeft:4},To={e:5,c:6,y:7,z:7,q:8};function Kr(e){let t=c("div",{class:"arena"}),r=[Fr(e,0),Fr(e,1)];t.append(...r.
 map(o=>o.element));let n=()=>r.forEach(o=>o.update());return e.addEventListener("change",n),e.player.addEventListener("frame",n),n(),t}function Fr(e,t){let r=c(
-"canvas",{tabindex:0,"aria-describedby":"board-keys"}),n=c("h2",{class:"arm-name"}),o=c("figure",{class:"arm"},n,r),s=new Ce(r,{axes:!0,trail:1}),a=new st;To(e,
-s),No(e,r,a);let i=()=>{let l=e.games[t];if(o.hidden=!l,!l)return;let{mode:d,scene:u}=e;r.setAttribute("role","application"),r.ariaLabel=`Board, ${u.rows} by ${u.
+"canvas",{tabindex:0,"aria-describedby":"board-keys"}),n=c("h2",{class:"arm-name"}),o=c("figure",{class:"arm"},n,r),s=new Ce(r,{axes:!0,trail:1}),a=new st;Ro(e,
+s),Oo(e,r,a);let i=()=>{let l=e.games[t];if(o.hidden=!l,!l)return;let{mode:d,scene:u}=e;r.setAttribute("role","application"),r.ariaLabel=`Board, ${u.rows} by ${u.
 cols} cells`,r.dataset.mode=d,n.textContent=O(e,t),n.hidden=e.games.length<2;let p=e.player.arrived&&e.player.step===e.game.length;s.look={plan:d==="act"&&p&&!l.
 over?l.actions(u.next):null,selected:d==="act"?e.selected:null,cursor:d==="build"&&document.activeElement===r?a.cell:null},s.show(l.recording,e.player.time)};return r.
 addEventListener("focus",i),r.addEventListener("blur",i),a.addEventListener("change",i),{element:o,update:i}}function O(e,t){let r=t?e.scene.others:e.scene.rules,
 n=r&&j(r,e.data.variants);return n?`-${n}`:"own rules"}function jr(e,t,r){let[n,o]=[t[0]-e[0],t[1]-e[1]];return!r&&Math.abs(n)>Math.abs(o)?o=0:r||(n=0),z.findIndex(
-([s,a])=>s===Math.sign(n)&&a===Math.sign(o))}function ot(e,t){let r=A(e.game.scene())[t];return r&&!r.gone?r.cell:null}function To(e,t){let r=null;t.canvas.addEventListener(
+([s,a])=>s===Math.sign(n)&&a===Math.sign(o))}function ot(e,t){let r=A(e.game.scene())[t];return r&&!r.gone?r.cell:null}function Ro(e,t){let r=null;t.canvas.addEventListener(
 "pointerdown",n=>{let o=t.cellAt(n.clientX,n.clientY);if(!o||n.button!==0||e.running)return;t.canvas.setPointerCapture(n.pointerId);let s=t.agentAt(n.clientX,n.
-clientY);r=e.mode==="build"?ko(e,o,s):Ro(e,o,s)}),t.canvas.addEventListener("pointermove",n=>{let o=t.cellAt(n.clientX,n.clientY);o&&r?.(o)});for(let n of["poin\
-terup","pointercancel"])t.canvas.addEventListener(n,()=>{r=null})}function Ro(e,t,r){if(r===null){let s=e.selected===null?null:ot(e,e.selected);return s&&Math.max(
+clientY);r=e.mode==="build"?No(e,o,s):ko(e,o,s)}),t.canvas.addEventListener("pointermove",n=>{let o=t.cellAt(n.clientX,n.clientY);o&&r?.(o)});for(let n of["poin\
+terup","pointercancel"])t.canvas.addEventListener(n,()=>{r=null})}function ko(e,t,r){if(r===null){let s=e.selected===null?null:ot(e,e.selected);return s&&Math.max(
 Math.abs(s[0]-t[0]),Math.abs(s[1]-t[1]))===1&&Y(e,jr(s,t,e.scene.diagonal)),null}let n=e.selected===r;e.selected=r;let o=ot(e,r);return o?(n&&Y(e,0),s=>Y(e,jr(o,
-s,e.scene.diagonal))):null}function ko(e,t,r){let n=!1,o=i=>{e.change(i,{part:n}),n=!0};if(r!==null)return e.selected=r,i=>{let l=e.game.scene();R(l,i)===null&&
+s,e.scene.diagonal))):null}function No(e,t,r){let n=!1,o=i=>{e.change(i,{part:n}),n=!0};if(r!==null)return e.selected=r,i=>{let l=e.game.scene();R(l,i)===null&&
 !k(l,i)&&o(Ke(l,r,i))};let s=!k(e.game.scene(),t),a=i=>{let l=e.game.scene();R(l,i)===null&&k(l,i)!==s&&o(Ve(l,i,s))};return a(t),a}function Y(e,t){let{selected:r,
 scene:n}=e;r===null||e.running||e.game.over||(n.next[r]!==t&&e.change(be(n,r,t)),e.say(`${T(n,r)}: ${N[t]}.`))}var st=class extends EventTarget{cell=[0,0];move(t,r,n){
-let o=(s,a)=>Math.min(a-1,Math.max(0,s));this.cell=[o(this.cell[0]+t[0],r),o(this.cell[1]+t[1],n)],this.dispatchEvent(new Event("change"))}};function No(e,t,r){
-t.addEventListener("keydown",n=>{if(n.ctrlKey||n.metaKey||n.altKey)return;(e.mode==="act"?at(e,n):Oo(e,n,r))&&n.preventDefault()})}function at(e,t){let r=t.key.
-length===1?t.key.toLowerCase():t.key,n=zr[r]??(e.scene.diagonal?Mo[r]:void 0)??{s:0,Delete:0}[r];return n!==void 0?(e.selected===null&&Gr(e,1),Y(e,n),!0):r!=="n"&&
+let o=(s,a)=>Math.min(a-1,Math.max(0,s));this.cell=[o(this.cell[0]+t[0],r),o(this.cell[1]+t[1],n)],this.dispatchEvent(new Event("change"))}};function Oo(e,t,r){
+t.addEventListener("keydown",n=>{if(n.ctrlKey||n.metaKey||n.altKey)return;(e.mode==="act"?at(e,n):Lo(e,n,r))&&n.preventDefault()})}function at(e,t){let r=t.key.
+length===1?t.key.toLowerCase():t.key,n=zr[r]??(e.scene.diagonal?To[r]:void 0)??{s:0,Delete:0}[r];return n!==void 0?(e.selected===null&&Gr(e,1),Y(e,n),!0):r!=="n"&&
 r!=="p"?!1:(Gr(e,r==="n"?1:-1),!0)}function Gr(e,t){let r=S(e.scene),n=e.game.recording.moments.at(-1).alive,o=e.selected??(t>0?-1:r);for(let s=0;s<r;s++){if(o=
-(o+t+r)%r,!n[o])continue;e.selected=o;let[a,i]=ot(e,o);return e.say(`${T(e.scene,o)} at (${a}, ${i}).`)}}function Oo(e,t,r){let n=e.game.scene(),o=zr[t.key];if(o!==
+(o+t+r)%r,!n[o])continue;e.selected=o;let[a,i]=ot(e,o);return e.say(`${T(e.scene,o)} at (${a}, ${i}).`)}}function Lo(e,t,r){let n=e.game.scene(),o=zr[t.key];if(o!==
 void 0){let a=t.shiftKey?R(n,r.cell):null;r.move(z[o],n.rows,n.cols);let i=R(n,r.cell)===null&&!k(n,r.cell);a!==null&&i&&e.change(Ke(n,a,r.cell));let[l,d]=r.cell;
-return e.say(`(${l}, ${d}): ${Lo(e,r.cell)}.`),!0}let s=R(n,r.cell);return t.key===" "||t.key==="Enter"?(s===null?e.change(Ve(n,r.cell,!k(n,r.cell))):e.selected=
-s,!0):t.key==="Delete"&&s!==null?(e.change(ye(n,s)),!0):!1}function Lo(e,t){let r=e.game.scene(),n=R(r,t);return n!==null?T(r,n):k(r,t)?"obstacle":"free"}function it(e){let t=e==="pursuers"?ge("path",{d:"M12 3 22 20H2z"}):ge("circle",{cx:12,cy:12,r:9.5});return ge("svg",{viewBox:"0 0 24 24",class:`glyph ${e}`,"ar\
+return e.say(`(${l}, ${d}): ${Io(e,r.cell)}.`),!0}let s=R(n,r.cell);return t.key===" "||t.key==="Enter"?(s===null?e.change(Ve(n,r.cell,!k(n,r.cell))):e.selected=
+s,!0):t.key==="Delete"&&s!==null?(e.change(ye(n,s)),!0):!1}function Io(e,t){let r=e.game.scene(),n=R(r,t);return n!==null?T(r,n):k(r,t)?"obstacle":"free"}function it(e){let t=e==="pursuers"?ge("path",{d:"M12 3 22 20H2z"}):ge("circle",{cx:12,cy:12,r:9.5});return ge("svg",{viewBox:"0 0 24 24",class:`glyph ${e}`,"ar\
 ia-hidden":!0},t)}function Vr(e){let t=[0,1].map(()=>c("th",{class:"reward",scope:"col"})),r=c("tbody"),n=c("table",{class:"agents"},c("thead",{},c("tr",{},c("t\
 h",{scope:"col"},"agent"),c("th",{scope:"col"},"next"),...t)),r),o=c("section",{class:"card agents-card"},c("h2",{},"Agents"),c("div",{class:"agents-scroll"},n)),
-s=[],a="",i=()=>{let{scene:l}=e,d=`${l.pursuers.length} ${l.evaders.length} ${l.diagonal}`;d!==a&&(a=d,s=Array.from({length:S(l)},(u,p)=>Io(e,p)),r.replaceChildren(
+s=[],a="",i=()=>{let{scene:l}=e,d=`${l.pursuers.length} ${l.evaders.length} ${l.diagonal}`;d!==a&&(a=d,s=Array.from({length:S(l)},(u,p)=>Po(e,p)),r.replaceChildren(
 ...s.map(u=>u.element))),t.forEach((u,p)=>{u.hidden=p>=e.games.length,u.textContent=e.games.length>1&&e.games[p]?O(e,p):"reward",u.title="Reward of the step"}),
-s.forEach((u,p)=>Uo(e,u,p))};return e.addEventListener("change",i),e.player.addEventListener("step",i),i(),o}function Io(e,t){let{scene:r}=e,n=T(r,t),o=c("selec\
-t",{"aria-label":`${n} does next`},...Po(e,r));o.addEventListener("change",()=>{let u=o.value;e.stop(),e.change(be(e.scene,t,/^\d$/.test(u)?Number(u):u))});let s=c(
+s.forEach((u,p)=>$o(e,u,p))};return e.addEventListener("change",i),e.player.addEventListener("step",i),i(),o}function Po(e,t){let{scene:r}=e,n=T(r,t),o=c("selec\
+t",{"aria-label":`${n} does next`},...Uo(e,r));o.addEventListener("change",()=>{let u=o.value;e.stop(),e.change(be(e.scene,t,/^\d$/.test(u)?Number(u):u))});let s=c(
 "span",{class:"state muted"}),a=c("span",{class:"heard"}),i=c("button",{type:"button",class:"agent-name",onclick:()=>e.selected=t},it(Ge(r,t)),n,a),l=[0,1].map(
-()=>c("td",{class:"reward numbers"}));return{element:c("tr",{},c("th",{scope:"row"},i),c("td",{},o,s),...l),choice:o,state:s,heard:a,rewards:l}}function Po(e,t){
+()=>c("td",{class:"reward numbers"}));return{element:c("tr",{},c("th",{scope:"row"},i),c("td",{},o,s),...l),choice:o,state:s,heard:a,rewards:l}}function Uo(e,t){
 let r=N.slice(0,t.diagonal?9:5).map((o,s)=>c("option",{value:s},Wr(s))),n=e.data.scripts.map(({name:o,text:s})=>c("option",{value:o,title:s},o));return[c("optgr\
-oup",{label:"move"},...r),c("optgroup",{label:"script"},...n)]}function Uo(e,{element:t,choice:r,state:n,heard:o,rewards:s},a){let{scene:i,game:l,player:d}=e,u=l.
+oup",{label:"move"},...r),c("optgroup",{label:"script"},...n)]}function $o(e,{element:t,choice:r,state:n,heard:o,rewards:s},a){let{scene:i,game:l,player:d}=e,u=l.
 recording.moments[Math.min(d.step,l.length)],p=a-i.pursuers.length,h=p>=0&&!!u.captured[p];t.classList.toggle("chosen",e.selected===a),t.classList.toggle("gone",
 !u.alive[a]),r.value=String(i.next[a]),r.disabled=!u.alive[a]||l.over,r.hidden=!u.alive[a],n.hidden=!!u.alive[a],n.textContent=h?"captured":"gone",t.classList.toggle(
 "captured",h),o.textContent=h?" captured":"",s.forEach((m,g)=>{let f=e.games[g];m.hidden=!f;let w=f?.outcomes[d.step]?.rewards[a];m.textContent=d.step&&w!==void 0?
-$o(w):"";let C=l.outcomes[d.step]?.rewards[a];m.classList.toggle("differs",g>0&&w!==void 0&&C!==w)})}function $o(e){let t=String(Number(Math.abs(e).toPrecision(
+Do(w):"";let C=l.outcomes[d.step]?.rewards[a];m.classList.toggle("differs",g>0&&w!==void 0&&C!==w)})}function Do(e){let t=String(Number(Math.abs(e).toPrecision(
 5)));return e<0?`−${t}`:e>0?`+${t}`:"0"}function Yr(e,...t){let r=c("button",{type:"button",class:"close","aria-label":"Close"},"✕"),n=c("dialog",{"aria-label":e},c("div",{class:"dialog-head"},c("h2",
 {},e),r),...t);return r.addEventListener("click",()=>n.close()),n.addEventListener("click",o=>o.target===n&&n.close()),n}function qr(e){let t=c("input",{type:"t\
 ext",readonly:!0,"aria-label":"Link"}),r=c("input",{type:"text",readonly:!0,"aria-label":"Scene"}),n=c("p",{class:"muted small",role:"status"}),o=a=>async()=>{a.
@@ -296,32 +297,32 @@ select();try{await navigator.clipboard.writeText(a.value),n.textContent="Copied.
 c("p",{},"The link holds the whole scene: board, agents, rules and moves. Nothing is sent anywhere."),c("label",{class:"copy",hidden:!Re()},c("span",{},"Link to\
  this page"),t,c("button",{type:"button",onclick:o(t)},"Copy")),c("label",{class:"copy"},c("span",{},"Scene, for any copy of the playground"),r,c("button",{type:"\
 button",onclick:o(r)},"Copy")),n);return{element:s,open:()=>{r.value=`#${oe(e.scene,e.data)}`,t.value=location.href.split("#")[0]+r.value,n.textContent="",s.showModal()}}}
-var Do=[[["Enter"],"play a step"],[["Backspace"],"take the last step back"],[["Home"],"back to the start"],[["Space"],"run, or stop"],[["N","P"],"choose the nex\
+var Bo=[[["Enter"],"play a step"],[["Backspace"],"take the last step back"],[["Home"],"back to the start"],[["Space"],"run, or stop"],[["N","P"],"choose the nex\
 t agent, or the one before"],[["↑","→","↓","←"],"the chosen agent moves there next"],[["Q","E","C","Y"],"the same on a diagonal, where the board allows \
 it"],[["S"],"the chosen agent stays"],[["1","… 9"],"choose a variant"],[["M"],"change between Move and Build"],[["Ctrl Z","Ctrl Y"],"undo, redo"],[["L"],"link\
- to this scene"],[["D"],"light or dark"],[["?"],"these keys"]],Bo=[[["↑","→","↓","←"],"move the cursor on the board"],[["Space"],"draw or erase an obsta\
+ to this scene"],[["D"],"light or dark"],[["?"],"these keys"]],Ho=[[["↑","→","↓","←"],"move the cursor on the board"],[["Space"],"draw or erase an obsta\
 cle, or choose the agent there"],[["Shift ↑"],"carry the agent under the cursor"],[["+","-"],"add a pursuer, an evader"],[["Delete"],"remove the agent under t\
 he cursor"]];function Jr(){let e=r=>c("dl",{class:"keys"},...r.flatMap(([n,o])=>[c("dt",{},...n.map(s=>c("kbd",{},s))),c("dd",{},o)])),t=c("div",{class:"keys-co\
-lumns"},c("div",{},c("h3",{},"Anywhere"),e(Do)),c("div",{},c("h3",{},"On the board, in Build"),e(Bo),c("h3",{},"With mouse or finger"),c("p",{},"Move: press an \
+lumns"},c("div",{},c("h3",{},"Anywhere"),e(Bo)),c("div",{},c("h3",{},"On the board, in Build"),e(Ho),c("h3",{},"With mouse or finger"),c("p",{},"Move: press an \
 agent and drag it towards a cell beside it, or choose it and press that cell."),c("p",{},"Build: drag agents; draw on free cells to make obstacles, on obstacles\
  to erase them.")));return Yr("Keys",t)}function Xr(e){let t=e.data.gallery.map(s=>c("button",{type:"button",class:"chip",onclick:()=>{e.stop(),e.mode="act",e.change(se(s.scene,e.data),{example:s}),e.
 selected=0}},s.title)),r=c("p",{class:"example-text"}),n=c("nav",{class:"gallery","aria-label":"Examples"},c("div",{class:"chips"},...t),r),o=()=>{e.data.gallery.
 forEach((s,a)=>t[a].setAttribute("aria-pressed",String(s===e.example))),r.replaceChildren(...Ne(e.example?.text??"A scene of your own. Choose an example, or cha\
-nge this one."))};return e.addEventListener("change",o),o(),n}var Ho={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
+nge this one."))};return e.addEventListener("change",o),o(),n}var Wo={first:"M6 5v14M19 5 9 12l10 7z",back:"M17 5 7 12l10 7z",play:"M7 4.5 19 12 7 19.5z",pause:"M8 5v14M16 5v14",forward:"M7 5l10 7-10 7z",last:"M18 5v14M5 5\
 l10 7-10 7z"};function lt(e){let t=document.createElementNS("http://www.w3.org/2000/svg","svg");t.setAttribute("viewBox","0 0 24 24"),t.setAttribute("aria-hidde\
-n","true"),t.classList.add("icon");let r=document.createElementNS("http://www.w3.org/2000/svg","path");return r.setAttribute("d",Ho[e]),t.append(r),t}function Zr(e){let t=Wo(e),r=Fo(e),n=Go(e),o=jo(e),s=c("p",{class:"message",role:"status"});e.addEventListener("message",l=>{let{text:d,problem:u}=l.detail;s.textContent=
+n","true"),t.classList.add("icon");let r=document.createElementNS("http://www.w3.org/2000/svg","path");return r.setAttribute("d",Wo[e]),t.append(r),t}function Zr(e){let t=Fo(e),r=jo(e),n=zo(e),o=Go(e),s=c("p",{class:"message",role:"status"});e.addEventListener("message",l=>{let{text:d,problem:u}=l.detail;s.textContent=
 d,s.classList.toggle("problem",u)});let a=[t,r,n,o],i=()=>a.forEach(l=>l.update());return e.addEventListener("change",i),e.addEventListener("change",()=>{s.textContent=
 "",s.classList.remove("problem")}),e.player.addEventListener("step",i),i(),c("div",{class:"toolbar"},...a.map(l=>l.element),s)}function Oe(e,t,r,n){return c("bu\
-tton",{type:"button",title:`${t} (${r})`,onclick:n},e&&lt(e),c("span",{},t))}function Wo(e){let t=Oe("first","Restart","Home",()=>e.restart()),r=Oe("back","Back",
+tton",{type:"button",title:`${t} (${r})`,onclick:n},e&&lt(e),c("span",{},t))}function Fo(e){let t=Oe("first","Restart","Home",()=>e.restart()),r=Oe("back","Back",
 "Backspace",()=>e.back()),n=Oe("forward","Step","Enter",()=>e.step()),o=Oe("play","Run","Space",()=>e.run());return n.classList.add("primary"),n.id="step",{element:c(
 "div",{class:"buttons",role:"group","aria-label":"Steps"},t,r,n,o),update:()=>{for(let s of[t,r])s.setAttribute("aria-disabled",String(!e.game.length));n.setAttribute(
 "aria-disabled",String(!e.canStep)),o.setAttribute("aria-disabled",String(!e.canStep&&!e.running)),o.replaceChildren(lt(e.running?"pause":"play"),c("span",{},e.
-running?"Stop":"Run"))}}}function Fo(e){let t={act:"Move",build:"Build"},r={act:"Choose agents and their moves (M)",build:"Place agents and draw obstacles (M)"},
+running?"Stop":"Run"))}}}function jo(e){let t={act:"Move",build:"Build"},r={act:"Choose agents and their moves (M)",build:"Place agents and draw obstacles (M)"},
 n=Object.keys(t),o=n.map(s=>c("button",{type:"button",title:r[s],onclick:()=>e.mode=s},t[s]));return{element:c("div",{class:"buttons joined",role:"group","aria-\
-label":"What the board does"},...o),update:()=>n.forEach((s,a)=>o[a].setAttribute("aria-pressed",String(e.mode===s)))}}function jo(e){let t=(s,a,i)=>c("button",
+label":"What the board does"},...o),update:()=>n.forEach((s,a)=>o[a].setAttribute("aria-pressed",String(e.mode===s)))}}function Go(e){let t=(s,a,i)=>c("button",
 {type:"button",title:`Add ${a} (${i})`,"aria-label":`Add ${a}`,onclick:()=>Le(e,s)},"+",it(s)),r=c("button",{type:"button",title:"Remove the chosen agent (Delet\
 e)",onclick:()=>ct(e)},"Remove"),n=[t("pursuers","a pursuer","+"),t("evaders","an evader","-"),r],o=c("div",{class:"buttons",role:"group","aria-label":"Agents"},
-...n);return{element:o,update:()=>{o.hidden=e.mode!=="build",r.setAttribute("aria-disabled",String(e.selected===null))}}}function Go(e){let t=[8,7,4,1,0,3,2,5,6],
+...n);return{element:o,update:()=>{o.hidden=e.mode!=="build",r.setAttribute("aria-disabled",String(e.selected===null))}}}function zo(e){let t=[8,7,4,1,0,3,2,5,6],
 r=t.map(o=>c("button",{type:"button","aria-label":N[o],title:`The chosen agent: ${N[o]}`,onclick:()=>Y(e,o)},nt[o])),n=c("div",{class:"buttons pad",role:"group",
 "aria-label":"Move of the chosen agent"},...r);return{element:n,update:()=>{n.hidden=e.mode==="build";let o=e.selected===null?void 0:e.scene.next[e.selected];t.
 forEach((s,a)=>{let i=r[a];i.hidden=s>4&&!e.scene.diagonal,i.setAttribute("aria-disabled",String(e.selected===null||e.game.over)),i.setAttribute("aria-pressed",
@@ -332,43 +333,43 @@ let{selected:t}=e;if(t===null)return e.say("Choose an agent to remove.",!0);let 
 team needs at least one agent.",!0)}function en(e,t){let r=Object.keys(e.data.variants),n={Enter:()=>e.step(),Backspace:()=>e.back(),Home:()=>e.restart()," ":()=>e.run(),m:()=>e.mode=e.mode==="act"?
 "build":"act",l:t.share,d:rt,"?":t.keys},o={"+":()=>Le(e,"pursuers"),"-":()=>Le(e,"evaders"),Delete:()=>ct(e)};document.addEventListener("keydown",s=>{if(s.defaultPrevented||
 document.querySelector("dialog[open]"))return;let a=s.key.length===1?s.key.toLowerCase():s.key;if((s.ctrlKey||s.metaKey)&&!s.altKey){let d={z:()=>s.shiftKey?e.redo():
-e.undo(),y:()=>e.redo()}[a];d&&!tn(s.target)&&(s.preventDefault(),d());return}if(s.altKey||zo(s.target,a))return;let i=r[Number(a)-1],l=n[a]??(e.mode==="build"?
+e.undo(),y:()=>e.redo()}[a];d&&!tn(s.target)&&(s.preventDefault(),d());return}if(s.altKey||Ko(s.target,a))return;let i=r[Number(a)-1],l=n[a]??(e.mode==="build"?
 o[a]:void 0);if(l)l();else if(i)e.change({...e.scene,rules:e.data.variants[i]});else if(e.mode!=="act"||!at(e,s))return;s.preventDefault()})}var tn=e=>e instanceof
-HTMLInputElement&&!["radio","checkbox"].includes(e.type);function zo(e,t){return tn(e)||e instanceof HTMLSelectElement?!0:e instanceof HTMLInputElement?t===" "||
-t.startsWith("Arrow"):e instanceof HTMLButtonElement?t===" "||t==="Enter":e instanceof HTMLElement&&e.classList.contains("story-body")&&t.startsWith("Arrow")}function rn(e){let t=[Ko(e),...e.data.fields.map(n=>Vo(e,n)),qo(e),Jo(e)],r=()=>t.forEach(n=>n.update());return e.addEventListener("change",r),e.player.addEventListener(
-"step",r),r(),c("section",{class:"card rules"},...t.map(n=>n.element))}var q=(e,t)=>{e.stop(),e.change(t)};function Ko(e){let t=Object.keys(e.data.variants),r=t.
+HTMLInputElement&&!["radio","checkbox"].includes(e.type);function Ko(e,t){return tn(e)||e instanceof HTMLSelectElement?!0:e instanceof HTMLInputElement?t===" "||
+t.startsWith("Arrow"):e instanceof HTMLButtonElement?t===" "||t==="Enter":e instanceof HTMLElement&&e.classList.contains("story-body")&&t.startsWith("Arrow")}function rn(e){let t=[Vo(e),...e.data.fields.map(n=>Yo(e,n)),Jo(e),Xo(e)],r=()=>t.forEach(n=>n.update());return e.addEventListener("change",r),e.player.addEventListener(
+"step",r),r(),c("section",{class:"card rules"},...t.map(n=>n.element))}var q=(e,t)=>{e.stop(),e.change(t)};function Vo(e){let t=Object.keys(e.data.variants),r=t.
 map(o=>c("button",{type:"button",class:"chip",title:e.data.titles[o],onclick:()=>q(e,{...e.scene,rules:e.data.variants[o]})},`-${o}`)),n=c("p",{class:"muted sma\
 ll variant-title"});return{element:c("div",{class:"variants"},c("h2",{},"Rules"),c("div",{class:"chips",role:"group","aria-label":"Variant"},...r),n),update:()=>{
 let o=j(e.scene.rules,e.data.variants);t.forEach((s,a)=>r[a].setAttribute("aria-pressed",String(s===o))),n.textContent=o?e.data.titles[o]:"Rules of your own"}}}
-function Vo(e,t){let r=t.values.map(({name:a})=>{let i=c("input",{type:"radio",name:t.name,value:a});return i.addEventListener("change",()=>q(e,{...e.scene,rules:Yo(
+function Yo(e,t){let r=t.values.map(({name:a})=>{let i=c("input",{type:"radio",name:t.name,value:a});return i.addEventListener("change",()=>q(e,{...e.scene,rules:qo(
 e.scene.rules,t,a)})),i}),n=t.values.map(({label:a},i)=>c("label",{},r[i],c("span",{},a))),o=c("span",{class:"used-mark",title:"This rule decided what happened \
 in the step that is shown"},c("span",{},"decided")),s=c("fieldset",{class:"field",title:t.text},c("legend",{},t.label,o),c("div",{class:"segments"},...n));return{
 element:s,update:()=>{let{rules:a}=e.scene;r.forEach(l=>l.checked=l.value===String(a[t.name])),s.disabled=t.name==="captured_disappear"&&a.capture==="OCCUPATION";
-let i=Math.min(e.player.step,e.game.length);o.hidden=!ke(e.scene,e.game,i).some(l=>l.used.includes(t.name))||s.disabled}}}function Yo(e,t,r){return{...e,[t.name]:r===
-"true"?!0:r==="false"?!1:r}}function qo(e){let t=Object.keys(e.data.variants),r=c("select",{id:"compare"},c("option",{value:""},"nothing"),c("option",{value:"pr\
+let i=Math.min(e.player.step,e.game.length);o.hidden=!ke(e.scene,e.game,i).some(l=>l.used.includes(t.name))||s.disabled}}}function qo(e,t,r){return{...e,[t.name]:r===
+"true"?!0:r==="false"?!1:r}}function Jo(e){let t=Object.keys(e.data.variants),r=c("select",{id:"compare"},c("option",{value:""},"nothing"),c("option",{value:"pr\
 esent"},"the present rules"),c("option",{value:"own",hidden:!0},"own rules"),...t.map(n=>c("option",{value:n},`-${n}: ${e.data.titles[n]}`)));return r.addEventListener(
 "change",()=>{let n={"":null,present:e.scene.rules}[r.value];q(e,{...e.scene,others:n===void 0?e.data.variants[r.value]:n})}),{element:c("div",{class:"pair"},c(
 "label",{for:"compare"},"Compare with"),r),update:()=>{let{others:n}=e.scene,o=n&&t.find(s=>ze(n,e.data.variants[s]));r.value=n?o??"own":"",r.title=n?`Both boar\
-ds play the same moves: ${O(e,0)} and ${O(e,1)}`:""}}}function Jo(e){let t=(a,i)=>{let l=c("input",{type:"number",min:1,max:64,"aria-label":i});return l.addEventListener(
-"change",()=>{let d={rows:e.scene.rows,cols:e.scene.cols,[a]:Math.round(Number(l.value))};d[a]>=1&&d[a]<=64?Xo(e,d.rows,d.cols):e.say(`${a}: expected 1 to ${64}\
+ds play the same moves: ${O(e,0)} and ${O(e,1)}`:""}}}function Xo(e){let t=(a,i)=>{let l=c("input",{type:"number",min:1,max:64,"aria-label":i});return l.addEventListener(
+"change",()=>{let d={rows:e.scene.rows,cols:e.scene.cols,[a]:Math.round(Number(l.value))};d[a]>=1&&d[a]<=64?Zo(e,d.rows,d.cols):e.say(`${a}: expected 1 to ${64}\
 , got ${l.value||"nothing"}`,!0),l.value=String(e.scene[a])}),l},[r,n]=[t("rows","Rows"),t("cols","Columns")],o=c("input",{type:"checkbox",id:"diagonal"});o.addEventListener(
 "change",()=>q(e,{...e.game.scene(),diagonal:o.checked,next:e.scene.next.map(a=>typeof a=="number"&&a>4?0:a)}));let s=c("select",{id:"rewards"},...Object.keys(e.
 data.rewards).map(a=>c("option",{value:a},a)),c("option",{value:"own",hidden:!0},"those of the link"));return s.addEventListener("change",()=>q(e,{...e.scene,rewards:e.
 data.rewards[s.value]})),{element:c("div",{class:"board-settings"},c("div",{class:"pair"},c("span",{},"Board"),c("span",{class:"sides"},r,"×",n),c("label",{class:"\
 sides"},o,"diagonal")),c("div",{class:"pair"},c("label",{for:"rewards"},"Rewards"),s)),update:()=>{let{scene:a}=e;document.activeElement!==r&&(r.value=String(a.
 rows)),document.activeElement!==n&&(n.value=String(a.cols)),o.checked=a.diagonal;let i=JSON.stringify(a.rewards);s.value=Object.keys(e.data.rewards).find(l=>JSON.
-stringify(e.data.rewards[l])===i)??"own"}}}function Xo(e,t,r){let n=Ht(e.game.scene(),t,r);n.pursuers.length&&n.evaders.length?q(e,n):e.say(`No ${n.pursuers.length?
+stringify(e.data.rewards[l])===i)??"own"}}}function Zo(e,t,r){let n=Ht(e.game.scene(),t,r);n.pursuers.length&&n.evaders.length?q(e,n):e.say(`No ${n.pursuers.length?
 "evader":"pursuer"} would be left on a ${t} × ${r} board.`,!0)}var nn={obstacle:"obstacle",teammate:"teammates",adversary:"adversaries",capture:"capture",end:"end",calm:""};function on(e){let t=c("h2"),r=c("div",{class:"sto\
 ry-body",tabindex:0,role:"region","aria-label":"What happened"}),n=c("div",{class:"heard",role:"status"}),o=c("section",{class:"card story"},t,r,n),s="",a=()=>{
 let i=Math.min(e.player.step,e.game.length),l=e.games.map((u,p)=>{let h=ke(e.scene,u,i);return{name:e.games.length>1?O(e,p):"",lines:h,ended:i>u.length}}),d=JSON.
-stringify([i,l]);d!==s&&(s=d,t.textContent=i?`Step ${i}`:"Start",r.replaceChildren(...l.map(u=>Zo(u,i))),n.textContent=i?`Step ${i}. ${l.map(es).join(" ")}`:"")};
-return e.addEventListener("change",a),e.player.addEventListener("step",a),a(),o}function Zo({name:e,lines:t,ended:r},n){let s=r||!n?c("p",{class:"muted"},r?"The\
- episode had ended.":"Give agents their moves, then play a step."):c("ul",{class:"lines"},...t.map(Qo));return c("div",{class:"story-part"},e&&c("h3",{},e),s)}function Qo({
+stringify([i,l]);d!==s&&(s=d,t.textContent=i?`Step ${i}`:"Start",r.replaceChildren(...l.map(u=>Qo(u,i))),n.textContent=i?`Step ${i}. ${l.map(ts).join(" ")}`:"")};
+return e.addEventListener("change",a),e.player.addEventListener("step",a),a(),o}function Qo({name:e,lines:t,ended:r},n){let s=r||!n?c("p",{class:"muted"},r?"The\
+ episode had ended.":"Give agents their moves, then play a step."):c("ul",{class:"lines"},...t.map(es));return c("div",{class:"story-part"},e&&c("h3",{},e),s)}function es({
 kind:e,text:t,turn:r,blame:n}){let o=r?`${nn[e]}, turn ${r}`:nn[e];return c("li",{class:`line line-${e}`},o&&c("span",{class:"tag"},o),c("span",{class:"line-tex\
-t"},...Ne(t)),n&&c("span",{class:"line-blame muted"},n))}var es=({name:e,lines:t,ended:r})=>[e,...r?["The episode had ended."]:t.map(({text:n,blame:o})=>`${n} ${o}`)].
+t"},...Ne(t)),n&&c("span",{class:"line-blame muted"},n))}var ts=({name:e,lines:t,ended:r})=>[e,...r?["The episode had ended."]:t.map(({text:n,blame:o})=>`${n} ${o}`)].
 filter(Boolean).join(" ");function sn(e,t){let r=qr(t),n=Jr(),o=()=>n.showModal(),s=c("header",{class:"top"},c("h1",{},c("span",{class:"muted"},"matrixworld "),"playground"),c("div",{class:"\
 buttons"},Qr(t),c("button",{type:"button",title:"Link to this scene (L)",onclick:r.open},"Share"),c("button",{type:"button",title:"Keys (?)",onclick:o},"Keys"),
 Hr())),a=c("main",{class:"layout"},rn(t),c("section",{class:"card stage","aria-label":"Board"},Kr(t),Zr(t)),c("div",{class:"side"},on(t),Vr(t)));e.classList.add(
-"playground"),e.replaceChildren(s,Xr(t),a,r.element,n),en(t,{share:r.open,keys:o})}async function ts(e){let t=Br(),{store:r,problem:n}=Pr(await It(),t,le()||t.scene);sn(e,r),Re()&&Dr(r),n&&r.say(n,!0),Object.assign(window,{playground:r})}var an=document.
-getElementById("page");ts(an).catch(e=>{throw an.append(c("p",{class:"card problem",role:"alert"},`The playground could not start: ${e.message}`)),e}).finally(()=>{
+"playground"),e.replaceChildren(s,Xr(t),a,r.element,n),en(t,{share:r.open,keys:o})}async function rs(e){let t=Br(),{store:r,problem:n}=Pr(await It(),t,le()||t.scene);sn(e,r),Re()&&Dr(r),n&&r.say(n,!0),Object.assign(window,{playground:r})}var an=document.
+getElementById("page");rs(an).catch(e=>{throw an.append(c("p",{class:"card problem",role:"alert"},`The playground could not start: ${e.message}`)),e}).finally(()=>{
 document.body.dataset.ready="true"});})();
