@@ -18,7 +18,8 @@ PINNED = ["pyparsing<3.3"]
 
 project = tomllib.loads(PROJECT.read_text(encoding="utf-8"))["project"]
 extras = project["optional-dependencies"]
-for requirement in [*project["dependencies"], *extras["video"], *extras["cluster"], *extras["test"]]:
+installed = [*project["dependencies"], *extras["video"], *extras["cluster"], *extras["test"]]
+for requirement in installed:
     if requirement.startswith(project["name"]):
         continue  # an extra that names another one
     match = REQUIREMENT.match(requirement)
