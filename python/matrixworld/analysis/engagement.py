@@ -146,7 +146,7 @@ def one_sidedness(rates: ArrayLike, episodes: float, *, level: float = 0.95) -> 
     choice of the stretch does not matter.
     `under` and `over` are the ends of the interval.
     """
-    from scipy.stats import beta
+    from scipy.special import betaincinv
 
     array = _check_team_phases(rates)
     length = -(-len(array) // 2)
@@ -157,8 +157,10 @@ def one_sidedness(rates: ArrayLike, episodes: float, *, level: float = 0.95) -> 
     wins, losses = payoffs * matches, (1.0 - payoffs) * matches
     tail = (1.0 - level) / 2.0 / len(payoffs)
     # At no loss the upper end is 1, where the formula divides by zero; payoffs are never 0.
-    lows = beta.ppf(tail, wins, losses + 1.0)
-    highs = np.where(losses > 0.0, beta.ppf(1.0 - tail, wins + 1.0, np.maximum(losses, 1e-9)), 1.0)
+    lows = betaincinv(wins, losses + 1.0, tail)
+    highs = np.where(
+        losses > 0.0, betaincinv(wins + 1.0, np.maximum(losses, 1e-9), 1.0 - tail), 1.0
+    )
     best = int(payoffs.argmax())
     low, high = float(lows[best]), float(highs.max())
     return Measurement(float(payoffs[best]), low, high, under=low, over=high)

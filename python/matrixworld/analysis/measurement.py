@@ -71,7 +71,7 @@ def over_runs(
 
 
 def _t_end(values: Sequence[float], probability: float) -> float:
-    from scipy.stats import t
+    from scipy.special import stdtrit
 
     error = float(np.std(values, ddof=1)) / math.sqrt(len(values))
-    return float(np.mean(values)) + float(t.ppf(probability, len(values) - 1)) * error
+    return float(np.mean(values)) + float(stdtrit(len(values) - 1, probability)) * error

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import ceil
+from math import ceil, sqrt
 from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy import stats
 
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.learners.genetic_algorithm import mutate_gaussian
@@ -226,9 +225,12 @@ def _episode_summary(name: str, episodes: ArrayLike, *, most: float) -> dict[str
     mean, low, high = float(values.mean()), None, None
     # Equal episodes say nothing of their spread: the formula would give an interval of width 0.
     if np.ptp(values) > 0.0:
-        error = float(stats.sem(values))
-        ends = stats.t.interval(CONFIDENCE, len(values) - 1, loc=mean, scale=error)
-        low, high = np.clip(ends, 0.0, most).tolist()
+        # Here, and not scipy.stats: that takes seconds to import, in every worker process.
+        from scipy.special import stdtrit
+
+        error = float(np.std(values, ddof=1)) / sqrt(len(values))
+        reach = float(stdtrit(len(values) - 1, (1.0 + CONFIDENCE) / 2.0)) * error
+        low, high = np.clip([mean - reach, mean + reach], 0.0, most).tolist()
     return {
         name: mean,
         f"{name}_low": low,
