@@ -72,8 +72,9 @@ def test_training_matches_are_those_of_the_log(tmp_path):
     race = Race(tiny_race(worlds=2), tmp_path / "run", play=play)
     race.run()
     archive = race.files.archive()
-    for call, row in enumerate(zip(*race.files.log().values(), strict=True)):
-        team, opponent = row[1], row[3]
+    log = race.files.log()
+    rows = zip(log["generation"], log["team"], log["opponent"], strict=True)
+    for call, (generation, team, opponent) in enumerate(rows):
         steps, pursuers, evaders, matches, worlds = played[call]
         learning, still = (pursuers, evaders) if team == "pursuer" else (evaders, pursuers)
         other = "evader" if team == "pursuer" else "pursuer"
@@ -81,7 +82,7 @@ def test_training_matches_are_those_of_the_log(tmp_path):
         met = matches.evader if team == "pursuer" else matches.pursuer
         assert set(met.tolist()) == {opponent}
         assert np.array_equal(still.genomes, archive[other][: len(still.genomes)])
-        assert len(still.genomes) == coevolution.available(team, row[0])
+        assert len(still.genomes) == coevolution.available(team, generation)
         assert np.array_equal(matches.seed[:2], matches.seed[2:])  # mirrored pairs
     training = [seed for *_, matches, _ in played[:EPOCHS] for seed in set(matches.seed)]
     evaluation = [seed for *_, matches, _ in played[EPOCHS:] for seed in set(matches.seed)]
