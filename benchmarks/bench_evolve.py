@@ -21,7 +21,7 @@ from typing import Any
 import click
 
 from matrixworld import Matches, Population, _core
-from matrixworld.cli.jobs import create_runs, play_runs
+from matrixworld.cli.jobs import play_run
 from matrixworld.cli.report import report
 from matrixworld.coevolution import (
     EvolutionStrategy,
@@ -29,6 +29,7 @@ from matrixworld.coevolution import (
     Race,
     RaceSettings,
     RunDirectory,
+    start,
 )
 from matrixworld.coevolution.runs import team_phase
 from matrixworld.coevolution.runs.training import Training
@@ -75,9 +76,9 @@ def race(settings: RaceSettings, threads: int, parts: Parts) -> dict[str, bytes]
     with TemporaryDirectory() as directory, silence():
         root = Path(directory)
         with parts.timed(OTHER):
-            results = play_runs(create_runs([settings], root, threads))
+            result = play_run(start(settings, root, threads=threads))
         with parts.timed(FIGURES):
-            report(results, root)
+            report([result], root)
         return {name: (root / name).read_bytes() for name in RESULTS}
 
 

@@ -399,7 +399,10 @@ def test_a_real_ctrl_c(tmp_path):
 
 def test_resume_of_a_finished_job_prints_the_same(job, copy):
     before = {path: path.read_bytes() for path in copy.rglob("*.*") if path.is_file()}
+    page = before.pop(copy / "explorer.html").decode()
     result = matrixworld_command("evolve", "--resume", copy)
+    # The name of the directory is the title of the page, and nothing else of it.
+    assert (copy / "explorer.html").read_text(encoding="utf-8") == page.replace(job[0].name, "copy")
     # The job's name has a space, so that commands have it in quotes.
     before_paths = job[1].stdout.partition("All files are in")[0]
     assert result.stdout.partition("All files are in")[0] == before_paths

@@ -14,7 +14,7 @@ import matrixworld
 from command_line import GIF, MAIN_JOB, PNG, judged_in, matrixworld_command
 from made_up_episode import made_up_episode
 from matrixworld import VARIANTS, Episode, WorldConfig, record, render, replay
-from matrixworld.cli.figures import _figures, collisions_per_1000, run_title
+from matrixworld.cli.figures import ALL, _figures, collisions_per_1000, run_title
 from matrixworld.cli.jobs import open_result
 from matrixworld.coevolution import evaluation_seed, open_run, start
 from matrixworld.rollout import Matches, rollout
@@ -251,7 +251,7 @@ def test_titles_name_the_run_and_its_seed(job):
     schedule, seed = race.settings.schedule, race.settings.seed
     assert run_title(race.path, race.settings) == f"{schedule}, seed {seed}"
     assert run_title(renamed, race.settings) == f"my-race ({schedule}), seed {seed}"
-    for draw in _figures(open_result(renamed)).values():
+    for draw in _figures(open_result(renamed), ALL).values():
         figure = draw()
         title = figure.get_suptitle() or figure.axes[0].get_title()
         assert title.startswith(f"my-race ({schedule}), seed {seed}\n")

@@ -84,7 +84,9 @@ def test_scores_are_the_same(run: Path, dask: DaskCluster, tmp_path: Path) -> No
 
 def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path) -> None:
     out = tmp_path / "out"
-    settings = {**RACE, **SCHEDULE, "generations": 40}
+    # Several seconds: it is stopped in its middle.
+    long = {"generations": 20, "pursuer_epochs": 250, "evader_epochs": 250}
+    settings = {**RACE, **SCHEDULE, **long}
     del settings["seed"]
     command = [sys.executable, "-m", "matrixworld", "evolve"]
     begin = [*command, str(out), "--seeds", "0-1", "--cluster", "auto", *words(settings)]

@@ -113,7 +113,7 @@ def test_licences_of_compiled_in_code_are_installed(installed: metadata.Distribu
 
 
 def test_links_on_the_page_of_the_index_are_absolute(installed: metadata.Distribution) -> None:
-    page = str(installed.metadata.get_payload())
+    page = str(installed.metadata["Description"])
     assert page.startswith("# matrixworld")
     links = re.findall(r"\]\(([^)]*)\)", page)
     assert links

@@ -94,6 +94,8 @@ def started_browser() -> Iterator[Browser]:
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     for argument in ("headless=new", "disable-gpu", "hide-scrollbars", "disable-dev-shm-usage"):
         options.add_argument(f"--{argument}")
+    # Tests change the address more often than the 200 times in 10 s that a page may.
+    options.add_argument("--disable-ipc-flooding-protection")
     # The sandbox does not start for the administrator, who runs tests in containers.
     if hasattr(os, "geteuid") and os.geteuid() == 0:
         options.add_argument("--no-sandbox")

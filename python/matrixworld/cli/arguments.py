@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from concurrent.futures import BrokenExecutor
 from contextlib import contextmanager
 from pathlib import Path, PurePath
 
@@ -103,6 +104,17 @@ def resume_command(root: Path) -> str:
     return command("evolve --resume", root)
 
 
+FAILURES = (
+    BrokenExecutor,  # a lost cluster
+    DamagedFileError,
+    LockedError,
+    OSError,
+    OtherVersionError,
+    OutOfMemoryError,
+)
+"""Errors whose message says all that a user can do; any other one is a mistake in the program."""
+
+
 @contextmanager
 def failures() -> Iterator[None]:
     """End the command with a message, not a traceback, on errors of files and memory."""
@@ -111,7 +123,7 @@ def failures() -> Iterator[None]:
     # Any other error is a mistake in the program, and its traceback is wanted.
     except BrokenPipeError:  # the reader of the output has gone, which click handles
         raise
-    except (DamagedFileError, OtherVersionError, LockedError, OutOfMemoryError, OSError) as error:
+    except FAILURES as error:
         raise click.ClickException(str(error)) from error
     except MemoryError as error:
         # Estimates count what grows with the options, and other programs take memory meanwhile.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from concurrent.futures import Executor
+from concurrent.futures import BrokenExecutor, Executor
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -185,7 +185,7 @@ def _resumable(root: Path) -> Iterator[None]:
             raise
         note(hint)
         raise click.exceptions.Exit(INTERRUPTED) from None
-    except (OSError, PluginError):
+    except (BrokenExecutor, OSError, PluginError):
         note(hint)
         raise
 

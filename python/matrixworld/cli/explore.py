@@ -35,8 +35,8 @@ from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, explorer_page, page_
     callback=all_of(find_runs, "directories that hold runs"),
 )
 @click.option(
-    "-o",
     "--output",
+    "-o",
     type=click.Path(path_type=Path, dir_okay=False),
     metavar="FILE",
     help="the page  [default: explorer.html in the run directory, or in the directory that holds "

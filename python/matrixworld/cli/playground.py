@@ -16,8 +16,8 @@ from matrixworld.explorer.playground import PAGE, Playground
 
 @click.command("playground")
 @click.option(
-    "-o",
     "--output",
+    "-o",
     type=click.Path(path_type=Path, dir_okay=False),
     default=Path(PAGE),
     show_default=True,

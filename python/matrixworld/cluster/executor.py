@@ -39,7 +39,7 @@ TRIES = 3
 """How often a piece of work is handed out after errors of the cluster."""
 
 
-class ClusterLostError(BrokenExecutor, ConnectionError):
+class ClusterLostError(BrokenExecutor):
     """The cluster has gone: no work can be handed out any more, and no results come back."""
 
 

@@ -39,7 +39,8 @@ SETTINGS = [
     tiny_race(seed=3, learner="cma"),
     tiny_single(seed=1, team="evader", learner="ga"),
 ]
-LONG = {"generations": 20, "pursuer_epochs": 50, "evader_epochs": 50}
+LONG = {"generations": 20, "pursuer_epochs": 250, "evader_epochs": 250}
+"""Several seconds: tests stop such a run in its middle."""
 
 
 @pytest.fixture
