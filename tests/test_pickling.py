@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import copy
+import copyreg
 import pickle
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -62,6 +63,17 @@ def loaded(data: bytes) -> Any:
 
 def pickled(value: Any) -> Any:
     return loaded(pickle.dumps(value))
+
+
+@pytest.fixture(scope="module", autouse=True)
+def own_pickles() -> Iterator[None]:
+    """Pickles of exceptions as Python makes them: Dask has changed that once it is imported."""
+    before = dict(copyreg.dispatch_table)
+    for kind, reduce in before.items():
+        if reduce.__module__.startswith("tblib"):
+            del copyreg.dispatch_table[kind]
+    yield
+    copyreg.dispatch_table.update(before)
 
 
 @pytest.fixture(scope="module")

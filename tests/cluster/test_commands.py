@@ -69,9 +69,10 @@ def test_a_tournament_is_the_same(run: Path, dask: DaskCluster, tmp_path: Path) 
     files = [tmp_path / "alone.npz", tmp_path / "shared.npz"]
     for file, where in zip(files, ((), ("--cluster", dask.file)), strict=True):
         matrixworld_command("tournament", run, "--episodes", 4, "--output", file, *where)
-    alone, shared = map(np.load, files)
-    for name in alone.files:
-        np.testing.assert_array_equal(alone[name], shared[name], strict=True)
+    with np.load(files[0]) as alone, np.load(files[1]) as shared:
+        assert alone.files == shared.files
+        for name in alone.files:
+            np.testing.assert_array_equal(alone[name], shared[name], strict=True)
 
 
 def test_scores_are_the_same(run: Path, dask: DaskCluster, tmp_path: Path) -> None:
@@ -94,6 +95,8 @@ def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path)
         begin,
         stderr=subprocess.PIPE,
         start_new_session=True,
+        # A shell lets programs in the background ignore Ctrl-C.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
         env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
     )
     try:

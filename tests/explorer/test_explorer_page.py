@@ -212,7 +212,7 @@ def test_a_checkerboard_plays_four_matches(browser: Browser, job: Job, tmp_path:
     browser.driver.execute_script("document.querySelector('.miniature').click()")
     assert browser.js("document.querySelectorAll('dialog.four canvas').length") == 4
     browser.press(ESCAPE)
-    assert browser.js("document.querySelectorAll('dialog.four canvas').length") == 0
+    browser.wait("document.querySelectorAll('dialog.four canvas').length === 0")
     assert browser.errors() == []
 
 

@@ -8,6 +8,7 @@ algebra; and it tries whether the other process sees a directory, and the locks 
 from __future__ import annotations
 
 import hashlib
+import importlib
 import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -107,6 +108,8 @@ def engine_fingerprint() -> str:
 
 def linear_algebra() -> str:
     """Return the libraries of linear algebra, and the processors that they compute for."""
+    # SciPy may bring a library of its own, which a process has loaded only once it has used it.
+    importlib.import_module("scipy.linalg")
     blas = [library for library in threadpool_info() if library["user_api"] == "blas"]
     return ", ".join(
         # A library that does not say which processor it has chosen may have chosen any.
