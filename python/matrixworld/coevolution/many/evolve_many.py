@@ -256,8 +256,9 @@ def play_job(
 def shares(runs: int, threads: int | None) -> tuple[int, int]:
     """Return how many runs play at one time, and the threads of each."""
     cores = check_threads(threads)
-    workers = max(1, min(cores, runs))
-    return workers, cores // workers
+    # A few runs more than cores share them from the beginning: the last one would play alone.
+    workers = max(1, runs if runs < 2 * cores else cores)
+    return workers, max(1, cores // workers)
 
 
 @contextmanager
