@@ -1,26 +1,51 @@
-"""The notebooks run from top to bottom, and are kept with what they showed."""
+"""The course: notebooks run from top to bottom, and their exercises can be solved and failed."""
 
 from __future__ import annotations
 
 import json
+import os
+import re
+import runpy
 from pathlib import Path
 
 import pytest
 
+from matrixworld.tutorial import Exercise, Prediction, check, exercises
+
 TUTORIALS = Path(__file__).parents[2] / "tutorials"
-NOTEBOOKS = sorted(TUTORIALS.glob("*.ipynb"))
+NOTEBOOKS = sorted(TUTORIALS.glob("[0-9]*.ipynb"))
+SOLUTIONS = sorted((TUTORIALS / "solutions").glob("[0-9]*.py"))
 SECONDS_A_CELL = 300
 LARGEST = 1_000_000  # bytes
 
-pytestmark = pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.name for path in NOTEBOOKS])
+each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.stem for path in NOTEBOOKS])
+each_solution = pytest.mark.parametrize("path", SOLUTIONS, ids=[path.stem for path in SOLUTIONS])
 
 
+def cells(path: Path, kind: str) -> list[dict]:
+    return [c for c in json.loads(path.read_text("utf-8"))["cells"] if c["cell_type"] == kind]
+
+
+def source(cell: dict) -> str:
+    return "".join(cell["source"])
+
+
+def chapter(path: Path) -> int:
+    return int(path.name[:2])
+
+
+def test_every_notebook_has_solutions() -> None:
+    assert [path.stem for path in SOLUTIONS] == [path.stem for path in NOTEBOOKS]
+
+
+@each_notebook
 @pytest.mark.filterwarnings("default")  # Jupyter has warnings of its own
 def test_notebook_runs(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     import nbformat
     from nbclient import NotebookClient
 
     monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.setenv("MATRIXWORLD_QUICK", "1")
     notebook = nbformat.read(path, as_version=4)
     place = {"metadata": {"path": str(tmp_path)}}
     NotebookClient(
@@ -31,10 +56,72 @@ def test_notebook_runs(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert all(cell.execution_count for cell in ran)
 
 
+@each_notebook
 def test_notebook_is_kept_with_its_outputs(path: Path) -> None:
     assert path.stat().st_size < LARGEST
-    cells = [c for c in json.loads(path.read_text("utf-8"))["cells"] if c["cell_type"] == "code"]
-    assert [cell["execution_count"] for cell in cells] == [*range(1, len(cells) + 1)]
-    kinds = {output["output_type"] for cell in cells for output in cell["outputs"]}
+    code = cells(path, "code")
+    assert [cell["execution_count"] for cell in code] == [*range(1, len(code) + 1)]
+    kinds = {output["output_type"] for cell in code for output in cell["outputs"]}
     assert "error" not in kinds
-    assert {"stream", "execute_result"} <= kinds
+    assert {"display_data", "execute_result"} & kinds
+
+
+@each_notebook
+def test_notebooks_begin_alike(path: Path) -> None:
+    """The first code cell installs the package where it is missing."""
+    assert source(cells(path, "code")[0]) == source(cells(NOTEBOOKS[0], "code")[0])
+
+
+@each_notebook
+def test_every_exercise_of_a_notebook_is_asked_and_predictions_come_first(path: Path) -> None:
+    code = [source(cell) for cell in cells(path, "code")]
+    text = "\n".join(code)
+    checked = re.findall(r'check\("([\d.a-z]+)"', text)
+    table = exercises(chapter(path))
+    assert checked == list(table)
+    assert 3 <= sum(isinstance(each, Exercise) for each in table.values()) <= 5
+    assert any(isinstance(each, Prediction) for each in table.values())
+
+
+@each_notebook
+def test_links_of_notebooks_lead_somewhere(path: Path) -> None:
+    text = "\n".join(source(cell) for cell in cells(path, "markdown"))
+    links = [link for link in re.findall(r"\]\(([^)\s]+)\)", text) if "://" not in link]
+    assert "../docs/glossary.md" in {link.partition("#")[0] for link in links}
+    for link in links:
+        file, _, anchor = link.partition("#")
+        target = (TUTORIALS / file).resolve() if file else path
+        assert target.exists(), link
+        if anchor and target.suffix == ".md":
+            assert anchor in anchors(target), link
+
+
+def anchors(path: Path) -> set[str]:
+    """Return the anchors of a page: headings as GitHub names them, and explicit ones."""
+    text = path.read_text("utf-8")
+    headings = re.findall(r"^#+ (.+)$", text, re.MULTILINE)
+    names = (re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings)
+    return {*names, *re.findall(r'<a (?:id|name)="([^"]+)"', text)}
+
+
+@each_solution
+def test_solutions_are_right(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A file of solutions has one function or value ``exercise_<n>`` for each exercise."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(os.environ, "MATRIXWORLD_QUICK", "1")
+    solved = runpy.run_path(str(path))
+    for name, exercise in exercises(chapter(path)).items():
+        if isinstance(exercise, Exercise):
+            reply = check(name, solved[f"exercise_{name.partition('.')[2]}"])
+            assert reply.right is True, reply.text
+
+
+@pytest.mark.parametrize("number", range(1, 10))
+def test_replies_to_predictions(number: int) -> None:
+    for name, each in exercises(number).items():
+        if isinstance(each, Prediction):
+            assert len(each.options) >= 2, name
+            for option in each.options:
+                assert check(name, option).right is (option == each.outcome)
+            assert check(name, "an answer that is not offered").right is None
+        assert check(name, ...).right is None
