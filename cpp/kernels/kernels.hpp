@@ -46,6 +46,11 @@ struct Kernels {
     void (*sum_rows)(const float* base, const float* weights, int stride, const int* rows, int n,
                      int width, Activation activation, float* out);
 
+    // out[0..width) = base + the sum of the rows of `weights` whose bits are set in `words`, in their
+    // order: bit i of word w is row 64 w + i. Precondition: width is a multiple of kPad.
+    void (*sum_bits)(const float* base, const float* weights, const std::uint64_t* words,
+                     int n_words, int width, float* out);
+
     // out[i, 0..width) = activation(bias + in[i, :] weights) for i < n; `weights` is
     // (n_in, width), `in` has `in_stride` and `out` `width` floats a row, and both have room for a
     // multiple of kRowPad rows. Only the first n_out of each row of `out` are valid.
@@ -55,6 +60,14 @@ struct Kernels {
     // Draws actions[i] from softmax(logits[i, 0..n_actions)) by inverting the distribution at
     // units[i] in [0, 1).
     void (*sample)(const float* logits, int stride, int n, int n_actions, const float* units,
+                   std::uint8_t* actions);
+
+    // The last layer and the choice of an action in one pass, for n rows of `in` as `dense` reads
+    // them: with `units` actions are drawn as `sample` does it, and without (null) the largest output
+    // is chosen, the first of equal ones. There are 5 or 9 actions. `in`, `units` and `actions` have room for a multiple of
+    // kPad rows, and rows of `in` for a multiple of kPad numbers.
+    void (*finish)(const float* in, int in_stride, int n, int n_in, const float* weights,
+                   const float* bias, int width, int n_actions, const float* units,
                    std::uint8_t* actions);
 };
 

@@ -288,12 +288,32 @@ int list_agents(const World& world, const Occupancy& occupancy, int agent, int* 
     return static_cast<int>(end - out);
 }
 
-int list_obstacles(const World& world, int cell, int* out) {
-    if (!world.terrain().has_obstacles) return 0;
-    const Window window(world, cell);
-    const int first = kObstacles * window.fov * window.fov;
-    return static_cast<int>(list_window(world.terrain().obstacles, window, first, false, out) -
-                            out);
+// ---- Obstacles as bits --------------------------------------------------------------------------
+
+namespace {
+
+template <int kFov>
+void pack_window(const Bitboard& bitboard, int top, int left, int any_fov, std::uint64_t* words) {
+    const int fov = kFov ? kFov : any_fov;  // a constant lets the compiler unroll the loops
+    std::fill_n(words, n_obstacle_words(fov), 0);
+    int at = 0;  // bit
+    for (int r = 0; r < fov; ++r) {
+        for (int c = 0; c < fov; c += Bitboard::kMaxWidth) {
+            const int n = std::min(Bitboard::kMaxWidth, fov - c);
+            const Bitboard::Word bits = bitboard.window(top + r, left + c).row(0, n);
+            words[at / 64] |= bits << (at % 64);
+            if (at % 64 + n > 64) words[at / 64 + 1] |= bits >> (64 - at % 64);
+            at += n;
+        }
+    }
+}
+
+}  // namespace
+
+void pack_obstacles(const World& world, int row, int col, std::uint64_t* words) {
+    const int fov = world.config().fov;
+    const auto pack = fov == kUsualFov ? pack_window<kUsualFov> : pack_window<0>;
+    pack(world.terrain().obstacles, row - fov / 2, col - fov / 2, fov, words);
 }
 
 void write_state(const World& world, std::uint8_t* out) {

@@ -121,7 +121,7 @@ void write_captors(const OutputSource& source, std::int32_t* out) {
 template <int kFirstBit>
 void write_report_bits(const OutputSource& source, bool* out) {
     std::fill_n(out, source.n_agents() * kKinds, false);
-    for (const int a : source.reported()) {
+    for (const int a : source.world().reported()) {
         const Flags report = source.world().report(a);
         for (int kind = 0; kind < kKinds; ++kind) {
             out[a * kKinds + kind] = report >> (kFirstBit + kind) & 1;
@@ -131,7 +131,7 @@ void write_report_bits(const OutputSource& source, bool* out) {
 
 void write_cost(const OutputSource& source, float* out) {
     std::fill_n(out, source.n_agents(), 0.0f);
-    for (const int a : source.reported()) {
+    for (const int a : source.world().reported()) {
         const Flags report = source.world().report(a);
         for (int kind = 0; kind < kKinds; ++kind) out[a] += report >> (kKinds + kind) & 1;
     }
@@ -324,21 +324,6 @@ std::size_t OutputField::n_items(const Config& config) const {
     std::size_t n = 1;
     for (const Axis axis : axes) n *= static_cast<std::size_t>(size_of(axis, config));
     return n;
-}
-
-Agents OutputSource::reported() const {
-    if (!reported_is_known_) {
-        reported_is_known_ = true;
-        if (reported_.size() < n_agents_) reported_.resize(n_agents_);
-        std::size_t n = 0;
-        // Without a branch: which agents have a report cannot be predicted.
-        for (std::size_t a = 0; a < n_agents_; ++a) {
-            reported_[n] = static_cast<int>(a);
-            n += world_->report(static_cast<int>(a)) != 0;
-        }
-        n_reported_ = n;
-    }
-    return {reported_.data(), reported_.data() + n_reported_};
 }
 
 }  // namespace matrixworld
