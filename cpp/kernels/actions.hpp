@@ -43,35 +43,41 @@ inline Mask<V> best(const V* logit, int n_actions) {
     return chosen;
 }
 
+// Without units the largest output is chosen.
 template <typename V>
-inline void sample_lanes(const float* logits, int stride, int n, int n_actions, const float* units,
+inline Mask<V> chosen(const V* logit, int n_actions, const float* units) {
+    return units ? sampled(logit, n_actions, load<V>(units)) : best(logit, n_actions);
+}
+
+template <typename V>
+inline void choose_lanes(const float* logits, int stride, int n, int n_actions, const float* units,
                          std::uint8_t* actions) {
     constexpr int kN = kLanesOf<V>;
     float by_action[kMaxActions][kN];
     float by_lane[kN];
     for (int lane = 0; lane < kN; ++lane) {
         const int i = lane < n ? lane : n - 1;  // lanes beyond the last agent repeat it
-        by_lane[lane] = units[i];
+        by_lane[lane] = units ? units[i] : 0;
         for (int a = 0; a < n_actions; ++a) {
             by_action[a][lane] = logits[static_cast<long>(i) * stride + a];
         }
     }
     V logit[kMaxActions];
     for (int a = 0; a < n_actions; ++a) logit[a] = load<V>(by_action[a]);
-    const Mask<V> chosen = sampled(logit, n_actions, load<V>(by_lane));
+    const Mask<V> action = chosen(logit, n_actions, units ? by_lane : nullptr);
     for (int lane = 0; lane < kN && lane < n; ++lane) {
-        actions[lane] = static_cast<std::uint8_t>(chosen[lane]);
+        actions[lane] = static_cast<std::uint8_t>(action[lane]);
     }
 }
 
-void sample(const float* logits, int stride, int n, int n_actions, const float* units,
+void choose(const float* logits, int stride, int n, int n_actions, const float* units,
             std::uint8_t* actions) {
     int i = 0;
     while (i < n) {
         const bool few = n - i <= kLanesOf<Half>;
-        const auto lanes = few ? sample_lanes<Half> : sample_lanes<Vec>;
-        lanes(logits + static_cast<long>(i) * stride, stride, n - i, n_actions, units + i,
-              actions + i);
+        const auto lanes = few ? choose_lanes<Half> : choose_lanes<Vec>;
+        lanes(logits + static_cast<long>(i) * stride, stride, n - i, n_actions,
+              units ? units + i : nullptr, actions + i);
         i += few ? kLanesOf<Half> : kLanes;
     }
 }
@@ -144,9 +150,8 @@ inline void finish_lanes(const float* in, int in_stride, int n, int n_in, const 
         Vec logit[kMaxActions];
         outputs<kActions>(in + static_cast<long>(i) * in_stride, in_stride, n_in, weights, bias,
                           width, logit);
-        const Mask<Vec> chosen =
-            units ? sampled(logit, kActions, load<Vec>(units + i)) : best(logit, kActions);
-        const Bytes bytes = __builtin_convertvector(chosen, Bytes);
+        const Bytes bytes =
+            __builtin_convertvector(chosen(logit, kActions, units ? units + i : nullptr), Bytes);
         __builtin_memcpy(actions + i, &bytes, sizeof(bytes));
     }
 }
@@ -167,16 +172,7 @@ void finish(const float* in, int in_stride, int n, int n_in, const float* weight
         const int rows = n - i < kRowPad ? n - i : kRowPad;
         dense(in + static_cast<long>(i) * in_stride, in_stride, rows, n_in, weights, bias, width,
               n_actions, Activation::None, logits);
-        if (units) {
-            sample(logits, width, rows, n_actions, units + i, actions + i);
-            continue;
-        }
-        for (int row = 0; row < rows; ++row) {
-            int chosen = 0;
-            const float* outputs = logits + row * width;
-            for (int a = 1; a < n_actions; ++a) chosen = outputs[chosen] < outputs[a] ? a : chosen;
-            actions[i + row] = static_cast<std::uint8_t>(chosen);
-        }
+        choose(logits, width, rows, n_actions, units ? units + i : nullptr, actions + i);
     }
 }
 #endif

@@ -23,7 +23,7 @@ const Kernels& MATRIXWORLD_LEVEL() {
                                    sum_rows,
                                    sum_bits,
                                    dense,
-                                   sample,
+                                   choose,
                                    finish};
     return level;
 }

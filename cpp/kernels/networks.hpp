@@ -63,7 +63,7 @@ struct Nothing {
     constexpr Nothing() {
         for (float& number : row) number = -0.0f;
     }
-    alignas(4 * kPad) float row[2 * kPad]{};
+    alignas(4 * kPad) float row[4 * kPad]{};
 };
 constexpr Nothing kNothing;
 
@@ -103,7 +103,8 @@ inline void sum_seen_columns(const Seen<kWords>& seen, const std::int32_t* cells
 template <int kWidth, int kWords>
 void sum_all_seen(const Positions positions, const int* agents, int n, const float* const* bases,
                   const float* weights, int any_width, Activation activation, float* out) {
-    constexpr int kWide = 2 * kPad;
+    // As many columns at once as sums fit the registers.
+    constexpr int kWide = kWidth == 0 && kLanes > 4 ? 4 * kPad : 2 * kPad;
     const int width = kWidth ? kWidth : any_width;
     // All agents look before the first sum: each step of either loop then waits for little.
     Seen<kWords> seen[kMaxPositions];
@@ -120,7 +121,7 @@ void sum_all_seen(const Positions positions, const int* agents, int n, const flo
             sum_seen_columns<kWide / kLanes>(seen[i], positions.cells, bases[i] + c, weights + c,
                                              width, activation, out + c);
         }
-        if (c < width) {
+        for (; c < width; c += kPad) {
             sum_seen_columns<kPad / kLanes>(seen[i], positions.cells, bases[i] + c, weights + c,
                                             width, activation, out + c);
         }

@@ -69,15 +69,14 @@ inline void mark_others(const Positions& positions, int agent, int fov, Number* 
 }
 
 template <int kFov, int kWords, typename Number>
-void write_views(const Positions positions, const std::uint8_t* const* obstacles, int stride,
-                 Number* views) {
+void write_views(const Positions positions, const int* agents, int n_views,
+                 const std::uint8_t* const* obstacles, int stride, Number* views) {
     const int fov = kFov ? kFov : positions.fov;  // a constant lets the compiler unroll the copies
     const int size = 3 * fov * fov;
     clear(reinterpret_cast<std::uint8_t*>(views),
-          static_cast<long>(sizeof(Number)) * size * positions.n_agents);
+          static_cast<long>(sizeof(Number)) * size * n_views);
     for (int a = 0; a < positions.n_agents; ++a) {
-        if (positions.rows[a] == kOutOfView) continue;
-        Number* const view = views + static_cast<long>(a) * size;
+        Number* const view = views + static_cast<long>(agents[a]) * size;
         Number* const channel = view + 2 * fov * fov;
         mark_others<kWords>(positions, a, fov, view);
         if (stride == fov) {
@@ -93,14 +92,15 @@ void write_views(const Positions positions, const std::uint8_t* const* obstacles
 constexpr int kUsualFov = 11;  // the default of `Config`
 
 template <typename Number>
-void write(const Positions& positions, const std::uint8_t* const* obstacles, int stride,
-           Number* views) {
+void write(const Positions& positions, const int* agents, int n_views,
+           const std::uint8_t* const* obstacles, int stride, Number* views) {
     constexpr int kMost = kMaxPositions / kPositionPad;
     const bool few = positions.n_agents <= kPositionPad;
     const auto usual =
         few ? write_views<kUsualFov, 1, Number> : write_views<kUsualFov, kMost, Number>;
     const auto any = few ? write_views<0, 1, Number> : write_views<0, kMost, Number>;
-    (positions.fov == kUsualFov ? usual : any)(positions, obstacles, stride, views);
+    (positions.fov == kUsualFov ? usual : any)(positions, agents, n_views, obstacles, stride,
+                                               views);
 }
 
 }  // namespace

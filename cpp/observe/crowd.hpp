@@ -1,5 +1,6 @@
 // The positions of the living agents of one world side by side, in the order of their numbers: what
-// networks read that decide for many worlds one after the other. Agents that are gone cost nothing.
+// views are written from, and what networks read that decide for many worlds one after the other.
+// Agents that are gone cost nothing.
 //
 //     Crowd crowd(setup);
 //     crowd.gather(world, scratch.occupancy);      // after every turn
@@ -23,8 +24,15 @@ class Crowd {
         std::fill_n(rows_, kMaxPositions, kOutOfView);
     }
 
-    // Precondition: the world has entered the occupancy.
+    // For networks, which ask whether agents share a cell. Precondition: the world has entered the
+    // occupancy.
     void gather(const World& world, const Occupancy& occupancy) {
+        gather(world);
+        if (world.may_overlap() || any_shared_) mark_shared(world, occupancy);
+    }
+
+    // For views.
+    void gather(const World& world) {
         const Grid grid = world.grid();
         const int* const cells = world.cells().data();
         const int* const living = world.living().data();
@@ -40,7 +48,6 @@ class Crowd {
         }
         if (n < n_) std::fill(rows_ + n, rows_ + n_, kOutOfView);
         n_ = n;
-        if (world.may_overlap() || any_shared_) mark_shared(world, occupancy);
     }
 
     Positions positions() const { return {n_, fov_, rows_, cols_, cells_, shared_}; }

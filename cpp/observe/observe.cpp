@@ -50,7 +50,7 @@ constexpr int kLargestBorder = 15;
 
 Observer::Observer(const Setup& setup)
     : fov_(setup.config.fov),
-      position_table_(setup.config.n_pursuers, setup.config.n_agents(), fov_),
+      crowd_(setup.config),
       obstacles_(static_cast<std::size_t>(setup.config.n_agents())),
       cases_(setup.grid, fov_),
       planes_{Plane(setup.grid, fov_ / 2, 0), Plane(setup.grid, fov_ / 2, 0)} {
@@ -96,32 +96,25 @@ template void Observer::write(const World&, const Occupancy&, float*);
 
 namespace {
 
-using Obstacles = const std::uint8_t* const*;
-
-void write_views(const Positions& positions, Obstacles obstacles, int stride, std::uint8_t* out) {
-    kernels().write_byte_views(positions, obstacles, stride, out);
-}
-void write_views(const Positions& positions, Obstacles obstacles, int stride, float* out) {
-    kernels().write_float_views(positions, obstacles, stride, out);
-}
+auto views_kernel(const std::uint8_t*) { return kernels().write_byte_views; }
+auto views_kernel(const float*) { return kernels().write_float_views; }
 
 }  // namespace
 
 template <typename Number>
 void Observer::write_from_positions(const World& world, Number* out) {
-    const Grid grid = world.grid();
+    crowd_.gather(world);
+    const Positions positions = crowd_.positions();
     const Plane& blocked = world.terrain().blocked;
     const bool only_border = !world.terrain().has_obstacles && !border_.empty();
-    position_table_.remove_all();
-    for (int a : world.living()) {
-        const int row = grid.row(world.cell(a));
-        const int col = grid.col(world.cell(a));
-        position_table_.set(a, row, col, false);
-        obstacles_[a] =
+    for (int i = 0; i < positions.n_agents; ++i) {
+        const int row = positions.rows[i];
+        const int col = positions.cols[i];
+        obstacles_[i] =
             only_border ? border(row, col) : blocked.window(row - fov_ / 2, col - fov_ / 2);
     }
-    write_views(position_table_.positions(), obstacles_.data(),
-                only_border ? fov_ : blocked.stride(), out);
+    views_kernel(out)(positions, world.living().data(), world.config().n_agents(),
+                      obstacles_.data(), only_border ? fov_ : blocked.stride(), out);
 }
 
 namespace {

@@ -16,7 +16,7 @@
 #include "game/world.hpp"
 #include "grid/bitboard.hpp"
 #include "grid/grid.hpp"
-#include "grid/position_table.hpp"
+#include "observe/crowd.hpp"
 
 namespace matrixworld {
 
@@ -44,8 +44,8 @@ class Observer {
     void mark(const World& world, std::uint8_t value);
 
     int fov_;
-    PositionTable position_table_;
-    std::vector<const std::uint8_t*> obstacles_;  // by agent: the first cell of its window
+    Crowd crowd_;
+    std::vector<const std::uint8_t*> obstacles_;  // by living agent: the first cell of its window
     BorderCases cases_;
     std::vector<std::uint8_t> border_;  // (n cases, fov, fov) visible border; empty for large views
 

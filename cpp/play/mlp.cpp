@@ -159,12 +159,8 @@ void Mlp::act(const World& world, const Occupancy& occupancy, const std::vector<
     }
     for (std::size_t i = 1; i < layers_.size(); ++i) dense(i, agents.size());
     actions.resize(agents.size());
-    if (network_.sampled) {
-        kernels().sample(logits(), layers_.back().width(), n, network_.n_actions(), units.data(),
-                         actions.data());
-    } else {
-        choose_largest(agents.size(), actions);
-    }
+    kernels().choose(logits(), layers_.back().width(), n, network_.n_actions(),
+                     network_.sampled ? units.data() : nullptr, actions.data());
 }
 
 void Mlp::look(const World& world, const Crowd& crowd, int first, int last, Eigen::Index row,
@@ -230,15 +226,6 @@ void Mlp::find_bases(const World& world, const Positions& positions, const int* 
         const int col = positions.cols[agents[i]];
         float* const room = out + static_cast<std::ptrdiff_t>(i) * layers_.front().width();
         bases_[i] = obstacles ? obstacle_base(world, kept, row, col, room) : border_base(row, col);
-    }
-}
-
-// Takes the action with the largest output; the first of them if several are equal.
-void Mlp::choose_largest(std::size_t n, std::vector<std::uint8_t>& actions) const {
-    for (std::size_t i = 0; i < n; ++i) {
-        const float* row = logits() + i * static_cast<std::size_t>(layers_.back().width());
-        const float* largest = std::max_element(row, row + network_.n_actions());
-        actions[i] = static_cast<std::uint8_t>(largest - row);
     }
 }
 

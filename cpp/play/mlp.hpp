@@ -121,7 +121,6 @@ class Mlp {
     const float* obstacle_base(const World& world, Kept* kept, int row, int col, float* room);
     Kept* find_kept(const World& world, std::size_t slot);
     void sum_obstacles(const World& world, int row, int col, float* out);
-    void choose_largest(std::size_t n, std::vector<std::uint8_t>& actions) const;
 
     Network network_;
     Grid grid_;

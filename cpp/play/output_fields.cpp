@@ -49,10 +49,14 @@ OutputField field(const char* name, Axes axes, Written written) {
 
 // ---- Writers: the moment ------------------------------------------------------------------------
 
-// Row and column of a cell; kGone, kGone without one.
+// Row and column of a cell; kGone, kGone without one. No branch: which agents are gone cannot be
+// predicted.
 void write_cell(const Grid& grid, int cell, std::int32_t* out) {
-    out[0] = cell == kGone ? kGone : grid.row(cell);
-    out[1] = cell == kGone ? kGone : grid.col(cell);
+    static_assert(kGone == -1, "all bits are set");
+    const int gone = cell >> 31;  // all bits, or none
+    const int row = grid.row(cell & ~gone);
+    out[0] = row | gone;
+    out[1] = (cell - grid.cell(row, 0)) | gone;
 }
 
 void write_positions(const OutputSource& source, std::int32_t* out) {
