@@ -59,8 +59,8 @@ class Rows {
         float numbers[kPad] = {};
     };
 
-    float* data() { return vectors_.data()->numbers; }
-    const float* data() const { return vectors_.data()->numbers; }
+    float* data() { return reinterpret_cast<float*>(vectors_.data()); }
+    const float* data() const { return reinterpret_cast<const float*>(vectors_.data()); }
 
     int width_ = 0;
     std::vector<Vector> vectors_;

@@ -1,4 +1,4 @@
-/* built from cpp/ and web/engine/ by web/build_engine.py; sources d4c35e824faed45d50ca5db959afcca0ee1f3c176ae0dbc99348ca5faaf8085a */
+/* built from cpp/ and web/engine/ by web/build_engine.py; sources 5231d56e2926a255118e4ace10ce676262647d8ccd1ec520cd2cbed0ab4cb0ae */
 var matrixworldEngine = (() => {
   var _scriptDir = typeof document !== 'undefined' && document.currentScript ? document.currentScript.src : undefined;
   
