@@ -16,6 +16,7 @@ import os
 import signal
 import socket
 import sys
+from contextlib import suppress
 from typing import Any
 
 from matrixworld.classroom import limits, policy_process, system_calls
@@ -50,10 +51,9 @@ def main() -> None:
 def _ended(child: int) -> dict[str, Any]:
     """End a process with all that it may have started, and return how it ended and its time."""
     for end in (os.killpg, os.kill):
-        try:
+        # It may have no group yet, or have ended.
+        with suppress(PermissionError, ProcessLookupError):
             end(child, signal.SIGKILL)
-        except (PermissionError, ProcessLookupError):
-            pass  # it has no group yet, or has ended
     _, status, used = os.wait4(child, 0)
     code = os.waitstatus_to_exitcode(status)
     return {"code": code, "seconds": used.ru_utime + used.ru_stime}
@@ -69,7 +69,7 @@ def _be_program(connection: int, allowed: Limits, trust: bool) -> None:
             os.dup2(nothing, handle)
         os.dup2(connection, CONNECTION)
         os.closerange(CONNECTION + 1, os.sysconf("SC_OPEN_MAX"))
-        sys.stdin = None  # type: ignore[assignment]
+        sys.stdin = None
         sys.stdout = sys.stderr = open(1, "w", encoding="utf-8", errors="replace", closefd=False)  # noqa: SIM115
         limits.apply(allowed, CONNECTION + 1)
         if not trust:

@@ -10,7 +10,6 @@ import inspect
 import json
 import os
 import random
-import sys
 from collections.abc import Callable, Mapping
 from types import FrameType
 from typing import Any
@@ -38,11 +37,13 @@ FILE = "<submission>"
 PARAMETERS = ("view", "rng", "memory")
 
 MODULES = (
-    "abc", "array", "bisect", "cmath", "collections.abc", "colorsys", "contextlib", "copy", "dataclasses",
-    "decimal", "enum", "fractions", "functools", "graphlib", "heapq", "itertools", "json", "math", "numbers",
-    "operator", "pprint", "random", "re", "statistics", "string", "struct", "textwrap", "time", "types", "typing",
-    "numpy.fft", "numpy.lib.stride_tricks", "numpy.linalg", "numpy.polynomial", "numpy.random",
-    "matrixworld", "__future__", "traceback", "encodings.utf_8_sig", "encodings.latin_1",
+    "abc", "array", "bisect", "cmath", "collections.abc", "contextlib", "copy", "dataclasses",
+    "decimal", "enum", "fractions", "functools", "graphlib", "heapq", "itertools", "json", "math",
+    "numbers", "operator", "random", "re", "statistics", "string", "struct", "textwrap", "time",
+    "types", "typing", "__future__", "numpy.fft", "numpy.lib.stride_tricks", "numpy.linalg",
+    "numpy.polynomial", "numpy.random", "matrixworld",
+    # Not to be named by programs, but by Python while it loads one.
+    "encodings.utf_8_sig", "encodings.latin_1", "encodings.cp1252",
 )  # fmt: skip
 """Modules that are loaded before a program runs. It can import these, and no others."""
 
@@ -158,7 +159,9 @@ def _action(name: str, value: Any, n_actions: int) -> int:
     if isinstance(value, np.ndarray) and value.shape == ():
         value = value.item()
     if isinstance(value, bool | np.bool_ | np.ndarray) or not hasattr(value, "__index__"):
-        raise PolicyError(f"{name} returned {_kind(value)}, expected an action 0 to {n_actions - 1}")
+        raise PolicyError(
+            f"{name} returned {_kind(value)}, expected an action 0 to {n_actions - 1}"
+        )
     action = value.__index__()
     if not 0 <= action < n_actions:
         raise PolicyError(f"{name} returned {action}, expected an action 0 to {n_actions - 1}")
@@ -224,5 +227,3 @@ def load_modules() -> None:
     """Import what programs may import, before files cannot be read any more."""
     for name in MODULES:
         __import__(name)
-    # Made once and for all: Python looks for these when it first encodes or reports.
-    "".encode("utf-8"), "".encode("ascii"), sys.getfilesystemencoding()

@@ -1,4 +1,4 @@
-"""The place of a submitted program in a match: a host that makes its process, and what it answers."""
+"""The place of a program in a match: a host that makes its process, and what that answers."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from types import TracebackType
 from typing import Any
@@ -33,6 +34,8 @@ from matrixworld.classroom.wire import (
 )
 from matrixworld.reading import one_line
 
+CAN_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds")
+NO_FORK = "they need Linux or macOS"
 LONGEST_REPLY = 4096
 LONGEST_REASON = 300
 """Most characters of what a program says about its own end."""
@@ -76,6 +79,7 @@ class Seat:
 
     def __init__(self, limits: Limits, trust: bool = False) -> None:
         self._limits, self._trust = limits, trust
+        self._closed = False
         self._start()
 
     def _start(self) -> None:
@@ -83,7 +87,7 @@ class Seat:
         with theirs:
             self._host = subprocess.Popen(
                 [sys.executable, "-m", "matrixworld.classroom.host", *["--trust"] * self._trust],
-                stdin=theirs,
+                stdin=theirs.fileno(),
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.DEVNULL,
                 cwd=os.path.abspath(os.sep),
@@ -114,13 +118,21 @@ class Seat:
             self._commands.send(b"end")
             return End(**self._reply())
         except (OSError, RefusedError):
-            # Only a program that was trusted can have ended the host.
-            self.close()
-            self._start()
+            # The tournament was interrupted, or a trusted program has ended the host.
+            if not self._closed:
+                self._stop()
+                self._start()
             return End(-signal.SIGKILL, 0.0)
 
     def close(self) -> None:
-        """End the host, and with it what it has made."""
+        """End the host for good, and with it what it has made."""
+        self._closed = True
+        self._stop()
+
+    def _stop(self) -> None:
+        # A thread may wait for a reply: it gets the end of the connection.
+        with suppress(OSError):
+            self._commands.shutdown(socket.SHUT_RDWR)
         self._commands.close()
         self._host.wait()
 

@@ -1,8 +1,8 @@
 """Messages between the process that plays and a process that holds a policy: bytes, no objects.
 
-A message is its kind (one byte), its length (four bytes, little-endian) and its content. Whoever
-reads knows which kinds may come and how long they may be; anything else ends the connection. Nothing
-is unpickled or evaluated.
+A message is its kind (one byte), its length (four bytes, little-endian) and its content. A reader
+knows which kinds may come and how long they may be; anything else ends the connection. Nothing is
+unpickled or evaluated.
 """
 
 from __future__ import annotations
