@@ -62,6 +62,7 @@ def _ended(child: int) -> dict[str, Any]:
 def _be_program(connection: int, allowed: Limits, trust: bool) -> None:
     """Give up all rights and play; this process does not return."""
     try:
+        os.environ.clear()
         os.setsid()
         system_calls.end_with_parent(signal.SIGKILL)
         nothing = os.open(os.devnull, os.O_RDWR)

@@ -67,7 +67,8 @@ def _chosen(result: ClassResult, tables: Tables, most: int) -> dict[Pair, bytes]
         extremes += [(standing.number, standing.best), (standing.number, standing.worst)]
     for standing in tables["evader"]:
         extremes += [(standing.best, standing.number), (standing.worst, standing.number)]
-    every = product(*(range(count) for count in result.capture_rates.shape[:2]))
+    rows, columns, _ = result.capture_rates.shape
+    every = product(range(rows), range(columns))
     kept: dict[Pair, bytes] = {}
     left = most
     for pair in dict.fromkeys([*extremes, *every]):
@@ -81,8 +82,8 @@ def _chosen(result: ClassResult, tables: Tables, most: int) -> dict[Pair, bytes]
 def pack_actions(actions: NDArray[np.uint8], n_actions: int) -> bytes:
     """Return actions with several to a byte: digits of a number with base `n_actions`.
 
-    Three of 5 actions, or two of 9, fit into a byte; the first is the lowest digit. ``web/src/class/
-    recordings.ts`` reads them.
+    Three of 5 actions, or two of 9, fit into a byte; the first is the lowest digit. The page's
+    script reads them (``web/src/class/recordings.ts``).
     """
     count = digits(n_actions)
     flat = actions.ravel()

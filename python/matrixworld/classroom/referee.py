@@ -63,7 +63,8 @@ class Referee:
                 seats = {team: Seat(limits, trust) for team in TEAMS}
                 self._all += seats.values()
                 self._free.put(seats)
-            self.problem = self._all[0].problem
+            # All of them start at the same time, and find the same.
+            self.problem = "".join({seat.ready() for seat in self._all})
 
     def functions(self, code: bytes) -> tuple[bool, bool]:
         """Return whether a program has a function for pursuers, and one for evaders.

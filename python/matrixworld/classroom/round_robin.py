@@ -124,7 +124,7 @@ def play_class(
             students, refused = admit(submissions, referee, report)
         refusals = [*unreadable, *refused]
         _require(students, refusals, directory)
-        with progress("matches") as report:
+        with progress("episodes") as report:
             results = _Results(students, limits or Limits())
             results.play(referee, episodes, report)
     refusals += results.refusals

@@ -71,10 +71,9 @@ class Seat:
     trust : bool, optional
         Whether programs run without a filter of system calls. The default is False.
 
-    Attributes
-    ----------
-    problem : str
-        Why programs cannot be confined on this system; empty if they can, or need not.
+    Notes
+    -----
+    Several seats may be made at the same time: `ready` waits until one is there.
     """
 
     def __init__(self, limits: Limits, trust: bool = False) -> None:
@@ -94,7 +93,11 @@ class Seat:
                 env=_environment(),
                 start_new_session=True,  # Ctrl-C is for the parent, which then ends the hosts
             )
-        self.problem: str = self._reply()["problem"]
+
+    def ready(self) -> str:
+        """Wait for the host; return why programs cannot be confined here, empty if they can."""
+        problem: str = self._reply()["problem"]
+        return problem
 
     def _reply(self) -> dict[str, Any]:
         reply = self._commands.recv(LONGEST_REPLY)
@@ -122,6 +125,7 @@ class Seat:
             if not self._closed:
                 self._stop()
                 self._start()
+                self.ready()
             return End(-signal.SIGKILL, 0.0)
 
     def close(self) -> None:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import webbrowser
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import click
 
@@ -26,7 +27,7 @@ from matrixworld.cli.options import (
     write_json,
 )
 from matrixworld.cli.setting_options import SettingOption, in_options, obstacles_of
-from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.config import WorldConfig
 from matrixworld.explorer.page import write_page
 
@@ -36,11 +37,15 @@ SIZE = 16
 SIZE_DEFAULT = f"[default: {SIZE}, or that of the map]"
 
 
-def _world(*names: str, **attributes: Any) -> Any:
+AnyFunction = TypeVar("AnyFunction", bound=Callable[..., Any])
+Decorator = Callable[[AnyFunction], AnyFunction]
+
+
+def _world(*names: str, **attributes: Any) -> Decorator[Any]:
     return click.option(*names, cls=SettingOption, section="World", show_default=True, **attributes)
 
 
-def _limit(name: str, **attributes: Any) -> Any:
+def _limit(name: str, **attributes: Any) -> Decorator[Any]:
     default = getattr(DEFAULTS, name.removeprefix("--").replace("-", "_"))
     return click.option(
         name,
@@ -187,4 +192,4 @@ def _print(result: ClassResult, tables: dict[Team, list[Standing]]) -> None:
 
 
 def _opponents(result: ClassResult, team: Team) -> int:
-    return result.capture_rates.shape[1 if team == "pursuer" else 0]
+    return len(result.entries[other(team)])
