@@ -201,8 +201,11 @@ def _text(error: BaseException) -> str:
         return f"{place}the program ends itself (SystemExit)"
     if isinstance(error, MemoryError):
         return f"{place}MemoryError: more memory than the limit"
-    more = next((text for kind, text in HINTS.items() if isinstance(error, kind)), "")
-    return f"{place}{type(error).__name__}: {str(error)[:LONGEST_ERROR]}{more}"
+    text = str(error)[:LONGEST_ERROR]
+    if isinstance(error, OSError) and error.strerror:
+        text = error.strerror + (f": {error.filename!r}" if error.filename else "")
+    more = next((hint for kind, hint in HINTS.items() if isinstance(error, kind)), "")
+    return f"{place}{type(error).__name__}: {text}{more}"
 
 
 HINTS = {

@@ -53,6 +53,7 @@ export class MatrixPanel {
     const margin = font * 0.56 * Math.min(LONGEST, longestOf(this.#data)) + 10;
     const drawing = svg("svg", {
       class: "matrix", tabindex: "0", role: "img", "aria-label": "Matrix of capture rates; arrow keys choose a match, Enter plays it",
+      preserveAspectRatio: "xMidYMin meet",
       viewBox: `${-margin} ${-margin} ${columns * size + margin} ${rows * size + margin}`,
       onpointermove: (event: PointerEvent) => this.#store.point(this.#pairAt(event, size)),
       onpointerleave: () => this.#store.point(null),
@@ -151,7 +152,7 @@ export class MatrixPanel {
     return [
       html("span", {}, html("span", { class: "pursuer" }, names.pursuer[pursuer]!), " against ", html("span", { class: "evader" }, names.evader[evader]!)),
       html("span", {}, html("strong", {}, mean), html("span", { class: "small muted" },
-        ` captured; ${low} to ${high} in ${episodes} episodes of ${length[pursuer]![evader]!.toFixed(0)} steps`)),
+        ` captured; ${low} to ${high} in ${episodes} episodes, ${length[pursuer]![evader]!.toFixed(0)} steps on average`)),
     ];
   }
 }

@@ -11,12 +11,12 @@ const OTHER: Readonly<Record<Team, Team>> = { pursuer: "evader", evader: "pursue
 /** Return the table of a team. A click on an opponent plays the match against it. */
 export function standingsTable(data: Data, team: Team, store: Store): HTMLElement {
   const rows = data.standings[team].map((standing) => row(data, team, standing, store));
-  const score = team === "pursuer" ? "mean capture rate" : "mean escape rate";
-  const heads = ["Rank", "Name", "Score", "Best and worst match"];
+  const score = team === "pursuer" ? "Mean capture rate" : "Mean escape rate";
+  const heads = ["Rank", "Name", "Score", "Best, worst match"];
   return html(
     "section", { class: "card standings", "aria-label": `Standings of ${team}s` },
     html("header", {}, html("h2", {}, html("span", { class: team }, `${team[0]!.toUpperCase()}${team.slice(1)}s`)),
-      html("p", { class: "small muted" }, `Score: ${score} against all ${data.names[OTHER[team]].length} opponents, with its 95 % interval`)),
+      html("p", { class: "small muted" }, `${score} against ${data.names[OTHER[team]].length} opponents, with 95 % interval`)),
     html("div", { class: "scroll", tabindex: "0" },
       html("table", {},
         html("thead", {}, html("tr", {}, ...heads.map((head) => html("th", { scope: "col" }, head)))),
@@ -29,7 +29,7 @@ function row(data: Data, team: Team, standing: Standing, store: Store): HTMLElem
   const made = html(
     "tr", { class: kind, "data-number": number },
     html("td", { class: "rank numbers" }, rank || "–"),
-    html("th", { scope: "row", title: file }, html("span", { class: "who" }, name), html("span", { class: "kind small muted" }, kind)),
+    html("th", { scope: "row", title: file }, html("span", { class: "who", title: name }, name), html("span", { class: "kind small muted" }, kind)),
     html("td", { class: "numbers score" }, bar(standing, team), numbers(standing)),
     html("td", { class: "matches" }, ...(["best", "worst"] as const).map((which) => matchButton(data, team, standing, which, store))),
   );

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 8449a64286a267d24a920fd6587ef5581705e03a7b065e07ea0d9944e77c6400 */
+/* built from web/ by "npm run build"; sources 223eebd16deaf944ae8590fdb4023ab1ddfe324b45294b09420aeb6bb6691988 */
 "use strict";(()=>{var sr={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},F=[.5,1,2,4,8,16,32,64],J=class extends EventTarget{#e;#t;#r;#o;#n=0;#s=0;#a=!1;#l=null;#d=0;glide=.28;constructor(e,r={}){
 super(),this.#e=e,this.#t=r.speed??4,this.#o=r.still??!1,this.#r=r.clock??sr}get step(){return this.#n}get time(){return this.#o?this.#n:this.#s}get arrived(){return this.#s===
 this.#n}get playing(){return this.#a}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#c("state")}get speed(){return this.#t}set speed(e){
@@ -19,7 +19,7 @@ still:"always stays",chaser:"moves to where the nearest adversary in view is nea
 haser":"a chaser that takes any action in half of the steps","clumsy-fleer":"a fleer that takes any action in half of the steps",hunter:"a chaser of the nearest\
  adversary in view to which no teammate in view is nearer",surrounder:"a chaser of the nearest free cell beside an adversary in view without a teammate",dodger:"\
 moves to where all adversaries in view together are farthest; each cell that holds some weighs 2**14 // (1 + moves)**2"},Ve={free:".GS",blocked:"#@OTW"};var O=1+He.length;function H(t,e){return t.replace(/\{(\w+)\}/g,(r,n)=>String(e[n]))}function ge(t,e){return t<e?H(ye[0],{number:t}):H(ye[1],{number:t-e})}function ar(t,e){
-let[r,n,o,s,a,i,l,...c]=Array.from(t),d=a<0?[s]:[s,a],[m,h,p]=c.map(M=>d.filter((k,N)=>M>>N&1)),y=d.map(M=>ge(M,e)),f=H(Ge[a<0?"obstacle":fe[o]],{first:y[0],second:y[y.
+let[r,n,o,s,a,i,l,...c]=Array.from(t),d=a<0?[s]:[s,a],[m,h,p]=c.map(S=>d.filter((k,N)=>S>>N&1)),y=d.map(S=>ge(S,e)),f=H(Ge[a<0?"obstacle":fe[o]],{first:y[0],second:y[y.
 length-1],cell:`(${i}, ${l})`}),w=H(ze,{event:f,outcome:ir(d.length,h,p,e)});return{kind:We[n],form:fe[o],agents:d,cell:[i,l],at_fault:m,held:h,doomed:p,turn:r,
 text:w}}function ir(t,e,r,n){if(t===2&&e.length===2)return W["both held"];if(t===2&&r.length===2)return W["both doomed"];let o=s=>a=>H(W[s],{agent:ge(a,n)});return[
 ...e.map(o("held")),...r.map(o("doomed"))].join(", ")||W.none}function Q(t,e){let r=[];for(let n=0;n<t.length;n+=O)r.push(ar(t.subarray(n+1,n+O),e));return r}var E=class extends Error{name="EngineError"};function b(t,e,r){let n=typeof r=="string"?`'${r}'`:typeof r=="object"?JSON.stringify(r):String(r);return new E(`${t}\
@@ -85,11 +85,11 @@ o,s)}rollout(e,r,n,o,s){return st(this.compiled,{config:e,pursuers:r,evaders:n},
 if(!t)throw new Error("matrixworldEngine: expected the script engine.js before this one, got none");let e=Uint8Array.from(atob(t.binary),r=>r.charCodeAt(0));return new Ae(
 await t({wasmBinary:e}))}var xr="http://www.w3.org/2000/svg";function u(t,e={},...r){return ct(document.createElement(t),e,r)}function C(t,e={},...r){return ct(document.createElementNS(
 xr,t),e,r)}function ct(t,e,r){for(let[n,o]of Object.entries(e))o==null||o===!1||(typeof o=="function"?t.addEventListener(n.slice(2),o):t.setAttribute(n,o===!0?"":
-String(o)));return t.append(...r.filter(_r).map(n=>typeof n=="number"?String(n):n)),t}function _r(t){return t!=null&&t!==!1}var Ar=matchMedia("(prefers-color-scheme: dark)");function Sr(){let t=document.documentElement.dataset.theme;return t?t==="dark":Ar.matches}function Se(){document.
-documentElement.dataset.theme=Sr()?"light":"dark"}function dt(){return u("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:Se},"◐")}function ut(t){let e=atob(Me(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}function Me(t){return document.getElementById(
-t)?.textContent??""}function mt(){return JSON.parse(Me("data"))}var Ee=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]],R=(t,e)=>e<t.nPursuers,g=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Mr=(t,e)=>t[0]===e[0]&&
+String(o)));return t.append(...r.filter(_r).map(n=>typeof n=="number"?String(n):n)),t}function _r(t){return t!=null&&t!==!1}var Ar=matchMedia("(prefers-color-scheme: dark)");function Mr(){let t=document.documentElement.dataset.theme;return t?t==="dark":Ar.matches}function Me(){document.
+documentElement.dataset.theme=Mr()?"light":"dark"}function dt(){return u("button",{type:"button",title:"Light or dark (D)","aria-label":"Light or dark",onclick:Me},"◐")}function ut(t){let e=atob(Se(t)),r=new Uint8Array(e.length);for(let n=0;n<r.length;n++)r[n]=e.charCodeAt(n);return r}function Se(t){return document.getElementById(
+t)?.textContent??""}function mt(){return JSON.parse(Se("data"))}var Ee=[[0,0],[-1,0],[0,1],[1,0],[0,-1],[-1,1],[1,1],[1,-1],[-1,-1]],R=(t,e)=>e<t.nPursuers,g=(t,e)=>[t.positions[2*e],t.positions[2*e+1]],Sr=(t,e)=>t[0]===e[0]&&
 t[1]===e[1],Te=({rows:t,cols:e},[r,n])=>r>=0&&n>=0&&r<t&&n<e,Ce=(t,e,r=3)=>t!==void 0&&[0,1,2].slice(0,r).some(n=>t[3*e+n]),Re=(t,e)=>Ce(t.fault,e),pt=(t,e)=>!Re(
-t,e)&&Ce(t.involved,e,2);function oe(t,e,r){let n=!Mr(g(t,r),g(e,r)),o=e.involved===void 0||Ce(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function se(t,e,r){
+t,e)&&Ce(t.involved,e,2);function oe(t,e,r){let n=!Sr(g(t,r),g(e,r)),o=e.involved===void 0||Ce(e.involved,r);return!!(e.alive[r]&&e.actions?.[r]&&!n&&o)}function se(t,e,r){
 let[n,o]=g(t,r),[s,a]=Ee[e.actions?.[r]??0];return[n+s,o+a]}function ae(t,e,r){return Array.from({length:r.everCaptured.length},(o,s)=>s).filter(o=>r.everCaptured[o]&&
 !e.everCaptured[o]).map(o=>t.nPursuers+o)}function ie(t,e){return Array.from({length:e.alive.length},(n,o)=>o).filter(n=>t.alive[n]&&!e.alive[n])}var ht=[-.31,0,.31],ft=[{size:1,at:[[0,0]]},{size:.62,at:[[-.2,.2],[.2,-.2]]},{size:.54,at:[[-.23,.22],[.23,.22],[0,-.22]]},{size:.54,at:[[-.23,.23],[.23,.23],[
 -.23,-.23],[.23,-.23]]},{size:.36,at:ht.flatMap(t=>ht.map(e=>[e,t]))}],Er=.3,Tr=.35,Cr=.55;function V(t,e){let r=new Map;for(let n=0;n<e.alive.length;n++){if(!e.
@@ -103,8 +103,8 @@ r-o),[[l,c],[d,m]]=[g(s,e),g(a,e)];return[L(c,m,i)+.5,L(l,d,i)+.5]}function Rr(t
 L(n.size,o.size,s),alpha:a?gt((1-s)/(1-Cr)):L(n.alpha,o.alpha,s)};if(oe(t,e,r)){let[l,c]=g(t,r),[d,m]=se(t,e,r),h=Er*Math.sin(Math.PI*s);i.x+=(m-c)*h,i.y+=(d-l)*
 h}return i}var xt=2*Math.PI;function j(t,e,r,n){t.beginPath(),t.arc(e,r,n/2,0,xt)}function _t(t,e,r,n){let o=n/2,s=[[0,-.97],[.97,.83],[-.97,.83]].map(([a,i])=>[e+a*o,r+i*
 o]);t.beginPath(),t.moveTo((s[2][0]+s[0][0])/2,(s[2][1]+s[0][1])/2),s.forEach(([a,i],l)=>{let[c,d]=s[(l+1)%3];t.arcTo(a,i,c,d,n*.09)}),t.closePath()}function At(t,e,r,n){
-let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function St(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let s=n/
-2*(o%2?.6:.95),a=xt*o/16;t.lineTo(e+s*Math.sin(a),r-s*Math.cos(a))}t.closePath()}function Mt(t,e,r,n,o,s){let a=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
+let o=n*.32;t.beginPath(),t.moveTo(e-o,r-o),t.lineTo(e+o,r+o),t.moveTo(e+o,r-o),t.lineTo(e-o,r+o)}function Mt(t,e,r,n){t.beginPath();for(let o=0;o<16;o++){let s=n/
+2*(o%2?.6:.95),a=xt*o/16;t.lineTo(e+s*Math.sin(a),r-s*Math.cos(a))}t.closePath()}function St(t,e,r,n,o,s){let a=Math.atan2(o-r,n-e);t.beginPath(),t.moveTo(e,r),
 t.lineTo(n,o);for(let i of[-1,1])t.moveTo(n,o),t.lineTo(n-s*Math.cos(a+i*.6),o-s*Math.sin(a+i*.6))}var Et=4,kr=1.6,Nr=.95,Or=5,Ir=.16,Pr=9,Ur=.09,Lr=.2,Tt=.75,x=(t,e)=>t.left+e*t.cell,_=(t,e)=>t.top+e*t.cell;function $(t,e,r){return R(e,r)?t.colors.pursuer:t.
 colors.evader}function Ct({ctx:t,grid:e,colors:r}){let{left:n,top:o,cell:s,rows:a,cols:i}=e,[l,c]=[i*s,a*s];if(t.fillStyle=r.paper,t.fillRect(n,o,l,c),s<Or)return;
 t.fillStyle=r.line;let d=Math.max(1,Math.round(s/60));for(let m=1;m<i;m++)t.fillRect(n+m*s,o,d,c);for(let m=1;m<a;m++)t.fillRect(n,o+m*s,l,d)}function Rt({ctx:t,
@@ -117,11 +117,11 @@ c]=[Math.max(0,n-i),Math.min(a.cols,n+i)],[d,m]=[Math.max(0,o-i),Math.min(a.rows
 s.fillStyle=p,s.fillRect(...h),s.globalAlpha=.8,s.strokeStyle=p,s.lineWidth=Math.max(1,a.cell/24),s.strokeRect(...h),s.globalAlpha=1}function Ot(t,e,r,n,o){let{
 ctx:s,grid:a}=t,i=Math.min(Math.ceil(r),e.moments.length-1),l=e.moments[i];s.lineCap="round",s.lineWidth=Math.min(Pr,Math.max(1,a.cell*Ir));for(let c=Math.max(1,
 Math.floor(r-n)+1);c<=i;c++){let[d,m]=[e.moments[c-1],e.moments[c]],h=Math.max(0,Math.min(1,(r-c)/n));s.globalAlpha=Tt+(Lr-Tt)*h;for(let p=0;p<m.alive.length;p++){
-let y=c===i&&r<i;if(!d.alive[p]||!(l.alive[p]||y))continue;let f=(R(e,p)?-1:1)*Ur,[w,M]=g(d,p),[k,N]=g(m,p);if(w===k&&M===N)continue;let X=y?o[p].x:N+.5,or=y?o[p].
-y:k+.5;s.strokeStyle=$(t,e,p),s.beginPath(),s.moveTo(x(a,M+.5+f),_(a,w+.5+f)),s.lineTo(x(a,X+f),_(a,or+f)),s.stroke()}}s.globalAlpha=1}function It(t,e,r){let n=Math.
+let y=c===i&&r<i;if(!d.alive[p]||!(l.alive[p]||y))continue;let f=(R(e,p)?-1:1)*Ur,[w,S]=g(d,p),[k,N]=g(m,p);if(w===k&&S===N)continue;let X=y?o[p].x:N+.5,or=y?o[p].
+y:k+.5;s.strokeStyle=$(t,e,p),s.beginPath(),s.moveTo(x(a,S+.5+f),_(a,w+.5+f)),s.lineTo(x(a,X+f),_(a,or+f)),s.stroke()}}s.globalAlpha=1}function It(t,e,r){let n=Math.
 min(Math.ceil(r),e.moments.length-1);for(let o=Math.max(1,n-Et+1);o<=n;o++){let[s,a]=[e.moments[o-1],e.moments[o]],i=o>r?Math.max(0,1-2*(o-r)):1-(r-o)/Et,l=ae(e,
 s,a);for(let c of ie(s,a))l.includes(c)||Dr(t,g(a,c),i);for(let c of l)$r(t,g(a,c),i)}t.ctx.globalAlpha=1}function $r({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=
-s,St(t,x(e,o+.5),_(e,n+.5),Math.max(8,e.cell*kr)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}
+s,Mt(t,x(e,o+.5),_(e,n+.5),Math.max(8,e.cell*kr)),t.fillStyle=r.capture,t.fill(),t.strokeStyle=r.ink,t.lineWidth=Math.max(1,e.cell/36),t.lineJoin="round",t.stroke()}
 function Dr({ctx:t,grid:e,colors:r},[n,o],s){t.globalAlpha=s,At(t,x(e,o+.5),_(e,n+.5),Math.max(7,e.cell*Nr)),t.strokeStyle=r.collision,t.lineWidth=Math.max(2,e.
 cell*.17),t.lineCap="round",t.stroke()}function Pt({ctx:t,grid:e,colors:r},n,o){let s=Math.max(1,e.cell*.07);t.strokeStyle=t.fillStyle=r.collision,t.lineWidth=Math.
 max(1,e.cell*.05),t.setLineDash([e.cell*.14,e.cell*.1]);for(let[a,i]of n){if(a<0||i<0||a>=e.rows||i>=e.cols)continue;let l=[x(e,i)+s,_(e,a)+s,e.cell-2*s,e.cell-
@@ -139,10 +139,10 @@ l.collision,a.lineWidth=Math.max(1.5,i.cell*.07),a.lineCap="butt",a.globalAlpha=
 .06]),t.beginPath(),t.moveTo(i($t),l($t)),t.lineTo(i(c),l(c)),t.stroke(),t.setLineDash([]);let d=.17*e.cell/Math.hypot(s,a);t.beginPath(),t.moveTo(i(c)-a*d,l(c)+
 s*d),t.lineTo(i(c)+a*d,l(c)-s*d),t.stroke()}function Ft(t,e,r,n,o,s){let a=Ee[s];if(!s||!a)return;let{ctx:i,grid:l,colors:c}=t,d=Te(e,[n[0]+a[0],n[1]+a[1]])?jr:
 Kr,m=Vr*o.size,h=[x(l,o.x+a[1]*m),_(l,o.y+a[0]*m),x(l,o.x+a[1]*d),_(l,o.y+a[0]*d)],p=Math.max(1.5,l.cell*.085);i.lineCap=i.lineJoin="round";for(let[y,f]of[[c.paper,
-p*2.1],[$(t,e,r),p]])i.strokeStyle=y,i.lineWidth=f,Mt(i,...h,l.cell*.2),i.stroke()}var Wt={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null};function Ht(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(Math.ceil(r),e.
+p*2.1],[$(t,e,r),p]])i.strokeStyle=y,i.lineWidth=f,St(i,...h,l.cell*.2),i.stroke()}var Wt={numbers:!0,axes:!1,trail:6,viewers:[],plan:null,selected:null,cursor:null};function Ht(t,e,r,n,o){let{ctx:s,grid:a,colors:i}=t,l=Math.min(Math.ceil(r),e.
 moments.length-1),c=e.moments[l],d=r===l,m=le(e,r),h=d?1:Math.max(0,1-2*(l-r));s.clearRect(0,0,s.canvas.width,s.canvas.height),Ct(t);for(let f of n.viewers)m[f]?.
-alpha&&Nt(t,e,f,...wt(e,f,r));Rt(t,e),n.axes&&kt(t,o),Ot(t,e,r,n.trail,m),Pt(t,c.contested??[],h),It(t,e,r),Dt(t,e,l,h),m.forEach(({x:f,y:w,size:M},k)=>{let N=pt(
-c,k)?.4:0,X=Re(c,k)?1:N;X&&Ut(t,f,w,M,X*h)});let p=d?c:e.moments[Math.max(0,l-1)];if(Lt(t,e,p,m,n.numbers,o),d&&n.plan)for(let[f,w]of m.entries())w.alpha&&Ft(t,
+alpha&&Nt(t,e,f,...wt(e,f,r));Rt(t,e),n.axes&&kt(t,o),Ot(t,e,r,n.trail,m),Pt(t,c.contested??[],h),It(t,e,r),Dt(t,e,l,h),m.forEach(({x:f,y:w,size:S},k)=>{let N=pt(
+c,k)?.4:0,X=Re(c,k)?1:N;X&&Ut(t,f,w,S,X*h)});let p=d?c:e.moments[Math.max(0,l-1)];if(Lt(t,e,p,m,n.numbers,o),d&&n.plan)for(let[f,w]of m.entries())w.alpha&&Ft(t,
 e,f,g(c,f),w,n.plan[f]??0);s.lineWidth=Math.max(2,2.5*o),s.strokeStyle=i.focus;let y=n.selected===null?void 0:m[n.selected];y?.alpha&&Bt(t,y.x,y.y,y.size*.96),n.
 cursor&&(s.setLineDash([a.cell*.12,a.cell*.08]),Bt(t,n.cursor[1]+.5,n.cursor[0]+.5,.8),s.setLineDash([]))}function Bt({ctx:t,grid:e},r,n,o){let s=o*e.cell;t.beginPath(),
 t.roundRect(e.left+r*e.cell-s/2,e.top+n*e.cell-s/2,s,s,s*.1),t.stroke()}var Gt=(t,e)=>(e+.24)/(t+.24);function zt(t,e,r,n,o,s){let a=r?28*s:0,i=(c,d)=>(c-a)/(d+2*.12),l=Math.max(1,Math.floor(Math.min(i(n,e),i(o,t))));return{rows:t,cols:e,
@@ -209,32 +209,32 @@ this.#l(),this.element=u("section",{class:"card matrix-card","aria-label":"All m
 ture rate; pursuers in rows, evaders in columns, the best ones first. Click a cell to watch its first episode.")),this.#a,u("div",{class:"scale-of-rates small"},
 "0",cn(),"1"),this.#n),r.on("pair",()=>this.#p()),r.on("hover",()=>this.#p()),this.#p()}#l(){let[e,r]=[this.#r.length,this.#o.length],n=sn/Math.max(e,r),o=Math.
 min(26,Math.max(11,.78*n)),s=o*.56*Math.min(Le,dn(this.#e))+10,a=C("svg",{class:"matrix",tabindex:"0",role:"img","aria-label":"Matrix of capture rates; arrow ke\
-ys choose a match, Enter plays it",viewBox:`${-s} ${-s} ${r*n+s} ${e*n+s}`,onpointermove:l=>this.#t.point(this.#u(l,n)),onpointerleave:()=>this.#t.point(null),onclick:l=>{
-let c=this.#u(l,n);c&&this.#t.play(c)},onkeydown:l=>this.#h(l)}),i=this.#r.flatMap((l,c)=>this.#o.map((d,m)=>{let h=this.#e.capture_rate[l][d];return C("rect",{
-x:m*n,y:c*n,width:n,height:n,fill:Zt(h),"data-pair":`${l} ${d}`})}));return a.append(...i,...this.#d(n),...this.#i("pursuer",n,o),...this.#i("evader",n,o),this.#s),
-this.#s.dataset.size=String(n),a}#d(e){return Math.max(this.#r.length,this.#o.length)>an?[]:this.#r.flatMap((r,n)=>this.#o.map((o,s)=>{let a=this.#e.capture_rate[r][o],
-[i,l,c]=Ue(a),d=.299*i+.587*l+.114*c>140?"#111":"#fff";return C("text",{x:(s+.5)*e,y:(n+.5)*e,fill:d,"font-size":Math.min(30,.32*e),class:"in-cell"},v(a))}))}#i(e,r,n){
-return(e==="pursuer"?this.#r:this.#o).map((s,a)=>{let i=(a+.5)*r,l=e==="pursuer"?{x:-6,y:i,"text-anchor":"end"}:{transform:`translate(${i} -6) rotate(-90)`,"tex\
-t-anchor":"start"};return C("text",{...l,class:`name ${this.#m(e,s).kind}`,"font-size":n,"data-name":`${e} ${s}`},ln(this.#e.names[e][s]))})}#m(e,r){return this.#e.
-standings[e].find(n=>n.number===r)}#u(e,r){let n=new DOMPoint(e.clientX,e.clientY).matrixTransform(this.#a.getScreenCTM().inverse()),[o,s]=[this.#r[Math.floor(n.
-y/r)],this.#o[Math.floor(n.x/r)]];return o===void 0||s===void 0||n.x<0||n.y<0?null:{pursuer:o,evader:s}}#h(e){let n={ArrowUp:[-1,0],ArrowDown:[1,0],ArrowLeft:[0,
--1],ArrowRight:[0,1]}[e.key];if(e.key==="Enter")this.#t.play(this.#t.pair);else if(n)this.#c(n);else return;e.preventDefault(),e.stopPropagation()}#c([e,r]){let{
+ys choose a match, Enter plays it",preserveAspectRatio:"xMidYMin meet",viewBox:`${-s} ${-s} ${r*n+s} ${e*n+s}`,onpointermove:l=>this.#t.point(this.#u(l,n)),onpointerleave:()=>this.#t.
+point(null),onclick:l=>{let c=this.#u(l,n);c&&this.#t.play(c)},onkeydown:l=>this.#h(l)}),i=this.#r.flatMap((l,c)=>this.#o.map((d,m)=>{let h=this.#e.capture_rate[l][d];
+return C("rect",{x:m*n,y:c*n,width:n,height:n,fill:Zt(h),"data-pair":`${l} ${d}`})}));return a.append(...i,...this.#d(n),...this.#i("pursuer",n,o),...this.#i("e\
+vader",n,o),this.#s),this.#s.dataset.size=String(n),a}#d(e){return Math.max(this.#r.length,this.#o.length)>an?[]:this.#r.flatMap((r,n)=>this.#o.map((o,s)=>{let a=this.#e.
+capture_rate[r][o],[i,l,c]=Ue(a),d=.299*i+.587*l+.114*c>140?"#111":"#fff";return C("text",{x:(s+.5)*e,y:(n+.5)*e,fill:d,"font-size":Math.min(30,.32*e),class:"in\
+-cell"},v(a))}))}#i(e,r,n){return(e==="pursuer"?this.#r:this.#o).map((s,a)=>{let i=(a+.5)*r,l=e==="pursuer"?{x:-6,y:i,"text-anchor":"end"}:{transform:`translate\
+(${i} -6) rotate(-90)`,"text-anchor":"start"};return C("text",{...l,class:`name ${this.#m(e,s).kind}`,"font-size":n,"data-name":`${e} ${s}`},ln(this.#e.names[e][s]))})}#m(e,r){
+return this.#e.standings[e].find(n=>n.number===r)}#u(e,r){let n=new DOMPoint(e.clientX,e.clientY).matrixTransform(this.#a.getScreenCTM().inverse()),[o,s]=[this.#r[Math.
+floor(n.y/r)],this.#o[Math.floor(n.x/r)]];return o===void 0||s===void 0||n.x<0||n.y<0?null:{pursuer:o,evader:s}}#h(e){let n={ArrowUp:[-1,0],ArrowDown:[1,0],ArrowLeft:[
+0,-1],ArrowRight:[0,1]}[e.key];if(e.key==="Enter")this.#t.play(this.#t.pair);else if(n)this.#c(n);else return;e.preventDefault(),e.stopPropagation()}#c([e,r]){let{
 pursuer:n,evader:o}=this.#t.pair,s=this.#r[this.#r.indexOf(n)+e],a=this.#o[this.#o.indexOf(o)+r];s!==void 0&&a!==void 0&&this.#t.select({pursuer:s,evader:a})}#p(){
 let{pair:e,hover:r}=this.#t,n=Number(this.#s.dataset.size),o=({pursuer:a,evader:i},l)=>C("rect",{class:l,x:this.#o.indexOf(i)*n,y:this.#r.indexOf(a)*n,width:n,height:n});
 this.#s.replaceChildren(o(e,"selected-halo"),o(e,"selected"),...r?[o(r,"hovered")]:[]);let s=r??e;for(let a of this.#a.querySelectorAll("[data-name]")){let i=[`\
 pursuer ${s.pursuer}`,`evader ${s.evader}`].includes(a.dataset.name);a.classList.toggle("about",i)}this.#n.replaceChildren(...this.#f(s))}#f({pursuer:e,evader:r}){
 let{names:n,capture_rate:o,lowest:s,highest:a,length:i,episodes:l}=this.#e,c=Xt(o[e][r],null,null),[d,m]=[v(s[e][r]),v(a[e][r])];return[u("span",{},u("span",{class:"\
 pursuer"},n.pursuer[e])," against ",u("span",{class:"evader"},n.evader[r])),u("span",{},u("strong",{},c),u("span",{class:"small muted"},` captured; ${d} to ${m}\
- in ${l} episodes of ${i[e][r].toFixed(0)} steps`))]}};function cn(){let t=u("span",{class:"gradient"});return t.style.backgroundImage=er(),t}var dn=t=>Math.max(
-...[...t.names.pursuer,...t.names.evader].map(e=>e.length));var tr=(t,e)=>t?.pursuer===e?.pursuer&&t?.evader===e?.evader,pe=class extends EventTarget{#e;#t=null;constructor(e){super(),this.#e=e}get pair(){return this.#e}get hover(){
+ in ${l} episodes, ${i[e][r].toFixed(0)} steps on average`))]}};function cn(){let t=u("span",{class:"gradient"});return t.style.backgroundImage=er(),t}var dn=t=>Math.
+max(...[...t.names.pursuer,...t.names.evader].map(e=>e.length));var tr=(t,e)=>t?.pursuer===e?.pursuer&&t?.evader===e?.evader,pe=class extends EventTarget{#e;#t=null;constructor(e){super(),this.#e=e}get pair(){return this.#e}get hover(){
 return this.#t}select(e){tr(e,this.#e)||(this.#e=e,this.dispatchEvent(new Event("pair")))}play(e){this.select(e),this.dispatchEvent(new Event("play"))}point(e){
-tr(e,this.#t)||(this.#t=e,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var rr={pursuer:"evader",evader:"pursuer"};function $e(t,e,r){let n=t.standings[e].map(a=>un(t,e,a,r)),o=e==="pursuer"?"mean capture rate":"mean escape rate",s=[
-"Rank","Name","Score","Best and worst match"];return u("section",{class:"card standings","aria-label":`Standings of ${e}s`},u("header",{},u("h2",{},u("span",{class:e},
-`${e[0].toUpperCase()}${e.slice(1)}s`)),u("p",{class:"small muted"},`Score: ${o} against all ${t.names[rr[e]].length} opponents, with its 95 % interval`)),u("di\
-v",{class:"scroll",tabindex:"0"},u("table",{},u("thead",{},u("tr",{},...s.map(a=>u("th",{scope:"col"},a)))),u("tbody",{},...n))))}function un(t,e,r,n){let{kind:o,
-name:s,file:a,rank:i,number:l}=r,c=u("tr",{class:o,"data-number":l},u("td",{class:"rank numbers"},i||"–"),u("th",{scope:"row",title:a},u("span",{class:"who"},
-s),u("span",{class:"kind small muted"},o)),u("td",{class:"numbers score"},pn(r,e),mn(r)),u("td",{class:"matches"},...["best","worst"].map(m=>hn(t,e,r,m,n)))),d=()=>{
-c.classList.toggle("about",l===(n.hover??n.pair)[e])};return n.on("pair",d),n.on("hover",d),d(),c}function mn({score:t,low:e,high:r}){let n=e===null||r===null?"":
+tr(e,this.#t)||(this.#t=e,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var rr={pursuer:"evader",evader:"pursuer"};function $e(t,e,r){let n=t.standings[e].map(a=>un(t,e,a,r)),o=e==="pursuer"?"Mean capture rate":"Mean escape rate",s=[
+"Rank","Name","Score","Best, worst match"];return u("section",{class:"card standings","aria-label":`Standings of ${e}s`},u("header",{},u("h2",{},u("span",{class:e},
+`${e[0].toUpperCase()}${e.slice(1)}s`)),u("p",{class:"small muted"},`${o} against ${t.names[rr[e]].length} opponents, with 95 % interval`)),u("div",{class:"scro\
+ll",tabindex:"0"},u("table",{},u("thead",{},u("tr",{},...s.map(a=>u("th",{scope:"col"},a)))),u("tbody",{},...n))))}function un(t,e,r,n){let{kind:o,name:s,file:a,
+rank:i,number:l}=r,c=u("tr",{class:o,"data-number":l},u("td",{class:"rank numbers"},i||"–"),u("th",{scope:"row",title:a},u("span",{class:"who",title:s},s),u("\
+span",{class:"kind small muted"},o)),u("td",{class:"numbers score"},pn(r,e),mn(r)),u("td",{class:"matches"},...["best","worst"].map(m=>hn(t,e,r,m,n)))),d=()=>{c.
+classList.toggle("about",l===(n.hover??n.pair)[e])};return n.on("pair",d),n.on("hover",d),d(),c}function mn({score:t,low:e,high:r}){let n=e===null||r===null?"":
 `${v(e)} – ${v(r)}`;return u("span",{class:"score-text"},u("strong",{},v(t)),u("span",{class:"small muted"},n))}function pn({score:t,low:e,high:r},n){let[o,s]=[
 u("span",{class:`filled of-${n}`}),u("span",{class:"whisker"})];return o.style.width=`${100*t}%`,e!==null&&r!==null&&(s.style.left=`${100*e}%`,s.style.width=`${100*
 (r-e)}%`),u("span",{class:"bar","aria-hidden":"true"},o,s)}function hn(t,e,r,n,o){let s=r[n],a=e==="pursuer"?{pursuer:r.number,evader:s}:{pursuer:s,evader:r.number},
@@ -242,17 +242,17 @@ i=t.names[rr[e]][s],l=t.capture_rate[a.pursuer][a.evader],c=v(e==="pursuer"?l:1-
 : against ${i}, ${c}`,"aria-label":`Watch the ${n} match of ${r.name}: against ${i}, ${c}`,onclick:()=>o.play(a)},n==="best"?"▲ ":"▼ ",u("span",{class:"oppo\
 nent"},i))}function nr(t){if(!t.length)return[];let e=t.map(({file:r,reason:n})=>u("div",{class:"refusal"},u("dt",{},r),u("dd",{},n)));return[u("section",{class:"\
 card refused","aria-label":"Refused"},u("header",{},u("h2",{},`Refused (${t.length})`),u("p",{class:"small muted"},"These did not play, or broke a rule while th\
-ey played; their matches count for no one.")),u("dl",{},...e))]}var S=mt(),[fn]=S.standings.pursuer,he=new pe({pursuer:fn.number,evader:S.standings.evader[0].number}),D=new ue(S,he);function yn({world:t,episodes:e,seed:r,matrixworld:n}){
+ey played; their matches count for no one.")),u("dl",{},...e))]}var M=mt(),[fn]=M.standings.pursuer,he=new pe({pursuer:fn.number,evader:M.standings.evader[0].number}),D=new ue(M,he);function yn({world:t,episodes:e,seed:r,matrixworld:n}){
 return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps} steps · ${e} episodes a pair · seed ${r} · m\
 atrixworld ${n}`}var bn=["Every pursuer played every evader from the same starts. A score is a mean over all opponents, scripts included. Scripts are the packag\
 e's own policies, for comparison; they have no rank.","A rank such as 2 to 5 means that these episodes cannot tell which of these ranks is the true one: the dif\
 ference to some others is within chance. Each range misses the true rank with a probability of at most 5 %.","Triangles pursue, discs evade; a ring is a capture\
 d evader, a star a capture, dashed cells are conflicts. Keys: Space plays, ← and → step, D changes light and dark; in the matrix arrow keys choose a match and E\
-nter plays it."];document.getElementById("page").replaceWith(u("header",{class:"top"},u("div",{},u("h1",{},S.title),u("p",{class:"muted small about"},yn(S))),u(
-"div",{class:"tools"},dt())),u("main",{class:"stages"},u("div",{class:"tables"},$e(S,"pursuer",he),$e(S,"evader",he)),new me(S,he).element,D.element),...nr(S.refusals),
+nter plays it."];document.getElementById("page").replaceWith(u("header",{class:"top"},u("div",{},u("h1",{},M.title),u("p",{class:"muted small about"},yn(M))),u(
+"div",{class:"tools"},dt())),u("main",{class:"stages"},u("div",{class:"tables"},$e(M,"pursuer",he),$e(M,"evader",he)),new me(M,he).element,D.element),...nr(M.refusals),
 u("section",{class:"card reading","aria-label":"How to read this page"},u("h2",{},"How to read this page"),...bn.map(t=>u("p",{},t))));document.addEventListener(
 "keydown",t=>{let e=t.target instanceof HTMLSelectElement||t.target instanceof HTMLInputElement,r=t.target instanceof HTMLButtonElement&&(t.key===" "||t.key==="\
-Enter");if(!(e||r||t.defaultPrevented||t.ctrlKey||t.metaKey||t.altKey)){if(t.key.toLowerCase()==="d")Se();else if(!Y(D.player,t))return;t.preventDefault()}});Object.
+Enter");if(!(e||r||t.defaultPrevented||t.ctrlKey||t.metaKey||t.altKey)){if(t.key.toLowerCase()==="d")Me();else if(!Y(D.player,t))return;t.preventDefault()}});Object.
 assign(window,{matrixworldClass:{get replay(){return D.replay},get step(){return D.player.step}}});requestAnimationFrame(()=>setTimeout(()=>{lt().then(t=>{D.start(
 t),document.body.dataset.ready="true"},t=>{D.element.prepend(u("p",{class:"problem",role:"alert"},`The engine does not start here: ${String(t)}`)),document.body.
 dataset.ready="true"})}));})();
