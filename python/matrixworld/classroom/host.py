@@ -72,7 +72,7 @@ def _be_program(connection: int, allowed: Limits, trust: bool) -> None:
         os.closerange(CONNECTION + 1, os.sysconf("SC_OPEN_MAX"))
         sys.stdin = None
         sys.stdout = sys.stderr = open(1, "w", encoding="utf-8", errors="replace", closefd=False)  # noqa: SIM115
-        limits.apply(allowed, CONNECTION + 1)
+        limits.apply(allowed, None if trust else CONNECTION + 1)
         if not trust:
             system_calls.restrict()
         policy_process.serve(CONNECTION)

@@ -45,26 +45,27 @@ class Limits:
             check_number(name, getattr(self, name), least=0.0, positive=True)
 
 
-def apply(limits: Limits, files: int) -> None:
-    """Limit this process: time, memory, files, processes. A limit cannot be raised again.
+def apply(limits: Limits, files: int | None) -> None:
+    """Limit this process. Limits cannot be raised again.
 
     Parameters
     ----------
     limits : Limits
         Time and memory.
-    files : int
-        Files that are open already; the process cannot open another one.
+    files : int or None
+        Files that are open already: the process can then open no other one, write to none, and
+        start no process. None: only time and memory are limited.
     """
     import resource
 
-    hard = {
-        "RLIMIT_AS": _address_space() + limits.memory * MIB,
-        "RLIMIT_CORE": 0,
-        "RLIMIT_FSIZE": 0,  # of regular files; connections and /dev/null have no size
-        "RLIMIT_MEMLOCK": 0,
-        "RLIMIT_NOFILE": files,
-        "RLIMIT_NPROC": 0,  # not for root, whom the system call filter stops
-    }
+    hard = {"RLIMIT_AS": _address_space() + limits.memory * MIB, "RLIMIT_CORE": 0}
+    if files is not None:
+        hard |= {
+            "RLIMIT_FSIZE": 0,  # of regular files; connections and /dev/null have no size
+            "RLIMIT_MEMLOCK": 0,
+            "RLIMIT_NOFILE": files,
+            "RLIMIT_NPROC": 0,  # not for root, which the filter of system calls stops
+        }
     for name, value in hard.items():
         # macOS lacks some of them, and refuses a limit of the address space.
         if hasattr(resource, name) and not (name == "RLIMIT_AS" and sys.platform == "darwin"):

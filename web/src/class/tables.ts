@@ -69,7 +69,7 @@ function matchButton(data: Data, team: Team, standing: Standing, which: "best" |
     type: "button", class: "to-match", title: `Watch the ${which} match: against ${opponent}, ${value}`,
     "aria-label": `Watch the ${which} match of ${standing.name}: against ${opponent}, ${value}`,
     onclick: () => store.play(pair),
-  }, which === "best" ? "▲ " : "▼ ", html("span", { class: "opponent" }, opponent));
+  }, which === "best" ? "▲ " : "▼ ", opponent);
 }
 
 /** Return the list of what was refused; nothing if all could play. */
