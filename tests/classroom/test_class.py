@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from class_submissions import (
+    ACTS,
     HARMLESS_ATTACKS,
     REFUSED_PROGRAMS,
     honest_programs,
@@ -31,7 +32,8 @@ pytestmark = pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
 CONFIG = WorldConfig("O", rows=8, cols=8, n_pursuers=2, n_evaders=2, max_steps=10)
 HOSTILE = (
     "endless", "memory", "fork bomb", "subprocess", "writes", "reads", "socket", "exits",
-    "segfault", "shape", "dtype", "range", "raises", "kills parent", "writes protocol", "deep source", "thread",
+    "segfault", "shape", "dtype", "range", "raises", "kills parent", "writes protocol", "thread",
+    "deep source",
 )  # fmt: skip
 """Attacks of the class; test_sandbox.py has all of them."""
 ENTRIES = {"program": 14, "genome": 4}
@@ -233,7 +235,7 @@ def test_trusted_programs_have_limits_but_no_filter(tmp_path: Path) -> None:
     write_programs(
         tmp_path,
         {
-            "reads": reads + HARMLESS_ATTACKS["catches"],
+            "reads": reads + ACTS + "return 0",
             "endless": "while True: pass",
             "writes": f"open({str(mark)!r}, 'w').write('x' * 100)",
             "forks": "import os\nif os.fork() == 0:\n    while True: pass\nraise OSError",

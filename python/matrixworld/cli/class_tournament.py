@@ -21,6 +21,7 @@ from matrixworld.cli.options import (
     SectionedCommand,
     force_option,
     json_option,
+    option_name,
     refuse_existing,
     seed_option,
     threads_option,
@@ -169,9 +170,14 @@ def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
             if isinstance(settings["obstacles"], float):
                 settings[side] = SIZE
     try:
-        return WorldConfig.of(variant, **settings), Limits(**limits)
-    except (TypeError, ValueError) as error:
+        config = WorldConfig.of(variant, **settings)
+    except (OSError, TypeError, ValueError) as error:
         raise click.UsageError(in_options(str(error))) from error
+    try:
+        return config, Limits(**limits)
+    except ValueError as error:
+        name, _, rest = str(error).partition(":")
+        raise click.UsageError(f"{option_name(name)}:{rest}") from error
 
 
 def _print(result: ClassResult, tables: dict[Team, list[Standing]]) -> None:
