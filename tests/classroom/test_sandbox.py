@@ -14,6 +14,7 @@ from class_submissions import ACTS, HARMLESS_ATTACKS, REFUSED_PROGRAMS, honest_p
 from matrixworld import WorldConfig
 from matrixworld.classroom import Entry, Limits, Refusal
 from matrixworld.classroom.admission import admit
+from matrixworld.classroom.host import NOT_CONFINED
 from matrixworld.classroom.referee import Referee
 from matrixworld.classroom.seat import CAN_FORK
 from matrixworld.classroom.submissions import Submission
@@ -27,6 +28,7 @@ LIMITS = Limits(seconds=1, wait=2.0, memory=128)
 @pytest.fixture(scope="module")
 def referee() -> Iterator[Referee]:
     with Referee(CONFIG, seed=0, limits=LIMITS, trust=False, threads=1, programs=True) as made:
+        assert made.problem != NOT_CONFINED
         if made.problem:
             pytest.skip(made.problem)
         yield made

@@ -25,7 +25,7 @@ from matrixworld.classroom.limits import Limits
 CONNECTION = 3
 """The only open file of a program's process beside /dev/null, which is 0, 1 and 2."""
 LONGEST_COMMAND = 4096
-END = b"end"
+NOT_CONFINED = "files can still be opened in spite of the filter"
 
 
 def main() -> None:
@@ -88,7 +88,7 @@ def _problem() -> str:
         try:
             system_calls.restrict()
             os.open(os.devnull, os.O_RDONLY)
-            os.write(writable, b"files can still be opened")
+            os.write(writable, NOT_CONFINED.encode())
         except PermissionError:
             pass  # as it has to be; installing the filter raises other errors
         except OSError as error:
