@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
@@ -205,6 +206,27 @@ def test_directories_of_students(tmp_path: Path) -> None:
     assert [(each.file, each.reason) for each in result.refusals] == [
         ("bo/deeper", "expected a file, got a directory")
     ]
+
+
+def test_submissions_with_names_of_modules_are_not_imported(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    names = ("random", "numpy", "json", "matrixworld", "jinja2", "scipy", "sitecustomize")
+    mark = tmp_path / "mark"
+    text = f"try:\n    open({str(mark)!r}, 'w')\nexcept OSError:\n    pass\n" + ACTS + "return 0\n"
+    directory = tmp_path / "class"
+    directory.mkdir()
+    write_programs(directory, dict.fromkeys(names, text))
+    monkeypatch.chdir(directory)
+    result = small(Path())
+    assert len([e for e in result.entries["pursuer"] if e.file]) == len(names)
+    assert not mark.exists()
+    for place in (str(directory), ""):
+        with monkeypatch.context() as patched:
+            patched.setattr("sys.path", [place, *sys.path])
+            with pytest.raises(ValueError, match="directory from which Python imports nothing"):
+                small(Path())
+    assert not mark.exists()
 
 
 def test_nothing_that_can_play_is_an_error_with_all_reasons(tmp_path: Path) -> None:

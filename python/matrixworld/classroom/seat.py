@@ -8,16 +8,19 @@ import signal
 import socket
 import subprocess
 import sys
+import sysconfig
 import time
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import asdict, dataclass
+from pathlib import Path
 from types import TracebackType
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+import matrixworld
 from matrixworld.classroom.limits import Limits
 from matrixworld.classroom.wire import (
     ACTIONS,
@@ -96,7 +99,10 @@ class Seat:
 
     def ready(self) -> str:
         """Wait for the host; return why programs cannot be confined here, empty if they can."""
-        problem: str = self._reply()["problem"]
+        try:
+            problem: str = self._reply()["problem"]
+        except RefusedError:
+            return "the process that starts them has ended"
         return problem
 
     def _reply(self) -> dict[str, Any]:
@@ -155,9 +161,14 @@ class Seat:
 def _environment() -> dict[str, str]:
     """Return the environment of a host: nothing of the user's."""
     kept = {name: os.environ[name] for name in ("LD_LIBRARY_PATH",) if name in os.environ}
+    # Not sys.path, which may begin with the directory of the submissions: a file random.py of a
+    # student would be imported by the host.
+    packages = {str(Path(file).parents[1]) for file in (matrixworld.__file__, np.__file__) if file}
+    own = packages - {sysconfig.get_path("purelib"), sysconfig.get_path("platlib")}
     return {
         **kept,
-        "PYTHONPATH": os.pathsep.join(filter(None, sys.path)),
+        "PYTHONPATH": os.pathsep.join(sorted(own)),
+        "PYTHONSAFEPATH": "1",  # nor the directory where it starts; from Python 3.11 on
         "PYTHONHASHSEED": "0",  # sets of text have the same order in every match
         "OPENBLAS_NUM_THREADS": "1",
         "OMP_NUM_THREADS": "1",

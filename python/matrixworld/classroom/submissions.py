@@ -7,6 +7,7 @@ learning platforms pack them. Files are read here and never run; links are not f
 from __future__ import annotations
 
 import hashlib
+import sys
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -130,8 +131,14 @@ def read_submissions(directory: Path) -> tuple[list[Submission], list[Refusal]]:
     OSError
         If the directory cannot be read.
     ValueError
-        If it holds more than `MOST_FILES` files.
+        If it holds more than `MOST_FILES` files, or if Python imports modules from it: a submission
+        of the name of a module would run here.
     """
+    if any(Path(place).resolve() == directory.resolve() for place in sys.path):
+        raise ValueError(
+            f"{directory}: expected a directory from which Python imports nothing, got one of "
+            f"sys.path; start Python elsewhere"
+        )
     submissions: list[Submission] = []
     refusals: list[Refusal] = []
     for number, (name, path) in enumerate(_files(directory)):
