@@ -12,7 +12,7 @@ const OTHER: Readonly<Record<Team, Team>> = { pursuer: "evader", evader: "pursue
 export function standingsTable(data: Data, team: Team, store: Store): HTMLElement {
   const rows = data.standings[team].map((standing) => row(data, team, standing, store));
   const score = team === "pursuer" ? "Mean capture rate" : "Mean escape rate";
-  const heads = ["Rank", "Name", "Score", "Best, worst match"];
+  const heads = ["Rank", "Name", "Score", "Best, worst"];
   return html(
     "section", { class: "card standings", "aria-label": `Standings of ${team}s` },
     html("header", {}, html("h2", {}, html("span", { class: team }, `${team[0]!.toUpperCase()}${team.slice(1)}s`)),

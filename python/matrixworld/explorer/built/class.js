@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources 9215e80ec140f6b373e9e10a88ba0ae2bf1d9a43999fada63d603ffe0b8fe35b */
+/* built from web/ by "npm run build"; sources 637dcc609ddcbfe705272d79515cbc7778461d40c614fda4d0efe9b586fdd0d8 */
 "use strict";(()=>{var ar={now:()=>performance.now(),request:t=>requestAnimationFrame(t),cancel:t=>cancelAnimationFrame(t)},F=[.5,1,2,4,8,16,32,64],J=class extends EventTarget{#e;#t;#r;#o;#n=0;#a=0;#s=!1;#l=null;#d=0;glide=.28;constructor(e,r={}){
 super(),this.#e=e,this.#t=r.speed??4,this.#o=r.still??!1,this.#r=r.clock??ar}get step(){return this.#n}get time(){return this.#o?this.#n:this.#a}get arrived(){return this.#a===
 this.#n}get playing(){return this.#s}get length(){return this.#e}set length(e){this.#e=e,this.#n>e&&this.jump(e),this.#c("state")}get speed(){return this.#t}set speed(e){
@@ -229,20 +229,20 @@ pursuer"},n.pursuer[e])," against ",u("span",{class:"evader"},n.evader[r])),u("s
 max(...[...t.names.pursuer,...t.names.evader].map(e=>e.length));var tr=(t,e)=>t?.pursuer===e?.pursuer&&t?.evader===e?.evader,pe=class extends EventTarget{#e;#t=null;constructor(e){super(),this.#e=e}get pair(){return this.#e}get hover(){
 return this.#t}select(e){tr(e,this.#e)||(this.#e=e,this.dispatchEvent(new Event("pair")))}play(e){this.select(e),this.dispatchEvent(new Event("play"))}point(e){
 tr(e,this.#t)||(this.#t=e,this.dispatchEvent(new Event("hover")))}on(e,r){this.addEventListener(e,r)}};var rr={pursuer:"evader",evader:"pursuer"};function $e(t,e,r){let n=t.standings[e].map(s=>un(t,e,s,r)),o=e==="pursuer"?"Mean capture rate":"Mean escape rate",a=[
-"Rank","Name","Score","Best, worst match"];return u("section",{class:"card standings","aria-label":`Standings of ${e}s`},u("header",{},u("h2",{},u("span",{class:e},
-`${e[0].toUpperCase()}${e.slice(1)}s`)),u("p",{class:"small muted"},`${o} against ${t.names[rr[e]].length} opponents, with 95 % interval`)),u("div",{class:"scro\
-ll",tabindex:"0"},u("table",{},u("thead",{},u("tr",{},...a.map(s=>u("th",{scope:"col"},s)))),u("tbody",{},...n))))}function un(t,e,r,n){let{kind:o,name:a,file:s,
-rank:i,number:l}=r,c=u("tr",{class:o,"data-number":l},u("td",{class:"rank numbers"},i||"–"),u("th",{scope:"row",title:s},u("span",{class:"who",title:a},a),u("\
-span",{class:"kind small muted"},o)),u("td",{class:"numbers score"},pn(r,e),mn(r)),u("td",{class:"matches"},...["best","worst"].map(m=>hn(t,e,r,m,n)))),d=()=>{c.
-classList.toggle("about",l===(n.hover??n.pair)[e])};return n.on("pair",d),n.on("hover",d),d(),c}function mn({score:t,low:e,high:r}){let n=e===null||r===null?"":
-`${v(e)} – ${v(r)}`;return u("span",{class:"score-text"},u("strong",{},v(t)),u("span",{class:"small muted"},n))}function pn({score:t,low:e,high:r},n){let[o,a]=[
-u("span",{class:`filled of-${n}`}),u("span",{class:"whisker"})];return o.style.width=`${100*t}%`,e!==null&&r!==null&&(a.style.left=`${100*e}%`,a.style.width=`${100*
-(r-e)}%`),u("span",{class:"bar","aria-hidden":"true"},o,a)}function hn(t,e,r,n,o){let a=r[n],s=e==="pursuer"?{pursuer:r.number,evader:a}:{pursuer:a,evader:r.number},
-i=t.names[rr[e]][a],l=t.capture_rate[s.pursuer][s.evader],c=v(e==="pursuer"?l:1-l);return u("button",{type:"button",class:"to-match",title:`Watch the ${n} match\
-: against ${i}, ${c}`,"aria-label":`Watch the ${n} match of ${r.name}: against ${i}, ${c}`,onclick:()=>o.play(s)},n==="best"?"▲ ":"▼ ",i)}function nr(t){if(!t.
-length)return[];let e=t.map(({file:r,reason:n})=>u("div",{class:"refusal"},u("dt",{},r),u("dd",{},n)));return[u("section",{class:"card refused","aria-label":"Re\
-fused"},u("header",{},u("h2",{},`Refused (${t.length})`),u("p",{class:"small muted"},"These did not play, or broke a rule while they played; their matches count\
- for no one.")),u("dl",{},...e))]}var M=mt(),[fn]=M.standings.pursuer,he=new pe({pursuer:fn.number,evader:M.standings.evader[0].number}),D=new ue(M,he);function yn({world:t,episodes:e,seed:r,matrixworld:n}){
+"Rank","Name","Score","Best, worst"];return u("section",{class:"card standings","aria-label":`Standings of ${e}s`},u("header",{},u("h2",{},u("span",{class:e},`${e[0].
+toUpperCase()}${e.slice(1)}s`)),u("p",{class:"small muted"},`${o} against ${t.names[rr[e]].length} opponents, with 95 % interval`)),u("div",{class:"scroll",tabindex:"\
+0"},u("table",{},u("thead",{},u("tr",{},...a.map(s=>u("th",{scope:"col"},s)))),u("tbody",{},...n))))}function un(t,e,r,n){let{kind:o,name:a,file:s,rank:i,number:l}=r,
+c=u("tr",{class:o,"data-number":l},u("td",{class:"rank numbers"},i||"–"),u("th",{scope:"row",title:s},u("span",{class:"who",title:a},a),u("span",{class:"kind \
+small muted"},o)),u("td",{class:"numbers score"},pn(r,e),mn(r)),u("td",{class:"matches"},...["best","worst"].map(m=>hn(t,e,r,m,n)))),d=()=>{c.classList.toggle("\
+about",l===(n.hover??n.pair)[e])};return n.on("pair",d),n.on("hover",d),d(),c}function mn({score:t,low:e,high:r}){let n=e===null||r===null?"":`${v(e)} – ${v(r)}`;
+return u("span",{class:"score-text"},u("strong",{},v(t)),u("span",{class:"small muted"},n))}function pn({score:t,low:e,high:r},n){let[o,a]=[u("span",{class:`fil\
+led of-${n}`}),u("span",{class:"whisker"})];return o.style.width=`${100*t}%`,e!==null&&r!==null&&(a.style.left=`${100*e}%`,a.style.width=`${100*(r-e)}%`),u("spa\
+n",{class:"bar","aria-hidden":"true"},o,a)}function hn(t,e,r,n,o){let a=r[n],s=e==="pursuer"?{pursuer:r.number,evader:a}:{pursuer:a,evader:r.number},i=t.names[rr[e]][a],
+l=t.capture_rate[s.pursuer][s.evader],c=v(e==="pursuer"?l:1-l);return u("button",{type:"button",class:"to-match",title:`Watch the ${n} match: against ${i}, ${c}`,
+"aria-label":`Watch the ${n} match of ${r.name}: against ${i}, ${c}`,onclick:()=>o.play(s)},n==="best"?"▲ ":"▼ ",i)}function nr(t){if(!t.length)return[];let e=t.
+map(({file:r,reason:n})=>u("div",{class:"refusal"},u("dt",{},r),u("dd",{},n)));return[u("section",{class:"card refused","aria-label":"Refused"},u("header",{},u(
+"h2",{},`Refused (${t.length})`),u("p",{class:"small muted"},"These did not play, or broke a rule while they played; their matches count for no one.")),u("dl",{},
+...e))]}var M=mt(),[fn]=M.standings.pursuer,he=new pe({pursuer:fn.number,evader:M.standings.evader[0].number}),D=new ue(M,he);function yn({world:t,episodes:e,seed:r,matrixworld:n}){
 return`${t.n_pursuers} pursuers and ${t.n_evaders} evaders on ${t.rows} x ${t.cols} cells, at most ${t.max_steps} steps · ${e} episodes a pair · seed ${r} · m\
 atrixworld ${n}`}var bn=["Every pursuer played every evader from the same starts. A score is a mean over all opponents, scripts included. Scripts are the packag\
 e's own policies, for comparison; they have no rank.","A rank such as 2 to 5 means that these episodes cannot tell which of these ranks is the true one: the dif\
