@@ -6,7 +6,6 @@ import re
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +17,7 @@ from class_submissions import (
     HARMLESS_ATTACKS,
     REFUSED_PROGRAMS,
     honest_programs,
+    processes_of_programs,
     write_genomes,
     write_hostile_files,
     write_programs,
@@ -96,16 +96,7 @@ def test_nothing_is_written_and_no_process_is_left(
 ) -> None:
     _, before, _ = played
     assert {path.name for path in directory.iterdir()} == before
-    assert hosts() == []
-
-
-def hosts() -> list[str]:
-    """Commands of all processes that hold, or held, programs."""
-    found = []
-    for path in Path("/proc").glob("[0-9]*/cmdline"):
-        with suppress(OSError):  # it has just ended
-            found.append(path.read_text())
-    return [command for command in found if "classroom.host" in command]
+    assert processes_of_programs() == []
 
 
 def test_stronger_policies_have_higher_scores(
@@ -276,7 +267,7 @@ def test_trusted_programs_have_limits_but_no_filter(tmp_path: Path) -> None:
         "kills",
     }
     assert mark.stat().st_size == 100
-    assert hosts() == []
+    assert processes_of_programs() == []
 
 
 def test_an_interruption_ends_all_processes(tmp_path: Path) -> None:
@@ -301,6 +292,6 @@ def test_an_interruption_ends_all_processes(tmp_path: Path) -> None:
     with pytest.raises(KeyboardInterrupt):
         small(tmp_path, threads=2, progress=Progress)
     time.sleep(0.2)
-    assert hosts() == []
+    assert processes_of_programs() == []
     with ThreadPoolExecutor(1) as pool:  # the interpreter can still make threads
         assert pool.submit(int).result() == 0

@@ -10,7 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from class_submissions import ACTS, HARMLESS_ATTACKS, REFUSED_PROGRAMS, honest_programs
+from class_submissions import (
+    ACTS,
+    HARMLESS_ATTACKS,
+    REFUSED_PROGRAMS,
+    honest_programs,
+    processes_of_programs,
+)
 from matrixworld import WorldConfig
 from matrixworld.classroom import Entry, Limits, Refusal
 from matrixworld.classroom.admission import admit
@@ -44,7 +50,7 @@ def test_a_program_that_breaks_a_rule_is_refused(
     referee: Referee, name: str, tmp_path: Path
 ) -> None:
     (tmp_path / "student 00.py").write_text("")
-    before = children()
+    before = processes_of_programs()
     text, reason = REFUSED_PROGRAMS[name]
     text = text.replace("{mark}", str(tmp_path / "mark")).replace("{directory}", str(tmp_path))
     began = time.monotonic()
@@ -54,7 +60,7 @@ def test_a_program_that_breaks_a_rule_is_refused(
     assert len(refusal.reason) < 400
     assert time.monotonic() - began < 20.0
     assert [path.name for path in tmp_path.iterdir()] == ["student 00.py"]
-    assert children() == before
+    assert processes_of_programs() == before
 
 
 @pytest.mark.parametrize("name", HARMLESS_ATTACKS)
@@ -120,18 +126,3 @@ def test_honest_programs_play_both_teams(referee: Referee) -> None:
         assert refusals == []
         teams.append([entry.team for entry in entries])
     assert teams == [["pursuer"], ["evader"], ["pursuer", "evader"], ["pursuer", "evader"]]
-
-
-def children() -> list[str]:
-    """Processes below this one, without those that have ended."""
-    found = []
-    for entry in Path("/proc").iterdir() if Path("/proc").is_dir() else ():
-        if entry.name.isdigit():
-            try:
-                status = (entry / "stat").read_text().rpartition(")")[2].split()
-                command = (entry / "cmdline").read_text()
-            except OSError:
-                continue
-            if "matrixworld.classroom.host" in command and status[0] != "Z":
-                found.append(f"{entry.name} {status[1]}")
-    return sorted(found)

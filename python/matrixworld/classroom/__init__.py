@@ -10,7 +10,8 @@ admission.py        who may play: programs are loaded and tried
 round_robin.py      ``play_class``: every pursuer against every evader
 referee.py          the conditions that are the same for all matches
 match.py            one match
-seat.py             the place of a program in a match, on the side of the teacher
+program.py          a program during a match: what it is told and answers
+seat.py             the place of a program in a match: a host, which makes its process
 wire.py             messages between the two sides
 host.py             the process that makes processes of programs
 policy_process.py   the process of a program

@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.classroom.limits import Limits
-from matrixworld.classroom.seat import Program, RefusedError, Seat
+from matrixworld.classroom.program import Program
+from matrixworld.classroom.seat import RefusedError, Seat
 from matrixworld.classroom.submissions import Entry
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
@@ -106,14 +107,7 @@ def play_match(
     if not isinstance(pursuers.policy, bytes) and not isinstance(evaders.policy, bytes):
         return _in_engine(config, pursuers.policy, evaders.policy, seed, episodes)
     entries: dict[Team, Entry] = {"pursuer": pursuers, "evader": evaders}
-    steps: list[NDArray[np.uint8]] = []
-    lengths = np.zeros(episodes, np.int64)
-
-    def note(actions: NDArray[np.int64], running: NDArray[np.bool_]) -> None:
-        lengths[running] += 1
-        if running[0]:
-            steps.append(actions[0].astype(np.uint8))
-
+    noted = _Record(episodes)
     programs: dict[Team, Program] = {}
     deciders: list[Decide] = []
     with ExitStack() as stack:
@@ -129,9 +123,23 @@ def play_match(
                 )
             stack.callback(programs[team].close)
             deciders.append(_asking(team, programs[team]))
-        rates = play_episodes(config, *deciders, seed=seed, episodes=episodes, on_round=note)
+        rates = play_episodes(config, *deciders, seed=seed, episodes=episodes, on_round=noted.note)
     seconds = {team: program.seconds for team, program in programs.items()}
-    return Played(rates, lengths, np.stack(steps), seconds)
+    return Played(rates, noted.lengths, np.stack(noted.steps), seconds)
+
+
+class _Record:
+    """Lengths of the episodes of a match, and the actions of the first one."""
+
+    def __init__(self, episodes: int) -> None:
+        self.lengths = np.zeros(episodes, np.int64)
+        self.steps: list[NDArray[np.uint8]] = []
+
+    def note(self, actions: NDArray[np.int64], running: NDArray[np.bool_]) -> None:
+        """Note a round."""
+        self.lengths[running] += 1
+        if running[0]:
+            self.steps.append(actions[0].astype(np.uint8))
 
 
 def program_settings(

@@ -10,7 +10,8 @@ from types import TracebackType
 
 from matrixworld.classroom.limits import Limits
 from matrixworld.classroom.match import Played, Seats, play_match, program_settings
-from matrixworld.classroom.seat import CAN_FORK, NO_FORK, Program, Seat
+from matrixworld.classroom.program import Program
+from matrixworld.classroom.seat import CAN_FORK, NO_FORK, Seat
 from matrixworld.classroom.submissions import Entry
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.config import WorldConfig
