@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-from matrixworld.cli.arguments import find_runs
+from matrixworld.cli.arguments import find_runs, run_of
 from matrixworld.cli.console import note
 from matrixworld.cli.jobs import Result, open_result
 from matrixworld.coevolution.many.job import open_job
@@ -26,6 +26,15 @@ Unfinished = Mapping[Path, RaceSettings | SingleSettings]
 def of_seeds(paths: Collection[Path]) -> bool:
     """Return whether all paths are runs of a job of several seeds, ``seed-<n>``."""
     return all(re.fullmatch(r"seed-\d+", path.name) for path in paths)
+
+
+def run_or_seeds(ctx: click.Context, param: click.Parameter, value: str) -> list[Path]:
+    """Return the run of a directory, or all runs of a job of several seeds."""
+    runs = find_runs(Path(value))
+    if len(runs) > 1 and of_seeds(runs):
+        return runs
+    run = run_of(ctx, param, value)
+    return [] if run is None else [run]
 
 
 def finished_runs(paths: Sequence[Path]) -> tuple[list[Result], Unfinished]:
