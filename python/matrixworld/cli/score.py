@@ -92,8 +92,9 @@ def score_command(
             teams = {f"{team}s": each.to_json() for team, each in scores.items()}
             write_json(json_file, {"run": str(runs[0]), "seed": seed, **teams})
             return
-        finished = [run.path for run in finished_runs(runs)[0]]
-        groups = scored_groups(runs, _play_all(finished, play))
+        finished, unfinished = finished_runs(runs)
+        played = _play_all([run.path for run in finished], play)
+        groups = scored_groups(finished, unfinished, played)
         for group in groups:
             print_scored(group)
         click.echo()

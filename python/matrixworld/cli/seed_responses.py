@@ -10,7 +10,8 @@ import click
 
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.cli.console import print_table, print_wrapped
-from matrixworld.cli.run_groups import by_settings, finished_runs, name_and_missing
+from matrixworld.cli.jobs import Result
+from matrixworld.cli.run_groups import Unfinished, by_settings, name_and_missing
 from matrixworld.cli.seed_tables import shown
 from matrixworld.coevolution import BestResponse
 
@@ -47,18 +48,19 @@ class RespondedGroup:
 
 
 def responded_groups(
-    paths: Sequence[Path], played: Mapping[Path, BestResponse]
+    runs: Sequence[Result], unfinished: Unfinished, played: Mapping[Path, BestResponse]
 ) -> list[RespondedGroup]:
     """Return the groups of finished runs with the responses to their champions.
 
     Parameters
     ----------
-    paths : sequence of Path
-        All runs of the job, finished or not.
+    runs : sequence of Result
+        The finished runs.
+    unfinished : mapping of Path to settings
+        Settings of the other runs of the job.
     played : mapping of Path to BestResponse
         Responses by the directory of the champion's run.
     """
-    runs, unfinished = finished_runs(paths)
     groups = []
     for group in by_settings(runs):
         name, missing = name_and_missing(group, unfinished)
