@@ -92,7 +92,7 @@ def _problem() -> str:
         except PermissionError:
             pass  # as it has to be; installing the filter raises other errors
         except OSError as error:
-            os.write(writable, str(error).encode())
+            os.write(writable, (error.strerror or str(error)).encode())
         finally:
             os._exit(0)
     os.close(writable)
