@@ -142,7 +142,12 @@ REFUSED_PROGRAMS: dict[str, tuple[str, str]] = {
     ),
     # Not what was asked for.
     "no function": ("def chase(view, rng): return 0", "expected a function pursue"),
-    "parameters": ("def pursue(view): return 0", "got 1 parameter"),
+    "parameters": (
+        "def pursue(view): return 0",
+        r"or pursue\(view, rng, memory\), got pursue\(view\)",
+    ),
+    "null byte": ("x = 1\0", "^SyntaxError: source code"),
+    "generator": (ACTS + "yield 1", "pursue returned a generator, expected an action"),
     "no python": ("def pursue(view, rng) return 0", "line 1: SyntaxError"),
     "imports torch": ("import torch", "No module named 'torch' .docs/class.md lists"),
 }

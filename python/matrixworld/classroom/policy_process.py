@@ -34,7 +34,6 @@ FUNCTIONS = {"pursuer": "pursue", "evader": "evade"}
 """The function of a program that plays for a team."""
 FILE = "<submission>"
 """Name of the program in the frames of its functions."""
-PARAMETERS = ("view", "rng", "memory")
 
 MODULES = (
     "abc", "array", "bisect", "cmath", "collections.abc", "contextlib", "copy", "dataclasses",
@@ -140,18 +139,23 @@ def _callable(name: str, names: Mapping[str, Any], rng: np.random.Generator) -> 
     function = names.get(name)
     if not callable(function):
         raise PolicyError(f"expected a function {name}(view, rng), got none")
-    try:
-        count = len(inspect.signature(function).parameters)
-    except (TypeError, ValueError):
-        count = 2
-    if count == 2:
+    required = _required(function)
+    if len(required) == 2:
         return lambda number, view: function(view, rng)
-    if count == 3:
+    if len(required) == 3:
         memories: dict[int, dict[Any, Any]] = {}
         return lambda number, view: function(view, rng, memories.setdefault(number, {}))
-    raise PolicyError(
-        f"expected {name}(view, rng) or {name}(view, rng, memory), got {count} parameters"
-    )
+    expected = f"{name}(view, rng) or {name}(view, rng, memory)"
+    raise PolicyError(f"expected {expected}, got {name}({', '.join(required)})")
+
+
+def _required(function: Callable[..., Any]) -> list[str]:
+    """Return the parameters of a function that have no default."""
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):  # functions of libraries may tell none
+        return ["view", "rng"]
+    return [each.name for each in parameters if each.default is each.empty]
 
 
 def _action(name: str, value: Any, n_actions: int) -> int:
@@ -194,7 +198,8 @@ def _text(error: BaseException) -> str:
     if isinstance(error, PolicyError):
         return str(error)
     if isinstance(error, SyntaxError):
-        return f"line {error.lineno}: SyntaxError: {error.msg}"
+        place = f"line {error.lineno}: " if error.lineno else ""
+        return f"{place}SyntaxError: {error.msg}"
     line = _line(error)
     place = f"line {line}: " if line else ""
     if isinstance(error, SystemExit):
