@@ -27,12 +27,13 @@ from matrixworld.cli.options import (
     threads_option,
     write_json,
 )
-from matrixworld.cli.setting_options import SettingOption, in_options, obstacles_of
+from matrixworld.cli.setting_options import SettingOption, in_options, world_options
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.config import WorldConfig
 from matrixworld.explorer.page import write_page
 
 DEFAULTS = Limits()
+VARIANT = "O"
 SIZE = 16
 """Rows and columns of the grid, if no map gives them."""
 SIZE_DEFAULT = f"[default: {SIZE}, or that of the map]"
@@ -83,20 +84,11 @@ def _limit(name: str, **attributes: Any) -> Decorator[Any]:
 @json_option
 @force_option
 @threads_option
-@_world("--variant", default="O", type=str.upper, metavar="NAME", help="game variant")
+@world_options("variant", "obstacles", "fov", "diagonal")
 @_world("--rows", type=int, metavar="INTEGER", help=f"rows of the grid  {SIZE_DEFAULT}")
 @_world("--cols", type=int, metavar="INTEGER", help=f"columns of the grid  {SIZE_DEFAULT}")
 @_world("--pursuers", default=4, type=int, metavar="INTEGER", help="number of pursuers")
 @_world("--evaders", default=4, type=int, metavar="INTEGER", help="number of evaders")
-@_world(
-    "--obstacles",
-    default="0",
-    callback=obstacles_of,
-    metavar="DENSITY|FILE",
-    help="density of obstacles in [0, 1), or a MovingAI .map file",
-)
-@_world("--fov", default=11, type=int, metavar="INTEGER", help="side of an agent's view; odd")
-@_world("--diagonal", is_flag=True, help="allow diagonal moves: actions 0 to 8 instead of 0 to 4")
 @_world("--steps", default=100, type=int, metavar="INTEGER", help="most steps of an episode")
 @_limit("--seconds", type=int, help="processor time of a match, in seconds")
 @_limit("--wait", type=float, help="time by the clock of one answer, in seconds")
@@ -161,14 +153,11 @@ def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
     """Return the world and the limits that the options ask for."""
     limits = {name: options.pop(name) for name in ("seconds", "wait", "in_all", "memory")}
     names = {"pursuers": "n_pursuers", "evaders": "n_evaders", "steps": "max_steps"}
-    variant = options.pop("variant")
-    settings = {names.get(name, name): value for name, value in options.items()}
-    for side in ("rows", "cols"):
-        if settings[side] is None:
-            # Without a size, that of the map.
-            del settings[side]
-            if isinstance(settings["obstacles"], float):
-                settings[side] = SIZE
+    variant = options.pop("variant") or VARIANT
+    # What is not given has the default of a world; the size of the grid may be that of a map.
+    settings = {names.get(name, name): each for name, each in options.items() if each is not None}
+    if not isinstance(settings.get("obstacles"), str):
+        settings = {"rows": SIZE, "cols": SIZE, **settings}
     try:
         config = WorldConfig.of(variant, **settings)
     except (OSError, TypeError, ValueError) as error:
