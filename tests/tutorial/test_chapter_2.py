@@ -95,11 +95,7 @@ def test_wrong_rewards(answer: Any, expected: str) -> None:
     assert "-12.05" not in text
 
 
-def test_the_reply_to_a_tenth_more_is_about_neighbours() -> None:
-    assert "beside it" in reply("2.2", [-12.05, -12.05, 10.05, -10.05, -12.05])
-
-
-def test_the_published_and_the_paper_s_rewards_of_the_market_are_sums_of_the_table() -> None:
+def test_rewards_of_the_market_are_sums_of_the_rows_of_the_table() -> None:
     world = drawn_world("O", MARKET)
     rewards = world.step([EAST, WEST, EAST, STAY, EAST])
     assert rewards.tolist() == pytest.approx([-12.05, -12.05, 9.95, -10.05, -12.05])

@@ -1,4 +1,4 @@
-"""Small worlds of the first notebooks: a pack of pursuers alone, and a step as two pictures."""
+"""Small worlds of the first notebooks: a step as a picture, and pursuers alone on a square."""
 
 from __future__ import annotations
 
@@ -100,10 +100,25 @@ def plan(world: World, actions: ArrayLike, title: str = "planned moves") -> Pict
     -------
     Picture
         Agents carry their numbers, and arrows show their moves.
+
+    Raises
+    ------
+    ValueError
+        If there is not one action for each agent, or an action is no number from 0 to 4.
+    TypeError
+        If the actions are not integers.
     """
+    chosen = integers("actions", actions)
+    if chosen.shape != (world.config.n_agents,):
+        raise ValueError(
+            f"actions: expected {world.config.n_agents} (agents), got shape {chosen.shape}"
+        )
+    unknown = set(chosen.tolist()) - set(MOVES)
+    if unknown:
+        raise ValueError(f"actions: expected 0 to 4, got {min(unknown)}")
     canvas = Image.fromarray(render.rgb(world.scene(title), cell=CELL, numbers=True))
     layout = Layout.of(world.map.shape, CELL, least=CELL)
-    moves = zip(world.positions.tolist(), integers("actions", actions).tolist(), strict=True)
+    moves = zip(world.positions.tolist(), chosen.tolist(), strict=True)
     for agent, ((row, col), action) in enumerate(moves):
         if world.alive[agent] and action:
             _draw_arrow(ImageDraw.Draw(canvas), layout.centre(row, col), MOVES[Action(action)])
