@@ -214,7 +214,7 @@ EXERCISES: Mapping[str, Exercise | Prediction] = {
         "the pursuer is stopped. Under such rules pursuers have to surround an evader.",
     ),
     "1.d": Prediction(
-        ABC,
+        ("a", "b", "c", "d"),
         "c",
         "Where all move at once, the evader is gone when the pursuer arrives. Where agents take "
         "turns, the pursuer arrives while the evader still has to wait for its turn.",
