@@ -27,7 +27,11 @@ def run(path: Path) -> None:
     notebook = nbformat.read(path, as_version=4)
     resources = {"metadata": {"path": str(HERE)}}
     NotebookClient(
-        notebook, timeout=SECONDS_A_CELL, kernel_name="python3", resources=resources
+        notebook,
+        timeout=SECONDS_A_CELL,
+        kernel_name="python3",
+        resources=resources,
+        coalesce_streams=True,  # the prints of a cell in one piece
     ).execute()
     for cell in notebook.cells:
         cell.metadata.pop("execution", None)  # times of day: they change without a reason
