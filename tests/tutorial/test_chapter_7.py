@@ -132,7 +132,7 @@ def test_the_truth_is_shown_beside_the_verdicts() -> None:
 
 def test_the_kept_races_show_what_the_notebook_says() -> None:
     stored = kept("chapter_7")
-    shape = (10, 15, 15, 40)
+    shape = (10, 15, 15, 30)
     kinds = ("even", "few evader epochs", "no overlap penalty", "restrained pursuers")
     assert all(stored[f"captured: {kind}"].shape == shape for kind in kinds)
     present = {}
@@ -140,5 +140,7 @@ def test_the_kept_races_show_what_the_notebook_says() -> None:
         found = analysis.judge(stored[f"captured: {kind}"] / stored["evaders"], per_episode=True)
         verdicts = found.windows["last half"]["disengagement"].by_run
         present[kind] = verdicts.count("present")
-    assert present["even"] == 0
+    assert present["few evader epochs"] >= 7
+    assert 5 <= present["restrained pursuers"] <= 8
+    assert max(present["even"], present["no overlap penalty"]) <= 2
     assert stored["has not: disengagement"][0] == 0

@@ -82,6 +82,19 @@ def test_the_kept_teams_show_what_the_predictions_say() -> None:
     against_hunters = dict(zip(kinds, stored["evaders: scores"][..., hunter] / 1000, strict=True))
     for other in ("easy to hard", "hard to easy", "random only"):
         assert verdict_on(against_hunters["hardest only"], against_hunters[other]) == "better"
+    against_walkers = stored["pursuers: ladder"][:, :, 0] / 1000
+    assert verdict_on(against_walkers[:, 4], against_walkers[:, 1]) == "worse"
+
+
+def test_who_is_better_depends_on_the_examiner() -> None:
+    stored = kept("chapter_8")
+    one, other = (list(stored["evaders: kinds"]).index(n) for n in ("co-evolution", "easy to hard"))
+    scripts = stored["evaders: scores"][..., :4].mean(axis=2) / 1000
+    races = stored["evaders: against races"] / 1000
+    others = ~np.eye(races.shape[1], dtype=bool)
+    strangers = np.array([[row[own].mean() for row, own in zip(r, others)] for r in races])
+    assert verdict_on(scripts[one], scripts[other]) == "worse"
+    assert verdict_on(strangers[one], strangers[other]) == "better"
 
 
 def test_the_concepts_are_drawn() -> None:

@@ -25,6 +25,8 @@ from matrixworld.tutorial.kept import DATA
 ROOT = Path(__file__).parents[2]
 COUNTS = ROOT / "evolution" / "results" / "judgement" / "counts.csv"
 SEEDS = range(10)
+EPISODES = 30
+"""Episodes of each pair that are kept, of 40, so that the file stays small."""
 EVEN = RaceSettings(
     rows=12, cols=12, pursuers=4, evaders=8, fov=9, hidden=(16,), population=24, generations=14,
     pursuer_epochs=20, evader_epochs=40, overlap_penalty=0.5, train_steps=80, eval_steps=300,
@@ -57,7 +59,8 @@ def spread(run: SavedRun) -> np.ndarray:
 
 def captures(run: SavedRun) -> np.ndarray:
     """Return the evaders captured in each episode, uint8 of shape (n, n, episodes)."""
-    return np.rint(run.payoff().capture_rates * EVEN.evaders).astype(np.uint8)
+    rates = run.payoff().capture_rates[..., :EPISODES]
+    return np.rint(rates * EVEN.evaders).astype(np.uint8)
 
 
 def false_alarms() -> dict[str, np.ndarray]:

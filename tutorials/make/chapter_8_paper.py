@@ -3,8 +3,8 @@
     python tutorials/make/chapter_8_paper.py
 
 Reads ``evolution/results/paper_claims/numbers.npz``, which ``evolution/paper_claims.py`` makes, and
-writes ``matrixworld/tutorial/data/chapter_8_paper.npz`` in a second. Run it again when these results
-change, and then the notebook (``python tutorials/run.py 08``).
+writes ``matrixworld/tutorial/data/chapter_8_paper.npz`` in a second. Run it again when these
+results change, and then the notebook (``python tutorials/run.py 08``).
 """
 
 from __future__ import annotations

@@ -299,9 +299,10 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
     "7.d": Prediction(
-        ("0 to 3", "4 to 6", "7 to 10"),
-        "7 to 10",
-        "TODO",
+        ("0 or 1", "2 to 4", "5 or more"),
+        "5 or more",
+        "A remedy works against its own cause. These evaders do not lack a fitness that tells them "
+        "apart. They lack time.",
     ),
     "7.4": Exercise(
         _fooled_mistake,

@@ -192,7 +192,14 @@ EXERCISES: dict[str, Exercise | Prediction] = {
     "8.a": Prediction(
         ("easy to hard", "hard to easy", "hardest only", "random only"),
         "hardest only",
-        "TODO",
+        "They practised it all the time. Those who came to hunters last had a quarter of the "
+        "epochs for them, and what they had learned from walkers and chasers did not help much.",
+    ),
+    "8.b": Prediction(
+        ("more often", "as often", "less often"),
+        "less often",
+        "Fleers are hardly ever caught, so chasing them teaches something else than chasing "
+        "walkers, and the old skill is not rewarded any more.",
     ),
     "8.2": Exercise(
         _budget_mistake,
@@ -210,14 +217,14 @@ EXERCISES: dict[str, Exercise | Prediction] = {
             "Subtract them from the sums of the rows. How many numbers are left in each row?",
         ),
     ),
-    "8.b": Prediction(
+    "8.c": Prediction(
         (
             "easy to hard, whoever examines",
             "co-evolution, whoever examines",
             "it depends on the examiner",
         ),
         "it depends on the examiner",
-        "TODO",
+        "Each school prepares for opponents that resemble its teachers.",
     ),
     "8.4": Exercise(
         _words_mistake,
