@@ -92,7 +92,9 @@ def test_who_is_better_depends_on_the_examiner() -> None:
     scripts = stored["evaders: scores"][..., :4].mean(axis=2) / 1000
     races = stored["evaders: against races"] / 1000
     others = ~np.eye(races.shape[1], dtype=bool)
-    strangers = np.array([[row[own].mean() for row, own in zip(r, others)] for r in races])
+    strangers = np.array(
+        [[row[own].mean() for row, own in zip(r, others, strict=True)] for r in races]
+    )
     assert verdict_on(scripts[one], scripts[other]) == "worse"
     assert verdict_on(strangers[one], strangers[other]) == "better"
 
