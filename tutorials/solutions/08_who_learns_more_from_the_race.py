@@ -58,7 +58,7 @@ exercise_4 = {
 
 
 def exercise_5(one, other):
-    """Return whether the first is better, worse, or whether nobody can tell."""
+    """Return whether the first is better or worse, or that these seeds cannot tell."""
     found = analysis.difference_of_runs(one, other, paired=True)
     if found.low > 0:
         return "better"

@@ -47,7 +47,7 @@ def unknown_races(episodes: int) -> list[FloatArray]:
     ]
 
 
-def reveal(answers: Sequence[str], races: Sequence[FloatArray]) -> str:
+def reveal(answers: Any, races: Sequence[FloatArray]) -> str:
     """Return the truth about the races, beside a student's verdicts and those of `judge`.
 
     Parameters

@@ -192,8 +192,8 @@ EXERCISES: dict[str, Exercise | Prediction] = {
     "8.a": Prediction(
         ("easy to hard", "hard to easy", "hardest only", "random only"),
         "hardest only",
-        "They practised it all the time. Those who came to hunters last had a quarter of the "
-        "epochs for them, and what they had learned from walkers and chasers did not help much.",
+        "They practised it all the time. The evaders that came to hunters last had a quarter of "
+        "the epochs for them, and what they had learned from walkers and chasers helped little.",
     ),
     "8.b": Prediction(
         ("more often", "as often", "less often"),
@@ -219,8 +219,8 @@ EXERCISES: dict[str, Exercise | Prediction] = {
     ),
     "8.c": Prediction(
         (
-            "easy to hard, whoever examines",
-            "co-evolution, whoever examines",
+            "easy to hard, with every examiner",
+            "co-evolution, with every examiner",
             "it depends on the examiner",
         ),
         "it depends on the examiner",
