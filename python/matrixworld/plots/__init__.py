@@ -9,6 +9,7 @@ expression of a notebook cell after ``%matplotlib inline``.
 
 from __future__ import annotations
 
+from matrixworld.plots.concepts import learning_concepts
 from matrixworld.plots.conflicts import (
     SITUATIONS,
     Resolution,
@@ -50,6 +51,7 @@ __all__ = [
     "generalization_over_seeds",
     "interaction_models",
     "lag_profile_curve",
+    "learning_concepts",
     "payoff_heatmap",
     "resolve",
     "rules_table",
