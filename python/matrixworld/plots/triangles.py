@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
@@ -56,8 +55,8 @@ def ciao_triangles(
         image = axes.imshow(
             triangle.payoff.T, origin="lower", vmin=0, vmax=1, cmap=COLORMAP, aspect="auto"
         )
-        axes.set_title(f"wins of the {name}", color=color)
-        _label(axes, f"generation of the {name}", f"generation of the {other}")
+        axes.set_title(f"wins of {name}", color=color)
+        _label(axes, f"generation of {name}", f"generation of {other}")
     figure.colorbar(image, ax=list(panels), label="payoff (0 loses, 1 wins)", shrink=0.9)
     figure.suptitle(fitting(figure, title))
     return figure
@@ -68,5 +67,3 @@ def _label(axes: Axes, along: str, upwards: str) -> None:
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(whole_numbers(6))
     axes.spines[["top", "right"]].set_visible(False)
-    limit = np.asarray(axes.get_xlim())
-    axes.plot(limit, limit, color=colors.MUTED, linewidth=0.8)

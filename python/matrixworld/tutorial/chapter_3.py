@@ -57,7 +57,7 @@ def _matches_needed(answer: Any) -> str | None:
 
 
 TEAM = 10
-CROWDS = (
+CROWDS: tuple[list[tuple[int, int]], ...] = (
     [(0, 0), (0, 0), (0, 0), (4, 7), (4, 7)],
     [(1, 1), (2, 2), (3, 3)],
     [(5, 5)] * TEAM,
@@ -85,7 +85,7 @@ def _why_overlap(cells: list[tuple[int, int]], found: Any) -> str:
     shared = sum(cells.count(cell) > 1 for cell in cells)
     extra = len(cells) - len(set(cells))
     if math.isclose(found, shared / TEAM):
-        return f"{case} It counts all agents on shared cells; the first on each cell is not counted."
+        return f"{case} It counts all agents on shared cells; the first on each is not counted."
     if cells and math.isclose(found, extra / len(cells)):
         return f"{case} It is a share of the living; expected a share of the whole team."
     return f"{case} Expected another number. How many different cells are there?"
@@ -98,7 +98,7 @@ ENOUGH = 1 / 3
 
 def _learner(answer: Any) -> str | None:
     if not isinstance(answer, type):
-        return "Expected a class: remove the dots, and write `class Climber:` and `answer = Climber`."
+        return "Expected a class: write `class Climber:` and then `answer = Climber`."
     missing = [name for name in ("ask", "tell") if not callable(getattr(answer, name, None))]
     if missing:
         return f"The class has no method {missing[0]!r}."
@@ -110,9 +110,9 @@ def _learner(answer: Any) -> str | None:
         gains.append(gain)
     if min(gains) < ENOUGH:
         return (
-            f"It ran without an error. After {EPOCHS} epochs it had covered {min(gains):.0%} of the "
-            "distance to the optimum; expected at least a third. Does `genome` move to the best "
-            "candidate? Are the steps neither tiny nor huge?"
+            f"It ran without an error. After {EPOCHS} epochs it had covered {min(gains):.0%} of "
+            "the distance to the optimum; expected at least a third. Does `genome` move to the "
+            "best candidate? Are the steps neither tiny nor huge?"
         )
     return None
 
@@ -158,15 +158,16 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         "in the first layer, because a view has many cells.",
         (
             "Look at the shapes that the cell above prints.",
-            "A view has three layers, so the first layer of the network has 3 * side * side inputs.",
+            "A view has three layers, so the first layer has 3 * side * side inputs.",
             "Add (inputs + 1) * outputs of both layers; the 1 is the bias.",
         ),
     ),
     "3.a": Prediction(
         ("a", "b", "c"),
         "c",
-        "Python looks up what each small step means every time it is done; the compiler did it once. "
-        "Evolution plays tens of thousands of matches, so the ratio decides what can be tried.",
+        "Python looks up what each small step means whenever it is done; the compiler did "
+        "it once. Evolution plays tens of thousands of matches, so the ratio decides what can be "
+        "tried.",
     ),
     "3.2": Exercise(
         _matches_needed,
@@ -186,8 +187,8 @@ EXERCISES: dict[str, Exercise | Prediction] = {
     "3.c": Prediction(
         ("a", "b", "c"),
         "b",
-        "Nothing in their fitness speaks against it: a genome whose ten evaders hide together in four "
-        "lucky matches scores more than one whose evaders are found one by one.",
+        "Nothing in their fitness speaks against it: a genome whose ten evaders hide together in "
+        "four lucky matches scores more than one whose evaders are found one by one.",
     ),
     "3.3": Exercise(
         _overlap,
