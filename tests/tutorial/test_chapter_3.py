@@ -66,7 +66,7 @@ def test_the_number_of_matches_is_whole_and_enough() -> None:
 
 def test_the_first_agent_on_a_cell_is_not_counted() -> None:
     text = reply("3.3", lambda cells, n: sum(cells.count(cell) > 1 for cell in cells) / n)
-    assert "the first on each cell is not counted" in text
+    assert "the first on each is not counted" in text
 
 
 def test_the_share_is_of_the_whole_team() -> None:

@@ -69,7 +69,7 @@ def run_dots(
     """
     if not groups:
         raise ValueError("expected at least one group of runs to draw, got none")
-    figure = new_figure(7.4, 1.5 + 0.55 * len(groups))
+    figure = new_figure(6.6, 1.5 + 0.5 * len(groups))
     axes = figure.add_subplot()
     for row, values in enumerate(groups.values()):
         _draw_dots(axes, row, analysis.interval_over_runs(values), np.asarray(values))
@@ -134,7 +134,7 @@ def run_curves(
     """
     if not groups:
         raise ValueError("expected at least one group of runs to draw, got none")
-    figure = new_figure(7.4, 4.0)
+    figure = new_figure(6.6, 3.6)
     axes = figure.add_subplot()
     for index, (name, curves) in enumerate(groups.items()):
         color, style = LINES[index % len(LINES)]

@@ -47,13 +47,19 @@ def ciao_triangles(
     co-evolutionary simulations".
     """
     triangles = analysis.ciao(payoff)
-    figure = new_figure(8.4, 4.2)
+    figure = new_figure(7.4, 3.8)
     panels = figure.subplots(1, 2)
     for axes, triangle, name, other, color in zip(
         panels, triangles, names, names[::-1], colors.TEAMS, strict=True
     ):
         image = axes.imshow(
-            triangle.payoff.T, origin="lower", vmin=0, vmax=1, cmap=COLORMAP, aspect="auto"
+            triangle.payoff.T,
+            origin="lower",
+            vmin=0,
+            vmax=1,
+            cmap=COLORMAP,
+            aspect="auto",
+            interpolation="nearest",
         )
         axes.set_title(f"wins of {name}", color=color)
         _label(axes, f"generation of {name}", f"generation of {other}")
