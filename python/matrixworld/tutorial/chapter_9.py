@@ -168,13 +168,13 @@ EXERCISES: dict[str, Exercise | Prediction] = {
     "9.c": Prediction(
         ("a", "b", "c"),
         "b",
-        "No pursuer enters an occupied cell any more. But two pursuers can still enter the same free "
-        "cell at the same moment, and then stay together in it.",
+        "No pursuer enters an occupied cell any more. But two pursuers can still enter the same "
+        "free cell at the same moment, and then stay together in it.",
     ),
     "9.4": Exercise(
         _mask,
-        "Of all pursuers around a cell only the one with the highest priority may enter it, and "
-        "no pursuer enters an occupied cell. So no two can meet, whatever they wish.",
+        "No pursuer enters an occupied cell, and no two may enter the same free one. So no two can "
+        "meet, whatever they wish.",
         (
             "Begin with free_cells. For each move, look at the four cells around its target.",
             "One of these four is your own cell. The cells with a higher priority are those that "
