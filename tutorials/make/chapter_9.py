@@ -1,6 +1,6 @@
 """Evolve the packs of notebook 9: penalties, a limit, a mask; twenty seeds each.
 
-    python tutorials/make/chapter_9.py         about eight minutes on one core
+    python tutorials/make/chapter_9.py      eight minutes on one core; goes on after an interruption
 
 Writes `safe_packs.npz` to the folder of kept results. Every pack has six weights and evolves for
 the same number of matches in the same world (`matrixworld.tutorial.packs`):
@@ -24,7 +24,7 @@ from tqdm import tqdm
 
 import matrixworld as mw
 from matrixworld.coevolution import EvolutionStrategy, NoiseTable
-from matrixworld.files import save_arrays
+from matrixworld.files import load_arrays, save_arrays
 from matrixworld.tutorial.kept import DATA
 from matrixworld.tutorial.packs import WEIGHTS, WORLD, pack, play_masked
 
@@ -180,20 +180,23 @@ def over_seeds(name: str, one: Callable[[int], Row]) -> dict[str, NDArray[np.flo
 
 
 def main(path: Path) -> None:
-    """Evolve all packs and keep the results."""
-    arrays = {"penalties": np.array(PENALTIES, np.float32), "episodes": np.array(EPISODES)}
-    for number, penalty in enumerate(PENALTIES):
-        arrays |= over_seeds(f"penalty{number}", partial(evolve, penalty=penalty))
-    arrays |= over_seeds("limit", partial(evolve, penalty=0.0, limit=LIMIT))
-    arrays |= over_seeds("mask", evolve_masked)
-    arrays |= over_seeds("late_mask", late_mask(arrays["penalty0_weights"]))
-    save_arrays(path, arrays)
+    """Evolve all packs and keep the results after each group; groups that are kept are skipped."""
+    path.parent.mkdir(exist_ok=True)
+    arrays: dict[str, NDArray[Any]] = dict(load_arrays(path)) if path.exists() else {}
+    arrays |= {"penalties": np.array(PENALTIES, np.float32), "episodes": np.array(EPISODES)}
+    groups: dict[str, Callable[[int], Row]] = {
+        f"penalty{number}": partial(evolve, penalty=penalty)
+        for number, penalty in enumerate(PENALTIES)
+    }
+    groups["limit"] = partial(evolve, penalty=0.0, limit=LIMIT)
+    groups["mask"] = evolve_masked
+    # The packs that evolved without a penalty, tested under the mask.
+    groups["late_mask"] = lambda seed: tested_masked(arrays["penalty0_weights"][seed], seed)
+    for name, one in groups.items():
+        if f"{name}_weights" not in arrays:
+            arrays |= over_seeds(name, one)
+            save_arrays(path, arrays)
     print(f"{path.name}: {path.stat().st_size / 1e3:.0f} kB")
-
-
-def late_mask(weights: NDArray[np.float32]) -> Callable[[int], Row]:
-    """Return a test, under the mask, of packs that evolved without it."""
-    return lambda seed: tested_masked(weights[seed], seed)
 
 
 if __name__ == "__main__":
