@@ -185,7 +185,7 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
     "9.d": Prediction(
-        ("a", "b"),
+        ("a", "b", "c"),
         "b",
         "These packs had learned to capture with several pursuers in one cell. The mask takes that "
         "away, and nothing has taught them what to do instead.",
