@@ -17,7 +17,17 @@ import numpy as np
 
 import matrixworld as mw
 from made_up_episode import made_up_episode
-from matrixworld import analysis, cluster, coevolution, explorer, plots, replay, toys, tutorial
+from matrixworld import (
+    analysis,
+    classroom,
+    cluster,
+    coevolution,
+    explorer,
+    plots,
+    replay,
+    toys,
+    tutorial,
+)
 from matrixworld.coevolution import learners, opponents, runs
 from tiny_race import TINY, tiny_race, tiny_single
 
@@ -97,7 +107,7 @@ def examples(directory: Path) -> Iterator[Any]:
         _of_learning(),
         _of_tutorial(),
     )
-    for group in (*groups, _of_runs(directory), _of_jobs(directory)):
+    for group in (*groups, _of_runs(directory), _of_jobs(directory), _of_classes(directory)):
         yield from group
 
 
@@ -227,6 +237,19 @@ def _of_runs(directory: Path) -> Iterator[Any]:
         coevolution.LockedError("locked"),
         coevolution.DisengagementWarning("disengaged"),
     )
+
+
+def _of_classes(directory: Path) -> Iterator[Any]:
+    submissions = directory / "class"
+    submissions.mkdir(parents=True)
+    network = mw.Network((2,), fov=5)
+    policy = mw.NetworkPolicy(network, network.initial(np.random.default_rng(0)))
+    classroom.save_genome(submissions / "ann.npz", "evader", policy)
+    (submissions / "bo.npz").write_bytes(b"")
+    config = mw.WorldConfig("O", rows=6, cols=6, n_pursuers=1, n_evaders=1, fov=5, max_steps=3)
+    result = classroom.play_class(submissions, config, episodes=2, threads=1)
+    assert result.refusals
+    yield from (result, classroom.standings(result, "evader"), classroom.Limits())
 
 
 def _of_jobs(directory: Path) -> Iterator[Any]:
