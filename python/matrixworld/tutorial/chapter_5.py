@@ -18,6 +18,13 @@ from matrixworld.tutorial.kept import kept
 
 ENDINGS = {"A": "one side only", "B": "cycle", "C": "arms race", "D": "equilibrium"}
 """What happens in the four races of the first exercise."""
+SHOWN = {
+    "A": "only evaders rise",
+    "B": "cycle",
+    "C": "pure race",
+    "D": "early stagnation",
+}
+"""Kinds of these races."""
 WITHOUT = ("noise only, .5", "only pursuers rise", "only evaders rise", "cycle", "drift")
 """Kinds of races on which a rule must not raise an alarm."""
 WITH = ("pure race", "slow race")
@@ -48,6 +55,11 @@ def noisy_race(kind: str, seed: int, *, generations: int = 20) -> FloatArray:
     """
     rates = synthetic_races(kind, generations, seed)[0].rates
     return play_episodes(rates, Noise(episodes=10, evaders=30), np.random.default_rng([5, seed]))
+
+
+def four_races() -> dict[str, FloatArray]:
+    """Return the episodes of the four races of the first exercise by letter."""
+    return {letter: noisy_race(kind, 1, generations=30) for letter, kind in SHOWN.items()}
 
 
 def _endings(answer: Any) -> str | None:
@@ -172,8 +184,9 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         "the lag profile, too: only in the cycle it does not rise from left to right.",
         (
             "Begin with the generalisation curves: in which races do both rise until the end?",
-            "In one race the curves go up and down, in another both become level.",
-            "In the remaining race one curve rises, and the other stays level from the begin.",
+            "In one race both curves rise first and are level later. In another one they are level "
+            "from the start, and the matrix has stripes.",
+            "In the remaining race one curve rises, and the other is level from the start.",
         ),
     ),
     "5.2": Exercise(
@@ -189,8 +202,8 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ("a", "b", "c"),
         "c",
         "Specialists learn to beat the evaders in front of them. Five generations later a part of "
-        "this skill is lost again, although they have learned for five generations more. It is so "
-        "in all ten seeds.",
+        "this skill is lost again, although they have learned for four generations more. In none "
+        "of the ten seeds is it the other way round.",
     ),
     "5.3": Exercise(
         _interval,
