@@ -202,8 +202,8 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ("a", "b", "c"),
         "c",
         "Specialists learn to beat the evaders in front of them. Five generations later a part of "
-        "this skill is lost again, although they have learned for four generations more. In none "
-        "of the ten seeds is it the other way round.",
+        "this skill is lost again, although they have learned for four generations more. In eight "
+        "of the ten seeds the difference is plain; in the other two there is none.",
     ),
     "5.3": Exercise(
         _interval,
