@@ -1,6 +1,6 @@
 """Make what notebook 6 keeps: races with six kinds of opponents, and halls of fame compared.
 
-    python tutorials/make/chapter_6.py        8 minutes on one core; can be interrupted
+    python tutorials/make/chapter_6.py        10 minutes on one core; can be interrupted
 
 ``cures.npz``: ten small races with each of `SAMPLERS`, which differ in the past opponents that the
 teams meet and in nothing else. All meet one opponent in an epoch. ``captured`` holds the evaders
@@ -9,6 +9,10 @@ of ``evaders``; ``matches`` (samplers, seeds) the training matches, with those t
 compare candidates; ``cross_play`` (samplers, seeds, samplers, seeds) the evaders that the last
 pursuers captured from the last evaders, out of ``cross_evaders``. Champions are those after the
 smallest number of matches that a race played.
+
+``numbers_game.npz``: ``ones`` (2, 20) in the last generation of the intransitive numbers game, mean
+of both populations, for 20 seeds; first with 15 living opponents, then with 10 living ones and 5
+champions of earlier generations.
 
 ``halls.npz``: the numbers of each race in ``evolution/results/hall_of_fame/races.csv``, as
 ``python evolution/hall_of_fame.py`` has written them, float32, shape (2, seeds) each: first without
@@ -23,8 +27,10 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from tqdm import tqdm
 
 import matrixworld as mw
+from matrixworld import toys
 from matrixworld.coevolution import (
     TEAMS,
     ProgressBars,
@@ -33,6 +39,7 @@ from matrixworld.coevolution import (
     evolve_many,
     tournament,
 )
+from matrixworld.coevolution.opponents import Uniform
 from matrixworld.files import save_arrays
 from matrixworld.tutorial.kept import DATA
 
@@ -94,6 +101,17 @@ def counts(rates: np.ndarray, evaders: int) -> np.ndarray:
     return np.rint(rates * evaders).astype(np.uint8)
 
 
+def numbers_games() -> dict[str, np.ndarray]:
+    """Return the array of ``numbers_game.npz``."""
+    living, hall = [], []
+    for seed in tqdm(range(20), unit=" seeds", disable=None):
+        living.append(toys.numbers_game("intransitive", seed, opponents=15))
+        samplers = (Uniform(5), Uniform(5))
+        hall.append(toys.numbers_game("intransitive", seed, opponents=10, samplers=samplers))
+    ones = [[game.final_objective.mean() for game in games] for games in (living, hall)]
+    return {"ones": np.array(ones, dtype=np.float32)}
+
+
 def halls() -> dict[str, np.ndarray]:
     """Return the arrays of ``halls.npz``."""
     with HALLS.open(encoding="utf-8", newline="") as file:
@@ -108,9 +126,10 @@ def main() -> None:
     parser.add_argument("--runs", type=Path, default=Path("runs/chapter_6"))
     parser.add_argument("--threads", type=int, help="default: one for each core")
     args = parser.parse_args()
-    save_arrays(DATA / "cures.npz", numbers_of(races(args.runs, args.threads)))
     save_arrays(DATA / "halls.npz", halls())
-    for name in ("cures", "halls"):
+    save_arrays(DATA / "numbers_game.npz", numbers_games())
+    save_arrays(DATA / "cures.npz", numbers_of(races(args.runs, args.threads)))
+    for name in ("halls", "numbers_game", "cures"):
         print(f"Written: {DATA / name}.npz, {(DATA / f'{name}.npz').stat().st_size / 1e3:.0f} kB")
 
 
