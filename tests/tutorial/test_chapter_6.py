@@ -73,7 +73,7 @@ def test_the_well() -> None:
 
 
 def test_halls_of_fame() -> None:
-    def drawn(count: int, *, repeat: bool = False):  # noqa: ANN202
+    def drawn(count: int, *, repeat: bool = False):
         return lambda available, rng: [
             available - 1,
             *rng.choice(max(1, available - 1), size=min(count, available - 1), replace=repeat),

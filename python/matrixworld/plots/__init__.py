@@ -29,6 +29,7 @@ from matrixworld.plots.payoffs import (
 from matrixworld.plots.rules_table import rules_table
 from matrixworld.plots.saving import FORMATS, format_of, save_figure
 from matrixworld.plots.seed_scores import seed_scores
+from matrixworld.plots.seed_strip import seed_strip
 from matrixworld.plots.seeds import seed_bands
 from matrixworld.plots.style import DPI
 from matrixworld.plots.training import collision_rates, training_curve
@@ -56,6 +57,7 @@ __all__ = [
     "save_figure",
     "seed_bands",
     "seed_scores",
+    "seed_strip",
     "training_curve",
     "turns_of",
     "verdict_strip",
