@@ -144,3 +144,29 @@ def test_the_numbers_game_shows_no_help() -> None:
     difference = analysis.difference_of_runs(with_hall, living)
     assert difference.low is not None
     assert difference.low < 0.0 < difference.high
+
+
+def test_what_the_small_races_show() -> None:
+    cures = kept("cures")
+    names = [str(name) for name in cures["samplers"]]
+    rates = dict(zip(names, cures["captured"] / int(cures["evaders"]), strict=True))
+    specialists = analysis.judge(rates["latest"], per_episode=True).headline
+    assert specialists["forgetting"].verdict == "present"
+    assert specialists["cycling"].verdict == "cannot tell"
+    generalists = analysis.judge(rates["round-robin"], per_episode=True).headline
+    assert generalists["cycling"].verdict == "absent"
+    extra = cures["matches"].mean(axis=1) / 38_400 - 1
+    assert (extra[:3] == 0.0).all()
+    assert (extra[3:] > 0.01).all()
+    assert (extra[3:] < 0.04).all()
+
+
+def test_the_specialists_evaders_escape_most_often() -> None:
+    cures = kept("cures")
+    cross = cures["cross_play"] / int(cures["cross_evaders"])
+    others = ~np.eye(len(cross), dtype=bool)
+    escape = [1 - cross[others[i], :, i].mean(axis=(0, 1)) for i in range(len(cross))]
+    ends = [analysis.interval_over_runs(each) for each in escape]
+    assert np.argmax([each.value for each in ends]) == 0
+    assert ends[0].low is not None
+    assert all(ends[i].high < ends[0].low for i in (1, 2))

@@ -210,4 +210,10 @@ EXERCISES: dict[str, Exercise | Prediction] = {
             "How many older ones are there if `available` is 1, 2 or 3? `min` helps.",
         ),
     ),
+    "6.e": Prediction(
+        ("a", "b", "c"),
+        "a",
+        "Not to go round is one thing, to be strong another one. In these short races the "
+        "specialists' evaders escape most often, although their teams forget the most.",
+    ),
 }
