@@ -26,6 +26,7 @@ held_out.py         held-out scores of finished races, kept in run directories
 seed_report.py      what ``evolve`` prints at the end of a job of several seeds
 seed_tables.py      tables over the seeds of a job
 seed_figures.py     figures over the seeds of a job
+seed_responses.py   best responses over the seeds of a job
 seed_scores.py      held-out scores over the seeds of a job
 run_groups.py       runs in groups that differ in their seed only
 race_groups.py      races to judge: runs grouped by settings, and payoff files
