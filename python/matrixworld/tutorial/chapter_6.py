@@ -214,6 +214,6 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ("a", "b", "c"),
         "a",
         "Not to go round is one thing, to be strong another one. In these short races the "
-        "specialists' evaders escape most often, although their teams forget the most.",
+        "specialists' evaders escape most often, although their races show forgetting.",
     ),
 }
