@@ -17,7 +17,7 @@ import numpy as np
 
 import matrixworld as mw
 from made_up_episode import made_up_episode
-from matrixworld import analysis, cluster, coevolution, explorer, plots, replay, toys
+from matrixworld import analysis, cluster, coevolution, explorer, plots, replay, toys, tutorial
 from matrixworld.coevolution import learners, opponents, runs
 from tiny_race import TINY, tiny_race, tiny_single
 
@@ -89,7 +89,14 @@ def examples(directory: Path) -> Iterator[Any]:
 
     An object may be yielded several times, and changes between.
     """
-    groups = (_of_worlds(), _of_analysis(), _of_plots(), _of_toys(), _of_learning())
+    groups = (
+        _of_worlds(),
+        _of_analysis(),
+        _of_plots(),
+        _of_toys(),
+        _of_learning(),
+        _of_tutorial(),
+    )
     for group in (*groups, _of_runs(directory), _of_jobs(directory)):
         yield from group
 
@@ -155,6 +162,10 @@ def _of_analysis() -> Iterator[Any]:
 
 def _of_plots() -> Iterator[Any]:
     yield from (plots.SITUATIONS, plots.resolve(plots.SITUATIONS[0], mw.Outcome.BOUNCE))
+
+
+def _of_tutorial() -> Iterator[Any]:
+    yield from (tutorial.check("1.a", "c"), tutorial.hint("1.1"), *tutorial.exercises(1).values())
 
 
 def _of_toys() -> Iterator[Any]:
