@@ -176,19 +176,3 @@ def test_scores_show_profiles_and_interquartile_means() -> None:
 def test_bad_input_is_refused(draw, message: str) -> None:  # type: ignore[no-untyped-def]
     with pytest.raises(ValueError, match=message):
         draw()
-
-
-def test_a_strip_has_a_dot_for_each_seed_and_the_interval_of_the_mean() -> None:
-    values = {"one": [0.1, 0.3, 0.8], "alone": [0.5]}
-    (axes,) = plots.seed_strip(values, "share", title="A title").axes
-    dots = [line for line in axes.lines if line.get_marker() == "o"]
-    assert [list(line.get_xdata()) for line in dots] == [[0.1, 0.3, 0.8], [0.5]]
-    (bar,) = [line for line in axes.lines if line.get_linewidth() == 3.0]
-    mean = analysis.interval_over_runs(values["one"])
-    assert list(bar.get_xdata()) == [mean.low, mean.high]  # one seed has no interval
-    assert [label.get_text() for label in axes.get_yticklabels()] == ["one", "alone"]
-
-
-def test_a_strip_needs_a_group() -> None:
-    with pytest.raises(ValueError, match="values: expected at least one group"):
-        plots.seed_strip({}, "share")
