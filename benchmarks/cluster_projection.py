@@ -22,12 +22,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from matrixworld.cluster import cluster
-from matrixworld.coevolution import RaceSettings, start
+from matrixworld.coevolution import RaceSettings, finish, start
 from matrixworld.coevolution.evaluation.tournament import BLOCK_SECONDS
 
 TASKS = 300
 SHORT = {"generations": 3, "pursuer_epochs": 8, "evader_epochs": 16, "eval_episodes": 2}
-"""A short race, whose files tell how those of a long one grow."""
+"""A race of few matches, which tells the processor time of a match."""
+SMALL = {"population": 2, "train_steps": 1, "eval_steps": 1}
+"""A race of short matches, whose files are as large as those of a default race."""
 
 
 @dataclass(frozen=True)
@@ -63,16 +65,16 @@ def seconds_of(executor: Executor, tasks: int) -> float:
 
 
 def race_costs() -> tuple[float, int]:
-    """Return processor time and bytes of a default race, from those of a short one."""
-    full, short = RaceSettings(), RaceSettings(**SHORT)
+    """Return processor time and bytes of a default race, from those of smaller ones."""
+    full, short, small = RaceSettings(), RaceSettings(**SHORT), RaceSettings(**SMALL)
     with tempfile.TemporaryDirectory() as place:
         run = start(short, Path(place) / "short", threads=1)
         began = time.process_time()
         run.run()
         seconds = time.process_time() - began
-        size = sum(file.stat().st_size for file in run.files.path.iterdir())
         share = start(full, Path(place) / "full").total_matches() / run.total_matches()
-    return seconds * share, round(size * full.generations / short.generations)
+        files = finish(small, Path(place) / "small", threads=1).files.path.iterdir()
+        return seconds * share, sum(file.stat().st_size for file in files)
 
 
 def makespan(tasks: int, seconds: float, workers: int, costs: Costs) -> float:

@@ -291,6 +291,24 @@ def test_unfinished_seeds_are_named_and_left_out(job):
     assert "expected a finished run" in refused
 
 
+@pytest.mark.parametrize(
+    "command",
+    [
+        ("diagnose",),
+        ("score", "--episodes", 2),
+        ("plot", "--force"),
+        ("exploit", "--champion", "evader", "--matches", 48, "--episodes", 2),
+    ],
+    ids=lambda command: command[0],
+)
+def test_a_schedule_of_which_no_seed_has_begun_is_named(job, command):
+    shutil.rmtree(job / SCHEDULES[1])
+    name, *options = command
+    words = f"{job / SCHEDULES[1]}: no seed is finished yet, and it is left out"
+    told = run_together(matrixworld_command(name, job, *options).stderr)
+    assert told.count(words) == 1
+
+
 def test_seeds_that_the_user_left_out_are_not_missing(job):
     chosen = [job / SCHEDULES[0] / f"seed-{seed}" for seed in (0, 2)]
     [group] = groups_of(chosen, None)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import operator
 import os
 import signal
+import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -20,8 +21,9 @@ import pytest
 
 from dask_cluster import DaskCluster, dask_cluster, wait_until
 from matrixworld import coevolution
-from matrixworld.cluster import ClusterLostError, cluster
+from matrixworld.cluster import ClusterLostError, cluster, connection
 from matrixworld.coevolution import (
+    DamagedFileError,
     FailedRunsError,
     RaceSettings,
     WorkerDiedError,
@@ -190,3 +192,22 @@ def test_a_vanished_cluster_leaves_files_to_continue(tmp_path: Path) -> None:
         wait_until(lambda: not dask.left(), "end of all workers")
     evolve_many(settings, place, threads=1)
     check_equal(place, settings, tmp_path / "alone")
+
+
+def test_a_scheduler_that_does_not_answer_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(connection, "CONNECT_SECONDS", 1)
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
+        answer = pytest.raises(
+            OSError, match=r"expected a Dask scheduler, got no answer within 1 s"
+        )
+        with answer, cluster(address):
+            pass
+
+
+@pytest.mark.parametrize("content", ["{}", '{"address": 3}', "no json"])
+def test_a_file_of_no_scheduler_is_refused(tmp_path: Path, content: str) -> None:
+    (tmp_path / "scheduler.json").write_text(content)
+    refused = pytest.raises(DamagedFileError, match=r"scheduler\.json: ")
+    with refused, cluster(str(tmp_path / "scheduler.json")):
+        pass

@@ -17,7 +17,7 @@ import pytest
 from command_line import RACE, matrixworld_command, run_together, words
 from dask_cluster import DaskCluster, dask_cluster, group_lives, kill_group, wait_until
 from matrixworld.cli import clusters
-from matrixworld.coevolution import RaceSettings, finish, open_run
+from matrixworld.coevolution import RaceSettings, evolve_many, finish, open_run
 from tiny_race import results, tiny_race
 
 pytest.importorskip("distributed")
@@ -81,6 +81,25 @@ def test_scores_are_the_same(run: Path, dask: DaskCluster, tmp_path: Path) -> No
         options = ("--episodes", 5, "--generation", "all", "--json", file)
         matrixworld_command("score", run, *options, *where)
     assert json.loads(files[0].read_text()) == json.loads(files[1].read_text())
+
+
+def test_responses_are_the_same(dask: DaskCluster, tmp_path: Path) -> None:
+    job = tmp_path / "job"
+    evolve_many([tiny_race(**SCHEDULE, seed=seed) for seed in (0, 1)], job, threads=1)
+    command = ("exploit", job, "--champion", "evader", "--matches", 100, "--episodes", 5)
+    outs = [tmp_path / "alone", tmp_path / "shared"]
+    for out, where in zip(outs, ((), ("--cluster", dask.address)), strict=True):
+        matrixworld_command(*command, "--output", out, *where)
+    for seed in (0, 1):
+        alone, shared = (results(out / SCHEDULE["schedule"] / f"seed-{seed}") for out in outs)
+        assert alone == shared
+
+
+def test_one_response_takes_no_cluster(run: Path, tmp_path: Path) -> None:
+    command = ("exploit", run, "--champion", "evader", "--output", tmp_path / "out")
+    done = matrixworld_command(*command, "--cluster", "auto", code=2)
+    assert "--cluster: expected a job of several seeds, got one run" in run_together(done.output)
+    assert not (tmp_path / "out").exists()
 
 
 def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path) -> None:

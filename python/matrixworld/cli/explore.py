@@ -17,7 +17,6 @@ from matrixworld.cli.options import force_option, refuse_existing
 from matrixworld.cli.run_groups import (
     by_settings,
     finished_runs,
-    note_groups_without_runs,
     of_seeds,
     root_of,
 )
@@ -53,11 +52,10 @@ def explore_command(runs: list[Path], output: Path | None, opens: bool, force: b
     schedule.
     """
     with failures():
-        results, unfinished = finished_runs(runs)
+        results, _ = finished_runs(runs)
         beside = root_of(results) / PAGE if of_seeds(runs) else page_file(runs)
         page = output or beside
         refuse_existing(page, force=force)
-        note_groups_without_runs(unfinished, results)
         write_explorer(results, page)
         click.echo(page)
         if opens and not webbrowser.open(page.absolute().as_uri()):

@@ -21,7 +21,6 @@ from matrixworld.cli.run_groups import (
     different,
     finished_runs,
     name_and_missing,
-    note_groups_without_runs,
 )
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.reading import DamagedFileError
@@ -118,7 +117,6 @@ def run_groups(
     runs: Sequence[Result], unfinished: Unfinished, episodes: int | None = None
 ) -> list[Group]:
     """Return finished races in groups that differ in their seed only."""
-    note_groups_without_runs(unfinished, runs)
     return [_of_runs(group, unfinished, episodes) for group in by_settings(runs)]
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-from matrixworld.cli.arguments import find_runs
+from matrixworld.cli.arguments import find_runs, run_of
 from matrixworld.cli.console import note
 from matrixworld.cli.jobs import Result, open_result
 from matrixworld.coevolution.many.job import open_job
@@ -28,8 +28,19 @@ def of_seeds(paths: Collection[Path]) -> bool:
     return all(re.fullmatch(r"seed-\d+", path.name) for path in paths)
 
 
+def run_or_seeds(ctx: click.Context, param: click.Parameter, value: str) -> list[Path]:
+    """Return the run of a directory, or all runs of a job of several seeds."""
+    runs = find_runs(Path(value))
+    if len(runs) > 1 and of_seeds(runs):
+        return runs
+    run = run_of(ctx, param, value)
+    return [] if run is None else [run]
+
+
 def finished_runs(paths: Sequence[Path]) -> tuple[list[Result], Unfinished]:
     """Open finished runs; those of a job of several seeds need not be finished.
+
+    Directories of seeds of which none is finished are named.
 
     Returns
     -------
@@ -51,14 +62,26 @@ def finished_runs(paths: Sequence[Path]) -> tuple[list[Result], Unfinished]:
     runs = [open_result(path) for path in paths if path not in unfinished]
     if unfinished and not runs:
         raise click.UsageError(f"{paths[0].parent}: expected a finished run, got none")
+    _note_groups_without_runs(runs, unfinished)
     return runs, unfinished
 
 
-def note_groups_without_runs(unfinished: Unfinished, runs: Sequence[Result]) -> None:
+def _note_groups_without_runs(runs: Sequence[Result], unfinished: Unfinished) -> None:
     """Name the directories of seeds of which none is finished."""
-    begun = {path.parent for path in unfinished}
-    for folder in sorted(begun - {run.path.parent for run in runs}):
+    finished, all_runs = {run.path.parent for run in runs}, {*unfinished, *(r.path for r in runs)}
+    groups = {path.parent for path in all_runs} | _groups_not_begun(all_runs)
+    for folder in sorted(groups - finished):
         note(f"{folder}: no seed is finished yet, and it is left out")
+
+
+def _groups_not_begun(paths: Collection[Path]) -> set[Path]:
+    """Return the directories that jobs will have, if all runs of a job that exist are given."""
+    found = set()
+    for root in {path.parent.parent for path in paths if of_seeds([path])}:
+        job = open_job(root)
+        if job is not None and set(find_runs(root)) <= set(paths):
+            found |= {(root / name).parent for name in job.runs}
+    return found
 
 
 def by_settings(runs: Sequence[Result]) -> list[list[Result]]:

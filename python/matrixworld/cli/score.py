@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from matrixworld.cli.arguments import failures, find_runs, run_of
+from matrixworld.cli.arguments import failures
 from matrixworld.cli.clusters import cluster_option, on_cluster
 from matrixworld.cli.console import print_wrapped, progress
 from matrixworld.cli.options import (
@@ -22,7 +22,7 @@ from matrixworld.cli.options import (
     threads_option,
     write_json,
 )
-from matrixworld.cli.run_groups import finished_runs, of_seeds
+from matrixworld.cli.run_groups import finished_runs, run_or_seeds
 from matrixworld.cli.seed_scores import LEGEND as SEEDS_LEGEND
 from matrixworld.cli.seed_scores import SCORE, plain_scored, print_scored, scored_groups
 from matrixworld.coevolution import HeldOutScores, Report, SavedRun, Team, open_run, score
@@ -45,17 +45,8 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
         raise click.BadParameter(f"expected a generation or {ALL}, got {value!r}") from None
 
 
-def _runs(ctx: click.Context, param: click.Parameter, value: str) -> list[Path]:
-    """Return the run of a directory, or all runs of a job of several seeds."""
-    runs = find_runs(Path(value))
-    if len(runs) > 1 and of_seeds(runs):
-        return runs
-    run = run_of(ctx, param, value)
-    return [] if run is None else [run]
-
-
 @click.command("score")
-@click.argument("runs", metavar="RUN", callback=_runs)
+@click.argument("runs", metavar="RUN", callback=run_or_seeds)
 @click.option(
     "--generation",
     default=str(LAST),
@@ -101,8 +92,9 @@ def score_command(
             teams = {f"{team}s": each.to_json() for team, each in scores.items()}
             write_json(json_file, {"run": str(runs[0]), "seed": seed, **teams})
             return
-        finished = [run.path for run in finished_runs(runs)[0]]
-        groups = scored_groups(runs, _play_all(finished, play))
+        finished, unfinished = finished_runs(runs)
+        played = _play_all([run.path for run in finished], play)
+        groups = scored_groups(finished, unfinished, played)
         for group in groups:
             print_scored(group)
         click.echo()

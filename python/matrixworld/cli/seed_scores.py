@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from matrixworld.analysis import Estimate, fewest_runs, interquartile_mean, interval_over_runs
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.cli.console import print_wrapped
-from matrixworld.cli.run_groups import by_settings, finished_runs, name_and_missing
+from matrixworld.cli.jobs import Result
+from matrixworld.cli.run_groups import Unfinished, by_settings, name_and_missing
 from matrixworld.cli.seed_tables import shown
 from matrixworld.coevolution import HeldOutScores, Team
 
@@ -53,17 +54,20 @@ class ScoredGroup:
         return np.stack([each[team].rates.mean(axis=2) for each in self.scores], axis=1)
 
 
-def scored_groups(paths: Sequence[Path], played: Mapping[Path, OfTeams]) -> list[ScoredGroup]:
+def scored_groups(
+    runs: Sequence[Result], unfinished: Unfinished, played: Mapping[Path, OfTeams]
+) -> list[ScoredGroup]:
     """Return the groups of finished runs with their scores.
 
     Parameters
     ----------
-    paths : sequence of Path
-        All runs of the job, finished or not.
+    runs : sequence of Result
+        The finished runs.
+    unfinished : mapping of Path to settings
+        Settings of the other runs of the job.
     played : mapping of Path to mapping of str to HeldOutScores
         Scores of the finished runs.
     """
-    runs, unfinished = finished_runs(paths)
     groups = []
     for group in by_settings(runs):
         name, missing = name_and_missing(group, unfinished)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import asyncio
 import logging
 import signal
 import warnings
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor
+from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager
 from multiprocessing import resource_tracker
 from pathlib import Path
@@ -15,6 +16,7 @@ from typing import Any
 from matrixworld.checks import usable_cores
 from matrixworld.cluster.executor import ClusterExecutor
 from matrixworld.cluster.probe import posted
+from matrixworld.reading import DamagedFileError, read_json
 from matrixworld.version import install_hint
 
 AUTO = "auto"
@@ -94,15 +96,49 @@ def _connected(where: str) -> Iterator[Any]:
     connect: Any = Client
     local: Any = LocalCluster
     with ExitStack() as stack:
-        target: dict[str, Any] = {"scheduler_file": where}
         if where == AUTO:
             with _without_interrupts():
-                target = {"address": stack.enter_context(local(**_local()))}
-        elif "://" in where:
-            target = {"address": where}
+                address: Any = stack.enter_context(local(**_local()))
+        else:
+            address = where if "://" in where else _address_in(Path(where))
         stack.enter_context(_quiet())
-        with connect(**target, timeout=CONNECT_SECONDS, set_as_default=False) as client:
+        if where != AUTO:
+            _check_answer(address)
+        with connect(address, timeout=CONNECT_SECONDS, set_as_default=False) as client:
             yield client
+
+
+def _address_in(file: Path) -> str:
+    """Return the address in a scheduler file."""
+    address = read_json(file).get("address")
+    if not isinstance(address, str):
+        raise DamagedFileError(file, "expected a scheduler file of Dask, got no address in it")
+    return address
+
+
+def _check_answer(address: str) -> None:
+    """Raise OSError if no scheduler answers: a client would wait for the answer without a limit."""
+    from distributed import Security
+    from distributed.comm import connect  # type: ignore[attr-defined]
+
+    # Dask has no types.
+    security: Any = Security
+    say_hello: Any = connect
+
+    async def greet() -> None:
+        certificates = security().get_connection_args("client")
+        comm = await say_hello(address, timeout=CONNECT_SECONDS, **certificates)
+        await comm.close()
+
+    # In a thread: notebooks have an event loop of their own in this one.
+    with ThreadPoolExecutor(1) as thread:
+        waited = thread.submit(asyncio.run, asyncio.wait_for(greet(), CONNECT_SECONDS))
+        try:
+            waited.result()
+        except asyncio.TimeoutError:
+            raise OSError(
+                f"{address}: expected a Dask scheduler, got no answer within {CONNECT_SECONDS} s"
+            ) from None
 
 
 @contextmanager

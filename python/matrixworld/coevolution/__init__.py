@@ -81,6 +81,7 @@ from matrixworld.coevolution.many import (
     RunProgress,
     StoppedError,
     WorkerDiedError,
+    best_responses,
     evolve_many,
 )
 from matrixworld.coevolution.opponents.registry import (
@@ -165,6 +166,7 @@ __all__ = [
     "WorkerDiedError",
     "available",
     "best_response",
+    "best_responses",
     "centred_ranks",
     "check_learner",
     "check_own_code",

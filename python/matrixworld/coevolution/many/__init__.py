@@ -4,6 +4,7 @@
 module             contents
 =================  ===============================================================================
 evolve_many        `evolve_many`: check, play and open many runs; `FailedRunsError`
+best_responses     `best_responses`: responses to the champions of many runs
 watch              hands out tasks, watches the files, stops and collects
 local_executor     `LocalExecutor`: worker processes of this machine, which may die
 run_task           `run_task`: one run, wherever it is called
@@ -16,6 +17,7 @@ job                `Job`: the runs that were asked for, and the file that says s
 
 from __future__ import annotations
 
+from matrixworld.coevolution.many.best_responses import best_responses
 from matrixworld.coevolution.many.evolve_many import FailedRunsError, evolve_many
 from matrixworld.coevolution.many.job import JOB, Job, job_of, open_job
 from matrixworld.coevolution.many.local_executor import LocalExecutor, WorkerDiedError
@@ -37,6 +39,7 @@ __all__ = [
     "StopMark",
     "StoppedError",
     "WorkerDiedError",
+    "best_responses",
     "evolve_many",
     "job_of",
     "open_job",

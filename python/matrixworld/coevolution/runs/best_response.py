@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from matrixworld.analysis import ResponseGain, response_gain
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.progress import Report, silent
-from matrixworld.coevolution.runs.single import GIVEN, SingleTeam
+from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSettings
 from matrixworld.coevolution.storage.run_files import CONFIG
 from matrixworld.coevolution.storage.saved_run import SavedRun
@@ -143,9 +143,7 @@ def start_response(
         If the directory holds a run of other settings or against another champion, or if `team`
         did not learn in `run`.
     """
-    champion = _last(run.teams[team])
-    if isinstance(champion, str):
-        raise ValueError(f"team: expected one that learned in {run.files.path}, got {team!r}")
+    champion = champion_of(run, team)
     path = Path(directory)
     if not (path / CONFIG).is_file():
         return SingleTeam(settings, path, opponents=champion, threads=threads, play=play)
@@ -154,10 +152,19 @@ def start_response(
     return response
 
 
+def champion_of(run: SavedRun, team: Team) -> Population:
+    """Return the last genome of a team; ValueError if it did not learn in the run."""
+    champion = _last(run.teams[team])
+    if isinstance(champion, str):
+        raise ValueError(f"team: expected one that learned in {run.files.path}, got {team!r}")
+    return champion
+
+
 def _check_same(
     response: SingleTeam, settings: SingleSettings, champion: Population, path: Path
 ) -> None:
-    expected = replace(settings, against=GIVEN)
+    # The opponents' genomes are compared, wherever they came from.
+    expected = replace(settings, against=response.settings.against)
     # Reversed, so that a message names fields of `SingleSettings` itself before inherited ones.
     for name in (item.name for item in reversed(fields(SingleSettings))):
         found, wanted = getattr(response.settings, name), getattr(expected, name)

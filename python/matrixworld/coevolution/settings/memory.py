@@ -14,8 +14,9 @@ SAMPLED, BRED, JOINT = 2, 8, 4
 both teams with parents and children; and so many more where both teams learn at once."""
 OF_LEARNER = 8
 """Genomes that a learner holds besides: its mean, gradient, optimizer and temporary arrays."""
-COPIES_OF_ARCHIVE = 6
-"""The archive, measured: a list of genomes, arrays, and the bytes that are written to a file."""
+COPIES_OF_ARCHIVE = 3
+"""The archive, measured: a list of genomes, the arrays that the evaluation plays, and in a resumed
+run the content of the files."""
 
 
 def run_memory(
