@@ -1,6 +1,6 @@
 """Two builds of matrixworld against each other: equal results, and CPU time of the same work.
 
-    python benchmarks/bench_builds.py OTHER/python [THIS/python] [--rounds 8]
+    python benchmarks/compare_builds.py OTHER/python [THIS/python] [--rounds 8]
 
 OTHER/python is the folder of another build with its compiled extension, for example of a Git
 worktree. The builds take turns, each time in a new process on the same cores, and the least CPU
