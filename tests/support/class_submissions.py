@@ -146,7 +146,7 @@ REFUSED_PROGRAMS: dict[str, tuple[str, str]] = {
         "def pursue(view): return 0",
         r"or pursue\(view, rng, memory\), got pursue\(view\)",
     ),
-    "null byte": ("x = 1\0", "^SyntaxError: source code"),
+    "null byte": ("x = 1\0", "^(SyntaxError|ValueError): source code"),
     "generator": (ACTS + "yield 1", "pursue returned a generator, expected an action"),
     "no python": ("def pursue(view, rng) return 0", "line 1: SyntaxError"),
     "imports torch": ("import torch", "No module named 'torch' .docs/class.md lists"),

@@ -63,8 +63,12 @@ class FailedError(Exception):
     """
 
     def __init__(self, team: Team, reason: str) -> None:
-        super().__init__(reason)
-        self.team = team
+        # All arguments, so that the error can be pickled.
+        super().__init__(team, reason)
+        self.team, self.reason = team, reason
+
+    def __str__(self) -> str:
+        return self.reason
 
 
 def play_match(
