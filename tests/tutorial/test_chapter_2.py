@@ -179,7 +179,7 @@ def swaps_pass(cells: list, targets: list) -> list:
         (lambda cells, targets: None, "end with `return`?"),
         (lambda cells, targets: {0, 1}, "a list of 2 cells, got {0, 1}"),
         (lambda cells, targets: targets[:1], "a list of 2 cells, got [(0, 1)]"),
-        ([(0, 0)], "Expected your function itself"),
+        ([(0, 0)], "The answer is your function itself"),
     ],
 )
 def test_wrong_resolvers(answer: Any, expected: str) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from matrixworld.classroom.genome_file import genome_of
 from matrixworld.classroom.match import FailedError
+from matrixworld.classroom.policy_process import FUNCTIONS
 from matrixworld.classroom.referee import Referee
 from matrixworld.classroom.seat import RefusedError
 from matrixworld.classroom.submissions import (
@@ -16,15 +17,13 @@ from matrixworld.classroom.submissions import (
     without_rivals,
 )
 from matrixworld.coevolution.progress import Report
-from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.coevolution.types import TEAMS
 from matrixworld.play import check_fits
 from matrixworld.policy import Script
 from matrixworld.reading import DamagedFileError
 
 TRIAL_OPPONENT: Script = "random"
 """The script against which every program plays an episode first."""
-FUNCTIONS: dict[Team, str] = {"pursuer": "pursue", "evader": "evade"}
-"""The function of a program that plays for a team."""
 
 Admitted = tuple[list[Entry], list[Refusal]]
 
@@ -65,14 +64,19 @@ def _entries_of(submission: Submission, referee: Referee) -> Admitted:
         if submission.kind == "genome":
             return [_genome(submission, referee)], []
         return _program(submission, referee)
-    except (RefusedError, ValueError) as error:
-        reason = without_path(error) if isinstance(error, DamagedFileError) else str(error)
-        return [], [Refusal(submission.name, submission.file, reason)]
+    except RefusedError as error:
+        return [], [Refusal(submission.name, submission.file, str(error))]
 
 
 def _genome(submission: Submission, referee: Referee) -> Entry:
-    team, population = genome_of(submission.path, submission.content)
-    check_fits("genome", population.network, referee.config)
+    """Read a genome; RefusedError if it is damaged or does not fit the world."""
+    try:
+        team, population = genome_of(submission.path, submission.content)
+        check_fits("genome", population.network, referee.config)
+    except DamagedFileError as error:
+        raise RefusedError(without_path(error)) from error
+    except ValueError as error:
+        raise RefusedError(str(error)) from error
     return Entry(submission.name, team, "genome", submission.file, population)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from matrixworld.explorer.gallery import drawn_world
 from matrixworld.rules import VARIANTS, Action, Capture, Interaction, Outcome, Rules
 from matrixworld.tutorial.boards import Cell, actions_to, pack, random_pack
-from matrixworld.tutorial.exercises import Exercise, Prediction
+from matrixworld.tutorial.exercises import NO_FUNCTION, Exercise, Prediction
 
 ABC = ("a", "b", "c")
 
@@ -145,10 +145,7 @@ def _situations() -> list[tuple[list[Cell], list[Cell]]]:
 
 def _mistake_in_finder(answer: object) -> str | None:
     if not callable(answer):
-        return (
-            "Expected your function itself, without parentheses after its name, got "
-            f"{type(answer).__name__}."
-        )
+        return NO_FUNCTION
     for cells, targets in _situations():
         found = answer(list(cells), list(targets))
         if found is None:

@@ -10,7 +10,7 @@ from matrixworld.explorer.gallery import drawn_world
 from matrixworld.rules import Action
 from matrixworld.tutorial.boards import Cell, actions_to, pack, random_pack
 from matrixworld.tutorial.chapter_1 import ABC, read_actions
-from matrixworld.tutorial.exercises import Exercise, Prediction
+from matrixworld.tutorial.exercises import NO_FUNCTION, Exercise, Prediction
 from matrixworld.world import World
 
 JAM = ". . . . . b . / A B . C . . a / . . . . . . ."
@@ -157,10 +157,7 @@ def _situations() -> list[tuple[list[Cell], list[Cell]]]:
 
 def _mistake_in_resolver(answer: object) -> str | None:
     if not callable(answer):
-        return (
-            "Expected your function itself, without parentheses after its name, got "
-            f"{type(answer).__name__}."
-        )
+        return NO_FUNCTION
     for cells, targets in _situations():
         result = answer(list(cells), list(targets))
         if result is None:

@@ -10,14 +10,12 @@ import numpy as np
 
 from matrixworld.checks import shown
 from matrixworld.policy import Network
-from matrixworld.tutorial.exercises import Exercise, Prediction
-
-NO_FUNCTION = "Expected a function: remove the dots, and write `def answer(...):` in the cell."
+from matrixworld.tutorial.exercises import NO_DEFINITION, Exercise, Prediction
 
 
 def _genome_size(answer: Any) -> str | None:
     if not callable(answer):
-        return NO_FUNCTION
+        return NO_DEFINITION
     for side, hidden, moves in ((5, 8, 5), (11, 32, 5), (3, 4, 9)):
         right = Network((hidden,), fov=side, n_actions=moves).genome_size
         found = answer(side, hidden, moves)
@@ -34,7 +32,7 @@ def _genome_size(answer: Any) -> str | None:
 
 def _matches_needed(answer: Any) -> str | None:
     if not callable(answer):
-        return NO_FUNCTION
+        return NO_DEFINITION
     for spread, error in ((0.2, 0.1), (0.17, 0.01), (0.3, 0.05), (0.2, 0.03)):
         right = math.ceil(round((spread / error) ** 2, 6))
         found = answer(spread, error)
@@ -68,7 +66,7 @@ CROWDS: tuple[list[tuple[int, int]], ...] = (
 
 def _overlap(answer: Any) -> str | None:
     if not callable(answer):
-        return NO_FUNCTION
+        return NO_DEFINITION
     for cells in CROWDS:
         # Copies: a function that empties its argument must not spoil the next check.
         found = answer(list(cells), TEAM)

@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from matrixworld.checks import shown
 from matrixworld.toys import GAMES
-from matrixworld.tutorial.exercises import Exercise, Prediction
+from matrixworld.tutorial.exercises import NO_DEFINITION, Exercise, Prediction
 
-NO_FUNCTION = "Expected a function: remove the dots, and write `def answer(...):` in the cell."
 NUMBERS = (int, float, np.integer, np.floating)
 
 
@@ -61,7 +60,7 @@ def _matrices() -> list[NDArray[np.float64]]:
 
 def _ancestors(answer: Any) -> str | None:
     if not callable(answer):
-        return NO_FUNCTION
+        return NO_DEFINITION
     for matrix in _matrices()[:2]:
         for g in range(1, len(matrix)):
             found = answer(matrix.copy(), g)
@@ -87,7 +86,7 @@ def _not_ancestors(matrix: NDArray[np.float64], g: int, found: float) -> str | N
 
 def _best(answer: Any) -> str | None:
     if not callable(answer):
-        return NO_FUNCTION
+        return NO_DEFINITION
     for matrix in _matrices():
         found = answer(matrix.copy())
         if not isinstance(found, tuple | list | np.ndarray) or len(found) != 2:
@@ -108,7 +107,7 @@ def _best(answer: Any) -> str | None:
 
 def _held_out(answer: Any) -> str | None:
     if not callable(answer):
-        return NO_FUNCTION
+        return NO_DEFINITION
     rng = np.random.default_rng(44)
     for name, game in GAMES.items():
         dimensions, bits = game.shape

@@ -13,7 +13,7 @@ from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulen
 from matrixworld.coevolution.types import FloatArray
 from matrixworld.toys import hosts_and_parasites, synthetic_races
 from matrixworld.toys.race_truths import Noise, play_episodes, truths
-from matrixworld.tutorial.exercises import Exercise, Prediction
+from matrixworld.tutorial.exercises import NO_FUNCTION, Exercise, Prediction
 
 # ---- Races to judge ------------------------------------------------------------------------------
 
@@ -101,7 +101,6 @@ def _race(kind: str, seed: int) -> Any:
 
 # ---- Exercises -----------------------------------------------------------------------------------
 
-NO_FUNCTION = "The answer is your function itself: give its name, without parentheses."
 CLOSE = 1e-9
 
 

@@ -10,9 +10,7 @@ import numpy as np
 
 from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
-from matrixworld.tutorial.exercises import Exercise, Prediction
-
-NO_FUNCTION = "The answer is your function itself: give its name, without parentheses."
+from matrixworld.tutorial.exercises import NO_FUNCTION, Exercise, Prediction
 
 # ---- A curriculum that chooses itself ------------------------------------------------------------
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from matrixworld.rollout import Matches, rollout
 from matrixworld.rules import Rewards
-from matrixworld.tutorial.exercises import Exercise, Prediction
+from matrixworld.tutorial.exercises import NO_FUNCTION, Exercise, Prediction
 from matrixworld.tutorial.packs import WEIGHTS, WORLD, MaskedEpisodes, pack, play_masked
 
 MOST_FAULTS, MOST_STEPS = 10.0, 15.0
@@ -85,7 +85,7 @@ def _episodes(answer: Any) -> str | None:
 
 def _mask(answer: Any) -> str | None:
     if not callable(answer):
-        return "The answer is your function itself: answer = right_of_way, without brackets."
+        return NO_FUNCTION
     views = np.zeros((2, 3, WORLD.fov, WORLD.fov), np.uint8)
     allowed = answer(views)
     if np.shape(allowed) != (2, 5):

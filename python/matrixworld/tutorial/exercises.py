@@ -20,6 +20,11 @@ CHAPTERS = range(1, 10)
 WIDEST = 88
 """Characters in a line of a reply: exported notebooks break longer lines inside words."""
 
+NO_FUNCTION = "The answer is your function itself: give its name, without parentheses."
+"""Reply where the answer has to be a function that was written in the cell."""
+NO_DEFINITION = "Expected a function: remove the dots, and write `def answer(...):` in the cell."
+"""Reply where the cell itself has to define it."""
+
 NO_ANSWER = "No answer yet. Replace the dots with your answer, run the cell, and check again."
 NO_PREDICTION = (
     "No prediction yet. Replace the dots in the cell above and run both cells again. Those who "
