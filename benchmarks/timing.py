@@ -72,9 +72,11 @@ class Clock:
     def _once(self, play: Callable[[int], float]) -> tuple[float, float]:
         # Work and time are taken at the same moment, so a long last call does not bias the rate.
         calls, work, start, cpu = 0, 0.0, time.perf_counter(), time.process_time()
-        while (passed := time.perf_counter() - start) < self.seconds:
+        passed = 0.0
+        while calls == 0 or passed < self.seconds:
             work += play(calls)
             calls += 1
+            passed = time.perf_counter() - start
         return work / passed, (time.process_time() - cpu) / work
 
 

@@ -21,11 +21,11 @@ namespace matrixworld {
 using StepCallback = std::function<void(const World& world, const Occupancy& occupancy,
                                         const std::vector<std::uint8_t>* actions)>;
 
-// Plays n_worlds episodes of every match and returns their statistics, (n matches, n_worlds), flat:
-// in lockstep where that is possible, unless they are to be played `one_by_one`, which gives the
-// same bits and is what tests compare with. The calling thread calls `poll` about every 50 ms; if that throws, all threads stop after their
-// round, and the exception leaves this function. Throws std::invalid_argument for more episodes than
-// memory can hold.
+// Plays n_worlds episodes of every match and returns their statistics, (n matches, n_worlds), flat: in
+// lockstep where that is possible, unless they are to be played `one_by_one`, which gives the same
+// bits and is what tests compare with. The calling thread calls `poll` about every 50 ms; if that
+// throws, all threads stop after their round, and the exception leaves this function. Throws
+// std::invalid_argument for more episodes than memory can hold.
 std::vector<EpisodeStatistics> play_matches(const std::shared_ptr<const Setup>& setup,
                                             const Candidates& pursuers, const Candidates& evaders,
                                             const std::vector<Match>& matches, int n_worlds,
