@@ -1,4 +1,4 @@
-/* built from cpp/ and web/engine/ by web/build_engine.py; sources 5231d56e2926a255118e4ace10ce676262647d8ccd1ec520cd2cbed0ab4cb0ae */
+/* built from cpp/ and web/engine/ by web/build_engine.py; sources 533dad7bdb7f6224c5681863b9103144b63d5f983cf73350207e231d269d62ac */
 var matrixworldEngine = (() => {
   var _scriptDir = typeof document !== 'undefined' && document.currentScript ? document.currentScript.src : undefined;
   
