@@ -1,0 +1,491 @@
+"""Actor-critic: the policy gradient of the paper, with generalized advantage estimation.
+
+One actor and one critic for a team, shared by all of its agents. PyTorch is needed, and imported
+when a learner is made.
+
+References
+----------
+Schulman, J., Moritz, P., Levine, S., Jordan, M. and Abbeel, P. (2016). High-dimensional continuous
+control using generalized advantage estimation. ICLR.
+Schulman, J., Wolski, F., Dhariwal, P., Radford, A. and Klimov, O. (2017). Proximal policy
+optimization algorithms. arXiv:1707.06347.
+Ray, A., Achiam, J. and Amodei, D. (2019). Benchmarking safe exploration in deep reinforcement
+learning. (PPO-Lagrangian.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from math import sqrt
+from typing import Any, Protocol, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld.checks import check_floats
+from matrixworld.coevolution.learners.optimizers import Adam
+from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, IntArray, State
+from matrixworld.policy import Network
+from matrixworld.version import install_hint
+
+Tensor: TypeAlias = Any
+"""A ``torch.Tensor``: PyTorch may be missing where types are checked."""
+
+CHUNK = 16_384
+"""Transitions that are in the networks at one time. Gradients are sums over all chunks."""
+SMALL = 1e-8
+"""Added to a standard deviation by which is divided."""
+
+Reals = NDArray[np.float32]
+
+
+class Transitions(Protocol):
+    """What the learner reads of `matrixworld.coevolution.runs.experience.Experience`."""
+
+    acted: BoolArray
+    views: NDArray[np.uint8]
+    actions: IntArray
+    rewards: Reals
+    costs: Reals
+    last: BoolArray
+    last_views: NDArray[np.uint8]
+    states: NDArray[np.uint8] | None
+    last_states: NDArray[np.uint8] | None
+
+
+def advantages(
+    acted: BoolArray, rewards: Reals, values: Reals, discount: float, trace: float
+) -> Reals:
+    """Return generalized advantage estimates.
+
+    ::
+
+        d_t = r_t + discount * V(s_{t+1}) - V(s_t)
+        A_t = d_t + discount * trace * A_{t+1}
+
+    Parameters
+    ----------
+    acted : ndarray of bool, shape (T, W, A)
+        Which agents acted in each step. An agent that stops acting does not begin again.
+    rewards : ndarray of float32, shape (T, W, A)
+        Their rewards; 0 elsewhere.
+    values : ndarray of float32, shape (T + 1, W, A)
+        Values of what agents saw before each step, also of agents whose time was over after the
+        step before; 0 elsewhere, that is, of agents that are gone and of worlds that have
+        terminated.
+    discount, trace : float
+        Discount factor of rewards (gamma), and of advantages beside it (lambda).
+
+    Returns
+    -------
+    ndarray of float32, shape (T, W, A)
+        The estimates; 0 where no agent acted.
+
+    References
+    ----------
+    Schulman et al. 2016, equations 11 and 16.
+    """
+    found = np.zeros_like(rewards)
+    following = np.zeros_like(rewards[0])
+    for t in range(len(rewards) - 1, -1, -1):
+        change = rewards[t] + discount * values[t + 1] - values[t]
+        following = np.where(acted[t], change + discount * trace * following, 0.0)
+        found[t] = following
+    return found
+
+
+@dataclass(frozen=True)
+class Hyperparameters:
+    """Settings of an actor-critic learner. The defaults are those of the published implementation.
+
+    Parameters
+    ----------
+    actor_rate, critic_rate : float, optional
+        Learning rates of Adam.
+    discount, trace : float, optional
+        Gamma and lambda of the advantages.
+    actor_updates, critic_updates : int, optional
+        Updates an epoch, each with all transitions.
+    clip : float, optional
+        Range of the clipped probability ratio of PPO; 0 is the plain policy gradient.
+    entropy : float, optional
+        Weight of the entropy bonus.
+    central_critic : bool, optional
+        Whether the critics see the whole world instead of an agent's view.
+    cost_limit : float, optional
+        Collisions at fault per 1000 agent-steps that are allowed. A Lagrangian multiplier weighs
+        costs against rewards so that they approach the limit. By default costs are ignored.
+    cost_rate : float, optional
+        Learning rate of the multiplier.
+    device : str, optional
+        Device of PyTorch, such as "cpu" or "cuda".
+    """
+
+    actor_rate: float = 3e-4
+    critic_rate: float = 1e-3
+    discount: float = 0.99
+    trace: float = 0.97
+    actor_updates: int = 1
+    critic_updates: int = 5
+    clip: float = 0.0
+    entropy: float = 0.0
+    central_critic: bool = False
+    cost_limit: float | None = None
+    cost_rate: float = 0.05
+    device: str = "cpu"
+
+
+class _Perceptron:
+    """Weights of a network as one vector, in the layout of a genome, and how they learn."""
+
+    def __init__(
+        self, weights: Genome, sizes: tuple[int, ...], activation: str, rate: float
+    ) -> None:
+        self.weights, self.sizes, self.activation, self.rate = weights, sizes, activation, rate
+        self.adam = Adam(len(weights))
+
+    def outputs(self, weights: Tensor, rows: Tensor) -> Tensor:
+        """Return the outputs (n, out) for inputs (n, in); `weights` is a tensor of the vector."""
+        start, last = 0, len(self.sizes) - 2
+        for number, (n_in, n_out) in enumerate(pairwise(self.sizes)):
+            middle, end = start + n_in * n_out, start + (n_in + 1) * n_out
+            rows = rows @ weights[start:middle].view(n_in, n_out) + weights[middle:end]
+            if number < last:
+                rows = rows.relu() if self.activation == "relu" else rows.tanh()
+            start = end
+        return rows
+
+    def ascend(self, gradient: Genome) -> None:
+        """Make one step of Adam."""
+        # A new array: archives keep a reference to the genome of their generation.
+        self.weights = self.weights + self.adam.step(gradient, self.rate)
+
+
+class ActorCritic:
+    """Actor-critic: policy gradient with generalized advantage estimation.
+
+    ::
+
+        play:    matches of the actor, whose agents' transitions are collected
+        critic:  V = critic(view);  returns R = rewards to go, with V at the end of the time
+        actor:   ascend  mean( log p(action | view) * A ),  A normalised over all transitions
+        critic:  descend mean( (V - R)^2 )
+
+    With `clip`, the actor ascends the clipped objective of PPO. With `cost_limit` a second critic
+    estimates advantages C of costs, and the actor follows (A - m C) / (1 + m), where the multiplier
+    m >= 0 rises while there are more collisions than the limit.
+
+    Parameters
+    ----------
+    genome : array_like of float32, shape (genes,)
+        Weights of the actor to start from.
+    network : Network
+        The actor.
+    samples : int
+        Matches of an epoch.
+    rng : numpy.random.Generator
+        Draws the first weights of the critics.
+    chosen : Hyperparameters, optional
+        All other settings.
+    state_size : int, optional
+        Numbers in a state of the world, which a central critic sees.
+
+    Attributes
+    ----------
+    genome : ndarray of float32, shape (genes,)
+        Weights of the actor.
+    multiplier : float
+        The Lagrangian multiplier.
+
+    Raises
+    ------
+    ImportError
+        If PyTorch is not installed.
+    """
+
+    def __init__(
+        self,
+        genome: ArrayLike,
+        network: Network,
+        samples: int,
+        rng: np.random.Generator,
+        chosen: Hyperparameters | None = None,
+        state_size: int = 0,
+    ) -> None:
+        self.chosen = Hyperparameters() if chosen is None else chosen
+        self._torch = _import_torch()
+        self._device = self._torch.device(self.chosen.device)
+        self._actor = _Perceptron(
+            check_floats("genome", genome, np.float32),
+            network.sizes,
+            network.activation,
+            self.chosen.actor_rate,
+        )
+        inputs = state_size if self.chosen.central_critic else network.sizes[0]
+        sizes = (inputs, *network.hidden, 1)
+        names = ["critic"] if self.chosen.cost_limit is None else ["critic", "cost_critic"]
+        self._critics = {
+            name: _Perceptron(
+                orthogonal(sizes, rng), sizes, network.activation, self.chosen.critic_rate
+            )
+            for name in names
+        }
+        self.samples = samples
+        self.multiplier = 0.0
+
+    @property
+    def genome(self) -> Genome:
+        """Weights of the actor, (genes,)."""
+        return self._actor.weights
+
+    @property
+    def match_of_candidate(self) -> Indices:
+        """Each match has a seed of its own."""
+        return np.arange(self.samples)
+
+    @property
+    def sees_states(self) -> bool:
+        """Whether the critic needs the states of the worlds."""
+        return self.chosen.central_critic
+
+    def ask(self, rng: np.random.Generator) -> Genomes:
+        """Return the actor once for each match."""
+        return np.repeat(self.genome[np.newaxis], self.samples, axis=0)
+
+    def learn(self, experience: Transitions) -> None:
+        """Improve actor and critics by the transitions of one epoch."""
+        # With more threads PyTorch adds in another order: results would depend on the machine's
+        # cores.
+        before = self._torch.get_num_threads()
+        self._torch.set_num_threads(1)
+        try:
+            self._learn(experience)
+        finally:
+            self._torch.set_num_threads(before)
+
+    def _learn(self, experience: Transitions) -> None:
+        chosen, acted = self.chosen, experience.acted
+        rows = _critic_rows(experience, central=chosen.central_critic)
+        signals = {"critic": experience.rewards, "cost_critic": experience.costs}
+        estimates = {}
+        for name, critic in self._critics.items():
+            values = rows.dense(self._values(critic, rows.inputs))
+            signal = _dense(acted, signals[name])
+            estimate = partial(advantages, acted, signal, values, chosen.discount)
+            estimates[name] = _normalised(estimate(chosen.trace)[acted])
+            returns = rows.targets(estimate(1.0) + values[:-1])
+            self._fit(critic, rows.learned, returns)
+        advantage: Any = estimates["critic"]
+        if chosen.cost_limit is not None:
+            self._weigh(1000.0 * float(experience.costs.mean()))
+            advantage = (advantage - self.multiplier * estimates["cost_critic"]) / (
+                1.0 + self.multiplier
+            )
+        self._improve(experience, advantage.astype(np.float32))
+
+    def _weigh(self, collisions: float) -> None:
+        """Move the multiplier by the distance of the collisions from their limit."""
+        limit = float(self.chosen.cost_limit or 0.0)
+        # As a share of the limit, so that the rate means the same for all limits.
+        excess = (collisions - limit) / max(limit, 1.0)
+        self.multiplier = max(0.0, self.multiplier + self.chosen.cost_rate * excess)
+
+    def _improve(self, experience: Transitions, advantage: Reals) -> None:
+        """Update the actor."""
+        torch, clip, entropy = self._torch, self.chosen.clip, self.chosen.entropy
+        actions = torch.from_numpy(experience.actions).to(self._device)
+        weight = torch.from_numpy(advantage).to(self._device)
+        before: list[Tensor] = []
+
+        def objective(weights: Tensor, part: slice, number: int) -> Tensor:
+            logits = self._actor.outputs(weights, self._tensor(experience.views[part]))
+            logs = logits.log_softmax(dim=1)
+            taken = logs.gather(1, actions[part, None])[:, 0]
+            if number == len(before):
+                before.append(taken.detach())
+            # Without a clip this is the gradient of log p; with it, of PPO's objective.
+            ratio = (taken - before[number]).exp() if clip else taken
+            gain = ratio * weight[part]
+            if clip:
+                gain = torch.minimum(gain, ratio.clamp(1 - clip, 1 + clip) * weight[part])
+            return gain.sum() - entropy * (logs.exp() * logs).sum()
+
+        for _ in range(self.chosen.actor_updates):
+            self._actor.ascend(self._gradient(self._actor, len(advantage), objective))
+
+    def _fit(self, critic: _Perceptron, inputs: NDArray[np.uint8], returns: Reals) -> None:
+        """Update a critic."""
+        target = self._torch.from_numpy(returns.astype(np.float32)).to(self._device)
+
+        def objective(weights: Tensor, part: slice, number: int) -> Tensor:
+            values = critic.outputs(weights, self._tensor(inputs[part]))[:, 0]
+            return -((values - target[part]) ** 2).sum()
+
+        for _ in range(self.chosen.critic_updates):
+            critic.ascend(self._gradient(critic, len(returns), objective))
+
+    def _gradient(self, part: _Perceptron, n: int, objective: Objective) -> Genome:
+        """Return the gradient of the mean objective over n transitions."""
+        weights = self._torch.from_numpy(part.weights).to(self._device).requires_grad_()
+        for number, start in enumerate(range(0, n, CHUNK)):
+            (objective(weights, slice(start, start + CHUNK), number) / n).backward()
+        gradient: Genome = weights.grad.cpu().numpy()
+        return gradient
+
+    def _values(self, critic: _Perceptron, inputs: NDArray[np.uint8]) -> Reals:
+        with self._torch.no_grad():
+            weights = self._torch.from_numpy(critic.weights).to(self._device)
+            parts = [
+                critic.outputs(weights, self._tensor(inputs[start : start + CHUNK]))[:, 0].cpu()
+                for start in range(0, len(inputs), CHUNK)
+            ]
+            values: Reals = self._torch.cat(parts).numpy()
+        return values
+
+    def _tensor(self, rows: NDArray[np.uint8]) -> Tensor:
+        return self._torch.from_numpy(rows).to(self._device).float()
+
+    def state(self) -> State:
+        """Return the weights, the averages of Adam, and the multiplier."""
+        parts = {"actor": self._actor, **self._critics}
+        return {
+            "multiplier": np.array(self.multiplier),
+            **{f"{name}_weights": part.weights for name, part in parts.items()},
+            **{
+                f"{name}_{key}": value
+                for name, part in parts.items()
+                for key, value in part.adam.state().items()
+            },
+        }
+
+    def restore(self, state: State) -> None:
+        """Restore a state returned by `state()`."""
+        self.multiplier = float(state["multiplier"])
+        for name, part in {"actor": self._actor, **self._critics}.items():
+            part.weights = state[f"{name}_weights"].astype(np.float32)
+            part.adam.restore({key: state[f"{name}_{key}"] for key in part.adam.state()})
+
+
+Objective = Callable[..., Any]
+"""Takes the weights, a slice of the transitions and its number; returns a sum to maximise."""
+
+
+@dataclass(frozen=True)
+class _CriticRows:
+    """What a critic sees, and where its values belong.
+
+    Parameters
+    ----------
+    inputs : ndarray of uint8, shape (n, inputs)
+        Its inputs, those of the ends of episodes included.
+    learned : ndarray of uint8, shape (k, inputs)
+        Those that it learns from.
+    dense : callable
+        Arranges its values (n,) as (T + 1, W, A).
+    targets : callable
+        Takes returns (T, W, A), gives those of `learned`, (k,).
+    """
+
+    inputs: NDArray[np.uint8]
+    learned: NDArray[np.uint8]
+    dense: Callable[[Reals], Reals]
+    targets: Callable[[Reals], Reals]
+
+
+def _critic_rows(e: Transitions, *, central: bool) -> _CriticRows:
+    steps, worlds, agents = e.acted.shape
+
+    def spread(before: NDArray[Any], after: NDArray[Any]) -> Reals:
+        # What follows an agent's last step is 0, unless only its time was over.
+        dense = np.zeros((steps + 1, worlds, agents), np.float32)
+        dense[:-1][e.acted] = before
+        dense[1:][e.last] = after
+        return dense
+
+    if not central:
+        n = len(e.actions)
+        return _CriticRows(
+            np.concatenate([e.views, e.last_views]),
+            e.views,
+            lambda values: spread(values[:n], values[n:]),
+            lambda returns: returns[e.acted],
+        )
+    if e.states is None or e.last_states is None:
+        raise ValueError("experience: expected states for a central critic, got none")
+    going = e.acted.any(axis=2)
+    world_of = np.nonzero(e.acted)[:2]
+    ends = np.nonzero(e.last)[1]
+
+    def dense(values: Reals) -> Reals:
+        during = values[: steps * worlds].reshape(steps, worlds)
+        return spread(during[world_of], values[steps * worlds :][ends])
+
+    states = e.states.reshape(steps * worlds, -1)
+    # One value for all agents of the team: the mean of what they earn.
+    return _CriticRows(
+        np.concatenate([states, e.last_states]),
+        states[going.ravel()],
+        dense,
+        lambda returns: (returns.sum(axis=2, where=e.acted) / np.maximum(e.acted.sum(axis=2), 1))[
+            going
+        ],
+    )
+
+
+def _dense(acted: BoolArray, values: Reals) -> Reals:
+    """Return values (n,) of transitions as (T, W, A), 0 elsewhere."""
+    found = np.zeros(acted.shape, np.float32)
+    found[acted] = values
+    return found
+
+
+def _normalised(values: Reals) -> Reals:
+    """Return values with mean 0 and standard deviation 1."""
+    centred = values - values.mean(dtype=np.float64)
+    return np.asarray(centred / (centred.std() + SMALL), np.float32)
+
+
+def orthogonal(sizes: tuple[int, ...], rng: np.random.Generator, *, head: float = 1.0) -> Genome:
+    """Return untrained weights: orthogonal matrices, and biases of 0.
+
+    Parameters
+    ----------
+    sizes : tuple of int
+        Sizes of the layers, inputs and outputs included.
+    rng : numpy.random.Generator
+        Draws the matrices.
+    head : float, optional
+        Scale of the last layer; that of the others is the square root of 2.
+
+    Returns
+    -------
+    ndarray of float32, shape (genes,)
+        The weights, in the layout of a genome.
+
+    References
+    ----------
+    Saxe, A., McClelland, J. and Ganguli, S. (2014). Exact solutions to the nonlinear dynamics of
+    learning in deep linear neural networks. ICLR.
+    """
+    parts = []
+    for number, (n_in, n_out) in enumerate(pairwise(sizes)):
+        large, small = max(n_in, n_out), min(n_in, n_out)
+        q, r = np.linalg.qr(rng.standard_normal((large, small)))
+        q *= np.sign(np.diag(r))
+        matrix = q if n_in >= n_out else q.T
+        scale = head if number == len(sizes) - 2 else sqrt(2.0)
+        parts += [scale * matrix.ravel(), np.zeros(n_out)]
+    return np.concatenate(parts).astype(np.float32)
+
+
+def _import_torch() -> Any:
+    try:
+        import torch
+    except ImportError as error:
+        raise ImportError(
+            f"The learner actor-critic needs PyTorch: {install_hint('torch')}"
+        ) from error
+    return torch
