@@ -50,7 +50,11 @@ SECTIONS: dict[str, tuple[str, ...]] = {
         "learner", "learner_settings",
         "population", "sigma", "optimizer", "learning_rate", "momentum", "anneal",
         "mutation", "crossover", "selection", "tournament", "truncation", "elites",
-        "elite_episodes", "fitness", "overlap_penalty",
+        "elite_episodes", "fitness", "rewards", "overlap_penalty",
+    ),
+    "Actor-critic (extra torch)": (
+        "actor_rate", "critic_rate", "discount", "trace", "actor_updates", "critic_updates",
+        "clip", "entropy", "central_critic", "cost_limit", "cost_rate", "device",
     ),
     "Episodes and seed": ("train_steps", "worlds", "eval_steps", "eval_episodes", "seed"),
 }  # fmt: skip

@@ -15,7 +15,8 @@ from matrixworld.coevolution.learners.actor_critic import (
     advantages,
     orthogonal,
 )
-from matrixworld.coevolution.runs.experience import Experience, experience
+from matrixworld.coevolution.learners.experience import Experience
+from matrixworld.coevolution.runs.experience import experience
 from matrixworld.config import WorldConfig
 from matrixworld.play import NetworkPolicy
 from matrixworld.policy import Network, Population

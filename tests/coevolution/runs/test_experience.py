@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from matrixworld.coevolution.runs.experience import Experience, experience
+from matrixworld.coevolution.learners.experience import Experience
+from matrixworld.coevolution.runs.experience import experience
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
 from matrixworld.policy import Network, Population
@@ -27,24 +28,26 @@ def genomes(seed: int, count: int) -> Population:
 
 @pytest.mark.parametrize("team", TEAMS)
 @pytest.mark.parametrize("opponents", [genomes(1, 3), "random"], ids=["genomes", "script"])
-@pytest.mark.parametrize("episode", [0, 2])
-def test_the_matches_are_those_of_a_rollout(team: Team, opponents, episode: int) -> None:
+@pytest.mark.parametrize("worlds", [1, 3])
+def test_the_matches_are_those_of_a_rollout(team: Team, opponents, worlds: int) -> None:
     own = genomes(0, 1)
-    found = experience(CONFIG, team, own, opponents, CHOSEN, SEEDS, episode=episode, threads=1)
+    found = experience(CONFIG, team, own, opponents, CHOSEN, SEEDS, worlds=worlds, threads=1)
     others = 0 if isinstance(opponents, str) else CHOSEN
     sides = (own, opponents) if team == "pursuer" else (opponents, own)
     indices = (0, others) if team == "pursuer" else (others, 0)
-    scores = rollout(CONFIG, *sides, Matches.of(*indices, SEEDS), worlds=episode + 1)
+    scores = rollout(CONFIG, *sides, Matches.of(*indices, SEEDS), worlds=worlds)
     side = TEAMS.index(team)
-    np.testing.assert_array_equal(found.acted.sum(axis=(0, 2)), scores.agent_steps[:, -1, side])
+    np.testing.assert_array_equal(
+        found.acted.sum(axis=(0, 2)), scores.agent_steps[..., side].ravel()
+    )
     lengths = found.acted.any(axis=2).sum(axis=0)
-    assert (lengths <= scores.length[:, -1]).all()
+    assert (lengths <= scores.length.ravel()).all()
     returns = (scores.pursuer_return, scores.evader_return)[side]
     world = np.nonzero(found.acted)[1]
-    earned = np.bincount(world, weights=found.rewards.astype(float), minlength=len(SEEDS))
-    np.testing.assert_allclose(earned, returns[:, -1], rtol=1e-6)
-    faults = np.bincount(world, weights=found.costs, minlength=len(SEEDS))
-    np.testing.assert_array_equal(faults, scores.faults[:, -1, side].sum(axis=1))
+    earned = np.bincount(world, weights=found.rewards.astype(float), minlength=len(SEEDS) * worlds)
+    np.testing.assert_allclose(earned, returns.ravel(), rtol=1e-6)
+    faults = np.bincount(world, weights=found.costs, minlength=len(SEEDS) * worlds)
+    np.testing.assert_array_equal(faults, scores.faults[:, :, side].sum(axis=2).ravel())
 
 
 def by_hand(team: Team, seed: int, opponent: Population) -> Experience:

@@ -16,44 +16,38 @@ learning. (PPO-Lagrangian.)
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import partial
 from itertools import pairwise
 from math import sqrt
-from typing import Any, Protocol, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.checks import check_floats
+from matrixworld.checks import (
+    check_bool,
+    check_floats,
+    check_instance,
+    check_integer,
+    check_number,
+    shown,
+)
+from matrixworld.coevolution.learners.experience import Experience, Reals
+from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings
 from matrixworld.coevolution.learners.optimizers import Adam
-from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, IntArray, State
-from matrixworld.policy import Network
+from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, State, Team
+from matrixworld.policy import CHANNELS, Network
+from matrixworld.rules import Interaction
 from matrixworld.version import install_hint
 
 Tensor: TypeAlias = Any
 """A ``torch.Tensor``: PyTorch may be missing where types are checked."""
 
 CHUNK = 16_384
-"""Transitions that are in the networks at one time. Gradients are sums over all chunks."""
+"""Experience that are in the networks at one time. Gradients are sums over all chunks."""
 SMALL = 1e-8
 """Added to a standard deviation by which is divided."""
-
-Reals = NDArray[np.float32]
-
-
-class Transitions(Protocol):
-    """What the learner reads of `matrixworld.coevolution.runs.experience.Experience`."""
-
-    acted: BoolArray
-    views: NDArray[np.uint8]
-    actions: IntArray
-    rewards: Reals
-    costs: Reals
-    last: BoolArray
-    last_views: NDArray[np.uint8]
-    states: NDArray[np.uint8] | None
-    last_states: NDArray[np.uint8] | None
 
 
 def advantages(
@@ -255,7 +249,10 @@ class ActorCritic:
         """Return the actor once for each match."""
         return np.repeat(self.genome[np.newaxis], self.samples, axis=0)
 
-    def learn(self, experience: Transitions) -> None:
+    def tell(self, fitness: ArrayLike) -> None:
+        """Do nothing: this learner has learned from the transitions, and fitness is for the log."""
+
+    def learn(self, experience: Experience) -> None:
         """Improve actor and critics by the transitions of one epoch."""
         # With more threads PyTorch adds in another order: results would depend on the machine's
         # cores.
@@ -266,7 +263,7 @@ class ActorCritic:
         finally:
             self._torch.set_num_threads(before)
 
-    def _learn(self, experience: Transitions) -> None:
+    def _learn(self, experience: Experience) -> None:
         chosen, acted = self.chosen, experience.acted
         rows = _critic_rows(experience, central=chosen.central_critic)
         signals = {"critic": experience.rewards, "cost_critic": experience.costs}
@@ -293,7 +290,7 @@ class ActorCritic:
         excess = (collisions - limit) / max(limit, 1.0)
         self.multiplier = max(0.0, self.multiplier + self.chosen.cost_rate * excess)
 
-    def _improve(self, experience: Transitions, advantage: Reals) -> None:
+    def _improve(self, experience: Experience, advantage: Reals) -> None:
         """Update the actor."""
         torch, clip, entropy = self._torch, self.chosen.clip, self.chosen.entropy
         actions = torch.from_numpy(experience.actions).to(self._device)
@@ -395,7 +392,7 @@ class _CriticRows:
     targets: Callable[[Reals], Reals]
 
 
-def _critic_rows(e: Transitions, *, central: bool) -> _CriticRows:
+def _critic_rows(e: Experience, *, central: bool) -> _CriticRows:
     steps, worlds, agents = e.acted.shape
 
     def spread(before: NDArray[Any], after: NDArray[Any]) -> Reals:
@@ -489,3 +486,62 @@ def _import_torch() -> Any:
             f"The learner actor-critic needs PyTorch: {install_hint('torch')}"
         ) from error
     return torch
+
+
+def _check(settings: RunSettings) -> None:
+    interaction = settings.rules.interaction
+    if interaction is not Interaction.SIMULTANEOUS:
+        raise ValueError(
+            f"variant: expected one whose agents act at the same time with actor-critic, got "
+            f"{interaction.name}"
+        )
+
+
+def _check_below_one(name: str, value: Any) -> None:
+    if check_number(name, value, least=0.0) > 1.0:
+        raise ValueError(f"{name}: expected a number from 0 to 1, got {shown(value)}")
+
+
+def _check_optional(name: str, value: Any) -> None:
+    if value is not None:
+        check_number(name, value, least=0.0)
+
+
+def _new(
+    settings: RunSettings, team: Team, genomes: Genomes, rng: np.random.Generator
+) -> ActorCritic:
+    world = settings.world(settings.train_steps)
+    chosen = {item.name: getattr(settings, item.name) for item in fields(Hyperparameters)}
+    return ActorCritic(
+        genomes[0],
+        settings.network,
+        settings.population,
+        rng,
+        Hyperparameters(**chosen),
+        state_size=CHANNELS * world.rows * world.cols,
+    )
+
+
+_positive = partial(check_number, least=0.0, positive=True)
+_count = partial(check_integer, low=1)
+
+ENTRY = LearnerEntry(
+    title="actor-critic, with PyTorch",
+    settings={
+        "actor_rate": _positive,
+        "critic_rate": _positive,
+        "discount": _check_below_one,
+        "trace": _check_below_one,
+        "actor_updates": _count,
+        "critic_updates": _count,
+        "clip": partial(check_number, least=0.0),
+        "entropy": partial(check_number, least=0.0),
+        "central_critic": check_bool,
+        "cost_limit": _check_optional,
+        "cost_rate": _positive,
+        "device": lambda name, value: check_instance(name, value, str),
+    },
+    check=_check,
+    new=_new,
+    by_gradients=True,
+)

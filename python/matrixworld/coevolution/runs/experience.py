@@ -1,10 +1,9 @@
-"""Experience of a team: what its agents saw, did and earned in matches, for gradient learners."""
+"""Play matches and keep what the agents of one team saw, did and earned, for gradient learners."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,65 +11,16 @@ from numpy.typing import NDArray
 
 from matrixworld.arrays import array_specs, new_arrays
 from matrixworld.batch import Batch
-from matrixworld.coevolution.types import BoolArray, Indices, IntArray, Seeds, Team, other
+from matrixworld.coevolution.learners.experience import Experience, Views
+from matrixworld.coevolution.types import Indices, Seeds, Team, other
 from matrixworld.config import WorldConfig
 from matrixworld.policy import Population, TeamPolicy
-from matrixworld.short_repr import short_repr
-
-Views = NDArray[np.uint8]
-Reals = NDArray[np.float32]
 
 Player = tuple[range, list[TeamPolicy], NDArray[np.int32]]
 """Agents of a team, the policies that play for it, and the place of each match's policy."""
 
 ARRAYS = ("views", "state", "rewards", "cost", "alive", "terminated", "truncated")
 """Output arrays that experience is taken from."""
-
-
-@dataclass(frozen=True)
-class Experience:
-    """Transitions of the agents of one team in W episodes of at most T steps.
-
-    The n transitions of all agents are in the order of (step, episode, agent). An agent has one in
-    each step at whose begin it is alive.
-
-    Parameters
-    ----------
-    acted : ndarray of bool, shape (T, W, A)
-        Which agents of the team acted in each step.
-    views : ndarray of uint8, shape (n, 3 * fov * fov)
-        What each one saw before.
-    actions : ndarray of int64, shape (n,)
-        What it did.
-    rewards : ndarray of float32, shape (n,)
-        Its reward.
-    costs : ndarray of float32, shape (n,)
-        Number of kinds of collision in which it was at fault.
-    last : ndarray of bool, shape (T, W, A)
-        Agents that were alive when `max_steps` ended their episode, in its last step. What they
-        would have earned later has to be estimated from their last views.
-    last_views : ndarray of uint8, shape (m, 3 * fov * fov)
-        What these saw after that step, in the same order.
-    states : ndarray of uint8, shape (T, W, 3 * rows * cols), or None
-        The worlds before each step, if they were asked for.
-    last_states : ndarray of uint8, shape (W, 3 * rows * cols), or None
-        The worlds after the last step.
-    """
-
-    acted: BoolArray
-    views: Views
-    actions: IntArray
-    rewards: Reals
-    costs: Reals
-    last: BoolArray
-    last_views: Views
-    states: Views | None = None
-    last_states: Views | None = None
-
-    __repr__ = short_repr
-
-    def __len__(self) -> int:
-        return len(self.actions)
 
 
 def experience(
@@ -81,7 +31,7 @@ def experience(
     chosen: Indices,
     seeds: Seeds,
     *,
-    episode: int = 0,
+    worlds: int = 1,
     states: bool = False,
     threads: int | None = None,
 ) -> Experience:
@@ -101,8 +51,8 @@ def experience(
         Opponent of each match; ignored for a script.
     seeds : ndarray of uint64, shape (W,)
         Seed of each match.
-    episode : int, optional
-        Number of the episode of each seed. The default is 0.
+    worlds : int, optional
+        Episodes of each match, as in a rollout. The default is 1.
     states : bool, optional
         Whether to keep the states of the worlds. The default is False.
     threads : int, optional
@@ -120,16 +70,18 @@ def experience(
     """
     specs = array_specs(config)
     wanted = [name for name in ARRAYS if states or name != "state"]
-    buffers = new_arrays({name: specs[name] for name in wanted}, len(seeds))
-    batch = Batch(len(seeds), config, threads=threads, buffers=buffers)
-    batch.reset(seeds, episode=episode)
+    everywhere = np.repeat(seeds, worlds)
+    buffers = new_arrays({name: specs[name] for name in wanted}, len(everywhere))
+    batch = Batch(len(everywhere), config, threads=threads, buffers=buffers)
+    for number in range(worlds):
+        batch.reset(everywhere, episode=number, mask=np.arange(len(everywhere)) % worlds == number)
     everyone = {
         "pursuer": range(config.n_pursuers),
         "evader": range(config.n_pursuers, config.n_agents),
     }
     players: list[Player] = [
-        (everyone[team], [policy], np.zeros(len(seeds), np.int32)),
-        (everyone[other(team)], *_opponents(opponents, chosen)),
+        (everyone[team], [policy], np.zeros(len(everywhere), np.int32)),
+        (everyone[other(team)], *_opponents(opponents, np.repeat(chosen, worlds))),
     ]
     steps = list(_play(batch, everyone[team], players))
     acted, views, actions, rewards, costs, last, last_views, before = zip(*steps, strict=True)

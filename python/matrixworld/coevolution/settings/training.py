@@ -26,7 +26,10 @@ from matrixworld.coevolution.settings.effects import check_effects
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
 from matrixworld.policy import Network
-from matrixworld.rules import VARIANTS, Outcome, Rules, rules_of
+from matrixworld.rules import VARIANTS, Outcome, Rewards, Rules, rules_of
+
+REWARDS = {"paper": Rewards.paper, "published": Rewards.published}
+"""Rewards by name."""
 
 Settings = TypeVar("Settings", bound="TrainingSettings")
 
@@ -83,7 +86,7 @@ class TrainingSettings:
         "your own, as module:object; default: es",
     )
     learner_settings: Mapping[str, Any] = option(NO_SETTINGS, OWN_HELP.format("the learner"))
-    population: int = option(48, "candidates per epoch")
+    population: int = option(48, "candidates per epoch; actor-critic: matches per epoch")
     sigma: float = option(0.1, "es: standard deviation of the samples; cma: its initial value")
     optimizer: str = option("adam", f"es: {' or '.join(OPTIMIZERS)}")
     learning_rate: float = option(0.02, "es: learning rate of the optimizer")
@@ -100,7 +103,26 @@ class TrainingSettings:
         "ga: new matches of each elite against each of its last opponents at the end of a "
         "generation, which decide the champion; 0: the fitness of the last epoch decides",
     )
+    actor_rate: float = option(3e-4, "actor-critic: learning rate of the actor")
+    critic_rate: float = option(1e-3, "actor-critic: learning rate of the critic")
+    discount: float = option(0.99, "actor-critic: discount factor of rewards (gamma)")
+    trace: float = option(0.97, "actor-critic: discount factor of advantages (lambda)")
+    actor_updates: int = option(1, "actor-critic: updates of the actor in an epoch")
+    critic_updates: int = option(5, "actor-critic: updates of the critic in an epoch")
+    clip: float = option(0.0, "actor-critic: clip range of PPO; 0: plain policy gradient")
+    entropy: float = option(0.0, "actor-critic: weight of the entropy bonus")
+    central_critic: bool = option(False, "actor-critic: let the critic see the whole world")
+    cost_limit: float | None = option(
+        None,
+        "actor-critic: collisions at fault per 1000 agent-steps to approach, by a Lagrangian "
+        "multiplier; default: collisions cost only what the rewards say",
+    )
+    cost_rate: float = option(0.05, "actor-critic: learning rate of the multiplier")
+    device: str = option("cpu", "actor-critic: device of PyTorch, such as cuda")
 
+    rewards: str = option(
+        "paper", f"rewards, for actor-critic and the fitness rewards: {' or '.join(REWARDS)}"
+    )
     fitness: str = option("captured-fraction", f"fitness: {', '.join(FITNESS)}")
     overlap_penalty: float | None = option(
         None,
@@ -131,6 +153,7 @@ class TrainingSettings:
             check_integer(name, getattr(self, name), 1)
         check_integer("seed", self.seed, 0, MOST_SEED)
         check_choice("fitness", self.fitness, FITNESS)
+        check_choice("rewards", self.rewards, REWARDS)
         if self.overlap_penalty is not None:
             check_number("overlap_penalty", self.overlap_penalty, least=0.0)
 
@@ -184,6 +207,7 @@ class TrainingSettings:
             diagonal=self.diagonal,
             # A tuple is a map as text; `WorldConfig` takes a list.
             obstacles=list(self.obstacles) if isinstance(self.obstacles, tuple) else self.obstacles,
+            rewards=REWARDS[self.rewards](),
             max_steps=max_steps,
         )
 
