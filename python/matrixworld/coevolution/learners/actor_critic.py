@@ -526,7 +526,7 @@ _positive = partial(check_number, least=0.0, positive=True)
 _count = partial(check_integer, low=1)
 
 ENTRY = LearnerEntry(
-    title="actor-critic, with PyTorch",
+    title="actor-critic",
     settings={
         "actor_rate": _positive,
         "critic_rate": _positive,

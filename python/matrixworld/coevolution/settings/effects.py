@@ -127,7 +127,7 @@ CONDITIONS: dict[str, tuple[Condition, ...]] = {
         Condition("with several opponents of each candidate in an epoch", _meets_several),
     ),
     "activation": (HIDDEN,),
-    "initial_weight": (HIDDEN, UNTRAINED),
+    "initial_weight": (HIDDEN, UNTRAINED, BY_FITNESS),
     "initial_head": (UNTRAINED,),
     "momentum": (Condition("with the optimizer momentum", lambda s: s.optimizer == "momentum"),),
     "tournament": (
