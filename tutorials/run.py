@@ -5,11 +5,13 @@
 
 Needs the extra "test". A notebook is replaced only after it ran without an error. Pages that it
 embeds (the playground, an explorer) are shown where it runs; the file keeps the picture that stands
-in for them.
+in for them. Figures are kept with 256 colours, which makes the file less than half as large.
 """
 
 from __future__ import annotations
 
+import base64
+import io
 import os
 import sys
 import time
@@ -17,9 +19,11 @@ from pathlib import Path
 
 import nbformat
 from nbclient import NotebookClient
+from PIL import Image
 
 HERE = Path(__file__).parent
 SECONDS_A_CELL = 600
+COLORS = 256
 
 
 def run(path: Path) -> None:
@@ -27,12 +31,17 @@ def run(path: Path) -> None:
     notebook = nbformat.read(path, as_version=4)
     resources = {"metadata": {"path": str(HERE)}}
     NotebookClient(
-        notebook, timeout=SECONDS_A_CELL, kernel_name="python3", resources=resources
+        notebook,
+        timeout=SECONDS_A_CELL,
+        kernel_name="python3",
+        resources=resources,
+        coalesce_streams=True,  # the prints of a cell in one piece
     ).execute()
     for cell in notebook.cells:
         cell.metadata.pop("execution", None)  # times of day: they change without a reason
         for output in cell.get("outputs", []):
             drop_frame(output)
+            reduce_colors(output)
     temporary = path.with_suffix(".tmp")
     nbformat.write(notebook, temporary)
     os.replace(temporary, path)
@@ -43,6 +52,19 @@ def drop_frame(output: nbformat.NotebookNode) -> None:
     data = output.get("data", {})
     if "image/png" in data and "<iframe" in "".join(data.get("text/html", "")):
         del data["text/html"]
+
+
+def reduce_colors(output: nbformat.NotebookNode) -> None:
+    """Keep the picture of an output with a palette, if it is smaller so."""
+    data = output.get("data", {})
+    if "image/png" not in data:
+        return
+    before = base64.b64decode(data["image/png"])
+    picture = Image.open(io.BytesIO(before)).convert("RGB").quantize(COLORS)
+    after = io.BytesIO()
+    picture.save(after, "PNG", optimize=True)
+    if len(after.getvalue()) < len(before):
+        data["image/png"] = base64.b64encode(after.getvalue()).decode("ascii")
 
 
 def main(beginnings: list[str]) -> None:

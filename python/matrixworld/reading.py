@@ -33,6 +33,8 @@ LIMITS = {
     "log": 4096 * MIB,  # 110 bytes an epoch: 39 million epochs
     "npy": 4096 * MIB,  # 14 MB for 300 generations of a team
     "npz": 4096 * MIB,  # 8 MB for the payoff of 100 generations with 100 episodes of each pair
+    "genome": 8 * MIB,  # 48 kB for a default genome; 1 MB with the published hidden layers
+    "program": MIB // 4,  # a policy that a student wrote takes some kB
 }
 """Most bytes of a file, by kind: about a thousand times what the package's own runs write."""
 UNPACKED = 256 * MIB

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import html
 import io
 import os
 import sys
@@ -209,18 +210,19 @@ class Animation:
     ----------
     data : bytes
         The contents of the file.
+    alt : str, optional
+        What it shows, in words, for readers who do not see it.
     """
 
     data: bytes
+    alt: str = "an episode of pursuit and evasion"
 
     def __repr__(self) -> str:
         return f"<Animation: a GIF of {len(self.data) / 1000:.0f} kB>"
 
     def _repr_html_(self) -> str:
         encoded = base64.b64encode(self.data).decode("ascii")
-        return (
-            f'<img src="data:image/gif;base64,{encoded}" alt="an episode of pursuit and evasion">'
-        )
+        return f'<img src="data:image/gif;base64,{encoded}" alt="{html.escape(self.alt)}">'
 
 
 def animation(

@@ -156,7 +156,7 @@ def test_estimates_are_near_what_is_measured(call: str) -> None:
 @pytest.mark.parametrize(
     ("changes", "part"),
     [
-        ({"hidden": (2**20, 2**20)}, "archive"),
+        ({"hidden": (2**20, 2**20)}, "learners"),
         ({"population": MANY - 1}, "candidates"),
         ({"generations": MANY}, "matches"),
         ({"eval_episodes": MANY}, "matches"),

@@ -18,11 +18,16 @@ from matrixworld.coevolution import open_run, start
 from matrixworld.coevolution.settings.training import MOST_SEED
 from tiny_race import tiny_race
 
-DIFFERENT = {"--hidden", "--episodes", "--explain", "--each", "--output"}
+DIFFERENT = {"--hidden", "--episodes", "--explain", "--each", "--output"} | {
+    *("--rows", "--cols", "--pursuers", "--evaders", "--steps", "--seconds", "--team"),
+    "--generation",
+}
 """Options that differ between commands: `evolve` takes one network, `bench` measures several;
 `tournament` plays episodes, `analyze` has to be told how many there were; `diagnose` explains a
 judgement, `replay` the steps of an episode; `diagnose --each` judges each group, `plot --each`
-draws each run; `--output` has another file by default."""
+draws each run; `--output` has another file by default. `class` plays small and short games by
+default, and limits the seconds of programs; `export` has to be told a team, and takes one
+generation."""
 
 BENCH = ["--rows", 7, "--cols", 6, "--pursuers", 2, "--evaders", 3, "--fov", 5]
 

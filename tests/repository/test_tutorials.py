@@ -73,7 +73,7 @@ def test_notebooks_begin_alike(path: Path) -> None:
 
 
 @each_notebook
-def test_every_exercise_of_a_notebook_is_asked_and_predictions_come_first(path: Path) -> None:
+def test_every_exercise_of_a_notebook_is_asked(path: Path) -> None:
     code = [source(cell) for cell in cells(path, "code")]
     text = "\n".join(code)
     checked = re.findall(r'check\("([\d.a-z]+)"', text)
@@ -81,6 +81,20 @@ def test_every_exercise_of_a_notebook_is_asked_and_predictions_come_first(path: 
     assert checked == list(table)
     assert 3 <= sum(isinstance(each, Exercise) for each in table.values()) <= 5
     assert any(isinstance(each, Prediction) for each in table.values())
+
+
+@each_notebook
+def test_predictions_are_made_before_their_experiments(path: Path) -> None:
+    """Between the cell for a prediction and its check there is an experiment."""
+    code = [source(cell) for cell in cells(path, "code")]
+    asked = [number for number, text in enumerate(code) if text.startswith("prediction = ...")]
+    checked = [number for number, text in enumerate(code) if ", prediction)" in text]
+    table = exercises(chapter(path))
+    assert len(checked) == sum(isinstance(each, Prediction) for each in table.values())
+    assert len(asked) == len(checked)
+    for first, last, before in zip(asked, checked, [-1, *checked], strict=False):
+        assert before < first
+        assert last - first >= 2
 
 
 @each_notebook

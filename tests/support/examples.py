@@ -17,7 +17,17 @@ import numpy as np
 
 import matrixworld as mw
 from made_up_episode import made_up_episode
-from matrixworld import analysis, cluster, coevolution, explorer, plots, replay, toys
+from matrixworld import (
+    analysis,
+    classroom,
+    cluster,
+    coevolution,
+    explorer,
+    plots,
+    replay,
+    toys,
+    tutorial,
+)
 from matrixworld.coevolution import learners, opponents, runs
 from tiny_race import TINY, tiny_race, tiny_single
 
@@ -89,8 +99,15 @@ def examples(directory: Path) -> Iterator[Any]:
 
     An object may be yielded several times, and changes between.
     """
-    groups = (_of_worlds(), _of_analysis(), _of_plots(), _of_toys(), _of_learning())
-    for group in (*groups, _of_runs(directory), _of_jobs(directory)):
+    groups = (
+        _of_worlds(),
+        _of_analysis(),
+        _of_plots(),
+        _of_toys(),
+        _of_learning(),
+        _of_tutorial(),
+    )
+    for group in (*groups, _of_runs(directory), _of_jobs(directory), _of_classes(directory)):
         yield from group
 
 
@@ -157,6 +174,10 @@ def _of_plots() -> Iterator[Any]:
     yield from (plots.SITUATIONS, plots.resolve(plots.SITUATIONS[0], mw.Outcome.BOUNCE))
 
 
+def _of_tutorial() -> Iterator[Any]:
+    yield from (tutorial.check("1.a", "c"), tutorial.hint("1.1"), *tutorial.exercises(1).values())
+
+
 def _of_toys() -> Iterator[Any]:
     history = toys.numbers_game("focusing", seed=0, generations=3)
     yield from (history, toys.GAMES, toys.labelled_race("rock-paper-scissors, its averages", 0))
@@ -216,6 +237,19 @@ def _of_runs(directory: Path) -> Iterator[Any]:
         coevolution.LockedError("locked"),
         coevolution.DisengagementWarning("disengaged"),
     )
+
+
+def _of_classes(directory: Path) -> Iterator[Any]:
+    submissions = directory / "class"
+    submissions.mkdir(parents=True)
+    network = mw.Network((2,), fov=5)
+    policy = mw.NetworkPolicy(network, network.initial(np.random.default_rng(0)))
+    classroom.save_genome(submissions / "ann.npz", "evader", policy)
+    (submissions / "bo.npz").write_bytes(b"")
+    config = mw.WorldConfig("O", rows=6, cols=6, n_pursuers=1, n_evaders=1, fov=5, max_steps=3)
+    result = classroom.play_class(submissions, config, episodes=2, threads=1)
+    assert result.refusals
+    yield from (result, classroom.standings(result, "evader"), classroom.Limits())
 
 
 def _of_jobs(directory: Path) -> Iterator[Any]:

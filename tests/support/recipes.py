@@ -24,7 +24,7 @@ ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "how_to_add.md"
 COPIED = (
     *("CMakeLists.txt", "pyproject.toml", "README.md", "LICENSE"),
-    *("cpp", "python", "tests", "docs"),
+    *("cpp", "python", "tests", "docs", "tutorials"),
 )
 NOT_COPIED = shutil.ignore_patterns("__pycache__", ".hypothesis")
 

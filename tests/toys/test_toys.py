@@ -208,3 +208,11 @@ def test_reduced_virulence_keeps_both_engaged():
     assert min(race.engaged.mean() for race in races) > 0.99
     hosts = np.mean([race.objective[-50:, 0].mean() for race in races])
     assert hosts == pytest.approx(93, abs=2)
+
+
+def test_parasites_may_have_a_fitness_of_your_own():
+    """It decides: a constant one is no selection, so that parasites drift to their bias."""
+    given, named = (toys.hosts_and_parasites(v, 3, generations=40) for v in (lambda w: w, 1.0))
+    assert np.array_equal(given.ones, named.ones)
+    drifted = toys.hosts_and_parasites(np.zeros_like, 3, generations=200)
+    assert drifted.objective[-50:, 1].mean() == pytest.approx(75, abs=5)

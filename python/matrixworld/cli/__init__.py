@@ -11,6 +11,8 @@ playground.py       ``playground``: a page on which conflicts are played by hand
 plot.py             ``plot``: draw the figures of finished runs again
 diagnose.py         ``diagnose``: what happened in a race, and what to try
 analyze.py          ``analyze``: all measures of payoffs, also of a matrix of one's own
+class_tournament.py ``class``: a tournament of policies that students have handed in
+export.py           ``export``: a genome of a run as a file for that tournament
 variants.py         ``variants``: the table of rules
 bench.py            ``bench``: how fast this machine plays; `bench_report` prints it
 options.py          options that several commands share, and old names of options
@@ -43,10 +45,12 @@ import click
 
 from matrixworld.cli.analyze import analyze_command
 from matrixworld.cli.bench import bench_command
+from matrixworld.cli.class_tournament import class_command
 from matrixworld.cli.diagnose import diagnose_command
 from matrixworld.cli.evolve import evolve_command
 from matrixworld.cli.exploit import exploit_command
 from matrixworld.cli.explore import explore_command
+from matrixworld.cli.export import export_command
 from matrixworld.cli.options import Commands
 from matrixworld.cli.playground import playground_command
 from matrixworld.cli.plot import plot_command
@@ -82,6 +86,8 @@ for command in (
     plot_command,
     diagnose_command,
     analyze_command,
+    class_command,
+    export_command,
     variants_command,
     bench_command,
 ):

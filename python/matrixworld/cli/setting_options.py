@@ -262,7 +262,7 @@ _SPECIAL: Mapping[str, dict[str, Any]] = {
         "metavar": "NAME",
     },
     "team": {"type": click.Choice(["pursuer", "evader"]), "metavar": "TEAM"},
-    "variant": {"type": str.upper, "metavar": "NAME"},
+    "variant": {"type": click.types.FuncParamType(str.upper), "metavar": "NAME"},
     "learner_settings": OWN,
     "pursuers_meet_settings": OWN,
     "evaders_meet_settings": OWN,

@@ -8,6 +8,7 @@ archives.py     the teams of a run: networks, and genomes within a limit of size
 playground.py   ``Playground``: the page on which conflicts are played by hand
 gallery.py      the examples of the playground
 links.py        scenes of the playground as text in a link
+frame.py        a page in a notebook: a frame, and a picture where no frame is shown
 page.py         a self-contained page: template, script, style sheet and data
 built.py        the built scripts and style sheets
 ==============  ====================================================================================

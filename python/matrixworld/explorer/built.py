@@ -12,7 +12,7 @@ from pathlib import Path
 
 BUILT = Path(__file__).parent / "built"
 """Directory of the built files."""
-PAGES = ("explorer", "playground")
+PAGES = ("explorer", "playground", "class")
 KINDS = ("js", "css")
 ENGINE = "engine"
 """Name of the script that holds the engine as WebAssembly, which all pages share."""

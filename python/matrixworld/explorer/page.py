@@ -39,7 +39,7 @@ def render_page(
 
     Parameters
     ----------
-    page : {"explorer", "playground"}
+    page : {"explorer", "playground", "class"}
         Name of its built files and of its template.
     title : str
         Title of the page; any text.

@@ -10,7 +10,6 @@
 
 from __future__ import annotations
 
-import html
 import os
 import re
 from collections.abc import Mapping, Sequence
@@ -21,10 +20,13 @@ from pathlib import Path
 from typing import Any
 
 from matrixworld.envs.variant_texts import VARIANT_TEXTS
-from matrixworld.explorer.gallery import GALLERY
+from matrixworld.explorer.frame import frame, mime_bundle
+from matrixworld.explorer.gallery import GALLERY, drawn_world
 from matrixworld.explorer.links import Command, scene_link
 from matrixworld.explorer.page import render_page, write_page
 from matrixworld.policy import SCRIPTS
+from matrixworld.render import png
+from matrixworld.render.layout import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.rules import (
     CAPTURE_TEXTS,
     INTERACTION_TEXTS,
@@ -40,6 +42,8 @@ from matrixworld.world import World
 
 PAGE = "playground.html"
 """Name of the page where no other is given."""
+PIXELS = 400
+"""Wanted length of the longer side of the picture of a scene."""
 
 LABELS = {
     "interaction": "Agents move",
@@ -95,6 +99,8 @@ class Playground:
     ----------
     scene : str
         The scene as it stands in a link; see `matrixworld.explorer.links`.
+    picture : bytes
+        The scene as a PNG file: what a notebook shows where it shows no frame.
 
     Raises
     ------
@@ -103,6 +109,7 @@ class Playground:
     """
 
     scene: str
+    picture: bytes
 
     def __init__(
         self,
@@ -114,6 +121,10 @@ class Playground:
         if world is None and (actions is not None or compare is not None):
             raise ValueError("world: expected a world together with actions or compare, got None")
         self.scene = "" if world is None else scene_link(world, actions, compare=compare)
+        # Drawn now: the world may go on.
+        shown = drawn_world(GALLERY[0].rules, GALLERY[0].drawing) if world is None else world
+        cell = fitting_cell((shown.config.rows, shown.config.cols), PIXELS, SMALLEST_NUMBERED)
+        self.picture = png(shown.scene(), cell=cell, numbers=True)
 
     def url(self, page: str | os.PathLike[str] = PAGE) -> str:
         """Return a link to the scene in a page that was written before.
@@ -158,12 +169,11 @@ class Playground:
 
     def _repr_html_(self) -> str:
         """Return a frame that shows the page, for notebooks."""
-        # The page travels inside the frame: notebooks do not serve files from elsewhere.
-        content = html.escape(self.html(), quote=True)
-        return (
-            f'<iframe srcdoc="{content}" style="width: 100%; height: 860px; border: 0" '
-            'title="playground"></iframe>'
-        )
+        return frame(self.html(), "playground")
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        """Return the frame, and the picture for places that show no frame."""
+        return mime_bundle(self.html(), "playground", self.picture)
 
 
 def page_data(scene: str = "") -> dict[str, Any]:

@@ -6,15 +6,17 @@
 
 from __future__ import annotations
 
-import html
+import io
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from matrixworld import replay
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
 from matrixworld.explorer.archives import archives_of
+from matrixworld.explorer.frame import frame, mime_bundle
 from matrixworld.explorer.page import render_page, without_engine, write_page
 from matrixworld.explorer.playground import Playground, page_data
 from matrixworld.explorer.run_data import run_data
@@ -28,7 +30,7 @@ MOST_RUNS = 12
 Path_ = str | os.PathLike[str]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Explorer:
     """A page that was written; notebooks show it in a frame.
 
@@ -36,18 +38,24 @@ class Explorer:
     ----------
     path : Path
         The file.
+    picture : bytes, optional
+        A match as a PNG file: what a notebook shows where it shows no frame. The
+        default is none.
     """
 
     path: Path
+    picture: bytes = b""
+
+    def __repr__(self) -> str:
+        return f"<Explorer: {self.path}>"
 
     def _repr_html_(self) -> str:
         """Return a frame that shows the page, for notebooks."""
-        # The page travels inside the frame: notebooks do not serve files from elsewhere.
-        content = html.escape(self.path.read_text(encoding="utf-8"), quote=True)
-        return (
-            f'<iframe srcdoc="{content}" style="width: 100%; height: 860px; border: 0" '
-            f'title="{html.escape(self.path.name, quote=True)}"></iframe>'
-        )
+        return frame(self.path.read_text(encoding="utf-8"), self.path.name)
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        """Return the frame, and the picture for places that show no frame."""
+        return mime_bundle(self.path.read_text(encoding="utf-8"), self.path.name, self.picture)
 
 
 def explore(*runs: Path_, file: Path_ | None = None, force: bool = False) -> Explorer:
@@ -85,8 +93,16 @@ def explore(*runs: Path_, file: Path_ | None = None, force: bool = False) -> Exp
     page = page_file(paths) if file is None else Path(file)
     if page.exists() and not force:
         raise FileExistsError(f"{page}: exists; force=True replaces it")
-    write_page(page, explorer_page([open_run(path) for path in paths]))
-    return Explorer(page)
+    saved = [open_run(path) for path in paths]
+    write_page(page, explorer_page(saved))
+    return Explorer(page, _last_match(saved[0]))
+
+
+def _last_match(run: SavedRun) -> bytes:
+    """Return three moments of the match of the last generations, as a PNG file."""
+    file = io.BytesIO()
+    replay.contact_sheet(run.record(), rows=1).save(file, "PNG")
+    return file.getvalue()
 
 
 def page_file(paths: Sequence[Path]) -> Path:

@@ -9,6 +9,7 @@ expression of a notebook cell after ``%matplotlib inline``.
 
 from __future__ import annotations
 
+from matrixworld.plots.concepts import learning_concepts
 from matrixworld.plots.conflicts import (
     SITUATIONS,
     Resolution,
@@ -27,11 +28,13 @@ from matrixworld.plots.payoffs import (
     payoff_heatmap,
 )
 from matrixworld.plots.rules_table import rules_table
+from matrixworld.plots.runs import run_curves, run_dots
 from matrixworld.plots.saving import FORMATS, format_of, save_figure
 from matrixworld.plots.seed_scores import seed_scores
 from matrixworld.plots.seeds import seed_bands
 from matrixworld.plots.style import DPI
 from matrixworld.plots.training import collision_rates, training_curve
+from matrixworld.plots.triangles import ciao_triangles
 from matrixworld.plots.verdicts import verdict_strip
 
 __all__ = [
@@ -42,6 +45,7 @@ __all__ = [
     "SITUATIONS",
     "Resolution",
     "Situation",
+    "ciao_triangles",
     "collision_rates",
     "comparison",
     "conflict_outcomes",
@@ -50,9 +54,12 @@ __all__ = [
     "generalization_over_seeds",
     "interaction_models",
     "lag_profile_curve",
+    "learning_concepts",
     "payoff_heatmap",
     "resolve",
     "rules_table",
+    "run_curves",
+    "run_dots",
     "save_figure",
     "seed_bands",
     "seed_scores",

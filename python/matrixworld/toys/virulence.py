@@ -11,13 +11,14 @@ Evolutionary Computation 12(2).
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
 
 from matrixworld.coevolution.fitness import reduced_virulence
 from matrixworld.coevolution.learners.genetic_algorithm import select_tournament
-from matrixworld.coevolution.types import BoolArray
+from matrixworld.coevolution.types import BoolArray, FloatArray
 from matrixworld.toys.numbers import GAMES
 from matrixworld.toys.populations import History, Side, evolve
 
@@ -37,7 +38,7 @@ def mutate_biased(
 
 
 def hosts_and_parasites(
-    virulence: float,
+    virulence: float | Callable[[FloatArray], FloatArray],
     seed: int,
     *,
     population: int = 25,
@@ -51,8 +52,8 @@ def hosts_and_parasites(
 
     Parameters
     ----------
-    virulence : float
-        Virulence of the parasites, from 0.5 to 1.
+    virulence : float or callable
+        Virulence of the parasites, from 0.5 to 1; or their fitness, as a function of the wins (n,).
     seed : int
         Seed of all random numbers.
     population : int, optional
@@ -76,7 +77,7 @@ def hosts_and_parasites(
     select = partial(select_tournament, size=tournament)
     hosts, parasites = (
         Side(
-            fitness=partial(reduced_virulence, virulence=own),
+            fitness=own if callable(own) else partial(reduced_virulence, virulence=own),
             select=select,
             mutate=partial(mutate_biased, probability=mutation, bias=bias),
         )

@@ -6,7 +6,9 @@ No answer yet. Replace the dots with your answer, run the cell, and check again.
 
 =============  ==================================================================
 exercises.py   exercises: `check` an answer, ask for a `hint`
+boards.py      small worlds: a step as a picture, and pursuers alone on a square
 chapter_*.py   the exercises of each notebook
+packs.py       teams of six weights, for the notebook on safety
 kept.py        results that were computed before, and the setting of the notebooks
 =============  ==================================================================
 """

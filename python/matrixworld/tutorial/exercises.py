@@ -9,12 +9,21 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
+from textwrap import fill
 from typing import Any
 
 from matrixworld.checks import check_instance
 
 CHAPTERS = range(1, 10)
 """Numbers of the notebooks."""
+
+WIDEST = 88
+"""Characters in a line of a reply: exported notebooks break longer lines inside words."""
+
+NO_FUNCTION = "The answer is your function itself: give its name, without parentheses."
+"""Reply where the answer has to be a function that was written in the cell."""
+NO_DEFINITION = "Expected a function: remove the dots, and write `def answer(...):` in the cell."
+"""Reply where the cell itself has to define it."""
 
 NO_ANSWER = "No answer yet. Replace the dots with your answer, run the cell, and check again."
 NO_PREDICTION = (
@@ -83,7 +92,7 @@ class Feedback:
     text: str
 
     def __repr__(self) -> str:
-        return self.text
+        return fill(self.text, WIDEST)
 
 
 @dataclass(frozen=True, repr=False)
@@ -99,7 +108,7 @@ class Hint:
     text: str
 
     def __repr__(self) -> str:
-        return self.text
+        return fill(self.text, WIDEST)
 
 
 def check(name: str, answer: object) -> Feedback:

@@ -3,7 +3,7 @@
 import { agentName } from "../page/names.ts";
 import { disappeared, newlyCaptured } from "../board/recording.ts";
 import type { Recording } from "../board/recording.ts";
-import type { Match } from "../engine/engine.ts";
+import type { Conflict, WorldConfig } from "../engine/types.ts";
 
 export interface Word {
   readonly kind: "capture" | "end" | "obstacle" | "teammate" | "adversary" | "start";
@@ -12,8 +12,16 @@ export interface Word {
   readonly agents: readonly number[];
 }
 
+/** What is told: a match, or a recording of one. */
+export interface Told {
+  readonly config: WorldConfig;
+  readonly length: number;
+  readonly statistics: { readonly capture_rate: number };
+  conflicts(step: number): readonly Conflict[];
+}
+
 /** Return what happened in a step, the most important first. */
-export function wordsOf(match: Match, recording: Recording, step: number): Word[] {
+export function wordsOf(match: Told, recording: Recording, step: number): Word[] {
   if (step === 0) return [{ kind: "start", text: startOf(match), agents: [] }];
   const [before, after] = [recording.moments[step - 1]!, recording.moments[step]!];
   const name = (agent: number): string => agentName(agent, match.config.n_pursuers);
@@ -29,11 +37,11 @@ export function wordsOf(match: Match, recording: Recording, step: number): Word[
   return words;
 }
 
-function startOf({ config }: Match): string {
+function startOf({ config }: Told): string {
   return `${config.n_pursuers} pursuers and ${config.n_evaders} evaders on ${config.rows} x ${config.cols} cells, at most ${config.max_steps} steps`;
 }
 
-function endOf(match: Match): string {
+function endOf(match: Told): string {
   const captured = Math.round(match.statistics.capture_rate * match.config.n_evaders);
   return `The episode ends after ${match.length} steps with ${captured} of ${match.config.n_evaders} evaders captured`;
 }

@@ -1,0 +1,108 @@
+"""A single genome with its network as an npz file: what students hand in, never code."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import numpy as np
+
+from matrixworld.checks import check_choice
+from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.files import save_arrays
+from matrixworld.play import NetworkPolicy
+from matrixworld.policy import Network, Population
+from matrixworld.reading import DamagedFileError, check_arrays, parse_npz, read_content
+
+MOST_LAYERS = 16
+"""The most hidden layers: a million layers of one unit would fit into a file, and take hours."""
+
+_FORMS = {
+    "genome": ("f", "genes"),
+    "hidden": ("iuf", "layers"),  # an empty list is an array of floats
+    "activation": ("U", ""),
+    "fov": ("iu", ""),
+    "n_actions": ("iu", ""),
+    "sampled": ("b", ""),
+    "team": ("U", ""),
+}
+
+
+def save_genome(path: str | os.PathLike[str], team: Team, policy: NetworkPolicy) -> None:
+    """Write a policy as a file that `matrixworld class` plays.
+
+    Parameters
+    ----------
+    path : str or path
+        The file, which is replaced if it exists.
+    team : {"pursuer", "evader"}
+        The team for which it plays.
+    policy : NetworkPolicy
+        The policy, such as ``open_run(directory).policy("pursuer")``.
+
+    Raises
+    ------
+    ValueError
+        If there is no such team.
+    """
+    check_choice("team", team, TEAMS)
+    network = policy.network
+    save_arrays(
+        Path(path),
+        {
+            "genome": policy.genome,
+            "hidden": np.array(network.hidden, np.int64),
+            "activation": network.activation,
+            "fov": network.fov,
+            "n_actions": network.n_actions,
+            "sampled": network.sampled,
+            "team": team,
+        },
+    )
+
+
+def load_genome(path: str | os.PathLike[str]) -> tuple[Team, Population]:
+    """Return the team of a genome's file, and the genome as a population of one.
+
+    Parameters
+    ----------
+    path : str or path
+        A file as `save_genome` writes it; ``numpy.savez`` with the same keys can make one, too.
+
+    Returns
+    -------
+    team : {"pursuer", "evader"}
+        The team.
+    population : Population
+        The genome with its network.
+
+    Raises
+    ------
+    DamagedFileError
+        If the file is damaged, too large, or not of this form.
+    OSError
+        If it cannot be read.
+    """
+    file = Path(path)
+    return genome_of(file, read_content(file, "genome"))
+
+
+def genome_of(path: Path, content: bytes) -> tuple[Team, Population]:
+    """Return team and genome in the content of a file, as `load_genome`."""
+    arrays = parse_npz(path, content)
+    check_arrays(path, arrays, _FORMS)
+    team, layers = str(arrays["team"]), len(arrays["hidden"])
+    if layers > MOST_LAYERS:
+        raise DamagedFileError(path, f"hidden: expected at most {MOST_LAYERS} layers, got {layers}")
+    try:
+        check_choice("team", team, TEAMS)
+        network = Network(
+            tuple(int(size) for size in arrays["hidden"]),
+            activation=str(arrays["activation"]),  # type: ignore[arg-type]
+            fov=int(arrays["fov"]),
+            n_actions=int(arrays["n_actions"]),
+            sampled=bool(arrays["sampled"]),
+        )
+        return team, Population(arrays["genome"], network)  # type: ignore[return-value]
+    except (OverflowError, TypeError, ValueError) as error:
+        raise DamagedFileError(path, str(error)) from error

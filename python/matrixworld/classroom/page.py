@@ -1,0 +1,106 @@
+"""The page of a class tournament: standings, the matrix of all matches, and their recordings."""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld.analysis.plain_values import plain_values
+from matrixworld.classroom.report import Tables, summary
+from matrixworld.classroom.round_robin import ClassResult
+from matrixworld.explorer.page import render_page
+
+MOST_BYTES = 3 * 2**20
+"""Recordings of a page, in bytes; base64 adds a third. 56 x 56 default matches take 0.8 MB."""
+
+Pair = tuple[int, int]
+
+
+def class_page(result: ClassResult, tables: Tables, *, title: str, most: int = MOST_BYTES) -> str:
+    """Return the page of a class tournament as HTML.
+
+    Parameters
+    ----------
+    result : ClassResult
+        The tournament.
+    tables : mapping of str to sequence of Standing
+        The `standings` of each team.
+    title : str
+        Name of the class.
+    most : int, optional
+        Bytes of all recordings together. The best and the worst match of each entry come first.
+
+    Returns
+    -------
+    str
+        The page, which loads nothing from elsewhere.
+    """
+    n_actions = result.config.n_actions
+    packed = _chosen(result, tables, most)
+    steps = [
+        [len(result.recordings[g, h]) if (g, h) in packed else -1 for h in range(n)]
+        for n in [result.capture_rates.shape[1]]
+        for g in range(result.capture_rates.shape[0])
+    ]
+    data: dict[str, Any] = {
+        **summary(result, tables),
+        "title": title,
+        "n_actions": n_actions,
+        "capture_rate": _rounded(result.capture_rates.mean(axis=2)),
+        "lowest": _rounded(result.capture_rates.min(axis=2)),
+        "highest": _rounded(result.capture_rates.max(axis=2)),
+        "length": _rounded(result.lengths.mean(axis=2)),
+        "first": _rounded(result.capture_rates[:, :, 0]),
+        "steps": steps,
+    }
+    blob = b"".join(packed[pair] for pair in sorted(packed))
+    return render_page("class", f"{title} - matrixworld", data, {"recordings": blob})
+
+
+def _chosen(result: ClassResult, tables: Tables, most: int) -> dict[Pair, bytes]:
+    """Return the recordings of the page by pair, as many as fit."""
+    extremes: list[Pair] = []
+    for standing in tables["pursuer"]:
+        extremes += [(standing.number, standing.best), (standing.number, standing.worst)]
+    for standing in tables["evader"]:
+        extremes += [(standing.best, standing.number), (standing.worst, standing.number)]
+    rows, columns, _ = result.capture_rates.shape
+    every = product(range(rows), range(columns))
+    kept: dict[Pair, bytes] = {}
+    left = most
+    for pair in dict.fromkeys([*extremes, *every]):
+        packed = pack_actions(result.recordings[pair], result.config.n_actions)
+        if len(packed) <= left:
+            kept[pair] = packed
+            left -= len(packed)
+    return kept
+
+
+def pack_actions(actions: NDArray[np.uint8], n_actions: int) -> bytes:
+    """Return actions with several to a byte: digits of a number with base `n_actions`.
+
+    Three of 5 actions, or two of 9, fit into a byte; the first is the lowest digit. The page's
+    script reads them (``web/src/class/recordings.ts``).
+    """
+    count = digits(n_actions)
+    flat = actions.ravel()
+    padded = np.zeros(-(-len(flat) // count) * count, np.uint8)
+    padded[: len(flat)] = flat
+    weights = n_actions ** np.arange(count)
+    return (padded.reshape(-1, count) @ weights).astype(np.uint8).tobytes()
+
+
+def digits(n_actions: int) -> int:
+    """Return how many actions a byte holds."""
+    count = 1
+    while n_actions ** (count + 1) <= 256:
+        count += 1
+    return count
+
+
+def _rounded(values: NDArray[np.floating[Any]]) -> list[list[float]]:
+    rows: list[list[float]] = plain_values(np.round(values, 4))
+    return rows

@@ -1,0 +1,190 @@
+"""``matrixworld class``: a tournament of policies that students have handed in."""
+
+from __future__ import annotations
+
+import webbrowser
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import click
+
+from matrixworld.checks import INT_MAX
+from matrixworld.classroom.limits import Limits
+from matrixworld.classroom.page import class_page
+from matrixworld.classroom.report import class_json
+from matrixworld.classroom.round_robin import ClassResult, play_class
+from matrixworld.classroom.standings import Standing, standings
+from matrixworld.cli.arguments import failures
+from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, progress
+from matrixworld.cli.options import (
+    SectionedCommand,
+    force_option,
+    json_option,
+    option_name,
+    refuse_existing,
+    seed_option,
+    threads_option,
+    write_json,
+)
+from matrixworld.cli.setting_options import SettingOption, in_options, world_options
+from matrixworld.coevolution.types import TEAMS, Team, other
+from matrixworld.config import WorldConfig
+from matrixworld.explorer.page import write_page
+
+DEFAULTS = Limits()
+VARIANT = "O"
+SIZE = 16
+"""Rows and columns of the grid, if no map gives them."""
+SIZE_DEFAULT = f"[default: {SIZE}, or that of the map]"
+
+
+AnyFunction = TypeVar("AnyFunction", bound=Callable[..., Any])
+Decorator = Callable[[AnyFunction], AnyFunction]
+
+
+def _world(*names: str, **attributes: Any) -> Decorator[Any]:
+    return click.option(*names, cls=SettingOption, section="World", show_default=True, **attributes)
+
+
+def _limit(name: str, **attributes: Any) -> Decorator[Any]:
+    default = getattr(DEFAULTS, name.removeprefix("--").replace("-", "_"))
+    return click.option(
+        name,
+        cls=SettingOption,
+        section="Limits of programs",
+        default=default,
+        show_default=True,
+        metavar="NUMBER",
+        **attributes,
+    )
+
+
+@click.command("class", cls=SectionedCommand)
+@click.argument(
+    "directory", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path)
+)
+@click.option(
+    "--episodes",
+    type=click.IntRange(2, INT_MAX),
+    default=10,
+    show_default=True,
+    metavar="INTEGER",
+    help="episodes of each pair; all pairs play the same starts",
+)
+@seed_option
+@click.option(
+    "--output",
+    "-o",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help="the page  [default: DIR.html, beside DIR]",
+)
+@click.option("--open/--no-open", "opens", default=True, help="open the page in a browser")
+@json_option
+@force_option
+@threads_option
+@world_options("variant", "obstacles", "fov", "diagonal")
+@_world("--rows", type=int, metavar="INTEGER", help=f"rows of the grid  {SIZE_DEFAULT}")
+@_world("--cols", type=int, metavar="INTEGER", help=f"columns of the grid  {SIZE_DEFAULT}")
+@_world("--pursuers", default=4, type=int, metavar="INTEGER", help="number of pursuers")
+@_world("--evaders", default=4, type=int, metavar="INTEGER", help="number of evaders")
+@_world("--steps", default=100, type=int, metavar="INTEGER", help="most steps of an episode")
+@_limit("--seconds", type=int, help="processor time of a match, in seconds")
+@_limit("--wait", type=float, help="time by the clock of one answer, in seconds")
+@_limit("--in-all", type=float, help="processor time of all matches of a policy, in seconds")
+@_limit("--memory", type=int, help="memory in MiB")
+@click.option(
+    "--trust",
+    is_flag=True,
+    cls=SettingOption,
+    section="Limits of programs",
+    help="run programs with the rights of your own: only if you have read all of them",
+)
+def class_command(
+    directory: Path,
+    episodes: int,
+    seed: int,
+    output: Path | None,
+    opens: bool,
+    json_file: Path | None,
+    force: bool,
+    threads: int | None,
+    trust: bool,
+    **options: Any,
+) -> None:
+    """Play a class tournament: every pursuer that was handed in against every evader.
+
+    DIR holds NAME.py, a program with a function pursue(view, rng) or evade(view, rng) or both, or
+    NAME.npz, a genome that matrixworld export writes. Files may also lie in a directory for each
+    student, DIR/NAME/. Programs run in processes of their own, without files, network or other
+    processes, with limits of time and memory. What breaks a rule is left out, and the page says
+    why; docs/class.md tells the rules.
+    """
+    with failures():
+        page = output or directory.absolute().with_name(f"{directory.absolute().name}.html")
+        refuse_existing(page, json_file, force=force)
+        config, limits = _checked(options)
+        if trust:
+            note("Programs run with the rights of your own (--trust).")
+        try:
+            result = play_class(
+                directory,
+                config,
+                seed=seed,
+                episodes=episodes,
+                limits=limits,
+                trust=trust,
+                threads=threads,
+                progress=lambda unit: progress(unit=unit),
+            )
+        except ValueError as error:
+            raise click.ClickException(str(error)) from error
+        tables = {team: standings(result, team) for team in TEAMS}
+        write_page(page, class_page(result, tables, title=directory.absolute().name))
+        _print(result, tables)
+        click.echo(f"\nWritten: {page}")
+        write_json(json_file, class_json(result, tables))
+        if opens and not webbrowser.open(page.absolute().as_uri()):
+            note("No browser was found here; open the file in one.")
+
+
+def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
+    """Return the world and the limits that the options ask for."""
+    limits = {name: options.pop(name) for name in ("seconds", "wait", "in_all", "memory")}
+    names = {"pursuers": "n_pursuers", "evaders": "n_evaders", "steps": "max_steps"}
+    variant = options.pop("variant") or VARIANT
+    # What is not given has the default of a world; the size of the grid may be that of a map.
+    settings = {names.get(name, name): each for name, each in options.items() if each is not None}
+    if not isinstance(settings.get("obstacles"), str):
+        settings = {"rows": SIZE, "cols": SIZE, **settings}
+    try:
+        config = WorldConfig.of(variant, **settings)
+    except (OSError, TypeError, ValueError) as error:
+        raise click.UsageError(in_options(str(error))) from error
+    try:
+        return config, Limits(**limits)
+    except ValueError as error:
+        name, _, rest = str(error).partition(":")
+        raise click.UsageError(f"{option_name(name)}:{rest}") from error
+
+
+def _print(result: ClassResult, tables: dict[Team, list[Standing]]) -> None:
+    for team in TEAMS:
+        payoff = "capture rate" if team == "pursuer" else "escape rate"
+        click.echo(f"\nThe {team}s: mean {payoff} against all {_opponents(result, team)} opponents")
+        rows = [("rank", "name", "", "mean and 95 % interval")]
+        rows += [
+            (each.rank or "-", each.entry.name, each.entry.kind, str(each.score))
+            for each in tables[team]
+        ]
+        print_table(rows, "><<<")
+    if result.refusals:
+        click.secho(f"\nRefused ({len(result.refusals)})", bold=True)
+        for refusal in result.refusals:
+            print_wrapped(f"{refusal.file}: {refusal.reason}")
+    click.echo(f"\nA range of ranks: the episodes cannot tell more. {TERMS}")
+
+
+def _opponents(result: ClassResult, team: Team) -> int:
+    return len(result.entries[other(team)])

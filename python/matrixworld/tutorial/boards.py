@@ -1,0 +1,200 @@
+"""Small worlds of the first notebooks: a step as a picture, and pursuers alone on a square."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from PIL import Image, ImageDraw
+
+from matrixworld import colors, render
+from matrixworld.arrays import integers
+from matrixworld.recorder import Recorder
+from matrixworld.render.layout import Layout
+from matrixworld.rules import Action, Rules
+from matrixworld.world import World
+
+Cell = tuple[int, int]
+MOVES: dict[Action, Cell] = {
+    Action.STAY: (0, 0),
+    Action.NORTH: (-1, 0),
+    Action.EAST: (0, 1),
+    Action.SOUTH: (1, 0),
+    Action.WEST: (0, -1),
+}
+"""What each action adds to row and column."""
+CELL = 40
+"""Pixels of a cell in pictures."""
+
+
+def pack(cells: Sequence[Cell], side: int, rules: Rules | str = "SB") -> World:
+    """Return a world of pursuers on a square of cells.
+
+    A world has agents of both teams, so one evader waits behind a wall on the right of the square.
+
+    Parameters
+    ----------
+    cells : sequence of (int, int)
+        Row and column of each pursuer.
+    side : int
+        Rows and columns of the square.
+    rules : Rules or str, optional
+        The rules, or the name of a variant. The default is ``"SB"``.
+
+    Returns
+    -------
+    World
+        At the begin of an episode.
+    """
+    walls = np.zeros((side, side + 2), np.bool_)
+    walls[:, side] = True
+    world = World(rules, n_pursuers=len(cells), n_evaders=1, obstacles=walls)
+    world.reset(0, pursuers=cells, evaders=[(0, side + 1)])
+    return world
+
+
+def target(cell: Cell, action: Action | int) -> Cell:
+    """Return the cell that an agent means to enter."""
+    (row, col), (down, right) = cell, MOVES[Action(action)]
+    return row + down, col + right
+
+
+@dataclass(frozen=True, repr=False)
+class Picture:
+    """A picture that a notebook shows.
+
+    Parameters
+    ----------
+    pixels : ndarray of uint8, shape (height, width, 3)
+        Its pixels.
+    """
+
+    pixels: NDArray[np.uint8]
+
+    def __repr__(self) -> str:
+        height, width, _ = self.pixels.shape
+        return f"<Picture: {width} x {height} pixels>"
+
+    def _repr_png_(self) -> bytes:
+        file = io.BytesIO()
+        Image.fromarray(self.pixels).save(file, "PNG", optimize=True)
+        return file.getvalue()
+
+
+def plan(world: World, actions: ArrayLike, title: str = "planned moves") -> Picture:
+    """Draw a world, and where its agents are going to move.
+
+    Parameters
+    ----------
+    world : World
+        The world, which stays as it is.
+    actions : array_like of int, shape (A,)
+        The actions of all agents.
+    title : str, optional
+        A line of text above the drawing.
+
+    Returns
+    -------
+    Picture
+        Agents carry their numbers, and arrows show their moves.
+
+    Raises
+    ------
+    ValueError
+        If there is not one action for each agent, or an action is no number from 0 to 4.
+    TypeError
+        If the actions are not integers.
+    """
+    chosen = integers("actions", actions)
+    if chosen.shape != (world.config.n_agents,):
+        raise ValueError(
+            f"actions: expected {world.config.n_agents} (agents), got shape {chosen.shape}"
+        )
+    unknown = set(chosen.tolist()) - set(MOVES)
+    if unknown:
+        raise ValueError(f"actions: expected 0 to 4, got {min(unknown)}")
+    canvas = Image.fromarray(render.rgb(world.scene(title), cell=CELL, numbers=True))
+    layout = Layout.of(world.map.shape, CELL, least=CELL)
+    moves = zip(world.positions.tolist(), chosen.tolist(), strict=True)
+    for agent, ((row, col), action) in enumerate(moves):
+        if world.alive[agent] and action:
+            _draw_arrow(ImageDraw.Draw(canvas), layout.centre(row, col), MOVES[Action(action)])
+    return Picture(np.asarray(canvas))
+
+
+def _draw_arrow(draw: ImageDraw.ImageDraw, centre: tuple[float, float], move: Cell) -> None:
+    """Draw a move over the edge of a cell, on the left of its way: those of a swap are apart."""
+    down, right = move
+    ahead, left = np.array([right, down]), np.array([down, -right])
+    tail = np.array(centre) + CELL * (0.34 * left + 0.2 * ahead)
+    neck, tip = tail + CELL * 0.3 * ahead, tail + CELL * 0.6 * ahead
+    head = [tuple(tip), tuple(neck + CELL * 0.13 * left), tuple(neck - CELL * 0.13 * left)]
+    draw.line([*tail, *neck], fill=colors.INK, width=4)
+    draw.polygon(head, fill=colors.INK, outline=colors.PAPER)
+
+
+def before_and_after(world: World, actions: ArrayLike) -> Picture:
+    """Play a step, and draw the planned moves and what came of them.
+
+    Parameters
+    ----------
+    world : World
+        The world, which goes on and keeps the conflicts of the step.
+    actions : array_like of int, shape (A,)
+        The actions of all agents.
+
+    Returns
+    -------
+    Picture
+        Both moments beside each other. Agents carry their numbers.
+    """
+    before = plan(world, actions)
+    recorder = Recorder(world)
+    world.step(actions)
+    recorder.note(actions)
+    after = replace(recorder.scene(trail=0), title="what happened")
+    pixels = [before.pixels, render.rgb(after, cell=CELL, numbers=True)]
+    return Picture(np.concatenate(pixels, axis=1))
+
+
+def random_pack(rng: np.random.Generator, side: int, count: int) -> tuple[list[Cell], list[Cell]]:
+    """Return random cells of pursuers on a square, and the cells that they mean to enter.
+
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Where the numbers come from.
+    side : int
+        Rows and columns of the square.
+    count : int
+        Number of pursuers.
+
+    Returns
+    -------
+    cells, targets : list of (int, int)
+        Different cells, and for each of them the same or one beside it. A pursuer that would leave
+        the square stays.
+    """
+    places = rng.permutation(side * side)[:count]
+    cells = [divmod(int(place), side) for place in places]
+    wanted = [
+        target(cell, action)
+        for cell, action in zip(cells, rng.integers(5, size=count), strict=True)
+    ]
+    targets = [
+        there if all(0 <= part < side for part in there) else here
+        for here, there in zip(cells, wanted, strict=True)
+    ]
+    return cells, targets
+
+
+def actions_to(cells: Iterable[Cell], targets: Iterable[Cell]) -> list[Action]:
+    """Return the actions that lead from cells to targets on them or beside them."""
+    action_of = {move: action for action, move in MOVES.items()}
+    return [
+        action_of[there[0] - here[0], there[1] - here[1]]
+        for here, there in zip(cells, targets, strict=True)
+    ]

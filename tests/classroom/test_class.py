@@ -1,0 +1,297 @@
+"""A class of fifty submissions, honest, broken and hostile; the results and who gets a rank."""
+
+from __future__ import annotations
+
+import re
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from class_submissions import (
+    ACTS,
+    HARMLESS_ATTACKS,
+    REFUSED_PROGRAMS,
+    honest_programs,
+    processes_of_programs,
+    write_genomes,
+    write_hostile_files,
+    write_programs,
+)
+from matrixworld import Matches, WorldConfig, match_seed, record_actions, rollout
+from matrixworld.classroom import ClassResult, Limits, play_class, standings
+from matrixworld.classroom.round_robin import SCRIPTS
+from matrixworld.classroom.seat import CAN_FORK, Seat
+from matrixworld.coevolution.types import TEAMS
+
+pytestmark = pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
+
+CONFIG = WorldConfig("O", rows=8, cols=8, n_pursuers=2, n_evaders=2, max_steps=10)
+HOSTILE = (
+    "endless", "memory", "fork bomb", "subprocess", "writes", "reads", "socket", "exits",
+    "segfault", "shape", "dtype", "range", "raises", "kills parent", "writes protocol", "thread",
+    "deep source",
+)  # fmt: skip
+"""Attacks of the class; test_sandbox.py has all of them."""
+ENTRIES = {"program": 14, "genome": 4}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def sandbox() -> None:
+    with Seat(Limits()) as seat:
+        if problem := seat.ready():
+            pytest.skip(problem)
+
+
+@pytest.fixture(scope="module")
+def directory(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("class")
+    honest = honest_programs(ENTRIES["program"] - len(HARMLESS_ATTACKS) + 1)
+    write_programs(path, {k: v for k, v in HARMLESS_ATTACKS.items() if k != "prints"} | honest)
+    write_genomes(path, ENTRIES["genome"])
+    write_programs(path, {name: REFUSED_PROGRAMS[name][0] for name in HOSTILE})
+    return path
+
+
+@pytest.fixture(scope="module")
+def reasons(directory: Path) -> dict[str, str]:
+    """Patterns of the reasons, by file."""
+    files = write_hostile_files(directory)
+    return files | {f"{name}.py": REFUSED_PROGRAMS[name][1] for name in HOSTILE}
+
+
+@pytest.fixture(scope="module")
+def played(directory: Path, reasons: dict[str, str]) -> tuple[ClassResult, set[str], float]:
+    """The tournament, the files before it, and its seconds."""
+    before, began = {path.name for path in directory.iterdir()}, time.monotonic()
+    result = play_class(
+        directory, CONFIG, episodes=3, limits=Limits(seconds=2, wait=4.0, memory=128)
+    )
+    return result, before, time.monotonic() - began
+
+
+def test_fifty_submissions_are_ranked_or_refused(
+    played: tuple[ClassResult, set[str], float], reasons: dict[str, str]
+) -> None:
+    result, files, seconds = played
+    assert len(files) >= 50
+    refused = {refusal.file: refusal.reason for refusal in result.refusals}
+    assert refused.keys() == reasons.keys()
+    for file, pattern in reasons.items():
+        assert re.search(pattern, refused[file].replace("pursue: ", "")) or re.search(
+            pattern, refused[file]
+        ), (file, refused[file])
+    ranked = {entry.file for team in TEAMS for entry in result.entries[team] if entry.file}
+    assert ranked == files - refused.keys()
+    assert len(ranked) == sum(ENTRIES.values())
+    assert seconds < 180.0  # about 15 on an idle machine
+
+
+def test_nothing_is_written_and_no_process_is_left(
+    played: tuple[ClassResult, set[str], float], directory: Path
+) -> None:
+    _, before, _ = played
+    assert {path.name for path in directory.iterdir()} == before
+    assert processes_of_programs() == []
+
+
+def test_stronger_policies_have_higher_scores(
+    played: tuple[ClassResult, set[str], float],
+) -> None:
+    scores = {
+        (each.entry.team, each.entry.name): each.score.value
+        for team in TEAMS
+        for each in standings(played[0], team)
+    }
+    assert scores["pursuer", "student 00"] > scores["pursuer", "random"]
+    assert scores["evader", "student 01"] > scores["evader", "random"]
+
+
+def test_a_replay_is_the_match(played: tuple[ClassResult, set[str], float]) -> None:
+    result = played[0]
+    for (g, h), actions in result.recordings.items():
+        episode = record_actions(CONFIG, actions, seed=match_seed(0))
+        assert episode.length == result.lengths[g, h, 0]
+        assert episode.capture_rate == pytest.approx(result.capture_rates[g, h, 0])
+
+
+def test_matches_without_programs_are_those_of_the_engine(
+    played: tuple[ClassResult, set[str], float],
+) -> None:
+    result = played[0]
+    numbers = {
+        team: {e.name: n for n, e in enumerate(result.entries[team]) if e.kind == "script"}
+        for team in TEAMS
+    }
+    for pursuers in SCRIPTS["pursuer"]:
+        for evaders in SCRIPTS["evader"]:
+            found = rollout(CONFIG, pursuers, evaders, Matches.of(0, 0, [match_seed(0)]), worlds=3)
+            cell = numbers["pursuer"][pursuers], numbers["evader"][evaders]
+            np.testing.assert_allclose(result.capture_rates[cell], found.capture_rate[0])
+            np.testing.assert_array_equal(result.lengths[cell], found.length[0])
+
+
+def small(directory: Path, **changes: Any) -> ClassResult:
+    given: dict[str, Any] = {"episodes": 2, "seed": 3, **changes}
+    return play_class(directory, CONFIG, limits=Limits(seconds=5, wait=20.0), **given)
+
+
+def test_equal_results_with_any_threads_and_any_company(tmp_path: Path) -> None:
+    write_programs(tmp_path, honest_programs(4))
+    one, other = small(tmp_path, threads=1), small(tmp_path, threads=3)
+    np.testing.assert_array_equal(one.capture_rates, other.capture_rates)
+    assert all(
+        np.array_equal(one.recordings[pair], other.recordings[pair]) for pair in one.recordings
+    )
+    different = small(tmp_path, seed=4)
+    assert not np.array_equal(one.capture_rates, different.capture_rates)
+    # A student who comes later changes no result of the others.
+    write_programs(tmp_path, {"another": HARMLESS_ATTACKS["catches"]})
+    larger = small(tmp_path)
+    kept = [n for n, e in enumerate(larger.entries["pursuer"]) if e.name != "another"]
+    np.testing.assert_array_equal(larger.capture_rates[kept], one.capture_rates)
+
+
+def test_a_program_that_fails_in_the_tournament_is_left_out(tmp_path: Path) -> None:
+    text = "calls = 0\ndef pursue(view, rng):\n    global calls\n    calls += 1\n"
+    write_programs(tmp_path, honest_programs(2) | {"late": text + "    return [0][calls > 30]\n"})
+    result = small(tmp_path)
+    assert "late" not in [entry.name for entry in result.entries["pursuer"]]
+    [refusal] = result.refusals
+    assert refusal.reason.startswith("pursue: line 5: IndexError: list index out of range (in the")
+    assert np.isfinite(result.capture_rates).all()
+
+
+def test_a_program_that_takes_too_long_in_all_is_left_out(tmp_path: Path) -> None:
+    busy = "import time\ndef pursue(view, rng):\n    end = time.process_time() + 0.005\n"
+    busy += "    while time.process_time() < end: pass\n    return 0\n"
+    write_programs(tmp_path, honest_programs(1) | {"busy": busy})
+    result = play_class(tmp_path, CONFIG, episodes=2, limits=Limits(in_all=0.2, wait=20.0))
+    assert [(each.name, each.reason) for each in result.refusals] == [
+        ("busy", "more than 0.2 seconds of processor time in all matches")
+    ]
+
+
+def test_memory_is_of_one_agent_and_one_episode(tmp_path: Path) -> None:
+    text = (
+        "def pursue(view, rng, memory):\n"
+        "    memory['calls'] = memory.get('calls', 0) + 1\n"
+        "    assert memory['calls'] <= 10, memory\n"
+        "    return 0\n"
+    )
+    write_programs(tmp_path, {"counts": text})
+    assert small(tmp_path, episodes=3).refusals == ()
+
+
+def test_directories_of_students(tmp_path: Path) -> None:
+    for name in ("Ann Lee", "bo"):
+        (tmp_path / name).mkdir()
+        write_programs(tmp_path / name, {"policy": honest_programs(1)["student 00"]})
+    (tmp_path / "bo/deeper").mkdir()
+    result = small(tmp_path)
+    assert [e.name for e in result.entries["pursuer"] if e.file] == ["Ann Lee", "bo"]
+    assert [(each.file, each.reason) for each in result.refusals] == [
+        ("bo/deeper", "expected a file, got a directory")
+    ]
+
+
+def test_submissions_with_names_of_modules_are_not_imported(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    names = ("random", "numpy", "json", "matrixworld", "jinja2", "scipy", "sitecustomize")
+    mark = tmp_path / "mark"
+    text = f"try:\n    open({str(mark)!r}, 'w')\nexcept OSError:\n    pass\n" + ACTS + "return 0\n"
+    directory = tmp_path / "class"
+    directory.mkdir()
+    write_programs(directory, dict.fromkeys(names, text))
+    monkeypatch.chdir(directory)
+    result = small(Path())
+    assert len([e for e in result.entries["pursuer"] if e.file]) == len(names)
+    assert not mark.exists()
+    for place in (str(directory), ""):
+        with monkeypatch.context() as patched:
+            patched.setattr("sys.path", [place, *sys.path])
+            with pytest.raises(ValueError, match="directory from which Python imports nothing"):
+                small(Path())
+    assert not mark.exists()
+
+
+def test_nothing_that_can_play_is_an_error_with_all_reasons(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="expected a submission that can play, got none$"):
+        small(tmp_path)
+    write_programs(tmp_path, {"a": "1 / 0", "b": "pass"})
+    with pytest.raises(
+        ValueError, match="a.py: line 1: ZeroDivisionError(.|\n)*b.py: expected a f"
+    ):
+        small(tmp_path)
+
+
+def test_genomes_play_where_programs_cannot(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Seat, "ready", lambda seat: seat._reply() and "no filters here")
+    write_genomes(tmp_path, 2)
+    write_programs(tmp_path, honest_programs(1))
+    result = small(tmp_path)
+    assert [e.kind for e in result.entries["pursuer"]] == ["genome", "script", "script", "script"]
+    [refusal] = result.refusals
+    assert refusal.reason == "programs are not played here: no filters here"
+
+
+def test_trusted_programs_have_limits_but_no_filter(tmp_path: Path) -> None:
+    mark = tmp_path / "mark"
+    reads = f"import os\nassert os.listdir({str(tmp_path)!r})\n"
+    write_programs(
+        tmp_path,
+        {
+            "reads": reads + ACTS + "return 0",
+            "endless": "while True: pass",
+            "writes": f"open({str(mark)!r}, 'w').write('x' * 100)",
+            "forks": "import os\nif os.fork() == 0:\n    while True: pass\nraise OSError",
+            "memory": "x = bytearray(1 << 40)",
+            "kills": "import os\nos.kill(os.getppid(), 9)\nwhile True: pass",
+        },
+    )
+    limits = Limits(seconds=1, wait=3.0)
+    result = play_class(tmp_path, CONFIG, episodes=2, limits=limits, trust=True)
+    assert [e.name for e in result.entries["pursuer"] if e.file] == ["reads"]
+    assert {each.name for each in result.refusals} == {
+        "endless",
+        "writes",
+        "forks",
+        "memory",
+        "kills",
+    }
+    assert mark.stat().st_size == 100
+    assert processes_of_programs() == []
+
+
+def test_an_interruption_ends_all_processes(tmp_path: Path) -> None:
+    write_programs(tmp_path, honest_programs(4))
+    calls: list[int] = []
+
+    def interrupt(what: str, done: int, total: int) -> None:
+        calls.append(done)
+        if what == "round robin":
+            raise KeyboardInterrupt
+
+    class Progress:
+        def __init__(self, unit: str) -> None:
+            pass
+
+        def __enter__(self) -> Any:
+            return interrupt
+
+        def __exit__(self, *error: object) -> None:
+            pass
+
+    with pytest.raises(KeyboardInterrupt):
+        small(tmp_path, threads=2, progress=Progress)
+    time.sleep(0.2)
+    assert processes_of_programs() == []
+    with ThreadPoolExecutor(1) as pool:  # the interpreter can still make threads
+        assert pool.submit(int).result() == 0

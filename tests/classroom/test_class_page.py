@@ -1,0 +1,74 @@
+"""docs/class.md: its examples work, and its numbers are those of the code."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import re
+from pathlib import Path
+
+import pytest
+
+from matrixworld import WorldConfig
+from matrixworld.classroom import Limits, play_class
+from matrixworld.classroom.policy_process import MODULES
+from matrixworld.classroom.seat import CAN_FORK, Seat
+from matrixworld.classroom.system_calls import ALLOWED
+from matrixworld.cli.class_tournament import class_command
+from matrixworld.reading import LIMITS
+
+PAGE = (Path(__file__).parents[2] / "docs" / "class.md").read_text(encoding="utf-8")
+PROGRAM, TRIAL = re.findall(r"```python\n(.*?)```", PAGE, re.S)
+HEADERS = (
+    Path("/usr/include/x86_64-linux-gnu/asm/unistd_64.h"),
+    Path("/usr/include/asm-generic/unistd.h"),
+)
+"""Numbers of system calls, as Linux has them: of x86-64, and of aarch64."""
+
+
+def test_the_program_of_the_page_plays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "anna.py").write_text(PROGRAM)
+    monkeypatch.syspath_prepend(tmp_path)
+    with contextlib.redirect_stdout(io.StringIO()) as printed:
+        exec(TRIAL, {})
+    assert 0.1 < float(printed.getvalue()) < 0.9
+
+
+@pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
+def test_the_program_of_the_page_can_be_handed_in(tmp_path: Path) -> None:
+    with Seat(Limits()) as seat:
+        if problem := seat.ready():
+            pytest.skip(problem)
+    (tmp_path / "anna.py").write_text(PROGRAM)
+    config = WorldConfig("O", rows=8, cols=8, n_pursuers=2, n_evaders=2, max_steps=10)
+    result = play_class(tmp_path, config, episodes=2)
+    assert (result.entries["pursuer"][0].name, result.refusals) == ("anna", ())
+
+
+def test_limits_and_options_are_those_of_the_command() -> None:
+    rows = dict(re.findall(r"^\| `(--[\w-]+)` \| (\d+) \|", PAGE, re.M))
+    options = {param.opts[0]: param.default for param in class_command.params}
+    assert {name: float(value) for name, value in rows.items()} == {
+        name: float(options[name]) for name in ("--seconds", "--wait", "--in-all", "--memory")
+    }
+    assert set(re.findall(r"`(--[\w-]+)", PAGE)) <= {*options, "--no-open"}
+    assert f"allows {len(ALLOWED)} of them" in PAGE
+    assert (LIMITS["program"], LIMITS["genome"]) == (256 << 10, 8 << 20)
+
+
+def test_all_modules_that_programs_may_import_are_listed() -> None:
+    listed = PAGE.partition("A program can import")[2].partition("\n\n")[0]
+    names = set(re.findall(r"`([\w.]+)`", listed))
+    hidden = {name for name in MODULES if name.startswith(("__", "numpy.", "encodings."))}
+    assert names == {name.removesuffix(".abc") for name in set(MODULES) - hidden} | {"numpy"}
+
+
+@pytest.mark.parametrize("column", [0, 1])
+def test_numbers_of_system_calls_are_those_of_linux(column: int) -> None:
+    if not HEADERS[column].exists():
+        pytest.skip("needs the headers of Linux")
+    text = HEADERS[column].read_text(encoding="utf-8")
+    numbers = dict(re.findall(r"#define __NR(?:3264)?_(\w+)\s+(\d+)", text))
+    assert {name: int(numbers[name]) for name in ALLOWED} == {
+        name: row[column] for name, row in ALLOWED.items()
+    }

@@ -1,0 +1,118 @@
+"""``matrixworld class`` and ``matrixworld export``."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from class_submissions import honest_programs, write_genomes, write_programs
+from command_line import RACE, matrixworld_command, run_together, words
+from matrixworld.classroom import load_genome
+from matrixworld.classroom.limits import Limits
+from matrixworld.classroom.seat import CAN_FORK, Seat
+from matrixworld.coevolution import open_run
+from matrixworld.coevolution.storage.saved_run import run_directories
+
+WORLD = ("--rows", 8, "--cols", 8, "--pursuers", 2, "--evaders", 2, "--steps", 5, "--no-open")
+
+
+@pytest.fixture
+def directory(tmp_path: Path) -> Path:
+    path = tmp_path / "course A"
+    path.mkdir()
+    write_genomes(path, 3)
+    return path
+
+
+def test_a_class_of_genomes(directory: Path, tmp_path: Path) -> None:
+    result = matrixworld_command("class", directory, *WORLD, "--json", tmp_path / "a.json")
+    assert f"Written: {tmp_path / 'course A.html'}" in result.output
+    assert "mean capture rate against all 4 opponents" in result.output
+    page = (tmp_path / "course A.html").read_text(encoding="utf-8")
+    assert "<title>course A - matrixworld</title>" in page
+    values = json.loads((tmp_path / "a.json").read_text())
+    assert values["names"]["evader"] == ["genome 01", "random", "fleer", "dodger"]
+    assert np.shape(values["capture_rates"]) == (5, 4, 10)
+    [rank, *_] = [each["rank"] for each in values["standings"]["pursuer"] if each["rank"]]
+    assert rank in ("1", "1 to 2")
+
+
+def test_the_page_is_the_same_each_time_and_not_replaced_unasked(
+    directory: Path, tmp_path: Path
+) -> None:
+    page = tmp_path / "page.html"
+    matrixworld_command("class", directory, *WORLD, "-o", page, "--seed", 2)
+    before = page.read_bytes()
+    result = matrixworld_command("class", directory, *WORLD, "-o", page, code=2)
+    assert "exists; give --force to replace it" in result.output
+    assert page.read_bytes() == before
+    matrixworld_command("class", directory, *WORLD, "-o", page, "--seed", 2, "--force")
+    assert page.read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (("--variant", "X"), "--variant: expected one of"),
+        (("--fov", 4), "--fov"),
+        (("--pursuers", 0), "--pursuers"),
+        (("--seconds", 0), "--seconds: expected 1 to 3600, got 0"),
+        (("--wait", "nan"), "--wait: expected a number above 0"),
+        (("--memory", 1), "--memory: expected 16 to 1048576, got 1"),
+        (("--episodes", 1), "--episodes"),
+    ],
+)
+def test_wrong_options_are_refused_before_anything_is_played(
+    directory: Path, tmp_path: Path, options: tuple[object, ...], message: str
+) -> None:
+    result = matrixworld_command("class", directory, *WORLD, *options, code=2)
+    assert message in run_together(result.output)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["course A"]
+
+
+def test_a_directory_without_submissions(tmp_path: Path) -> None:
+    (tmp_path / "empty").mkdir()
+    result = matrixworld_command("class", tmp_path / "empty", *WORLD, code=1)
+    assert "expected a submission that can play, got none" in result.output
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["empty"]
+
+
+@pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
+def test_programs_play_and_refusals_are_printed(directory: Path, tmp_path: Path) -> None:
+    with Seat(Limits()) as seat:
+        if problem := seat.ready():
+            pytest.skip(problem)
+    write_programs(directory, honest_programs(1) | {"bad": "def evade(view, rng): return 'up'"})
+    result = matrixworld_command("class", directory, *WORLD, "--threads", 1)
+    assert "student 00" in result.output
+    assert "bad.py: evade returned a str, expected an action 0 to 4" in run_together(result.output)
+
+
+def test_a_champion_is_exported_and_plays(tmp_path: Path) -> None:
+    run = tmp_path / "run"
+    schedule = "generalist-generalist"
+    matrixworld_command("evolve", run, "--schedule", schedule, *words(RACE), "--threads", 1)
+    folder = tmp_path / "class"
+    folder.mkdir()
+    for team in ("pursuer", "evader"):
+        target = folder / f"{team}.npz"
+        matrixworld_command("export", run, "--team", team, "-o", target)
+        found, population = load_genome(target)
+        policy = open_run(run_directories(run)[0]).policy(team)
+        assert found == team
+        np.testing.assert_array_equal(population.genomes[0], policy.genome)
+    result = matrixworld_command(
+        "class", folder, *WORLD, "--fov", population.network.fov, "--episodes", 2
+    )
+    assert "genome" in result.output
+    refused = matrixworld_command("export", run, "--team", "evader", "-o", target, code=2)
+    assert "give --force" in refused.output
+    wrong = matrixworld_command(
+        "export", run, "--team", "evader", "--generation", 99, "-o", tmp_path / "a.npz", code=2
+    )
+    assert "--generation: expected a generation from 0 to" in wrong.output
+    other = matrixworld_command("export", run, "--team", "evader", "-o", tmp_path / "a.txt", code=2)
+    assert "expected a name that ends in .npz" in other.output

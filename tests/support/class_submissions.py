@@ -1,0 +1,260 @@
+"""Submissions of a class: honest programs, broken ones and attacks, and what is said of them."""
+
+from __future__ import annotations
+
+import io
+import os
+import zipfile
+from contextlib import suppress
+from pathlib import Path
+
+import numpy as np
+
+from matrixworld.classroom import save_genome
+from matrixworld.play import NetworkPolicy
+from matrixworld.policy import Network
+
+CHASER = """
+import numpy as np
+from matrixworld import Action
+
+def pursue(view, rng):
+    evaders = np.argwhere(view[0])
+    if len(evaders) == 0 or rng.random() < {noise}:
+        return rng.integers(5)
+    cells = evaders - view.shape[1] // 2
+    down, right = cells[np.abs(cells).sum(axis=1).argmin()]
+    if abs(down) > abs(right):
+        return Action.SOUTH if down > 0 else Action.NORTH
+    return Action.EAST if right > 0 else Action.WEST
+"""
+
+FLEER = """
+MOVES = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1)]
+
+def evade(view, rng):
+    middle = view.shape[1] // 2
+    pursuers = [(r - middle, c - middle) for r, c in zip(*view[1].nonzero())]
+    if not pursuers or rng.random() < {noise}:
+        return int(rng.integers(5))
+    def distance(action):
+        down, right = MOVES[action]
+        free = not view[2, middle + down, middle + right]
+        return free, min(abs(r - down) + abs(c - right) for r, c in pursuers)
+    return max(range(5), key=distance)
+"""
+
+WALKER = """
+def walk(view, rng, memory):
+    if memory.get("left", 0) == 0:
+        memory["left"], memory["to"] = {steps}, int(rng.integers(1, 5))
+    memory["left"] -= 1
+    return memory["to"]
+
+pursue = walk
+evade = walk
+"""
+
+
+def honest_programs(count: int) -> dict[str, str]:
+    """Programs of different strength that play by the rules, by the name of the student."""
+    kinds = (
+        lambda n: CHASER.format(noise=round(0.05 * n, 2)),
+        lambda n: FLEER.format(noise=round(0.05 * n, 2)),
+        lambda n: WALKER.format(steps=n + 1),
+        lambda n: CHASER.format(noise=round(0.02 * n, 2)) + FLEER.format(noise=round(0.02 * n, 2)),
+    )
+    return {f"student {n:02}": kinds[n % 4](n // 4) for n in range(count)}
+
+
+ACTS = "def pursue(view, rng):\n    "
+
+REFUSED_PROGRAMS: dict[str, tuple[str, str]] = {
+    # Never ends, or takes all there is.
+    "endless": (ACTS + "while True: pass", r"pursue: (no answer within|more than \d+ seconds)"),
+    "endless import": ("while True: pass", r"^(no answer within|more than \d+ seconds)"),
+    "sleeper": (ACTS + "import time; time.sleep(1000)", "line 2: PermissionError.*not allowed"),
+    "deadlock": (
+        "import _thread\nlock = _thread.allocate_lock()\nlock.acquire(); lock.acquire()",
+        "no answer within",
+    ),
+    "ignores signals": (
+        "import signal\nfor n in (2, 15, 24): signal.signal(n, signal.SIG_IGN)\nwhile True: pass",
+        r"no answer within|more than \d+ seconds",
+    ),
+    "memory": (ACTS + "return len(bytearray(1 << 40))", "line 2: MemoryError: more memory than"),
+    "slow memory": (ACTS + "x = [0]\n    while True: x = x + x", "line 3: MemoryError"),
+    "recursion": (ACTS + "return pursue(view, rng)", "RecursionError"),
+    "deep source": ("x = " + "(" * 100_000, "line 1: SyntaxError|MemoryError|crashed"),
+    # Other processes and threads.
+    "fork bomb": (ACTS + "import os\n    while True: os.fork()", "line 3: PermissionError"),
+    "spawns": ("import os\nos.posix_spawn('/bin/sh', ['sh'], {})", "line 2: PermissionError"),
+    "subprocess": ("import subprocess\nsubprocess.run(['touch', '{mark}'])", "PermissionError"),
+    "shell": ("import os\nif os.system('touch {mark}'): raise OSError", "line 2: OSError"),
+    "executes": ("import os\nos.execv('/bin/sh', ['sh', '-c', 'touch {mark}'])", "PermissionError"),
+    "thread": (
+        "import threading\nthreading.Thread(target=print).start()",
+        "can't start new thread",
+    ),
+    "kills parent": ("import os\nos.kill(os.getppid(), 9)", "line 2: PermissionError"),
+    "kills all": ("import os\nos.kill(-1, 9)", "line 2: PermissionError"),
+    # Files and network.
+    "writes": ("open('{mark}', 'w').write('x')", "line 1: PermissionError.*not allowed"),
+    "reads": ("open('/etc/passwd').read()", "line 1: PermissionError"),
+    "lists": ("import os\nos.listdir('/')", "line 2: PermissionError"),
+    "removes": ("import os\nos.remove('{directory}/student 00.py')", "line 2: PermissionError"),
+    "links": ("import os\nos.symlink('/', '{mark}')", "line 2: PermissionError"),
+    "socket": ("import socket\nsocket.socket()", "line 2: PermissionError"),
+    "by ctypes": (
+        "import ctypes\nlibrary = ctypes.CDLL(None, use_errno=True)\n"
+        "assert library.open(b'{mark}', 0o101, 0o644) >= 0, 'no file'",
+        "line 3: AssertionError: no file",
+    ),
+    # Ends itself, or breaks the process.
+    "exits": ("import os\nos._exit(0)", r"ended its own process \(exit code 0\)"),
+    "exits late": (
+        ACTS + "import os; os._exit(7)",
+        r"pursue: ended its own process \(exit code 7\)",
+    ),
+    "sys exit": (ACTS + "raise SystemExit", r"line 2: the program ends itself"),
+    "segfault": (ACTS + "import ctypes; ctypes.string_at(1)", r"its process crashed \(SIGSEGV\)"),
+    "hostile error": (
+        "class E(Exception):\n    def __str__(self): raise SystemExit\nraise E",
+        "^E$",
+    ),
+    "long error": ("raise ValueError('<b>' + 'x' * 10**6)", r"line 1: ValueError: <b>x+ \.\.\.$"),
+    # Answers that are none.
+    "shape": (ACTS + "return view", r"pursue returned an array of shape \(3, \d+, \d+\) and dtype"),
+    "dtype": (ACTS + "return 1.0", r"pursue returned the float 1\.0, expected an action 0 to 4"),
+    "none": (ACTS + "pass", r"pursue returned None \(a return is missing\)"),
+    "range": (ACTS + "return 5", "pursue returned 5, expected an action 0 to 4"),
+    "negative": (ACTS + "return -1", "pursue returned -1, expected an action 0 to 4"),
+    "boolean": (ACTS + "return True", "pursue returned a bool"),
+    "raises": (ACTS + "return [][3]", "line 2: IndexError: list index out of range"),
+    "writes protocol": ("import os\nos.write(3, b'A' + bytes(100))", "wrote into the connection"),
+    "floods protocol": (
+        ACTS + "import os\n    while True: os.write(3, bytes(1 << 20))",
+        "connection",
+    ),
+    "forges actions": (
+        ACTS + "import os\n    os.write(3, b'A' + (1).to_bytes(4, 'little') + bytes([77]))",
+        "wrote into the connection",
+    ),
+    # Not what was asked for.
+    "no function": ("def chase(view, rng): return 0", "expected a function pursue"),
+    "parameters": (
+        "def pursue(view): return 0",
+        r"or pursue\(view, rng, memory\), got pursue\(view\)",
+    ),
+    "null byte": ("x = 1\0", "^(SyntaxError|ValueError): source code"),
+    "generator": (ACTS + "yield 1", "pursue returned a generator, expected an action"),
+    "no python": ("def pursue(view, rng) return 0", "line 1: SyntaxError"),
+    "imports torch": ("import torch", "No module named 'torch' .docs/class.md lists"),
+}
+"""Programs that are refused: the text, and a pattern of the reason. {mark} is a file that must not
+appear."""
+
+HARMLESS_ATTACKS: dict[str, str] = {
+    # They change their own process only, and then play.
+    "prints": "for n in range(200): print('x' * 100_000)\n" + ACTS + "print(view); return 1",
+    "patches": (
+        "import sys, numpy, matrixworld\n"
+        "from matrixworld.classroom import policy_process\n"
+        "matrixworld.World = matrixworld.rollout = None\n"
+        "numpy.random.default_rng = lambda *a: None\n"
+        "policy_process._action = lambda *a: 3\n"
+        "sys.modules.clear()\n" + ACTS + "return 'a very good action'"
+    ),
+    "catches": ("try: open('{mark}', 'w')\nexcept OSError: pass\n" + ACTS + "return 2"),
+    "<img src=x onerror=alert(1)>": ACTS + "return 0",
+}
+
+
+def write_hostile_files(directory: Path) -> dict[str, str]:
+    """Write files that are no submissions; return a pattern of the reason for each."""
+    network = Network(hidden=(4,), fov=11)
+    genome = network.initial(np.random.default_rng(0))
+
+    def save(name: str, **changes: object) -> None:
+        arrays: dict[str, object] = {
+            "genome": genome, "hidden": np.array([4]), "activation": "relu", "fov": 11,
+            "n_actions": 5, "sampled": True, "team": "pursuer",
+        }  # fmt: skip
+        np.savez(
+            directory / name, **{k: v for k, v in {**arrays, **changes}.items() if v is not None}
+        )
+
+    save("other size.npz", genome=genome[:-1])
+    save("other dtype.npz", genome=genome.astype(np.float64))
+    save("not finite.npz", genome=genome * np.nan)
+    save("other view.npz", genome=Network((4,), fov=3).initial(np.random.default_rng(0)), fov=3)
+    save("other team.npz", team="referee")
+    save("no team.npz", team=None)
+    save("many layers.npz", hidden=np.ones(1000, int))
+    whole = io.BytesIO()
+    np.savez(whole, genome=genome)
+    (directory / "cut.npz").write_bytes(whole.getvalue()[:-100])
+    np.savez(directory / "pickle.npz", genome=np.array([{}, []], object))
+    (directory / "large.npz").write_bytes(bytes(9 << 20))
+    with zipfile.ZipFile(directory / "bomb.npz", "w", zipfile.ZIP_DEFLATED) as bomb:
+        head = np.lib.format.header_data_from_array_1_0(np.zeros(1 << 27, np.float32))
+        with bomb.open("genome.npy", "w", force_zip64=True) as member:
+            np.lib.format.write_array_header_1_0(member, head)
+            for _ in range(512):
+                member.write(bytes(1 << 20))
+    (directory / "long.py").write_bytes(b"#" * (300 << 10))
+    (directory / "notes.txt").write_text("hello")
+    (directory / "linked.py").symlink_to("/etc/passwd")
+    (directory / "linked directory").symlink_to("/etc")
+    os.mkfifo(directory / "pipe.py")
+    (directory / "twice.py").write_text(ACTS + "return 0")
+    (directory / "TWICE.py").write_text(ACTS + "return 1")
+    return {
+        "other size.npz": "genomes: expected shape",
+        "other dtype.npz": "genomes: expected dtype float32, got float64",
+        "not finite.npz": "expected finite numbers",
+        "other view.npz": "expected a network for fov 11 and 5 actions, got fov 3",
+        "other team.npz": "team: expected one of pursuer, evader, got 'referee'",
+        "no team.npz": "expected an array 'team'",
+        "many layers.npz": "hidden: expected at most 16 layers, got 1000",
+        "cut.npz": "cut, altered or not an npz file",
+        "pickle.npz": "expected numbers or text, got dtype object",
+        "large.npz": "expected at most 8,388,608 bytes",
+        "bomb.npz": "expected arrays of at most 268,435,456 bytes",
+        "long.py": "expected at most 262,144 bytes",
+        "notes.txt": r"expected a file that ends in \.py or \.npz",
+        "linked.py": "expected a file, got a symbolic link",
+        "linked directory": "expected a file, got a symbolic link",
+        "pipe.py": "expected a file, got a FIFO",
+        "twice.py": "expected one policy for the pursuers of twice, got 2: TWICE.py, twice.py",
+        "TWICE.py": "expected one policy for the pursuers of TWICE, got 2: TWICE.py, twice.py",
+    }
+
+
+def write_programs(directory: Path, programs: dict[str, str]) -> None:
+    """Write programs as files of their students."""
+    for name, text in programs.items():
+        text = text.replace("{mark}", str(directory / "mark")).replace(
+            "{directory}", str(directory)
+        )
+        (directory / f"{name}.py").write_text(text)
+
+
+def write_genomes(directory: Path, count: int) -> None:
+    """Write untrained genomes, of both teams in turn."""
+    network = Network(hidden=(8,), fov=11)
+    for n in range(count):
+        policy = NetworkPolicy(network, network.initial(np.random.default_rng(n)))
+        save_genome(directory / f"genome {n:02}.npz", ("pursuer", "evader")[n % 2], policy)
+
+
+def processes_of_programs() -> list[int]:
+    """Processes that this one has made for programs, and such processes without a parent."""
+    parents: dict[int, int] = {}
+    for entry in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):  # it has just ended
+            state, parent = (entry / "stat").read_text().rpartition(")")[2].split()[:2]
+            if "classroom.host" in (entry / "cmdline").read_text() and state != "Z":
+                parents[int(entry.name)] = int(parent)
+    ours = {number for number, parent in parents.items() if parent in (1, os.getpid())}
+    return sorted(ours | {number for number, parent in parents.items() if parent in ours})

@@ -1,0 +1,178 @@
+"""Notebook 5: what the replies say to wrong answers, and the numbers of its text."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from matrixworld import analysis
+from matrixworld.tutorial import check, kept
+from matrixworld.tutorial.chapter_5 import ENDINGS, four_races, noisy_race
+
+SCHEDULES = ("specialist_specialist", "generalist_specialist", "generalist_generalist")
+
+
+@pytest.fixture(scope="module")
+def scores() -> dict[str, np.ndarray]:
+    races = kept("paper_races")
+    return {name: races[name] / int(races["evaders"]) for name in SCHEDULES}
+
+
+@pytest.mark.parametrize(
+    ("answer", "says"),
+    [
+        ("arms race", "Expected a dict"),
+        ({"A": "cycle"}, "Expected a dict"),
+        ({**ENDINGS, "A": "extinction"}, "'extinction'"),
+        ({**ENDINGS, "A": "cycle", "B": "one side only"}, "2 of 4 are right"),
+        ({**ENDINGS, "C": "equilibrium", "D": "arms race"}, "2 of 4 are right"),
+    ],
+)
+def test_endings(answer: object, says: str) -> None:
+    reply = check("5.1", answer)
+    assert reply.right is False
+    assert says in reply.text
+
+
+def test_the_four_races_are_what_the_solution_says() -> None:
+    rises = {
+        letter: [curve[-6:].mean() - curve[-15:-9].mean() > 0.05 for curve in curves]
+        for letter, race in four_races().items()
+        if (curves := analysis.generalization(race.mean(axis=2)))
+    }
+    assert rises == {
+        "A": [False, True], "B": [False, False], "C": [True, True], "D": [False, False]
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("answer", "says"),
+    [
+        (3, "Expected a function"),
+        (lambda k, i: i % k, "rule of the pursuers"),
+        (lambda k, i: k, "specialists"),
+        (lambda k, i: 0, "not the opponent"),
+        (lambda k, i: i / (k + 1), "expected a whole number"),
+        (lambda k, i: None, "expected a whole number"),
+    ],
+)
+def test_opponents_of_generalists(answer: object, says: str) -> None:
+    reply = check("5.2", answer)
+    assert reply.right is False
+    assert says in reply.text
+
+
+def differences(each: np.ndarray) -> np.ndarray:
+    return np.array([np.diag(m, -5).mean() - np.diag(m, -1).mean() for m in each.mean(axis=3)])
+
+
+def test_the_interval_may_be_an_estimate_and_wrong_ones_are_explained(
+    scores: dict[str, np.ndarray],
+) -> None:
+    values = differences(scores["generalist_generalist"])
+    right = analysis.interval_over_runs(values)
+    assert check("5.3", right).right
+    assert check("5.3", (right.low, right.high)).right
+    specialists = analysis.interval_over_runs(differences(scores["specialist_specialist"]))
+    wrong = {
+        "(low, high)": right.value,
+        "sign": (-right.high, -right.low),
+        "specialists": (specialists.low, specialists.high),
+        "width": (right.value - 0.001, right.value + 0.001),
+        "one number for each seed": (0.0, 0.05),
+        "two ends": "wide",
+    }
+    for says, answer in wrong.items():
+        reply = check("5.3", answer)
+        assert reply.right is False
+        assert says in reply.text
+
+
+def last_beats_first(scores: np.ndarray) -> bool:
+    curves = analysis.generalization(scores.mean(axis=2))
+    return all(bool(curve[-1] > curve[0]) for curve in curves)
+
+
+@pytest.mark.parametrize(
+    ("answer", "says"),
+    [
+        (True, "Expected a function"),
+        (lambda scores: 0.7, "expected True or False"),
+        (lambda scores: True, "60 false alarms in 60"),
+        (lambda scores: False, "found 0 of 30"),
+        (last_beats_first, "fooled too often"),
+        (lambda scores: bool(np.diag(scores.mean(axis=2))[-1] > 0.5), "misses too many"),
+    ],
+)
+def test_rules(answer: object, says: str) -> None:
+    reply = check("5.4", answer)
+    assert reply.right is False
+    assert says in reply.text
+
+
+def test_a_rule_may_return_a_boolean_of_numpy() -> None:
+    def rule(scores: np.ndarray) -> Any:
+        curves = analysis.generalization(scores.mean(axis=2))
+        return np.all([curve[-6:].mean() - curve[:6].mean() > 0.05 for curve in curves])
+
+    assert check("5.4", rule).right
+
+
+# ---- What the text says --------------------------------------------------------------------------
+
+
+def verdict(scores: np.ndarray, condition: str) -> str:
+    return analysis.judge(scores, per_episode=True).headline[condition].verdict
+
+
+def test_specialists_beat_the_newest_evaders_and_forget(scores: dict[str, np.ndarray]) -> None:
+    lost = differences(scores["specialist_specialist"])
+    assert np.count_nonzero(lost < -0.04) == 8
+    assert np.count_nonzero(np.abs(lost) < 0.01) == 2
+    assert (differences(scores["generalist_generalist"]) > 0.0).all()
+
+
+@pytest.mark.parametrize(
+    ("schedule", "race", "cycling"),
+    [
+        ("specialist_specialist", "cannot tell", "present"),
+        ("generalist_specialist", "present", "cannot tell"),
+        ("generalist_generalist", "present", "absent"),
+    ],
+)
+def test_verdicts_on_ten_seeds(
+    scores: dict[str, np.ndarray], schedule: str, race: str, cycling: str
+) -> None:
+    found = analysis.judge(scores[schedule], per_episode=True).headline
+    assert (found["arms race"].verdict, found["cycling"].verdict) == (race, cycling)
+    if schedule == "generalist_specialist":
+        assert found["arms race"].by_run.count("present") == 1
+        assert found["arms race"].by_run.count("cannot tell") == 9
+    if schedule == "specialist_specialist":
+        assert found["cycling"].by_run.count("present") == 9
+        assert found["forgetting"].by_run.count("present") == 10
+
+
+def test_three_seeds_could_not_tell(scores: dict[str, np.ndarray]) -> None:
+    assert verdict(scores["generalist_generalist"][:3], "arms race") == "cannot tell"
+    assert verdict(scores["generalist_generalist"][:5], "arms race") == "present"
+    assert verdict(scores["generalist_generalist"][:5], "cycling") == "cannot tell"
+
+
+@pytest.mark.parametrize("count", [40, 200])
+def test_the_simple_rule_is_fooled_by_one_race_of_four(count: int) -> None:
+    alarms = [last_beats_first(noisy_race("noise only, .5", seed)) for seed in range(count)]
+    assert 0.15 < np.mean(alarms) < 0.35
+
+
+def test_specialists_have_more_checkerboards(scores: dict[str, np.ndarray]) -> None:
+    measure: Callable[[np.ndarray], float] = analysis.MEASURES["checkerboards"].of
+    specialists, mixed = (
+        [measure(matrix) for matrix in scores[name].mean(axis=3)] for name in SCHEDULES[:2]
+    )
+    difference = analysis.difference_of_runs(mixed, specialists)
+    assert difference.high is not None
+    assert difference.high < 0.0

@@ -1,0 +1,172 @@
+"""Notebook 6: what the replies say to wrong answers, and the numbers of its text."""
+
+from __future__ import annotations
+
+from itertools import permutations
+
+import numpy as np
+import pytest
+
+from matrixworld import analysis
+from matrixworld.toys.race_truths import Noise, play_episodes
+from matrixworld.tutorial import check, kept
+from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS, WELL
+
+
+def says(name: str, answer: object, text: str) -> None:
+    reply = check(name, answer)
+    assert reply.right is False
+    assert text in reply.text
+
+
+def ordered_count(matrix: np.ndarray) -> int:
+    """Count each square four times."""
+    wins = matrix > 0.5
+    return sum(
+        bool(wins[a, x] and wins[b, y] and not wins[a, y] and not wins[b, x])
+        or bool(wins[a, y] and wins[b, x] and not wins[a, x] and not wins[b, y])
+        for a, b in permutations(range(len(matrix)), 2)
+        for x, y in permutations(range(matrix.shape[1]), 2)
+    )
+
+
+def count_of_neighbours(matrix: np.ndarray) -> int:
+    wins = matrix > 0.5
+    a, b, c, d = wins[:-1, :-1], wins[:-1, 1:], wins[1:, :-1], wins[1:, 1:]
+    return int(((a == d) & (b == c) & (a != b)).sum())
+
+
+def test_counts_of_checkerboards() -> None:
+    says("6.1", 3, "Expected a function")
+    says("6.1", lambda matrix: None, "expected a number")
+    says("6.1", ordered_count, "4 times too many")
+    says("6.1", lambda matrix: 0, "too few")
+    says("6.1", count_of_neighbours, "too few")
+    says("6.1", lambda matrix: analysis.checkerboards(matrix).possible, "too many")
+    assert check("6.1", lambda matrix: analysis.checkerboards(matrix).count).right
+
+
+def test_transitive_shares() -> None:
+    says("6.2", 0.5, "Expected a function")
+    says("6.2", lambda matrix: matrix, "expected a number")
+    says("6.2", lambda matrix: 1 - analysis.transitive_share(matrix), "share of the rest")
+
+    def twice(matrix: np.ndarray) -> float:
+        rest = matrix - matrix.mean(axis=1)[:, None] - matrix.mean(axis=0)
+        return float(1 - (rest**2).sum() / ((matrix - matrix.mean()) ** 2).sum())
+
+    says("6.2", twice, "twice")
+    says("6.2", lambda matrix: matrix.mean(), "sum 0")
+
+
+def test_the_well() -> None:
+    says("6.3", "well", "Expected four rows")
+    says("6.3", [[1, 2], [3]], "Expected four rows")
+    says("6.3", ROCK_PAPER_SCISSORS, "(3, 3)")
+    wrong = WELL.copy()
+    wrong[3], wrong[:, 3] = (0.0, 1.0, 0.0, 0.5), (1.0, 0.0, 1.0, 0.5)
+    says("6.3", wrong, "3 of the four cells")
+    lost = WELL.copy()
+    lost[3] = 0.0
+    says("6.3", lost, "matrix + matrix.T")
+    says("6.3", WELL[::-1], "plain rock-paper-scissors")
+
+
+def test_halls_of_fame() -> None:
+    def drawn(count: int, *, repeat: bool = False):
+        return lambda available, rng: [
+            available - 1,
+            *rng.choice(max(1, available - 1), size=min(count, available - 1), replace=repeat),
+        ]
+
+    assert check("6.4", drawn(4)).right
+    assert check("6.4", lambda available, rng: np.array(drawn(4)(available, rng))).right
+    says("6.4", 5, "Expected a function")
+    says("6.4", lambda available, rng: available - 1, "expected several whole numbers")
+    says("6.4", lambda available, rng: [available], "go from 0 to")
+    says("6.4", lambda available, rng: [0], "newest one is missing")
+    says("6.4", drawn(4, repeat=True), "twice")
+    says("6.4", drawn(3), "opponents")
+    newest = lambda available, rng: [*range(available)][::-1][:5]  # noqa: E731
+    says("6.4", newest, "never met")
+
+
+# ---- What the text says --------------------------------------------------------------------------
+
+
+def test_a_perfect_order_of_clear_wins_has_two_thirds() -> None:
+    staircase = np.greater.outer(np.arange(16), np.arange(16)).astype(float)
+    assert analysis.transitive_share(staircase) == pytest.approx(2 / 3, abs=0.01)
+    assert analysis.checkerboards(staircase).count == 0
+
+
+def test_noise_lowers_the_transitive_share_and_the_correction_removes_the_bias() -> None:
+    strength = np.linspace(-1, 1, 16)
+    truth = 0.5 + 0.2 * np.subtract.outer(strength, strength)
+    shares = []
+    for seed in range(20):
+        race = play_episodes(truth, Noise(1), np.random.default_rng(seed))
+        shares.append(analysis.transitive_share(race.mean(axis=2)))
+    assert np.mean(shares) < 0.4
+    corrected = [
+        analysis.transitive_share_over_episodes(
+            play_episodes(truth, Noise(10), np.random.default_rng(seed))
+        ).value
+        for seed in range(20)
+    ]
+    assert np.mean(corrected) == pytest.approx(1.0, abs=0.06)
+
+
+def test_alpha_rank_looks_at_directions_and_nash_at_stakes() -> None:
+    weighted = ROCK_PAPER_SCISSORS.copy()
+    weighted[2, 1], weighted[1, 2] = 0.6, 0.4
+    assert analysis.alpha_rank(weighted).pursuers == pytest.approx(np.full(3, 1 / 3), abs=1e-3)
+    assert analysis.nash_averaging(weighted).pursuers[0] < 0.1
+    assert analysis.nash_averaging(WELL).pursuers[0] == pytest.approx(0.0, abs=1e-6)
+    assert analysis.alpha_rank(WELL).pursuers[0] > 0.1
+
+
+def test_what_halls_of_fame_changed() -> None:
+    ends = {
+        name: analysis.difference_of_runs(with_halls, without, paired=True)
+        for name, (without, with_halls) in kept("halls").items()
+    }
+    for name in ("pursuer_forgetting", "evader_forgetting", "checkerboards"):
+        assert ends[name].high is not None
+        assert ends[name].high < 0.0
+    assert ends["pursuer_score"].low is not None
+    assert ends["pursuer_score"].low > 0.0
+    assert ends["evader_score"].low < 0.0 < ends["evader_score"].high
+
+
+def test_the_numbers_game_shows_no_help() -> None:
+    living, with_hall = kept("numbers_game")["ones"]
+    difference = analysis.difference_of_runs(with_hall, living)
+    assert difference.low is not None
+    assert difference.low < 0.0 < difference.high
+
+
+def test_what_the_small_races_show() -> None:
+    cures = kept("cures")
+    names = [str(name) for name in cures["samplers"]]
+    rates = dict(zip(names, cures["captured"] / int(cures["evaders"]), strict=True))
+    specialists = analysis.judge(rates["latest"], per_episode=True).headline
+    assert specialists["forgetting"].verdict == "present"
+    assert specialists["cycling"].verdict == "cannot tell"
+    generalists = analysis.judge(rates["round-robin"], per_episode=True).headline
+    assert generalists["cycling"].verdict == "absent"
+    extra = cures["matches"].mean(axis=1) / 38_400 - 1
+    assert (extra[:3] == 0.0).all()
+    assert (extra[3:] > 0.01).all()
+    assert (extra[3:] < 0.04).all()
+
+
+def test_the_specialists_evaders_escape_most_often() -> None:
+    cures = kept("cures")
+    cross = cures["cross_play"] / int(cures["cross_evaders"])
+    others = ~np.eye(len(cross), dtype=bool)
+    escape = [1 - cross[others[i], :, i].mean(axis=(0, 1)) for i in range(len(cross))]
+    ends = [analysis.interval_over_runs(each) for each in escape]
+    assert np.argmax([each.value for each in ends]) == 0
+    assert ends[0].low is not None
+    assert all(ends[i].high < ends[0].low for i in (1, 2))

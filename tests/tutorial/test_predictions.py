@@ -1,0 +1,27 @@
+"""Predictions: the options in the text of a notebook are those that `check` knows."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from matrixworld.tutorial import Prediction, exercises
+
+TUTORIALS = Path(__file__).parents[2] / "tutorials"
+
+
+@pytest.mark.parametrize("chapter", [1, 2])
+def test_options_are_written_out(chapter: int) -> None:
+    (path,) = TUTORIALS.glob(f"{chapter:02d}_*.ipynb")
+    cells = json.loads(path.read_text("utf-8"))["cells"]
+    texts = ["".join(cell["source"]) for cell in cells]
+    places = [at for at, text in enumerate(texts) if text.startswith("prediction = ...")]
+    offered = [
+        (re.findall(r'^- `"(\w)"`:', texts[at - 1], re.MULTILINE), re.findall(r'"(\w)"', texts[at]))
+        for at in places
+    ]
+    known = [each for each in exercises(chapter).values() if isinstance(each, Prediction)]
+    assert offered == [(list(each.options), list(each.options)) for each in known]

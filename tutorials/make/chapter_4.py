@@ -1,0 +1,100 @@
+"""The results that notebook 4 shows: ten small races of specialists, and their held-out scores.
+
+    python tutorials/make/chapter_4.py            about 3 minutes on two idle cores
+    python tutorials/make/chapter_4.py DIRECTORY  keeps the races there, and continues them
+
+Writes ``chapter_4.npz`` into ``python/matrixworld/tutorial/data``:
+
+- ``captured`` (seeds, generations, generations): evaders captured in all episodes of a pair,
+- ``evaders_met`` (): evaders in these episodes; the quotient is the payoff matrix,
+- ``generations`` (k,): the generations that were scored,
+- ``pursuer``, ``evader`` (seeds, k): their mean scores against the held-out opponents.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+import matrixworld as mw
+from matrixworld import coevolution
+from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun
+from matrixworld.coevolution.evaluation.held_out_scores import score_population
+from matrixworld.files import save_arrays
+from matrixworld.tutorial.kept import DATA
+
+SEEDS = range(10)
+EVERY = 3  # generations from one that is scored to the next
+EPISODES = 40  # of each generation against each held-out opponent
+
+
+def settings(seed: int) -> RaceSettings:
+    """Return the settings of a race."""
+    return RaceSettings(
+        schedule="specialist-specialist",
+        rows=20,
+        cols=20,
+        pursuers=4,
+        evaders=10,
+        hidden=(16,),
+        generations=24,
+        pursuer_epochs=20,
+        evader_epochs=50,
+        population=32,
+        overlap_penalty=0.5,
+        train_steps=100,
+        eval_steps=200,
+        seed=seed,
+    )
+
+
+def captured(run: SavedRun) -> np.ndarray:
+    """Return the evaders captured in all episodes of each pair, (generations, generations)."""
+    payoff = run.payoff()
+    return np.rint(payoff.capture_rates.sum(axis=2) * run.settings.evaders).astype(np.uint8)
+
+
+def scores(run: SavedRun, generations: np.ndarray) -> list[np.ndarray]:
+    """Return the mean held-out scores (k,) of both teams."""
+    world = run.settings.world(run.settings.eval_steps)
+    found = []
+    for team in TEAMS:
+        genomes = mw.Population(run.teams[team].genomes[generations], run.teams[team].network)
+        scored = score_population(
+            world, team, genomes, generations=generations.tolist(), episodes=EPISODES
+        )
+        found.append(scored.means.astype(np.float32))
+    return found
+
+
+def main(directory: Path) -> None:
+    counts, held_out = [], []
+    for seed in SEEDS:
+        print(f"seed {seed}", flush=True)
+        run = coevolution.finish(settings(seed), directory / str(seed))
+        generations = np.arange(0, run.settings.generations + 1, EVERY)
+        counts.append(captured(run))
+        held_out.append(scores(run, generations))
+    pursuer, evader = np.array(held_out).swapaxes(0, 1)
+    met = run.settings.eval_episodes * run.settings.evaders
+    save_arrays(
+        DATA / "chapter_4.npz",
+        {
+            "captured": np.array(counts),
+            "evaders_met": np.array(met),
+            "generations": generations,
+            "pursuer": pursuer,
+            "evader": evader,
+        },
+    )
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        main(Path(sys.argv[1]))
+    else:
+        with tempfile.TemporaryDirectory() as temporary:
+            main(Path(temporary))

@@ -1,0 +1,91 @@
+"""Make the kept results of notebook 7: races in which one team may give up.
+
+    python tutorials/make/chapter_7.py RUNS
+
+Plays four kinds of races of ten seeds each in the directory RUNS (about 3 minutes of one core), and
+writes ``matrixworld/tutorial/data/chapter_7.npz``. Finished races are not played again. The error
+rates of the judgement come from ``evolution/results/judgement``.
+"""
+
+from __future__ import annotations
+
+import csv
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from tqdm import tqdm
+
+from matrixworld.coevolution import RaceSettings, SavedRun, finish
+from matrixworld.coevolution.types import TEAMS
+from matrixworld.files import save_arrays
+from matrixworld.tutorial.kept import DATA
+
+ROOT = Path(__file__).parents[2]
+COUNTS = ROOT / "evolution" / "results" / "judgement" / "counts.csv"
+SEEDS = range(10)
+EPISODES = 30
+"""Episodes of each pair that are kept, of 40, so that the file stays small."""
+EVEN = RaceSettings(
+    rows=12, cols=12, pursuers=4, evaders=8, fov=9, hidden=(16,), population=24, generations=14,
+    pursuer_epochs=20, evader_epochs=40, overlap_penalty=0.5, train_steps=80, eval_steps=300,
+    eval_episodes=40,
+)  # fmt: skip
+RACES = {
+    "even": EVEN,
+    "few evader epochs": replace(EVEN, evader_epochs=2),
+    "no overlap penalty": replace(EVEN, overlap_penalty=0.0),
+    "restrained pursuers": replace(EVEN, evader_epochs=2, pursuer_virulence=0.75),
+}
+"""Settings of the races by name, without their seeds."""
+
+
+def place(runs: Path, name: str, seed: int) -> Path:
+    """Return the directory of a run."""
+    return runs / name.replace(" ", "-") / str(seed)
+
+
+def spread(run: SavedRun) -> np.ndarray:
+    """Return the standard deviation of the candidates' fitness, float32 (generations, 2 teams)."""
+    log = run.files.log()
+    found = [
+        log["fitness_std"][(log["generation"] == generation) & (log["team"] == team)].mean()
+        for generation in range(1, EVEN.generations + 1)
+        for team in TEAMS
+    ]
+    return np.array(found, np.float32).reshape(-1, len(TEAMS))
+
+
+def captures(run: SavedRun) -> np.ndarray:
+    """Return the evaders captured in each episode, uint8 of shape (n, n, episodes)."""
+    rates = run.payoff().capture_rates[..., :EPISODES]
+    return np.rint(rates * EVEN.evaders).astype(np.uint8)
+
+
+def false_alarms() -> dict[str, np.ndarray]:
+    """Return, by condition, the verdicts on races without it: (present, absent, cannot tell)."""
+    found: dict[str, np.ndarray] = {}
+    with COUNTS.open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            if row["sample"] in ("development", "held back"):
+                key = f"{'has' if row['truth'] == 'True' else 'has not'}: {row['condition']}"
+                counts = [int(row[name]) for name in ("present", "absent", "cannot tell")]
+                found[key] = found.get(key, np.zeros(3, np.int64)) + counts
+    return found
+
+
+def main(runs: Path) -> None:
+    arrays: dict[str, np.ndarray] = {"evaders": np.array(EVEN.evaders)}
+    for name, settings in RACES.items():
+        played = [
+            finish(replace(settings, seed=seed), place(runs, name, seed), threads=1)
+            for seed in tqdm(SEEDS, desc=name)
+        ]
+        arrays[f"captured: {name}"] = np.stack([captures(run) for run in played])
+        arrays[f"spread of fitness: {name}"] = np.stack([spread(run) for run in played])
+    save_arrays(DATA / "chapter_7.npz", arrays | false_alarms())
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))

@@ -1,0 +1,135 @@
+"""Make the kept results of notebook 8: what a team learns from different sequences of opponents.
+
+    python tutorials/make/chapter_8.py RUNS
+
+Trains ten seeds in the directory RUNS (about 8 minutes of one core), tests all teams against the
+same opponents, and writes ``matrixworld/tutorial/data/chapter_8.npz``. What is finished is not
+played again.
+"""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import fields, replace
+from pathlib import Path
+
+import numpy as np
+from tqdm import tqdm
+
+import matrixworld as mw
+from matrixworld.coevolution import RaceSettings, SavedRun, SingleSettings, Team, finish, held_out
+from matrixworld.coevolution.types import TEAMS, other
+from matrixworld.files import save_arrays
+from matrixworld.policy import TeamPolicy
+from matrixworld.tutorial.kept import DATA
+
+SEEDS = range(10)
+RACE = RaceSettings(
+    rows=20, cols=20, pursuers=3, evaders=8, hidden=(16,), population=32, generations=20,
+    pursuer_epochs=50, evader_epochs=50, train_steps=100, eval_steps=100,
+)  # fmt: skip
+LADDERS: dict[Team, tuple[str, ...]] = {
+    "pursuer": ("random", "clumsy-fleer", "fleer", "dodger"),
+    "evader": ("random", "clumsy-chaser", "chaser", "hunter"),
+}
+"""Opponents of each team, from easy to hard."""
+STAGES = 4
+EPISODES, EPISODES_OF_RACES = 100, 20
+"""Episodes against each test opponent, and against the team of each race."""
+
+
+def orders(team: Team) -> dict[str, tuple[str, ...]]:
+    """Return the opponents of each stage, by the name of the sequence."""
+    ladder = LADDERS[team]
+    found = {"random only": ladder[:1] * STAGES, "easy to hard": ladder}
+    if team == "evader":
+        found |= {"hard to easy": ladder[::-1], "hardest only": ladder[-1:] * STAGES}
+    return found
+
+
+def alone(team: Team) -> SingleSettings:
+    """Return the settings of one stage: a quarter of the epochs of the race, else the same."""
+    same = {item.name for item in fields(RACE)} & {item.name for item in fields(SingleSettings)}
+    settings = {name: getattr(RACE, name) for name in same}
+    settings["overlap_penalty"] = RACE.resolved_overlap_penalty if team == "evader" else None
+    epochs = RACE.total_epochs(team) // STAGES
+    return SingleSettings(team=team, epochs=epochs, archive_every=epochs, **settings)
+
+
+def taught(team: Team, name: str, seed: int, runs: Path) -> np.ndarray:
+    """Return the genomes (stages + 1, genes) of a team after each stage of a sequence."""
+    genomes, before = [], None
+    for stage, opponent in enumerate(orders(team)[name]):
+        directory = runs / team / name.replace(" ", "-") / str(seed) / str(stage)
+        start = None if before is None else str(before)
+        # A seed of its own for each stage: otherwise all stages would play the same matches.
+        settings = replace(alone(team), seed=STAGES * seed + stage, against=opponent, start=start)
+        run = finish(settings, directory, threads=1)
+        archive = run.teams[team].genomes
+        genomes += [archive[-1]] if genomes else [archive[0], archive[-1]]
+        before = directory
+    return np.stack(genomes)
+
+
+def tested(team: Team, genomes: np.ndarray, opponent: TeamPolicy, episodes: int) -> np.ndarray:
+    """Return the evaders that each genome (n, genes) captures, or saves, per 1000: uint16 (n,)."""
+    own, index = mw.Population(genomes, RACE.network), np.arange(len(genomes))
+    world = RACE.world(RACE.eval_steps)
+    if team == "pursuer":
+        scores = mw.rollout(
+            world, own, opponent, mw.Matches.of(index, 0, 0), worlds=episodes, threads=1
+        )
+        rates = scores.capture_rate
+    else:
+        scores = mw.rollout(
+            world, opponent, own, mw.Matches.of(0, index, 0), worlds=episodes, threads=1
+        )
+        rates = 1.0 - scores.capture_rate
+    return np.rint(1000 * rates.mean(axis=1)).astype(np.uint16)
+
+
+def main(runs: Path) -> None:
+    races: list[SavedRun] = [
+        finish(replace(RACE, seed=seed), runs / "races" / str(seed), threads=1)
+        for seed in tqdm(SEEDS, desc="races")
+    ]
+    arrays: dict[str, np.ndarray] = {}
+    for team in TEAMS:
+        learned = {
+            name: np.stack([taught(team, name, s, runs) for s in tqdm(SEEDS, f"{team}s, {name}")])
+            for name in orders(team)
+        }
+        ladder = learned["easy to hard"].reshape(-1, RACE.network.genome_size)
+        arrays[f"{team}s: ladder"] = np.stack(
+            [tested(team, ladder, script, EPISODES) for script in LADDERS[team]], axis=-1
+        ).reshape(len(SEEDS), STAGES + 1, STAGES)
+        last = {name: genomes[:, -1] for name, genomes in learned.items()}
+        last["co-evolution"] = np.stack([race.teams[team].genomes[-1] for race in races])
+        arrays |= examined(team, last, races)
+        arrays[f"{team}s: genomes"] = np.stack([each[0] for each in last.values()]).astype("f2")
+    save_arrays(DATA / "chapter_8.npz", arrays)
+
+
+def examined(
+    team: Team, last: dict[str, np.ndarray], races: list[SavedRun]
+) -> dict[str, np.ndarray]:
+    """Return the scores of all kinds of teams against scripts and genomes, and against races."""
+    genomes = np.concatenate(list(last.values()))
+    fixed = held_out(other(team), "O")
+    rivals = [race.teams[other(team)] for race in races]
+    teams = [mw.Population(each.genomes[-1:], each.network) for each in rivals]
+    shape = len(last), len(SEEDS), -1
+    return {
+        f"{team}s: kinds": np.array([*last]),
+        f"{team}s: opponents": np.array([*fixed]),
+        f"{team}s: scores": np.stack(
+            [tested(team, genomes, each, EPISODES) for each in fixed.values()], axis=-1
+        ).reshape(shape),
+        f"{team}s: against races": np.stack(
+            [tested(team, genomes, each, EPISODES_OF_RACES) for each in teams], axis=-1
+        ).reshape(shape),
+    }
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))

@@ -1,0 +1,203 @@
+"""Evolve the packs of notebook 9: penalties, a limit, a mask; twenty seeds each.
+
+    python tutorials/make/chapter_9.py      eight minutes on one core; goes on after an interruption
+
+Writes `safe_packs.npz` to the folder of kept results. Every pack has six weights and evolves for
+the same number of matches in the same world (`matrixworld.tutorial.packs`):
+
+- penalties: a fixed penalty for each collision at fault, with the paper's other rewards;
+- limit: the penalty rises while a pack collides more often than a limit, and falls below it;
+- mask: no penalty at all, but a mask of the moves that might end in a collision with a teammate.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from tqdm import tqdm
+
+import matrixworld as mw
+from matrixworld.coevolution import EvolutionStrategy, NoiseTable
+from matrixworld.files import load_arrays, save_arrays
+from matrixworld.tutorial.kept import DATA
+from matrixworld.tutorial.packs import WEIGHTS, WORLD, pack, play_masked
+
+PENALTIES = (0.0, 0.1, 0.3, 1.0, 3.0, 12.0, 40.0)
+LIMIT = 20.0  # agent-steps at fault of 1000
+RISE = 0.002  # of the penalty in each epoch, for each agent-step above the limit
+SEEDS = 20
+EPOCHS, SAMPLES, WORLDS = 60, 32, 8
+EPISODES = 400  # of each final test
+
+Row = dict[str, NDArray[np.float64]]
+
+
+def learner_of(rng: np.random.Generator) -> EvolutionStrategy:
+    """Return a learner of six weights that begin at 0."""
+    start = np.zeros(len(WEIGHTS), np.float32)
+    noise = NoiseTable(len(WEIGHTS), rng, sigma=0.5)
+    return EvolutionStrategy(start, noise, samples=SAMPLES, learning_rate=0.3)
+
+
+def matches(rng: np.random.Generator) -> mw.Matches:
+    """Return a match of each sample; both samples of a pair meet the same seed."""
+    return mw.Matches.of(range(SAMPLES), 0, np.tile(rng.integers(2**62, size=SAMPLES // 2), 2))
+
+
+def with_penalty(penalty: float) -> mw.WorldConfig:
+    """Return the world with this penalty for each kind of collision."""
+    return replace(WORLD, rewards=mw.Rewards(pursuer_collide=-penalty))
+
+
+def fault_rate(faults: NDArray[np.int32], agent_steps: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Return the pursuers' agent-steps at fault of 1000, by kind."""
+    return 1000 * faults[:, :, 0].sum(axis=(0, 1)) / agent_steps[:, :, 0].sum()
+
+
+def evolve(seed: int, penalty: float, limit: float | None = None) -> Row:
+    """Evolve a pack on rewards; with a limit, the penalty is adapted to it."""
+    rng = np.random.default_rng(seed)
+    learner = learner_of(rng)
+    curve, faults = [], np.zeros(3, np.int64)
+    for _ in range(EPOCHS):
+        played = mw.rollout(
+            with_penalty(penalty), pack(learner.ask(rng)), "random", matches(rng), worlds=WORLDS
+        )
+        learner.tell(played.pursuer_return.mean(axis=1))
+        rate = fault_rate(played.faults, played.agent_steps)
+        faults += played.faults[:, :, 0].sum(axis=(0, 1))
+        curve.append((played.capture_rate.mean(), rate.sum(), penalty))
+        if limit is not None:
+            penalty = max(0.0, penalty + RISE * (rate.sum() - limit))
+    return tested(learner.genome, seed) | {"curve": np.array(curve), "training_faults": faults}
+
+
+def tested(weights: NDArray[np.float32], seed: int) -> Row:
+    """Play a pack in new episodes."""
+    played = mw.rollout(
+        WORLD, pack(weights), "random", mw.Matches.of(0, 0, 10**6 + seed), worlds=EPISODES
+    )
+    return {
+        "weights": weights,
+        "captured": played.capture_rate.sum(),
+        "steps": played.length.sum(),
+        "faults": played.faults[:, :, 0].sum(axis=(0, 1)),
+        "agent_steps": played.agent_steps[:, :, 0].sum(),
+        "safe": (played.faults[:, :, 0].sum(axis=2) == 0).sum(),
+    }
+
+
+def right_of_way(views: NDArray[np.uint8]) -> NDArray[np.bool_]:
+    """Return the moves, (n, 5), to free cells that no teammate with right of way can enter.
+
+    Of the agents around a free cell the one in the north goes first, then east, south, west.
+    """
+    centre = views.shape[-1] // 2
+    steps = np.array([(-1, 0), (0, 1), (1, 0), (0, -1)])
+    allowed = np.ones((len(views), 5), bool)
+    for action, step in enumerate(steps, start=1):
+        row, col = centre + step
+        allowed[:, action] = ~views[:, :, row, col].any(axis=1)
+        for side in steps:
+            if (side == -step).all():  # here comes the agent itself
+                break
+            row, col = centre + step + side
+            allowed[:, action] &= views[:, 1, row, col] == 0
+    return allowed
+
+
+def evolve_masked(seed: int) -> Row:
+    """Evolve a pack without a penalty, under the mask in training and test."""
+    rng = np.random.default_rng(seed)
+    learner = learner_of(rng)
+    world = with_penalty(0.0)
+    envs = mw.VectorEnv(
+        world, n_worlds=SAMPLES * WORLDS, copy=False, autoreset_mode="Disabled", threads=1
+    )
+    curve, faults = [], np.zeros(3, np.int64)
+    for _ in range(EPOCHS):
+        played = masked_epoch(envs, pack(learner.ask(rng)), rng)
+        learner.tell(played["return"][:, 0].reshape(SAMPLES, WORLDS).mean(axis=1))
+        at_fault = played["faults"][:, 0].sum(axis=0)
+        rate = 1000 * at_fault.sum() / played["agent_steps"][:, 0].sum()
+        faults += at_fault
+        curve.append((played["capture_rate"].mean(), rate, 0.0))
+    return tested_masked(learner.genome, seed) | {
+        "curve": np.array(curve),
+        "training_faults": faults,
+    }
+
+
+def masked_epoch(
+    envs: mw.VectorEnv, population: mw.Population, rng: np.random.Generator
+) -> dict[str, NDArray[Any]]:
+    """Play each sample in its worlds and return the statistics of these episodes."""
+    network, pursuers = population.network, WORLD.n_pursuers
+    weights, biases = zip(*(network.layers(g)[0] for g in population.genomes), strict=True)
+    pairs = rng.integers(2**62, size=(SAMPLES // 2, 1)) + np.arange(WORLDS)
+    _, infos = envs.reset(seed=np.tile(pairs, (2, 1)).ravel())
+    while not (infos["terminated"] | infos["truncated"]).all():
+        views = envs.observations[:, :pursuers].reshape(-1, 3, network.fov, network.fov)
+        inputs = views.reshape(SAMPLES, -1, network.sizes[0]).astype(np.float32)
+        wishes = (inputs @ np.stack(weights) + np.stack(biases)[:, None]).reshape(-1, 5)
+        wishes[~right_of_way(views)] = -np.inf
+        # The evader moves at random.
+        actions = rng.integers(5, size=(len(infos["alive"]), envs.config.n_agents))
+        # The largest of wishes with Gumbel noise is a draw with their softmax.
+        chosen = (wishes + rng.gumbel(size=wishes.shape)).argmax(axis=1)
+        actions[:, :pursuers] = chosen.reshape(-1, pursuers)
+        *_, infos = envs.step(actions)
+    statistics: dict[str, NDArray[Any]] = infos["episode"]
+    return statistics
+
+
+def tested_masked(weights: NDArray[np.float32], seed: int) -> Row:
+    """Play a pack under the mask in new episodes."""
+    played = play_masked(weights, right_of_way, episodes=EPISODES, seed=10**6 + seed)
+    summary = played.safety.summary()
+    return {
+        "weights": weights,
+        "captured": played.captured.sum(),
+        "steps": played.steps.sum(),
+        "faults": np.rint(summary.fault_mean[0] * EPISODES),
+        "agent_steps": summary.agent_steps[0],
+        "safe": np.rint(EPISODES * summary.safe_share[0].min()),
+    }
+
+
+def over_seeds(name: str, one: Callable[[int], Row]) -> dict[str, NDArray[np.float32]]:
+    """Return the rows of all seeds, stacked, under names that begin with `name`."""
+    rows = [one(seed) for seed in tqdm(range(SEEDS), desc=name)]
+    return {
+        f"{name}_{key}": np.stack([row[key] for row in rows]).astype(np.float32) for key in rows[0]
+    }
+
+
+def main(path: Path) -> None:
+    """Evolve all packs and keep the results after each group; groups that are kept are skipped."""
+    path.parent.mkdir(exist_ok=True)
+    arrays: dict[str, NDArray[Any]] = dict(load_arrays(path)) if path.exists() else {}
+    arrays |= {"penalties": np.array(PENALTIES, np.float32), "episodes": np.array(EPISODES)}
+    groups: dict[str, Callable[[int], Row]] = {
+        f"penalty{number}": partial(evolve, penalty=penalty)
+        for number, penalty in enumerate(PENALTIES)
+    }
+    groups["limit"] = partial(evolve, penalty=0.0, limit=LIMIT)
+    groups["mask"] = evolve_masked
+    # The packs that evolved without a penalty, tested under the mask.
+    groups["late_mask"] = lambda seed: tested_masked(arrays["penalty0_weights"][seed], seed)
+    for name, one in groups.items():
+        if f"{name}_weights" not in arrays:
+            arrays |= over_seeds(name, one)
+            save_arrays(path, arrays)
+    print(f"{path.name}: {path.stat().st_size / 1e3:.0f} kB")
+
+
+if __name__ == "__main__":
+    main(DATA / "safe_packs.npz")

@@ -1,0 +1,168 @@
+// The matrix: a cell for each pair, in the order of the standings, with the names along both sides.
+
+import { html, svg } from "../page/dom.ts";
+import type { Team } from "../explorer/data.ts";
+import { viridis, viridisGradient, viridisText } from "../explorer/colormap.ts";
+import { interval, rate } from "../explorer/format.ts";
+import type { Data, Pair } from "./data.ts";
+import type { Store } from "./store.ts";
+
+/** Size of the drawing in its own units, without the names. */
+const SIDE = 1000;
+/** The most cells of a row in which numbers are readable. */
+const READABLE = 14;
+/** The most characters of a name along a side. */
+const LONGEST = 16;
+
+const shortened = (name: string): string => (name.length > LONGEST ? `${name.slice(0, LONGEST - 1)}…` : name);
+
+export class MatrixPanel {
+  readonly element: HTMLElement;
+  readonly #data: Data;
+  readonly #store: Store;
+  /** Numbers of the entries from the best to the worst: rows downwards, columns to the right. */
+  readonly #rows: readonly number[];
+  readonly #columns: readonly number[];
+  readonly #readout = html("p", { class: "readout numbers", "aria-live": "polite" });
+  readonly #marks = svg("g", { class: "marks" });
+  readonly #drawing: SVGSVGElement;
+
+  constructor(data: Data, store: Store) {
+    [this.#data, this.#store] = [data, store];
+    this.#rows = data.standings.pursuer.map(({ number }) => number);
+    this.#columns = data.standings.evader.map(({ number }) => number);
+    this.#drawing = this.#draw();
+    this.element = html(
+      "section", { class: "card matrix-card", "aria-label": "All matches" },
+      html("header", {},
+        html("h2", {}, "All matches"),
+        html("p", { class: "small muted" }, "Capture rate; pursuers in rows, evaders in columns, the best ones first. Click a cell to watch its first episode.")),
+      this.#drawing,
+      html("div", { class: "scale-of-rates small" }, "0", gradient(), "1"),
+      this.#readout,
+    );
+    store.on("pair", () => this.#mark());
+    store.on("hover", () => this.#mark());
+    this.#mark();
+  }
+
+  #draw(): SVGSVGElement {
+    const [rows, columns] = [this.#rows.length, this.#columns.length];
+    const size = SIDE / Math.max(rows, columns);
+    const font = Math.min(26, Math.max(11, 0.78 * size));
+    const margin = font * 0.56 * Math.min(LONGEST, longestOf(this.#data)) + 10;
+    const drawing = svg("svg", {
+      class: "matrix", tabindex: "0", role: "img", "aria-label": "Matrix of capture rates; arrow keys choose a match, Enter plays it",
+      preserveAspectRatio: "xMidYMin meet",
+      viewBox: `${-margin} ${-margin} ${columns * size + margin} ${rows * size + margin}`,
+      onpointermove: (event: PointerEvent) => this.#store.point(this.#pairAt(event, size)),
+      onpointerleave: () => this.#store.point(null),
+      onclick: (event: MouseEvent) => {
+        const pair = this.#pairAt(event, size);
+        if (pair) this.#store.play(pair);
+      },
+      onkeydown: (event: KeyboardEvent) => this.#key(event),
+    });
+    const cells = this.#rows.flatMap((g, row) => this.#columns.map((h, column) => {
+      const value = this.#data.capture_rate[g]![h]!;
+      return svg("rect", {
+        x: column * size, y: row * size, width: size, height: size, fill: viridisText(value), "data-pair": `${g} ${h}`,
+      });
+    }));
+    drawing.append(...cells, ...this.#numbers(size), ...this.#names("pursuer", size, font), ...this.#names("evader", size, font), this.#marks);
+    this.#marks.dataset["size"] = String(size);
+    return drawing;
+  }
+
+  /** The rates in the cells, where there are few. */
+  #numbers(size: number): SVGTextElement[] {
+    if (Math.max(this.#rows.length, this.#columns.length) > READABLE) return [];
+    return this.#rows.flatMap((g, row) => this.#columns.map((h, column) => {
+      const value = this.#data.capture_rate[g]![h]!;
+      const [red, green, blue] = viridis(value);
+      const fill = 0.299 * red + 0.587 * green + 0.114 * blue > 140 ? "#111" : "#fff";
+      return svg("text", {
+        x: (column + 0.5) * size, y: (row + 0.5) * size, fill, "font-size": Math.min(30, 0.32 * size), class: "in-cell",
+      }, rate(value));
+    }));
+  }
+
+  #names(team: Team, size: number, font: number): SVGTextElement[] {
+    const order = team === "pursuer" ? this.#rows : this.#columns;
+    return order.map((number, place) => {
+      const middle = (place + 0.5) * size;
+      const where = team === "pursuer"
+        ? { x: -6, y: middle, "text-anchor": "end" }
+        : { transform: `translate(${middle} -6) rotate(-90)`, "text-anchor": "start" };
+      return svg("text", {
+        ...where, class: `name ${this.#standing(team, number).kind}`, "font-size": font, "data-name": `${team} ${number}`,
+      }, shortened(this.#data.names[team][number]!));
+    });
+  }
+
+  #standing(team: Team, number: number): { kind: string } {
+    return this.#data.standings[team].find((each) => each.number === number)!;
+  }
+
+  /** Return the pair at a pointer; null outside of the cells. */
+  #pairAt(event: MouseEvent, size: number): Pair | null {
+    const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.#drawing.getScreenCTM()!.inverse());
+    const [pursuer, evader] = [this.#rows[Math.floor(place.y / size)], this.#columns[Math.floor(place.x / size)]];
+    return pursuer === undefined || evader === undefined || place.x < 0 || place.y < 0 ? null : { pursuer, evader };
+  }
+
+  #key(event: KeyboardEvent): void {
+    const moves: Record<string, readonly [number, number]> = {
+      ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1],
+    };
+    const move = moves[event.key];
+    if (event.key === "Enter") this.#store.play(this.#store.pair);
+    else if (move) this.#step(move);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  #step([down, right]: readonly [number, number]): void {
+    const { pursuer, evader } = this.#store.pair;
+    const row = this.#rows[this.#rows.indexOf(pursuer) + down];
+    const column = this.#columns[this.#columns.indexOf(evader) + right];
+    if (row !== undefined && column !== undefined) this.#store.select({ pursuer: row, evader: column });
+  }
+
+  #mark(): void {
+    const { pair, hover } = this.#store;
+    const size = Number(this.#marks.dataset["size"]);
+    const outline = ({ pursuer, evader }: Pair, kind: string): SVGRectElement => svg("rect", {
+      class: kind, x: this.#columns.indexOf(evader) * size, y: this.#rows.indexOf(pursuer) * size, width: size, height: size,
+    });
+    this.#marks.replaceChildren(outline(pair, "selected-halo"), outline(pair, "selected"), ...(hover ? [outline(hover, "hovered")] : []));
+    const shown = hover ?? pair;
+    for (const name of this.#drawing.querySelectorAll<SVGElement>("[data-name]")) {
+      const about = [`pursuer ${shown.pursuer}`, `evader ${shown.evader}`].includes(name.dataset["name"]!);
+      name.classList.toggle("about", about);
+    }
+    this.#readout.replaceChildren(...this.#read(shown));
+  }
+
+  #read({ pursuer, evader }: Pair): Node[] {
+    const { names, capture_rate, lowest, highest, length, episodes } = this.#data;
+    const mean = interval(capture_rate[pursuer]![evader]!, null, null);
+    const [low, high] = [rate(lowest[pursuer]![evader]), rate(highest[pursuer]![evader])];
+    return [
+      html("span", {}, html("span", { class: "pursuer" }, names.pursuer[pursuer]!), " against ", html("span", { class: "evader" }, names.evader[evader]!)),
+      html("span", {}, html("strong", {}, mean), html("span", { class: "small muted" },
+        ` captured; ${low} to ${high} in ${episodes} episodes, ${length[pursuer]![evader]!.toFixed(0)} steps on average`)),
+    ];
+  }
+}
+
+/** The colours from 0 to 1. The page's policy allows no style in markup, only by script. */
+function gradient(): HTMLElement {
+  const strip = html("span", { class: "gradient" });
+  strip.style.backgroundImage = viridisGradient();
+  return strip;
+}
+
+const longestOf = (data: Data): number =>
+  Math.max(...[...data.names.pursuer, ...data.names.evader].map((name) => name.length));
