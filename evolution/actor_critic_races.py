@@ -10,7 +10,8 @@ team (specialist), or all of its generations in turn (generalist).
 
 Each schedule is judged by `analysis.judge`, as races of neuroevolution are, over all seeds
 together, in the last half of the race. Gains are changes of mean capture or escape over that half,
-against all opponents of the race. ``--runs`` keeps the races; an interrupted script continues where it stopped.
+against all opponents of the race. ``--runs`` keeps the races; an interrupted script continues where
+it stopped.
 """
 
 from __future__ import annotations

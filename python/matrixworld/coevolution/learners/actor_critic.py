@@ -130,6 +130,8 @@ class ActorCritic:
     ------
     MissingExtraError
         If PyTorch is not installed.
+    ValueError
+        If PyTorch cannot use the device.
     """
 
     def __init__(
@@ -143,7 +145,7 @@ class ActorCritic:
     ) -> None:
         self.chosen = Hyperparameters() if chosen is None else chosen
         self._torch = _import_torch()
-        self._device = self._torch.device(self.chosen.device)
+        self._device = _usable_device(self._torch, self.chosen.device)
         self._actor = Perceptron(
             check_floats("genome", genome, np.float32),
             network.sizes,
@@ -309,6 +311,17 @@ def _import_torch() -> Any:
         needed = "The learner actor-critic needs PyTorch"
         raise MissingExtraError(f"{needed}: {install_hint('torch')}") from error
     return torch
+
+
+def _usable_device(torch: Any, name: str) -> Any:
+    """Return a device of PyTorch; ValueError if this machine lacks it."""
+    try:
+        # A device has a name even if PyTorch cannot compute there.
+        torch.zeros(1, device=name).cpu()
+    except (AssertionError, NotImplementedError, RuntimeError) as error:
+        expected = "expected a device that PyTorch has on this machine, such as 'cpu'"
+        raise ValueError(f"device: {expected}, got {shown(name)}") from error
+    return torch.device(name)
 
 
 def _check(settings: RunSettings) -> None:
