@@ -1,6 +1,6 @@
 """Do races of policy gradients cycle or progress? The paper's three schedules, judged over seeds.
 
-    python evolution/actor_critic_races.py             three seeds, some minutes on two cores
+    python evolution/actor_critic_races.py             five seeds, some minutes on two cores
     python evolution/actor_critic_races.py --quick     a small world, some seconds
     python evolution/actor_critic_races.py --project   hours of the paper's own size, not played
 
@@ -40,7 +40,7 @@ QUICK = replace(
 )  # fmt: skip
 PUBLISHED = RaceSettings(learner="actor-critic")
 """All defaults are the paper's: networks, rates, updates, 400 epochs of each team a generation."""
-SEEDS, QUICK_SEEDS = 3, 2
+SEEDS, QUICK_SEEDS = 5, 2
 
 
 def play(
