@@ -32,6 +32,16 @@ RUNS: dict[str, Any] = {
     ),
     "hall of fame": tiny_race(**HALL, population=8),
     "hall of fame without hall": tiny_race(**{**HALL, "hall_sample": 0}, population=8),
+    "evaders alone for rewards": tiny_single(team="evader", fitness="rewards"),
+    "actor-critic": tiny_race(**ALTERNATING, learner="actor-critic", actor_updates=2),
+    "evaders alone with actor-critic and costs": tiny_single(
+        team="evader",
+        learner="actor-critic",
+        clip=0.2,
+        actor_updates=2,
+        cost_limit=1.0,
+        actor_rate=0.05,
+    ),
     "pursuers alone": tiny_single(hidden=()),
     "own learner and samplers": tiny_race(
         **ALTERNATING,
@@ -62,6 +72,9 @@ OTHER_VALUES: dict[str, Any] = {
     "pursuer_virulence": 0.6, "evader_virulence": 0.6, "team": "evader", "against": "fleer",
     "learner_settings": {"sigma": 0.3}, "pursuers_meet_settings": {"forget": 0.9},
     "evaders_meet_settings": {"forget": 0.9},
+    "actor_rate": 0.02, "critic_rate": 0.02, "discount": 0.5, "trace": 0.5, "actor_updates": 3,
+    "critic_updates": 9, "clip": 0.01, "entropy": 0.5, "central_critic": True, "cost_limit": 0.0,
+    "cost_rate": 5.0, "device": "cpu:0", "rewards": "published",
     "start": "RUN", "epochs": 6, "archive_every": 3,
 }  # fmt: skip
 """Another valid value of each setting."""
@@ -71,7 +84,7 @@ SECOND_VALUES = {"anneal": False, "selection": "tournament", "optimizer": "adam"
 
 DETERMINE_OTHERS = {
     "schedule", "learner", "team", "hidden", "variant", "optimizer", "selection", "hall_sample",
-    "start",
+    "start", "cost_limit", "fitness",
 }  # fmt: skip
 """Settings on which the effect of other ones depends."""
 
@@ -86,6 +99,8 @@ def changed(run: Any, name: str, start: str) -> Any:
 
 def played(settings: Any, place: Path) -> tuple[Any, ...]:
     """Return the archive, the log and the payoff of a run: all that does not name the settings."""
+    if settings.learner == "actor-critic":
+        pytest.importorskip("torch")
     run = coevolution.start(settings, place, threads=1)
     payoff = run.run()
     archive = {team: genomes.tobytes() for team, genomes in run.files.archive().items()}
@@ -106,6 +121,8 @@ CASES = [
     for item in fields(run)
     # Settings that always have an effect are changed in one race and in one single run.
     if conditions_of(item.name) or kind in {"specialists with es", "pursuers alone"}
+    # A device changes no results.
+    if item.name != "device"
     # The value is that of the run: all values but one are refused.
     if not (item.name == "learner" and run.learner_name == "ga")
 ]

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Any, Protocol, TypeAlias
+from dataclasses import dataclass, field
+from typing import Any, Protocol, TypeAlias, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld.coevolution.learners.experience import Experience
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
 
 RunSettings: TypeAlias = Any
@@ -74,6 +75,25 @@ class Learner(Protocol):
         """
 
 
+@runtime_checkable
+class GradientLearner(Protocol):
+    """What learners have besides `Learner` that learn from transitions instead of fitness.
+
+    After the matches of an epoch a run collects what the agents of the team experienced in them::
+
+        candidates = learner.ask(rng)        # (n, genes), n times the genome
+        learner.learn(experience)            # transitions of all agents of the team
+        learner.tell(fitness)
+    """
+
+    @property
+    def sees_states(self) -> bool:
+        """Whether the experience must have the states of the worlds."""
+
+    def learn(self, experience: Experience) -> None:
+        """Learn from the transitions of an epoch."""
+
+
 @dataclass(frozen=True)
 class LearnerEntry:
     """A learner's settings, their checks, and its factory: a row of the registry `LEARNERS`.
@@ -97,6 +117,14 @@ class LearnerEntry:
     starts_from_population : bool, optional
         Whether the learner starts from `settings.population` genomes instead of one. The default
         is False.
+    by_gradients : bool, optional
+        Whether the learner learns from transitions (see `GradientLearner`) instead of fitness. The
+        default is False.
+    like_processors : bool, optional
+        Whether results depend on the kind of processor, so that all workers of a cluster need the
+        same one. The default is False.
+    defaults : mapping of str to object, optional
+        Defaults of settings that are not those of the other learners.
     """
 
     title: str
@@ -104,6 +132,9 @@ class LearnerEntry:
     check: Callable[[RunSettings], None]
     new: Callable[[RunSettings, Team, Genomes, np.random.Generator], Learner]
     starts_from_population: bool = False
+    by_gradients: bool = False
+    like_processors: bool = False
+    defaults: Mapping[str, Any] = field(default_factory=dict)
 
 
 def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:

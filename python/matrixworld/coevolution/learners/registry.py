@@ -10,9 +10,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from matrixworld.coevolution.learners import cma_es, evolution_strategy, genetic_algorithm
+from matrixworld.coevolution.learners import (
+    actor_critic,
+    cma_es,
+    evolution_strategy,
+    genetic_algorithm,
+)
 from matrixworld.coevolution.learners.learner import Learner, LearnerEntry, RunSettings
 from matrixworld.coevolution.learners.own import own_learner
+from matrixworld.coevolution.learners.perceptron import orthogonal
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import TEAMS, Genomes, Team
 
@@ -20,6 +26,7 @@ LEARNERS: dict[str, LearnerEntry] = {
     "es": evolution_strategy.ENTRY,
     "ga": genetic_algorithm.ENTRY,
     "cma": cma_es.ENTRY,
+    "actor-critic": actor_critic.ENTRY,
 }
 """Learners by the name that `TrainingSettings.learner` takes."""
 
@@ -101,6 +108,10 @@ def new_learner(settings: RunSettings, team: Team, genomes: Genomes) -> Learner:
 def untrained(settings: RunSettings, team: Team, count: int) -> Genomes:
     """Return the first `count` untrained genomes (count, genes) of a team of a run."""
     rng = keyed_generator(settings.seed, Purpose.INITIAL, TEAMS.index(team))
+    if learner_entry(settings.learner_name).by_gradients:
+        # Gradients vanish or explode from other beginnings.
+        sizes = settings.network.sizes
+        return np.stack([orthogonal(sizes, rng, head=settings.initial_head) for _ in range(count)])
     weight, head = settings.initial_weight, settings.initial_head
     # One after the other from one generator: the first genomes do not depend on `count`.
     return np.stack([settings.network.initial(rng, weight=weight, head=head) for _ in range(count)])

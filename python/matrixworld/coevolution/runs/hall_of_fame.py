@@ -10,15 +10,16 @@ from deap import base
 
 from matrixworld.checks import check_choice
 from matrixworld.coevolution.fitness import win_rates
+from matrixworld.coevolution.learners.learner import GradientLearner
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.runs.alternating import Race
 from matrixworld.coevolution.runs.champions import crown_elite
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.storage.run_log import SEVERAL
-from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Team, other
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Seeds, Team, other
 from matrixworld.policy import Population
-from matrixworld.rollout import EpisodeStatistics, Matches
+from matrixworld.rollout import Matches
 
 Populations = dict[Team, Genomes]
 """Genomes (n, genes) float32 of each team."""
@@ -210,12 +211,18 @@ class HallOfFameRace(Race):
         match = self.learners["pursuer"].match_of_candidate
         pairs = pairings(match, self.settings.contemporaries, hall_sizes, rng)
         everyone = {t: self._with_hall(populations[t], halls[t]) for t in TEAMS}
-        scores = self._play(everyone, pairs, generation, epoch)
-        players = {"pursuer": pairs.pursuer, "evader": pairs.evader}
+        seeds = self._seeds(pairs, generation, epoch)
+        scores = self.training.play(
+            everyone["pursuer"],
+            everyone["evader"],
+            Matches.of(pairs.pursuer, pairs.evader, seeds),
+        )
+        players: dict[Team, Indices] = {"pursuer": pairs.pursuer, "evader": pairs.evader}
         fitness: dict[Team, FloatArray] = {}
         for team in TEAMS:
             table = partial(table_of_individuals, players[team], players[other(team)], n)
             fitness[team] = self.training.fitness(scores, team, table)
+            self._learn(team, everyone, players, seeds)
             fittest = players[team] == np.argmax(fitness[team])
             self._met[team] = everyone[other(team)], players[other(team)][fittest]
             if len(sampled[team]):
@@ -233,6 +240,23 @@ class HallOfFameRace(Race):
             )
         return fitness
 
+    def _learn(
+        self,
+        team: Team,
+        everyone: dict[Team, Population],
+        players: dict[Team, Indices],
+        seeds: Seeds,
+    ) -> None:
+        """Let a learner learn from the transitions of its individuals' matches."""
+        learner = self.learners[team]
+        if isinstance(learner, GradientLearner):
+            living = players[team] < self.settings.population
+            experience = self.training.experience(
+                learner, team, learner.genome, everyone[other(team)],
+                players[other(team)][living], seeds[living],
+            )  # fmt: skip
+            learner.learn(experience)
+
     def _update(self, fitness: dict[Team, FloatArray]) -> None:
         """Tell the learners the fitness of their individuals."""
         for team in TEAMS:
@@ -245,22 +269,13 @@ class HallOfFameRace(Race):
         samplers, size = self.matchmaking.samplers, len(self.archive["pursuer"])
         return {team: samplers[team].sample(size, epoch, rng) for team in TEAMS}
 
-    def _play(
-        self,
-        everyone: dict[Team, Population],
-        pairs: Pairings,
-        generation: int,
-        epoch: int,
-    ) -> EpisodeStatistics:
+    def _seeds(self, pairs: Pairings, generation: int, epoch: int) -> Seeds:
+        """Return the seed of each match of an epoch, (M,)."""
         groups = int(pairs.group.max()) + 1
         seeds = training_seeds(
             self.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch, groups
         )
-        return self.training.play(
-            everyone["pursuer"],
-            everyone["evader"],
-            Matches.of(pairs.pursuer, pairs.evader, seeds[pairs.group]),
-        )
+        return seeds[pairs.group]
 
     def _with_hall(self, living: Genomes, hall: Genomes) -> Population:
         return self.training.population(np.concatenate([living, hall]))

@@ -10,7 +10,7 @@ import numpy as np
 from deap import base
 
 from matrixworld.coevolution.fitness import win_rates
-from matrixworld.coevolution.learners.learner import Learner
+from matrixworld.coevolution.learners.learner import GradientLearner, Learner
 from matrixworld.coevolution.opponents.samplers import OpponentSampler, Stateless
 from matrixworld.coevolution.runs.champions import crown_elite
 from matrixworld.coevolution.runs.training import Training
@@ -127,6 +127,14 @@ class TeamPhase:
             epoch=matchup.epoch,
             opponent=int(opponents[0]) if len(opponents) == 1 else SEVERAL,
         )
+        if isinstance(self.learner, GradientLearner):
+            # The same matches once more, step by step.
+            self.learner.learn(
+                self.training.experience(
+                    self.learner, team, self.learner.genome, self.opponents,
+                    np.tile(opponents, len(candidates)), matchup.seeds.ravel(),
+                )
+            )  # fmt: skip
         self.on_epoch()
         return fitness
 

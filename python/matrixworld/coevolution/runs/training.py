@@ -7,9 +7,12 @@ from collections.abc import Callable
 import numpy as np
 
 from matrixworld.coevolution.fitness import fitness, mean_over_opponents, shared_fitness
+from matrixworld.coevolution.learners.experience import Experience
+from matrixworld.coevolution.learners.learner import GradientLearner
+from matrixworld.coevolution.runs.experience import experience
 from matrixworld.coevolution.settings.training import TrainingSettings
 from matrixworld.coevolution.storage.run_log import Row
-from matrixworld.coevolution.types import FloatArray, Genomes, Indices, Seeds, Team
+from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Seeds, Team
 from matrixworld.config import WorldConfig
 from matrixworld.policy import Network, Population, TeamPolicy
 from matrixworld.rollout import EpisodeStatistics, Matches, Rollout
@@ -101,6 +104,44 @@ class Training:
         if team == "pursuer":
             return self.play(learning, opponents, Matches.of(own, others, seeds.ravel()))
         return self.play(opponents, learning, Matches.of(others, own, seeds.ravel()))
+
+    def experience(
+        self,
+        learner: GradientLearner,
+        team: Team,
+        genome: Genome,
+        opponents: TeamPolicy,
+        chosen: Indices,
+        seeds: Seeds,
+    ) -> Experience:
+        """Return what a team experiences in matches that have been played and counted.
+
+        Parameters
+        ----------
+        learner : GradientLearner
+            Learner of the team.
+        team : {"pursuer", "evader"}
+            The team.
+        genome : ndarray of float32, shape (genes,)
+            Its genome in all matches.
+        opponents : Population or str
+            Population of the other team, or the name of a script.
+        chosen : ndarray of int, shape (M,)
+            Opponent of each match; ignored for a script.
+        seeds : ndarray of uint64, shape (M,)
+            Seed of each match.
+        """
+        return experience(
+            self.world,
+            team,
+            self.population(genome),
+            opponents,
+            chosen,
+            seeds,
+            worlds=self.settings.worlds,
+            states=learner.sees_states,
+            threads=self.threads,
+        )
 
     def fitness(self, scores: EpisodeStatistics, team: Team, table: Table) -> FloatArray:
         """Return the fitness (n,) of a team's individuals, as the settings define it.

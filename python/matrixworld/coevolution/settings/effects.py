@@ -97,6 +97,11 @@ HIDDEN = Condition("with hidden layers", lambda s: bool(s.hidden))
 # Races have no field `start`: both teams start untrained.
 UNTRAINED = Condition("without start", lambda s: getattr(s, "start", None) is None)
 
+BY_FITNESS = Condition(
+    "with a learner that learns from fitness",
+    lambda s: s.built_in_learner is None or not s.built_in_learner.by_gradients,
+)
+
 CONDITIONS: dict[str, tuple[Condition, ...]] = {
     "pursuer_epochs": (IN_TURNS,),
     "evader_epochs": (IN_TURNS,),
@@ -117,9 +122,12 @@ CONDITIONS: dict[str, tuple[Condition, ...]] = {
     "archive_episodes": (
         Condition(f"with the samplers {', '.join(ARCHIVES)}", lambda s: _samples_with(s, ARCHIVES)),
     ),
-    "sharing": (Condition("with several opponents of each candidate in an epoch", _meets_several),),
+    "sharing": (
+        BY_FITNESS,
+        Condition("with several opponents of each candidate in an epoch", _meets_several),
+    ),
     "activation": (HIDDEN,),
-    "initial_weight": (HIDDEN, UNTRAINED),
+    "initial_weight": (HIDDEN, UNTRAINED, BY_FITNESS),
     "initial_head": (UNTRAINED,),
     "momentum": (Condition("with the optimizer momentum", lambda s: s.optimizer == "momentum"),),
     "tournament": (
@@ -129,7 +137,18 @@ CONDITIONS: dict[str, tuple[Condition, ...]] = {
         Condition("with the selection truncation", lambda s: s.selection == "truncation"),
     ),
     "elite_episodes": (Condition("with at least 2 elites", lambda s: s.elites >= 2),),
+    "cost_rate": (Condition("with a cost_limit", lambda s: s.cost_limit is not None),),
+    "rewards": (
+        Condition(
+            "with the fitness rewards or the learner actor-critic",
+            lambda s: s.fitness == "rewards" or not BY_FITNESS.holds(s),
+        ),
+    ),
+    "fitness": (BY_FITNESS,),
+    "pursuer_virulence": (BY_FITNESS,),
+    "evader_virulence": (BY_FITNESS,),
     "overlap_penalty": (
+        BY_FITNESS,
         Condition("where evaders learn", lambda s: "evader" in s.learning_teams),
         Condition("where teammates may share a cell", lambda s: s.rules.teammate is Outcome.REACH),
     ),

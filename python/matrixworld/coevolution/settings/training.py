@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from matrixworld.checks import check_choice, check_integer, check_number
 from matrixworld.coevolution.fitness import FITNESS
+from matrixworld.coevolution.learners.learner import LearnerEntry
 from matrixworld.coevolution.learners.optimizers import OPTIMIZERS
 from matrixworld.coevolution.learners.registry import LEARNERS, check_learner_settings
 from matrixworld.coevolution.plugins import (
@@ -26,7 +27,10 @@ from matrixworld.coevolution.settings.effects import check_effects
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.config import WorldConfig
 from matrixworld.policy import Network
-from matrixworld.rules import VARIANTS, Outcome, Rules, rules_of
+from matrixworld.rules import VARIANTS, Outcome, Rewards, Rules, rules_of
+
+REWARDS = {"paper": Rewards.paper, "published": Rewards.published}
+"""Rewards by name."""
 
 Settings = TypeVar("Settings", bound="TrainingSettings")
 
@@ -40,9 +44,13 @@ NO_SETTINGS = OwnSettings()
 OWN_HELP = "settings of {} if it is one of your own: numbers, text, True or False by name"
 
 
-def option(default: Any, text: str) -> Any:
-    """Return a dataclass field with a default and a help text."""
-    return field(default=default, metadata={"help": text})
+def option(default: Any, text: str, *, by_learner: bool = False) -> Any:
+    """Return a dataclass field with a default and a help text.
+
+    With `by_learner` the default of the dataclass is None, so that a learner can have another one.
+    """
+    metadata = {"help": text, "default": default}
+    return field(default=None if by_learner else default, metadata=metadata)
 
 
 def with_parameters(cls: type[Settings]) -> type[Settings]:
@@ -57,7 +65,10 @@ def with_parameters(cls: type[Settings]) -> type[Settings]:
 @with_parameters
 @dataclass(frozen=True)
 class TrainingSettings:
-    """World, policy, learner and budget of a run; ValueError or TypeError on a bad field."""
+    """World, policy, learner and budget of a run; ValueError or TypeError on a bad field.
+
+    A field that is None takes the value that its learner has for it (`LearnerEntry.defaults`).
+    """
 
     variant: str | Rules = option("O", "game variant: a name in VARIANTS, or Rules")  # noqa: RUF009
     rows: int | None = option(None, "rows of the grid; default: those of the obstacle map, or 40")
@@ -72,7 +83,7 @@ class TrainingSettings:
     fov: int = option(11, "side of an agent's square field of view, in cells; odd")
     diagonal: bool = option(False, "allow diagonal moves (9 actions instead of 5)")
 
-    hidden: tuple[int, ...] = option((32,), "sizes of the policy's hidden layers")
+    hidden: tuple[int, ...] = option((32,), "sizes of the policy's hidden layers", by_learner=True)
     activation: str = option("relu", "activation of the hidden layers: relu or tanh")
     initial_weight: float = option(0.05, "standard deviation of untrained hidden weights")
     initial_head: float = option(0.1, "standard deviation of untrained output weights")
@@ -83,7 +94,7 @@ class TrainingSettings:
         "your own, as module:object; default: es",
     )
     learner_settings: Mapping[str, Any] = option(NO_SETTINGS, OWN_HELP.format("the learner"))
-    population: int = option(48, "candidates per epoch")
+    population: int = option(48, "candidates per epoch; actor-critic: matches", by_learner=True)
     sigma: float = option(0.1, "es: standard deviation of the samples; cma: its initial value")
     optimizer: str = option("adam", f"es: {' or '.join(OPTIMIZERS)}")
     learning_rate: float = option(0.02, "es: learning rate of the optimizer")
@@ -100,20 +111,40 @@ class TrainingSettings:
         "ga: new matches of each elite against each of its last opponents at the end of a "
         "generation, which decide the champion; 0: the fitness of the last epoch decides",
     )
+    actor_rate: float = option(3e-4, "actor-critic: learning rate of the actor")
+    critic_rate: float = option(1e-3, "actor-critic: learning rate of the critic")
+    discount: float = option(0.99, "actor-critic: discount factor of rewards (gamma)")
+    trace: float = option(0.97, "actor-critic: discount factor of advantages (lambda)")
+    actor_updates: int = option(1, "actor-critic: updates of the actor in an epoch")
+    critic_updates: int = option(5, "actor-critic: updates of the critic in an epoch")
+    clip: float = option(0.0, "actor-critic: clip range of PPO; 0: plain policy gradient")
+    entropy: float = option(0.0, "actor-critic: weight of the entropy bonus")
+    central_critic: bool = option(False, "actor-critic: let the critic see the whole world")
+    cost_limit: float | None = option(
+        None,
+        "actor-critic: collisions at fault per 1000 agent-steps to approach, by a Lagrangian "
+        "multiplier; default: collisions cost only what the rewards say",
+    )
+    cost_rate: float = option(0.05, "actor-critic: learning rate of the multiplier")
+    device: str = option("cpu", "actor-critic: device of PyTorch, such as cuda")
 
+    rewards: str = option(
+        "paper", f"rewards, for actor-critic and the fitness rewards: {' or '.join(REWARDS)}"
+    )
     fitness: str = option("captured-fraction", f"fitness: {', '.join(FITNESS)}")
     overlap_penalty: float | None = option(
         None,
         "penalty on the fitness of evaders that share a cell; default: 0.2 where teammates may "
         "share a cell (0.5 for evaders that learn alone from untrained genomes), else 0",
     )
-    train_steps: int = option(200, "maximum steps of a training episode")
+    train_steps: int = option(200, "maximum steps of a training episode", by_learner=True)
     worlds: int = option(1, "episodes of each training match")
     eval_steps: int = option(500, "maximum steps of an evaluation episode")
     eval_episodes: int = option(10, "evaluation episodes of each pair")
     seed: int = option(0, "seed of the run")
 
     def __post_init__(self) -> None:
+        self._fill({})
         for item in fields(self):
             self._freeze(item.name, _native(getattr(self, item.name)))
         self._check_budget()
@@ -121,6 +152,14 @@ class TrainingSettings:
         self._check_learner()
         # Last: whether a setting has an effect depends on others, which must be valid.
         check_effects(self, self.defaults)
+
+    def _fill(self, own: Mapping[str, Any]) -> None:
+        """Set fields that are None to the learner's default, that in `own`, or the usual one."""
+        entry = self.built_in_learner
+        defaults = {**own, **(entry.defaults if entry else {})}
+        for item in fields(self):
+            if item.default is None and getattr(self, item.name) is None:
+                self._freeze(item.name, defaults.get(item.name, item.metadata["default"]))
 
     def _freeze(self, name: str, value: Any) -> None:
         # The dataclass is frozen; its own __post_init__ has no other way to set a field.
@@ -131,6 +170,7 @@ class TrainingSettings:
             check_integer(name, getattr(self, name), 1)
         check_integer("seed", self.seed, 0, MOST_SEED)
         check_choice("fitness", self.fitness, FITNESS)
+        check_choice("rewards", self.rewards, REWARDS)
         if self.overlap_penalty is not None:
             check_number("overlap_penalty", self.overlap_penalty, least=0.0)
 
@@ -138,7 +178,9 @@ class TrainingSettings:
         if self.learner is not None:
             check_name("learner", self.learner, LEARNERS, LEARNER)
         self._freeze("learner_settings", own_settings("learner_settings", self.learner_settings))
-        check_integer("population", self.population, 2)
+        entry = self.built_in_learner
+        # A single candidate cannot be compared, but gradients can be computed from its experience.
+        check_integer("population", self.population, 1 if entry and entry.by_gradients else 2)
         check_learner_settings(self)
 
     def _check_world(self) -> None:
@@ -159,7 +201,9 @@ class TrainingSettings:
 
     def defaults(self, name: str) -> tuple[Any, ...]:
         """Return the values of a field that count as not given."""
-        return tuple(item.default for item in fields(self) if item.name == name)
+        usual = [item.metadata["default"] for item in fields(self) if item.name == name]
+        learners = (entry.defaults for entry in LEARNERS.values())
+        return (*usual, *(values[name] for values in learners if name in values))
 
     @property
     def sharing(self) -> str:
@@ -184,6 +228,7 @@ class TrainingSettings:
             diagonal=self.diagonal,
             # A tuple is a map as text; `WorldConfig` takes a list.
             obstacles=list(self.obstacles) if isinstance(self.obstacles, tuple) else self.obstacles,
+            rewards=REWARDS[self.rewards](),
             max_steps=max_steps,
         )
 
@@ -202,6 +247,12 @@ class TrainingSettings:
     def learner_name(self) -> str:
         """Name of the learner, with the default filled in."""
         return self.learner or "es"
+
+    @property
+    def built_in_learner(self) -> LearnerEntry | None:
+        """Registry entry of the learner; None for one from outside the package."""
+        # A learner of another type than str is refused later, and cannot be looked up.
+        return LEARNERS.get(self.learner_name) if isinstance(self.learner_name, str) else None
 
     @property
     def resolved_overlap_penalty(self) -> float:

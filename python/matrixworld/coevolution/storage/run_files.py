@@ -50,7 +50,7 @@ from matrixworld.version import __version__
 
 # Format 7 differs from 6 in the genomes, which are appended to one file per team, and no longer
 # written as a whole to archive.npz after each stage; and in the column `stage` of the log.
-FORMAT = 7
+FORMAT = 8
 """Version of the directory's layout; another one is refused."""
 
 CONFIG, SUMMARY, LOG, LOCK = "config.json", "summary.json", "log.csv", ".lock"

@@ -1,0 +1,271 @@
+"""The actor-critic learner: advantages, gradients, export, state and what it learns."""
+
+from __future__ import annotations
+
+import pickle
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from matrixworld.coevolution.learners import actor_critic
+from matrixworld.coevolution.learners.actor_critic import (
+    ActorCritic,
+    Hyperparameters,
+)
+from matrixworld.coevolution.learners.advantages import advantages
+from matrixworld.coevolution.learners.experience import Experience
+from matrixworld.coevolution.learners.perceptron import orthogonal
+from matrixworld.coevolution.runs.experience import experience
+from matrixworld.config import WorldConfig
+from matrixworld.play import NetworkPolicy
+from matrixworld.policy import Network, Population
+from matrixworld.rollout import Matches, rollout
+
+NETWORK = Network((6,), fov=5)
+CONFIG = WorldConfig("D", rows=7, cols=7, n_pursuers=3, n_evaders=4, fov=5, max_steps=12)
+
+
+def rng() -> np.random.Generator:
+    return np.random.default_rng(0)
+
+
+def learner(**changes: Any) -> ActorCritic:
+    pytest.importorskip("torch")
+    genome = orthogonal(NETWORK.sizes, rng())
+    return ActorCritic(genome, NETWORK, 4, rng(), Hyperparameters(**changes), state_size=3 * 49)
+
+
+def played(by: ActorCritic, *, seed: int = 0, matches: int = 4, config=CONFIG) -> Experience:
+    seeds = np.arange(seed, seed + matches, dtype=np.uint64)
+    own = Population(by.genome, NETWORK)
+    return experience(
+        config, "pursuer", own, "random", np.zeros(matches, int), seeds, states=True, threads=1
+    )
+
+
+def slow_advantages(acted, rewards, values, discount, trace):
+    """Sum the series of Schulman et al. 2016, equation 16, for each agent and step."""
+    _, worlds, agents = acted.shape
+    found = np.zeros(acted.shape)
+    for w in range(worlds):
+        for a in range(agents):
+            n = int(acted[:, w, a].sum())
+            for t in range(n):
+                for k in range(t, n):
+                    delta = rewards[k, w, a] + discount * values[k + 1, w, a] - values[k, w, a]
+                    found[t, w, a] += (discount * trace) ** (k - t) * delta
+    return found
+
+
+@pytest.mark.parametrize("trace", [0.0, 0.97, 1.0])
+def test_advantages_are_the_sums_of_their_definition(trace: float) -> None:
+    draw = rng()
+    steps, worlds, agents = 9, 3, 4
+    lengths = draw.integers(0, steps + 1, (worlds, agents))
+    acted = np.arange(steps)[:, None, None] < lengths
+    rewards = np.where(acted, draw.normal(size=acted.shape), 0).astype(np.float32)
+    values = np.zeros((steps + 1, worlds, agents), np.float32)
+    values[:-1][acted] = draw.normal(size=acted.sum())
+    values[steps][lengths == steps] = 0.7  # their time was over
+    found = advantages(acted, rewards, values, 0.9, trace)
+    expected = slow_advantages(acted, rewards, values, 0.9, trace)
+    np.testing.assert_allclose(found, expected, rtol=1e-5, atol=1e-6)
+    assert not found[~acted].any()
+
+
+def test_returns_are_rewards_to_go() -> None:
+    rewards = np.array([1, 2, 4], np.float32).reshape(3, 1, 1)
+    acted, values = np.ones((3, 1, 1), bool), np.zeros((4, 1, 1), np.float32)
+    values[3] = 8
+    found = advantages(acted, rewards, values, 0.5, 1.0) + values[:-1]
+    np.testing.assert_allclose(found.ravel(), [1 + 1 + 1 + 1, 2 + 2 + 2, 4 + 4])
+
+
+def numeric_gradient(value, weights: np.ndarray, places: np.ndarray) -> np.ndarray:
+    found = []
+    for place in places:
+        ends = []
+        for change in (-1e-3, 1e-3):
+            moved = weights.astype(np.float64)
+            moved[place] += change
+            ends.append(value(moved))
+        found.append((ends[1] - ends[0]) / 2e-3)
+    return np.array(found)
+
+
+def smooth(network: Network) -> Network:
+    # The corners of ReLU have no derivative.
+    return replace(network, activation="tanh")
+
+
+@pytest.mark.parametrize(("clip", "entropy"), [(0.0, 0.0), (0.0, 0.1), (0.2, 0.05)])
+def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy: float) -> None:
+    pytest.importorskip("torch")
+    network, draw = smooth(NETWORK), rng()
+    genome = orthogonal(network.sizes, draw)
+    one = ActorCritic(genome, network, 4, draw, Hyperparameters(clip=clip, entropy=entropy))
+    seen = played(one)
+    weight = draw.normal(size=len(seen)).astype(np.float32)
+    given: list[np.ndarray] = []
+    one._actor.ascend = given.append  # type: ignore[method-assign]
+    one._improve(seen, weight)
+
+    def logs(weights: np.ndarray) -> np.ndarray:
+        rows = seen.views.astype(np.float64)
+        start = 0
+        for number, (n_in, n_out) in enumerate(zip(network.sizes, network.sizes[1:], strict=False)):
+            end = start + (n_in + 1) * n_out
+            matrix = weights[start : end - n_out].reshape(n_in, n_out)
+            rows = rows @ matrix + weights[end - n_out : end]
+            rows = np.tanh(rows) if number == 0 else rows
+            start = end
+        return rows - np.log(np.exp(rows).sum(axis=1, keepdims=True))
+
+    old = logs(genome.astype(np.float64))[np.arange(len(seen)), seen.actions]
+
+    def value(weights: np.ndarray) -> float:
+        log = logs(weights)
+        taken = log[np.arange(len(seen)), seen.actions]
+        # At the old weights the clipped ratio of PPO is 1, and its slope that of the ratio.
+        gain = np.exp(taken - old) * weight if clip else taken * weight
+        return float((gain - entropy * (np.exp(log) * log).sum(axis=1)).mean())
+
+    places = np.concatenate([draw.choice(len(genome), 40, replace=False), [len(genome) - 1]])
+    expected = numeric_gradient(value, genome, places)
+    np.testing.assert_allclose(given[0][places], expected, rtol=2e-3, atol=2e-6)
+
+
+def test_the_critic_s_gradient_is_that_of_finite_differences() -> None:
+    pytest.importorskip("torch")
+    network, draw = smooth(NETWORK), rng()
+    one = ActorCritic(orthogonal(network.sizes, draw), network, 4, draw)
+    seen = played(one)
+    target = draw.normal(size=len(seen)).astype(np.float32)
+    critic = one._critics["critic"]
+    weights = critic.weights
+    given: list[np.ndarray] = []
+    critic.ascend = given.append  # type: ignore[method-assign]
+    one._fit(critic, seen.views, target)
+    assert len(given) == 5
+    inputs = seen.views.shape[1]
+
+    def value(moved: np.ndarray) -> float:
+        hidden = np.tanh(
+            seen.views @ moved[: inputs * 6].reshape(inputs, 6) + moved[inputs * 6 :][:6]
+        )
+        values = hidden @ moved[-7:-1] + moved[-1]
+        return float(-((values - target) ** 2).mean())
+
+    places = np.concatenate([draw.choice(len(weights) - 8, 30, replace=False), [len(weights) - 3]])
+    expected = numeric_gradient(value, weights, places)
+    np.testing.assert_allclose(given[0][places], expected, rtol=2e-3, atol=2e-6)
+
+
+def test_chunks_do_not_change_the_gradient(monkeypatch: pytest.MonkeyPatch) -> None:
+    genomes = []
+    for chunk in (16_384, 7):
+        monkeypatch.setattr(actor_critic, "CHUNK", chunk)
+        one = learner(clip=0.2, actor_updates=3)
+        one.learn(played(one))
+        genomes.append(one.genome)
+    np.testing.assert_allclose(*genomes, rtol=1e-4, atol=1e-6)
+
+
+def test_the_engine_plays_what_was_learned() -> None:
+    """Probabilities are equal to 1e-6, and the engine's matches are those of its genome."""
+    torch = pytest.importorskip("torch")
+    one = learner(actor_rate=0.01)
+    seen = played(one)
+    one.learn(seen)
+    policy = NetworkPolicy(NETWORK, one.genome)
+    weights = torch.from_numpy(one.genome)
+    with torch.no_grad():
+        logits = one._actor.outputs(weights, torch.from_numpy(seen.views).float())
+    np.testing.assert_allclose(
+        policy.probabilities(seen.views), logits.softmax(dim=1).numpy(), atol=1e-6
+    )
+    again = played(one)
+    match = Matches.of(0, 0, np.arange(4, dtype=np.uint64))
+    scores = rollout(CONFIG, Population(one.genome, NETWORK), "random", match)
+    np.testing.assert_array_equal(again.acted.sum(axis=(0, 2)), scores.agent_steps[:, 0, 0])
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [{}, {"central_critic": True}, {"cost_limit": 5.0, "clip": 0.2, "actor_updates": 2}],
+    ids=["plain", "central", "costs"],
+)
+def test_a_restored_learner_continues_bit_for_bit(changes: dict[str, Any]) -> None:
+    straight, stopped = learner(**changes), learner(**changes)
+    for epoch in range(4):
+        straight.learn(played(straight, seed=4 * epoch))
+        if epoch < 2:
+            stopped.learn(played(stopped, seed=4 * epoch))
+    state = {name: value.copy() for name, value in stopped.state().items()}
+    restored = learner(**changes)
+    restored.restore(state)
+    for epoch in (2, 3):
+        restored.learn(played(restored, seed=4 * epoch))
+    assert restored.multiplier == straight.multiplier
+    for name, value in straight.state().items():
+        np.testing.assert_array_equal(restored.state()[name], value, err_msg=name)
+
+
+def test_a_pickled_learner_continues_bit_for_bit() -> None:
+    one = learner(cost_limit=5.0)
+    one.learn(played(one))
+    other = pickle.loads(pickle.dumps(one))  # noqa: S301
+    for each in (one, other):
+        each.learn(played(one, seed=8))
+    np.testing.assert_array_equal(one.genome, other.genome)
+
+
+def test_an_archived_genome_does_not_change() -> None:
+    one = learner()
+    before = one.genome
+    kept = before.copy()
+    one.learn(played(one))
+    assert not np.array_equal(one.genome, kept)
+    np.testing.assert_array_equal(before, kept)
+
+
+def test_the_multiplier_rises_above_the_limit_and_falls_below_it() -> None:
+    one = learner(cost_limit=10.0, cost_rate=0.5)
+    one._weigh(30.0)
+    assert one.multiplier == pytest.approx(1.0)
+    one._weigh(5.0)
+    assert one.multiplier == pytest.approx(0.75)
+    for _ in range(9):
+        one._weigh(0.0)
+    assert one.multiplier == 0.0
+
+
+@pytest.mark.parametrize("sizes", [(75, 6, 5), (4, 9, 2)])
+def test_untrained_weights_are_orthogonal(sizes: tuple[int, ...]) -> None:
+    weights = orthogonal(sizes, rng())
+    n_in, n_out = sizes[:2]
+    matrix = weights[: n_in * n_out].reshape(n_in, n_out).astype(np.float64)
+    product = matrix.T @ matrix if n_in >= n_out else matrix @ matrix.T
+    np.testing.assert_allclose(product, 2 * np.eye(min(n_in, n_out)), atol=1e-6)
+    assert not weights[n_in * n_out : (n_in + 1) * n_out].any()
+
+
+def test_it_learns_to_catch_in_a_small_world() -> None:
+    """Pursuers learn to reach evaders that stand still, to a level that chance does not reach."""
+    config = WorldConfig("O", rows=6, cols=6, n_pursuers=2, n_evaders=3, fov=5, max_steps=30)
+    one = learner(actor_rate=0.01, critic_rate=0.01, actor_updates=4, clip=0.2)
+    test = Matches.of(0, 0, np.arange(10_000, 10_100, dtype=np.uint64))
+
+    def captures() -> float:
+        policy = Population(one.genome, NETWORK)
+        return float(rollout(config, policy, "still", test).captured_fraction.mean())
+
+    first = captures()
+    for epoch in range(60):
+        seeds = np.arange(16 * epoch, 16 * (epoch + 1), dtype=np.uint64)
+        own = Population(one.genome, NETWORK)
+        one.learn(experience(config, "pursuer", own, "still", np.zeros(16, int), seeds, threads=1))
+    assert first < 0.5
+    assert captures() > 0.7

@@ -1,0 +1,110 @@
+"""Runs of the actor-critic learner: all schedules, exact resume, what it needs and refuses."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from matrixworld.coevolution import RaceSettings, best_response, finish, open_run, resume, start
+from matrixworld.coevolution.opponents.registry import SCHEDULES
+from tiny_race import StopAt, results, tiny_race, tiny_single
+
+LEARNER: dict[str, Any] = {"learner": "actor-critic", "population": 3, "actor_rate": 0.01}
+
+
+@pytest.fixture
+def torch() -> Any:
+    return pytest.importorskip("torch")
+
+
+@pytest.mark.parametrize("schedule", [*SCHEDULES, "alternating", "hall-of-fame"])
+def test_every_schedule_learns_and_resumes_bit_for_bit(
+    torch, schedule: str, tmp_path: Path
+) -> None:
+    settings = tiny_race(**LEARNER, schedule=schedule)
+    start(settings, tmp_path / "straight", threads=1).run()
+    with pytest.raises(KeyboardInterrupt):
+        start(settings, tmp_path / "stopped", threads=2, play=StopAt(5)).run()
+    resume(tmp_path / "stopped", threads=2).run()
+    assert results(tmp_path / "stopped") == results(tmp_path / "straight")
+    run = open_run(tmp_path / "straight")
+    for team in ("pursuer", "evader"):
+        genomes = run.teams[team].genomes
+        assert len(np.unique(genomes, axis=0)) == len(genomes) == 3
+    run.record(pursuer=-1, evader=-1)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [{"central_critic": True}, {"cost_limit": 2.0, "clip": 0.2}, {"worlds": 2}, {"hidden": ()}],
+    ids=["central", "costs", "worlds", "linear"],
+)
+def test_options_of_the_learner(torch, changes: dict[str, Any], tmp_path: Path) -> None:
+    settings = tiny_single(**{**LEARNER, **changes})
+    finish(settings, tmp_path / "one", threads=1)
+    finish(settings, tmp_path / "two", threads=2)
+    assert results(tmp_path / "one") == results(tmp_path / "two")
+    plain = finish(tiny_single(**LEARNER), tmp_path / "plain", threads=1)
+    assert not np.array_equal(
+        open_run(tmp_path / "one").teams["pursuer"].genomes[-1],
+        plain.teams["pursuer"].genomes[-1],
+    )
+
+
+def test_a_team_learns_from_a_run_s_genome_and_is_exploited(torch, tmp_path: Path) -> None:
+    finish(tiny_single(**LEARNER), tmp_path / "first", threads=1)
+    more = tiny_single(**LEARNER, start=str(tmp_path / "first"), team="pursuer")
+    run = finish(more, tmp_path / "second", threads=1)
+    first = open_run(tmp_path / "first").teams["pursuer"].genomes[-1]
+    np.testing.assert_array_equal(run.teams["pursuer"].genomes[0], first)
+    best_response(run, "pursuer", 48, tmp_path / "response", eval_episodes=2)
+
+
+def test_without_torch_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "torch", None)
+    with pytest.raises(ImportError, match=r"pip install 'matrixworld-pursuit\[torch\]'"):
+        start(tiny_race(**LEARNER), tmp_path / "run")
+    assert not (tmp_path / "run").exists()
+
+
+@pytest.mark.parametrize("device", ["tpu9", "meta", "cuda:99"])
+def test_a_device_that_is_missing_is_refused_before_anything_is_written(
+    torch, device: str, tmp_path: Path
+) -> None:
+    with pytest.raises(ValueError, match="device: expected a device that PyTorch has on this mach"):
+        start(tiny_race(**LEARNER, device=device), tmp_path / "run")
+    assert not (tmp_path / "run").exists()
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"variant": "TO"}, "variant: expected one whose agents act at the same time"),
+        ({"fitness": "capture-rate"}, "fitness: expected 'captured-fraction' .*, got"),
+        ({"overlap_penalty": 0.3}, "overlap_penalty: expected"),
+        ({"cost_rate": 0.3}, "cost_rate: expected 0.05 .* only with a cost_limit"),
+        ({"discount": 1.5}, "discount: expected a number at least 0 and at most 1, got 1.5"),
+        ({"learner": "es", "population": 4, "clip": 0.1}, "clip: expected 0.0 .* actor-critic"),
+        ({"rewards": "mine"}, "rewards: expected "),
+    ],
+)
+def test_bad_settings_are_refused(changes: dict[str, Any], message: str) -> None:
+    settings = {key: value for key, value in LEARNER.items() if key not in changes}
+    if changes.get("learner") == "es":
+        settings.pop("actor_rate")
+    with pytest.raises(ValueError, match=message):
+        tiny_race(**{**settings, **changes})
+
+
+def test_a_device_is_named() -> None:
+    with pytest.raises(TypeError, match="device: expected the name of a device of PyTorch, got 0"):
+        tiny_race(**LEARNER, device=0)
+
+
+def test_settings_can_be_read_without_torch(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "torch", None)
+    assert isinstance(tiny_race(**LEARNER), RaceSettings)

@@ -1,0 +1,105 @@
+"""Experience: transitions of a team's agents are those of the matches that `rollout` plays."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from matrixworld.coevolution.learners.experience import Experience
+from matrixworld.coevolution.runs.experience import experience
+from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.config import WorldConfig
+from matrixworld.policy import Network, Population
+from matrixworld.rollout import Matches, rollout
+from matrixworld.world import World
+
+CONFIG = WorldConfig("D", rows=7, cols=7, n_pursuers=3, n_evaders=4, fov=5, max_steps=25)
+NETWORK = Network((6,), fov=5)
+SEEDS = np.array([3, 2**63, 9, 11], np.uint64)
+CHOSEN = np.array([0, 2, 1, 2])
+
+
+def genomes(seed: int, count: int) -> Population:
+    rng = np.random.default_rng(seed)
+    return Population(
+        np.stack([NETWORK.initial(rng, weight=0.5, head=0.5) for _ in range(count)]), NETWORK
+    )
+
+
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("opponents", [genomes(1, 3), "random"], ids=["genomes", "script"])
+@pytest.mark.parametrize("worlds", [1, 3])
+def test_the_matches_are_those_of_a_rollout(team: Team, opponents, worlds: int) -> None:
+    own = genomes(0, 1)
+    found = experience(CONFIG, team, own, opponents, CHOSEN, SEEDS, worlds=worlds, threads=1)
+    others = 0 if isinstance(opponents, str) else CHOSEN
+    sides = (own, opponents) if team == "pursuer" else (opponents, own)
+    indices = (0, others) if team == "pursuer" else (others, 0)
+    scores = rollout(CONFIG, *sides, Matches.of(*indices, SEEDS), worlds=worlds)
+    side = TEAMS.index(team)
+    np.testing.assert_array_equal(
+        found.acted.sum(axis=(0, 2)), scores.agent_steps[..., side].ravel()
+    )
+    lengths = found.acted.any(axis=2).sum(axis=0)
+    assert (lengths <= scores.length.ravel()).all()
+    returns = (scores.pursuer_return, scores.evader_return)[side]
+    world = np.nonzero(found.acted)[1]
+    earned = np.bincount(world, weights=found.rewards.astype(float), minlength=len(SEEDS) * worlds)
+    np.testing.assert_allclose(earned, returns.ravel(), rtol=1e-6)
+    faults = np.bincount(world, weights=found.costs, minlength=len(SEEDS) * worlds)
+    np.testing.assert_array_equal(faults, scores.faults[:, :, side].sum(axis=2).ravel())
+
+
+def by_hand(team: Team, seed: int, opponent: Population) -> Experience:
+    """Play one match with `World`, agent by agent."""
+    world = World(CONFIG)
+    world.reset(seed=seed)
+    part = slice(0, 3) if team == "pursuer" else slice(3, 7)
+    rows: list[tuple] = []
+    while not (world.terminated or world.truncated):
+        acted = world.alive[part].copy()
+        views = world.views()[part][acted].reshape(acted.sum(), 75)
+        actions = np.zeros(7, np.int64)
+        sides = [genomes(0, 1), opponent]
+        for agents, policy in zip(
+            (range(3), range(3, 7)), sides if team == "pursuer" else sides[::-1], strict=True
+        ):
+            world.decide(policy, agents, actions)
+        world.step(actions)
+        last = world.alive[part] & world.truncated
+        after = world.views()[part][last].reshape(last.sum(), 75)
+        rows.append((acted, views, actions[part][acted], world.rewards[part][acted], last, after))
+    acted, views, chosen, rewards, last, after = zip(*rows, strict=True)
+    return Experience(
+        np.stack(acted)[:, None],
+        np.concatenate(views),
+        np.concatenate(chosen),
+        np.concatenate(rewards),
+        np.zeros(0, np.float32),
+        np.stack(last)[:, None],
+        np.concatenate(after),
+    )
+
+
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize("number", range(4))
+def test_transitions_are_those_of_a_world_that_is_played_by_hand(team: Team, number: int) -> None:
+    opponents = genomes(1, 3)
+    one = slice(number, number + 1)
+    found = experience(CONFIG, team, genomes(0, 1), opponents, CHOSEN[one], SEEDS[one], threads=1)
+    opponent = Population(opponents.genomes[CHOSEN[number]], NETWORK)
+    expected = by_hand(team, int(SEEDS[number]), opponent)
+    for name in ("acted", "views", "actions", "rewards", "last", "last_views"):
+        np.testing.assert_array_equal(getattr(found, name), getattr(expected, name), err_msg=name)
+
+
+def test_states_are_kept_if_asked_for() -> None:
+    found = experience(
+        CONFIG, "evader", genomes(0, 1), "random", CHOSEN, SEEDS, states=True, threads=1
+    )
+    world = World(CONFIG)
+    world.reset(seed=int(SEEDS[2]))
+    assert found.states is not None
+    assert found.states.shape == (len(found.acted), 4, 3 * 49)
+    np.testing.assert_array_equal(found.states[0, 2], world.state().ravel())
+    assert experience(CONFIG, "evader", genomes(0, 1), "still", CHOSEN, SEEDS).states is None
