@@ -35,6 +35,7 @@ from matrixworld.checks import (
 )
 from matrixworld.coevolution.learners.experience import Experience, Reals
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings
+from matrixworld.coevolution.learners.masked_network import check_mask
 from matrixworld.coevolution.learners.optimizers import Adam
 from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, State, Team
 from matrixworld.policy import CHANNELS, Network
@@ -136,9 +137,15 @@ class _Perceptron:
     """Weights of a network as one vector, in the layout of a genome, and how they learn."""
 
     def __init__(
-        self, weights: Genome, sizes: tuple[int, ...], activation: str, rate: float
+        self,
+        weights: Genome,
+        sizes: tuple[int, ...],
+        activation: str,
+        rate: float,
+        fixed: BoolArray | None = None,
     ) -> None:
         self.weights, self.sizes, self.activation, self.rate = weights, sizes, activation, rate
+        self.fixed = fixed
         self.adam = Adam(len(weights))
 
     def outputs(self, weights: Tensor, rows: Tensor) -> Tensor:
@@ -154,6 +161,8 @@ class _Perceptron:
 
     def ascend(self, gradient: Genome) -> None:
         """Make one step of Adam."""
+        if self.fixed is not None:
+            gradient = np.where(self.fixed, np.float32(0.0), gradient)
         # A new array: archives keep a reference to the genome of their generation.
         self.weights = self.weights + self.adam.step(gradient, self.rate)
 
@@ -186,6 +195,8 @@ class ActorCritic:
         All other settings.
     state_size : int, optional
         Numbers in a state of the world, which a central critic sees.
+    fixed : ndarray of bool, shape (genes,), optional
+        Weights of the actor that do not change, such as those of a mask. By default none.
 
     Attributes
     ----------
@@ -208,6 +219,7 @@ class ActorCritic:
         rng: np.random.Generator,
         chosen: Hyperparameters | None = None,
         state_size: int = 0,
+        fixed: BoolArray | None = None,
     ) -> None:
         self.chosen = Hyperparameters() if chosen is None else chosen
         self._torch = _import_torch()
@@ -217,6 +229,7 @@ class ActorCritic:
             network.sizes,
             network.activation,
             self.chosen.actor_rate,
+            fixed,
         )
         inputs = state_size if self.chosen.central_critic else network.sizes[0]
         sizes = (inputs, *network.hidden, 1)
@@ -502,11 +515,6 @@ def _check_below_one(name: str, value: Any) -> None:
         raise ValueError(f"{name}: expected a number from 0 to 1, got {shown(value)}")
 
 
-def _check_optional(name: str, value: Any) -> None:
-    if value is not None:
-        check_number(name, value, least=0.0)
-
-
 def _new(
     settings: RunSettings, team: Team, genomes: Genomes, rng: np.random.Generator
 ) -> ActorCritic:
@@ -519,6 +527,7 @@ def _new(
         rng,
         Hyperparameters(**chosen),
         state_size=CHANNELS * world.rows * world.cols,
+        fixed=settings.fixed_genes(team),
     )
 
 
@@ -528,6 +537,7 @@ _count = partial(check_integer, low=1)
 ENTRY = LearnerEntry(
     title="actor-critic",
     settings={
+        "mask": check_mask,
         "actor_rate": _positive,
         "critic_rate": _positive,
         "discount": _check_below_one,
@@ -537,7 +547,6 @@ ENTRY = LearnerEntry(
         "clip": partial(check_number, least=0.0),
         "entropy": partial(check_number, least=0.0),
         "central_critic": check_bool,
-        "cost_limit": _check_optional,
         "cost_rate": _positive,
         "device": lambda name, value: check_instance(name, value, str),
     },

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld.checks import check_bool, check_choice, check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
+from matrixworld.coevolution.learners.masked_network import check_mask
 from matrixworld.coevolution.learners.noise import NoiseTable
 from matrixworld.coevolution.learners.optimizers import OPTIMIZERS, check_momentum, new_optimizer
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
@@ -188,7 +189,7 @@ def _new(
 ) -> EvolutionStrategy:
     return EvolutionStrategy(
         genomes[0],
-        NoiseTable(genomes.shape[1], rng, sigma=settings.sigma),
+        NoiseTable(genomes.shape[1], rng, sigma=settings.sigma, fixed=settings.fixed_genes(team)),
         samples=settings.population,
         learning_rate=settings.learning_rate,
         anneal_over=settings.total_epochs(team) if settings.anneal else None,
@@ -200,6 +201,7 @@ def _new(
 ENTRY = LearnerEntry(
     title="evolution strategy",
     settings={
+        "mask": check_mask,
         "sigma": partial(check_number, least=0.0, positive=True),
         "optimizer": partial(check_choice, choices=OPTIMIZERS),
         "learning_rate": partial(check_number, least=0.0, positive=True),

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld.checks import check_choice, check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
+from matrixworld.coevolution.learners.masked_network import check_mask
 from matrixworld.coevolution.learners.noise import NoiseTable
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
 
@@ -344,7 +345,9 @@ def _new(
 ) -> GeneticAlgorithm:
     return GeneticAlgorithm(
         genomes,
-        NoiseTable(genomes.shape[1], rng, sigma=settings.mutation),
+        NoiseTable(
+            genomes.shape[1], rng, sigma=settings.mutation, fixed=settings.fixed_genes(team)
+        ),
         selection=settings.selection,
         tournament=settings.tournament,
         truncation=settings.truncation,
@@ -356,6 +359,7 @@ def _new(
 ENTRY = LearnerEntry(
     title="genetic algorithm",
     settings={
+        "mask": check_mask,
         "mutation": partial(check_number, least=0.0, positive=True),
         "crossover": partial(check_number, least=0.0, most=1.0),
         "selection": partial(check_choice, choices=SELECTIONS),

@@ -99,7 +99,12 @@ UNTRAINED = Condition("without start", lambda s: getattr(s, "start", None) is No
 
 BY_FITNESS = Condition(
     "with a learner that learns from fitness",
-    lambda s: s.learner_name not in LEARNERS or not LEARNERS[s.learner_name].by_gradients,
+    lambda s: not s.by_gradients,
+)
+
+REWARDED = Condition(
+    "with the fitness rewards or the learner actor-critic",
+    lambda s: s.fitness == "rewards" or not BY_FITNESS.holds(s),
 )
 
 CONDITIONS: dict[str, tuple[Condition, ...]] = {
@@ -138,12 +143,8 @@ CONDITIONS: dict[str, tuple[Condition, ...]] = {
     ),
     "elite_episodes": (Condition("with at least 2 elites", lambda s: s.elites >= 2),),
     "cost_rate": (Condition("with a cost_limit", lambda s: s.cost_limit is not None),),
-    "rewards": (
-        Condition(
-            "with the fitness rewards or the learner actor-critic",
-            lambda s: s.fitness == "rewards" or not BY_FITNESS.holds(s),
-        ),
-    ),
+    "rewards": (REWARDED,),
+    "collision_penalty": (REWARDED,),
     "fitness": (BY_FITNESS,),
     "pursuer_virulence": (BY_FITNESS,),
     "evader_virulence": (BY_FITNESS,),
