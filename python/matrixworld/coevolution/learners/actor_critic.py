@@ -299,8 +299,9 @@ class ActorCritic:
     def _weigh(self, collisions: float) -> None:
         """Move the multiplier by the distance of the collisions from their limit."""
         limit = float(self.chosen.cost_limit or 0.0)
-        # As a share of the limit, so that the rate means the same for all limits.
-        excess = (collisions - limit) / max(limit, 1.0)
+        # As a share of the limit, so that the rate means the same for all limits; at most 1, or the
+        # multiplier rises in the first epochs by more than it can fall in the rest of a run.
+        excess = min((collisions - limit) / max(limit, 1.0), 1.0)
         self.multiplier = max(0.0, self.multiplier + self.chosen.cost_rate * excess)
 
     def _improve(self, experience: Experience, advantage: Reals) -> None:
