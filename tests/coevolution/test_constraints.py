@@ -121,13 +121,3 @@ def test_the_multiplier_rises_above_the_limit_and_falls_below_it() -> None:
     assert 0.0 < multipliers[1] < multipliers[2]
     assert multipliers[2] > multipliers[3] > multipliers[4] > multipliers[5]
     assert multipliers[-1] == 0.0
-
-
-def test_the_multiplier_rises_by_its_rate_at_most() -> None:
-    pytest.importorskip("torch")
-    learner = ActorCritic(
-        np.zeros(20, np.float32), mw.Network((), fov=1), 2, np.random.default_rng(0),
-        Hyperparameters(cost_limit=10.0, cost_rate=0.1),
-    )  # fmt: skip
-    learner._weigh(500.0)
-    assert learner.multiplier == pytest.approx(0.1)
