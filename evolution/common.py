@@ -76,7 +76,8 @@ def on_cluster(
     if where is None:
         yield None
         return
-    alike = any(each.learner_name == "cma" for each in settings)
+    learners = [each.built_in_learner for each in settings]
+    alike = any(entry.like_processors for entry in learners if entry is not None)
     with cluster(where, directory=directory, like_processors=alike, tell=print) as executor:
         yield executor
 

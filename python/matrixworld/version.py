@@ -10,6 +10,10 @@ __version__ = "0.1.0"
 DISTRIBUTION = "matrixworld-pursuit"
 
 
+class MissingExtraError(ImportError):
+    """An optional part of the package is not installed; the message says how to install it."""
+
+
 def install_hint(extra: str) -> str:
     """Return the command that installs what an optional part of the package needs.
 

@@ -81,15 +81,19 @@ def test_every_setting_is_an_option_of_one_section_with_its_help():
     for name in settings:
         assert f"{option_name(name)} " in shown
     race, alone = RaceSettings(), SingleSettings()
-    assert f"in which the pursuers learn [default: {race.pursuer_epochs}]" in shown
+    assert (
+        f"in which the pursuers learn [default: {race.pursuer_epochs}; 400 for actor-critic]"
+        in shown
+    )
     joint = RaceSettings(schedule="hall-of-fame").population
     different = (
-        f"[default: {race.population}, {joint} for hall-of-fame; with --against {alone.population}]"
+        f"[default: {race.population}, {joint} for hall-of-fame; "
+        f"with --against {alone.population}; 1 for actor-critic]"
     )
     # A line may end at a hyphen.
     assert f"candidates per epoch {different}" in shown.replace("- ", "-")
     epochs = [f"{SingleSettings(team=team).epochs} for {team}s" for team in TEAMS]
-    assert f"epochs of the run [default: {', '.join(epochs)}]" in shown
+    assert f"epochs of the run [default: {', '.join(epochs)}; 1200 for actor-critic]" in shown
 
 
 def test_without_options_the_settings_are_those_of_the_package():

@@ -141,7 +141,10 @@ def test_resume_says_what_is_missing(straight):
             "--learner: expected a module that can be imported, got '",
         ),
         ({"learner": "mine:Lerner"}, "--learner: expected the name of an object in mine, got 'Ler"),
-        ({"learner": "hill"}, "--learner: expected one of es, ga, cma, or module:object, got 'hil"),
+        (
+            {"learner": "hill"},
+            "--learner: expected one of es, ga, cma, actor-critic, or module:object, got 'hil",
+        ),
         (
             {"learner": "mine:Learner", "learner_settings": "sigma=-1"},
             "--learner: expected settings that mine:Learner accepts, got {'sigma': -1} (sigma: ex",
@@ -198,7 +201,10 @@ def test_help_lists_installed_learners_and_samplers(tmp_path):
         "[matrixworld.learners]\nhill = mypkg:Hill\n[matrixworld.opponents]\nhardest = mypkg:H\n"
     )
     shown = run_together(matrixworld_command("evolve", "--help").stdout)
-    assert "cma (CMA-ES, for at most 1000 genes), or one of your own, as module:object" in shown
+    assert (
+        "actor-critic (policy gradients, needs PyTorch), or one of your own, as module:object"
+        in shown
+    )
     assert "default: es; installed: hill" in shown
     assert shown.count("; installed: hardest") == 2
     assert "mypkg" not in sys.modules

@@ -137,8 +137,10 @@ def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path)
         assert results(path) == results(tmp_path / f"{seed}")
 
 
-@pytest.mark.parametrize(("learner", "alike"), [("cma", True), ("es", False)])
-def test_cma_es_wants_like_processors(
+@pytest.mark.parametrize(
+    ("learner", "alike"), [("cma", True), ("actor-critic", True), ("es", False)]
+)
+def test_some_learners_want_like_processors(
     monkeypatch: pytest.MonkeyPatch, learner: str, alike: bool
 ) -> None:
     asked: list[bool] = []

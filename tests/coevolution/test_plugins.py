@@ -85,7 +85,9 @@ def test_settings_import_nothing():
     "name", ["gaa", "mine.Hill", ":Hill", "mine:", "my pkg:Hill", "1:H", "", 3, []]
 )
 def test_a_name_that_cannot_be_one_is_refused(name):
-    with pytest.raises(ValueError, match="learner: expected one of es, ga, cma, or module:object"):
+    with pytest.raises(
+        ValueError, match="learner: expected one of es, ga, cma, actor-critic, or module:object"
+    ):
         RaceSettings(learner=name)
     with pytest.raises(ValueError, match="pursuers_meet: expected one of latest, .* or module:obj"):
         RaceSettings(schedule="alternating", pursuers_meet=name)
@@ -179,7 +181,7 @@ def test_entry_points(package):
     check_learner("hill")
     check_sampler("hardest")
     with pytest.raises(
-        ValueError, match="expected one of es, ga, cma, hill, or module:object, got"
+        ValueError, match="expected one of es, ga, cma, actor-critic, hill, or module:object, got"
     ):
         tiny_race(learner="hil")
 

@@ -19,6 +19,7 @@ from matrixworld.files import LockedError
 from matrixworld.memory import OutOfMemoryError
 from matrixworld.policy import SCRIPTS
 from matrixworld.reading import DamagedFileError
+from matrixworld.version import MissingExtraError
 
 # From the newest opponents only to those of all generations: the generalists are the last schedule.
 ORDER = [*list(SCHEDULES)[:-1], HALL_OF_FAME, list(SCHEDULES)[-1], ALTERNATING]
@@ -108,6 +109,7 @@ FAILURES = (
     BrokenExecutor,  # a lost cluster
     DamagedFileError,
     LockedError,
+    MissingExtraError,
     OSError,
     OtherVersionError,
     OutOfMemoryError,

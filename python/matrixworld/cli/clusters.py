@@ -13,9 +13,6 @@ from matrixworld.cli.console import note
 from matrixworld.cluster import UnfitWorkerError, check_where, cluster
 from matrixworld.coevolution import RaceSettings, SingleSettings
 
-LIKE_PROCESSORS = "cma"
-"""The learner whose results depend on the processor, by way of the linear algebra."""
-
 
 def _where(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
     if value is not None:
@@ -65,7 +62,8 @@ def on_cluster(
         yield None
         return
     refuse_threads(where, threads)
-    alike = any(each.learner_name == LIKE_PROCESSORS for each in settings)
+    learners = [each.built_in_learner for each in settings]
+    alike = any(entry.like_processors for entry in learners if entry is not None)
     try:
         with cluster(where, directory=directory, like_processors=alike, tell=note) as executor:
             yield executor

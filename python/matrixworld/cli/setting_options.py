@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import MISSING, Field, fields
+from dataclasses import Field, fields
 from pathlib import Path
 from typing import Any, TypeVar, get_args, get_type_hints
 
@@ -25,6 +25,7 @@ from matrixworld.coevolution import (
     RaceSettings,
     SingleSettings,
 )
+from matrixworld.coevolution.learners import LEARNERS
 from matrixworld.coevolution.plugins import LEARNER, OPPONENT, installed
 from matrixworld.coevolution.settings.race import SCHEDULE_DEFAULTS
 from matrixworld.policy import SCRIPTS
@@ -177,9 +178,13 @@ def _default(name: str) -> str:
         f"{values[name]} for {t}s" for t, values in SINGLE_DEFAULTS.items() if name in values
     ]
     alone = ", ".join(by_team) or (_shown(SINGLE[name]) if name in SINGLE else race)
-    if name not in RACE or race == alone:
-        return alone
-    return f"{race}; with --against {alone}"
+    usual = alone if name not in RACE or race == alone else f"{race}; with --against {alone}"
+    learners = [
+        f"{_as_text(entry.defaults[name])} for {learner}"
+        for learner, entry in LEARNERS.items()
+        if name in entry.defaults
+    ]
+    return "; ".join([usual, *learners])
 
 
 def _by_schedule(name: str) -> str:
@@ -194,7 +199,10 @@ def _by_schedule(name: str) -> str:
 
 
 def _shown(item: Field[Any]) -> str:
-    value = None if item.default is MISSING else item.default
+    return _as_text(item.metadata["default"])
+
+
+def _as_text(value: Any) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, tuple):

@@ -34,7 +34,7 @@ DIFFERENT = {
     "code": "other Python code of matrixworld",
     "engine": "another engine fingerprint",
     "numpy": "another version of NumPy",
-    "algebra": "another processor or linear algebra, which CMA-ES rounds differently with",
+    "algebra": "another processor or linear algebra, which CMA-ES and PyTorch round differently",
 }
 """What is wrong if a trait differs, by the field of `Traits`."""
 

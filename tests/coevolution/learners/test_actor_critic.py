@@ -12,10 +12,10 @@ from matrixworld.coevolution.learners import actor_critic
 from matrixworld.coevolution.learners.actor_critic import (
     ActorCritic,
     Hyperparameters,
-    advantages,
-    orthogonal,
 )
+from matrixworld.coevolution.learners.advantages import advantages
 from matrixworld.coevolution.learners.experience import Experience
+from matrixworld.coevolution.learners.perceptron import orthogonal
 from matrixworld.coevolution.runs.experience import experience
 from matrixworld.config import WorldConfig
 from matrixworld.play import NetworkPolicy

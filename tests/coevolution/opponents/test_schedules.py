@@ -89,7 +89,7 @@ def test_overlap_is_penalised_where_teammates_may_share_a_cell():
         (
             {"learner": "sgd"},
             ValueError,
-            "learner: expected one of es, ga, cma, or module:object, got 'sgd'",
+            "learner: expected one of es, ga, cma, actor-critic, or module:object, got 'sgd'",
         ),
         ({"learner": "cma"}, ValueError, "learner: expected at most 1000 genes .* got 11813"),
         ({"optimizer": "sgd"}, ValueError, "optimizer: expected one of adam, momentum"),

@@ -71,6 +71,15 @@ def test_without_torch_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.Mo
     assert not (tmp_path / "run").exists()
 
 
+@pytest.mark.parametrize("device", ["tpu9", "meta", "cuda:99"])
+def test_a_device_that_is_missing_is_refused_before_anything_is_written(
+    torch, device: str, tmp_path: Path
+) -> None:
+    with pytest.raises(ValueError, match="device: expected a device that PyTorch has on this mach"):
+        start(tiny_race(**LEARNER, device=device), tmp_path / "run")
+    assert not (tmp_path / "run").exists()
+
+
 @pytest.mark.parametrize(
     ("changes", "message"),
     [

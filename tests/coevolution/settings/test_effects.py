@@ -32,7 +32,7 @@ RUNS: dict[str, Any] = {
     ),
     "hall of fame": tiny_race(**HALL, population=8),
     "hall of fame without hall": tiny_race(**{**HALL, "hall_sample": 0}, population=8),
-    "pursuers alone for rewards": tiny_single(fitness="rewards"),
+    "evaders alone for rewards": tiny_single(team="evader", fitness="rewards"),
     "actor-critic": tiny_race(**ALTERNATING, learner="actor-critic", actor_updates=2),
     "evaders alone with actor-critic and costs": tiny_single(
         team="evader",

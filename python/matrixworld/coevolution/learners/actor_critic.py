@@ -18,9 +18,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, fields
 from functools import partial
-from itertools import pairwise
-from math import sqrt
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -33,63 +31,23 @@ from matrixworld.checks import (
     check_number,
     shown,
 )
+from matrixworld.coevolution.learners.advantages import (
+    advantages,
+    as_dense,
+    critic_rows,
+    normalised,
+)
 from matrixworld.coevolution.learners.experience import Experience, Reals
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings
 from matrixworld.coevolution.learners.masked_network import check_mask
-from matrixworld.coevolution.learners.optimizers import Adam
+from matrixworld.coevolution.learners.perceptron import Perceptron, Tensor, orthogonal
 from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, State, Team
 from matrixworld.policy import CHANNELS, Network
 from matrixworld.rules import Interaction
-from matrixworld.version import install_hint
-
-Tensor: TypeAlias = Any
-"""A ``torch.Tensor``: PyTorch may be missing where types are checked."""
+from matrixworld.version import MissingExtraError, install_hint
 
 CHUNK = 16_384
 """Experience that are in the networks at one time. Gradients are sums over all chunks."""
-SMALL = 1e-8
-"""Added to a standard deviation by which is divided."""
-
-
-def advantages(
-    acted: BoolArray, rewards: Reals, values: Reals, discount: float, trace: float
-) -> Reals:
-    """Return generalized advantage estimates.
-
-    ::
-
-        d_t = r_t + discount * V(s_{t+1}) - V(s_t)
-        A_t = d_t + discount * trace * A_{t+1}
-
-    Parameters
-    ----------
-    acted : ndarray of bool, shape (T, W, A)
-        Which agents acted in each step. An agent that stops acting does not begin again.
-    rewards : ndarray of float32, shape (T, W, A)
-        Their rewards; 0 elsewhere.
-    values : ndarray of float32, shape (T + 1, W, A)
-        Values of what agents saw before each step, also of agents whose time was over after the
-        step before; 0 elsewhere, that is, of agents that are gone and of worlds that have
-        terminated.
-    discount, trace : float
-        Discount factor of rewards (gamma), and of advantages beside it (lambda).
-
-    Returns
-    -------
-    ndarray of float32, shape (T, W, A)
-        The estimates; 0 where no agent acted.
-
-    References
-    ----------
-    Schulman et al. 2016, equations 11 and 16.
-    """
-    found = np.zeros_like(rewards)
-    following = np.zeros_like(rewards[0])
-    for t in range(len(rewards) - 1, -1, -1):
-        change = rewards[t] + discount * values[t + 1] - values[t]
-        following = np.where(acted[t], change + discount * trace * following, 0.0)
-        found[t] = following
-    return found
 
 
 @dataclass(frozen=True)
@@ -133,40 +91,6 @@ class Hyperparameters:
     device: str = "cpu"
 
 
-class _Perceptron:
-    """Weights of a network as one vector, in the layout of a genome, and how they learn."""
-
-    def __init__(
-        self,
-        weights: Genome,
-        sizes: tuple[int, ...],
-        activation: str,
-        rate: float,
-        fixed: BoolArray | None = None,
-    ) -> None:
-        self.weights, self.sizes, self.activation, self.rate = weights, sizes, activation, rate
-        self.fixed = fixed
-        self.adam = Adam(len(weights))
-
-    def outputs(self, weights: Tensor, rows: Tensor) -> Tensor:
-        """Return the outputs (n, out) for inputs (n, in); `weights` is a tensor of the vector."""
-        start, last = 0, len(self.sizes) - 2
-        for number, (n_in, n_out) in enumerate(pairwise(self.sizes)):
-            middle, end = start + n_in * n_out, start + (n_in + 1) * n_out
-            rows = rows @ weights[start:middle].view(n_in, n_out) + weights[middle:end]
-            if number < last:
-                rows = rows.relu() if self.activation == "relu" else rows.tanh()
-            start = end
-        return rows
-
-    def ascend(self, gradient: Genome) -> None:
-        """Make one step of Adam."""
-        if self.fixed is not None:
-            gradient = np.where(self.fixed, np.float32(0.0), gradient)
-        # A new array: archives keep a reference to the genome of their generation.
-        self.weights = self.weights + self.adam.step(gradient, self.rate)
-
-
 class ActorCritic:
     """Actor-critic: policy gradient with generalized advantage estimation.
 
@@ -207,8 +131,10 @@ class ActorCritic:
 
     Raises
     ------
-    ImportError
+    MissingExtraError
         If PyTorch is not installed.
+    ValueError
+        If PyTorch cannot use the device.
     """
 
     def __init__(
@@ -223,8 +149,8 @@ class ActorCritic:
     ) -> None:
         self.chosen = Hyperparameters() if chosen is None else chosen
         self._torch = _import_torch()
-        self._device = self._torch.device(self.chosen.device)
-        self._actor = _Perceptron(
+        self._device = _usable_device(self._torch, self.chosen.device)
+        self._actor = Perceptron(
             check_floats("genome", genome, np.float32),
             network.sizes,
             network.activation,
@@ -235,7 +161,7 @@ class ActorCritic:
         sizes = (inputs, *network.hidden, 1)
         names = ["critic"] if self.chosen.cost_limit is None else ["critic", "cost_critic"]
         self._critics = {
-            name: _Perceptron(
+            name: Perceptron(
                 orthogonal(sizes, rng), sizes, network.activation, self.chosen.critic_rate
             )
             for name in names
@@ -278,14 +204,14 @@ class ActorCritic:
 
     def _learn(self, experience: Experience) -> None:
         chosen, acted = self.chosen, experience.acted
-        rows = _critic_rows(experience, central=chosen.central_critic)
+        rows = critic_rows(experience, central=chosen.central_critic)
         signals = {"critic": experience.rewards, "cost_critic": experience.costs}
         estimates = {}
         for name, critic in self._critics.items():
             values = rows.dense(self._values(critic, rows.inputs))
-            signal = _dense(acted, signals[name])
+            signal = as_dense(acted, signals[name])
             estimate = partial(advantages, acted, signal, values, chosen.discount)
-            estimates[name] = _normalised(estimate(chosen.trace)[acted])
+            estimates[name] = normalised(estimate(chosen.trace)[acted])
             returns = rows.targets(estimate(1.0) + values[:-1])
             self._fit(critic, rows.learned, returns)
         advantage: Any = estimates["critic"]
@@ -327,7 +253,7 @@ class ActorCritic:
         for _ in range(self.chosen.actor_updates):
             self._actor.ascend(self._gradient(self._actor, len(advantage), objective))
 
-    def _fit(self, critic: _Perceptron, inputs: NDArray[np.uint8], returns: Reals) -> None:
+    def _fit(self, critic: Perceptron, inputs: NDArray[np.uint8], returns: Reals) -> None:
         """Update a critic."""
         target = self._torch.from_numpy(returns.astype(np.float32)).to(self._device)
 
@@ -338,7 +264,7 @@ class ActorCritic:
         for _ in range(self.chosen.critic_updates):
             critic.ascend(self._gradient(critic, len(returns), objective))
 
-    def _gradient(self, part: _Perceptron, n: int, objective: Objective) -> Genome:
+    def _gradient(self, part: Perceptron, n: int, objective: Objective) -> Genome:
         """Return the gradient of the mean objective over n transitions."""
         weights = self._torch.from_numpy(part.weights).to(self._device).requires_grad_()
         for number, start in enumerate(range(0, n, CHUNK)):
@@ -346,7 +272,7 @@ class ActorCritic:
         gradient: Genome = weights.grad.cpu().numpy()
         return gradient
 
-    def _values(self, critic: _Perceptron, inputs: NDArray[np.uint8]) -> Reals:
+    def _values(self, critic: Perceptron, inputs: NDArray[np.uint8]) -> Reals:
         with self._torch.no_grad():
             weights = self._torch.from_numpy(critic.weights).to(self._device)
             parts = [
@@ -384,122 +310,24 @@ Objective = Callable[..., Any]
 """Takes the weights, a slice of the transitions and its number; returns a sum to maximise."""
 
 
-@dataclass(frozen=True)
-class _CriticRows:
-    """What a critic sees, and where its values belong.
-
-    Parameters
-    ----------
-    inputs : ndarray of uint8, shape (n, inputs)
-        Its inputs, those of the ends of episodes included.
-    learned : ndarray of uint8, shape (k, inputs)
-        Those that it learns from.
-    dense : callable
-        Arranges its values (n,) as (T + 1, W, A).
-    targets : callable
-        Takes returns (T, W, A), gives those of `learned`, (k,).
-    """
-
-    inputs: NDArray[np.uint8]
-    learned: NDArray[np.uint8]
-    dense: Callable[[Reals], Reals]
-    targets: Callable[[Reals], Reals]
-
-
-def _critic_rows(e: Experience, *, central: bool) -> _CriticRows:
-    steps, worlds, agents = e.acted.shape
-
-    def spread(before: NDArray[Any], after: NDArray[Any]) -> Reals:
-        # What follows an agent's last step is 0, unless only its time was over.
-        dense = np.zeros((steps + 1, worlds, agents), np.float32)
-        dense[:-1][e.acted] = before
-        dense[1:][e.last] = after
-        return dense
-
-    if not central:
-        n = len(e.actions)
-        return _CriticRows(
-            np.concatenate([e.views, e.last_views]),
-            e.views,
-            lambda values: spread(values[:n], values[n:]),
-            lambda returns: returns[e.acted],
-        )
-    if e.states is None or e.last_states is None:
-        raise ValueError("experience: expected states for a central critic, got none")
-    going = e.acted.any(axis=2)
-    world_of = np.nonzero(e.acted)[:2]
-    ends = np.nonzero(e.last)[1]
-
-    def dense(values: Reals) -> Reals:
-        during = values[: steps * worlds].reshape(steps, worlds)
-        return spread(during[world_of], values[steps * worlds :][ends])
-
-    states = e.states.reshape(steps * worlds, -1)
-    # One value for all agents of the team: the mean of what they earn.
-    return _CriticRows(
-        np.concatenate([states, e.last_states]),
-        states[going.ravel()],
-        dense,
-        lambda returns: (returns.sum(axis=2, where=e.acted) / np.maximum(e.acted.sum(axis=2), 1))[
-            going
-        ],
-    )
-
-
-def _dense(acted: BoolArray, values: Reals) -> Reals:
-    """Return values (n,) of transitions as (T, W, A), 0 elsewhere."""
-    found = np.zeros(acted.shape, np.float32)
-    found[acted] = values
-    return found
-
-
-def _normalised(values: Reals) -> Reals:
-    """Return values with mean 0 and standard deviation 1."""
-    centred = values - values.mean(dtype=np.float64)
-    return np.asarray(centred / (centred.std() + SMALL), np.float32)
-
-
-def orthogonal(sizes: tuple[int, ...], rng: np.random.Generator, *, head: float = 1.0) -> Genome:
-    """Return untrained weights: orthogonal matrices, and biases of 0.
-
-    Parameters
-    ----------
-    sizes : tuple of int
-        Sizes of the layers, inputs and outputs included.
-    rng : numpy.random.Generator
-        Draws the matrices.
-    head : float, optional
-        Scale of the last layer; that of the others is the square root of 2.
-
-    Returns
-    -------
-    ndarray of float32, shape (genes,)
-        The weights, in the layout of a genome.
-
-    References
-    ----------
-    Saxe, A., McClelland, J. and Ganguli, S. (2014). Exact solutions to the nonlinear dynamics of
-    learning in deep linear neural networks. ICLR.
-    """
-    parts = []
-    for number, (n_in, n_out) in enumerate(pairwise(sizes)):
-        large, small = max(n_in, n_out), min(n_in, n_out)
-        q, r = np.linalg.qr(rng.standard_normal((large, small)))
-        q *= np.sign(np.diag(r))
-        matrix = q if n_in >= n_out else q.T
-        scale = head if number == len(sizes) - 2 else sqrt(2.0)
-        parts += [scale * matrix.ravel(), np.zeros(n_out)]
-    return np.concatenate(parts).astype(np.float32)
-
-
 def _import_torch() -> Any:
     try:
         import torch
     except ImportError as error:
-        raise ImportError(
-            f"The learner actor-critic needs PyTorch: {install_hint('torch')}"
-        ) from error
+        needed = "The learner actor-critic needs PyTorch"
+        raise MissingExtraError(f"{needed}: {install_hint('torch')}") from error
     return torch
+
+
+def _usable_device(torch: Any, name: str) -> Any:
+    """Return a device of PyTorch; ValueError if this machine lacks it."""
+    try:
+        # A device has a name even if PyTorch cannot compute there.
+        torch.zeros(1, device=name).cpu()
+    except (AssertionError, NotImplementedError, RuntimeError) as error:
+        expected = "expected a device that PyTorch has on this machine, such as 'cpu'"
+        raise ValueError(f"device: {expected}, got {shown(name)}") from error
+    return torch.device(name)
 
 
 def _check(settings: RunSettings) -> None:
@@ -536,7 +364,7 @@ _positive = partial(check_number, least=0.0, positive=True)
 _count = partial(check_integer, low=1)
 
 ENTRY = LearnerEntry(
-    title="actor-critic",
+    title="policy gradients, needs PyTorch",
     settings={
         "mask": check_mask,
         "actor_rate": _positive,
@@ -554,4 +382,15 @@ ENTRY = LearnerEntry(
     check=_check,
     new=_new,
     by_gradients=True,
+    like_processors=True,
+    # Networks and epochs of the published experiments: an epoch is one episode of 500 steps.
+    defaults={
+        "hidden": (400, 300),
+        "population": 1,
+        "train_steps": 500,
+        "pursuer_epochs": 400,
+        "evader_epochs": 400,
+        "joint_epochs": 400,
+        "epochs": 1200,
+    },
 )

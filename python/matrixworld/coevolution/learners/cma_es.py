@@ -190,4 +190,5 @@ ENTRY = LearnerEntry(
     settings={"sigma": partial(check_number, least=0.0, positive=True)},
     check=_check,
     new=_new,
+    like_processors=True,  # by way of the linear algebra
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Protocol, TypeAlias, runtime_checkable
 
 import numpy as np
@@ -120,6 +120,11 @@ class LearnerEntry:
     by_gradients : bool, optional
         Whether the learner learns from transitions (see `GradientLearner`) instead of fitness. The
         default is False.
+    like_processors : bool, optional
+        Whether results depend on the kind of processor, so that all workers of a cluster need the
+        same one. The default is False.
+    defaults : mapping of str to object, optional
+        Defaults of settings that are not those of the other learners.
     """
 
     title: str
@@ -128,6 +133,8 @@ class LearnerEntry:
     new: Callable[[RunSettings, Team, Genomes, np.random.Generator], Learner]
     starts_from_population: bool = False
     by_gradients: bool = False
+    like_processors: bool = False
+    defaults: Mapping[str, Any] = field(default_factory=dict)
 
 
 def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:

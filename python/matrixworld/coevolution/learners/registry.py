@@ -16,9 +16,9 @@ from matrixworld.coevolution.learners import (
     evolution_strategy,
     genetic_algorithm,
 )
-from matrixworld.coevolution.learners.actor_critic import orthogonal
 from matrixworld.coevolution.learners.learner import Learner, LearnerEntry, RunSettings
 from matrixworld.coevolution.learners.own import own_learner
+from matrixworld.coevolution.learners.perceptron import orthogonal
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.types import TEAMS, Genomes, Team
 

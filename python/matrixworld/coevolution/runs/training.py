@@ -52,7 +52,9 @@ class Training:
         self.network: Network = settings.network
         self.world: WorldConfig = settings.world(settings.train_steps)
         # Learners by gradients keep to the limit themselves; their fitness is for the log.
-        self.cost_limit: float | None = None if settings.by_gradients else settings.cost_limit
+        learner = settings.built_in_learner
+        by_gradients = learner is not None and learner.by_gradients
+        self.cost_limit: float | None = None if by_gradients else settings.cost_limit
         self.threads: int | None = threads
         self.matches: int = 0
         self.steps: int = 0

@@ -99,7 +99,7 @@ UNTRAINED = Condition("without start", lambda s: getattr(s, "start", None) is No
 
 BY_FITNESS = Condition(
     "with a learner that learns from fitness",
-    lambda s: not s.by_gradients,
+    lambda s: s.built_in_learner is None or not s.built_in_learner.by_gradients,
 )
 
 REWARDED = Condition(

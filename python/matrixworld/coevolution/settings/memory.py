@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+from matrixworld.coevolution.learners.actor_critic import CHUNK
 from matrixworld.coevolution.learners.noise import table_size
 from matrixworld.coevolution.learners.registry import starting_genomes
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.memory import EPISODE, NUMBER, check_memory, matches_memory
+from matrixworld.policy import CHANNELS
 
 SAMPLED, BRED, JOINT = 2, 8, 4
 """Arrays of all candidates of a team at one time, measured: samples of two epochs; populations of
 both teams with parents and children; and so many more where both teams learn at once."""
 OF_LEARNER = 8
 """Genomes that a learner holds besides: its mean, gradient, optimizer and temporary arrays."""
+COPIES_OF_VIEWS = 3
+"""Views: of each step, of all steps, and with those of the ends of episodes for the critic."""
+PER_TRANSITION = 8
+"""Numbers beside a view: action, reward, cost, value, return, advantages."""
+LAYERS = 3
+"""Arrays of each layer's size, measured: outputs, activations and their gradients."""
 COPIES_OF_ARCHIVE = 3
 """The archive, measured: a list of genomes, the arrays that the evaluation plays, and in a resumed
 run the content of the files."""
@@ -38,7 +46,8 @@ def run_memory(
         ``learners``: tables of noise and the genomes beside the candidates, of each team that
         learns. ``archive``: all generations, `COPIES_OF_ARCHIVE` times. ``matches``: the
         statistics of all episodes of an epoch, with worlds and networks of each thread; or of
-        the evaluation, if they need more.
+        the evaluation, if they need more. ``experience``: what agents saw in an epoch, and a
+        chunk of it in the networks, of learners that learn from it.
 
     Notes
     -----
@@ -53,12 +62,28 @@ def run_memory(
         "learners": teams * (OF_LEARNER * genome + table),
         "archive": entries * genome * COPIES_OF_ARCHIVE,
         "matches": _matches(settings, threads),
+        "experience": _experience(settings),
     }
 
 
 def check_run_memory(settings: RaceSettings | SingleSettings, threads: int | None) -> None:
     """Raise OutOfMemoryError if a run needs more memory than this machine has available."""
     check_memory("run", run_memory(settings, threads))
+
+
+def _experience(settings: RaceSettings | SingleSettings) -> int:
+    """Return the bytes of an epoch's transitions; 0 for learners that learn from fitness."""
+    entry = settings.built_in_learner
+    if entry is None or not entry.by_gradients:
+        return 0
+    world = settings.world(settings.train_steps)
+    teams = {"pursuer": world.n_pursuers, "evader": world.n_evaders}
+    steps = _meetings(settings) * settings.worlds * settings.train_steps
+    transitions = steps * max(teams[team] for team in settings.learning_teams)
+    sizes = settings.network.sizes
+    seen = transitions * (sizes[0] + NUMBER * PER_TRANSITION) * COPIES_OF_VIEWS
+    states = steps * CHANNELS * world.rows * world.cols if settings.central_critic else 0
+    return seen + states * COPIES_OF_VIEWS + min(transitions, CHUNK) * sum(sizes) * NUMBER * LAYERS
 
 
 def _copies(settings: RaceSettings | SingleSettings) -> int:

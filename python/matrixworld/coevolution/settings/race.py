@@ -40,7 +40,8 @@ SCHEDULE_DEFAULTS: dict[str, dict[str, int]] = {
 class RaceSettings(TrainingSettings):
     """Settings of a race, in which both teams learn; ValueError or TypeError on a bad field.
 
-    A field that is None and listed in `SCHEDULE_DEFAULTS` takes its value from there.
+    A field that is None takes the value that its learner has for it (`LearnerEntry.defaults`), or
+    that in `SCHEDULE_DEFAULTS`.
     """
 
     # A field of `TrainingSettings` again, with another default.
@@ -50,9 +51,15 @@ class RaceSettings(TrainingSettings):
         "generalist-generalist", f"opponents of each team: {', '.join(ALL_SCHEDULES)}"
     )
     generations: int = option(30, "number of generations after the untrained generation 0")
-    pursuer_epochs: int = option(60, "epochs per generation in which the pursuers learn")
-    evader_epochs: int = option(120, "epochs per generation in which the evaders learn")
-    joint_epochs: int = option(90, "hall-of-fame: epochs per generation, in which both teams learn")
+    pursuer_epochs: int = option(
+        60, "epochs per generation in which the pursuers learn", by_learner=True
+    )
+    evader_epochs: int = option(
+        120, "epochs per generation in which the evaders learn", by_learner=True
+    )
+    joint_epochs: int = option(
+        90, "hall-of-fame: epochs per generation, in which both teams learn", by_learner=True
+    )
     contemporaries: int = option(2, "hall-of-fame: living opponents of each individual")
     hall_sample: int = option(1, "hall-of-fame: opponents of each individual from the hall of fame")
     pursuers_meet: str | None = option(
@@ -88,9 +95,7 @@ class RaceSettings(TrainingSettings):
     def __post_init__(self) -> None:
         # First, because other checks depend on it.
         check_choice("schedule", self.schedule, ALL_SCHEDULES)
-        for name, value in SCHEDULE_DEFAULTS[self.schedule].items():
-            if getattr(self, name) is None:
-                self._freeze(name, value)
+        self._fill(SCHEDULE_DEFAULTS[self.schedule])
         self._check_opponents()
         self._check_sharing()
         for name in ("generations", "pursuer_epochs", "evader_epochs", "joint_epochs"):

@@ -42,14 +42,14 @@ SINGLE_DEFAULTS: dict[Team, dict[str, float]] = {
 class SingleSettings(TrainingSettings):
     """Settings of a run in which one team learns against fixed opponents.
 
-    A field that is None and listed in `SINGLE_DEFAULTS` takes its value from there. ValueError or
-    TypeError on a bad field.
+    A field that is None takes the value that its learner has for it (`LearnerEntry.defaults`), or
+    that in `SINGLE_DEFAULTS`. ValueError or TypeError on a bad field.
     """
 
     # Fields of `TrainingSettings` again, with other defaults.
     initial_weight: float = option(None, "standard deviation of untrained hidden weights")
     initial_head: float = option(None, "standard deviation of untrained output weights")
-    population: int = option(128, "candidates per epoch")
+    population: int = option(128, "candidates per epoch", by_learner=True)
     sigma: float = option(None, "es: standard deviation of the samples; cma: its initial value")
     anneal: bool = option(True, "es: reduce the learning rate linearly to a tenth over the run")
     train_steps: int = option(None, "maximum steps of a training episode")
@@ -67,9 +67,7 @@ class SingleSettings(TrainingSettings):
 
     def __post_init__(self) -> None:
         check_choice("team", self.team, TEAMS)
-        for name, value in SINGLE_DEFAULTS[self.team].items():
-            if getattr(self, name) is None:
-                self._freeze(name, value)
+        self._fill(SINGLE_DEFAULTS[self.team])
         for name in ("against", "start"):
             value = getattr(self, name)
             if not isinstance(value, str) and not (name == "start" and value is None):

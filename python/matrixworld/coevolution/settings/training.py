@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from matrixworld.checks import check_choice, check_integer, check_number
 from matrixworld.coevolution.fitness import FITNESS
+from matrixworld.coevolution.learners.learner import LearnerEntry
 from matrixworld.coevolution.learners.masked_network import (
     MASKS,
     FixedWeights,
@@ -52,9 +53,13 @@ NO_SETTINGS = OwnSettings()
 OWN_HELP = "settings of {} if it is one of your own: numbers, text, True or False by name"
 
 
-def option(default: Any, text: str) -> Any:
-    """Return a dataclass field with a default and a help text."""
-    return field(default=default, metadata={"help": text})
+def option(default: Any, text: str, *, by_learner: bool = False) -> Any:
+    """Return a dataclass field with a default and a help text.
+
+    With `by_learner` the default of the dataclass is None, so that a learner can have another one.
+    """
+    metadata = {"help": text, "default": default}
+    return field(default=None if by_learner else default, metadata=metadata)
 
 
 def with_parameters(cls: type[Settings]) -> type[Settings]:
@@ -69,7 +74,10 @@ def with_parameters(cls: type[Settings]) -> type[Settings]:
 @with_parameters
 @dataclass(frozen=True)
 class TrainingSettings:
-    """World, policy, learner and budget of a run; ValueError or TypeError on a bad field."""
+    """World, policy, learner and budget of a run; ValueError or TypeError on a bad field.
+
+    A field that is None takes the value that its learner has for it (`LearnerEntry.defaults`).
+    """
 
     variant: str | Rules = option("O", "game variant: a name in VARIANTS, or Rules")  # noqa: RUF009
     rows: int | None = option(None, "rows of the grid; default: those of the obstacle map, or 40")
@@ -84,7 +92,7 @@ class TrainingSettings:
     fov: int = option(11, "side of an agent's square field of view, in cells; odd")
     diagonal: bool = option(False, "allow diagonal moves (9 actions instead of 5)")
 
-    hidden: tuple[int, ...] = option((32,), "sizes of the policy's hidden layers")
+    hidden: tuple[int, ...] = option((32,), "sizes of the policy's hidden layers", by_learner=True)
     activation: str = option("relu", "activation of the hidden layers: relu or tanh")
     initial_weight: float = option(0.05, "standard deviation of untrained hidden weights")
     initial_head: float = option(0.1, "standard deviation of untrained output weights")
@@ -101,7 +109,7 @@ class TrainingSettings:
         "your own, as module:object; default: es",
     )
     learner_settings: Mapping[str, Any] = option(NO_SETTINGS, OWN_HELP.format("the learner"))
-    population: int = option(48, "candidates per epoch; matches per epoch of actor-critic")
+    population: int = option(48, "candidates per epoch", by_learner=True)
     sigma: float = option(0.1, "es: standard deviation of the samples; cma: its initial value")
     optimizer: str = option("adam", f"es: {' or '.join(OPTIMIZERS)}")
     learning_rate: float = option(0.02, "es: learning rate of the optimizer")
@@ -149,13 +157,14 @@ class TrainingSettings:
         "penalty on the fitness of evaders that share a cell; default: 0.2 where teammates may "
         "share a cell (0.5 for evaders that learn alone from untrained genomes), else 0",
     )
-    train_steps: int = option(200, "maximum steps of a training episode")
+    train_steps: int = option(200, "maximum steps of a training episode", by_learner=True)
     worlds: int = option(1, "episodes of each training match")
     eval_steps: int = option(500, "maximum steps of an evaluation episode")
     eval_episodes: int = option(10, "evaluation episodes of each pair")
     seed: int = option(0, "seed of the run")
 
     def __post_init__(self) -> None:
+        self._fill({})
         for item in fields(self):
             self._freeze(item.name, _native(getattr(self, item.name)))
         self._check_budget()
@@ -163,6 +172,14 @@ class TrainingSettings:
         self._check_learner()
         # Last: whether a setting has an effect depends on others, which must be valid.
         check_effects(self, self.defaults)
+
+    def _fill(self, own: Mapping[str, Any]) -> None:
+        """Set fields that are None to the learner's default, that in `own`, or the usual one."""
+        entry = self.built_in_learner
+        defaults = {**own, **(entry.defaults if entry else {})}
+        for item in fields(self):
+            if item.default is None and getattr(self, item.name) is None:
+                self._freeze(item.name, defaults.get(item.name, item.metadata["default"]))
 
     def _freeze(self, name: str, value: Any) -> None:
         # The dataclass is frozen; its own __post_init__ has no other way to set a field.
@@ -182,7 +199,9 @@ class TrainingSettings:
         if self.learner is not None:
             check_name("learner", self.learner, LEARNERS, LEARNER)
         self._freeze("learner_settings", own_settings("learner_settings", self.learner_settings))
-        check_integer("population", self.population, 2)
+        entry = self.built_in_learner
+        # A single candidate cannot be compared, but gradients can be computed from its experience.
+        check_integer("population", self.population, 1 if entry and entry.by_gradients else 2)
         check_learner_settings(self)
 
     def _check_world(self) -> None:
@@ -218,7 +237,9 @@ class TrainingSettings:
 
     def defaults(self, name: str) -> tuple[Any, ...]:
         """Return the values of a field that count as not given."""
-        return tuple(item.default for item in fields(self) if item.name == name)
+        usual = [item.metadata["default"] for item in fields(self) if item.name == name]
+        learners = (entry.defaults for entry in LEARNERS.values())
+        return (*usual, *(values[name] for values in learners if name in values))
 
     @property
     def sharing(self) -> str:
@@ -282,9 +303,10 @@ class TrainingSettings:
         return self.learner or "es"
 
     @property
-    def by_gradients(self) -> bool:
-        """Whether the learner learns from transitions instead of fitness."""
-        return self.learner_name in LEARNERS and LEARNERS[self.learner_name].by_gradients
+    def built_in_learner(self) -> LearnerEntry | None:
+        """Registry entry of the learner; None for one from outside the package."""
+        # A learner of another type than str is refused later, and cannot be looked up.
+        return LEARNERS.get(self.learner_name) if isinstance(self.learner_name, str) else None
 
     @property
     def resolved_overlap_penalty(self) -> float:

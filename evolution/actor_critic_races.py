@@ -1,0 +1,123 @@
+"""Do races of policy gradients cycle or progress? The paper's three schedules, judged over seeds.
+
+    python evolution/actor_critic_races.py             three seeds, some minutes on two cores
+    python evolution/actor_critic_races.py --quick     a small world, some seconds
+    python evolution/actor_critic_races.py --project   hours of the paper's own size, not played
+
+Both teams learn by policy gradients (actor-critic with GAE and PPO's clip) on a board of 20 x 20
+cells. The schedules differ in the opponents that a team meets: the last generation of the other
+team (specialist), or all of its generations in turn (generalist).
+
+Each schedule is judged by `analysis.judge`, as races of neuroevolution are, over all seeds
+together, in the last half of the race. Gains are changes of mean capture or escape over that half,
+against all opponents of the race. ``--runs`` keeps the races; an interrupted script continues where
+it stopped.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+from time import process_time
+
+import numpy as np
+
+from common import finish_all, script_parser
+from matrixworld import analysis
+from matrixworld.analysis import Estimate
+from matrixworld.coevolution import RaceSettings, SavedRun, finish
+from matrixworld.coevolution.opponents.registry import SCHEDULES
+
+FULL = RaceSettings(
+    learner="actor-critic", rows=20, cols=20, pursuers=4, evaders=8, hidden=(32,), population=4,
+    actor_rate=0.003, clip=0.2, actor_updates=5, pursuer_epochs=10, evader_epochs=10,
+    train_steps=150, eval_steps=200,
+)  # fmt: skip
+QUICK = replace(
+    FULL, rows=8, cols=8, pursuers=3, evaders=3, fov=5, hidden=(4,), population=2, generations=8,
+    pursuer_epochs=2, evader_epochs=2, train_steps=15, eval_steps=20, eval_episodes=4,
+)  # fmt: skip
+PUBLISHED = RaceSettings(learner="actor-critic")
+"""All defaults are the paper's: networks, rates, updates, 400 epochs of each team a generation."""
+SEEDS, QUICK_SEEDS = 3, 2
+
+
+def play(
+    base: RaceSettings, seeds: range, root: Path, threads: int | None
+) -> dict[str, list[SavedRun]]:
+    """Return the races of each schedule; play the missing ones."""
+    planned = {
+        f"{schedule}/{seed}": replace(base, schedule=schedule, seed=seed)
+        for seed in seeds
+        for schedule in SCHEDULES
+    }
+    runs = finish_all(planned, root, threads=threads)
+    return {schedule: [runs[f"{schedule}/{seed}"] for seed in seeds] for schedule in SCHEDULES}
+
+
+def table(races: dict[str, list[SavedRun]]) -> str:
+    """Return gains and verdicts of each schedule as a table in Markdown."""
+    heads = ("schedule", "gain of pursuers", "gain of evaders", *analysis.CONDITIONS)
+    lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
+    for schedule, runs in races.items():
+        payoffs = np.stack([run.payoff().capture_rates for run in runs])
+        judged = analysis.judge(payoffs, per_episode=True).headline
+        gains = (shown(judged.gains[team]) for team in ("pursuer", "evader"))
+        verdicts = (judged[condition].verdict for condition in analysis.CONDITIONS)
+        lines.append(f"| {' | '.join([schedule, *gains, *verdicts])} |")
+    return "\n".join(lines)
+
+
+def shown(found: Estimate) -> str:
+    """Return an estimate with its interval."""
+    if found.low is None or found.high is None:
+        return f"{found.value:+.2f}"
+    return f"{found.value:+.2f} [{found.low:+.2f}, {found.high:+.2f}]"
+
+
+def seconds_of(settings: RaceSettings) -> float:
+    """Return the computing time of a race on one core."""
+    with tempfile.TemporaryDirectory() as place:
+        before = process_time()
+        finish(settings, Path(place) / "race", threads=1)
+        return process_time() - before
+
+
+def projected(settings: RaceSettings) -> str:
+    """Return how long a race would take on one core, from few epochs of it."""
+    epochs = {"pursuer_epochs": 1, "evader_epochs": 1}
+    short = replace(settings, generations=1, **epochs)
+    seconds_of(short)  # the first one imports PyTorch
+    start = seconds_of(short)
+    epoch = (seconds_of(replace(short, pursuer_epochs=4, evader_epochs=4)) - start) / 3
+    pairs = (settings.generations + 1) ** 2 / (short.generations + 1) ** 2
+    training = settings.generations * settings.pursuer_epochs * epoch / 3600
+    evaluation = pairs * max(start - epoch, 0.0) / 3600
+    return (
+        f"{epoch:.2f} seconds for an epoch of each team: {training:.1f} hours of training, and "
+        f"{evaluation:.1f} hours of evaluation on one core"
+    )
+
+
+def main() -> None:
+    """Play missing races; print and write the table."""
+    parser = script_parser(__doc__, quick="a small world and two seeds")
+    parser.add_argument("--project", action="store_true", help="hours of the paper's own size")
+    parser.add_argument("--runs", type=Path, default=Path("runs/actor_critic_races"))
+    parser.add_argument("--results", type=Path, default=Path("actor_critic"))
+    parser.add_argument("--threads", type=int, help="default: one for each core")
+    args = parser.parse_args()
+    if args.project:
+        print(projected(QUICK if args.quick else PUBLISHED))
+        return
+    base, seeds, name = (QUICK, QUICK_SEEDS, "quick") if args.quick else (FULL, SEEDS, "full")
+    text = table(play(base, range(seeds), args.runs / name, args.threads))
+    print(text)
+    args.results.mkdir(parents=True, exist_ok=True)
+    (args.results / "races.md").write_text(text + "\n", encoding="utf-8")
+    print(f"Written: {args.results}/races.md")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,75 @@
+"""Without PyTorch, what learns by it is refused before anything is written, and the rest works."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from command_line import matrixworld_command, words
+from matrixworld.coevolution import finish, start
+from tiny_race import tiny_race, tiny_single
+
+HINT = "pip install 'matrixworld-pursuit[torch]'"
+
+
+def files(root: Path) -> dict[Path, bytes]:
+    return {path: path.read_bytes() for path in root.rglob("*") if path.is_file()}
+
+
+@pytest.fixture
+def runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return the directory of a finished race and a run that has begun, both of actor-critic."""
+    pytest.importorskip("torch")
+    root = tmp_path / "runs"
+    finish(tiny_race(learner="actor-critic"), root / "race", threads=1)
+    start(tiny_single(learner="actor-critic"), root / "begun", threads=1)
+    # As if it were not installed: `import torch` raises ModuleNotFoundError.
+    monkeypatch.setitem(sys.modules, "torch", None)
+    return root
+
+
+TINY = words({"rows": 6, "cols": 6, "fov": 3, "pursuers": 2, "evaders": 3, "hidden": "4"})
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["new", "--learner", "actor-critic", *TINY],
+        ["new", "--learner", "actor-critic", "--against", "random", *TINY],
+        ["new", "--learner", "actor-critic", "--seeds", "0-1", *TINY],
+        ["new", "--learner", "actor-critic", "--against", "race", "--start", "race", *TINY],
+        ["--resume", "begun"],
+    ],
+    ids=["races", "alone", "seeds", "start", "resume"],
+)
+def test_learning_is_refused_with_the_command_that_installs_it(
+    runs: Path, arguments: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(runs)
+    before = files(runs)
+    told = matrixworld_command("evolve", *arguments, code=1).output
+    assert told.strip() == f"Error: The learner actor-critic needs PyTorch: {HINT}"
+    assert files(runs) == before
+    assert not (runs / "new").exists()
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["score", "race", "--episodes", "2"],
+        ["diagnose", "race"],
+        ["explore", "race", "--output", "page.html", "--no-open"],
+        ["replay", "race", "--out", "match.gif"],
+        ["export", "race", "--team", "pursuer", "--output", "champion.npz"],
+        ["exploit", "race", "--champion", "pursuer", "--matches", "96", "--episodes", "2"],
+        ["tournament", "race", "--episodes", "2"],
+    ],
+    ids=lambda arguments: arguments[0],
+)
+def test_what_was_learned_is_played_and_judged(
+    runs: Path, arguments: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(runs)
+    assert matrixworld_command(*arguments).output
