@@ -29,7 +29,8 @@ GRADIENTS: dict[str, Changes] = {
     "limit, by a multiplier": {**FREE, "cost_limit": LIMIT},
     "mask of obstacles": {**FREE, "mask": "obstacles"},
     "mask of occupied cells": {**FREE, "mask": "occupied"},
-    "mask of occupied cells, and limit": {**FREE, "mask": "occupied", "cost_limit": LIMIT},
+    "mask of occupied cells, penalty 1": {"mask": "occupied", "collision_penalty": 1.0},
+    "mask of occupied cells, limit": {**FREE, "mask": "occupied", "cost_limit": LIMIT},
 }
 EVOLUTION: dict[str, Changes] = {
     "captures": {},
@@ -77,14 +78,14 @@ class Plan:
 
 WORLD: Changes = {
     "variant": "SB", "rows": 8, "cols": 8, "pursuers": 6, "evaders": 1, "fov": 7,
-    "train_steps": 60, "eval_steps": 60, "team": "pursuer", "hidden": (64,),
+    "train_steps": 60, "eval_steps": 60, "team": "pursuer", "hidden": (32,),
 }  # fmt: skip
 FULL = Plan(
     SingleSettings(
         **WORLD, learner="actor-critic", population=16, epochs=400, archive_every=20, clip=0.2,
-        actor_updates=4, actor_rate=1e-3, critic_rate=2e-3, discount=0.95,
+        actor_updates=4, critic_updates=4, actor_rate=1e-3, critic_rate=2e-3, discount=0.95,
     ),
-    SingleSettings(**WORLD, population=32, epochs=200, archive_every=10),
+    SingleSettings(**WORLD, population=32, epochs=1500, archive_every=50),
     variants=("S", "SB"),
     seeds=5,
     episodes=200,
