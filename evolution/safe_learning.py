@@ -36,20 +36,21 @@ from safe_runs import FULL, LIMIT, QUICK, measured, play
 Numbers = Mapping[str, NDArray[Any]]
 """The arrays that `safe_runs.measured` returns."""
 
+EVOLVED = " evolution: "
 PENALTIES = {
     "gradients: no penalty": colors.INK,
     "gradients: penalty 1": colors.ORANGE,
     "gradients: penalty 12, as in the paper": colors.VERMILLION,
 }
 """Methods whose training is drawn, and their colours."""
-NOTHING, TWELVE, ONE, WALLS, OCCUPIED, LIMITED, BOTH = (
-    colors.INK, colors.VERMILLION, colors.ORANGE, colors.SKY_BLUE, colors.GREEN, colors.BLUE,
-    colors.PURPLE,
+NOTHING, TWELVE, ONE, LIMITED, WALLS, OCCUPIED, MASK_ONE, BOTH = (
+    colors.INK, colors.VERMILLION, colors.ORANGE, colors.BLUE, colors.SKY_BLUE, colors.GREEN,
+    colors.MUTED, colors.PURPLE,
 )  # fmt: skip
 STYLES = [
     *(
         {"color": color, "marker": "o"}
-        for color in (NOTHING, TWELVE, ONE, LIMITED, WALLS, OCCUPIED, BOTH)
+        for color in (NOTHING, TWELVE, ONE, LIMITED, WALLS, OCCUPIED, MASK_ONE, BOTH)
     ),
     *(
         {"color": color, "marker": "s", "fillstyle": "none"}
@@ -61,7 +62,7 @@ STYLES = [
 
 def names_of(numbers: Numbers) -> list[str]:
     """Return the variants and methods of the numbers, in their order."""
-    return list(dict.fromkeys(key.split(" / ")[0] for key in numbers))
+    return list(dict.fromkeys(key.split(" / ")[0] for key in numbers if " / " in key))
 
 
 def variants_of(numbers: Numbers) -> list[str]:
@@ -74,15 +75,10 @@ def methods_of(numbers: Numbers, variant: str) -> list[str]:
     return [name for name in names_of(numbers) if name.startswith(f"{variant} ")]
 
 
-def budget_of(numbers: Numbers) -> int:
-    """Return the largest number of agent-steps that all runs have played."""
-    return int(min(numbers[f"{name} / agent-steps"][:, -1].min() for name in names_of(numbers)))
-
-
-def at_budget(numbers: Numbers, name: str) -> dict[str, NDArray[Any]]:
-    """Return the numbers of a method at the last generation within the budget, (seeds, ...)."""
+def judged(numbers: Numbers, name: str, *, budget: float) -> dict[str, NDArray[Any]]:
+    """Return the numbers of a method at its last generation within a budget, (seeds,) each."""
     steps = numbers[f"{name} / agent-steps"]
-    last = (steps <= budget_of(numbers)).sum(axis=1) - 1
+    last = (steps <= budget).sum(axis=1) - 1
     seeds = np.arange(len(steps))
     faults = numbers[f"{name} / fault"][seeds, last]
     return {
@@ -90,35 +86,47 @@ def at_budget(numbers: Numbers, name: str) -> dict[str, NDArray[Any]]:
         "all": faults.sum(axis=1),
         **{kind: faults[:, k] for k, kind in enumerate(KINDS)},
         "training": 1000 * numbers[f"{name} / collisions"][seeds, last] / steps[seeds, last],
+        "agent-steps": steps[seeds, last] / 1e6,
     }
 
 
 def table(numbers: Numbers) -> str:
-    """Return the comparison of the methods at equal agent-steps as tables in Markdown."""
+    """Return the comparison of the methods as a table in Markdown for each variant."""
+    budget = float(numbers["budget"])
+    seeds = len(numbers[f"{names_of(numbers)[0]} / capture rate"])
     parts = [
-        f"After at most {budget_of(numbers):,} agent-steps of the pursuers in training. Collisions "
-        "at fault per 1000 agent-steps.\nMean over "
-        f"{len(next(iter(numbers.values())))} seeds [95% interval]."
+        f"Collisions at fault per 1000 agent-steps of the pursuers. All methods after at most\n"
+        f"{budget / 1e6:.4g} million agent-steps of training, and evolution at its end, too.\n"
+        f"Mean over {seeds} seeds [95% interval]."
     ]
     for variant in variants_of(numbers):
-        lines = [
-            f"| -{variant} | capture rate | collisions | obstacle | teammate | adversary "
-            "| collisions in training |",
-            "|---" * 7 + "|",
-        ]
-        for name in methods_of(numbers, variant):
-            cells = [
-                shown(values, 2 if key == "capture rate" else 1)
-                for key, values in at_budget(numbers, name).items()
-            ]
-            lines.append(f"| {' | '.join([name.removeprefix(f'{variant} '), *cells])} |")
-        parts.append("\n".join(lines))
+        names = methods_of(numbers, variant)
+        late = [name for name in names if EVOLVED in name]
+        rows = [
+            *(row(numbers, name, name.removeprefix(f"{variant} "), budget) for name in names),
+            *(row(numbers, name, f"{name.removeprefix(f'{variant} ')}, at the end", np.inf)
+              for name in late),
+        ]  # fmt: skip
+        head = (
+            "capture rate | collisions | obstacle | teammate | adversary | in training | millions"
+        )
+        parts.append("\n".join([f"| -{variant} | {head} |", "|---" * 8 + "|", *rows]))
     return "\n\n".join(parts)
 
 
-def shown(values: ArrayLike, digits: int) -> str:
+def row(numbers: Numbers, name: str, label: str, budget: float) -> str:
+    """Return a line of the table."""
+    found = judged(numbers, name, budget=budget)
+    cells = [
+        shown(found["capture rate"], 2, most=1.0),
+        *(shown(found[key], 1) for key in ("all", *KINDS, "training")),
+        f"{found['agent-steps'].mean():.2f}",
+    ]
+    return f"| {' | '.join([label, *cells])} |"
+
+
+def shown(values: ArrayLike, digits: int, *, most: float = np.inf) -> str:
     """Return a mean over seeds, with its interval if the seeds differ."""
-    most = 1.0 if digits == 2 else 1000.0 * len(KINDS)
     found = interval_over_runs(values, bounds=(0.0, most))
     if found.low is None:
         return f"{found.value:.{digits}f}"
@@ -147,14 +155,14 @@ def training_figure(numbers: Numbers) -> Figure:
 
 
 def methods_figure(numbers: Numbers) -> Figure:
-    """Draw captures over collisions of all methods at equal agent-steps, with intervals."""
+    """Draw captures over collisions of all methods within the budget, with intervals."""
     variants = variants_of(numbers)
     drawn = Figure(figsize=(6.0 * len(variants) + 3.0, 5.0), dpi=120, layout="constrained")
     panels = drawn.subplots(1, len(variants), squeeze=False, sharey=True)[0]
     for variant, axes in zip(variants, panels, strict=True):
         axes.axvline(LIMIT, color=colors.MUTED, linestyle=":", label=f"limit of {LIMIT:g}")
         for name, style in zip(methods_of(numbers, variant), STYLES, strict=False):
-            found = at_budget(numbers, name)
+            found = judged(numbers, name, budget=float(numbers["budget"]))
             x, y = (interval_over_runs(found[key]) for key in ("all", "capture rate"))
             axes.errorbar(
                 x.value, y.value, xerr=reach(x), yerr=reach(y), capsize=2, markersize=8,
@@ -199,7 +207,7 @@ def main() -> None:
     args = parser.parse_args()
     plan = QUICK if args.quick else FULL
     runs = play(plan, range(args.seeds or plan.seeds), args.runs, args.cluster)
-    numbers = measured(runs, plan.episodes)
+    numbers = {"budget": np.array(plan.budget), **measured(runs, plan.episodes)}
     text = table(numbers)
     print(text)
     args.results.mkdir(parents=True, exist_ok=True)

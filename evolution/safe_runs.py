@@ -63,6 +63,13 @@ class Plan:
     seeds: int
     episodes: int
 
+    @property
+    def budget(self) -> int:
+        """Agent-steps of the pursuers in a training by gradients, if no episode ends early."""
+        one = self.gradients
+        assert one.pursuers is not None
+        return one.epochs * one.population * one.train_steps * one.pursuers
+
     def trainings(self) -> dict[str, SingleSettings]:
         """Return the settings of each method by its name, in the first variant and seed."""
         bases = {

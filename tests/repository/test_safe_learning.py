@@ -25,7 +25,7 @@ def test_safe_learning_compares_methods_at_equal_agent_steps(tmp_path: Path) -> 
     table = (results / "table.md").read_text(encoding="utf-8")
     assert printed.startswith(table)
     rows = [line for line in table.splitlines() if line.startswith(("| gradients", "| evolution"))]
-    assert len(rows) == 7 + 5
+    assert len(rows) == 8 + 5 + 5
     for row in rows:
         cells = [cell.strip() for cell in row.strip("|").split("|")]
         if "mask" in cells[0]:
@@ -62,13 +62,13 @@ def test_methods_are_compared_at_the_last_generation_within_the_budget(
         numbers[f"{name} / collisions"] = np.array(of_seeds) / 10
         numbers[f"{name} / capture rate"] = np.arange(6).reshape(2, 3) / 10
         numbers[f"{name} / fault"] = np.arange(18.0).reshape(2, 3, 3)
-    assert script.budget_of(numbers) == 90
-    found = script.at_budget(numbers, "S a")
+    found = script.judged(numbers, "S a", budget=90)
     np.testing.assert_allclose(found["capture rate"], [0.1, 0.5])
     np.testing.assert_allclose(found["all"], [3 + 4 + 5, 15 + 16 + 17])
     np.testing.assert_allclose(found["teammate"], [4, 16])
     np.testing.assert_allclose(found["training"], [100, 100])
-    np.testing.assert_allclose(script.at_budget(numbers, "S b")["capture rate"], [0.1, 0.4])
+    np.testing.assert_allclose(found["agent-steps"], [50e-6, 90e-6])
+    np.testing.assert_allclose(script.judged(numbers, "S b", budget=95)["capture rate"], [0.2, 0.4])
 
 
 def test_the_committed_table_follows_from_the_committed_numbers(
