@@ -37,16 +37,17 @@ Numbers = Mapping[str, NDArray[Any]]
 """The arrays that `safe_runs.measured` returns."""
 
 EVOLVED = " evolution: "
-PENALTIES = {
-    "gradients: no penalty": colors.INK,
-    "gradients: penalty 1": colors.ORANGE,
-    "gradients: penalty 12, as in the paper": colors.VERMILLION,
+NOTHING, TWELVE, ONE, LIMITED, WALLS, OCCUPIED, MASK_ONE, BOTH = (
+    colors.INK, colors.VERMILLION, colors.PURPLE, colors.BLUE, colors.SKY_BLUE, colors.GREEN,
+    colors.MUTED, colors.ORANGE,
+)  # fmt: skip
+DRAWN = {
+    "gradients: no penalty": NOTHING,
+    "gradients: penalty 12, as in the paper": TWELVE,
+    "gradients: limit, by a multiplier": LIMITED,
+    "gradients: mask of occupied cells, limit": BOTH,
 }
 """Methods whose training is drawn, and their colours."""
-NOTHING, TWELVE, ONE, LIMITED, WALLS, OCCUPIED, MASK_ONE, BOTH = (
-    colors.INK, colors.VERMILLION, colors.ORANGE, colors.BLUE, colors.SKY_BLUE, colors.GREEN,
-    colors.MUTED, colors.PURPLE,
-)  # fmt: skip
 STYLES = [
     *(
         {"color": color, "marker": "o"}
@@ -134,23 +135,28 @@ def shown(values: ArrayLike, digits: int, *, most: float = np.inf) -> str:
 
 
 def training_figure(numbers: Numbers) -> Figure:
-    """Draw capture rate and collisions by kind while training, for each penalty."""
+    """Draw capture rate and collisions by kind while training, for some methods."""
     variants = variants_of(numbers)
-    drawn = Figure(figsize=(14.0, 3.4 * len(variants)), dpi=120, layout="constrained")
-    panels = drawn.subplots(len(variants), 1 + len(PENALTIES), squeeze=False)
+    drawn = Figure(figsize=(16.0, 3.5 * len(variants)), dpi=120, layout="constrained")
+    panels = drawn.subplots(len(variants), 1 + len(DRAWN), squeeze=False, sharex=True)
     for variant, (captures, *faults) in zip(variants, panels, strict=True):
-        captures.set(title=f"-{variant}: capture rate", ylim=(-0.02, 1.02))
-        for (method, color), axes in zip(PENALTIES.items(), faults, strict=True):
+        captures.set(title=f"-{variant}", ylabel="capture rate", ylim=(-0.02, 1.02))
+        for (method, color), axes in zip(DRAWN.items(), faults, strict=True):
             name, label = f"{variant} {method}", method.partition(": ")[2]
             curve(captures, numbers, name, "capture rate", color=color, label=label)
-            axes.set_title(f"-{variant}, {label}: collisions")
+            axes.set_title(f"-{variant}: {label}", color=color, fontsize="medium")
             for k, (kind, of_kind) in enumerate(zip(KINDS, colors.CONFLICTS, strict=True)):
                 curve(axes, numbers, name, "fault", k, color=of_kind, label=kind)
-            axes.sharey(faults[0])
+            axes.set_yscale("symlog", linthresh=10.0)
+            axes.set_ylim(0.0, 1000.0)
+        faults[0].set_ylabel("collisions at fault per 1000 agent-steps")
+        for axes in faults[1:]:
+            axes.tick_params(labelleft=False)
     for axes in panels.flat:
-        axes.set_xlabel("thousand agent-steps")
         axes.grid(color=colors.GRID)
-        axes.legend()
+    for axes in panels[-1]:
+        axes.set_xlabel("million agent-steps of training")
+    panels[0, 1].legend(loc="lower right")
     return drawn
 
 
@@ -188,7 +194,7 @@ def curve(
     axes: Axes, numbers: Numbers, name: str, number: str, kind: int | None = None, **style: Any
 ) -> None:
     """Draw the mean of a number over seeds, and its range, over agent-steps of training."""
-    steps, values = numbers[f"{name} / agent-steps"] / 1000.0, numbers[f"{name} / {number}"]
+    steps, values = numbers[f"{name} / agent-steps"] / 1e6, numbers[f"{name} / {number}"]
     values = values if kind is None else values[..., kind]
     # Seeds have played different numbers of steps: the mean is over equal ones.
     grid = np.linspace(0.0, steps[:, -1].min(), 60)
