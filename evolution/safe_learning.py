@@ -37,6 +37,7 @@ Numbers = Mapping[str, NDArray[Any]]
 """The arrays that `safe_runs.measured` returns."""
 
 EVOLVED = " evolution: "
+HEAD = " | ".join(["capture rate", "collisions", *KINDS, "while training", "million steps"])
 NOTHING, TWELVE, ONE, LIMITED, WALLS, OCCUPIED, MASK_ONE, BOTH = (
     colors.INK, colors.VERMILLION, colors.PURPLE, colors.BLUE, colors.SKY_BLUE, colors.GREEN,
     colors.MUTED, colors.ORANGE,
@@ -96,9 +97,9 @@ def table(numbers: Numbers) -> str:
     budget = float(numbers["budget"])
     seeds = len(numbers[f"{names_of(numbers)[0]} / capture rate"])
     parts = [
-        f"Collisions at fault per 1000 agent-steps of the pursuers. All methods after at most\n"
-        f"{budget / 1e6:.4g} million agent-steps of training, and evolution at its end, too.\n"
-        f"Mean over {seeds} seeds [95% interval]."
+        f"Collisions at fault per 1000 agent-steps of the pursuers: in the test, by kind, and in "
+        f"training so far.\nAll methods after at most {budget / 1e6:.4g} million agent-steps of "
+        f"training; evolution at its end as well.\nMean over {seeds} seeds [95% interval]."
     ]
     for variant in variants_of(numbers):
         names = methods_of(numbers, variant)
@@ -108,10 +109,7 @@ def table(numbers: Numbers) -> str:
             *(row(numbers, name, f"{name.removeprefix(f'{variant} ')}, at the end", np.inf)
               for name in late),
         ]  # fmt: skip
-        head = (
-            "capture rate | collisions | obstacle | teammate | adversary | in training | millions"
-        )
-        parts.append("\n".join([f"| -{variant} | {head} |", "|---" * 8 + "|", *rows]))
+        parts.append("\n".join([f"| -{variant} | {HEAD} |", "|---" * 8 + "|", *rows]))
     return "\n\n".join(parts)
 
 
@@ -120,7 +118,9 @@ def row(numbers: Numbers, name: str, label: str, budget: float) -> str:
     found = judged(numbers, name, budget=budget)
     cells = [
         shown(found["capture rate"], 2, most=1.0),
-        *(shown(found[key], 1) for key in ("all", *KINDS, "training")),
+        shown(found["all"], 1),
+        *(f"{found[kind].mean():.1f}" for kind in KINDS),
+        shown(found["training"], 1),
         f"{found['agent-steps'].mean():.2f}",
     ]
     return f"| {' | '.join([label, *cells])} |"
