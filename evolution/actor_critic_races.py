@@ -30,9 +30,9 @@ from matrixworld.coevolution import RaceSettings, SavedRun, finish
 from matrixworld.coevolution.opponents.registry import SCHEDULES
 
 FULL = RaceSettings(
-    learner="actor-critic", rows=20, cols=20, pursuers=4, evaders=8, hidden=(32,), population=4,
-    actor_rate=0.003, clip=0.2, actor_updates=5, pursuer_epochs=10, evader_epochs=10,
-    train_steps=150, eval_steps=200,
+    learner="actor-critic", rows=20, cols=20, pursuers=3, evaders=8, hidden=(32,), population=4,
+    actor_rate=0.003, clip=0.2, actor_updates=5, rewards="published", generations=20,
+    pursuer_epochs=10, evader_epochs=20, train_steps=100, eval_steps=100,
 )  # fmt: skip
 QUICK = replace(
     FULL, rows=8, cols=8, pursuers=3, evaders=3, fov=5, hidden=(4,), population=2, generations=8,

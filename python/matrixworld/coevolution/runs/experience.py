@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,7 @@ from numpy.typing import NDArray
 from matrixworld.arrays import array_specs, new_arrays
 from matrixworld.batch import Batch
 from matrixworld.coevolution.learners.experience import Experience, Views
-from matrixworld.coevolution.types import Indices, Seeds, Team, other
+from matrixworld.coevolution.types import BoolArray, Indices, Seeds, Team, other
 from matrixworld.config import WorldConfig
 from matrixworld.policy import Population, TeamPolicy
 
@@ -83,19 +82,7 @@ def experience(
         (everyone[team], [policy], np.zeros(len(everywhere), np.int32)),
         (everyone[other(team)], *_opponents(opponents, np.repeat(chosen, worlds))),
     ]
-    steps = list(_play(batch, everyone[team], players))
-    acted, views, actions, rewards, costs, last, last_views, before = zip(*steps, strict=True)
-    return Experience(
-        acted=np.stack(acted),
-        views=np.concatenate(views),
-        actions=np.concatenate(actions),
-        rewards=np.concatenate(rewards),
-        costs=np.concatenate(costs),
-        last=np.stack(last),
-        last_views=np.concatenate(last_views),
-        states=np.stack(before) if states else None,
-        last_states=_flat(buffers["state"]) if states else None,
-    )
+    return _played(batch, everyone[team], players, config.max_steps)
 
 
 def _opponents(
@@ -111,35 +98,53 @@ def _opponents(
     )
 
 
-def _play(batch: Batch, team: range, players: list[Player]) -> Iterator[tuple[Any, ...]]:
-    """Play all episodes to their ends; yield the fields of `Experience` for each step."""
-    buffers = batch.buffers
-    part = slice(team.start, team.stop)
-    actions = np.zeros(buffers["alive"].shape, np.int64)
-    going = np.ones(batch.n_worlds, np.bool_)
-    while going.any():
-        acted = buffers["alive"][:, part] & going[:, None]
-        views = _flat(buffers["views"][:, part][acted])
-        before = _flat(buffers["state"]) if "state" in buffers else None
+def _played(batch: Batch, team: range, players: list[Player], most: int) -> Experience:
+    """Play all episodes to their ends, at most so many steps; return what the team experienced."""
+    buffers, part = batch.buffers, slice(team.start, team.stop)
+    seen = {name: buffers[name][:, part] for name in ("views", "alive", "rewards", "cost")}
+    seen |= {name: buffers[name] for name in ("state", "truncated") if name in buffers}
+    # Everything is copied, and selected at the end: that is faster than to index in each step.
+    # Memory of steps that are not played is never touched.
+    kept = {name: np.empty((most + 1, *array.shape), array.dtype) for name, array in seen.items()}
+    actions = np.zeros((most, *buffers["alive"].shape), np.int64)
+    going = np.zeros((most + 1, batch.n_worlds), np.bool_)
+    for t in range(most + 1):
+        for name, array in seen.items():
+            kept[name][t] = array
+        np.logical_or(buffers["terminated"], buffers["truncated"], out=going[t])
+        np.logical_not(going[t], out=going[t])
+        if not going[t].any():
+            break
         for agents, policies, places in players:
-            batch.decide(policies, places, agents, actions)
-        batch.step(actions)
-        # An agent that is alive at the end of its time would have gone on.
-        last = buffers["alive"][:, part] & (going & buffers["truncated"])[:, None]
-        yield (
-            acted,
-            views,
-            actions[:, part][acted],
-            buffers["rewards"][:, part][acted],
-            buffers["cost"][:, part][acted],
-            last,
-            _flat(buffers["views"][:, part][last]),
-            before,
-        )
-        going = ~(buffers["terminated"] | buffers["truncated"])
+            batch.decide(policies, places, agents, actions[t])
+        batch.step(actions[t])
+    return _selected(kept, actions[:, :, part], going, t)
+
+
+def _selected(
+    kept: dict[str, NDArray[Any]], actions: NDArray[np.int64], going: BoolArray, steps: int
+) -> Experience:
+    """Return the transitions of the agents that acted, from what all agents saw in all steps."""
+    # What was kept at t is what a step begins with, and what the step before ended with.
+    before = {name: array[:steps] for name, array in kept.items()}
+    after = {name: array[1 : steps + 1] for name, array in kept.items()}
+    acted = before["alive"] & going[:steps, :, None]
+    # An agent that is alive at the end of its time would have gone on.
+    last = after["alive"] & (going[:steps] & after["truncated"])[:, :, None]
+    return Experience(
+        acted=acted,
+        views=_flat(before["views"][acted]),
+        actions=actions[:steps][acted],
+        rewards=after["rewards"][acted],
+        costs=after["cost"][acted],
+        last=last,
+        last_views=_flat(after["views"][last]),
+        states=before["state"].reshape(*going[:steps].shape, -1) if "state" in kept else None,
+        last_states=_flat(after["state"][-1]) if "state" in kept else None,
+    )
 
 
 def _flat(arrays: Views) -> Views:
-    """Return a copy of arrays (n, ...) as rows (n, size)."""
-    rows: Views = arrays.reshape(len(arrays), math.prod(arrays.shape[1:])).copy()
+    """Return arrays (n, ...) as rows (n, size)."""
+    rows: Views = arrays.reshape(len(arrays), math.prod(arrays.shape[1:]))
     return rows
