@@ -169,7 +169,8 @@ def methods_figure(numbers: Numbers) -> Figure:
         axes.axvline(LIMIT, color=colors.MUTED, linestyle=":", label=f"limit of {LIMIT:g}")
         for name, style in zip(methods_of(numbers, variant), STYLES, strict=False):
             found = judged(numbers, name, budget=float(numbers["budget"]))
-            x, y = (interval_over_runs(found[key]) for key in ("all", "capture rate"))
+            x = interval_over_runs(found["all"], bounds=(0.0, np.inf))
+            y = interval_over_runs(found["capture rate"], bounds=(0.0, 1.0))
             axes.errorbar(
                 x.value, y.value, xerr=reach(x), yerr=reach(y), capsize=2, markersize=8,
                 label=name.removeprefix(f"{variant} "), **style,

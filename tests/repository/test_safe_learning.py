@@ -79,3 +79,17 @@ def test_the_committed_table_follows_from_the_committed_numbers(
     with np.load(RESULTS / "numbers.npz") as numbers:
         told = script.table(dict(numbers))
     assert told + "\n" == (RESULTS / "table.md").read_text(encoding="utf-8")
+
+
+def test_the_page_shows_the_numbers_of_the_committed_table() -> None:
+    page = (SCRIPTS.parent / "docs" / "safe_learning.md").read_text(encoding="utf-8")
+    table = (RESULTS / "table.md").read_text(encoding="utf-8")
+
+    def rows(text: str) -> list[list[str]]:
+        lines = [line for line in text.splitlines() if line.startswith(("| grad", "| evol"))]
+        return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
+
+    in_s, in_sb = (rows(part) for part in table.split("| -SB |"))
+    expected = [[*one[:3], *other[1:3]] for one, other in zip(in_s, in_sb, strict=True)]
+    assert [row[0] for row in in_s] == [row[0] for row in in_sb]
+    assert rows(page) == expected
