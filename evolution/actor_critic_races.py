@@ -1,6 +1,6 @@
 """Do races of policy gradients cycle or progress? The paper's three schedules, judged over seeds.
 
-    python evolution/actor_critic_races.py             three seeds, some minutes on two cores
+    python evolution/actor_critic_races.py             five seeds, some minutes on two cores
     python evolution/actor_critic_races.py --quick     a small world, some seconds
     python evolution/actor_critic_races.py --project   hours of the paper's own size, not played
 
@@ -17,6 +17,7 @@ it stopped.
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from time import process_time
@@ -40,7 +41,7 @@ QUICK = replace(
 )  # fmt: skip
 PUBLISHED = RaceSettings(learner="actor-critic")
 """All defaults are the paper's: networks, rates, updates, 400 epochs of each team a generation."""
-SEEDS, QUICK_SEEDS = 3, 2
+SEEDS, QUICK_SEEDS = 5, 2
 
 
 def play(
@@ -56,13 +57,20 @@ def play(
     return {schedule: [runs[f"{schedule}/{seed}"] for seed in seeds] for schedule in SCHEDULES}
 
 
-def table(races: dict[str, list[SavedRun]]) -> str:
+def measured(races: Mapping[str, list[SavedRun]]) -> dict[str, np.ndarray]:
+    """Return the capture rates (seeds, n, n, episodes) of each schedule."""
+    return {
+        schedule: np.stack([run.payoff().capture_rates for run in runs]).astype(np.float32)
+        for schedule, runs in races.items()
+    }
+
+
+def table(payoffs: Mapping[str, np.ndarray]) -> str:
     """Return gains and verdicts of each schedule as a table in Markdown."""
     heads = ("schedule", "gain of pursuers", "gain of evaders", *analysis.CONDITIONS)
     lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
-    for schedule, runs in races.items():
-        payoffs = np.stack([run.payoff().capture_rates for run in runs])
-        judged = analysis.judge(payoffs, per_episode=True).headline
+    for schedule, of_schedule in payoffs.items():
+        judged = analysis.judge(of_schedule, per_episode=True).headline
         gains = (shown(judged.gains[team]) for team in ("pursuer", "evader"))
         verdicts = (judged[condition].verdict for condition in analysis.CONDITIONS)
         lines.append(f"| {' | '.join([schedule, *gains, *verdicts])} |")
@@ -112,11 +120,13 @@ def main() -> None:
         print(projected(QUICK if args.quick else PUBLISHED))
         return
     base, seeds, name = (QUICK, QUICK_SEEDS, "quick") if args.quick else (FULL, SEEDS, "full")
-    text = table(play(base, range(seeds), args.runs / name, args.threads))
+    payoffs = measured(play(base, range(seeds), args.runs / name, args.threads))
+    text = table(payoffs)
     print(text)
     args.results.mkdir(parents=True, exist_ok=True)
     (args.results / "races.md").write_text(text + "\n", encoding="utf-8")
-    print(f"Written: {args.results}/races.md")
+    np.savez_compressed(args.results / "races.npz", **payoffs)
+    print(f"Written: {args.results}/races.md, {args.results}/races.npz")
 
 
 if __name__ == "__main__":

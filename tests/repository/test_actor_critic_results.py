@@ -14,6 +14,7 @@ from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution import open_run
 
 RESULTS = SCRIPTS / "results" / "actor_critic"
+DOCS = SCRIPTS.parent / "docs"
 
 
 @pytest.fixture
@@ -78,10 +79,18 @@ def test_verdicts(script: ModuleType, team: str, values: list[float], verdict: s
 
 
 @baselines
-def test_the_committed_table_follows_from_the_committed_numbers(script: ModuleType) -> None:
+def test_the_committed_baselines_follow_from_the_committed_numbers(script: ModuleType) -> None:
     numbers = dict(np.load(RESULTS / "baselines.npz"))
     table = (RESULTS / "baselines.md").read_text(encoding="utf-8")
     assert script.table(script.FULL, numbers) + "\n" == table
+    assert table in (DOCS / "actor_critic.md").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("script", ["actor_critic_races"], indirect=True)
+def test_the_committed_verdicts_follow_from_the_committed_races(script: ModuleType) -> None:
+    table = (RESULTS / "races.md").read_text(encoding="utf-8")
+    assert script.table(dict(np.load(RESULTS / "races.npz"))) + "\n" == table
+    assert table in (DOCS / "actor_critic.md").read_text(encoding="utf-8")
 
 
 def test_races_are_judged_by_schedule(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from dataclasses import replace
 from typing import Any
 
@@ -210,6 +211,15 @@ def test_a_restored_learner_continues_bit_for_bit(changes: dict[str, Any]) -> No
     assert restored.multiplier == straight.multiplier
     for name, value in straight.state().items():
         np.testing.assert_array_equal(restored.state()[name], value, err_msg=name)
+
+
+def test_a_pickled_learner_continues_bit_for_bit() -> None:
+    one = learner(cost_limit=5.0)
+    one.learn(played(one))
+    other = pickle.loads(pickle.dumps(one))  # noqa: S301
+    for each in (one, other):
+        each.learn(played(one, seed=8))
+    np.testing.assert_array_equal(one.genome, other.genome)
 
 
 def test_an_archived_genome_does_not_change() -> None:

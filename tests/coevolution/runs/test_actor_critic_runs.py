@@ -87,7 +87,7 @@ def test_a_device_that_is_missing_is_refused_before_anything_is_written(
         ({"fitness": "capture-rate"}, "fitness: expected 'captured-fraction' .*, got"),
         ({"overlap_penalty": 0.3}, "overlap_penalty: expected"),
         ({"cost_rate": 0.3}, "cost_rate: expected 0.05 .* only with a cost_limit"),
-        ({"discount": 1.5}, "discount: expected a number from 0 to 1, got 1.5"),
+        ({"discount": 1.5}, "discount: expected a number at least 0 and at most 1, got 1.5"),
         ({"learner": "es", "population": 4, "clip": 0.1}, "clip: expected 0.0 .* actor-critic"),
         ({"rewards": "mine"}, "rewards: expected "),
     ],
@@ -98,6 +98,11 @@ def test_bad_settings_are_refused(changes: dict[str, Any], message: str) -> None
         settings.pop("actor_rate")
     with pytest.raises(ValueError, match=message):
         tiny_race(**{**settings, **changes})
+
+
+def test_a_device_is_named() -> None:
+    with pytest.raises(TypeError, match="device: expected the name of a device of PyTorch, got 0"):
+        tiny_race(**LEARNER, device=0)
 
 
 def test_settings_can_be_read_without_torch(monkeypatch: pytest.MonkeyPatch) -> None:

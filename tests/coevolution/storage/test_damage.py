@@ -199,9 +199,9 @@ def rewritten(directory, change):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda config: config.update(format=1), r"expected format 7, got 1"),
+        (lambda config: config.update(format=1), r"expected format 8, got 1"),
         (lambda config: config.update(format=99, matrixworld="9.9"), r"written by matrixworld 9.9"),
-        (lambda config: config.pop("format"), r"expected format 7, got None"),
+        (lambda config: config.pop("format"), r"expected format 8, got None"),
         (lambda config: config["settings"].pop("seed"), r"missing fields \['seed'\]"),
         (lambda config: config["settings"].update(speed=1), r"unknown fields \['speed'\]"),
         (lambda config: config["settings"].update(fitness="beauty"), "fitness: expected one of"),

@@ -70,7 +70,7 @@ def test_directory_without_a_run_is_refused(tmp_path):
 def test_other_format_is_refused(run):
     config = run.config()
     files.save_json(run.path / "config.json", {**config, "format": 99, "matrixworld": "9.1"})
-    expected = r"expected format 7, got 99 \(written by matrixworld 9.1"
+    expected = r"expected format 8, got 99 \(written by matrixworld 9.1"
     with pytest.raises(OtherVersionError, match=expected):
         RunDirectory.open(run.path).config()
 

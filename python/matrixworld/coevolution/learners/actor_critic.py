@@ -26,7 +26,6 @@ from numpy.typing import ArrayLike, NDArray
 from matrixworld.checks import (
     check_bool,
     check_floats,
-    check_instance,
     check_integer,
     check_number,
     shown,
@@ -148,7 +147,6 @@ class ActorCritic:
         fixed: BoolArray | None = None,
     ) -> None:
         self.chosen = Hyperparameters() if chosen is None else chosen
-        self._torch = _import_torch()
         self._device = _usable_device(self._torch, self.chosen.device)
         self._actor = Perceptron(
             check_floats("genome", genome, np.float32),
@@ -168,6 +166,11 @@ class ActorCritic:
         }
         self.samples = samples
         self.multiplier = 0.0
+
+    @property
+    def _torch(self) -> Any:
+        # Not an attribute: a module cannot be pickled.
+        return _import_torch()
 
     @property
     def genome(self) -> Genome:
@@ -339,9 +342,9 @@ def _check(settings: RunSettings) -> None:
         )
 
 
-def _check_below_one(name: str, value: Any) -> None:
-    if check_number(name, value, least=0.0) > 1.0:
-        raise ValueError(f"{name}: expected a number from 0 to 1, got {shown(value)}")
+def _check_device(name: str, value: Any) -> None:
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: expected the name of a device of PyTorch, got {shown(value)}")
 
 
 def _new(
@@ -369,15 +372,15 @@ ENTRY = LearnerEntry(
         "mask": check_mask,
         "actor_rate": _positive,
         "critic_rate": _positive,
-        "discount": _check_below_one,
-        "trace": _check_below_one,
+        "discount": partial(check_number, least=0.0, most=1.0),
+        "trace": partial(check_number, least=0.0, most=1.0),
         "actor_updates": _count,
         "critic_updates": _count,
         "clip": partial(check_number, least=0.0),
         "entropy": partial(check_number, least=0.0),
         "central_critic": check_bool,
         "cost_rate": _positive,
-        "device": lambda name, value: check_instance(name, value, str),
+        "device": _check_device,
     },
     check=_check,
     new=_new,
