@@ -38,7 +38,6 @@ from matrixworld.coevolution.learners.advantages import (
 )
 from matrixworld.coevolution.learners.experience import Experience, Reals
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings
-from matrixworld.coevolution.learners.masked_network import check_mask
 from matrixworld.coevolution.learners.perceptron import Perceptron, Tensor, orthogonal
 from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, State, Team
 from matrixworld.policy import CHANNELS, Network
@@ -369,7 +368,6 @@ _count = partial(check_integer, low=1)
 ENTRY = LearnerEntry(
     title="policy gradients, needs PyTorch",
     settings={
-        "mask": check_mask,
         "actor_rate": _positive,
         "critic_rate": _positive,
         "discount": partial(check_number, least=0.0, most=1.0),
@@ -384,6 +382,7 @@ ENTRY = LearnerEntry(
     },
     check=_check,
     new=_new,
+    keeps_fixed_genes=True,
     by_gradients=True,
     like_processors=True,
     # Networks and epochs of the published experiments: an epoch is one episode of 500 steps.

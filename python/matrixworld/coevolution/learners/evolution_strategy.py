@@ -12,7 +12,6 @@ from numpy.typing import ArrayLike
 
 from matrixworld.checks import check_bool, check_choice, check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
-from matrixworld.coevolution.learners.masked_network import check_mask
 from matrixworld.coevolution.learners.noise import NoiseTable
 from matrixworld.coevolution.learners.optimizers import OPTIMIZERS, check_momentum, new_optimizer
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
@@ -201,7 +200,6 @@ def _new(
 ENTRY = LearnerEntry(
     title="evolution strategy",
     settings={
-        "mask": check_mask,
         "sigma": partial(check_number, least=0.0, positive=True),
         "optimizer": partial(check_choice, choices=OPTIMIZERS),
         "learning_rate": partial(check_number, least=0.0, positive=True),
@@ -210,4 +208,5 @@ ENTRY = LearnerEntry(
     },
     check=_check,
     new=_new,
+    keeps_fixed_genes=True,
 )

@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike
 
 from matrixworld.checks import check_choice, check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
-from matrixworld.coevolution.learners.masked_network import check_mask
 from matrixworld.coevolution.learners.noise import NoiseTable
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
 
@@ -359,7 +358,6 @@ def _new(
 ENTRY = LearnerEntry(
     title="genetic algorithm",
     settings={
-        "mask": check_mask,
         "mutation": partial(check_number, least=0.0, positive=True),
         "crossover": partial(check_number, least=0.0, most=1.0),
         "selection": partial(check_choice, choices=SELECTIONS),
@@ -370,5 +368,6 @@ ENTRY = LearnerEntry(
     },
     check=_check,
     new=_new,
+    keeps_fixed_genes=True,
     starts_from_population=True,
 )

@@ -9,11 +9,9 @@ each hidden layer. No learner changes their weights.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
-from matrixworld.checks import check_choice
 from matrixworld.coevolution.types import BoolArray, Genome, Genomes, IntArray, Team
 from matrixworld.masks import CHANNEL, STEPS
 from matrixworld.policy import Network
@@ -26,9 +24,6 @@ MASKS: dict[str, tuple[str, ...]] = {
     "occupied": KINDS,
 }
 """Masks by name: the kinds of collision that a forbidden move would risk."""
-
-check_mask = partial(check_choice, choices=MASKS)
-"""``check_mask(name, value)`` raises ValueError unless the value is a key of `MASKS`."""
 
 FORBIDDEN = -(2.0**20)
 """Added to the output of a forbidden move. Its probability is 0: e^x is 0 in float32 below -104,

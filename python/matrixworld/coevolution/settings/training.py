@@ -17,7 +17,6 @@ from matrixworld.coevolution.learners.learner import LearnerEntry
 from matrixworld.coevolution.learners.masked_network import (
     MASKS,
     FixedWeights,
-    check_mask,
     mask_weights,
     masked_network,
 )
@@ -217,7 +216,7 @@ class TrainingSettings:
         self._check_mask()
 
     def _check_mask(self) -> None:
-        check_mask("mask", self.mask)
+        check_choice("mask", self.mask, MASKS)
         if self.mask != "none" and self.fov < LEAST_MASKED_FOV:
             raise ValueError(
                 f"fov: expected at least {LEAST_MASKED_FOV} with the mask {self.mask}, "
