@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import matrixworld as mw
-from timing import Clock, bind, n_cores, print_table
+from timing import Clock, Rate, bind, n_cores, print_table
 
 HIDDEN: tuple[tuple[int, ...], ...] = ((32,), (64, 64), (400, 300))
 SHORT = 20  # rounds of a short episode
@@ -87,8 +87,8 @@ def decisions(
     return int(scores.agent_steps.sum())
 
 
-def long_episodes(hidden: tuple[int, ...], rounds: int, threads: int, clock: Clock) -> float:
-    """Return decisions per second with one match of 16 worlds on each thread."""
+def long_episodes(hidden: tuple[int, ...], rounds: int, threads: int, clock: Clock) -> Rate:
+    """Measure decisions with one match of 16 worlds on each thread."""
     config = mw.WorldConfig("O", max_steps=rounds)
     team = population(config, hidden, 2)
 
@@ -96,7 +96,7 @@ def long_episodes(hidden: tuple[int, ...], rounds: int, threads: int, clock: Clo
         matches = mw.Matches.of(0, 1, number * threads + np.arange(threads))
         return decisions(config, team, matches, WORLDS, threads)
 
-    return clock.rate(play)
+    return clock.measure(play)
 
 
 def short_episodes(hidden: tuple[int, ...], obstacles: float, fresh: bool, clock: Clock) -> float:
@@ -159,11 +159,17 @@ def print_long(rounds: int, clock: Clock) -> dict[tuple[int, ...], float]:
         both = {hidden: long_episodes(hidden, rounds, 2, clock) for hidden in HIDDEN}
         bind(1)
     rows = [
-        (list(hidden), millions(alone[hidden]), millions(both[hidden]) if both else "")
+        (
+            list(hidden),
+            millions(alone[hidden].per_second),
+            f"{1e9 * alone[hidden].cpu:.1f}",
+            millions(both[hidden].per_second) if both else "",
+        )
         for hidden in HIDDEN
     ]
-    print_table(("million decisions/s", "1 thread", "2 threads"), rows)
-    return alone
+    header = ("million decisions/s", "1 thread", "CPU, ns a decision", "2 threads")
+    print_table(header, rows)
+    return {hidden: measured.per_second for hidden, measured in alone.items()}
 
 
 def print_short(clock: Clock) -> None:

@@ -3,11 +3,12 @@
     python benchmarks/bench_scaling.py [--seconds 0.3] [--repeats 5] [--out scaling.png]
 
 Agents: one world of -SB, where no agent disappears, on grids of constant density and on a grid of
-constant size. Worlds: batches of -SB with views. Genomes: rollouts of -O over 20 rounds, each
-genome in one world. Each number is the median of some repeats on one core, to which the process is
-bound if the system supports it. A fitted exponent is the slope of log seconds over log size in the
-upper half of the sizes. Before the measurement, batches and rollouts are compared with single
-worlds and matches.
+constant size. One curve numbers agents by their place: agents that are side by side on the grid are
+then side by side in memory, which shows what the caches cost. Worlds: batches of -SB with views.
+Genomes: rollouts of -O over 20 rounds, each genome in one world. Each number is the median of some
+repeats on one core, to which the process is bound if the system supports it. A fitted exponent is
+the slope of log seconds over log size in the upper half of the sizes. Before the measurement,
+batches and rollouts are compared with single worlds and matches.
 """
 
 from __future__ import annotations
@@ -139,6 +140,22 @@ def crowd_seconds(side: int | None, names: Sequence[str], clock: Clock, n_agents
     return step_seconds(crowd(n_agents, side), names, clock, 1)
 
 
+def ordered_seconds(clock: Clock, n_agents: int) -> float:
+    """Return the seconds of a step of one world whose agents are numbered row by row."""
+    config = crowd(n_agents, None)
+    world, actions = mw.World(config), RandomActions(config, 1)
+    world.reset(0)
+    teams = np.split(world.positions, [config.n_pursuers])
+    pursuers, evaders = (team[np.lexsort((team[:, 1], team[:, 0]))] for team in teams)
+    world.reset(0, pursuers=pursuers, evaders=evaders)
+
+    def play(i: int) -> int:
+        world.step(actions[i][0])
+        return 1
+
+    return 1 / clock.rate(play)
+
+
 def rollout_seconds(team: mw.Population, clock: Clock, n: int) -> float:
     """Return the seconds of a rollout of n genomes."""
     config = mw.WorldConfig("O", max_steps=ROUNDS)
@@ -163,7 +180,7 @@ def curve(
 
 def agent_curves(largest: int, clock: Clock) -> list[Curve]:
     numbers = sizes(10, largest)
-    return [
+    curves = [
         curve(label, numbers, clock, partial(crowd_seconds, side, names))
         for label, side, names in (
             ("constant density, with views", None, ["views"]),
@@ -171,6 +188,7 @@ def agent_curves(largest: int, clock: Clock) -> list[Curve]:
             ("constant density", None, []),
         )
     ]
+    return [*curves, curve("constant density, by place", numbers, clock, ordered_seconds)]
 
 
 def world_curves(largest: int, clock: Clock) -> list[Curve]:

@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 
 from matrixworld import colors
 
-PALETTE = (colors.BLUE, colors.VERMILLION, colors.GREEN)
-MARKERS = ("o", "s", "^")
+PALETTE = (colors.BLUE, colors.VERMILLION, colors.GREEN, colors.PURPLE)
+MARKERS = ("o", "s", "^", "D")
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,23 @@ def n_cores() -> int:
 
 
 @dataclass(frozen=True)
+class Rate:
+    """What a measurement came to.
+
+    Parameters
+    ----------
+    per_second : float
+        Work done per second of wall time, the median of the repeats.
+    cpu : float
+        Seconds of CPU time of all threads for a unit of work, the least of the repeats: other
+        programs can only add to it.
+    """
+
+    per_second: float
+    cpu: float
+
+
+@dataclass(frozen=True)
 class Clock:
     """Measurement of rates.
 
@@ -44,16 +61,23 @@ class Clock:
         play : callable
             Takes the number i of the call, from 0, does some work and returns its amount.
         """
-        play(0)  # the first call allocates memory and fills caches
-        return statistics.median(self._once(play) for _ in range(self.repeats))
+        return self.measure(play).per_second
 
-    def _once(self, play: Callable[[int], float]) -> float:
+    def measure(self, play: Callable[[int], float]) -> Rate:
+        """Return the work done per second, and the CPU time that a unit of it takes."""
+        play(0)  # the first call allocates memory and fills caches
+        repeats = [self._once(play) for _ in range(self.repeats)]
+        return Rate(statistics.median(rate for rate, _ in repeats), min(cpu for _, cpu in repeats))
+
+    def _once(self, play: Callable[[int], float]) -> tuple[float, float]:
         # Work and time are taken at the same moment, so a long last call does not bias the rate.
-        calls, work, start = 0, 0.0, time.perf_counter()
-        while (passed := time.perf_counter() - start) < self.seconds:
+        calls, work, start, cpu = 0, 0.0, time.perf_counter(), time.process_time()
+        passed = 0.0
+        while calls == 0 or passed < self.seconds:
             work += play(calls)
             calls += 1
-        return work / passed
+            passed = time.perf_counter() - start
+        return work / passed, (time.process_time() - cpu) / work
 
 
 def print_table(header: Sequence[str], rows: Sequence[Sequence[object]]) -> None:

@@ -335,8 +335,13 @@ def over_seeds(
 def printed(estimate: analysis.Estimate) -> str:
     """Return a mean and its interval as text."""
     if estimate.low is None or estimate.high is None:
-        return f"{estimate.value:.3f} (all seeds)"
-    return f"{estimate.value:.3f} [{estimate.low:.3f}, {estimate.high:.3f}]"
+        return f"{rounded(estimate.value)} (all seeds)"
+    return f"{rounded(estimate.value)} [{rounded(estimate.low)}, {rounded(estimate.high)}]"
+
+
+def rounded(number: float) -> str:
+    """Return a number with three decimals, and no minus before 0.000."""
+    return f"{round(number, 3) + 0.0:.3f}"
 
 
 def tables(numbers: Numbers) -> str:

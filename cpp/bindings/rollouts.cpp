@@ -62,7 +62,7 @@ py::dict to_columns(const std::vector<EpisodeStatistics>& statistics, const Conf
 py::dict rollout(const std::shared_ptr<const Setup>& setup, const py::object& pursuers,
                  const py::object& evaders, const Array<std::int32_t>& pursuer,
                  const Array<std::int32_t>& evader, const Array<std::uint64_t>& seed, int n_worlds,
-                 int n_threads) {
+                 int n_threads, bool one_by_one) {
     const HeldCandidates left = to_candidates("pursuers", pursuers, setup->config);
     const HeldCandidates right = to_candidates("evaders", evaders, setup->config);
     const py::ssize_t n = seed.size();
@@ -84,7 +84,7 @@ py::dict rollout(const std::shared_ptr<const Setup>& setup, const py::object& pu
     {
         const py::gil_scoped_release release;
         statistics = play_matches(setup, left.candidates, right.candidates, matches, n_worlds,
-                                  n_threads, poll);
+                                  n_threads, poll, one_by_one);
     }
     return to_columns(statistics, setup->config, {n, n_worlds});
 }
@@ -186,7 +186,8 @@ void bind_rollouts(py::module_& m) {
              py::arg("n_actions"), py::arg("activation"), py::arg("sampled"));
     m.def("rollout", &rollout, py::arg("setup"), py::arg("pursuers"), py::arg("evaders"),
           py::arg("pursuer").noconvert(), py::arg("evader").noconvert(),
-          py::arg("seed").noconvert(), py::arg("n_worlds"), py::arg("n_threads"));
+          py::arg("seed").noconvert(), py::arg("n_worlds"), py::arg("n_threads"),
+          py::arg("one_by_one") = false);
     m.def("record", &record, py::arg("setup"), py::arg("pursuers"), py::arg("evaders"),
           py::arg("pursuer"), py::arg("evader"), py::arg("seed"), py::arg("episode"),
           py::arg("of_moments"), py::arg("of_steps"));

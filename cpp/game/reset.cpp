@@ -135,6 +135,7 @@ World::World(std::shared_ptr<const Setup> setup)
       report_(decltype(report_)::Zero(config().n_agents())) {
     living_.reserve(config().n_agents());
     affected_.reserve(config().n_evaders);
+    reported_.reserve(config().n_agents());
 }
 
 void World::check(const Placement& placement) const {
@@ -216,9 +217,11 @@ void World::begin_episode(EpisodeKey key) {
     captors_.setZero();
     rewards_.setZero();
     report_.setZero();
+    reported_.clear();
     steps_ = 0;
     terminated_ = false;
     truncated_ = false;
+    may_overlap_ = false;  // agents are placed on distinct cells
 }
 
 void World::set_terrain(const ByteArray& map) {

@@ -96,6 +96,8 @@ class Resolver {
     int target(int agent) const { return target_[agent]; }
     // The agents with any flag; each once.
     const AgentList& flagged() const { return flagged_; }
+    // False: the only conflicts of this turn were with obstacles, and no two agents share a cell.
+    bool may_conflict() const { return may_conflict_; }
     // (evader, pursuer) for every contact that captures; each pair once.
     const std::vector<std::pair<int, int>>& captures() const { return captures_; }
 
@@ -139,10 +141,10 @@ class Resolver {
     const Turn* turn_ = nullptr;
     ReservationTable reservations_{nullptr};
     std::vector<Conflict>* log_ = nullptr;
-    bool may_conflict_ = false;  // false: the only conflicts of this turn are with obstacles
-    AgentList present_;          // the participants that did not crash
-    AgentList candidates_;       // those of them that may be in conflict with an agent
-    AgentList held_now_;         // held during this stage, their followers not yet judged
+    bool may_conflict_ = false;
+    AgentList present_;     // the participants that did not crash
+    AgentList candidates_;  // those of them that may be in conflict with an agent
+    AgentList held_now_;    // held during this stage, their followers not yet judged
     AgentList flagged_;
     std::vector<std::pair<int, int>> captures_;
 

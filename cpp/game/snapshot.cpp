@@ -80,11 +80,15 @@ void World::restore(const Snapshot& s, Scratch& scratch) {
     set_terrain(s.map);
     copy_members(*this, s, [](auto& own, const auto& saved) { own = saved; });
     report_ = s.report.cast<Flags>();
+    for (int a = 0; a < config().n_agents(); ++a) {
+        if (report_[a] != 0) reported_.push_back(a);
+    }
     const auto cell = [&](int index) {
         return index == kGone ? kGone : grid().cell(index / config().cols, index % config().cols);
     };
     last_cell_ = s.last_cells.unaryExpr(cell);
     place_living(s.cells.unaryExpr(cell), scratch);
+    may_overlap_ = true;
     count_captures();
     scratch.participants = s.participants;
 }

@@ -50,7 +50,8 @@ void World::actors(int turn, int& first, int& last) const {
 
 void World::begin_round() {
     rewards_.setZero();
-    report_.setZero();
+    for (int a : reported_) report_[a] = 0;
+    reported_.clear();
     captors_.setZero();
     if (config().rewards.capture_repeats) capture_paid_.setZero();
     first_turn_ = true;
@@ -71,6 +72,7 @@ void World::play_turn(int number, const std::uint8_t* actions, Scratch& scratch,
     scratch.occupancy.release(participants, cell_);
     // Stages 1 to 4: obstacles, teammates, adversaries, chains.
     scratch.resolver.resolve(turn, scratch.occupancy.reservations(), log);
+    may_overlap_ = one_by_one() || scratch.resolver.may_conflict();
     // Stage 5.
     settle(turn, scratch);
     scratch.occupancy.occupy(participants, cell_);
@@ -204,6 +206,7 @@ void World::report_and_penalize(const Scratch& scratch) {
     for (int a : scratch.resolver.flagged()) {
         // Each kind is reported, and its penalty paid, once a round, however many turns it has.
         const Flags added = scratch.resolver.flags(a) & kReportMask & ~report_[a];
+        if (report_[a] == 0 && added != 0) reported_.push_back(a);
         report_[a] |= added;
         const int blamed = config().rewards.blame == Blame::Fault ? added >> kKinds : added;
         rewards_[a] += setup_->penalties[static_cast<int>(team(a))][blamed & ((1 << kKinds) - 1)];

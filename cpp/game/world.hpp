@@ -108,6 +108,10 @@ class World {
     int n_living(Team team) const { return n_living_[static_cast<int>(team)]; }
     const Terrain& terrain() const { return *terrain_; }
     const std::shared_ptr<const Terrain>& shared_terrain() const { return terrain_; }
+    // Does the episode have obstacles of its own, which no other world shares?
+    bool has_own_terrain() const { return terrain_ != setup_->terrain; }
+    // May teammates be on one cell? False only after a turn in which no two agents met.
+    bool may_overlap() const { return may_overlap_; }
 
     // By evader. The captors of an evader that was removed are counted in the step of its capture
     // and are 0 afterwards.
@@ -119,8 +123,14 @@ class World {
     int n_captured() const { return n_captured_; }
     int n_ever_captured() const { return static_cast<int>(ever_captured_.cast<int>().sum()); }
 
-    const FloatArray& rewards() const { return rewards_; }    // by agent, of the last round
-    Flags report(int agent) const { return report_[agent]; }  // involved and at_fault bits
+    const FloatArray& rewards() const { return rewards_; }          // by agent, of the last round
+    Flags report(int agent) const { return report_[agent]; }        // involved and at_fault bits
+    const std::vector<int>& reported() const { return reported_; }  // agents with any of them
+    // Did each agent that acted receive the reward of a step, and no agent any other? False where
+    // that is not known.
+    bool paid_steps_only() const {
+        return n_turns() == 1 && reported_.empty() && payable_captures_.empty() && !teams_adjacent_;
+    }
     int steps() const { return steps_; }
     bool terminated() const { return terminated_; }
     bool truncated() const { return truncated_; }
@@ -188,13 +198,15 @@ class World {
     ByteArray capture_paid_;                             // by evader
     IntArray captors_;                                   // by evader
     std::vector<std::pair<int, int>> payable_captures_;  // (evader, captor) of this turn
-    std::vector<int> affected_;    // evaders whose capture this turn can change
-    ByteArray is_affected_;        // by evader
-    bool first_turn_ = false;      // no turn of this round has been played
+    std::vector<int> affected_;  // evaders whose capture this turn can change
+    ByteArray is_affected_;      // by evader
+    bool first_turn_ = false;    // no turn of this round has been played
+    bool may_overlap_ = false;
     bool teams_adjacent_ = false;  // false: after this turn no agent is beside an adversary
 
     FloatArray rewards_;
     Eigen::Array<Flags, Eigen::Dynamic, 1> report_;
+    std::vector<int> reported_;  // agents whose report is not 0
     int steps_ = 0;
     bool terminated_ = false;
     bool truncated_ = false;

@@ -3,11 +3,11 @@
 //
 // It includes no header with inline functions that other files include, too. The linker keeps one
 // copy of an inline function; it could be the one compiled here for a newer processor, and the
-// program would crash on an older one. For the same reason the three headers below, which only this
+// program would crash on an older one. For the same reason the headers below, which only this
 // file includes, define everything in an unnamed namespace.
 #include "kernels/kernels.hpp"
 
-#include "kernels/networks.hpp"
+#include "kernels/actions.hpp"
 #include "kernels/views.hpp"
 
 namespace matrixworld {
@@ -21,8 +21,10 @@ const Kernels& MATRIXWORLD_LEVEL() {
                                    write<float>,
                                    sum_seen,
                                    sum_rows,
+                                   sum_bits,
                                    dense,
-                                   sample};
+                                   choose,
+                                   finish};
     return level;
 }
 

@@ -25,13 +25,13 @@ inline int padded(int n) { return (n + kPad - 1) / kPad * kPad; }
 struct Kernels {
     const char* level;  // the name of the instruction set
 
-    // Write the views of all agents, (n_agents, 3, fov, fov), 0 or 1, channels evaders, pursuers,
-    // obstacles. The obstacle channel is copied from obstacles[agent]: fov rows of fov bytes,
-    // `stride` bytes apart.
-    void (*write_byte_views)(const Positions& positions, const std::uint8_t* const* obstacles,
-                             int stride, std::uint8_t* views);
-    void (*write_float_views)(const Positions& positions, const std::uint8_t* const* obstacles,
-                              int stride, float* views);
+    // Write n_views views, (n_views, 3, fov, fov), 0 or 1, channels evaders, pursuers, obstacles. That
+    // of the agent in place i of the positions has the number agents[i], and its obstacle channel is
+    // copied from obstacles[i]: fov rows of fov bytes, `stride` bytes apart. The others are zeros.
+    void (*write_byte_views)(const Positions& positions, const int* agents, int n_views,
+                             const std::uint8_t* const* obstacles, int stride, std::uint8_t* views);
+    void (*write_float_views)(const Positions& positions, const int* agents, int n_views,
+                              const std::uint8_t* const* obstacles, int stride, float* views);
 
     // The first layer of a network, whose input (a view) is nearly all zeros:
     // out[i, 0..width) = activation(bases[i] + the sum of the rows of `weights` for the cells that
@@ -46,6 +46,11 @@ struct Kernels {
     void (*sum_rows)(const float* base, const float* weights, int stride, const int* rows, int n,
                      int width, Activation activation, float* out);
 
+    // out[0..width) = base + the sum of the rows of `weights` whose bits are set in `words`, in their
+    // order: bit i of word w is row 64 w + i. Precondition: width is a multiple of kPad.
+    void (*sum_bits)(const float* base, const float* weights, const std::uint64_t* words,
+                     int n_words, int width, float* out);
+
     // out[i, 0..width) = activation(bias + in[i, :] weights) for i < n; `weights` is
     // (n_in, width), `in` has `in_stride` and `out` `width` floats a row, and both have room for a
     // multiple of kRowPad rows. Only the first n_out of each row of `out` are valid.
@@ -53,8 +58,15 @@ struct Kernels {
                   const float* bias, int width, int n_out, Activation activation, float* out);
 
     // Draws actions[i] from softmax(logits[i, 0..n_actions)) by inverting the distribution at
-    // units[i] in [0, 1).
-    void (*sample)(const float* logits, int stride, int n, int n_actions, const float* units,
+    // units[i] in [0, 1). Without units (null) it is the largest logit, the first of equal ones.
+    void (*choose)(const float* logits, int stride, int n, int n_actions, const float* units,
+                   std::uint8_t* actions);
+
+    // The last layer and `choose` in one pass, for n rows of `in` as `dense` reads them and 5 or 9
+    // actions. `in`, `units` and `actions` have room for a multiple of kPad rows, and rows of `in`
+    // for a multiple of kPad numbers.
+    void (*finish)(const float* in, int in_stride, int n, int n_in, const float* weights,
+                   const float* bias, int width, int n_actions, const float* units,
                    std::uint8_t* actions);
 };
 

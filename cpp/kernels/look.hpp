@@ -64,20 +64,43 @@ inline std::uint64_t near_bits(const std::int16_t* rows, const std::int16_t* col
 }
 
 // The agents that one agent sees, as bits.
+template <int kWords>
 struct Seen {
-    static constexpr int kWords = kMaxPositions / kPositionPad;
-
     std::uint64_t words[kWords];
-    int n_words;
     int corner;  // `Positions::cells` less this are indices into the view
 };
 
+inline int at_most_pad(int n) { return n < kPositionPad ? n : kPositionPad; }
+
+// Precondition: at most kWords * kPositionPad agents. The compiler knows kWords, so the words stay in
+// registers.
+template <int kWords>
+inline Seen<kWords> look(const Positions& positions, int agent, int fov) {
+    const int reach = fov / 2;
+    const short top = static_cast<short>(positions.rows[agent] - reach);
+    const short left = static_cast<short>(positions.cols[agent] - reach);
+    Seen<kWords> seen;
+    seen.corner = top * fov + left;
+    for (int i = 0; i < kWords; ++i) {
+        const int first = i * kPositionPad;
+        // An agent does not see itself.
+        const std::uint64_t self = std::uint64_t{agent / kPositionPad == i}
+                                   << (agent % kPositionPad);
+        seen.words[i] = near_bits(positions.rows + first, positions.cols + first,
+                                  at_most_pad(positions.n_agents - first), top, left,
+                                  static_cast<short>(2 * reach)) &
+                        ~self;
+    }
+    return seen;
+}
+
 // Of the seen agents that set the same cell, keeps the first: a cell is added once. Only agents on
 // shared cells are compared, so the search is short.
-inline void drop_duplicates(const Positions& positions, Seen& seen) {
+template <int kWords>
+inline Seen<kWords> without_duplicates(const Positions& positions, Seen<kWords> seen) {
     int first[kMaxPositions];  // the first agent on each shared cell
     int n = 0;
-    for (int i = 0; i < seen.n_words; ++i) {
+    for (int i = 0; i < kWords; ++i) {
         for (std::uint64_t bits = seen.words[i] & positions.shared[i]; bits; bits &= bits - 1) {
             const int agent = i * kPositionPad + __builtin_ctzll(bits);
             bool known = false;
@@ -87,27 +110,6 @@ inline void drop_duplicates(const Positions& positions, Seen& seen) {
             n += !known;
             seen.words[i] &= ~(std::uint64_t{known} << (agent % kPositionPad));
         }
-    }
-}
-
-inline int at_most_pad(int n) { return n < kPositionPad ? n : kPositionPad; }
-
-inline Seen look(const Positions& positions, int agent, int fov) {
-    const int reach = fov / 2;
-    const short top = static_cast<short>(positions.rows[agent] - reach);
-    const short left = static_cast<short>(positions.cols[agent] - reach);
-    Seen seen;
-    seen.n_words = (positions.n_agents + kPositionPad - 1) / kPositionPad;
-    seen.corner = top * fov + left;
-    for (int i = 0; i < seen.n_words; ++i) {
-        const int first = i * kPositionPad;
-        // An agent does not see itself.
-        const std::uint64_t self = std::uint64_t{agent / kPositionPad == i}
-                                   << (agent % kPositionPad);
-        seen.words[i] = near_bits(positions.rows + first, positions.cols + first,
-                                  at_most_pad(positions.n_agents - first), top, left,
-                                  static_cast<short>(2 * reach)) &
-                        ~self;
     }
     return seen;
 }

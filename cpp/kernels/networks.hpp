@@ -1,5 +1,5 @@
-// Layers of networks, and the sampling of actions. Sums stay in registers: a block of columns is
-// added up completely before the next one begins. Included by kernels.cpp alone.
+// Layers of networks. Sums stay in registers: a block of columns is added up completely before the
+// next one begins. Included by kernels.cpp alone.
 #pragma once
 
 #include "kernels/look.hpp"
@@ -32,41 +32,110 @@ void sum_rows(const float* base, const float* weights, int stride, const int* ro
     }
 }
 
-// The same where the rows are the cells of the seen agents, bit by bit from the lowest.
+// The same where rows are given by bits.
 template <int kVecs>
-inline void sum_seen_columns(const Seen& seen, const std::int32_t* cells, const float* base,
-                             const float* weights, int width, Activation activation, float* out) {
+inline void sum_bits_columns(const float* base, const float* weights, const std::uint64_t* words,
+                             int n_words, int width, float* out) {
     Vec sum[kVecs];
     for (int v = 0; v < kVecs; ++v) sum[v] = load<Vec>(base + v * kLanes);
-    for (int i = 0; i < seen.n_words; ++i, cells += kPositionPad) {
-        for (std::uint64_t bits = seen.words[i]; bits; bits &= bits - 1) {
-            const int cell = cells[__builtin_ctzll(bits)] - seen.corner;
-            const float* row = weights + static_cast<long>(cell) * width;
+    for (int w = 0; w < n_words; ++w, weights += static_cast<long>(width) * 64) {
+        for (std::uint64_t bits = words[w]; bits; bits &= bits - 1) {
+            const float* row = weights + static_cast<long>(__builtin_ctzll(bits)) * width;
+            for (int v = 0; v < kVecs; ++v) sum[v] += load<Vec>(row + v * kLanes);
+        }
+    }
+    for (int v = 0; v < kVecs; ++v) store(out + v * kLanes, sum[v]);
+}
+
+void sum_bits(const float* base, const float* weights, const std::uint64_t* words, int n_words,
+              int width, float* out) {
+    int c = 0;
+    for (; c + 2 * kPad <= width; c += 2 * kPad) {
+        sum_bits_columns<2 * kPad / kLanes>(base + c, weights + c, words, n_words, width, out + c);
+    }
+    if (c < width) {
+        sum_bits_columns<kPad / kLanes>(base + c, weights + c, words, n_words, width, out + c);
+    }
+}
+
+// A row of weights that changes no sum: x + -0.0 = x for every x, which does not hold for +0.0.
+struct Nothing {
+    constexpr Nothing() {
+        for (float& number : row) number = -0.0f;
+    }
+    alignas(4 * kPad) float row[4 * kPad]{};
+};
+constexpr Nothing kNothing;
+
+// The same where the rows are the cells of the seen agents, bit by bit from the lowest. How many
+// these are differs from view to view, so a loop's end is predicted badly: kMost rows are added
+// without a branch, and where there are fewer, the row that changes nothing.
+template <int kVecs, int kWords>
+inline void sum_seen_columns(const Seen<kWords>& seen, const std::int32_t* cells, const float* base,
+                             const float* weights, int width, Activation activation, float* out) {
+    constexpr int kMost = 3;
+    const auto nothing = reinterpret_cast<std::uintptr_t>(kNothing.row);
+    const auto row_of = [&](std::uint64_t bits) {
+        const int agent = __builtin_ctzll(bits | std::uint64_t{1} << 63);
+        return weights + static_cast<long>(cells[agent] - seen.corner) * width;
+    };
+    Vec sum[kVecs];
+    for (int v = 0; v < kVecs; ++v) sum[v] = load<Vec>(base + v * kLanes);
+    for (int i = 0; i < kWords; ++i, cells += kPositionPad) {
+        std::uint64_t bits = seen.words[i];
+        for (int k = 0; k < kMost; ++k, bits &= bits - 1) {
+            std::uintptr_t mask = -static_cast<std::uintptr_t>(bits != 0);
+            __asm__("" : "+r"(mask));  // otherwise the compiler makes a branch of it
+            const auto seen_row = reinterpret_cast<std::uintptr_t>(row_of(bits));
+            const auto* row =
+                reinterpret_cast<const float*>(nothing + ((seen_row - nothing) & mask));
+            for (int v = 0; v < kVecs; ++v) sum[v] += load<Vec>(row + v * kLanes);
+        }
+        for (; bits; bits &= bits - 1) {
+            const float* row = row_of(bits);
             for (int v = 0; v < kVecs; ++v) sum[v] += load<Vec>(row + v * kLanes);
         }
     }
     for (int v = 0; v < kVecs; ++v) store(out + v * kLanes, activate(sum[v], activation));
 }
 
-void sum_seen(const Positions& positions, const int* agents, int n, const float* const* bases,
-              const float* weights, int width, Activation activation, float* out) {
-    constexpr int kWide = 2 * kPad;
-    for (int i = 0; i < n; ++i, out += width) {
-        Seen seen = look(positions, agents[i], positions.fov);
+// A width that is known to the compiler, or 0, and the words of a view.
+template <int kWidth, int kWords>
+void sum_all_seen(const Positions positions, const int* agents, int n, const float* const* bases,
+                  const float* weights, int any_width, Activation activation, float* out) {
+    // As many columns at once as sums fit the registers.
+    constexpr int kWide = kWidth == 0 && kLanes > 4 ? 4 * kPad : 2 * kPad;
+    const int width = kWidth ? kWidth : any_width;
+    // All agents look before the first sum: each step of either loop then waits for little.
+    Seen<kWords> seen[kMaxPositions];
+    for (int i = 0; i < n; ++i) {
+        seen[i] = look<kWords>(positions, agents[i], positions.fov);
         // Duplicates are possible only among agents on shared cells; most views hold none.
         std::uint64_t shared = 0;
-        for (int w = 0; w < seen.n_words; ++w) shared |= seen.words[w] & positions.shared[w];
-        if (shared) drop_duplicates(positions, seen);
+        for (int w = 0; w < kWords; ++w) shared |= seen[i].words[w] & positions.shared[w];
+        if (shared) seen[i] = without_duplicates(positions, seen[i]);
+    }
+    for (int i = 0; i < n; ++i, out += width) {
         int c = 0;
         for (; c + kWide <= width; c += kWide) {
-            sum_seen_columns<kWide / kLanes>(seen, positions.cells, bases[i] + c, weights + c,
+            sum_seen_columns<kWide / kLanes>(seen[i], positions.cells, bases[i] + c, weights + c,
                                              width, activation, out + c);
         }
-        if (c < width) {
-            sum_seen_columns<kPad / kLanes>(seen, positions.cells, bases[i] + c, weights + c, width,
-                                            activation, out + c);
+        for (; c < width; c += kPad) {
+            sum_seen_columns<kPad / kLanes>(seen[i], positions.cells, bases[i] + c, weights + c,
+                                            width, activation, out + c);
         }
     }
+}
+
+void sum_seen(const Positions& positions, const int* agents, int n, const float* const* bases,
+              const float* weights, int width, Activation activation, float* out) {
+    constexpr int kUsual = 2 * kPad;
+    constexpr int kMost = kMaxPositions / kPositionPad;
+    const bool few = positions.n_agents <= kPositionPad;
+    const auto usual = few ? sum_all_seen<kUsual, 1> : sum_all_seen<kUsual, kMost>;
+    const auto any = few ? sum_all_seen<0, 1> : sum_all_seen<0, kMost>;
+    (width == kUsual ? usual : any)(positions, agents, n, bases, weights, width, activation, out);
 }
 
 // sum[i][v] += in[i, :] weights, for kRows inputs and kVecs vectors of outputs. Each weight that is
@@ -169,56 +238,6 @@ void dense(const float* in, int in_stride, int n, int n_in, const float* weights
         const auto rows = n - i > kRowPad / 2 ? dense_rows<kRowPad> : dense_rows<kRowPad / 2>;
         rows(in + static_cast<long>(i) * in_stride, in_stride, n_in, weights, bias, width, n_out,
              activation, out + static_cast<long>(i) * width);
-    }
-}
-
-constexpr int kMaxActions = 9;
-
-// Samples an action for each lane's agent by inverting the distribution: the action is the number
-// of cumulated weights that do not exceed unit * total. The largest logit is subtracted first, so
-// that no exponential overflows.
-template <typename V>
-inline void sample_lanes(const float* logits, int stride, int n, int n_actions, const float* units,
-                         std::uint8_t* actions) {
-    constexpr int kN = kLanesOf<V>;
-    float by_action[kMaxActions][kN];
-    float by_lane[kN];
-    for (int lane = 0; lane < kN; ++lane) {
-        const int i = lane < n ? lane : n - 1;  // lanes beyond the last agent repeat it
-        by_lane[lane] = units[i];
-        for (int a = 0; a < n_actions; ++a) {
-            by_action[a][lane] = logits[static_cast<long>(i) * stride + a];
-        }
-    }
-    const V unit = load<V>(by_lane);
-    V logit[kMaxActions];
-    for (int a = 0; a < n_actions; ++a) logit[a] = load<V>(by_action[a]);
-    V largest = logit[0];
-    for (int a = 1; a < n_actions; ++a) largest = larger(logit[a], largest);
-    V cumulated[kMaxActions];
-    V total{};
-    for (int a = 0; a < n_actions; ++a) {
-        total += exp_negative(logit[a] - largest);
-        cumulated[a] = total;
-    }
-    const V threshold = unit * total;
-    // A comparison is -1 where it holds, so subtracting counts. The last action needs none.
-    Mask<V> chosen{};
-    for (int a = 0; a + 1 < n_actions; ++a) chosen -= cumulated[a] <= threshold;
-    for (int lane = 0; lane < kN && lane < n; ++lane) {
-        actions[lane] = static_cast<std::uint8_t>(chosen[lane]);
-    }
-}
-
-void sample(const float* logits, int stride, int n, int n_actions, const float* units,
-            std::uint8_t* actions) {
-    int i = 0;
-    while (i < n) {
-        const bool few = n - i <= kLanesOf<Half>;
-        const auto lanes = few ? sample_lanes<Half> : sample_lanes<Vec>;
-        lanes(logits + static_cast<long>(i) * stride, stride, n - i, n_actions, units + i,
-              actions + i);
-        i += few ? kLanesOf<Half> : kLanes;
     }
 }
 

@@ -50,12 +50,12 @@ inline void clear(std::uint8_t* to, long n) {
 // Sets the cell of every agent that one agent sees. How many these are differs from view to view,
 // so a loop's end is predicted badly: the first kMost are set without a branch. Where there are
 // fewer, a cell of the obstacle channel is set instead, which is written afterwards in any case.
-template <typename Number>
+template <int kWords, typename Number>
 inline void mark_others(const Positions& positions, int agent, int fov, Number* view) {
     constexpr int kMost = 2;
     const int unused = 2 * fov * fov;
-    const Seen seen = look(positions, agent, fov);
-    for (int i = 0; i < seen.n_words; ++i) {
+    const Seen<kWords> seen = look<kWords>(positions, agent, fov);
+    for (int i = 0; i < kWords; ++i) {
         const std::int32_t* cells = positions.cells + i * kPositionPad;
         std::uint64_t bits = seen.words[i];
         for (int k = 0; k < kMost; ++k, bits &= bits - 1) {
@@ -68,18 +68,17 @@ inline void mark_others(const Positions& positions, int agent, int fov, Number* 
     }
 }
 
-template <int kFov, typename Number>
-void write_views(const Positions& positions, const std::uint8_t* const* obstacles, int stride,
-                 Number* views) {
+template <int kFov, int kWords, typename Number>
+void write_views(const Positions positions, const int* agents, int n_views,
+                 const std::uint8_t* const* obstacles, int stride, Number* views) {
     const int fov = kFov ? kFov : positions.fov;  // a constant lets the compiler unroll the copies
     const int size = 3 * fov * fov;
     clear(reinterpret_cast<std::uint8_t*>(views),
-          static_cast<long>(sizeof(Number)) * size * positions.n_agents);
+          static_cast<long>(sizeof(Number)) * size * n_views);
     for (int a = 0; a < positions.n_agents; ++a) {
-        if (positions.rows[a] == kOutOfView) continue;
-        Number* const view = views + static_cast<long>(a) * size;
+        Number* const view = views + static_cast<long>(agents[a]) * size;
         Number* const channel = view + 2 * fov * fov;
-        mark_others(positions, a, fov, view);
+        mark_others<kWords>(positions, a, fov, view);
         if (stride == fov) {
             copy(obstacles[a], channel, fov * fov);
             continue;
@@ -93,13 +92,15 @@ void write_views(const Positions& positions, const std::uint8_t* const* obstacle
 constexpr int kUsualFov = 11;  // the default of `Config`
 
 template <typename Number>
-void write(const Positions& positions, const std::uint8_t* const* obstacles, int stride,
-           Number* views) {
-    if (positions.fov == kUsualFov) {
-        write_views<kUsualFov>(positions, obstacles, stride, views);
-    } else {
-        write_views<0>(positions, obstacles, stride, views);
-    }
+void write(const Positions& positions, const int* agents, int n_views,
+           const std::uint8_t* const* obstacles, int stride, Number* views) {
+    constexpr int kMost = kMaxPositions / kPositionPad;
+    const bool few = positions.n_agents <= kPositionPad;
+    const auto usual =
+        few ? write_views<kUsualFov, 1, Number> : write_views<kUsualFov, kMost, Number>;
+    const auto any = few ? write_views<0, 1, Number> : write_views<0, kMost, Number>;
+    (positions.fov == kUsualFov ? usual : any)(positions, agents, n_views, obstacles, stride,
+                                               views);
 }
 
 }  // namespace

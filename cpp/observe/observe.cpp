@@ -50,7 +50,7 @@ constexpr int kLargestBorder = 15;
 
 Observer::Observer(const Setup& setup)
     : fov_(setup.config.fov),
-      position_table_(setup.config.n_pursuers, setup.config.n_agents(), fov_),
+      crowd_(setup.config),
       obstacles_(static_cast<std::size_t>(setup.config.n_agents())),
       cases_(setup.grid, fov_),
       planes_{Plane(setup.grid, fov_ / 2, 0), Plane(setup.grid, fov_ / 2, 0)} {
@@ -96,32 +96,25 @@ template void Observer::write(const World&, const Occupancy&, float*);
 
 namespace {
 
-using Obstacles = const std::uint8_t* const*;
-
-void write_views(const Positions& positions, Obstacles obstacles, int stride, std::uint8_t* out) {
-    kernels().write_byte_views(positions, obstacles, stride, out);
-}
-void write_views(const Positions& positions, Obstacles obstacles, int stride, float* out) {
-    kernels().write_float_views(positions, obstacles, stride, out);
-}
+auto views_kernel(const std::uint8_t*) { return kernels().write_byte_views; }
+auto views_kernel(const float*) { return kernels().write_float_views; }
 
 }  // namespace
 
 template <typename Number>
 void Observer::write_from_positions(const World& world, Number* out) {
-    const Grid grid = world.grid();
+    crowd_.gather(world);
+    const Positions positions = crowd_.positions();
     const Plane& blocked = world.terrain().blocked;
     const bool only_border = !world.terrain().has_obstacles && !border_.empty();
-    position_table_.remove_all();
-    for (int a : world.living()) {
-        const int row = grid.row(world.cell(a));
-        const int col = grid.col(world.cell(a));
-        position_table_.set(a, row, col, false);
-        obstacles_[a] =
+    for (int i = 0; i < positions.n_agents; ++i) {
+        const int row = positions.rows[i];
+        const int col = positions.cols[i];
+        obstacles_[i] =
             only_border ? border(row, col) : blocked.window(row - fov_ / 2, col - fov_ / 2);
     }
-    write_views(position_table_.positions(), obstacles_.data(),
-                only_border ? fov_ : blocked.stride(), out);
+    views_kernel(out)(positions, world.living().data(), world.config().n_agents(),
+                      obstacles_.data(), only_border ? fov_ : blocked.stride(), out);
 }
 
 namespace {
@@ -288,12 +281,32 @@ int list_agents(const World& world, const Occupancy& occupancy, int agent, int* 
     return static_cast<int>(end - out);
 }
 
-int list_obstacles(const World& world, int cell, int* out) {
-    if (!world.terrain().has_obstacles) return 0;
-    const Window window(world, cell);
-    const int first = kObstacles * window.fov * window.fov;
-    return static_cast<int>(list_window(world.terrain().obstacles, window, first, false, out) -
-                            out);
+// ---- Obstacles as bits --------------------------------------------------------------------------
+
+namespace {
+
+template <int kFov>
+void pack_window(const Bitboard& bitboard, int top, int left, int any_fov, std::uint64_t* words) {
+    const int fov = kFov ? kFov : any_fov;  // a constant lets the compiler unroll the loops
+    std::fill_n(words, n_obstacle_words(fov), 0);
+    int at = 0;  // bit
+    for (int r = 0; r < fov; ++r) {
+        for (int c = 0; c < fov; c += Bitboard::kMaxWidth) {
+            const int n = std::min(Bitboard::kMaxWidth, fov - c);
+            const Bitboard::Word bits = bitboard.window(top + r, left + c).row(0, n);
+            words[at / 64] |= bits << (at % 64);
+            if (at % 64 + n > 64) words[at / 64 + 1] |= bits >> (64 - at % 64);
+            at += n;
+        }
+    }
+}
+
+}  // namespace
+
+void pack_obstacles(const World& world, int row, int col, std::uint64_t* words) {
+    const int fov = world.config().fov;
+    const auto pack = fov == kUsualFov ? pack_window<kUsualFov> : pack_window<0>;
+    pack(world.terrain().obstacles, row - fov / 2, col - fov / 2, fov, words);
 }
 
 void write_state(const World& world, std::uint8_t* out) {

@@ -16,7 +16,7 @@
 #include "game/world.hpp"
 #include "grid/bitboard.hpp"
 #include "grid/grid.hpp"
-#include "grid/position_table.hpp"
+#include "observe/crowd.hpp"
 
 namespace matrixworld {
 
@@ -44,19 +44,24 @@ class Observer {
     void mark(const World& world, std::uint8_t value);
 
     int fov_;
-    PositionTable position_table_;
-    std::vector<const std::uint8_t*> obstacles_;  // by agent: the first cell of its window
+    Crowd crowd_;
+    std::vector<const std::uint8_t*> obstacles_;  // by living agent: the first cell of its window
     BorderCases cases_;
     std::vector<std::uint8_t> border_;  // (n cases, fov, fov) visible border; empty for large views
 
     Plane planes_[kTeams];  // empty between two calls
 };
 
-// List the cells that are set in the view of a living agent as indices into the flattened (3, fov,
-// fov) view, each once: those of agents, and those of obstacles without the border. Return how many
-// there are. Preconditions: `out` has room for 3 * fov * fov; the world has entered the occupancy.
+// Lists the cells that agents set in the view of a living agent as indices into the flattened (3, fov,
+// fov) view, each once, and returns how many there are. Preconditions: `out` has room for 3 * fov *
+// fov; the world has entered the occupancy.
 int list_agents(const World& world, const Occupancy& occupancy, int agent, int* out);
-int list_obstacles(const World& world, int cell, int* out);
+
+// Writes the obstacles in the view from a cell, without the border, as fov * fov bits one after the
+// other, the first in the lowest bit of the first word. Precondition: `words` has room for
+// n_obstacle_words(fov).
+inline int n_obstacle_words(int fov) { return fov * fov / 64 + 1; }
+void pack_obstacles(const World& world, int row, int col, std::uint64_t* words);
 
 // Writes the whole world, (3, rows, cols) bytes, 0 or 1, in the channels of the views.
 void write_state(const World& world, std::uint8_t* out);

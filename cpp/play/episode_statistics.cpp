@@ -43,25 +43,35 @@ StatisticsAccumulator::StatisticsAccumulator(const Config& config)
     : n_living_{config.n_pursuers, config.n_evaders} {}
 
 void StatisticsAccumulator::add(const World& world, const Occupancy& occupancy) {
-    const int sizes[kTeams] = {world.config().n_pursuers, world.config().n_evaders};
-    const std::array<int, kTeams> overlapping = overlaps(world, occupancy);
     n_captured_ += world.n_captured();
-    const float* rewards = world.rewards().data();
+    add_rewards(world);
+    if (world.may_overlap()) {
+        const std::array<int, kTeams> overlapping = overlaps(world, occupancy);
+        for (int t = 0; t < kTeams; ++t) n_overlapping_[t] += overlapping[t];
+    }
     for (int t = 0; t < kTeams; ++t) {
-        n_overlapping_[t] += overlapping[t];
         sums_.agent_steps[t] += n_living_[t];
         n_living_[t] = world.n_living(static_cast<Team>(t));
-        sums_.returns[t] += sum(rewards, sizes[t]);
-        rewards += sizes[t];
     }
-    for (int a = 0; a < world.config().n_agents(); ++a) {
+    for (int a : world.reported()) {
         const Flags report = world.report(a);
-        if (report == 0) continue;  // nearly all agents
         const int t = static_cast<int>(world.team(a));
         for (int kind = 0; kind < kKinds; ++kind) {
             n_collisions_[t * kKinds + kind] += report >> kind & 1;
             n_faults_[t * kKinds + kind] += report >> (kKinds + kind) & 1;
         }
+    }
+}
+
+// Where all agents were paid the same, the product is their sum: a double holds both exactly.
+void StatisticsAccumulator::add_rewards(const World& world) {
+    const int sizes[kTeams] = {world.config().n_pursuers, world.config().n_evaders};
+    const float* rewards = world.rewards().data();
+    for (int t = 0; t < kTeams; ++t) {
+        const double step = world.config().rewards.step[t];
+        sums_.returns[t] += world.paid_steps_only() ? step * static_cast<double>(n_living_[t])
+                                                    : sum(rewards, sizes[t]);
+        rewards += sizes[t];
     }
 }
 

@@ -37,6 +37,8 @@ class StatisticsAccumulator {
     EpisodeStatistics total(const World& world) const;
 
   private:
+    void add_rewards(const World& world);
+
     EpisodeStatistics sums_;
     // Counts over steps. Whole numbers, so that a mean is rounded only once, at the end.
     std::int64_t n_captured_ = 0;  // evaders that count as captured, over steps

@@ -1,6 +1,8 @@
 #include "play/mlp.hpp"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace matrixworld {
 
@@ -36,61 +38,43 @@ Mlp::Mlp(const Network& network, const Grid& grid)
         Layer layer;
         layer.n_in = network.sizes[i];
         layer.n_out = network.sizes[i + 1];
-        layer.width = padded(layer.n_out);
+        layer.weights = Rows(layer.n_in + 1, padded(layer.n_out));
         const bool last = i + 2 == network.sizes.size();
         layer.activation = last ? Activation::None : network.activation;
-        if (layer.width != layer.n_out) {
-            layer.padded_weights = Matrix::Zero(layer.n_in, layer.width);
-            layer.padded_bias = Matrix::Zero(1, layer.width);
-        }
+        activations_.emplace_back(0, layer.width());
         layers_.push_back(std::move(layer));
     }
-    activations_.resize(layers_.size());
-    corner_sums_ = Matrix::Zero((network.fov + 1) * (network.fov + 1), layers_[0].width);
-    border_bases_ = Matrix::Zero(cases_.n_cases(), layers_[0].width);
+    const int width = layers_.front().width();
+    corner_sums_ = Rows((network.fov + 1) * (network.fov + 1), width);
+    border_bases_ = Rows(cases_.n_cases(), width);
     border_known_.resize(cases_.n_cases());
+    obstacle_words_.resize(n_obstacle_words(network.fov));
 }
 
 void Mlp::load(const float* genome) {
     for (Layer& layer : layers_) {
-        read(layer, genome);
-        genome += static_cast<Eigen::Index>(layer.n_in + 1) * layer.n_out;
+        for (int row = 0; row <= layer.n_in; ++row, genome += layer.n_out) {
+            std::copy_n(genome, layer.n_out, layer.weights[row]);
+        }
     }
     sum_border();
-}
-
-void Mlp::read(Layer& layer, const float* genome) {
-    const float* bias = genome + static_cast<Eigen::Index>(layer.n_in) * layer.n_out;
-    if (layer.width == layer.n_out) {
-        layer.weights = genome;
-        layer.bias = bias;
-        return;
-    }
-    layer.padded_weights.leftCols(layer.n_out) =
-        Eigen::Map<const Matrix>(genome, layer.n_in, layer.n_out);
-    layer.padded_bias.leftCols(layer.n_out) = Eigen::Map<const Matrix>(bias, 1, layer.n_out);
-    layer.weights = layer.padded_weights.data();
-    layer.bias = layer.padded_bias.data();
 }
 
 // Fills the summed-area table: corner_sums(r, c) is the sum of the obstacle weights of the window's
 // cells above row r and left of column c. The sum over any rectangle is then a sum of four corners.
 void Mlp::sum_border() {
     const int fov = network_.fov;
-    const Layer& first = layers_.front();
-    const Eigen::Map<const Matrix> obstacles(
-        first.weights + static_cast<Eigen::Index>(kObstacles * fov * fov) * first.width, fov * fov,
-        first.width);
-    const auto corner = [&](int r, int c) { return corner_sums_.row(r * (fov + 1) + c); };
+    const int first = kObstacles * fov * fov;
+    const auto corner = [&](int r, int c) { return corner_sums_.array(r * (fov + 1) + c); };
     for (int r = 0; r < fov; ++r) {
         for (int c = 0; c < fov; ++c) {
-            corner(r + 1, c + 1) =
-                obstacles.row(r * fov + c) + corner(r, c + 1) + (corner(r + 1, c) - corner(r, c));
+            corner(r + 1, c + 1) = layers_.front().weights.array(first + r * fov + c) +
+                                   corner(r, c + 1) + (corner(r + 1, c) - corner(r, c));
         }
     }
     // The bases of the last genome hold no longer.
     std::fill(border_known_.begin(), border_known_.end(), 0);
-    std::fill(obstacle_known_.begin(), obstacle_known_.end(), 0);
+    for (Kept& kept : kept_) std::fill(kept.known.begin(), kept.known.end(), 0);
 }
 
 // Bias + obstacle weights of all cells of the window that lie outside the grid.
@@ -100,7 +84,7 @@ const float* Mlp::border_base(int row, int col) {
         make_border_base(number, row, col);
         border_known_[number] = 1;
     }
-    return &border_bases_(number, 0);
+    return border_bases_[number];
 }
 
 void Mlp::make_border_base(int number, int row, int col) {
@@ -110,112 +94,138 @@ void Mlp::make_border_base(int number, int row, int col) {
     const int left = std::max(0, reach - col);
     const int bottom = std::min(fov, reach + grid_.rows() - row);
     const int right = std::min(fov, reach + grid_.cols() - col);
-    const auto corner = [&](int r, int c) { return corner_sums_.row(r * (fov + 1) + c); };
-    const Eigen::Map<const Matrix> bias(layers_.front().bias, 1, layers_.front().width);
+    const auto corner = [&](int r, int c) { return corner_sums_.array(r * (fov + 1) + c); };
+    Layer& first = layers_.front();
     // All cells of the window, minus the rectangle inside the grid.
-    border_bases_.row(number) =
-        bias.row(0) + (corner(fov, fov) - (corner(bottom, right) - corner(top, right) -
-                                           corner(bottom, left) + corner(top, left)));
+    border_bases_.array(number) = first.weights.array(first.n_in) +
+                                  (corner(fov, fov) - (corner(bottom, right) - corner(top, right) -
+                                                       corner(bottom, left) + corner(top, left)));
 }
 
-// Forgets the obstacle bases if the world has another terrain than at the last call.
-void Mlp::use_terrain(const World& world) {
-    if (world.shared_terrain() == terrain_) return;
-    terrain_ = world.shared_terrain();
-    obstacle_known_.assign(static_cast<std::size_t>(grid_.n_cells()), 0);
-    obstacle_bases_.resize(grid_.n_cells(), layers_.front().width);
-}
-
-const float* Mlp::obstacle_base(const World& world, int cell) {
-    float* const base = &obstacle_bases_(cell, 0);
-    if (!obstacle_known_[cell]) {
-        sum_obstacles(world, cell, base);
-        obstacle_known_[cell] = 1;
+// Bias + border + obstacles for an agent on this cell: kept, or computed into `room`.
+const float* Mlp::obstacle_base(const World& world, Kept* kept, int row, int col, float* room) {
+    const int cell = grid_.cell(row, col);
+    if (kept && kept->known[cell]) {
+        // The tables of all worlds leave the inner caches, and the row is read only later.
+        const float* known = kept->bases[cell];
+        for (int i = 0; i < layers_.front().width(); i += kPad) __builtin_prefetch(known + i);
+        return known;
     }
+    float* const base = kept ? kept->bases[cell] : room;
+    sum_obstacles(world, row, col, base);
+    if (kept) kept->known[cell] = 1;
     return base;
 }
 
-void Mlp::sum_obstacles(const World& world, int cell, float* out) {
-    const Layer& first = layers_.front();
-    const int n = list_obstacles(world, cell, inputs_.data());
-    kernels().sum_rows(border_base(grid_.row(cell), grid_.col(cell)), first.weights, first.width,
-                       inputs_.data(), n, first.width, Activation::None, out);
+// The kept bases of a world that plays in this slot, or null where they take too much memory. Worlds
+// with one terrain share the first slot.
+Mlp::Kept* Mlp::find_kept(const World& world, std::size_t slot) {
+    if (!world.has_own_terrain()) slot = 0;
+    const int width = layers_.front().width();
+    if (static_cast<Eigen::Index>(slot + 1) * grid_.n_cells() * width > kMostKept) return nullptr;
+    while (kept_.size() <= slot) kept_.push_back({nullptr, Rows(0, width), {}});
+    Kept& kept = kept_[slot];
+    if (world.shared_terrain() != kept.terrain) {
+        kept.terrain = world.shared_terrain();
+        kept.known.assign(static_cast<std::size_t>(grid_.n_cells()), 0);
+        kept.bases.resize(grid_.n_cells());
+    }
+    return &kept;
+}
+
+void Mlp::sum_obstacles(const World& world, int row, int col, float* out) {
+    const Rows& weights = layers_.front().weights;
+    const int first = kObstacles * network_.fov * network_.fov;
+    pack_obstacles(world, row, col, obstacle_words_.data());
+    kernels().sum_bits(border_base(row, col), weights[first], obstacle_words_.data(),
+                       static_cast<int>(obstacle_words_.size()), weights.width(), out);
+}
+
+// The kernels compute whole blocks of rows; what they write after row n is not read.
+void Mlp::make_room(std::size_t n) {
+    const auto rows = static_cast<Eigen::Index>((n + kPad - 1) / kPad * kPad);
+    for (Rows& activations : activations_) activations.grow(rows);
 }
 
 void Mlp::act(const World& world, const Occupancy& occupancy, const std::vector<int>& agents,
               const std::vector<float>& units, std::vector<std::uint8_t>& actions) {
-    const Kernels& kernel = kernels();
+    make_room(agents.size());
     const int n = static_cast<int>(agents.size());
-    // The kernels compute whole blocks of kRowPad rows; what they write after row n is not read.
-    const std::size_t rows = (agents.size() + kRowPad - 1) / kRowPad * kRowPad;
-    for (std::size_t i = 0; i < layers_.size(); ++i) {
-        const std::size_t room = rows * static_cast<std::size_t>(layers_[i].width);
-        if (activations_[i].size() < room) activations_[i].resize(room);
-    }
-    first_layer(world, occupancy, agents);
-    for (std::size_t i = 1; i < layers_.size(); ++i) {
-        const Layer& layer = layers_[i];
-        kernel.dense(activations_[i - 1].data(), layers_[i - 1].width, n, layer.n_in, layer.weights,
-                     layer.bias, layer.width, layer.n_out, layer.activation,
-                     activations_[i].data());
-    }
-    actions.resize(agents.size());
-    if (network_.sampled) {
-        kernel.sample(logits(), layers_.back().width, n, network_.n_actions(), units.data(),
-                      actions.data());
+    if (world.config().n_agents() <= kMaxPositions) {
+        const Positions positions = occupancy.position_table().positions();
+        first_layer(world, positions, agents.data(), n, 0, activations_.front()[0]);
     } else {
-        choose_largest(agents.size(), actions);
+        sum_listed(world, occupancy, agents);
     }
+    for (std::size_t i = 1; i < layers_.size(); ++i) dense(i, agents.size());
+    actions.resize(agents.size());
+    kernels().choose(logits(), layers_.back().width(), n, network_.n_actions(),
+                     network_.sampled ? units.data() : nullptr, actions.data());
 }
 
-void Mlp::first_layer(const World& world, const Occupancy& occupancy,
-                      const std::vector<int>& agents) {
-    bases_.resize(agents.size());
-    const PositionTable& positions = occupancy.position_table();
-    const Eigen::Index width = layers_.front().width;
-    const bool obstacles = world.terrain().has_obstacles;
-    const bool kept = grid_.n_cells() * width <= kMostKept;
-    if (obstacles && kept) use_terrain(world);
-    if (obstacles && !kept) obstacle_bases_.resize(static_cast<Eigen::Index>(agents.size()), width);
-    for (std::size_t i = 0; i < agents.size(); ++i) {
-        const int cell = world.cell(agents[i]);
-        if (!obstacles) {
-            bases_[i] = border_base(positions.row(agents[i]), positions.col(agents[i]));
-        } else if (kept) {
-            bases_[i] = obstacle_base(world, cell);
-        } else {
-            float* const base = &obstacle_bases_(static_cast<Eigen::Index>(i), 0);
-            sum_obstacles(world, cell, base);
-            bases_[i] = base;
-        }
-    }
-    sum_seen(world, occupancy, agents);
+void Mlp::look(const World& world, const Crowd& crowd, int first, int last, Eigen::Index row,
+               std::size_t slot) {
+    static const std::array<int, kMaxPositions> places = [] {
+        std::array<int, kMaxPositions> all{};
+        std::iota(all.begin(), all.end(), 0);
+        return all;
+    }();
+    first_layer(world, crowd.positions(), places.data() + first, last - first, slot,
+                activations_.front()[row]);
+}
+
+void Mlp::choose(std::size_t n, const float* units, std::uint8_t* actions) {
+    const std::size_t last = layers_.size() - 1;
+    for (std::size_t i = 1; i < last; ++i) dense(i, n);
+    const Layer& layer = layers_[last];
+    const Rows& in = activations_[last - 1];
+    kernels().finish(in[0], in.width(), static_cast<int>(n), layer.n_in, layer.weights[0],
+                     layer.bias(), layer.width(), layer.n_out, network_.sampled ? units : nullptr,
+                     actions);
+}
+
+void Mlp::dense(std::size_t i, std::size_t n) {
+    const Layer& layer = layers_[i];
+    const Rows& in = activations_[i - 1];
+    kernels().dense(in[0], in.width(), static_cast<int>(n), layer.n_in, layer.weights[0],
+                    layer.bias(), layer.width(), layer.n_out, layer.activation, activations_[i][0]);
 }
 
 // Adds the agents in view to the bases. With few agents in the world a kernel compares all their
-// positions in vector registers; with many, only the cells of each view are visited.
-void Mlp::sum_seen(const World& world, const Occupancy& occupancy, const std::vector<int>& agents) {
+// positions in vector registers.
+void Mlp::first_layer(const World& world, const Positions& positions, const int* agents, int n,
+                      std::size_t slot, float* out) {
     const Layer& first = layers_.front();
-    float* out = activations_.front().data();
-    if (world.config().n_agents() <= kMaxPositions) {
-        kernels().sum_seen(occupancy.position_table().positions(), agents.data(),
-                           static_cast<int>(agents.size()), bases_.data(), first.weights,
-                           first.width, first.activation, out);
-        return;
-    }
-    for (std::size_t i = 0; i < agents.size(); ++i, out += first.width) {
+    find_bases(world, positions, agents, n, slot, out);
+    kernels().sum_seen(positions, agents, n, bases_.data(), first.weights[0], first.width(),
+                       first.activation, out);
+}
+
+// The same with many agents: only the cells of each view are visited.
+void Mlp::sum_listed(const World& world, const Occupancy& occupancy,
+                     const std::vector<int>& agents) {
+    const Layer& first = layers_.front();
+    float* out = activations_.front()[0];
+    find_bases(world, occupancy.position_table().positions(), agents.data(),
+               static_cast<int>(agents.size()), 0, out);
+    for (std::size_t i = 0; i < agents.size(); ++i, out += first.width()) {
         const int n = list_agents(world, occupancy, agents[i], inputs_.data());
-        kernels().sum_rows(bases_[i], first.weights, first.width, inputs_.data(), n, first.width,
-                           first.activation, out);
+        kernels().sum_rows(bases_[i], first.weights[0], first.width(), inputs_.data(), n,
+                           first.width(), first.activation, out);
     }
 }
 
-// Takes the action with the largest output; the first of them if several are equal.
-void Mlp::choose_largest(std::size_t n, std::vector<std::uint8_t>& actions) const {
-    for (std::size_t i = 0; i < n; ++i) {
-        const float* row = logits() + i * static_cast<std::size_t>(layers_.back().width);
-        const float* largest = std::max_element(row, row + network_.n_actions());
-        actions[i] = static_cast<std::uint8_t>(largest - row);
+// Bases that are not kept are computed into the rows of `out`.
+void Mlp::find_bases(const World& world, const Positions& positions, const int* agents, int n,
+                     std::size_t slot, float* out) {
+    bases_.resize(static_cast<std::size_t>(n));
+    const bool obstacles = world.terrain().has_obstacles;
+    Kept* const kept = obstacles ? find_kept(world, slot) : nullptr;
+    for (int i = 0; i < n; ++i) {
+        const int row = positions.rows[agents[i]];
+        const int col = positions.cols[agents[i]];
+        float* const room = out + static_cast<std::ptrdiff_t>(i) * layers_.front().width();
+        bases_[i] = obstacles ? obstacle_base(world, kept, row, col, room) : border_base(row, col);
     }
 }
 

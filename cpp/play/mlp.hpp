@@ -12,6 +12,7 @@
 
 #include "grid/grid.hpp"
 #include "kernels/kernels.hpp"
+#include "observe/crowd.hpp"
 #include "observe/observe.hpp"
 
 namespace matrixworld {
@@ -34,6 +35,37 @@ struct Network {
     Eigen::Index genome_size() const;
 };
 
+// Rows of `width` floats, a multiple of kPad, each of which begins at a multiple of the widest vector:
+// so no vector that is read lies in two lines of the cache.
+class Rows {
+  public:
+    using Matrix = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+    Rows() = default;
+    Rows(Eigen::Index n, int width) : width_(width) { resize(n); }
+
+    void resize(Eigen::Index n) { vectors_.resize(static_cast<std::size_t>(n * width_ / kPad)); }
+    void grow(Eigen::Index n) {
+        if (static_cast<std::size_t>(n * width_ / kPad) > vectors_.size()) resize(n);
+    }
+    int width() const { return width_; }
+    float* operator[](Eigen::Index row) { return data() + row * width_; }
+    const float* operator[](Eigen::Index row) const { return data() + row * width_; }
+    // The row as an array, for arithmetic.
+    Eigen::Map<Matrix> array(Eigen::Index row) { return {(*this)[row], 1, width_}; }
+
+  private:
+    struct alignas(kPad * sizeof(float)) Vector {
+        float numbers[kPad] = {};
+    };
+
+    float* data() { return reinterpret_cast<float*>(vectors_.data()); }
+    const float* data() const { return reinterpret_cast<const float*>(vectors_.data()); }
+
+    int width_ = 0;
+    std::vector<Vector> vectors_;
+};
+
 class Mlp {
   public:
     Mlp(const Network& network, const Grid& grid);
@@ -47,53 +79,63 @@ class Mlp {
              const std::vector<float>& units, std::vector<std::uint8_t>& actions);
 
     // The outputs of the last `act`, (n agents, padded(n_actions)).
-    const float* logits() const { return activations_.back().data(); }
+    const float* logits() const { return activations_.back()[0]; }
+
+    // The same for agents of several worlds at once. `look` reads the views of the agents [first,
+    // last) of a crowd, from row `row` on; `slot` tells apart the worlds that
+    // play at the same time. Then `choose` chooses the actions of the first n rows.
+    // Preconditions: `make_room` for so many rows; room for a multiple of kPad units and actions.
+    void make_room(std::size_t n);
+    void look(const World& world, const Crowd& crowd, int first, int last, Eigen::Index row,
+              std::size_t slot);
+    void choose(std::size_t n, const float* units, std::uint8_t* actions);
 
   private:
-    using Matrix = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-    // Weights and bias, each row padded to whole vector registers. Where the layer's width needs no
-    // padding they are read in the genome itself, else from a padded copy.
     struct Layer {
         int n_in = 0;
         int n_out = 0;
-        int width = 0;
         Activation activation = Activation::None;
-        const float* weights = nullptr;
-        const float* bias = nullptr;
-        Matrix padded_weights;
-        Matrix padded_bias;
+        Rows weights;  // (n_in, n_out), padded, and then the bias
+
+        int width() const { return weights.width(); }
+        const float* bias() const { return weights[n_in]; }
     };
 
-    void read(Layer& layer, const float* genome);
-    void first_layer(const World& world, const Occupancy& occupancy,
-                     const std::vector<int>& agents);
-    void sum_seen(const World& world, const Occupancy& occupancy, const std::vector<int>& agents);
+    // Sums that are kept for the obstacles of one world, or of all worlds with the same terrain.
+    struct Kept {
+        std::shared_ptr<const Terrain> terrain;  // may be null
+        Rows bases;                              // (n cells, width): bias + border + obstacles
+        std::vector<std::uint8_t> known;         // by cell
+    };
+
+    void dense(std::size_t layer, std::size_t n);
+    void first_layer(const World& world, const Positions& positions, const int* agents, int n,
+                     std::size_t slot, float* out);
+    void find_bases(const World& world, const Positions& positions, const int* agents, int n,
+                    std::size_t slot, float* out);
+    void sum_listed(const World& world, const Occupancy& occupancy, const std::vector<int>& agents);
 
     void sum_border();
     const float* border_base(int row, int col);
     void make_border_base(int number, int row, int col);
-    void use_terrain(const World& world);
-    const float* obstacle_base(const World& world, int cell);
-    void sum_obstacles(const World& world, int cell, float* out);
-    void choose_largest(std::size_t n, std::vector<std::uint8_t>& actions) const;
+    const float* obstacle_base(const World& world, Kept* kept, int row, int col, float* room);
+    Kept* find_kept(const World& world, std::size_t slot);
+    void sum_obstacles(const World& world, int row, int col, float* out);
 
     Network network_;
     Grid grid_;
     std::vector<Layer> layers_;
-    std::vector<std::vector<float>> activations_;  // by layer
-    std::vector<int> inputs_;                      // indices of the inputs that are 1
-    std::vector<const float*> bases_;              // by agent that acts
+    std::vector<Rows> activations_;    // by layer
+    std::vector<int> inputs_;          // indices of the inputs that are 1
+    std::vector<const float*> bases_;  // by agent that acts
 
-    Matrix corner_sums_;   // ((fov + 1)^2, width): summed-area table of the obstacle weights
-    BorderCases cases_;    // cells with the same border in view are one case
-    Matrix border_bases_;  // (n cases, width): bias + border
+    Rows corner_sums_;   // ((fov + 1)^2, width): summed-area table of the obstacle weights
+    BorderCases cases_;  // cells with the same border in view are one case
+    Rows border_bases_;  // (n cases, width): bias + border
     std::vector<std::uint8_t> border_known_;  // by case
 
-    std::shared_ptr<const Terrain> terrain_;  // for which obstacle_bases_ hold; may be null
-    // (n cells, width): bias + border + obstacles. On large grids (n agents, width), not kept.
-    Matrix obstacle_bases_;
-    std::vector<std::uint8_t> obstacle_known_;  // by cell
+    std::vector<Kept> kept_;                     // by slot
+    std::vector<std::uint64_t> obstacle_words_;  // obstacles in one view
 };
 
 }  // namespace matrixworld

@@ -49,10 +49,14 @@ OutputField field(const char* name, Axes axes, Written written) {
 
 // ---- Writers: the moment ------------------------------------------------------------------------
 
-// Row and column of a cell; kGone, kGone without one.
+// Row and column of a cell; kGone, kGone without one. No branch: which agents are gone cannot be
+// predicted.
 void write_cell(const Grid& grid, int cell, std::int32_t* out) {
-    out[0] = cell == kGone ? kGone : grid.row(cell);
-    out[1] = cell == kGone ? kGone : grid.col(cell);
+    static_assert(kGone == -1, "all bits are set");
+    const int gone = cell >> 31;  // all bits, or none
+    const int row = grid.row(cell & ~gone);
+    out[0] = row | gone;
+    out[1] = (cell - grid.cell(row, 0)) | gone;
 }
 
 void write_positions(const OutputSource& source, std::int32_t* out) {
@@ -121,7 +125,7 @@ void write_captors(const OutputSource& source, std::int32_t* out) {
 template <int kFirstBit>
 void write_report_bits(const OutputSource& source, bool* out) {
     std::fill_n(out, source.n_agents() * kKinds, false);
-    for (const int a : source.reported()) {
+    for (const int a : source.world().reported()) {
         const Flags report = source.world().report(a);
         for (int kind = 0; kind < kKinds; ++kind) {
             out[a * kKinds + kind] = report >> (kFirstBit + kind) & 1;
@@ -131,7 +135,7 @@ void write_report_bits(const OutputSource& source, bool* out) {
 
 void write_cost(const OutputSource& source, float* out) {
     std::fill_n(out, source.n_agents(), 0.0f);
-    for (const int a : source.reported()) {
+    for (const int a : source.world().reported()) {
         const Flags report = source.world().report(a);
         for (int kind = 0; kind < kKinds; ++kind) out[a] += report >> (kKinds + kind) & 1;
     }
@@ -324,21 +328,6 @@ std::size_t OutputField::n_items(const Config& config) const {
     std::size_t n = 1;
     for (const Axis axis : axes) n *= static_cast<std::size_t>(size_of(axis, config));
     return n;
-}
-
-Agents OutputSource::reported() const {
-    if (!reported_is_known_) {
-        reported_is_known_ = true;
-        if (reported_.size() < n_agents_) reported_.resize(n_agents_);
-        std::size_t n = 0;
-        // Without a branch: which agents have a report cannot be predicted.
-        for (std::size_t a = 0; a < n_agents_; ++a) {
-            reported_[n] = static_cast<int>(a);
-            n += world_->report(static_cast<int>(a)) != 0;
-        }
-        n_reported_ = n;
-    }
-    return {reported_.data(), reported_.data() + n_reported_};
 }
 
 }  // namespace matrixworld

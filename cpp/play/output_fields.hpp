@@ -56,15 +56,11 @@ class OutputSource {
         world_ = &world;
         occupancy_ = &occupancy;
         n_agents_ = static_cast<std::size_t>(world.config().n_agents());
-        reported_is_known_ = false;
     }
 
     const World& world() const { return *world_; }
     std::size_t n_agents() const { return n_agents_; }
     const Occupancy& occupancy() const { return *occupancy_; }
-    // The agents that were in a collision in the last step. Three fields need this list, and few
-    // agents are in it, so it is made once for all three, and only if one of them is written.
-    Agents reported() const;
 
     Observer* observer = nullptr;                   // for views
     const EpisodeStatistics* statistics = nullptr;  // for EpisodeEnd: of the ended episode
@@ -75,9 +71,6 @@ class OutputSource {
     const World* world_ = nullptr;
     const Occupancy* occupancy_ = nullptr;  // must hold the world's agents
     std::size_t n_agents_ = 0;              // kept here, because nearly all writers need it
-    mutable std::vector<int> reported_;     // room for all agents
-    mutable std::size_t n_reported_ = 0;
-    mutable bool reported_is_known_ = false;
 };
 
 // Writes one world's part of an array, all of it.

@@ -2,12 +2,6 @@
 
 namespace matrixworld {
 
-namespace {
-
-constexpr int kAgentsPerBlock = 2 * kDrawsPerBlock;  // 32 bits of a block for each
-
-}  // namespace
-
 // Lists the living agents and their draws.
 void Policy::draw(const World& world, int first, int last) {
     const auto room = static_cast<std::size_t>(last - first);
@@ -32,6 +26,17 @@ void Policy::draw(const World& world, int first, int last) {
     agents_.resize(n);
     draws_.resize(n);
     chosen_.resize(n);
+}
+
+void draw_units(const World& world, float* units) {
+    const int n_blocks = (world.config().n_agents() + kAgentsPerBlock - 1) / kAgentsPerBlock;
+    for (int number = 0; number < n_blocks; ++number) {
+        const Block block = world.key().block(Purpose::Decide, number, world.steps());
+        for (const std::uint64_t pair : block) {
+            *units++ = unit(static_cast<std::uint32_t>(pair));
+            *units++ = unit(static_cast<std::uint32_t>(pair >> 32));
+        }
+    }
 }
 
 void NetworkPolicy::choose(const World& world, const Occupancy& occupancy) {

@@ -74,6 +74,11 @@ struct Candidates {
     const Script* script = nullptr;  // without a network
 };
 
+// Draws for each agent of a world, alive or gone, the number in [0, 1) with which a policy that
+// samples decides in this round. Precondition: `units` has room for a multiple of kAgentsPerBlock.
+constexpr int kAgentsPerBlock = 2 * kDrawsPerBlock;  // 32 bits of a block for each
+void draw_units(const World& world, float* units);
+
 // The policy of candidates, which must stay in memory. It keeps the genome that it read last, because
 // a thread mostly plays several worlds with the same genome one after the other.
 class LoadedPolicy {

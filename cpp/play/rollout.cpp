@@ -1,6 +1,7 @@
 #include "play/rollout.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -82,31 +83,57 @@ std::size_t count_episodes(std::size_t n_matches, int n_worlds) {
                                 std::to_string(n_matches));
 }
 
+// Plays worlds of a match in the memory of one thread: in lockstep where that is possible, else one
+// after the other.
+class WorldsPlayer {
+  public:
+    WorldsPlayer(const std::shared_ptr<const Setup>& setup, const Candidates& pursuers,
+                 const Candidates& evaders, bool one_by_one) {
+        if (!one_by_one && Lockstep::can_play(setup->config, pursuers, evaders)) {
+            lockstep_.emplace(setup, pursuers, evaders);
+        } else {
+            workspace_.emplace(setup, pursuers, evaders);
+        }
+    }
+
+    void play(const Match& match, std::int64_t first, std::int64_t last,
+              const std::function<void()>& check, EpisodeStatistics* statistics) {
+        if (lockstep_) return lockstep_->play(match, first, last, check, statistics);
+        for (std::int64_t w = first; w < last; ++w) {
+            *statistics++ = workspace_->play(
+                match, static_cast<std::uint64_t>(w),
+                [&](const World&, const Occupancy&, const std::vector<std::uint8_t>*) { check(); });
+        }
+    }
+
+  private:
+    std::optional<Lockstep> lockstep_;
+    std::optional<Workspace> workspace_;
+};
+
 }  // namespace
 
 std::vector<EpisodeStatistics> play_matches(const std::shared_ptr<const Setup>& setup,
                                             const Candidates& pursuers, const Candidates& evaders,
                                             const std::vector<Match>& matches, int n_worlds,
-                                            int n_threads, const Workers::Poll& poll) {
+                                            int n_threads, const Workers::Poll& poll,
+                                            bool one_by_one) {
     const auto n_matches = static_cast<std::int64_t>(matches.size());
-    const std::int64_t pieces_per_match = (n_worlds + kWorldsPerPiece - 1) / kWorldsPerPiece;
     std::vector<EpisodeStatistics> statistics(count_episodes(matches.size(), n_worlds));
     Workers workers(n_threads);
-    // A workspace is made by its thread's first piece: there may be fewer pieces than threads.
-    std::vector<std::unique_ptr<Workspace>> workspaces(
+    const std::int64_t pieces_per_match = (n_worlds + kWorldsPerPiece - 1) / kWorldsPerPiece;
+    // A player is made by its thread's first piece: there may be fewer pieces than threads.
+    std::vector<std::unique_ptr<WorldsPlayer>> players(
         static_cast<std::size_t>(workers.n_threads()));
     const auto play_piece = [&](std::int64_t piece, int thread) {
-        std::unique_ptr<Workspace>& workspace = workspaces[thread];
-        if (!workspace) workspace = std::make_unique<Workspace>(setup, pursuers, evaders);
-        const StepCallback check = [&](const World&, const Occupancy&,
-                                       const std::vector<std::uint8_t>*) { workers.check(thread); };
+        std::unique_ptr<WorldsPlayer>& player = players[thread];
+        if (!player) player = std::make_unique<WorldsPlayer>(setup, pursuers, evaders, one_by_one);
         const std::int64_t m = piece / pieces_per_match;
-        const std::int64_t begin = piece % pieces_per_match * kWorldsPerPiece;
-        const std::int64_t end = std::min(begin + kWorldsPerPiece, std::int64_t{n_worlds});
-        for (std::int64_t w = begin; w < end; ++w) {
-            statistics[m * n_worlds + w] =
-                workspace->play(matches[m], static_cast<std::uint64_t>(w), check);
-        }
+        const std::int64_t first = piece % pieces_per_match * kWorldsPerPiece;
+        const std::int64_t last = std::min(first + kWorldsPerPiece, std::int64_t{n_worlds});
+        player->play(
+            matches[m], first, last, [&] { workers.check(thread); },
+            &statistics[m * n_worlds + first]);
     };
     workers.run(n_matches * pieces_per_match, play_piece, poll);
     return statistics;

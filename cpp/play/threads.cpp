@@ -21,6 +21,16 @@ using Clock = std::chrono::steady_clock;
 // A user notices a delay from about a tenth of a second.
 constexpr std::chrono::milliseconds kPollInterval{50};
 
+// How long a thread that waits looks again and again before it sleeps. Waking a thread takes longer
+// than a step of 64 worlds; a longer look would burn the time of a neighbour's core.
+constexpr std::chrono::microseconds kSpin{20};
+
+template <typename Condition>
+void spin_until(Condition is_done) {
+    const Clock::time_point end = Clock::now() + kSpin;
+    while (!is_done() && Clock::now() < end) std::this_thread::yield();
+}
+
 std::atomic<int> n_forks{0};
 #if defined(__unix__) || defined(__APPLE__)
 [[maybe_unused]] const int registered = pthread_atfork(nullptr, nullptr, [] { ++n_forks; });
@@ -78,6 +88,9 @@ class Workers::Pool {
     bool is_inherited() const { return fork_depth_ != fork_depth(); }
 
     void run(std::int64_t n_pieces, const Work& work, const Poll& poll) {
+        // No thread is woken for nothing.
+        const std::int64_t n_helpers =
+            std::min(n_pieces - 1, static_cast<std::int64_t>(threads_.size()));
         {
             const std::lock_guard<std::mutex> lock(mutex_);
             work_ = &work;
@@ -85,12 +98,13 @@ class Workers::Pool {
             if (poll_) timer_ = Timer();
             n_pieces_ = n_pieces;
             next_ = 0;
-            n_busy_ = static_cast<int>(threads_.size());
+            n_busy_ = n_helpers_ = static_cast<int>(std::max<std::int64_t>(n_helpers, 0));
             failure_ = nullptr;
             failed_ = false;
-            ++job_;  // a sleeping thread compares this number, so no spurious wake-up works twice
+            // A waiting thread compares this number, so no spurious wake-up works twice.
+            if (n_helpers_ > 0) ++job_;
         }
-        start_.notify_all();
+        if (n_helpers_ > 0) start_.notify_all();
         take_pieces(0);
         wait_for_others();
         if (failure_) std::rethrow_exception(failure_);
@@ -114,11 +128,13 @@ class Workers::Pool {
     // The life of a started thread.
     void wait(int thread) {
         long seen = 0;
-        std::unique_lock<std::mutex> lock(mutex_);
         while (true) {
+            spin_until([&] { return job_ != seen; });
+            std::unique_lock<std::mutex> lock(mutex_);
             start_.wait(lock, [&] { return stop_ || job_ != seen; });
             if (stop_) return;
             seen = job_;
+            if (thread > n_helpers_) continue;
             lock.unlock();
             take_pieces(thread);
             lock.lock();
@@ -147,6 +163,7 @@ class Workers::Pool {
 
     // `work` is the caller's: `run` must not return before all threads have stopped using it.
     void wait_for_others() {
+        spin_until([&] { return n_busy_ == 0; });
         std::unique_lock<std::mutex> lock(mutex_);
         const auto all_done = [this] { return n_busy_ == 0; };
         if (!poll_) return done_.wait(lock, all_done);
@@ -172,8 +189,9 @@ class Workers::Pool {
     Timer timer_;                 // of the calling thread
     std::atomic<std::int64_t> next_{0};
     std::int64_t n_pieces_ = 0;
-    int n_busy_ = 0;  // of the started threads
-    long job_ = 0;
+    int n_helpers_ = 0;           // threads that work besides the caller; the first ones
+    std::atomic<int> n_busy_{0};  // of them
+    std::atomic<long> job_{0};
     bool stop_ = false;
     std::exception_ptr failure_;
     std::atomic<bool> failed_{false};

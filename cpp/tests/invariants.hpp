@@ -101,9 +101,14 @@ inline void check_view(const World& world, const Occupancy& occupancy, int agent
     std::vector<std::uint8_t> views(view.size() * static_cast<std::size_t>(config.n_agents()));
     Observer(Setup(world.config())).write(world, occupancy, views.data());
     std::copy_n(views.begin() + agent * size, size, view.begin());
-    int n_listed = list_agents(world, occupancy, agent, listed.data());
-    n_listed += list_obstacles(world, world.cell(agent), listed.data() + n_listed);
-    listed.resize(static_cast<std::size_t>(n_listed));
+    listed.resize(static_cast<std::size_t>(list_agents(world, occupancy, agent, listed.data())));
+    std::vector<std::uint64_t> words(static_cast<std::size_t>(n_obstacle_words(fov)));
+    const int cell = world.cell(agent);
+    pack_obstacles(world, world.grid().row(cell), world.grid().col(cell), words.data());
+    for (std::size_t i = 0; i < 64 * words.size(); ++i) {
+        if (words[i / 64] >> (i % 64) & 1)
+            listed.push_back(kObstacles * fov * fov + static_cast<int>(i));
+    }
 
     int n_mates = 0;
     for (int a : world.living()) {

@@ -262,15 +262,19 @@ void play_rollout(const Rules& rules, Random& random) {
         match = {random.below(pursuers->candidates.n), random.below(evaders->candidates.n),
                  random.bits()};
     }
-    const auto play = [&](int n_threads) {
+    const auto play = [&](int n_threads, bool one_by_one) {
         return play_matches(setup, pursuers->candidates, evaders->candidates, matches, n_worlds,
-                            n_threads);
+                            n_threads, {}, one_by_one);
     };
-    const auto statistics = play(1);
-    const auto threaded = play(3);
+    const auto statistics = play(1, false);
+    const auto threaded = play(3, false);
+    const auto one_by_one = play(1, true);
     require(statistics.size() == matches.size() * static_cast<std::size_t>(n_worlds),
             "statistics of all episodes");
-    for (std::size_t i = 0; i < statistics.size(); ++i) check_same(statistics[i], threaded[i]);
+    for (std::size_t i = 0; i < statistics.size(); ++i) {
+        check_same(statistics[i], threaded[i]);
+        check_same(statistics[i], one_by_one[i]);
+    }
 
     const std::size_t m = matches.size() - 1;
     const int episode = random.below(n_worlds);

@@ -210,8 +210,13 @@ def rollout(
     seed: NDArray[np.uint64],
     n_worlds: int,
     n_threads: int,
+    one_by_one: bool = False,
 ) -> dict[str, NDArray[Any]]:
-    """Episode statistics of M matches: arrays (M, n_worlds, ...) by name."""
+    """Episode statistics of M matches: arrays (M, n_worlds, ...) by name.
+
+    With `one_by_one` worlds play one after the other also where they could play in lockstep. The
+    statistics are the same: tests compare the two.
+    """
 
 def record(
     setup: Setup,

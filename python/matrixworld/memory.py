@@ -176,11 +176,12 @@ def matches_memory(
     threads : int or None
         Threads; None: one per usable core.
     """
-    # A layer whose width is no multiple of the vector registers is copied; tables of the first
-    # layer are as large as its weights at most.
+    # A thread copies the genome that it plays; tables of the first layer are as large as its
+    # weights at most. The worlds of a piece are decided for together.
+    together = min(worlds, EPISODES_PER_PIECE) * config.n_agents
     each = thread_memory(config) + sum(
         2 * NUMBER * network.genome_size
-        + NUMBER * config.n_agents * sum(network.hidden)
+        + NUMBER * together * sum(network.hidden)
         + (MOST_OBSTACLE_SUMS if config.density or config.map is not None else 0)
         for network in networks
     )

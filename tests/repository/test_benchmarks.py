@@ -10,6 +10,8 @@ from types import ModuleType
 import pytest
 from click.testing import CliRunner
 
+import matrixworld as mw
+
 FOLDER = Path(__file__).parents[2] / "benchmarks"
 SHORT = ["--seconds", "0.001", "--repeats", "1"]
 FEW = {
@@ -48,6 +50,15 @@ def test_benchmark_runs(name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Pa
     assert lines[1].startswith("|---")
     assert len(lines) > 7
     assert (tmp_path / "scaling.png").exists() == (name == "bench_scaling")
+
+
+def test_a_build_gives_the_results_of_itself(monkeypatch: pytest.MonkeyPatch) -> None:
+    module = load("compare_builds", monkeypatch)
+    build = str(Path(mw.__file__).parents[1])
+    options = ["--rounds", "1", "--seconds", "0.01", "--only", "views, 64 worlds"]
+    result = CliRunner().invoke(module.main, [build, build, *options])
+    assert result.exception is None
+    assert result.output.splitlines()[-1].startswith("| step and views, 64 worlds | ")
 
 
 def test_the_projection_of_a_cluster_follows_from_its_costs(

@@ -10,6 +10,7 @@ import numpy as np
 
 import matrixworld as mw
 from matrixworld import _core
+from one_by_one import assert_same_one_by_one
 from rows import random_genome
 
 HIDDEN = [(), (1,), (7,), (16,), (32,), (64, 64), (40, 30, 20)]
@@ -41,7 +42,9 @@ def of_everything() -> str:
         logits = mw.World(config)._core.logits(network.core, genomes[0])
         digest.update(logits.tobytes())
         team = mw.Population(genomes, network)
-        scores = mw.rollout(config, team, team, mw.Matches.of([0, 1], [1, 0], 7), worlds=5)
+        matches = mw.Matches.of([0, 1], [1, 0], 7)
+        scores = mw.rollout(config, team, team, matches, worlds=5)
+        assert_same_one_by_one(config, team, team, matches, worlds=5)
         for item in fields(scores):
             digest.update(getattr(scores, item.name).tobytes())
     return digest.hexdigest()

@@ -45,7 +45,7 @@ class RaceSettings(TrainingSettings):
     """
 
     # A field of `TrainingSettings` again, with another default.
-    population: int = option(None, "candidates per epoch")
+    population: int = option(None, "candidates per epoch; actor-critic: matches")
 
     schedule: str = option(
         "generalist-generalist", f"opponents of each team: {', '.join(ALL_SCHEDULES)}"
