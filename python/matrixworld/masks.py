@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 from matrixworld.config import WorldConfig
 
 # Rows and columns from an agent to the cell that each `Action` leads to.
-_STEPS = np.array([(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)])
-_OBSTACLES = 2  # the channel of views
+STEPS = np.array([(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)])
+CHANNEL = {"evader": 0, "pursuer": 1, "obstacle": 2}
+"""Channels of a view by what they show."""
 _STAY = 0
 
 
@@ -37,8 +38,8 @@ def action_masks(views: NDArray[Any], n_actions: int) -> NDArray[np.int8]:
         1 for a move to a cell without an obstacle inside the grid, and for staying; 0 for the other
         moves. Other agents do not matter. All actions of an agent that is gone are 1.
     """
-    rows, cols = _STEPS[:n_actions].T + views.shape[-1] // 2
+    rows, cols = STEPS[:n_actions].T + views.shape[-1] // 2
     # Views draw the cells outside the grid as obstacles, and an agent that is gone sees none.
-    masks: NDArray[np.int8] = (views[..., _OBSTACLES, rows, cols] == 0).astype(np.int8)
+    masks: NDArray[np.int8] = (views[..., CHANNEL["obstacle"], rows, cols] == 0).astype(np.int8)
     masks[..., _STAY] = 1  # staying is never a collision, even on an obstacle's cell
     return masks

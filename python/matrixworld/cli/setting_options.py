@@ -46,16 +46,17 @@ SECTIONS: dict[str, tuple[str, ...]] = {
     WORLD: (
         "variant", "rows", "cols", "pursuers", "evaders", "obstacles", "fov", "diagonal",
     ),
-    "Policy": ("hidden", "activation", "initial_weight", "initial_head"),
+    "Policy": ("hidden", "activation", "initial_weight", "initial_head", "mask"),
     "Learner": (
         "learner", "learner_settings",
         "population", "sigma", "optimizer", "learning_rate", "momentum", "anneal",
         "mutation", "crossover", "selection", "tournament", "truncation", "elites",
-        "elite_episodes", "fitness", "rewards", "overlap_penalty",
+        "elite_episodes", "fitness", "rewards", "overlap_penalty", "collision_penalty",
+        "cost_limit",
     ),
     "Actor-critic (extra torch)": (
         "actor_rate", "critic_rate", "discount", "trace", "actor_updates", "critic_updates",
-        "clip", "entropy", "central_critic", "cost_limit", "cost_rate", "device",
+        "clip", "entropy", "central_critic", "cost_rate", "device",
     ),
     "Episodes and seed": ("train_steps", "worlds", "eval_steps", "eval_episodes", "seed"),
 }  # fmt: skip

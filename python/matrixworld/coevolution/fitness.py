@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.types import FloatArray, Team
+from matrixworld.coevolution.types import TEAMS, FloatArray, Team
 
 if TYPE_CHECKING:
     from matrixworld.rollout import EpisodeStatistics
@@ -84,6 +84,45 @@ def fitness(
         values = values - overlap_penalty * np.asarray(scores.evader_overlap, dtype=np.float64)
     means: FloatArray = values.mean(axis=1)
     return means
+
+
+def collisions(scores: EpisodeStatistics, team: Team) -> FloatArray:
+    """Return the collisions (M,) at fault of `team` in each match, per 1000 agent-steps."""
+    t = TEAMS.index(team)
+    # (M, worlds, teams, kinds); a rate over all worlds of a match, as `SafetyMonitor` counts it.
+    faults = np.asarray(scores.faults)[:, :, t].sum(axis=(1, 2))
+    steps = np.asarray(scores.agent_steps)[:, :, t].sum(axis=1)
+    return np.asarray(1000.0 * faults / np.maximum(steps, 1), dtype=np.float64)
+
+
+def feasible_first(fitness: ArrayLike, violation: ArrayLike) -> FloatArray:
+    """Return a fitness that ranks candidates within a limit before all others.
+
+    Of two candidates within the limit, the fitter one is better. Of two beyond it, the one with the
+    smaller violation is better.
+
+    Parameters
+    ----------
+    fitness : array_like of float, shape (n,)
+        Fitness of each candidate; higher is better.
+    violation : array_like of float, shape (n,)
+        By how much each candidate exceeds the limit; within it 0 or less.
+
+    Returns
+    -------
+    ndarray of float64, shape (n,)
+        The fitness of candidates within the limit. For the others, the lowest fitness within the
+        limit minus the violation; if no candidate is within it, minus the violation.
+
+    References
+    ----------
+    Deb 2000, "An efficient constraint handling method for genetic algorithms", Computer Methods in
+    Applied Mechanics and Engineering 186, equation 5.
+    """
+    values, beyond = np.asarray(fitness, np.float64), np.asarray(violation, np.float64)
+    within = beyond <= 0.0
+    worst = values[within].min() if within.any() else 0.0
+    return np.where(within, values, worst - beyond)
 
 
 def win_rates(scores: EpisodeStatistics, team: Team) -> FloatArray:

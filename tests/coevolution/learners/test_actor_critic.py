@@ -233,10 +233,12 @@ def test_an_archived_genome_does_not_change() -> None:
 
 def test_the_multiplier_rises_above_the_limit_and_falls_below_it() -> None:
     one = learner(cost_limit=10.0, cost_rate=0.5)
-    one._weigh(30.0)
-    assert one.multiplier == pytest.approx(1.0)
+    one._weigh(18.0)
+    assert one.multiplier == pytest.approx(0.4)
+    one._weigh(300.0)  # by the rate at most
+    assert one.multiplier == pytest.approx(0.9)
     one._weigh(5.0)
-    assert one.multiplier == pytest.approx(0.75)
+    assert one.multiplier == pytest.approx(0.65)
     for _ in range(9):
         one._weigh(0.0)
     assert one.multiplier == 0.0

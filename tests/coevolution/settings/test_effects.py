@@ -75,6 +75,7 @@ OTHER_VALUES: dict[str, Any] = {
     "actor_rate": 0.02, "critic_rate": 0.02, "discount": 0.5, "trace": 0.5, "actor_updates": 3,
     "critic_updates": 9, "clip": 0.01, "entropy": 0.5, "central_critic": True, "cost_limit": 0.0,
     "cost_rate": 5.0, "device": "cpu:0", "rewards": "published",
+    "mask": "obstacles", "collision_penalty": 3.0,
     "start": "RUN", "epochs": 6, "archive_every": 3,
 }  # fmt: skip
 """Another valid value of each setting."""

@@ -39,7 +39,7 @@ from matrixworld.coevolution.learners.advantages import (
 from matrixworld.coevolution.learners.experience import Experience, Reals
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings
 from matrixworld.coevolution.learners.perceptron import Perceptron, Tensor, orthogonal
-from matrixworld.coevolution.types import Genome, Genomes, Indices, State, Team
+from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, State, Team
 from matrixworld.policy import CHANNELS, Network
 from matrixworld.rules import Interaction
 from matrixworld.version import MissingExtraError, install_hint
@@ -117,6 +117,8 @@ class ActorCritic:
         All other settings.
     state_size : int, optional
         Numbers in a state of the world, which a central critic sees.
+    fixed : ndarray of bool, shape (genes,), optional
+        Weights of the actor that do not change, such as those of a mask. By default none.
 
     Attributes
     ----------
@@ -141,6 +143,7 @@ class ActorCritic:
         rng: np.random.Generator,
         chosen: Hyperparameters | None = None,
         state_size: int = 0,
+        fixed: BoolArray | None = None,
     ) -> None:
         self.chosen = Hyperparameters() if chosen is None else chosen
         self._device = _usable_device(self._torch, self.chosen.device)
@@ -149,6 +152,7 @@ class ActorCritic:
             network.sizes,
             network.activation,
             self.chosen.actor_rate,
+            fixed,
         )
         inputs = state_size if self.chosen.central_critic else network.sizes[0]
         sizes = (inputs, *network.hidden, 1)
@@ -223,8 +227,9 @@ class ActorCritic:
     def _weigh(self, collisions: float) -> None:
         """Move the multiplier by the distance of the collisions from their limit."""
         limit = float(self.chosen.cost_limit or 0.0)
-        # As a share of the limit, so that the rate means the same for all limits.
-        excess = (collisions - limit) / max(limit, 1.0)
+        # As a share of the limit, so that the rate means the same for all limits; at most 1, or the
+        # multiplier rises in the first epochs by more than it can fall in the rest of a run.
+        excess = min((collisions - limit) / max(limit, 1.0), 1.0)
         self.multiplier = max(0.0, self.multiplier + self.chosen.cost_rate * excess)
 
     def _improve(self, experience: Experience, advantage: Reals) -> None:
@@ -336,11 +341,6 @@ def _check(settings: RunSettings) -> None:
         )
 
 
-def _check_optional(name: str, value: Any) -> None:
-    if value is not None:
-        check_number(name, value, least=0.0)
-
-
 def _check_device(name: str, value: Any) -> None:
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected the name of a device of PyTorch, got {shown(value)}")
@@ -358,6 +358,7 @@ def _new(
         rng,
         Hyperparameters(**chosen),
         state_size=CHANNELS * world.rows * world.cols,
+        fixed=settings.fixed_genes(team),
     )
 
 
@@ -376,12 +377,12 @@ ENTRY = LearnerEntry(
         "clip": partial(check_number, least=0.0),
         "entropy": partial(check_number, least=0.0),
         "central_critic": check_bool,
-        "cost_limit": _check_optional,
         "cost_rate": _positive,
         "device": _check_device,
     },
     check=_check,
     new=_new,
+    keeps_fixed_genes=True,
     by_gradients=True,
     like_processors=True,
     # Networks and epochs of the published experiments: an epoch is one episode of 500 steps.

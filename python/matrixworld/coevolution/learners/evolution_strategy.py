@@ -188,7 +188,7 @@ def _new(
 ) -> EvolutionStrategy:
     return EvolutionStrategy(
         genomes[0],
-        NoiseTable(genomes.shape[1], rng, sigma=settings.sigma),
+        NoiseTable(genomes.shape[1], rng, sigma=settings.sigma, fixed=settings.fixed_genes(team)),
         samples=settings.population,
         learning_rate=settings.learning_rate,
         anneal_over=settings.total_epochs(team) if settings.anneal else None,
@@ -208,4 +208,5 @@ ENTRY = LearnerEntry(
     },
     check=_check,
     new=_new,
+    keeps_fixed_genes=True,
 )

@@ -344,7 +344,9 @@ def _new(
 ) -> GeneticAlgorithm:
     return GeneticAlgorithm(
         genomes,
-        NoiseTable(genomes.shape[1], rng, sigma=settings.mutation),
+        NoiseTable(
+            genomes.shape[1], rng, sigma=settings.mutation, fixed=settings.fixed_genes(team)
+        ),
         selection=settings.selection,
         tournament=settings.tournament,
         truncation=settings.truncation,
@@ -366,5 +368,6 @@ ENTRY = LearnerEntry(
     },
     check=_check,
     new=_new,
+    keeps_fixed_genes=True,
     starts_from_population=True,
 )

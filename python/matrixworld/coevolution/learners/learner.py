@@ -123,6 +123,9 @@ class LearnerEntry:
     like_processors : bool, optional
         Whether results depend on the kind of processor, so that all workers of a cluster need the
         same one. The default is False.
+    keeps_fixed_genes : bool, optional
+        Whether the learner leaves the genes as they are that `settings.fixed_genes(team)` marks,
+        such as those of a mask. The default is False.
     defaults : mapping of str to object, optional
         Defaults of settings that are not those of the other learners.
     """
@@ -134,6 +137,7 @@ class LearnerEntry:
     starts_from_population: bool = False
     by_gradients: bool = False
     like_processors: bool = False
+    keeps_fixed_genes: bool = False
     defaults: Mapping[str, Any] = field(default_factory=dict)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from matrixworld.checks import check_integer, check_number
-from matrixworld.coevolution.types import Genome
+from matrixworld.coevolution.types import BoolArray, Genome
 
 VECTORS_PER_TABLE = 256
 MOST_EXTRA_NUMBERS = 2**24
@@ -31,6 +31,8 @@ class NoiseTable:
         Generator that fills the table.
     sigma : float
         Standard deviation of the numbers, in units of the genes, above 0.
+    fixed : ndarray of bool, shape (size,), optional
+        Genes without noise. By default none.
 
     Raises
     ------
@@ -44,18 +46,29 @@ class NoiseTable:
     neuroevolution", arXiv:1712.06567.
     """
 
-    def __init__(self, size: int, rng: np.random.Generator, *, sigma: float) -> None:
+    def __init__(
+        self,
+        size: int,
+        rng: np.random.Generator,
+        *,
+        sigma: float,
+        fixed: BoolArray | None = None,
+    ) -> None:
         check_integer("size", size, 1)
         check_number("sigma", sigma, least=0.0, positive=True)
         self.size: int = size
         self.sigma: float = sigma
+        self._fixed = fixed
         self._numbers = rng.standard_normal(table_size(size), dtype=np.float32)
         self._numbers *= np.float32(sigma)
         # Views of the table leave this class, so nothing may write to it.
         self._numbers.flags.writeable = False
 
     def draw(self, count: int, rng: np.random.Generator) -> list[Genome]:
-        """Return `count` noise vectors, each a read-only view (size,) float32 of the table."""
+        """Return `count` noise vectors (size,) float32, not to be written to."""
         # The last window may end with the table, hence the endpoint.
         starts = rng.integers(0, len(self._numbers) - self.size, size=count, endpoint=True)
-        return [self._numbers[start : start + self.size] for start in starts]
+        windows = [self._numbers[start : start + self.size] for start in starts]
+        if self._fixed is None:
+            return windows
+        return [np.where(self._fixed, np.float32(0.0), window) for window in windows]

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from matrixworld.coevolution.learners.optimizers import Adam
-from matrixworld.coevolution.types import Genome
+from matrixworld.coevolution.types import BoolArray, Genome
 
 Tensor: TypeAlias = Any
 """A ``torch.Tensor``: PyTorch may be missing where types are checked."""
@@ -28,12 +28,20 @@ class Perceptron:
         Activation of the hidden layers: relu or tanh.
     rate : float
         Learning rate.
+    fixed : ndarray of bool, shape (genes,), optional
+        Weights that do not change. By default none.
     """
 
     def __init__(
-        self, weights: Genome, sizes: tuple[int, ...], activation: str, rate: float
+        self,
+        weights: Genome,
+        sizes: tuple[int, ...],
+        activation: str,
+        rate: float,
+        fixed: BoolArray | None = None,
     ) -> None:
         self.weights, self.sizes, self.activation, self.rate = weights, sizes, activation, rate
+        self.fixed = fixed
         self.adam = Adam(len(weights))
 
     def outputs(self, weights: Tensor, rows: Tensor) -> Tensor:
@@ -49,6 +57,8 @@ class Perceptron:
 
     def ascend(self, gradient: Genome) -> None:
         """Make one step of Adam."""
+        if self.fixed is not None:
+            gradient = np.where(self.fixed, np.float32(0.0), gradient)
         # A new array: archives keep a reference to the genome of their generation.
         self.weights = self.weights + self.adam.step(gradient, self.rate)
 

@@ -102,6 +102,9 @@ def new_learner(settings: RunSettings, team: Team, genomes: Genomes) -> Learner:
     """
     # The table is filled again from the same key when a run resumes, so no checkpoint holds it.
     rng = keyed_generator(settings.seed, Purpose.NOISE, TEAMS.index(team))
+    mask = settings.mask_weights(team)
+    if mask is not None:
+        genomes = mask.write(genomes)
     return learner_entry(settings.learner_name).new(settings, team, genomes, rng)
 
 

@@ -6,7 +6,13 @@ from collections.abc import Callable
 
 import numpy as np
 
-from matrixworld.coevolution.fitness import fitness, mean_over_opponents, shared_fitness
+from matrixworld.coevolution.fitness import (
+    collisions,
+    feasible_first,
+    fitness,
+    mean_over_opponents,
+    shared_fitness,
+)
 from matrixworld.coevolution.learners.experience import Experience
 from matrixworld.coevolution.learners.learner import GradientLearner
 from matrixworld.coevolution.runs.experience import experience
@@ -45,6 +51,10 @@ class Training:
         self.settings: TrainingSettings = settings
         self.network: Network = settings.network
         self.world: WorldConfig = settings.world(settings.train_steps)
+        # Learners by gradients keep to the limit themselves; their fitness is for the log.
+        learner = settings.built_in_learner
+        by_gradients = learner is not None and learner.by_gradients
+        self.cost_limit: float | None = None if by_gradients else settings.cost_limit
         self.threads: int | None = threads
         self.matches: int = 0
         self.steps: int = 0
@@ -166,7 +176,8 @@ class Training:
             return self.mean_fitness(scores, team, table)
         # Sharing is of results in [0, 1]; the penalty is subtracted afterwards.
         values, payoff = (table(self._values(scores, team, penalty=p)) for p in (True, False))
-        return shared_fitness(values, payoff, sharing=sharing, virulence=virulence)
+        shared = shared_fitness(values, payoff, sharing=sharing, virulence=virulence)
+        return self._within_limit(shared, scores, team, table)
 
     def mean_fitness(self, scores: EpisodeStatistics, team: Team, table: Table) -> FloatArray:
         """Return the mean fitness (n,) over opponents, without sharing and virulence.
@@ -176,7 +187,17 @@ class Training:
         scores, team, table
             As in `fitness`.
         """
-        return mean_over_opponents(table(self._values(scores, team, penalty=True)))
+        means = mean_over_opponents(table(self._values(scores, team, penalty=True)))
+        return self._within_limit(means, scores, team, table)
+
+    def _within_limit(
+        self, fitness: FloatArray, scores: EpisodeStatistics, team: Team, table: Table
+    ) -> FloatArray:
+        """Return the fitness (n,), with candidates within the limit of collisions first."""
+        if self.cost_limit is None:
+            return fitness
+        found = mean_over_opponents(table(collisions(scores, team)))
+        return feasible_first(fitness, found - self.cost_limit)
 
     def _values(self, scores: EpisodeStatistics, team: Team, *, penalty: bool) -> FloatArray:
         settings = self.settings

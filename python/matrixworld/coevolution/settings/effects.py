@@ -102,6 +102,14 @@ BY_FITNESS = Condition(
     lambda s: s.built_in_learner is None or not s.built_in_learner.by_gradients,
 )
 
+MASKED = [name for name, entry in LEARNERS.items() if entry.keeps_fixed_genes]
+"""Learners that leave the weights of a mask as they are."""
+
+REWARDED = Condition(
+    "with the fitness rewards or the learner actor-critic",
+    lambda s: s.fitness == "rewards" or not BY_FITNESS.holds(s),
+)
+
 CONDITIONS: dict[str, tuple[Condition, ...]] = {
     "pursuer_epochs": (IN_TURNS,),
     "evader_epochs": (IN_TURNS,),
@@ -138,12 +146,11 @@ CONDITIONS: dict[str, tuple[Condition, ...]] = {
     ),
     "elite_episodes": (Condition("with at least 2 elites", lambda s: s.elites >= 2),),
     "cost_rate": (Condition("with a cost_limit", lambda s: s.cost_limit is not None),),
-    "rewards": (
-        Condition(
-            "with the fitness rewards or the learner actor-critic",
-            lambda s: s.fitness == "rewards" or not BY_FITNESS.holds(s),
-        ),
+    "mask": (
+        Condition(f"with the learner {' or '.join(MASKED)}", lambda s: s.learner_name in MASKED),
     ),
+    "rewards": (REWARDED,),
+    "collision_penalty": (REWARDED,),
     "fitness": (BY_FITNESS,),
     "pursuer_virulence": (BY_FITNESS,),
     "evader_virulence": (BY_FITNESS,),

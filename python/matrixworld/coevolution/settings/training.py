@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from enum import Enum
 from inspect import cleandoc
 from typing import Any, TypeVar, get_type_hints
@@ -14,6 +14,12 @@ from numpy.typing import NDArray
 from matrixworld.checks import check_choice, check_integer, check_number
 from matrixworld.coevolution.fitness import FITNESS
 from matrixworld.coevolution.learners.learner import LearnerEntry
+from matrixworld.coevolution.learners.masked_network import (
+    MASKS,
+    FixedWeights,
+    mask_weights,
+    masked_network,
+)
 from matrixworld.coevolution.learners.optimizers import OPTIMIZERS
 from matrixworld.coevolution.learners.registry import LEARNERS, check_learner_settings
 from matrixworld.coevolution.plugins import (
@@ -24,16 +30,18 @@ from matrixworld.coevolution.plugins import (
     own_settings,
 )
 from matrixworld.coevolution.settings.effects import check_effects
-from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.coevolution.types import TEAMS, BoolArray, Team
 from matrixworld.config import WorldConfig
 from matrixworld.policy import Network
-from matrixworld.rules import VARIANTS, Outcome, Rewards, Rules, rules_of
+from matrixworld.rules import VARIANTS, Capture, Outcome, Rewards, Rules, rules_of
 
 REWARDS = {"paper": Rewards.paper, "published": Rewards.published}
 """Rewards by name."""
 
 Settings = TypeVar("Settings", bound="TrainingSettings")
 
+LEAST_MASKED_FOV = 3
+"""A smaller view shows no cell to move to."""
 OVERLAP_PENALTY = 0.2
 """Default overlap penalty where teammates may share a cell."""
 MOST_SEED = 2**63 - 1
@@ -88,6 +96,12 @@ class TrainingSettings:
     initial_weight: float = option(0.05, "standard deviation of untrained hidden weights")
     initial_head: float = option(0.1, "standard deviation of untrained output weights")
 
+    mask: str = option(
+        "none",
+        "moves that a policy never chooses: obstacles (into an obstacle or the border), occupied "
+        "(also to a cell on which it sees an agent), or none",
+    )
+
     learner: str | None = option(
         None,
         f"{', '.join(f'{name} ({entry.title})' for name, entry in LEARNERS.items())}, or one of "
@@ -120,16 +134,21 @@ class TrainingSettings:
     clip: float = option(0.0, "actor-critic: clip range of PPO; 0: plain policy gradient")
     entropy: float = option(0.0, "actor-critic: weight of the entropy bonus")
     central_critic: bool = option(False, "actor-critic: let the critic see the whole world")
-    cost_limit: float | None = option(
-        None,
-        "actor-critic: collisions at fault per 1000 agent-steps to approach, by a Lagrangian "
-        "multiplier; default: collisions cost only what the rewards say",
-    )
     cost_rate: float = option(0.05, "actor-critic: learning rate of the multiplier")
     device: str = option("cpu", "actor-critic: device of PyTorch, such as cuda")
 
     rewards: str = option(
         "paper", f"rewards, for actor-critic and the fitness rewards: {' or '.join(REWARDS)}"
+    )
+    collision_penalty: float | None = option(
+        None,
+        "for actor-critic and the fitness rewards: penalty for each kind of collision at fault in "
+        "a step; default: 12, as the rewards say",
+    )
+    cost_limit: float | None = option(
+        None,
+        "collisions at fault per 1000 agent-steps to stay within: actor-critic approaches it by a "
+        "Lagrangian multiplier, other learners rank candidates within it first; default: no limit",
     )
     fitness: str = option("captured-fraction", f"fitness: {', '.join(FITNESS)}")
     overlap_penalty: float | None = option(
@@ -171,8 +190,9 @@ class TrainingSettings:
         check_integer("seed", self.seed, 0, MOST_SEED)
         check_choice("fitness", self.fitness, FITNESS)
         check_choice("rewards", self.rewards, REWARDS)
-        if self.overlap_penalty is not None:
-            check_number("overlap_penalty", self.overlap_penalty, least=0.0)
+        for name in ("overlap_penalty", "collision_penalty", "cost_limit"):
+            if getattr(self, name) is not None:
+                check_number(name, getattr(self, name), least=0.0)
 
     def _check_learner(self) -> None:
         if self.learner is not None:
@@ -193,6 +213,21 @@ class TrainingSettings:
             self._freeze("obstacles", map_as_text(config.map))
         network = Network.for_config(config, hidden=self.hidden, activation=self.activation)
         self._freeze("hidden", network.hidden)
+        self._check_mask()
+
+    def _check_mask(self) -> None:
+        check_choice("mask", self.mask, MASKS)
+        if self.mask != "none" and self.fov < LEAST_MASKED_FOV:
+            raise ValueError(
+                f"fov: expected at least {LEAST_MASKED_FOV} with the mask {self.mask}, "
+                f"got {self.fov}"
+            )
+        meets = self.rules.capture is Capture.OCCUPATION and "pursuer" in self.learning_teams
+        if "adversary" in MASKS[self.mask] and meets:
+            raise ValueError(
+                f"mask: expected obstacles or none where pursuers capture by entering cells of "
+                f"evaders, got {self.mask!r}"
+            )
 
     @property
     def learning_teams(self) -> tuple[Team, ...]:
@@ -228,15 +263,33 @@ class TrainingSettings:
             diagonal=self.diagonal,
             # A tuple is a map as text; `WorldConfig` takes a list.
             obstacles=list(self.obstacles) if isinstance(self.obstacles, tuple) else self.obstacles,
-            rewards=REWARDS[self.rewards](),
+            rewards=self._rewards,
             max_steps=max_steps,
         )
 
     @property
     def network(self) -> Network:
-        """The policy network of a learning team."""
+        """The policy network of a learning team, with its mask."""
         world = self.world(self.train_steps)
-        return Network.for_config(world, hidden=self.hidden, activation=self.activation)
+        network = Network.for_config(world, hidden=self.hidden, activation=self.activation)
+        return masked_network(network, self.mask)
+
+    def mask_weights(self, team: Team) -> FixedWeights | None:
+        """Return the weights of the mask of a team's network, None without a mask."""
+        return mask_weights(self.network, self.mask, team)
+
+    def fixed_genes(self, team: Team) -> BoolArray | None:
+        """Return which genes (genes,) of a team no learner changes, None for none."""
+        weights = self.mask_weights(team)
+        return None if weights is None else weights.fixed
+
+    @property
+    def _rewards(self) -> Rewards:
+        rewards = REWARDS[self.rewards]()
+        if self.collision_penalty is None:
+            return rewards
+        penalty = -self.collision_penalty
+        return replace(rewards, pursuer_collide=penalty, evader_collide=penalty)
 
     @property
     def rules(self) -> Rules:

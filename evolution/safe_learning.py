@@ -1,0 +1,229 @@
+"""Which pursuers capture without collisions? Prices, limits and masks, by gradients and evolution.
+
+    python evolution/safe_learning.py             two variants, five seeds: an hour of one core
+    python evolution/safe_learning.py --quick     a small world, two seeds: some seconds
+
+Pursuers learn to surround an evader that moves at random, in -S (teammates may share a cell) and in
+-SB (they bounce). Each method changes one thing of the same training: the penalty of a collision, a
+limit of collisions, a mask of moves. Afterwards all archived generations play new episodes.
+
+Methods: policy gradients with the clipped objective of PPO; a Lagrangian multiplier on costs (Ray,
+Achiam and Amodei, 2019); evolution strategies (Salimans et al., 2017) on captures, and with
+candidates within a limit first (Deb, 2000); masks of actions (Huang and Ontañón, 2022).
+
+Look at the first figures of a row: a method is safe if it captures and does not collide. All
+methods are compared at the same number of agent-steps. ``--results`` receives the numbers, the
+table and a figure. Needs PyTorch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import ArrayLike, NDArray
+
+from common import script_parser
+from matrixworld import colors
+from matrixworld.analysis import Estimate, interval_over_runs
+from matrixworld.rules import KINDS
+from safe_runs import FULL, LIMIT, QUICK, measured, play
+
+Numbers = Mapping[str, NDArray[Any]]
+"""The arrays that `safe_runs.measured` returns."""
+
+EVOLVED = " evolution: "
+HEAD = " | ".join(["capture rate", "collisions", *KINDS, "while training", "million steps"])
+NOTHING, TWELVE, ONE, LIMITED, WALLS, OCCUPIED, MASK_ONE, BOTH = (
+    colors.INK, colors.VERMILLION, colors.PURPLE, colors.BLUE, colors.SKY_BLUE, colors.GREEN,
+    colors.MUTED, colors.ORANGE,
+)  # fmt: skip
+DRAWN = {
+    "gradients: no penalty": NOTHING,
+    "gradients: penalty 12, as in the paper": TWELVE,
+    "gradients: limit, by a multiplier": LIMITED,
+    "gradients: mask of occupied cells, limit": BOTH,
+}
+"""Methods whose training is drawn, and their colours."""
+STYLES = [
+    *(
+        {"color": color, "marker": "o"}
+        for color in (NOTHING, TWELVE, ONE, LIMITED, WALLS, OCCUPIED, MASK_ONE, BOTH)
+    ),
+    *(
+        {"color": color, "marker": "s", "fillstyle": "none"}
+        for color in (NOTHING, ONE, LIMITED, OCCUPIED, BOTH)
+    ),
+]
+"""Marks of the methods: filled for gradients, hollow for evolution."""
+
+
+def names_of(numbers: Numbers) -> list[str]:
+    """Return the variants and methods of the numbers, in their order."""
+    return list(dict.fromkeys(key.split(" / ")[0] for key in numbers if " / " in key))
+
+
+def variants_of(numbers: Numbers) -> list[str]:
+    """Return the variants of the numbers."""
+    return list(dict.fromkeys(name.split()[0] for name in names_of(numbers)))
+
+
+def methods_of(numbers: Numbers, variant: str) -> list[str]:
+    """Return those of `names_of` that belong to a variant."""
+    return [name for name in names_of(numbers) if name.startswith(f"{variant} ")]
+
+
+def judged(numbers: Numbers, name: str, *, budget: float) -> dict[str, NDArray[Any]]:
+    """Return the numbers of a method at its last generation within a budget, (seeds,) each."""
+    steps = numbers[f"{name} / agent-steps"]
+    last = (steps <= budget).sum(axis=1) - 1
+    seeds = np.arange(len(steps))
+    faults = numbers[f"{name} / fault"][seeds, last]
+    return {
+        "capture rate": numbers[f"{name} / capture rate"][seeds, last],
+        "all": faults.sum(axis=1),
+        **{kind: faults[:, k] for k, kind in enumerate(KINDS)},
+        "training": 1000 * numbers[f"{name} / collisions"][seeds, last] / steps[seeds, last],
+        "agent-steps": steps[seeds, last] / 1e6,
+    }
+
+
+def table(numbers: Numbers) -> str:
+    """Return the comparison of the methods as a table in Markdown for each variant."""
+    budget = float(numbers["budget"])
+    seeds = len(numbers[f"{names_of(numbers)[0]} / capture rate"])
+    parts = [
+        f"Collisions at fault per 1000 agent-steps of the pursuers: in the test, by kind, and in "
+        f"training so far.\nAll methods after at most {budget / 1e6:.4g} million agent-steps of "
+        f"training; evolution at its end as well.\nMean over {seeds} seeds [95% interval]."
+    ]
+    for variant in variants_of(numbers):
+        names = methods_of(numbers, variant)
+        late = [name for name in names if EVOLVED in name]
+        rows = [
+            *(row(numbers, name, name.removeprefix(f"{variant} "), budget) for name in names),
+            *(row(numbers, name, f"{name.removeprefix(f'{variant} ')}, at the end", np.inf)
+              for name in late),
+        ]  # fmt: skip
+        parts.append("\n".join([f"| -{variant} | {HEAD} |", "|---" * 8 + "|", *rows]))
+    return "\n\n".join(parts)
+
+
+def row(numbers: Numbers, name: str, label: str, budget: float) -> str:
+    """Return a line of the table."""
+    found = judged(numbers, name, budget=budget)
+    cells = [
+        shown(found["capture rate"], 2, most=1.0),
+        shown(found["all"], 1),
+        *(f"{found[kind].mean():.1f}" for kind in KINDS),
+        shown(found["training"], 1),
+        f"{found['agent-steps'].mean():.2f}",
+    ]
+    return f"| {' | '.join([label, *cells])} |"
+
+
+def shown(values: ArrayLike, digits: int, *, most: float = np.inf) -> str:
+    """Return a mean over seeds, with its interval if the seeds differ."""
+    found = interval_over_runs(values, bounds=(0.0, most))
+    if found.low is None:
+        return f"{found.value:.{digits}f}"
+    return f"{found.value:.{digits}f} [{found.low:.{digits}f}, {found.high:.{digits}f}]"
+
+
+def training_figure(numbers: Numbers) -> Figure:
+    """Draw capture rate and collisions by kind while training, for some methods."""
+    variants = variants_of(numbers)
+    drawn = Figure(figsize=(16.0, 3.5 * len(variants)), dpi=120, layout="constrained")
+    panels = drawn.subplots(len(variants), 1 + len(DRAWN), squeeze=False, sharex=True)
+    for variant, (captures, *faults) in zip(variants, panels, strict=True):
+        captures.set(title=f"-{variant}", ylabel="capture rate", ylim=(-0.02, 1.02))
+        for (method, color), axes in zip(DRAWN.items(), faults, strict=True):
+            name, label = f"{variant} {method}", method.partition(": ")[2]
+            curve(captures, numbers, name, "capture rate", color=color, label=label)
+            axes.set_title(f"-{variant}: {label}", color=color, fontsize="medium")
+            for k, (kind, of_kind) in enumerate(zip(KINDS, colors.CONFLICTS, strict=True)):
+                curve(axes, numbers, name, "fault", k, color=of_kind, label=kind)
+            axes.set_yscale("symlog", linthresh=10.0)
+            axes.set_ylim(0.0, 1000.0)
+        faults[0].set_ylabel("collisions at fault per 1000 agent-steps")
+        for axes in faults[1:]:
+            axes.tick_params(labelleft=False)
+    for axes in panels.flat:
+        axes.grid(color=colors.GRID)
+    for axes in panels[-1]:
+        axes.set_xlabel("million agent-steps of training")
+    panels[0, 1].legend(loc="lower right")
+    return drawn
+
+
+def methods_figure(numbers: Numbers) -> Figure:
+    """Draw captures over collisions of all methods within the budget, with intervals."""
+    variants = variants_of(numbers)
+    drawn = Figure(figsize=(6.0 * len(variants) + 3.0, 5.0), dpi=120, layout="constrained")
+    panels = drawn.subplots(1, len(variants), squeeze=False, sharey=True)[0]
+    for variant, axes in zip(variants, panels, strict=True):
+        axes.axvline(LIMIT, color=colors.MUTED, linestyle=":", label=f"limit of {LIMIT:g}")
+        for name, style in zip(methods_of(numbers, variant), STYLES, strict=False):
+            found = judged(numbers, name, budget=float(numbers["budget"]))
+            x = interval_over_runs(found["all"], bounds=(0.0, np.inf))
+            y = interval_over_runs(found["capture rate"], bounds=(0.0, 1.0))
+            axes.errorbar(
+                x.value, y.value, xerr=reach(x), yerr=reach(y), capsize=2, markersize=8,
+                label=name.removeprefix(f"{variant} "), **style,
+            )  # fmt: skip
+        axes.set_xscale("symlog", linthresh=1.0)
+        axes.set(title=f"-{variant}", xlabel="collisions at fault per 1000 agent-steps")
+        axes.set(ylim=(-0.02, 1.02), xlim=(-0.2, 3000.0))
+        axes.grid(color=colors.GRID)
+    panels[0].set_ylabel("capture rate")
+    drawn.legend(*panels[0].get_legend_handles_labels(), loc="outside right center")
+    return drawn
+
+
+def reach(found: Estimate) -> list[list[float]] | None:
+    """Return how far an interval reaches from its mean, as Matplotlib takes it."""
+    if found.low is None or found.high is None:
+        return None
+    return [[found.value - found.low], [found.high - found.value]]
+
+
+def curve(
+    axes: Axes, numbers: Numbers, name: str, number: str, kind: int | None = None, **style: Any
+) -> None:
+    """Draw the mean of a number over seeds, and its range, over agent-steps of training."""
+    steps, values = numbers[f"{name} / agent-steps"] / 1e6, numbers[f"{name} / {number}"]
+    values = values if kind is None else values[..., kind]
+    # Seeds have played different numbers of steps: the mean is over equal ones.
+    grid = np.linspace(0.0, steps[:, -1].min(), 60)
+    seeds = [np.interp(grid, x, y) for x, y in zip(steps, values, strict=True)]
+    axes.plot(grid, np.mean(seeds, axis=0), **style)
+    low, high = np.min(seeds, axis=0), np.max(seeds, axis=0)
+    axes.fill_between(grid, low, high, color=style["color"], alpha=0.12, linewidth=0)
+
+
+def main() -> None:
+    """Play missing runs; print and write the comparison, and draw it."""
+    parser = script_parser(__doc__, quick="a small world and two seeds", cluster=True)
+    parser.add_argument("--seeds", type=int, help="runs of each method; default 5, or 2")
+    parser.add_argument("--runs", type=Path, default=Path("runs/safe_learning"))
+    parser.add_argument("--results", type=Path, default=Path("safe_learning"))
+    args = parser.parse_args()
+    plan = QUICK if args.quick else FULL
+    runs = play(plan, range(args.seeds or plan.seeds), args.runs, args.cluster)
+    numbers = {"budget": np.array(plan.budget), **measured(runs, plan.episodes)}
+    text = table(numbers)
+    print(text)
+    args.results.mkdir(parents=True, exist_ok=True)
+    (args.results / "table.md").write_text(text + "\n", encoding="utf-8")
+    np.savez_compressed(args.results / "numbers.npz", **numbers)
+    training_figure(numbers).savefig(args.results / "training.png")
+    methods_figure(numbers).savefig(args.results / "methods.png")
+    print(f"\nWritten: table.md, numbers.npz, training.png and methods.png in {args.results}")
+
+
+if __name__ == "__main__":
+    main()

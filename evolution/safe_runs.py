@@ -1,0 +1,200 @@
+"""Runs behind `safe_learning`: methods, settings, and the numbers of each run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import matrixworld as mw
+from common import finish_all
+from matrixworld.coevolution import SavedRun, SingleSettings
+
+LIMIT = 20.0
+"""Collisions at fault per 1000 agent-steps that the limited methods may have."""
+FIRST_TEST_SEED = 10**6
+"""Test episodes have seeds of their own; those of training are hashes."""
+
+Changes = dict[str, Any]
+
+FREE: Changes = {"collision_penalty": 0.0}
+GRADIENTS: dict[str, Changes] = {
+    "no penalty": FREE,
+    "penalty 12, as in the paper": {},
+    "penalty 1": {"collision_penalty": 1.0},
+    "limit, by a multiplier": {**FREE, "cost_limit": LIMIT},
+    "mask of obstacles": {**FREE, "mask": "obstacles"},
+    "mask of occupied cells": {**FREE, "mask": "occupied"},
+    "mask of occupied cells, penalty 1": {"mask": "occupied", "collision_penalty": 1.0},
+    "mask of occupied cells, limit": {**FREE, "mask": "occupied", "cost_limit": LIMIT},
+}
+EVOLUTION: dict[str, Changes] = {
+    "captures": {},
+    "rewards with penalty 1": {"fitness": "rewards", "collision_penalty": 1.0},
+    "captures within a limit": {"cost_limit": LIMIT},
+    "captures, mask of occupied cells": {"mask": "occupied"},
+    "captures within a limit, mask of occupied cells": {"mask": "occupied", "cost_limit": LIMIT},
+}
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Trainings and tests, and their sizes.
+
+    Parameters
+    ----------
+    gradients, evolution : SingleSettings
+        Training by gradients and by evolution, which the methods change.
+    variants : tuple of str
+        Variants of the game.
+    seeds : int
+        Number of training seeds, from 0.
+    episodes : int
+        Test episodes of each archived generation.
+    """
+
+    gradients: SingleSettings
+    evolution: SingleSettings
+    variants: tuple[str, ...]
+    seeds: int
+    episodes: int
+
+    @property
+    def budget(self) -> int:
+        """Agent-steps of the pursuers in a training by gradients, if no episode ends early."""
+        one = self.gradients
+        assert one.pursuers is not None
+        return one.epochs * one.population * one.train_steps * one.pursuers
+
+    def trainings(self) -> dict[str, SingleSettings]:
+        """Return the settings of each method by its name, in the first variant and seed."""
+        bases = {
+            "gradients": (self.gradients, GRADIENTS),
+            "evolution": (self.evolution, EVOLUTION),
+        }
+        return {
+            f"{kind}: {name}": replace(base, **changes)
+            for kind, (base, methods) in bases.items()
+            for name, changes in methods.items()
+        }
+
+
+WORLD: Changes = {
+    "variant": "SB", "rows": 8, "cols": 8, "pursuers": 6, "evaders": 1, "fov": 7,
+    "train_steps": 60, "eval_steps": 60, "team": "pursuer", "hidden": (32,),
+}  # fmt: skip
+FULL = Plan(
+    SingleSettings(
+        **WORLD, learner="actor-critic", population=16, epochs=400, archive_every=20, clip=0.2,
+        actor_updates=4, critic_updates=4, actor_rate=1e-3, critic_rate=2e-3, discount=0.95,
+    ),
+    SingleSettings(**WORLD, population=32, epochs=1500, archive_every=50),
+    variants=("S", "SB"),
+    seeds=5,
+    episodes=200,
+)  # fmt: skip
+QUICK = Plan(
+    replace(
+        FULL.gradients, rows=5, cols=5, pursuers=3, fov=5, hidden=(8,), train_steps=10,
+        eval_steps=12, population=4, epochs=4, archive_every=2,
+    ),
+    replace(
+        FULL.evolution, rows=5, cols=5, pursuers=3, fov=5, hidden=(8,), train_steps=10,
+        eval_steps=12, population=4, epochs=4, archive_every=2,
+    ),
+    variants=("SB",),
+    seeds=2,
+    episodes=5,
+)  # fmt: skip
+
+
+def play(plan: Plan, seeds: range, root: Path, where: str | None) -> dict[str, list[SavedRun]]:
+    """Return the runs of each variant and method, one for each seed; play the missing ones."""
+    settings = {
+        f"{variant}-{slug(name)}/{seed}": replace(base, variant=variant, seed=seed)
+        # All methods of a seed, then the next seed: what is interrupted compares equals.
+        for seed in seeds
+        for variant in plan.variants
+        for name, base in plan.trainings().items()
+    }
+    runs = finish_all(settings, root, where=where)
+    return {
+        f"{variant} {name}": [runs[f"{variant}-{slug(name)}/{seed}"] for seed in seeds]
+        for variant in plan.variants
+        for name in plan.trainings()
+    }
+
+
+def slug(name: str) -> str:
+    """Return a name as the name of a directory."""
+    return "-".join(word.strip(":,") for word in name.split())
+
+
+def measured(runs: Mapping[str, list[SavedRun]], episodes: int) -> dict[str, NDArray[Any]]:
+    """Return the numbers of all runs.
+
+    Parameters
+    ----------
+    runs : mapping of str to list of SavedRun
+        Runs of each variant and method, one for each seed.
+    episodes : int
+        Test episodes of each archived generation.
+
+    Returns
+    -------
+    dict of str to ndarray
+        By ``"<variant> <method> / <number>"``, arrays over seeds and archived generations:
+        ``agent-steps`` and ``collisions`` of the pursuers in training until then, (seeds,
+        generations), the ``capture rate`` in the test, (seeds, generations), and agent-steps at
+        ``fault`` per 1000 in the test, (seeds, generations, kinds).
+    """
+    return {
+        f"{name} / {key}": np.stack([each[key] for each in of_seeds])
+        for name, of_seeds in (
+            (name, [of_run(run, episodes) for run in each]) for name, each in runs.items()
+        )
+        for key in of_seeds[0]
+    }
+
+
+def of_run(run: SavedRun, episodes: int) -> dict[str, NDArray[Any]]:
+    """Return the numbers of one run; see `measured`."""
+    settings, log = run.settings, run.files.log()
+    assert isinstance(settings, SingleSettings)
+    # Here no agent disappears: each world step is one step of all pursuers.
+    steps = settings.pursuers * np.concatenate([[0], log["steps"]])
+    collisions = np.concatenate([[0.0], np.cumsum(log["pursuer_faults"]) * settings.population])
+    ends = np.minimum(
+        np.arange(len(run.teams["pursuer"].genomes)) * settings.archive_every, settings.epochs
+    )
+    captures, faults = tested(run, episodes)
+    return {
+        "agent-steps": steps[ends],
+        "collisions": collisions[ends],
+        "capture rate": captures,
+        "fault": faults,
+    }
+
+
+def tested(run: SavedRun, episodes: int) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return capture rates and faults by kind of all generations, in the same new episodes."""
+    settings, own = run.settings, run.teams["pursuer"]
+    generations = np.arange(len(own.genomes))
+    played = mw.rollout(
+        settings.world(settings.eval_steps),
+        own,
+        settings.against,
+        mw.Matches.of(generations, 0, FIRST_TEST_SEED),
+        worlds=episodes,
+    )
+    monitors = [mw.SafetyMonitor() for _ in generations]
+    fields = (played.collisions, played.faults, played.agent_steps, played.capture_rate)
+    for generation, monitor in enumerate(monitors):
+        monitor.add(*(each[generation] for each in fields))
+    summaries = [monitor.summary() for monitor in monitors]
+    captures = np.array([summary.capture_rate for summary in summaries])
+    return captures, np.array([summary.fault_rate[0] for summary in summaries])

@@ -1,0 +1,125 @@
+"""Action masks as fixed weights of a network: whatever plays the genome keeps to the mask.
+
+A mask forbids moves to cells that an agent sees occupied. Whether a cell is occupied is one number
+of the view, so a mask is a network itself: one unit for each move, active if the move is forbidden,
+with a large negative weight to the output of that move. These units stand beside the others in
+each hidden layer. No learner changes their weights.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from matrixworld.coevolution.types import BoolArray, Genome, Genomes, IntArray, Team
+from matrixworld.masks import CHANNEL, STEPS
+from matrixworld.policy import Network
+from matrixworld.rules import KINDS
+from matrixworld.short_repr import short_repr
+
+MASKS: dict[str, tuple[str, ...]] = {
+    "none": (),
+    "obstacles": ("obstacle",),
+    "occupied": KINDS,
+}
+"""Masks by name: the kinds of collision that a forbidden move would risk."""
+
+FORBIDDEN = -(2.0**20)
+"""Added to the output of a forbidden move. Its probability is 0: e^x is 0 in float32 below -104,
+and other outputs are smaller than this number by far."""
+
+
+@dataclass(frozen=True, eq=False)
+class FixedWeights:
+    """Weights of a network that no learner changes.
+
+    Parameters
+    ----------
+    fixed : ndarray of bool, shape (genes,)
+        Which genes are fixed.
+    values : ndarray of float32, shape (genes,)
+        Their values; 0 elsewhere.
+    """
+
+    fixed: BoolArray
+    values: Genome
+
+    __repr__ = short_repr
+
+    def write(self, genomes: Genomes) -> Genomes:
+        """Return genomes (n, genes) with the fixed weights in their places."""
+        return np.where(self.fixed, self.values, genomes)
+
+
+def masked_network(network: Network, mask: str) -> Network:
+    """Return a network with room for a mask: one more unit for each move in each hidden layer.
+
+    Parameters
+    ----------
+    network : Network
+        The network without the mask.
+    mask : str
+        Key of `MASKS`.
+    """
+    if not MASKS[mask]:
+        return network
+    return replace(network, hidden=tuple(size + network.n_actions - 1 for size in network.hidden))
+
+
+def mask_weights(network: Network, mask: str, team: Team) -> FixedWeights | None:
+    """Return the weights of a mask, None for the mask "none".
+
+    Parameters
+    ----------
+    network : Network
+        Network that `masked_network` returned, with a fov of at least 3.
+    mask : str
+        Key of `MASKS`.
+    team : {"pursuer", "evader"}
+        Team whose network it is: it tells teammates from adversaries.
+
+    Returns
+    -------
+    FixedWeights or None
+        The weights. Staying is never forbidden.
+
+    Notes
+    -----
+    Without hidden layers, the weights from the cells to the outputs are fixed. With tanh, a unit of
+    the mask is not 1 but at least tanh(tanh(...(1))), which is enough.
+
+    References
+    ----------
+    Huang, S. and Ontañón, S. (2022). A closer look at invalid action masking in policy gradient
+    algorithms. FLAIRS.
+    """
+    if not MASKS[mask]:
+        return None
+    marks, values = np.zeros((2, network.genome_size), np.float32)
+    moves, last = network.n_actions - 1, len(network.hidden)
+    cells = _cells(network, mask, team)
+    layers = zip(network.layers(values), network.layers(marks), strict=True)
+    for number, ((weights, _), (fixed_weights, fixed_biases)) in enumerate(layers):
+        sources = cells if number == 0 else np.arange(len(weights) - moves, len(weights))[None]
+        # A unit of the mask hears of nothing else, and nothing else hears of it.
+        if number > 0:
+            fixed_weights[-moves:] = 1.0
+        if number < last:
+            fixed_weights[:, -moves:] = 1.0
+            fixed_biases[-moves:] = 1.0
+        targets = np.arange(1, 1 + moves) if number == last else np.arange(-moves, 0)
+        fixed_weights[sources, targets] = 1.0
+        weights[sources, targets] = FORBIDDEN if number == last else 1.0
+    return FixedWeights(marks != 0.0, values)
+
+
+def _cells(network: Network, mask: str, team: Team) -> IntArray:
+    """Return which input says that a move is forbidden, (kinds, moves)."""
+    fov = network.fov
+    rows, cols = STEPS[1 : network.n_actions].T + fov // 2
+    own, foreign = ("pursuer", "evader") if team == "pursuer" else ("evader", "pursuer")
+    seen = {"obstacle": "obstacle", "teammate": own, "adversary": foreign}
+    channels = np.array([CHANNEL[seen[kind]] for kind in MASKS[mask]])
+    cells: IntArray = (channels[:, None] * fov + rows) * fov + cols
+    return cells

@@ -1,0 +1,125 @@
+"""Action masks as fixed weights: forbidden moves are never played, and no learner changes them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from matrixworld import coevolution
+from matrixworld.coevolution import NoEffectError
+from matrixworld.coevolution.learners.masked_network import (
+    FORBIDDEN,
+    mask_weights,
+    masked_network,
+)
+from matrixworld.coevolution.runs.experience import experience
+from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.config import WorldConfig
+from matrixworld.policy import Network, Population
+from tiny_race import tiny_race, tiny_single
+
+MOVES = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)]
+EVADERS, PURSUERS, OBSTACLES = range(3)
+
+
+def forbidden(views: np.ndarray, mask: str, team: Team, n_actions: int) -> np.ndarray:
+    """Return which actions (n, n_actions) run into what the views (n, 3, fov, fov) show."""
+    own, foreign = (PURSUERS, EVADERS) if team == "pursuer" else (EVADERS, PURSUERS)
+    channels = {"none": [], "obstacles": [OBSTACLES], "occupied": [OBSTACLES, own, foreign]}[mask]
+    found = np.zeros((len(views), n_actions), bool)
+    middle = views.shape[-1] // 2
+    for action, (row, col) in enumerate(MOVES[1:n_actions], start=1):
+        for channel in channels:
+            found[:, action] |= views[:, channel, middle + row, middle + col] == 1
+    return found
+
+
+@pytest.mark.parametrize("mask", ["obstacles", "occupied"])
+@pytest.mark.parametrize("team", TEAMS)
+@pytest.mark.parametrize(
+    ("hidden", "activation", "diagonal"),
+    [((), "relu", False), ((6,), "relu", True), ((6, 5), "relu", False), ((6, 5), "tanh", False)],
+)
+def test_the_engine_never_plays_a_forbidden_move(
+    mask: str, team: Team, hidden: tuple[int, ...], activation: Any, diagonal: bool
+) -> None:
+    config = WorldConfig(
+        "S", rows=7, cols=7, n_pursuers=8, n_evaders=8, obstacles=0.15, fov=5, max_steps=40,
+        diagonal=diagonal,
+    )  # fmt: skip
+    network = masked_network(Network.for_config(config, hidden=hidden, activation=activation), mask)
+    weights = mask_weights(network, mask, team)
+    assert weights is not None
+    free = np.random.default_rng(1).normal(0, 0.5, (1, network.genome_size)).astype(np.float32)
+    genomes = weights.write(free)
+    played = experience(
+        config, team, Population(genomes, network), "random", np.zeros(8, int),
+        np.arange(8, dtype=np.uint64), threads=1,
+    )  # fmt: skip
+    views = played.views.reshape(-1, 3, 5, 5)
+    refused = forbidden(views, mask, team, config.n_actions)
+    each = np.arange(len(played))
+    assert refused.any(axis=0)[1:].all()
+    assert not refused[each, played.actions].any()
+    # No other move is forbidden, and none is more or less likely than without the mask.
+    without = np.where(weights.values == FORBIDDEN, np.float32(0), genomes[0])
+    logits, bare = network.logits(genomes[0], views), network.logits(without, views)
+    np.testing.assert_array_equal(logits[~refused], bare[~refused])
+    assert (logits[refused] < FORBIDDEN / 2).all()
+    assert len(np.unique(played.actions)) == config.n_actions
+
+
+def test_without_a_mask_the_network_is_the_same() -> None:
+    network = Network((6, 5), fov=5)
+    assert masked_network(network, "none") == network
+    assert mask_weights(network, "none", "pursuer") is None
+
+
+@pytest.mark.parametrize("learner", ["es", "ga", "actor-critic"])
+def test_learners_leave_the_mask_as_it_is(learner: str, tmp_path: Path) -> None:
+    if learner == "actor-critic":
+        pytest.importorskip("torch")
+    settings = tiny_race(mask="obstacles", learner=learner)
+    run = coevolution.finish(settings, tmp_path, threads=1)
+    for team in TEAMS:
+        weights, genomes = settings.mask_weights(team), run.teams[team].genomes
+        assert weights is not None
+        np.testing.assert_array_equal(weights.write(genomes), genomes)
+        learned = (genomes[0] != genomes[-1])[~weights.fixed]
+        assert learned.mean() > 0.3
+    assert run.teams["pursuer"].network.hidden == (4 + 4,)
+
+
+def test_a_run_with_a_mask_starts_from_one_with_another_mask(tmp_path: Path) -> None:
+    first = tiny_single(variant="S", mask="obstacles")
+    coevolution.finish(first, tmp_path / "first", threads=1)
+    second = tiny_single(variant="S", mask="occupied", start=str(tmp_path / "first"))
+    run = coevolution.finish(second, tmp_path / "second", threads=1)
+    weights, genomes = second.mask_weights("pursuer"), run.teams["pursuer"].genomes
+    assert weights is not None
+    np.testing.assert_array_equal(weights.write(genomes), genomes)
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"mask": "walls"}, "mask: expected one of none, obstacles, occupied, got 'walls'"),
+        ({"mask": "obstacles", "fov": 1}, "fov: expected at least 3 with the mask obstacles"),
+        ({"mask": "occupied"}, "mask: expected obstacles or none where pursuers capture by"),
+    ],
+)
+def test_bad_masks_are_refused(changes: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        tiny_single(**changes)
+
+
+def test_evaders_may_mask_pursuers_where_contact_is_capture() -> None:
+    assert tiny_single(team="evader", mask="occupied").mask == "occupied"
+
+
+def test_learners_that_change_all_weights_refuse_a_mask() -> None:
+    with pytest.raises(NoEffectError, match="only with the learner es or ga or actor-critic"):
+        tiny_single(learner="cma", hidden=(), mask="obstacles")
