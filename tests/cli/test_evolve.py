@@ -91,7 +91,8 @@ def test_every_setting_is_an_option_of_one_section_with_its_help():
         f"with --against {alone.population}; 1 for actor-critic]"
     )
     # A line may end at a hyphen.
-    assert f"candidates per epoch; actor-critic: matches {different}" in shown.replace("- ", "-")
+    expected = f"candidates (or matches, actor-critic) per epoch {different}"
+    assert expected in shown.replace("- ", "-")
     epochs = [f"{SingleSettings(team=team).epochs} for {team}s" for team in TEAMS]
     assert f"epochs of the run [default: {', '.join(epochs)}; 1200 for actor-critic]" in shown
 

@@ -45,7 +45,7 @@ class RaceSettings(TrainingSettings):
     """
 
     # A field of `TrainingSettings` again, with another default.
-    population: int = option(None, "candidates per epoch; actor-critic: matches")
+    population: int = option(None, "candidates (or matches, actor-critic) per epoch")
 
     schedule: str = option(
         "generalist-generalist", f"opponents of each team: {', '.join(ALL_SCHEDULES)}"

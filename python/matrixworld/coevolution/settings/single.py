@@ -49,7 +49,9 @@ class SingleSettings(TrainingSettings):
     # Fields of `TrainingSettings` again, with other defaults.
     initial_weight: float = option(None, "standard deviation of untrained hidden weights")
     initial_head: float = option(None, "standard deviation of untrained output weights")
-    population: int = option(128, "candidates per epoch; actor-critic: matches", by_learner=True)
+    population: int = option(
+        128, "candidates (or matches, actor-critic) per epoch", by_learner=True
+    )
     sigma: float = option(None, "es: standard deviation of the samples; cma: its initial value")
     anneal: bool = option(True, "es: reduce the learning rate linearly to a tenth over the run")
     train_steps: int = option(None, "maximum steps of a training episode")

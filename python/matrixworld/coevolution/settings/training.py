@@ -108,7 +108,7 @@ class TrainingSettings:
         "your own, as module:object; default: es",
     )
     learner_settings: Mapping[str, Any] = option(NO_SETTINGS, OWN_HELP.format("the learner"))
-    population: int = option(48, "candidates per epoch; actor-critic: matches", by_learner=True)
+    population: int = option(48, "candidates (or matches, actor-critic) per epoch", by_learner=True)
     sigma: float = option(0.1, "es: standard deviation of the samples; cma: its initial value")
     optimizer: str = option("adam", f"es: {' or '.join(OPTIMIZERS)}")
     learning_rate: float = option(0.02, "es: learning rate of the optimizer")
