@@ -44,7 +44,13 @@ SETTINGS = {"learner_settings": {"sigma": 0.2}, "pursuers_meet_settings": {"forg
 def folder(tmp_path, monkeypatch):
     """A folder from which modules are imported."""
     monkeypatch.syspath_prepend(tmp_path)
+    forget_modules()  # a test of another file may have imported its own
     yield tmp_path
+    forget_modules()
+
+
+def forget_modules():
+    """Forget what tests of own code import."""
     for name in [n for n in sys.modules if n.partition(".")[0] in ("mine", "mypkg")]:
         del sys.modules[name]
 
