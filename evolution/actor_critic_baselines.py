@@ -35,14 +35,13 @@ from time import process_time
 from typing import Any
 
 import numpy as np
+from scipy.stats import t
 from tqdm import tqdm
 
 from common import script_parser
 from matrixworld.analysis import Estimate, interval_over_runs
 from matrixworld.coevolution import SingleSettings, Team, finish, open_run
 
-T_QUANTILE = 2.262
-"""Student's t, 97.5 %, of the ten episodes of a published number."""
 EPISODES = 10
 """Episodes of a published number."""
 
@@ -77,7 +76,7 @@ class Game:
 
     def verdict(self, found: Estimate) -> str:
         """Return reached, not reached or undecided."""
-        error = T_QUANTILE * self.spread / np.sqrt(EPISODES)
+        error = t.ppf(0.975, EPISODES - 1) * self.spread / np.sqrt(EPISODES)
         # Seeds that agree to the last digit have no interval.
         low = found.value if found.low is None else found.low
         high = found.value if found.high is None else found.high

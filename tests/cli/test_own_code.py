@@ -7,6 +7,7 @@ import shutil
 import signal
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -45,13 +46,15 @@ class Learner(HillClimber):
 
 
 @pytest.fixture(autouse=True)
-def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Run commands in a temporary directory, from which modules are imported."""
+    sys.modules.pop("mine", None)
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(tmp_path)
     monkeypatch.setattr(report, "draw_run", lambda run: [])
     monkeypatch.setattr(report, "draw_comparison", lambda races, path: path)
     monkeypatch.setattr(report, "write_explorer", lambda results, page: None)
+    yield
     sys.modules.pop("mine", None)
 
 
