@@ -83,6 +83,8 @@ class EvolutionStrategy:
     ----------
     genome : ndarray of float32, shape (genes,)
         The mean.
+    match_of_candidate : ndarray of int, shape (samples,)
+        Pair of each candidate.
 
     Raises
     ------
@@ -117,14 +119,10 @@ class EvolutionStrategy:
         self.samples: int = samples
         self.learning_rate: float = learning_rate
         self.anneal_over: int | None = anneal_over
+        self.match_of_candidate: Indices = np.tile(np.arange(samples // 2), 2)
         self._optimizer = new_optimizer(optimizer, noise.size, momentum=momentum)
         self._table = noise
         self._noise: list[Genome] = []
-
-    @property
-    def match_of_candidate(self) -> Indices:
-        """Pair of each candidate, (samples,)."""
-        return np.tile(np.arange(self.samples // 2), 2)
 
     @property
     def rate(self) -> float:
@@ -160,10 +158,12 @@ class EvolutionStrategy:
         # The table's numbers are s e_i, hence the square of sigma.
         weights = ((plus - minus) / (self.samples * self._table.sigma**2)).astype(np.float32)
         gradient = np.zeros(self._table.size, dtype=np.float32)
+        term = np.empty_like(gradient)
         # Term by term, not as a matrix product: the order in which BLAS adds, and with it the
         # rounding, depends on the machine.
         for weight, noise in zip(weights, self._noise, strict=True):
-            gradient += weight * noise
+            np.multiply(weight, noise, out=term)
+            gradient += term
         return gradient
 
     def state(self) -> State:

@@ -1,7 +1,8 @@
 """A genetic algorithm with operators in the shape of DEAP's: select, mate, mutate.
 
 DEAP's own operators draw from Python's global `random` and visit genes one by one. These take an
-explicit generator and work on whole arrays; a DEAP toolbox registers them in the same way.
+explicit generator and work on whole arrays; a DEAP toolbox registers them in the same way. As in
+DEAP, mating and mutation change their argument and return it.
 """
 
 from __future__ import annotations
@@ -77,43 +78,51 @@ def select_truncation(
 
 
 def mate_uniform(
-    first: Genomes, second: Genomes, rng: np.random.Generator, *, probability: float
+    genomes: Genomes,
+    population: Genomes,
+    mates: Indices,
+    rng: np.random.Generator,
+    *,
+    probability: float,
 ) -> Genomes:
-    """Return children by uniform crossover.
+    """Turn genomes into children by uniform crossover, in place.
 
     Parameters
     ----------
-    first, second : ndarray of float32, shape (n, genes)
-        Parents of each child.
+    genomes : ndarray of float32, shape (n, genes)
+        The first parent of each child; overwritten with the children.
+    population : ndarray of float32, shape (m, genes)
+        Individuals to mate with.
+    mates : ndarray of int, shape (n,)
+        The second parent of each child, as an index into `population`.
     rng : numpy.random.Generator
         Draws which children mix, and which genes come from the second parent.
     probability : float
-        Probability that a child mixes both parents. Other children are copies of their first
-        parent.
+        Probability that a child mixes both parents. Other children are their first parent.
 
     Returns
     -------
     ndarray of float32, shape (n, genes)
-        The children.
+        `genomes`.
     """
-    mixed = rng.random(len(first)) < probability
-    children: Genomes = first.copy()
+    mixed = rng.random(len(genomes)) < probability
     # Without crossover, the default, no random number for each gene is drawn.
     if mixed.any():
-        from_second = rng.random((int(mixed.sum()), first.shape[1]), dtype=np.float32) < 0.5
-        children[mixed] = np.where(from_second, second[mixed], first[mixed])
-    return children
+        first, second = genomes[mixed], population[mates[mixed]]
+        from_second = rng.random(first.shape, dtype=np.float32) < 0.5
+        genomes[mixed] = np.where(from_second, second, first)
+    return genomes
 
 
 def mutate_gaussian(
     genomes: Genomes, rng: np.random.Generator, *, sigma: float, probability: float
 ) -> Genomes:
-    """Return mutants by Gaussian noise.
+    """Mutate genomes by Gaussian noise, in place.
 
     Parameters
     ----------
     genomes : ndarray of float32, shape (n, genes)
-        Genomes to mutate.
+        Genomes to mutate; overwritten with the mutants.
     rng : numpy.random.Generator
         Draws the noise.
     sigma : float
@@ -124,26 +133,25 @@ def mutate_gaussian(
     Returns
     -------
     ndarray of float32, shape (n, genes)
-        The mutants.
+        `genomes`.
     """
-    mutants = rng.standard_normal(genomes.shape, dtype=np.float32)
-    # In place: no second array of the size of the population.
-    mutants *= np.float32(sigma)
+    noise = rng.standard_normal(genomes.shape, dtype=np.float32)
+    noise *= np.float32(sigma)
     if probability < 1.0:
-        mutants *= rng.random(genomes.shape, dtype=np.float32) < probability
-    mutants += genomes
-    return mutants
+        noise *= rng.random(genomes.shape, dtype=np.float32) < probability
+    genomes += noise
+    return genomes
 
 
 def mutate_from_table(
     genomes: Genomes, rng: np.random.Generator, *, noise: NoiseTable, probability: float
 ) -> Genomes:
-    """Return mutants by noise from a table, many times as fast as `mutate_gaussian`.
+    """Mutate genomes by noise from a table, in place; many times as fast as `mutate_gaussian`.
 
     Parameters
     ----------
     genomes : ndarray of float32, shape (n, genes)
-        Genomes to mutate.
+        Genomes to mutate; overwritten with the mutants.
     rng : numpy.random.Generator
         Draws the places in the table.
     noise : NoiseTable
@@ -154,15 +162,14 @@ def mutate_from_table(
     Returns
     -------
     ndarray of float32, shape (n, genes)
-        The mutants.
+        `genomes`.
     """
-    mutants = np.empty_like(genomes)
     # Row by row: each window starts at another place, and no array holds all of them.
-    for mutant, genome, change in zip(mutants, genomes, noise.draw(len(genomes), rng), strict=True):
+    for genome, change in zip(genomes, noise.draw(len(genomes), rng), strict=True):
         if probability < 1.0:
             change = change * (rng.random(noise.size, dtype=np.float32) < probability)
-        np.add(genome, change, out=mutant)
-    return mutants
+        np.add(genome, change, out=genome)
+    return genomes
 
 
 class GeneticAlgorithm:
@@ -299,10 +306,15 @@ class GeneticAlgorithm:
     def _offspring(self, fitness: FloatArray, rng: np.random.Generator) -> Genomes:
         n_children = len(self._population) - self.elites
         # Both parents are selected independently, so that they may be the same individual.
-        fathers = self._population[self.toolbox.select(fitness, n_children, rng)]
-        mothers = self._population[self.toolbox.select(fitness, n_children, rng)]
-        children = self.toolbox.mutate(self.toolbox.mate(fathers, mothers, rng), rng)
-        return np.concatenate([self.elite_genomes(), children])
+        fathers = self.toolbox.select(fitness, n_children, rng)
+        mothers = self.toolbox.select(fitness, n_children, rng)
+        # One copy of the whole population, which children change in place: at this size every
+        # further array leaves the caches.
+        offspring: Genomes = self._population[np.concatenate([self.elite, fathers])]
+        children = offspring[self.elites :]
+        self.toolbox.mate(children, self._population, mothers, rng)
+        self.toolbox.mutate(children, rng)
+        return offspring
 
     def tell(self, fitness: ArrayLike) -> None:
         """Make the candidates the population, with this fitness."""

@@ -95,6 +95,7 @@ class Run(ABC, Generic[AnySettings]):
         self.archive: dict[Team, list[Genome]] = self.first_archive()
         self.set_up()
         self._report: Report = silent
+        self._total_matches: int = 0
         self.files: RunDirectory
         if isinstance(directory, RunDirectory):
             self.files = directory
@@ -218,6 +219,7 @@ class Run(ABC, Generic[AnySettings]):
             # Also if this object has just been made: an interrupted stage has changed learners, and
             # another process may have continued the run.
             self._restore()
+            self._total_matches = self.total_matches()
             while self.stage < self.n_stages:
                 self.learn(self.stage)
                 self._end_stage()
@@ -237,7 +239,7 @@ class Run(ABC, Generic[AnySettings]):
 
     def report(self, activity: str, evaluated: int = 0) -> None:
         """Report the progress: the current activity, and evaluation episodes played so far."""
-        self._report(activity, self.training.matches + evaluated, self.total_matches())
+        self._report(activity, self.training.matches + evaluated, self._total_matches)
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
         """Return the most important numbers of the run, which summary.json holds."""

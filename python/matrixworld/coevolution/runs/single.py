@@ -114,9 +114,7 @@ class SingleTeam(Run[SingleSettings]):
         # The genome itself stays in the population; only the others are mutated.
         population = np.repeat(self._start[np.newaxis], count, axis=0)
         rng = keyed_generator(self.settings.seed, Purpose.INITIAL, TEAMS.index(team))
-        population[1:] = mutate_gaussian(
-            population[1:], rng, sigma=self.settings.mutation, probability=1.0
-        )
+        mutate_gaussian(population[1:], rng, sigma=self.settings.mutation, probability=1.0)
         return population
 
     def first_archive(self) -> dict[Team, list[Genome]]:

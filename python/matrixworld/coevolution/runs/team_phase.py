@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -127,16 +128,21 @@ class TeamPhase:
             epoch=matchup.epoch,
             opponent=int(opponents[0]) if len(opponents) == 1 else SEVERAL,
         )
-        if isinstance(self.learner, GradientLearner):
+        if learner := self._gradient_learner:
             # The same matches once more, step by step.
-            self.learner.learn(
+            learner.learn(
                 self.training.experience(
-                    self.learner, team, self.learner.genome, self.opponents,
+                    learner, team, self.learner.genome, self.opponents,
                     np.tile(opponents, len(candidates)), matchup.seeds.ravel(),
                 )
             )  # fmt: skip
         self.on_epoch()
         return fitness
+
+    @cached_property
+    def _gradient_learner(self) -> GradientLearner | None:
+        # Once a phase: to ask a protocol is slow beside an epoch.
+        return self.learner if isinstance(self.learner, GradientLearner) else None
 
     def _matchups(self, epochs: range) -> Iterable[Matchup]:
         """Return the matchups of all epochs, in order."""

@@ -51,6 +51,7 @@ class Training:
         self.settings: TrainingSettings = settings
         self.network: Network = settings.network
         self.world: WorldConfig = settings.world(settings.train_steps)
+        self.overlap_penalty: float = settings.resolved_overlap_penalty
         # Learners by gradients keep to the limit themselves; their fitness is for the log.
         learner = settings.built_in_learner
         by_gradients = learner is not None and learner.by_gradients
@@ -109,11 +110,12 @@ class Training:
         """
         # The matches of a candidate are adjacent, in the order of its opponents.
         n, c = seeds.shape
-        own, learning = np.repeat(np.arange(n), c), self.population(candidates)
-        others = 0 if isinstance(opponents, str) else np.tile(indices, n)
+        others = 0 if isinstance(opponents, str) else indices
+        own, met = np.repeat(np.arange(n, dtype=np.int32), c), np.full((n, c), others, np.int32)
+        learning = self.population(candidates)
         if team == "pursuer":
-            return self.play(learning, opponents, Matches.of(own, others, seeds.ravel()))
-        return self.play(opponents, learning, Matches.of(others, own, seeds.ravel()))
+            return self.play(learning, opponents, Matches(own, met.ravel(), seeds.ravel()))
+        return self.play(opponents, learning, Matches(met.ravel(), own, seeds.ravel()))
 
     def experience(
         self,
@@ -200,9 +202,8 @@ class Training:
         return feasible_first(fitness, found - self.cost_limit)
 
     def _values(self, scores: EpisodeStatistics, team: Team, *, penalty: bool) -> FloatArray:
-        settings = self.settings
-        overlap_penalty = settings.resolved_overlap_penalty if penalty else 0.0
-        return fitness(scores, team, measure=settings.fitness, overlap_penalty=overlap_penalty)
+        overlap_penalty = self.overlap_penalty if penalty else 0.0
+        return fitness(scores, team, measure=self.settings.fitness, overlap_penalty=overlap_penalty)
 
     def recount_last_epoch(self) -> None:
         """Count the matches since the last epoch in the log of that epoch."""
