@@ -96,11 +96,12 @@ inline Vec interleave_high(Vec a, Vec b) {
         _mm512_set_epi32(31, 15, 30, 14, 29, 13, 28, 12, 27, 11, 26, 10, 25, 9, 24, 8);
     return _mm512_permutex2var_ps(a, order, b);
 }
-#elif defined(__AVX2__)
-inline Vec interleave_low(Vec a, Vec b) {
+#endif
+#if defined(__AVX2__)
+inline Half interleave_low(Half a, Half b) {
     return _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x20);
 }
-inline Vec interleave_high(Vec a, Vec b) {
+inline Half interleave_high(Half a, Half b) {
     return _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x31);
 }
 #else
@@ -108,59 +109,70 @@ inline Vec interleave_low(Vec a, Vec b) { return Vec{a[0], b[0], a[1], b[1]}; }
 inline Vec interleave_high(Vec a, Vec b) { return Vec{a[2], b[2], a[3], b[3]}; }
 #endif
 
-// Loads a square of kLanes agents by kLanes numbers, as one vector for each number. Interleaving the
-// upper half of the rows with the lower half, log2(kLanes) times, transposes a square.
-inline void load_columns(const float* in, int stride, Vec* columns) {
-    Vec rows[kLanes];
-    for (int i = 0; i < kLanes; ++i) rows[i] = load<Vec>(in + static_cast<long>(i) * stride);
-    for (int n = kLanes; n > 1; n /= 2) {
-        for (int i = 0; i < kLanes / 2; ++i) {
-            columns[2 * i] = interleave_low(rows[i], rows[i + kLanes / 2]);
-            columns[2 * i + 1] = interleave_high(rows[i], rows[i + kLanes / 2]);
+// Loads a square of as many agents by as many numbers as V has lanes, as one vector for each number.
+// Interleaving the upper half of the rows with the lower half, log2(kN) times, transposes a square.
+template <typename V>
+inline void load_columns(const float* in, int stride, V* columns) {
+    constexpr int kN = kLanesOf<V>;
+    V rows[kN];
+    for (int i = 0; i < kN; ++i) rows[i] = load<V>(in + static_cast<long>(i) * stride);
+    for (int n = kN; n > 1; n /= 2) {
+        for (int i = 0; i < kN / 2; ++i) {
+            columns[2 * i] = interleave_low(rows[i], rows[i + kN / 2]);
+            columns[2 * i + 1] = interleave_high(rows[i], rows[i + kN / 2]);
         }
-        for (int i = 0; i < kLanes; ++i) rows[i] = columns[i];
+        for (int i = 0; i < kN; ++i) rows[i] = columns[i];
     }
 }
 
-// The outputs of kLanes agents, one vector for each action. Each agent's products are added in the
-// order in which `dense` adds them.
-template <int kActions>
+// The outputs of as many agents as V has lanes, one vector for each action. Each agent's products
+// are added in the order in which `dense` adds them.
+template <typename V, int kActions>
 inline void outputs(const float* in, int in_stride, int n_in, const float* weights,
-                    const float* bias, int width, Vec* logit) {
-    Vec sum[kActions];
-    for (int a = 0; a < kActions; ++a) sum[a] = splat<Vec>(bias[a]);
-    for (int k = 0; k < n_in; k += kLanes) {
-        Vec columns[kLanes];
+                    const float* bias, int width, V* logit) {
+    constexpr int kN = kLanesOf<V>;
+    V sum[kActions];
+    for (int a = 0; a < kActions; ++a) sum[a] = splat<V>(bias[a]);
+    for (int k = 0; k < n_in; k += kN) {
+        V columns[kN];
         load_columns(in + k, in_stride, columns);
-        const int end = n_in - k < kLanes ? n_in - k : kLanes;
+        const int end = n_in - k < kN ? n_in - k : kN;
         for (int j = 0; j < end; ++j, weights += width) {
             for (int a = 0; a < kActions; ++a) {
-                sum[a] = madd(columns[j], splat<Vec>(weights[a]), sum[a]);
+                sum[a] = madd(columns[j], splat<V>(weights[a]), sum[a]);
             }
         }
     }
     for (int a = 0; a < kActions; ++a) logit[a] = sum[a];
 }
 
-template <int kActions>
-inline void finish_lanes(const float* in, int in_stride, int n, int n_in, const float* weights,
+template <typename V, int kActions>
+inline void finish_lanes(const float* in, int in_stride, int n_in, const float* weights,
                          const float* bias, int width, const float* units, std::uint8_t* actions) {
-    typedef std::uint8_t Bytes __attribute__((vector_size(kLanes)));
+    typedef std::uint8_t Bytes __attribute__((vector_size(kLanesOf<V>)));
+    V logit[kMaxActions];
+    outputs<V, kActions>(in, in_stride, n_in, weights, bias, width, logit);
+    const Bytes bytes = __builtin_convertvector(chosen(logit, kActions, units), Bytes);
+    __builtin_memcpy(actions, &bytes, sizeof(bytes));
+}
+
+// The last agents take half a vector where that is enough.
+template <int kActions>
+inline void finish_all(const float* in, int in_stride, int n, int n_in, const float* weights,
+                       const float* bias, int width, const float* units, std::uint8_t* actions) {
     for (int i = 0; i < n; i += kLanes) {
-        Vec logit[kMaxActions];
-        outputs<kActions>(in + static_cast<long>(i) * in_stride, in_stride, n_in, weights, bias,
-                          width, logit);
-        const Bytes bytes =
-            __builtin_convertvector(chosen(logit, kActions, units ? units + i : nullptr), Bytes);
-        __builtin_memcpy(actions + i, &bytes, sizeof(bytes));
+        const bool few = n - i <= kLanesOf<Half>;
+        const auto lanes = few ? finish_lanes<Half, kActions> : finish_lanes<Vec, kActions>;
+        lanes(in + static_cast<long>(i) * in_stride, in_stride, n_in, weights, bias, width,
+              units ? units + i : nullptr, actions + i);
     }
 }
 
 void finish(const float* in, int in_stride, int n, int n_in, const float* weights,
             const float* bias, int width, int n_actions, const float* units,
             std::uint8_t* actions) {
-    const auto lanes = n_actions == 5 ? finish_lanes<5> : finish_lanes<kMaxActions>;
-    lanes(in, in_stride, n, n_in, weights, bias, width, units, actions);
+    const auto all = n_actions == 5 ? finish_all<5> : finish_all<kMaxActions>;
+    all(in, in_stride, n, n_in, weights, bias, width, units, actions);
 }
 #else
 // Without an instruction for the products `dense` is faster, which adds them in doubles.

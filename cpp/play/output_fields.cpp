@@ -49,11 +49,16 @@ OutputField field(const char* name, Axes axes, Written written) {
 
 // ---- Writers: the moment ------------------------------------------------------------------------
 
-// Row and column of a cell; kGone, kGone without one. No branch: which agents are gone cannot be
-// predicted.
-void write_cell(const Grid& grid, int cell, std::int32_t* out) {
+// All bits if there is no cell, else none. With it, writers need no branch: which agents are gone
+// cannot be predicted.
+int gone_bits(int cell) {
     static_assert(kGone == -1, "all bits are set");
-    const int gone = cell >> 31;  // all bits, or none
+    return cell >> 31;
+}
+
+// Row and column of a cell; kGone, kGone without one.
+void write_cell(const Grid& grid, int cell, std::int32_t* out) {
+    const int gone = gone_bits(cell);
     const int row = grid.row(cell & ~gone);
     out[0] = row | gone;
     out[1] = (cell - grid.cell(row, 0)) | gone;
@@ -72,7 +77,8 @@ void write_last_positions(const OutputSource& source, std::int32_t* out) {
     const int* cells = world.cells().data();
     const int* last_cells = world.last_cells().data();
     for (std::size_t a = 0; a < source.n_agents(); ++a) {
-        write_cell(world.grid(), cells[a] == kGone ? last_cells[a] : cells[a], out + 2 * a);
+        const int gone = gone_bits(cells[a]);
+        write_cell(world.grid(), (last_cells[a] & gone) | (cells[a] & ~gone), out + 2 * a);
     }
 }
 
