@@ -2,9 +2,8 @@
 
     python benchmarks/bench_scaling.py [--seconds 0.3] [--repeats 5] [--out scaling.png]
 
-Agents: one world of -SB, where no agent disappears, on grids of constant density and on a grid of
-constant size. One curve numbers agents by their place: agents that are side by side on the grid are
-then side by side in memory, which shows what the caches cost. Worlds: batches of -SB with views.
+Agents: one world of -SB, where no agent disappears, on grids of constant density and on grids of
+two constant sizes, which show what the caches cost. Worlds: batches of -SB with views.
 Genomes: rollouts of -O over 20 rounds, each genome in one world. Each number is the median of some
 repeats on one core, to which the process is bound if the system supports it. A fitted exponent is
 the slope of log seconds over log size in the upper half of the sizes. Before the measurement,
@@ -32,7 +31,7 @@ from scaling_figure import Curve, draw
 from timing import Clock, bind, print_table
 
 LARGEST = {"agents": 100_000, "worlds": 100_000, "genomes": 10_000}
-SIDE = 1024
+SIDES = (2048, 1024)
 PURSUERS = 8 / 38  # share of the agents, as in the default world
 NEVER = 10**9  # rounds: no episode ends during the measurement
 ROUNDS = 20  # rounds of an episode in rollouts
@@ -56,7 +55,7 @@ def sizes(first: int, largest: int) -> list[int]:
 def crowd(n_agents: int, side: int | None) -> mw.WorldConfig:
     """Return a world with many agents on a square; `side` None: constant density."""
     if side is None:
-        side = math.ceil(SIDE * math.sqrt(n_agents / LARGEST["agents"]))
+        side = math.ceil(SIDES[-1] * math.sqrt(n_agents / LARGEST["agents"]))
     n_pursuers = max(1, round(PURSUERS * n_agents))
     return mw.WorldConfig(
         "SB",
@@ -140,22 +139,6 @@ def crowd_seconds(side: int | None, names: Sequence[str], clock: Clock, n_agents
     return step_seconds(crowd(n_agents, side), names, clock, 1)
 
 
-def ordered_seconds(clock: Clock, n_agents: int) -> float:
-    """Return the seconds of a step of one world whose agents are numbered row by row."""
-    config = crowd(n_agents, None)
-    world, actions = mw.World(config), RandomActions(config, 1)
-    world.reset(0)
-    teams = np.split(world.positions, [config.n_pursuers])
-    pursuers, evaders = (team[np.lexsort((team[:, 1], team[:, 0]))] for team in teams)
-    world.reset(0, pursuers=pursuers, evaders=evaders)
-
-    def play(i: int) -> int:
-        world.step(actions[i][0])
-        return 1
-
-    return 1 / clock.rate(play)
-
-
 def rollout_seconds(team: mw.Population, clock: Clock, n: int) -> float:
     """Return the seconds of a rollout of n genomes."""
     config = mw.WorldConfig("O", max_steps=ROUNDS)
@@ -180,15 +163,14 @@ def curve(
 
 def agent_curves(largest: int, clock: Clock) -> list[Curve]:
     numbers = sizes(10, largest)
-    curves = [
+    return [
         curve(label, numbers, clock, partial(crowd_seconds, side, names))
         for label, side, names in (
             ("constant density, with views", None, ["views"]),
-            (f"{SIDE} x {SIDE} cells", SIDE, []),
+            *((f"{side} x {side} cells", side, []) for side in SIDES),
             ("constant density", None, []),
         )
     ]
-    return [*curves, curve("constant density, by place", numbers, clock, ordered_seconds)]
 
 
 def world_curves(largest: int, clock: Clock) -> list[Curve]:

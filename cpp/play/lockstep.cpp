@@ -8,8 +8,8 @@ namespace {
 
 // Lanes beyond these fill no vector better. Where worlds draw obstacles, what the networks keep for
 // each world takes most of a core's cache.
-constexpr std::size_t kLanes = 16;
-constexpr std::size_t kLanesWithObstacles = 2;
+constexpr std::int64_t kLanes = 16;
+constexpr std::int64_t kLanesWithObstacles = 2;
 
 bool has_hidden_layer(const Candidates& candidates) {
     return candidates.network && candidates.network->sizes.size() > 2;
@@ -29,10 +29,7 @@ Lockstep::Lockstep(const std::shared_ptr<const Setup>& setup, const Candidates& 
     : setup_(setup),
       scratch_(*setup, false),
       pursuers_(pursuers, *setup, Team::Pursuer),
-      evaders_(evaders, *setup, Team::Evader) {
-    const std::size_t n_lanes = setup->config.density > 0 ? kLanesWithObstacles : kLanes;
-    while (lanes_.size() < n_lanes) lanes_.push_back(std::make_unique<Lane>(setup, lanes_.size()));
-}
+      evaders_(evaders, *setup, Team::Evader) {}
 
 Lockstep::Lane::Lane(const std::shared_ptr<const Setup>& setup, std::size_t number)
     : number(number),
@@ -46,7 +43,12 @@ void Lockstep::play(const Match& match, std::int64_t first, std::int64_t last,
                     const std::function<void()>& check, EpisodeStatistics* statistics) {
     pursuers_.load(match.pursuer);
     evaders_.load(match.evader);
-    const auto n_lanes = static_cast<std::int64_t>(lanes_.size());
+    const std::int64_t most = setup_->config.density > 0 ? kLanesWithObstacles : kLanes;
+    const std::int64_t n_lanes = std::min(most, last - first);
+    // As many as are used: to make a lane takes as long as some rounds.
+    while (static_cast<std::int64_t>(lanes_.size()) < n_lanes) {
+        lanes_.push_back(std::make_unique<Lane>(setup_, lanes_.size()));
+    }
     for (std::int64_t begin = first; begin < last; begin += n_lanes) {
         playing_.clear();
         for (std::int64_t w = begin; w < std::min(begin + n_lanes, last); ++w) {
