@@ -108,6 +108,24 @@ np.testing.assert_array_equal(got.length, play(some, 1).length)
     finish(process)
 
 
+def test_a_handler_may_play_matches_itself() -> None:
+    """A rollout within a rollout of the same thread does not take its threads."""
+    process = start(f"""
+{MATCHES}
+inner = []
+signal.signal(signal.SIGINT, lambda *_: inner.append(play(few, 2)))
+some = mw.Matches.of(0, 1, np.arange(600))
+timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
+timer.start()
+got = play(some, 2)
+timer.join()
+np.testing.assert_array_equal(got.length, play(some, 1).length)
+np.testing.assert_array_equal(inner[0].length, play(few, 1).length)
+np.testing.assert_array_equal(play(some, 2).length, got.length)
+""")
+    finish(process)
+
+
 def test_other_threads_are_not_interrupted() -> None:
     """Python handles signals in the main thread, so a rollout of another thread goes on."""
     process = start(f"""

@@ -120,7 +120,8 @@ std::vector<EpisodeStatistics> play_matches(const std::shared_ptr<const Setup>& 
                                             bool one_by_one) {
     const auto n_matches = static_cast<std::int64_t>(matches.size());
     std::vector<EpisodeStatistics> statistics(count_episodes(matches.size(), n_worlds));
-    Workers workers(n_threads);
+    const KeptWorkers kept(n_threads);
+    Workers& workers = *kept;
     const std::int64_t pieces_per_match = (n_worlds + kWorldsPerPiece - 1) / kWorldsPerPiece;
     // A player is made by its thread's first piece: there may be fewer pieces than threads.
     std::vector<std::unique_ptr<WorldsPlayer>> players(

@@ -6,6 +6,7 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -107,7 +108,8 @@ class Workers::Pool {
         if (n_helpers_ > 0) start_.notify_all();
         take_pieces(0);
         wait_for_others();
-        if (failure_) std::rethrow_exception(failure_);
+        // Not kept: an exception of Python must not outlive the interpreter.
+        if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
     }
 
     void check(int thread) {
@@ -209,5 +211,20 @@ void Workers::run(std::int64_t n_pieces, const Work& work, const Poll& poll) {
 }
 
 void Workers::check(int thread) { pool_->check(thread); }
+
+namespace {
+
+// Those of the calling thread that have no work. Null: none, or they are at work.
+thread_local std::unique_ptr<Workers> idle;
+
+}  // namespace
+
+KeptWorkers::KeptWorkers(int n_threads) : workers_(std::move(idle)) {
+    if (!workers_ || workers_->n_threads() != std::max(n_threads, 1)) {
+        workers_ = std::make_unique<Workers>(n_threads);
+    }
+}
+
+KeptWorkers::~KeptWorkers() { idle = std::move(workers_); }
 
 }  // namespace matrixworld

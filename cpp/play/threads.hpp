@@ -50,4 +50,23 @@ class Workers {
     std::unique_ptr<Pool, DeletePool> pool_;
 };
 
+// Workers that the calling thread keeps for its next work: to start threads takes as long as many
+// rounds. Work within work, by a signal handler, gets workers of its own. For example
+//
+//     const KeptWorkers kept(4);
+//     (*kept).run(n, work);
+class KeptWorkers {
+  public:
+    explicit KeptWorkers(int n_threads);
+    ~KeptWorkers();
+
+    KeptWorkers(const KeptWorkers&) = delete;
+    KeptWorkers& operator=(const KeptWorkers&) = delete;
+
+    Workers& operator*() const { return *workers_; }
+
+  private:
+    std::unique_ptr<Workers> workers_;
+};
+
 }  // namespace matrixworld
