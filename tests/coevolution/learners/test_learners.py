@@ -382,6 +382,13 @@ def test_elites_are_kept_unchanged():
     assert np.array_equal(learner.genome, best[0])
 
 
+def test_another_operator_may_return_a_new_array():
+    learner = GeneticAlgorithm(np.zeros((8, SIZE), np.float32), noise_table(), elites=2)
+    learner.toolbox.register("mutate", lambda genomes, rng: genomes + np.float32(1))
+    learner.tell(closeness(learner.ask(generator(0))))
+    assert (learner.ask(generator(1)).mean(axis=1) == [0, 0, 1, 1, 1, 1, 1, 1]).all()
+
+
 def test_tournament_prefers_the_fitter():
     fitness = np.arange(10.0)
     chosen = select_tournament(fitness, 20_000, generator(), size=3)

@@ -312,8 +312,10 @@ class GeneticAlgorithm:
         # further array leaves the caches.
         offspring: Genomes = self._population[np.concatenate([self.elite, fathers])]
         children = offspring[self.elites :]
-        self.toolbox.mate(children, self._population, mothers, rng)
-        self.toolbox.mutate(children, rng)
+        mated = self.toolbox.mate(children, self._population, mothers, rng)
+        mutants = self.toolbox.mutate(mated, rng)
+        if mutants is not children:  # another operator in the toolbox
+            children[:] = mutants
         return offspring
 
     def tell(self, fitness: ArrayLike) -> None:
