@@ -161,7 +161,9 @@ def rollout(
     turn begins, and sees what earlier turns did.
 
     Ctrl-C ends a rollout of the main thread within about 0.1 s, after the steps that its threads
-    are playing, with KeyboardInterrupt. Nothing is left behind.
+    are playing, with KeyboardInterrupt. It leaves no results behind.
+
+    The threads of a rollout wait for the next rollout of the same calling thread.
     """
     config, n_threads = WorldConfig.of(config), check_threads(threads)
     teams = check_team("pursuers", pursuers), check_team("evaders", evaders)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from functools import partial
 from itertools import count
 
 import numpy as np
@@ -20,11 +19,6 @@ from matrixworld.coevolution import (
     NoiseTable,
     centred_ranks,
     generate_update_toolbox,
-    mate_uniform,
-    mutate_from_table,
-    mutate_gaussian,
-    select_tournament,
-    select_truncation,
 )
 from matrixworld.coevolution.learners.cma_es import MOST_GENES, check_genes
 
@@ -380,57 +374,6 @@ def test_elites_are_kept_unchanged():
     best = first[np.argsort(-closeness(first))[:3]]
     assert np.array_equal(learner.ask(generator(1))[:3], best)
     assert np.array_equal(learner.genome, best[0])
-
-
-def test_another_operator_may_return_a_new_array():
-    learner = GeneticAlgorithm(np.zeros((8, SIZE), np.float32), noise_table(), elites=2)
-    learner.toolbox.register("mutate", lambda genomes, rng: genomes + np.float32(1))
-    learner.tell(closeness(learner.ask(generator(0))))
-    assert (learner.ask(generator(1)).mean(axis=1) == [0, 0, 1, 1, 1, 1, 1, 1]).all()
-
-
-def test_tournament_prefers_the_fitter():
-    fitness = np.arange(10.0)
-    chosen = select_tournament(fitness, 20_000, generator(), size=3)
-    share_of_best = np.mean(chosen == 9)
-    assert share_of_best == pytest.approx(1 - 0.9**3, abs=0.02)
-    at_random = select_tournament(fitness, 20_000, generator(), size=1)
-    assert np.bincount(at_random).min() > 1700
-
-
-def test_truncation_takes_from_the_best_only():
-    chosen = select_truncation(np.array([3.0, 9.0, 1.0, 8.0]), 500, generator(), fraction=0.5)
-    assert set(chosen) == {1, 3}
-
-
-def test_mating_mixes_the_given_share():
-    # The second parent of a child has the child's number in all genes; the first one has 0.
-    children, population = np.zeros((2000, 10), np.float32), np.arange(1.0, 6.0, dtype=np.float32)
-    mates = generator(1).integers(0, 5, size=2000)
-    mated = mate_uniform(
-        children, np.tile(population[:, None], 10), mates, generator(), probability=0.25
-    )
-    assert mated is children
-    mixed = children.any(axis=1)
-    assert mixed.mean() == pytest.approx(0.25, abs=0.04)
-    assert (children[mixed] != 0).mean() == pytest.approx(0.5, abs=0.03)
-    own = population[mates][:, None]
-    assert ((children == 0) | (children == own)).all()
-
-
-@pytest.mark.parametrize(
-    "mutate",
-    [
-        partial(mutate_gaussian, sigma=0.5),
-        partial(mutate_from_table, noise=noise_table(100, sigma=0.5)),
-    ],
-)
-def test_mutation_moves_the_given_share_of_genes(mutate):
-    genomes = np.full((500, 100), 3.0, dtype=np.float32)
-    assert mutate(genomes, generator(), probability=0.2) is genomes
-    moved = genomes != 3.0
-    assert moved.mean() == pytest.approx(0.2, abs=0.01)
-    assert (genomes - 3.0)[moved].std() == pytest.approx(0.5, abs=0.02)
 
 
 @pytest.mark.parametrize("make", LEARNERS)
