@@ -24,6 +24,7 @@ from matrixworld.coevolution import (
     start,
 )
 from matrixworld.coevolution.many import evolve_many as function
+from matrixworld.coevolution.many import watch
 from matrixworld.coevolution.many.evolve_many import shares
 from matrixworld.coevolution.many.job import JOB, job_of, open_job, save_job
 from matrixworld.coevolution.many.run_progress import PROGRESS, RunProgress, write_progress
@@ -192,8 +193,11 @@ def test_a_stop_of_an_earlier_start_does_not_stop_a_later_one(tmp_path):
         new.check()
 
 
-def test_tasks_that_an_earlier_start_left_behind_end_and_the_later_start_waits(tmp_path):
+def test_tasks_that_an_earlier_start_left_behind_end_and_the_later_start_waits(
+    tmp_path, monkeypatch
+):
     """As after the death of a program whose workers are on other machines."""
+    monkeypatch.setattr(watch, "STOP_WAIT", 0.1)  # on fast machines the run would end meanwhile
     settings = [tiny_race(seed=1, **LONG)]
     pool = ThreadPoolExecutor(1)
     left: list[Future] = []
