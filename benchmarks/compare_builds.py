@@ -61,7 +61,7 @@ def views(n_worlds: int) -> Callable[[int], Play]:
 
     def prepare(threads: int) -> Play:
         import matrixworld as mw
-        from matrixworld.batch import Batch
+        from matrixworld.world.batch import Batch
 
         shape = (n_worlds, 38)
         buffers = {

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from matrixworld import colors
+from matrixworld._util import colors
 
 PALETTE = (colors.BLUE, colors.VERMILLION, colors.GREEN, colors.PURPLE)
 MARKERS = ("o", "s", "^", "D")

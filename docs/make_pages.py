@@ -10,7 +10,7 @@ from importlib import import_module
 from pathlib import Path
 
 import matrixworld as mw
-from matrixworld import replay
+from matrixworld.episodes import replay
 from matrixworld.explorer import Playground
 
 DOCS = Path(__file__).parent

@@ -31,10 +31,10 @@ import numpy as np
 import matrixworld as mw
 from common import executor_of, script_parser
 from matrixworld import coevolution
+from matrixworld._util.files import load_arrays, save_arrays
 from matrixworld.coevolution import SingleSettings, SingleTeam, Team
 from matrixworld.coevolution.evaluation.held_out_opponents import NETWORK, held_out_scripts
 from matrixworld.coevolution.types import other
-from matrixworld.files import load_arrays, save_arrays
 
 LEARNER = {
     "population": 32,

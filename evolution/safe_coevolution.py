@@ -31,7 +31,8 @@ from tqdm import tqdm
 
 import matrixworld as mw
 from common import play, script_parser
-from matrixworld import analysis, coevolution, colors
+from matrixworld import analysis, coevolution
+from matrixworld._util import colors
 from matrixworld.coevolution import EvolutionStrategy, NoiseTable, Team
 from matrixworld.coevolution.types import other
 

@@ -28,9 +28,9 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
 from common import script_parser
-from matrixworld import colors
+from matrixworld._util import colors
 from matrixworld.analysis import Estimate, interval_over_runs
-from matrixworld.rules import KINDS
+from matrixworld.world.rules import KINDS
 from safe_runs import FULL, LIMIT, QUICK, measured, play
 
 Numbers = Mapping[str, NDArray[Any]]

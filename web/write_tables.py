@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import matrixworld as mw
-from matrixworld import conflicts, maps, policy
+from matrixworld.play import policy
+from matrixworld.world import conflicts, maps
 
 LINE = 80  # characters
 TABLES = Path(__file__).parent / "src/engine/tables.ts"

@@ -7,7 +7,7 @@ environments        `parallel_env`, `aec_env` (PettingZoo), `VectorEnv` (many wo
                     `AgentVectorEnv` (many agents at once)
 policies, matches   `Network`, `Population`, `SCRIPTS`, `Matches`, `rollout`, `EpisodeStatistics`,
                     `NetworkPolicy`, `score_policy`
-episodes            `record`, `Recorder`, `Episode`; modules `replay` and `render`
+episodes            `record`, `Recorder`, `Episode`; modules `replay`, `render` and `colors`
 safety              `SafetyMonitor`, `SafetySummary`, `Conflict`
 evolution           packages `coevolution` and `analysis`, module `plots`
 ==================  ===============================================================================
@@ -16,24 +16,26 @@ evolution           packages `coevolution` and `analysis`, module `plots`
 from typing import TYPE_CHECKING, Any
 
 from matrixworld._core import Autoreset, Blame, Capture, Interaction, Outcome
-from matrixworld.agent_vector import AgentVectorEnv
-from matrixworld.arrays import array_specs, episode_specs
-from matrixworld.batch import Batch
-from matrixworld.config import WorldConfig
-from matrixworld.conflicts import Conflict
+from matrixworld._util import colors
 from matrixworld.envs import aec_env, parallel_env
-from matrixworld.episode import Episode
-from matrixworld.maps import read_map
+from matrixworld.envs.agent_vector import AgentVectorEnv
+from matrixworld.envs.vector import VectorEnv
+from matrixworld.episodes import render, replay
+from matrixworld.episodes.episode import Episode
+from matrixworld.episodes.record import Recorder, record, record_actions
+from matrixworld.episodes.safety import SafetyMonitor, SafetySummary
 from matrixworld.play import NetworkPolicy
-from matrixworld.policy import SCRIPTS, Network, Population
-from matrixworld.recorder import Recorder, record, record_actions
-from matrixworld.rollout import EpisodeStatistics, Matches, rollout
-from matrixworld.rules import KINDS, VARIANTS, Action, Rewards, Rules
-from matrixworld.safety import SafetyMonitor, SafetySummary
-from matrixworld.seeds import match_seed
-from matrixworld.vector import VectorEnv
+from matrixworld.play.rollout import EpisodeStatistics, Matches, rollout
+from matrixworld.play.seeds import match_seed
 from matrixworld.version import __version__ as __version__
-from matrixworld.world import World
+from matrixworld.world.arrays import array_specs, episode_specs
+from matrixworld.world.batch import Batch
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.conflicts import Conflict
+from matrixworld.world.maps import read_map
+from matrixworld.world.policy import SCRIPTS, Network, Population
+from matrixworld.world.rules import KINDS, VARIANTS, Action, Rewards, Rules
+from matrixworld.world.world import World
 
 if TYPE_CHECKING:
     from matrixworld.coevolution import score_policy
@@ -67,12 +69,15 @@ __all__ = [
     "WorldConfig",
     "aec_env",
     "array_specs",
+    "colors",
     "episode_specs",
     "match_seed",
     "parallel_env",
     "read_map",
     "record",
     "record_actions",
+    "render",
+    "replay",
     "rollout",
     "score_policy",
 ]

@@ -22,15 +22,15 @@ from numpy.typing import NDArray
 
 from matrixworld import _core
 from matrixworld._core import Autoreset
-from matrixworld.arrays import array_specs, episode_specs
-from matrixworld.batch import Batch
-from matrixworld.checks import usable_cores
-from matrixworld.config import WorldConfig
-from matrixworld.policy import Network, Population
-from matrixworld.rollout import EpisodeStatistics, Matches, rollout
-from matrixworld.vector import VectorEnv
+from matrixworld._util.checks import usable_cores
+from matrixworld.envs.vector import VectorEnv
+from matrixworld.play.rollout import EpisodeStatistics, Matches, rollout
 from matrixworld.version import __version__
-from matrixworld.world import World
+from matrixworld.world.arrays import array_specs, episode_specs
+from matrixworld.world.batch import Batch
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network, Population
+from matrixworld.world.world import World
 
 STEP, VIEWS, VECTOR_ENV = "step only", "step and views", "VectorEnv"
 IN_PLACE = "VectorEnv, copy=False"

@@ -14,8 +14,9 @@ import pytest
 
 import matrixworld as mw
 from made_up_episode import made_up_episode
-from matrixworld import coevolution, replay
+from matrixworld import coevolution
 from matrixworld.coevolution import opponents
+from matrixworld.episodes import replay
 from refusals import CONFIG, GENOME, NETWORK
 from tiny_race import TINY, tiny_race, tiny_single
 

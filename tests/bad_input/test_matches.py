@@ -108,7 +108,7 @@ MATCHES = [
     value(
         "another script",
         lambda: mw.rollout(CONFIG, "stalker", TEAM, MATCH),
-        f"one of {', '.join(mw.policy.SCRIPTS)} | got 'stalker'",
+        f"one of {', '.join(mw.SCRIPTS)} | got 'stalker'",
     ),
     kind(
         "a genome as a team", lambda: rollout(TEAM, GENOME), "a Population or the name | evaders: "

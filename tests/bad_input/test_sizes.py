@@ -13,10 +13,11 @@ import pytest
 import matrixworld as mw
 from command_line import RACE, matrixworld_command, words
 from made_up_episode import made_up_episode
-from matrixworld import memory, replay
+from matrixworld._util import memory
 from matrixworld.coevolution import best_response, open_run, score, score_population, start
 from matrixworld.coevolution import tournament as play_tournament
 from matrixworld.coevolution.settings.memory import run_memory
+from matrixworld.episodes import replay
 from refusals import CONFIG, GENOME, NETWORK
 from tiny_race import tiny_race, tiny_single
 

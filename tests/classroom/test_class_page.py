@@ -10,12 +10,12 @@ from pathlib import Path
 import pytest
 
 from matrixworld import WorldConfig
+from matrixworld._util.reading import LIMITS
 from matrixworld.classroom import Limits, play_class
 from matrixworld.classroom.policy_process import MODULES
 from matrixworld.classroom.seat import CAN_FORK, Seat
 from matrixworld.classroom.system_calls import ALLOWED
 from matrixworld.cli.class_tournament import class_command
-from matrixworld.reading import LIMITS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "class.md").read_text(encoding="utf-8")
 PROGRAM, TRIAL = re.findall(r"```python\n(.*?)```", PAGE, re.S)

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from matrixworld._util.reading import DamagedFileError
 from matrixworld.classroom import load_genome, save_genome
 from matrixworld.play import NetworkPolicy
-from matrixworld.policy import Network
-from matrixworld.reading import DamagedFileError
+from matrixworld.world.policy import Network
 
 
 @pytest.mark.parametrize(

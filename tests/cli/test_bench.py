@@ -12,10 +12,10 @@ import pytest
 import matrixworld as mw
 from command_line import MAIN_JOB, matrixworld_command
 from matrixworld import bench
+from matrixworld._util.files import load_json
 from matrixworld.bench import Machine, Measurement
 from matrixworld.cli.bench_report import figures_of, matches_of, print_figures
 from matrixworld.coevolution import RaceSettings, start
-from matrixworld.files import load_json
 
 WORLD = ["--rows", 7, "--cols", 6, "--pursuers", 2, "--evaders", 3, "--fov", 5]
 QUICK = ["bench", *WORLD, "--seconds", 0.02, "--hidden", "4"]

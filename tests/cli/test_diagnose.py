@@ -11,9 +11,9 @@ import pytest
 
 from command_line import judged_in, matrixworld_command, run_together
 from matrices import circular, logistic
+from matrixworld._util.files import load_json
 from matrixworld.analysis import CONDITIONS, describe, judge, summarize
 from matrixworld.coevolution import open_run, start
-from matrixworld.files import load_json
 from tiny_race import StopAt, tiny_race, tiny_single
 
 LONGER = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "eval_episodes": 4}

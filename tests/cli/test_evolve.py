@@ -20,6 +20,7 @@ import pytest
 from click.testing import Result
 
 from command_line import FIGURES, JOB, MAIN_JOB, PNG, RACE, WORLD, matrixworld_command, words
+from matrixworld._util.files import json_digest, load_json, locked, save_json
 from matrixworld.cli import evolve, held_out, report
 from matrixworld.cli.arguments import find_runs
 from matrixworld.cli.options import option_name
@@ -36,7 +37,6 @@ from matrixworld.coevolution import (
     start,
 )
 from matrixworld.coevolution.many.watch import Watch
-from matrixworld.files import json_digest, load_json, locked, save_json
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 

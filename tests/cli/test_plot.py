@@ -172,7 +172,7 @@ def test_scores_in_a_race_are_those_of_its_own_payoff(runs):
 
 
 def _genome(race, generation):
-    from matrixworld.policy import Population
+    from matrixworld.world.policy import Population
 
     team = race.teams["pursuer"]
     return Population(team.genomes[generation : generation + 1], team.network)

@@ -13,11 +13,12 @@ import pytest
 import matrixworld
 from command_line import GIF, MAIN_JOB, PNG, judged_in, matrixworld_command
 from made_up_episode import made_up_episode
-from matrixworld import VARIANTS, Episode, WorldConfig, record, render, replay
+from matrixworld import VARIANTS, Episode, WorldConfig, record
 from matrixworld.cli.figures import ALL, _figures, collisions_per_1000, run_title
 from matrixworld.cli.jobs import open_result
 from matrixworld.coevolution import evaluation_seed, open_run, start
-from matrixworld.rollout import Matches, rollout
+from matrixworld.episodes import render, replay
+from matrixworld.play.rollout import Matches, rollout
 from tiny_race import StopAt, tiny_race
 
 

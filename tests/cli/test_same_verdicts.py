@@ -8,10 +8,10 @@ import pytest
 
 from command_line import RACE, judged_in, matrixworld_command, words
 from matrixworld import plots
+from matrixworld._util.files import load_json
 from matrixworld.analysis import headline, judge
 from matrixworld.cli import figures
 from matrixworld.cli.jobs import open_result
-from matrixworld.files import load_json
 
 LONGER = {**RACE, "generations": 13, "eval_episodes": 5, "schedule": "specialist-specialist"}
 

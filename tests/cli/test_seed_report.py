@@ -13,6 +13,7 @@ from scipy import stats
 
 from command_line import PNG, judged_in, matrixworld_command, run_together
 from matrixworld import analysis
+from matrixworld._util.files import load_json
 from matrixworld.cli.jobs import open_result
 from matrixworld.cli.race_groups import Group, groups_of
 from matrixworld.cli.run_groups import root_of
@@ -20,7 +21,6 @@ from matrixworld.cli.seed_report import report_seeds
 from matrixworld.cli.seed_tables import print_strip
 from matrixworld.coevolution import open_run, open_runs, score, start
 from matrixworld.coevolution.many.job import job_of, save_job
-from matrixworld.files import load_json
 from tiny_race import StopAt, tiny_race, tiny_single
 
 SCHEDULES = ("specialist-specialist", "generalist-generalist")

@@ -74,13 +74,13 @@ def test_files_must_be_shared(tmp_path: Path) -> None:
 
 def test_locks_must_hold(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with posted(tmp_path) as asked:
-        monkeypatch.setattr("matrixworld.files._lock", lambda handle: None)
+        monkeypatch.setattr("matrixworld._util.files._lock", lambda handle: None)
         assert asked.problem().startswith(f"locks in {tmp_path} do not hold")
 
         def unsupported(handle: int) -> None:
             raise OSError(95, "Operation not supported")
 
-        monkeypatch.setattr("matrixworld.files._lock", unsupported)
+        monkeypatch.setattr("matrixworld._util.files._lock", unsupported)
         expected = f"it cannot lock files in {tmp_path} (Operation not supported)"
         assert asked.problem() == expected
 

@@ -16,7 +16,7 @@ from matrixworld.coevolution.learners.actor_critic import ActorCritic, Hyperpara
 from matrixworld.coevolution.runs.experience import experience
 from matrixworld.coevolution.runs.training import Training
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.policy import Population
+from matrixworld.world.policy import Population
 from tiny_race import tiny_single
 
 

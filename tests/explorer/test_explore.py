@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
+from matrixworld._util.reading import DamagedFileError
 from matrixworld.coevolution import start
 from matrixworld.explorer import explore
-from matrixworld.reading import DamagedFileError
 from tiny_race import tiny_race
 
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld import colors
+from matrixworld._util import colors
 from matrixworld.explorer import Playground
 from matrixworld.explorer.gallery import GALLERY
 from matrixworld.explorer.links import scene_link
 from matrixworld.explorer.playground import page_data
-from matrixworld.policy import SCRIPTS
+from matrixworld.world.policy import SCRIPTS
 
 REPOSITORY = Path(__file__).parents[2]
 

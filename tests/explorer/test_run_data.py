@@ -12,9 +12,9 @@ import pytest
 from matrixworld import analysis
 from matrixworld.coevolution import TEAMS, SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.config import WorldConfig
 from matrixworld.explorer.archives import archives_of, kept_generations
 from matrixworld.explorer.run_data import run_data, training_curve
+from matrixworld.world.config import WorldConfig
 from tiny_race import tiny_race, tiny_single
 
 SCHEDULES = ("generalist-generalist", "hall-of-fame")

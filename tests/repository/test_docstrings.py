@@ -17,7 +17,7 @@ PUBLIC = (
     "matrixworld.coevolution.opponents",
     "matrixworld.envs",
     "matrixworld.plots",
-    "matrixworld.replay",
+    "matrixworld.episodes.replay",
     "matrixworld.toys",
 )
 SECTIONS = ("Parameters", "Other Parameters", "Attributes")

@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 
 import matrixworld as mw
+from matrixworld._util.reading import DEPTH, LIMITS, UNPACKED
 from matrixworld.coevolution import start
 from matrixworld.coevolution.storage.run_log import COLUMNS
-from matrixworld.reading import DEPTH, LIMITS, UNPACKED
 from tiny_race import tiny_race
 
 PAGE = (Path(__file__).parents[2] / "docs" / "files.md").read_text(encoding="utf-8")

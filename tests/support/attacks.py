@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld import files
-from matrixworld.reading import LIMITS, UNPACKED
+from matrixworld._util import files
+from matrixworld._util.reading import LIMITS, UNPACKED
 
 Attack = Callable[[Path], None]
 

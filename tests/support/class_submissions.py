@@ -12,7 +12,7 @@ import numpy as np
 
 from matrixworld.classroom import save_genome
 from matrixworld.play import NetworkPolicy
-from matrixworld.policy import Network
+from matrixworld.world.policy import Network
 
 CHASER = """
 import numpy as np

@@ -17,18 +17,9 @@ import numpy as np
 
 import matrixworld as mw
 from made_up_episode import made_up_episode
-from matrixworld import (
-    analysis,
-    classroom,
-    cluster,
-    coevolution,
-    explorer,
-    plots,
-    replay,
-    toys,
-    tutorial,
-)
+from matrixworld import analysis, classroom, cluster, coevolution, explorer, plots, toys, tutorial
 from matrixworld.coevolution import learners, opponents, runs
+from matrixworld.episodes import replay
 from tiny_race import TINY, tiny_race, tiny_single
 
 SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3, "fov": 3, "max_steps": 8}

@@ -17,9 +17,10 @@ from pathlib import Path
 from typing import Any
 from unittest import mock
 
-from matrixworld import coevolution, files
+from matrixworld import coevolution
+from matrixworld._util import files
 from matrixworld.coevolution.storage import appended_file
-from matrixworld.rollout import rollout
+from matrixworld.play.rollout import rollout
 from tiny_race import tiny_race, tiny_single
 
 CONTEXT = multiprocessing.get_context("forkserver")

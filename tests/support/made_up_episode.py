@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.episode import Episode
+from matrixworld.episodes.episode import Episode
 
 MOVES = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1)]
 

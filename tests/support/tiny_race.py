@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from matrixworld.coevolution import RaceSettings, SingleSettings
-from matrixworld.rollout import rollout
+from matrixworld.play.rollout import rollout
 
 TINY: dict[str, Any] = {
     "rows": 6,

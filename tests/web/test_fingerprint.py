@@ -8,7 +8,7 @@ from types import ModuleType
 from typing import Any
 
 import matrixworld as mw
-from matrixworld.arrays import WORLD_FIELDS
+from matrixworld.world.arrays import WORLD_FIELDS
 from node import policy_json, run_node
 from rows import random_actions, random_genome
 

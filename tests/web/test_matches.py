@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.conflicts import conflict_of
+from matrixworld.world.conflicts import conflict_of
 from node import Commands, policy_json
 from rows import CUSTOM, config_of, random_actions, random_genome
 

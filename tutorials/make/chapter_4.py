@@ -21,9 +21,9 @@ import numpy as np
 
 import matrixworld as mw
 from matrixworld import coevolution
+from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun
 from matrixworld.coevolution.evaluation.held_out_scores import score_population
-from matrixworld.files import save_arrays
 from matrixworld.tutorial.kept import DATA
 
 SEEDS = range(10)

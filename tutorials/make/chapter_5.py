@@ -21,8 +21,8 @@ from pathlib import Path
 
 import numpy as np
 
+from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import SCHEDULES, ProgressBars, RaceSettings, evolve_many
-from matrixworld.files import save_arrays
 from matrixworld.tutorial.kept import DATA
 
 SEEDS = range(10)

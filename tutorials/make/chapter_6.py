@@ -31,6 +31,7 @@ from tqdm import tqdm
 
 import matrixworld as mw
 from matrixworld import toys
+from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import (
     TEAMS,
     ProgressBars,
@@ -40,7 +41,6 @@ from matrixworld.coevolution import (
     tournament,
 )
 from matrixworld.coevolution.opponents import Uniform
-from matrixworld.files import save_arrays
 from matrixworld.tutorial.kept import DATA
 
 SAMPLERS = ("latest", "round-robin", "uniform", "maxsolve", "ipca", "lapca")

@@ -17,9 +17,9 @@ from pathlib import Path
 import numpy as np
 from tqdm import tqdm
 
+from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import RaceSettings, SavedRun, finish
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.files import save_arrays
 from matrixworld.tutorial.kept import DATA
 
 ROOT = Path(__file__).parents[2]

@@ -17,11 +17,11 @@ import numpy as np
 from tqdm import tqdm
 
 import matrixworld as mw
+from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import RaceSettings, SavedRun, SingleSettings, Team, finish, held_out
 from matrixworld.coevolution.types import TEAMS, other
-from matrixworld.files import save_arrays
-from matrixworld.policy import TeamPolicy
 from matrixworld.tutorial.kept import DATA
+from matrixworld.world.policy import TeamPolicy
 
 SEEDS = range(10)
 RACE = RaceSettings(

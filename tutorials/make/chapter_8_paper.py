@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from matrixworld.files import save_arrays
+from matrixworld._util.files import save_arrays
 from matrixworld.tutorial.kept import DATA
 
 ROOT = Path(__file__).parents[2]

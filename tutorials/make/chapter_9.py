@@ -23,8 +23,8 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 import matrixworld as mw
+from matrixworld._util.files import load_arrays, save_arrays
 from matrixworld.coevolution import EvolutionStrategy, NoiseTable
-from matrixworld.files import load_arrays, save_arrays
 from matrixworld.tutorial.kept import DATA
 from matrixworld.tutorial.packs import WEIGHTS, WORLD, pack, play_masked
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.payoff import Rates, check_payoff, require
-from matrixworld.short_repr import short_repr
 
 ALPHA = 100.0
 """Default selection strength: a mutant that gains .01 takes over a population of 50 with

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.generalization import Progress, global_progress
 from matrixworld.analysis.intervals import (
     FEW_RUNS,
@@ -29,7 +30,6 @@ from matrixworld.analysis.race_bands import race_bands
 from matrixworld.analysis.single_run import RunAnalysis, analyze_run
 from matrixworld.analysis.sources import Source, read_payoffs
 from matrixworld.analysis.wording import explain, headline
-from matrixworld.short_repr import short_repr
 
 _OTHERS = {
     "elo_log_loss": ("log loss of Elo, nats", 0.0, math.inf),

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.payoff import Rates, require
-from matrixworld.short_repr import short_repr
 
 LEVEL = 0.95
 """Default confidence level: share of intervals that should contain the true value."""

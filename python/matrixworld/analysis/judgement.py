@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.evidence import (
     EVADER_GAIN,
     FEWEST_GENERATIONS,
@@ -34,7 +35,6 @@ from matrixworld.analysis.verdicts import (
     Verdict,
     verdicts_of,
 )
-from matrixworld.short_repr import short_repr
 
 
 @dataclass(frozen=True)

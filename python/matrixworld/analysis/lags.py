@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.payoff import Rates, check_payoff
-from matrixworld.short_repr import short_repr
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.payoff import Mask, Rates, check_payoff, swap_teams
-from matrixworld.short_repr import short_repr
 
 # Capture rates closer than this count as equal: the tolerance of the linear programmes.
 _TIE = 1e-7

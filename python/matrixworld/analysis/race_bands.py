@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.generalization import generalization
 from matrixworld.analysis.intervals import LEVEL, UNBOUNDED, Band, Bounds, band_over_runs
 from matrixworld.analysis.lags import LagProfile, lag_profile
 from matrixworld.analysis.payoff import Rates, check_payoff, require
 from matrixworld.analysis.ratings import ELO_POINTS, elo
-from matrixworld.short_repr import short_repr
 
 
 @dataclass(frozen=True, eq=False)

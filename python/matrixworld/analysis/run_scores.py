@@ -8,6 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld._util.checks import check_integer
+from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.intervals import (
     LEVEL,
     Band,
@@ -20,8 +22,6 @@ from matrixworld.analysis.intervals import (
     without_interval,
 )
 from matrixworld.analysis.payoff import Rates, require
-from matrixworld.checks import check_integer
-from matrixworld.short_repr import short_repr
 
 RESAMPLES = 2000
 """Bootstrap samples of an interquartile mean; the ends of the interval then vary by some percent of

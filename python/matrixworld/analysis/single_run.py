@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.alpha_rank import AlphaRank, alpha_rank
 from matrixworld.analysis.ciao import Ciao, ciao
 from matrixworld.analysis.dominance import Dominance, dominance_tournament
@@ -24,7 +25,6 @@ from matrixworld.analysis.nash import Nash, nash_averaging
 from matrixworld.analysis.payoff import Rates, check_payoff, check_rates, require
 from matrixworld.analysis.ratings import MultiElo, log_loss, multi_elo
 from matrixworld.analysis.summary import Summary, summarize
-from matrixworld.short_repr import short_repr
 
 RANKED_PAIRS = 1024
 """Most pairs for alpha-Rank here, which keeps it under a second; longer runs are thinned out."""

@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from matrixworld._util.checks import check_integer
+from matrixworld._util.reading import read_npz
+from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.payoff import Rates, check_rates, check_runs, require
 from matrixworld.analysis.tables import read_table
-from matrixworld.checks import check_integer
-from matrixworld.reading import read_npz
-from matrixworld.short_repr import short_repr
 
 Source = ArrayLike | str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
 """An array, a file, or several files of one run each."""
@@ -79,7 +79,7 @@ def read_payoffs(
     ------
     ValueError
         If a shape or suffix is another one, a file is damaged or beyond the limits in
-        `matrixworld.reading` (both as DamagedFileError), rates are outside [0, 1], or
+        `matrixworld._util.reading` (both as DamagedFileError), rates are outside [0, 1], or
         `episodes` is below 1 or not the number of episodes that the source holds. The message
         names the file.
     TypeError

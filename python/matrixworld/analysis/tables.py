@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
+from matrixworld._util.reading import DamagedFileError, read_text
 from matrixworld.analysis.payoff import Rates
-from matrixworld.reading import DamagedFileError, read_text
 
 Line = tuple[int, list[str]]
 """Line number in the file, from 1, and cells."""

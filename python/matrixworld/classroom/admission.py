@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from matrixworld._util.reading import DamagedFileError
 from matrixworld.classroom.genome_file import genome_of
 from matrixworld.classroom.match import FailedError
 from matrixworld.classroom.policy_process import FUNCTIONS
@@ -19,8 +20,7 @@ from matrixworld.classroom.submissions import (
 from matrixworld.coevolution.progress import Report
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.play import check_fits
-from matrixworld.policy import Script
-from matrixworld.reading import DamagedFileError
+from matrixworld.world.policy import Script
 
 TRIAL_OPPONENT: Script = "random"
 """The script against which every program plays an episode first."""

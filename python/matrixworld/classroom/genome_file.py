@@ -7,12 +7,12 @@ from pathlib import Path
 
 import numpy as np
 
-from matrixworld.checks import check_choice
+from matrixworld._util.checks import check_choice
+from matrixworld._util.files import save_arrays
+from matrixworld._util.reading import DamagedFileError, check_arrays, parse_npz, read_content
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.files import save_arrays
 from matrixworld.play import NetworkPolicy
-from matrixworld.policy import Network, Population
-from matrixworld.reading import DamagedFileError, check_arrays, parse_npz, read_content
+from matrixworld.world.policy import Network, Population
 
 MOST_LAYERS = 16
 """The most hidden layers: a million layers of one unit would fit into a file, and take hours."""

@@ -6,8 +6,8 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from matrixworld.checks import check_integer, check_number
-from matrixworld.reading import MIB
+from matrixworld._util.checks import check_integer, check_number
+from matrixworld._util.reading import MIB
 
 MOST_SECONDS = 3600
 

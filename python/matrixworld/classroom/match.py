@@ -19,11 +19,11 @@ from matrixworld.classroom.program import Program
 from matrixworld.classroom.seat import RefusedError, Seat
 from matrixworld.classroom.submissions import Entry
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.config import WorldConfig
+from matrixworld.episodes.record import record
 from matrixworld.play.matches import Decide, Worlds, asked_agents, decide_by, play_episodes
-from matrixworld.policy import TeamPolicy
-from matrixworld.recorder import record
-from matrixworld.rollout import Matches, rollout
+from matrixworld.play.rollout import Matches, rollout
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import TeamPolicy
 
 Seats: TypeAlias = dict[Team, Seat]
 """For each team where a program runs; empty if there are no programs."""

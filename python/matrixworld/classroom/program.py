@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld._util.reading import one_line
 from matrixworld.classroom.limits import Limits
 from matrixworld.classroom.seat import End, RefusedError, Seat
 from matrixworld.classroom.wire import (
@@ -27,7 +28,6 @@ from matrixworld.classroom.wire import (
     message,
     receive,
 )
-from matrixworld.reading import one_line
 
 LONGEST_REASON = 300
 """Most characters of what a program says about its own end."""

@@ -14,7 +14,7 @@ from matrixworld.classroom.program import Program
 from matrixworld.classroom.seat import CAN_FORK, NO_FORK, Seat
 from matrixworld.classroom.submissions import Entry
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.config import WorldConfig
+from matrixworld.world.config import WorldConfig
 
 
 class Referee:

@@ -9,7 +9,7 @@ from matrixworld.analysis.plain_values import plain_values
 from matrixworld.classroom.round_robin import ClassResult
 from matrixworld.classroom.standings import Standing
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.seeds import match_seed
+from matrixworld.play.seeds import match_seed
 from matrixworld.version import __version__
 
 Tables = Mapping[Team, Sequence[Standing]]

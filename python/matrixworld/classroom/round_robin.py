@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.checks import check_integer, check_threads
+from matrixworld._util.checks import check_integer, check_threads
 from matrixworld.classroom.admission import admit, reason_of
 from matrixworld.classroom.limits import Limits
 from matrixworld.classroom.match import FailedError, Played
@@ -19,9 +19,9 @@ from matrixworld.classroom.referee import Referee
 from matrixworld.classroom.submissions import Entry, Refusal, read_submissions
 from matrixworld.coevolution.progress import Report
 from matrixworld.coevolution.types import TEAMS, Team, other
-from matrixworld.config import WorldConfig
-from matrixworld.policy import Script
-from matrixworld.seeds import match_seed
+from matrixworld.play.seeds import match_seed
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Script
 
 SCRIPTS: dict[Team, tuple[Script, ...]] = {
     "pursuer": ("random", "chaser", "hunter"),

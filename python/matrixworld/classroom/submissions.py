@@ -15,9 +15,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import Literal, TypeAlias
 
+from matrixworld._util.reading import DamagedFileError, kind_of_file, one_line, read_content
 from matrixworld.coevolution.types import Team
-from matrixworld.policy import TeamPolicy
-from matrixworld.reading import DamagedFileError, kind_of_file, one_line, read_content
+from matrixworld.world.policy import TeamPolicy
 
 Kind: TypeAlias = Literal["program", "genome", "script"]
 KINDS: dict[str, Literal["program", "genome"]] = {".py": "program", ".npz": "genome"}

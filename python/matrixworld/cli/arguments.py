@@ -10,16 +10,16 @@ from pathlib import Path, PurePath
 
 import click
 
+from matrixworld._util.files import LockedError
+from matrixworld._util.memory import OutOfMemoryError
+from matrixworld._util.reading import DamagedFileError
 from matrixworld.cli.console import command
 from matrixworld.coevolution.many.job import JOB
 from matrixworld.coevolution.opponents.registry import ALTERNATING, HALL_OF_FAME, SCHEDULES
 from matrixworld.coevolution.storage.run_files import OtherVersionError
 from matrixworld.coevolution.storage.saved_run import run_directories
-from matrixworld.files import LockedError
-from matrixworld.memory import OutOfMemoryError
-from matrixworld.policy import SCRIPTS
-from matrixworld.reading import DamagedFileError
 from matrixworld.version import MissingExtraError
+from matrixworld.world.policy import SCRIPTS
 
 # From the newest opponents only to those of all generations: the generalists are the last schedule.
 ORDER = [*list(SCHEDULES)[:-1], HALL_OF_FAME, list(SCHEDULES)[-1], ALTERNATING]

@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from matrixworld._util.checks import check_threads
 from matrixworld.bench import (
     Machine,
     Measurement,
@@ -16,7 +17,6 @@ from matrixworld.bench import (
     check_worlds,
     measurements,
 )
-from matrixworld.checks import check_threads
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.bench_report import figures_of, print_figures, print_machine
 from matrixworld.cli.console import INTERRUPTED, note, progress
@@ -31,8 +31,8 @@ from matrixworld.cli.options import (
 )
 from matrixworld.cli.setting_options import settings_from, sizes_of, world_options
 from matrixworld.coevolution import RaceSettings
-from matrixworld.config import WorldConfig
-from matrixworld.rules import VARIANTS, rules_of
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.rules import VARIANTS, rules_of
 
 # The default of `evolve`, a common size, and the network of the published runs.
 HIDDEN = ((32,), (64, 64), (400, 300))

@@ -12,7 +12,7 @@ import click
 from matrixworld.bench import MATCHES, VECTOR_ENV, Machine, Measurement
 from matrixworld.cli.console import print_table, print_wrapped
 from matrixworld.coevolution import TEAMS, RaceSettings
-from matrixworld.config import WorldConfig
+from matrixworld.world.config import WorldConfig
 
 HEADS = (
     "",

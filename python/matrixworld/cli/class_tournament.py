@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 import click
 
-from matrixworld.checks import INT_MAX
+from matrixworld._util.checks import INT_MAX
 from matrixworld.classroom.limits import Limits
 from matrixworld.classroom.page import class_page
 from matrixworld.classroom.report import class_json
@@ -29,8 +29,8 @@ from matrixworld.cli.options import (
 )
 from matrixworld.cli.setting_options import SettingOption, in_options, world_options
 from matrixworld.coevolution.types import TEAMS, Team, other
-from matrixworld.config import WorldConfig
 from matrixworld.explorer.page import write_page
+from matrixworld.world.config import WorldConfig
 
 DEFAULTS = Limits()
 VARIANT = "O"

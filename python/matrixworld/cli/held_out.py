@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from matrixworld._util.files import json_digest, load_json, save_json
+from matrixworld._util.reading import DamagedFileError
 from matrixworld.cli.console import part_of_job, progress
 from matrixworld.cli.jobs import Result
 from matrixworld.coevolution import open_run, score
 from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.files import json_digest, load_json, save_json
-from matrixworld.reading import DamagedFileError
 from matrixworld.version import __version__
 
 SCORES = "scores.json"

@@ -13,11 +13,11 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
-from matrixworld.checks import INT_MAX, MOST_THREADS
+from matrixworld._util.checks import INT_MAX, MOST_THREADS
+from matrixworld._util.files import check_replaceable, save_json
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import INTERRUPTED, note
 from matrixworld.coevolution.settings.training import MOST_SEED
-from matrixworld.files import check_replaceable, save_json
 
 RENAMED = {
     "--overlap-penalty": "--crowding",

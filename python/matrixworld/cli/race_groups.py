@@ -11,6 +11,7 @@ from typing import Any, cast
 import click
 import numpy as np
 
+from matrixworld._util.reading import DamagedFileError
 from matrixworld.analysis import Judgement, Payoffs, read_payoffs
 from matrixworld.analysis.judgement import judge_payoffs
 from matrixworld.cli.arguments import all_of, find_runs
@@ -23,7 +24,6 @@ from matrixworld.cli.run_groups import (
     name_and_missing,
 )
 from matrixworld.coevolution.settings.race import RaceSettings
-from matrixworld.reading import DamagedFileError
 
 FILES = (".csv", ".npz")
 

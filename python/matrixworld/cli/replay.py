@@ -8,8 +8,7 @@ from typing import Any
 
 import click
 
-from matrixworld import replay
-from matrixworld.checks import INT_MAX, SEED_MAX
+from matrixworld._util.checks import INT_MAX, SEED_MAX
 from matrixworld.cli.arguments import failures, find_runs, run_of
 from matrixworld.cli.options import (
     SectionedCommand,
@@ -22,11 +21,12 @@ from matrixworld.cli.options import (
 )
 from matrixworld.cli.setting_options import world_options
 from matrixworld.coevolution import open_run
-from matrixworld.config import WorldConfig
-from matrixworld.episode import Episode, moment
-from matrixworld.policy import SCRIPTS, TeamPolicy
-from matrixworld.recorder import record
-from matrixworld.rules import VARIANTS, Rules, rules_of
+from matrixworld.episodes import replay
+from matrixworld.episodes.episode import Episode, moment
+from matrixworld.episodes.record import record
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import SCRIPTS, TeamPolicy
+from matrixworld.world.rules import VARIANTS, Rules, rules_of
 
 LAST = "-1"
 SLOWEST, FASTEST = 0.1, 50.0

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from matrixworld._util.files import save_json
 from matrixworld.cli.console import TERMS, command
 from matrixworld.cli.explore import write_explorer
 from matrixworld.cli.figures import draw_comparison, draw_run
@@ -17,7 +18,6 @@ from matrixworld.cli.race_tables import print_claims, print_comparison
 from matrixworld.coevolution import SingleSettings
 from matrixworld.coevolution.types import other
 from matrixworld.explorer.runs_page import PAGE
-from matrixworld.files import save_json
 
 if TYPE_CHECKING:
     from matrixworld.cli.held_out import Scores

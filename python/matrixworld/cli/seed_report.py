@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from matrixworld._util.files import save_json
 from matrixworld.analysis import interval_over_runs
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.cli.console import TERMS, command, print_table, print_wrapped
@@ -29,7 +30,6 @@ from matrixworld.cli.seed_tables import (
 )
 from matrixworld.coevolution.many.job import group_of
 from matrixworld.explorer.runs_page import PAGE
-from matrixworld.files import save_json
 
 if TYPE_CHECKING:
     from matrixworld.cli.held_out import Scores

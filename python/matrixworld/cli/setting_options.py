@@ -28,8 +28,8 @@ from matrixworld.coevolution import (
 from matrixworld.coevolution.learners import LEARNERS
 from matrixworld.coevolution.plugins import LEARNER, OPPONENT, installed
 from matrixworld.coevolution.settings.race import SCHEDULE_DEFAULTS
-from matrixworld.policy import SCRIPTS
-from matrixworld.rules import VARIANTS
+from matrixworld.world.policy import SCRIPTS
+from matrixworld.world.rules import VARIANTS
 
 AnyFunction = TypeVar("AnyFunction", bound=Callable[..., Any])
 

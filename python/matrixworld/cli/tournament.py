@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from matrixworld._util.files import save_arrays
 from matrixworld.analysis import Generalization, Judgement, generalization, headline, judge
 from matrixworld.cli.arguments import failures, run_of
 from matrixworld.cli.clusters import cluster_option, on_cluster
@@ -22,8 +23,7 @@ from matrixworld.cli.options import (
     threads_option,
 )
 from matrixworld.coevolution import Payoff, SavedRun, open_run, tournament
-from matrixworld.files import save_arrays
-from matrixworld.policy import Population
+from matrixworld.world.policy import Population
 
 SUFFIX = ".npz"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from matrixworld.cli.console import print_table
-from matrixworld.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS, VARIANTS, Rules
+from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS, VARIANTS, Rules
 
 HEADS = (
     "variant",

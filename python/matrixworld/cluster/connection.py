@@ -13,10 +13,10 @@ from multiprocessing import resource_tracker
 from pathlib import Path
 from typing import Any
 
-from matrixworld.checks import usable_cores
+from matrixworld._util.checks import usable_cores
+from matrixworld._util.reading import DamagedFileError, read_json
 from matrixworld.cluster.executor import ClusterExecutor
 from matrixworld.cluster.probe import posted
-from matrixworld.reading import DamagedFileError, read_json
 from matrixworld.version import install_hint
 
 AUTO = "auto"

@@ -19,12 +19,12 @@ import numpy as np
 from threadpoolctl import threadpool_info
 
 import matrixworld
+from matrixworld._util.files import TEMPORARY, LockedError, locked
 from matrixworld.bench import processor_name
-from matrixworld.config import WorldConfig
-from matrixworld.files import TEMPORARY, LockedError, locked
-from matrixworld.policy import Network, Population
-from matrixworld.rollout import Matches, rollout
+from matrixworld.play.rollout import Matches, rollout
 from matrixworld.version import __version__
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network, Population
 
 CENTS = 100
 """Rewards are counted in hundredths: whole numbers, which every machine writes the same."""

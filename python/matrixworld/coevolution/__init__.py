@@ -38,6 +38,8 @@ package imports only from those below it in the table.
 
 from __future__ import annotations
 
+from matrixworld._util.files import LockedError
+from matrixworld._util.reading import DamagedFileError
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.conformance import check_learner, check_sampler
 from matrixworld.coevolution.evaluation.baselines import scores_in_race
@@ -114,9 +116,7 @@ from matrixworld.coevolution.storage.saved_run import (
     open_runs,
 )
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.files import LockedError
-from matrixworld.reading import DamagedFileError
-from matrixworld.rollout import Rollout
+from matrixworld.play.rollout import Rollout
 
 __all__ = [
     "ALTERNATING",

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team
 
 if TYPE_CHECKING:
-    from matrixworld.rollout import EpisodeStatistics
+    from matrixworld.play.rollout import EpisodeStatistics
 
 
 def captured_fraction(scores: EpisodeStatistics, team: Team) -> FloatArray:

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld._util.short_repr import short_repr
 from matrixworld.coevolution.types import FloatArray
-from matrixworld.short_repr import short_repr
 
 
 @dataclass(frozen=True)

@@ -74,7 +74,7 @@ from matrixworld.envs.aec import MatrixWorldAEC
 from matrixworld.envs.base import INFO_KEYS, OPTIONS, RENDER_MODES, Status
 from matrixworld.envs.parallel import MatrixWorldParallel
 from matrixworld.envs.variants import VariantModule, add_module, aec_env, parallel_env, raw_aec_env
-from matrixworld.rules import VARIANTS
+from matrixworld.world.rules import VARIANTS
 
 __all__ = [
     "INFO_KEYS",

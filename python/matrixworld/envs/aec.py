@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from pettingzoo import AECEnv
 from typing_extensions import Unpack
 
-from matrixworld.checks import check_integer
-from matrixworld.config import WorldConfig
+from matrixworld._util.checks import check_integer
 from matrixworld.envs.base import EnvSettings, MatrixWorldBase, Status
-from matrixworld.rules import Rules
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.rules import Rules
 
 View = NDArray[np.uint8]
 

@@ -12,16 +12,16 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 from typing_extensions import Unpack
 
-from matrixworld.arrays import WORLD_FIELDS, OutputField
-from matrixworld.built_in import Opponents, built_in_team, set_opponents
-from matrixworld.checks import check_bool, check_keywords
-from matrixworld.config import WorldConfig, WorldSettings
+from matrixworld._util.checks import check_bool, check_keywords
 from matrixworld.envs.drawing import Drawing
-from matrixworld.episode import Episode
-from matrixworld.masks import action_masks, check_maskable
+from matrixworld.envs.opponents import Opponents, built_in_team, set_opponents
+from matrixworld.episodes.episode import Episode
 from matrixworld.play import Plays
-from matrixworld.rules import KINDS, VARIANTS, Rules
-from matrixworld.world import World
+from matrixworld.world.arrays import WORLD_FIELDS, OutputField
+from matrixworld.world.config import WorldConfig, WorldSettings
+from matrixworld.world.masks import action_masks, check_maskable
+from matrixworld.world.rules import KINDS, VARIANTS, Rules
+from matrixworld.world.world import World
 
 
 class EnvSettings(WorldSettings, total=False):
@@ -185,8 +185,8 @@ class MatrixWorldBase:
         Another name for ``max_steps`` of the config, as other PettingZoo environments call it.
     pursuers, evaders : Opponents, optional
         What plays for one of the teams, if the environment plays it itself; see
-        `matrixworld.built_in`. Each episode draws one of several. Agents of that team are not in
-        `possible_agents`. By default the caller plays both teams.
+        `matrixworld.envs.opponents`. Each episode draws one of several. Agents of that team are not
+        in `possible_agents`. By default the caller plays both teams.
     **changes
         Fields of `WorldConfig` to change.
 

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.display import Display
-from matrixworld.episode import Episode
-from matrixworld.recorder import Recorder
-from matrixworld.render import ansi, rgb
-from matrixworld.world import World
+from matrixworld.episodes.display import Display
+from matrixworld.episodes.episode import Episode
+from matrixworld.episodes.record import Recorder
+from matrixworld.episodes.render import ansi, rgb
+from matrixworld.world.world import World
 
 
 class Drawing:

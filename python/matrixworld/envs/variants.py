@@ -1,7 +1,7 @@
 """One PettingZoo module per variant, made from the rules and a text instead of written by hand.
 
-A row in `matrixworld.rules.VARIANTS` and an entry in `matrixworld.envs.variant_texts` are enough:
-the module, its docstring and its registration for ``pettingzoo.make`` follow from them.
+A row in `matrixworld.world.rules.VARIANTS` and an entry in `matrixworld.envs.variant_texts` are
+enough: the module, its docstring and its registration for ``pettingzoo.make`` follow from them.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from pettingzoo.env_registry.registration import register
 from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, OrderEnforcingWrapper
 from typing_extensions import Unpack
 
-from matrixworld.config import WorldConfig
 from matrixworld.envs.aec import MatrixWorldAEC
 from matrixworld.envs.base import EnvSettings
 from matrixworld.envs.parallel import MatrixWorldParallel
 from matrixworld.envs.variant_texts import VARIANT_TEXTS
-from matrixworld.rules import OUTCOME_TEXTS, Capture, Interaction, Rules
-from matrixworld.vector import VectorEnv
+from matrixworld.envs.vector import VectorEnv
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.rules import OUTCOME_TEXTS, Capture, Interaction, Rules
 
 AECWrapper: TypeAlias = OrderEnforcingWrapper
 

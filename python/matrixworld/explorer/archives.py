@@ -10,7 +10,7 @@ import numpy as np
 
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.policy import Network, Population, TeamPolicy
+from matrixworld.world.policy import Network, Population, TeamPolicy
 
 MOST_BYTES = 48 * 2**20
 """Genomes of a page, in bytes; base64 adds a third. A default race has 2.9 MB."""

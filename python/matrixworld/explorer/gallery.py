@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from matrixworld.explorer.links import scene_link
-from matrixworld.rules import Action, Rules
-from matrixworld.world import World
+from matrixworld.world.rules import Action, Rules
+from matrixworld.world.world import World
 
 ARROWS = {
     "^": Action.NORTH,

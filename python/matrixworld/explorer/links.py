@@ -32,11 +32,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import astuple
 
-from matrixworld.checks import check_choice, check_instance, check_integer
-from matrixworld.config import WorldConfig
-from matrixworld.policy import SCRIPTS
-from matrixworld.rules import VARIANTS, Rewards, Rules, rules_of
-from matrixworld.world import World
+from matrixworld._util.checks import check_choice, check_instance, check_integer
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import SCRIPTS
+from matrixworld.world.rules import VARIANTS, Rewards, Rules, rules_of
+from matrixworld.world.world import World
 
 MOST_SIDE = 64
 """The most rows and columns of a scene."""

@@ -12,8 +12,8 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from matrixworld._util.files import replacing
 from matrixworld.explorer.built import ENGINE, KINDS, built_text
-from matrixworld.files import replacing
 from matrixworld.version import __version__
 
 if TYPE_CHECKING:

@@ -20,14 +20,14 @@ from pathlib import Path
 from typing import Any
 
 from matrixworld.envs.variant_texts import VARIANT_TEXTS
+from matrixworld.episodes.render import png
+from matrixworld.episodes.render.layout import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.explorer.frame import frame, mime_bundle
 from matrixworld.explorer.gallery import GALLERY, drawn_world
 from matrixworld.explorer.links import Command, scene_link
 from matrixworld.explorer.page import render_page, write_page
-from matrixworld.policy import SCRIPTS
-from matrixworld.render import png
-from matrixworld.render.layout import SMALLEST_NUMBERED, fitting_cell
-from matrixworld.rules import (
+from matrixworld.world.policy import SCRIPTS
+from matrixworld.world.rules import (
     CAPTURE_TEXTS,
     INTERACTION_TEXTS,
     OUTCOME_TEXTS,
@@ -38,7 +38,7 @@ from matrixworld.rules import (
     Rewards,
     Rules,
 )
-from matrixworld.world import World
+from matrixworld.world.world import World
 
 PAGE = "playground.html"
 """Name of the page where no other is given."""

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from matrixworld import replay
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
+from matrixworld.episodes import replay
 from matrixworld.explorer.archives import archives_of
 from matrixworld.explorer.frame import frame, mime_bundle
 from matrixworld.explorer.page import render_page, without_engine, write_page

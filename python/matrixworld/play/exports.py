@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.policy import CHANNELS, Network
 from matrixworld.version import __version__
+from matrixworld.world.policy import CHANNELS, Network
 
 if TYPE_CHECKING:
     import onnx

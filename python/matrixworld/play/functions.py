@@ -8,8 +8,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.arrays import integers
-from matrixworld.policy import TeamPolicy
+from matrixworld.world.arrays import integers
+from matrixworld.world.policy import TeamPolicy
 
 Callback: TypeAlias = Callable[[NDArray[np.uint8]], ArrayLike]
 """A policy as a function: observations uint8 (n, 3, fov, fov) of n living agents of one team, to

@@ -8,13 +8,13 @@ from typing import Any, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.arrays import array_specs
-from matrixworld.batch import Batch
-from matrixworld.config import WorldConfig
 from matrixworld.play.functions import Plays, ask
 from matrixworld.play.network_policy import check_fits
-from matrixworld.policy import Population, TeamPolicy
-from matrixworld.world import World
+from matrixworld.world.arrays import array_specs
+from matrixworld.world.batch import Batch
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.world import World
 
 _READ = ("views", "alive", "terminated", "truncated", "capture_rate")
 

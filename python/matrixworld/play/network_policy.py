@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.checks import check_bool
-from matrixworld.config import WorldConfig
+from matrixworld._util.checks import check_bool
 from matrixworld.play.exports import onnx_model, torch_module
-from matrixworld.policy import CHANNELS, Network, Population
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import CHANNELS, Network, Population
 
 if TYPE_CHECKING:
     import onnx

@@ -1,6 +1,6 @@
 """Parts of a board as vector graphics: cells, agents, planned moves, collisions.
 
-They look like the pictures of `matrixworld.render`, which are made of pixels.
+They look like the pictures of `matrixworld.episodes.render`, which are made of pixels.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Circle, FancyArrowPatch, Rectangle, RegularPolygon
 from matplotlib.patheffects import withStroke
 
-from matrixworld import colors
-from matrixworld.rules import Action
+from matrixworld._util import colors
+from matrixworld.world.rules import Action
 
 RADIUS = 0.33
 """Of an agent that is alone on its cell, in cells."""

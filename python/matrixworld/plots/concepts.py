@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import FancyArrowPatch, FancyBboxPatch
 
-from matrixworld import colors
+from matrixworld._util import colors
 from matrixworld.plots.style import new_figure
 
 

@@ -20,11 +20,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from matrixworld import colors
+from matrixworld._util import colors
 from matrixworld.plots.board import draw_agent, draw_board, draw_held, draw_move, draw_removed
 from matrixworld.plots.style import fitting, legend_below, new_figure
-from matrixworld.rules import OUTCOME_TEXTS, Action, Capture, Outcome, Rules
-from matrixworld.world import World
+from matrixworld.world.rules import OUTCOME_TEXTS, Action, Capture, Outcome, Rules
+from matrixworld.world.world import World
 
 Cell = tuple[int, int]
 

@@ -9,7 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
-from matrixworld import analysis, colors
+from matrixworld import analysis
+from matrixworld._util import colors
 from matrixworld.plots.style import (
     DASHES,
     draw_band,

@@ -16,10 +16,10 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import FancyArrowPatch, FancyBboxPatch, Patch
 
-from matrixworld import colors
+from matrixworld._util import colors
 from matrixworld.plots.style import fitting, legend_below, new_figure
-from matrixworld.rules import INTERACTION_TEXTS, Action, Interaction, Rules
-from matrixworld.world import World
+from matrixworld.world.rules import INTERACTION_TEXTS, Action, Interaction, Rules
+from matrixworld.world.world import World
 
 GAMES = {
     Interaction.SIMULTANEOUS: "stochastic (Markov) game",

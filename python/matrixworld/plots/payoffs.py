@@ -13,7 +13,8 @@ from matplotlib.image import AxesImage
 from matplotlib.patheffects import Normal, Stroke
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld import analysis, colors
+from matrixworld import analysis
+from matrixworld._util import colors
 from matrixworld.analysis.payoff import Rates
 from matrixworld.plots.style import (
     DASHES,

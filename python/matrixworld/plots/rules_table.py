@@ -9,9 +9,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import FancyBboxPatch
 
-from matrixworld import colors
+from matrixworld._util import colors
 from matrixworld.plots.style import fitting, new_figure
-from matrixworld.rules import (
+from matrixworld.world.rules import (
     CAPTURE_TEXTS,
     INTERACTION_TEXTS,
     OUTCOME_TEXTS,

@@ -8,7 +8,7 @@ from typing import Any
 import matplotlib as mpl
 from matplotlib.figure import Figure
 
-from matrixworld.files import replacing
+from matrixworld._util.files import replacing
 
 FORMATS = ("png", "pdf", "svg")
 """Formats of figures, which are the suffixes of their files; pdf and svg are vector graphics."""

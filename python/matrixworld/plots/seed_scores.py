@@ -11,7 +11,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
 
-from matrixworld import analysis, colors
+from matrixworld import analysis
+from matrixworld._util import colors
 from matrixworld.plots.style import (
     DASHES,
     fitting,

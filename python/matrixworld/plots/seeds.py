@@ -13,7 +13,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import ArrayLike
 
-from matrixworld import analysis, colors
+from matrixworld import analysis
+from matrixworld._util import colors
 from matrixworld.analysis import Band, Judgement, RaceBands
 from matrixworld.analysis.payoff import Rates
 from matrixworld.plots.style import (

@@ -13,7 +13,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
-from matrixworld import colors
+from matrixworld._util import colors
 from matrixworld.analysis import Band
 
 DPI = 150

@@ -11,7 +11,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld import analysis, colors
+from matrixworld import analysis
+from matrixworld._util import colors
 from matrixworld.plots.style import (
     DASHES,
     fitting,
@@ -21,7 +22,7 @@ from matrixworld.plots.style import (
     unit_axis,
     whole_numbers,
 )
-from matrixworld.rules import KINDS
+from matrixworld.world.rules import KINDS
 
 _TEAMS = ("pursuers", "evaders")
 _MARKED = 100  # curves with up to this many points have a marker at each

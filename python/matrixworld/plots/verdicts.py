@@ -10,7 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
-from matrixworld import analysis, colors
+from matrixworld import analysis
+from matrixworld._util import colors
 from matrixworld.analysis import CONDITIONS, Judgement
 from matrixworld.analysis.verdicts import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.plots.style import fitting, legend_below, new_figure

@@ -10,12 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from PIL import Image, ImageDraw
 
-from matrixworld import colors, render
-from matrixworld.arrays import integers
-from matrixworld.recorder import Recorder
-from matrixworld.render.layout import Layout
-from matrixworld.rules import Action, Rules
-from matrixworld.world import World
+from matrixworld._util import colors
+from matrixworld.episodes import render
+from matrixworld.episodes.record import Recorder
+from matrixworld.episodes.render.layout import Layout
+from matrixworld.world.arrays import integers
+from matrixworld.world.rules import Action, Rules
+from matrixworld.world.world import World
 
 Cell = tuple[int, int]
 MOVES: dict[Action, Cell] = {

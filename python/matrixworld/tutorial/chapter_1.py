@@ -9,9 +9,9 @@ from operator import index
 import numpy as np
 
 from matrixworld.explorer.gallery import drawn_world
-from matrixworld.rules import VARIANTS, Action, Capture, Interaction, Outcome, Rules
 from matrixworld.tutorial.boards import Cell, actions_to, pack, random_pack
 from matrixworld.tutorial.exercises import NO_FUNCTION, Exercise, Prediction
+from matrixworld.world.rules import VARIANTS, Action, Capture, Interaction, Outcome, Rules
 
 ABC = ("a", "b", "c")
 

@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterable, Mapping
 import numpy as np
 
 from matrixworld.explorer.gallery import drawn_world
-from matrixworld.rules import Action
 from matrixworld.tutorial.boards import Cell, actions_to, pack, random_pack
 from matrixworld.tutorial.chapter_1 import ABC, read_actions
 from matrixworld.tutorial.exercises import NO_FUNCTION, Exercise, Prediction
-from matrixworld.world import World
+from matrixworld.world.rules import Action
+from matrixworld.world.world import World
 
 JAM = ". . . . . b . / A B . C . . a / . . . . . . ."
 JAM_ACTIONS = [Action.EAST, Action.EAST, Action.WEST, Action.EAST, Action.SOUTH]

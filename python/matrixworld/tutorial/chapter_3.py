@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld.checks import shown
-from matrixworld.policy import Network
+from matrixworld._util.checks import shown
 from matrixworld.tutorial.exercises import NO_DEFINITION, Exercise, Prediction
+from matrixworld.world.policy import Network
 
 
 def _genome_size(answer: Any) -> str | None:

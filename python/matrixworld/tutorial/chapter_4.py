@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.checks import shown
+from matrixworld._util.checks import shown
 from matrixworld.toys import GAMES
 from matrixworld.tutorial.exercises import NO_DEFINITION, Exercise, Prediction
 

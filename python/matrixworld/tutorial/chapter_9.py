@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.rollout import Matches, rollout
-from matrixworld.rules import Rewards
+from matrixworld.play.rollout import Matches, rollout
 from matrixworld.tutorial.exercises import NO_FUNCTION, Exercise, Prediction
 from matrixworld.tutorial.packs import WEIGHTS, WORLD, MaskedEpisodes, pack, play_masked
+from matrixworld.world.rules import Rewards
 
 MOST_FAULTS, MOST_STEPS = 10.0, 15.0
 BRISK, IDLE = (4, 10, -10, -8, -2, 0), (0, 0, 0, 0, 0, 20)

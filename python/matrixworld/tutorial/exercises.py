@@ -12,7 +12,7 @@ from importlib import import_module
 from textwrap import fill
 from typing import Any
 
-from matrixworld.checks import check_instance
+from matrixworld._util.checks import check_instance
 
 CHAPTERS = range(1, 10)
 """Numbers of the notebooks."""

@@ -10,9 +10,9 @@ import os
 from pathlib import Path
 from typing import TypeVar
 
-from matrixworld.checks import shown
-from matrixworld.files import load_arrays
-from matrixworld.reading import Arrays
+from matrixworld._util.checks import shown
+from matrixworld._util.files import load_arrays
+from matrixworld._util.reading import Arrays
 
 DATA = Path(__file__).parent / "data"
 QUICK = "MATRIXWORLD_QUICK"

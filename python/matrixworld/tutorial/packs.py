@@ -12,11 +12,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.checks import check_floats
-from matrixworld.config import WorldConfig
-from matrixworld.policy import Network, Population
-from matrixworld.safety import SafetyMonitor
-from matrixworld.vector import VectorEnv
+from matrixworld._util.checks import check_floats
+from matrixworld.envs.vector import VectorEnv
+from matrixworld.episodes.safety import SafetyMonitor
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network, Population
 
 WORLD = WorldConfig("S", rows=10, cols=10, n_pursuers=6, n_evaders=1, max_steps=60)
 """Six pursuers have to surround one evader. In -S pursuers may share a cell; it is a collision."""

@@ -71,7 +71,7 @@ def test_the_sets_of_two_variants_are_different():
 
 def test_a_variant_without_shipped_genomes_has_scripts_only(monkeypatch):
     row = replace(mw.VARIANTS["SB"], interaction=mw.Interaction.SWARM_TURNS)
-    monkeypatch.setattr("matrixworld.rules.VARIANTS", {**mw.VARIANTS, "X": row})
+    monkeypatch.setattr("matrixworld.world.rules.VARIANTS", {**mw.VARIANTS, "X": row})
     monkeypatch.setattr(
         "matrixworld.coevolution.evaluation.held_out_opponents.VARIANTS", {"X": row}
     )

@@ -11,8 +11,8 @@ import pytest
 from matrixworld.coevolution import tournament
 from matrixworld.coevolution.evaluation.tournament import Pairs, _block_size, _blocks
 from matrixworld.coevolution.learners.registry import untrained
-from matrixworld.policy import Population
-from matrixworld.rollout import rollout
+from matrixworld.play.rollout import rollout
+from matrixworld.world.policy import Population
 from tiny_race import tiny_race
 
 SETTINGS = tiny_race()

@@ -18,10 +18,10 @@ from matrixworld.coevolution.learners.advantages import advantages
 from matrixworld.coevolution.learners.experience import Experience
 from matrixworld.coevolution.learners.perceptron import orthogonal
 from matrixworld.coevolution.runs.experience import experience
-from matrixworld.config import WorldConfig
 from matrixworld.play import NetworkPolicy
-from matrixworld.policy import Network, Population
-from matrixworld.rollout import Matches, rollout
+from matrixworld.play.rollout import Matches, rollout
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network, Population
 
 NETWORK = Network((6,), fov=5)
 CONFIG = WorldConfig("D", rows=7, cols=7, n_pursuers=3, n_evaders=4, fov=5, max_steps=12)

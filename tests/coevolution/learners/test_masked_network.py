@@ -17,8 +17,8 @@ from matrixworld.coevolution.learners.masked_network import (
 )
 from matrixworld.coevolution.runs.experience import experience
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.config import WorldConfig
-from matrixworld.policy import Network, Population
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network, Population
 from tiny_race import tiny_race, tiny_single
 
 MOVES = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)]

@@ -10,6 +10,7 @@ from concurrent.futures import Executor, Future, ThreadPoolExecutor
 
 import pytest
 
+from matrixworld._util.files import LockedError as _Locked
 from matrixworld.coevolution import (
     DamagedFileError,
     DisengagementWarning,
@@ -29,7 +30,6 @@ from matrixworld.coevolution.many.evolve_many import shares
 from matrixworld.coevolution.many.job import JOB, job_of, open_job, save_job
 from matrixworld.coevolution.many.run_progress import PROGRESS, RunProgress, write_progress
 from matrixworld.coevolution.many.stop_mark import MARK, StopMark
-from matrixworld.files import LockedError as _Locked
 from tiny_race import directory_in_memory, results, tiny_race, tiny_single
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
@@ -383,7 +383,7 @@ def test_bad_input_is_refused_before_anything_is_written(bad, kind, message, tmp
 
 
 def test_memory_is_that_of_the_runs_that_play_at_one_time(tmp_path, monkeypatch):
-    monkeypatch.setattr("matrixworld.memory.available_memory", lambda: 300_000_000)
+    monkeypatch.setattr("matrixworld._util.memory.available_memory", lambda: 300_000_000)
     monkeypatch.setattr(
         sys.modules[function.__module__], "run_memory", lambda settings, threads: {"all": 10**8}
     )

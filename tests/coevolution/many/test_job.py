@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from matrixworld._util.files import load_json, save_json
 from matrixworld.coevolution import DamagedFileError, OtherVersionError, RaceSettings
 from matrixworld.coevolution.many.job import (
     JOB,
@@ -20,8 +21,7 @@ from matrixworld.coevolution.many.job import (
     settings_to_text,
 )
 from matrixworld.coevolution.settings import ALL_SCHEDULES
-from matrixworld.files import load_json, save_json
-from matrixworld.rules import VARIANTS
+from matrixworld.world.rules import VARIANTS
 from tiny_race import tiny_race, tiny_single
 
 RULES = replace(VARIANTS["SB"], name="mine") if hasattr(VARIANTS["SB"], "name") else VARIANTS["SB"]

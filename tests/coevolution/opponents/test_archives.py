@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from matrixworld._util.files import load_arrays, save_arrays
 from matrixworld.coevolution.opponents import (
     IPCA,
     LAPCA,
@@ -18,7 +19,6 @@ from matrixworld.coevolution.opponents import (
     maximally_different,
     swapped,
 )
-from matrixworld.files import load_arrays, save_arrays
 
 ARCHIVES = {
     "MaxSolve": lambda: MaxSolve(3),

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from matrixworld._util.files import load_arrays, save_arrays
 from matrixworld.coevolution import opponents
-from matrixworld.files import load_arrays, save_arrays
 
 SAMPLERS = {
     "latest": lambda: opponents.Latest(2),

@@ -22,9 +22,9 @@ from matrixworld.coevolution import (
     open_run,
 )
 from matrixworld.coevolution.settings import settings_from_json, settings_to_json
-from matrixworld.policy import Population
-from matrixworld.rollout import Matches, rollout
-from matrixworld.rules import VARIANTS
+from matrixworld.play.rollout import Matches, rollout
+from matrixworld.world.policy import Population
+from matrixworld.world.rules import VARIANTS
 from tiny_race import StopAt, constant_scores, results, tiny_race
 
 EPOCHS = 2 * (2 + 3)

@@ -16,8 +16,8 @@ from matrixworld.coevolution import SingleSettings, SingleTeam, best_response, o
 from matrixworld.coevolution.runs.best_response import response_settings
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import other
-from matrixworld.policy import Population
-from matrixworld.rollout import Matches, rollout
+from matrixworld.play.rollout import Matches, rollout
+from matrixworld.world.policy import Population
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 BUDGET = 450  # matches: 9 epochs of 48

@@ -8,10 +8,10 @@ import pytest
 from matrixworld.coevolution.learners.experience import Experience
 from matrixworld.coevolution.runs.experience import experience
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.config import WorldConfig
-from matrixworld.policy import Network, Population
-from matrixworld.rollout import Matches, rollout
-from matrixworld.world import World
+from matrixworld.play.rollout import Matches, rollout
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network, Population
+from matrixworld.world.world import World
 
 CONFIG = WorldConfig("D", rows=7, cols=7, n_pursuers=3, n_evaders=4, fov=5, max_steps=25)
 NETWORK = Network((6,), fov=5)

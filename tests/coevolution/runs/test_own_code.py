@@ -23,7 +23,7 @@ from matrixworld.coevolution import (
 )
 from matrixworld.coevolution.opponents import SAMPLERS, Latest
 from matrixworld.coevolution.settings import ALL_SCHEDULES
-from matrixworld.rollout import rollout
+from matrixworld.play.rollout import rollout
 from tiny_race import StopAt, directory_in_memory, results, tiny_race, tiny_single
 
 LEARNER = {"learner": "own_code:HillClimber", "learner_settings": {"sigma": 0.2}}

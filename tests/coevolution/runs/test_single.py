@@ -9,7 +9,7 @@ import pytest
 
 from matrixworld import coevolution
 from matrixworld.coevolution import Race, SingleTeam, last_generation, open_run
-from matrixworld.policy import Network, Population
+from matrixworld.world.policy import Network, Population
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 

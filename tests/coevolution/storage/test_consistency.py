@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from command_line import matrixworld_command
+from matrixworld._util.reading import read_npz
 from matrixworld.coevolution import (
     DamagedFileError,
     HallOfFameRace,
@@ -26,7 +27,6 @@ from matrixworld.coevolution import (
 from matrixworld.coevolution.storage import consistency
 from matrixworld.coevolution.storage.genome_file import HEAD
 from matrixworld.coevolution.storage.run_log import COLUMNS
-from matrixworld.reading import read_npz
 from tiny_race import GENOMES, RESULTS, StopAt, directory_in_memory, results, tiny_race, tiny_single
 
 CHECKPOINTS = ("checkpoint.npz", "checkpoint.previous.npz")

@@ -13,7 +13,7 @@ import pytest
 
 import killed
 from command_line import MAIN_JOB, RACE, matrixworld_command, words
-from matrixworld import files
+from matrixworld._util import files
 from matrixworld.cli import report
 from matrixworld.cli.console import INTERRUPTED
 from matrixworld.coevolution import (

@@ -26,7 +26,9 @@ from attacks import (
     sealed,
 )
 from command_line import matrixworld_command
-from matrixworld import analysis, files
+from matrixworld import analysis
+from matrixworld._util import files
+from matrixworld._util.reading import read_json, read_npz
 from matrixworld.cli import report
 from matrixworld.coevolution import (
     DamagedFileError,
@@ -38,7 +40,6 @@ from matrixworld.coevolution import (
     open_run,
     resume,
 )
-from matrixworld.reading import read_json, read_npz
 from tiny_race import GENOMES, directory_in_memory, tiny_race, tiny_single
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs FIFOs")

@@ -10,7 +10,7 @@ import warnings
 import numpy as np
 import pytest
 
-from matrixworld import files
+from matrixworld._util import files
 from matrixworld.coevolution import (
     DamagedFileError,
     LockedError,

@@ -1,4 +1,4 @@
-/** Conflicts in words: the sentences of `matrixworld.conflicts`, from the same templates. */
+/** Conflicts in words: the sentences of `matrixworld.world.conflicts`, from the same templates. */
 
 import {
   AGENT_NAMES,

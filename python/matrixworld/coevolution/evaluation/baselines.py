@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.checks import check_choice
+from matrixworld._util.checks import check_choice
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team, other
-from matrixworld.policy import Population, TeamPolicy
+from matrixworld.world.policy import Population, TeamPolicy
 
 
 def scores_in_race(

@@ -12,11 +12,11 @@ from importlib.resources import as_file, files
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld._util.files import load_arrays
 from matrixworld.coevolution.types import TEAMS, Genomes, Team, other
-from matrixworld.config import WorldConfig
-from matrixworld.files import load_arrays
-from matrixworld.policy import Network, Population, Script, TeamPolicy
-from matrixworld.rules import VARIANTS, Capture, Rules, rules_of
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network, Population, Script, TeamPolicy
+from matrixworld.world.rules import VARIANTS, Capture, Rules, rules_of
 
 FILE = "held_out.npz"
 NETWORK = Network()

@@ -11,8 +11,10 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld._util.checks import check_instance, check_integer, check_threads
+from matrixworld._util.memory import EPISODE, check_memory
+from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis import Estimate, mean_over_episodes
-from matrixworld.checks import check_instance, check_integer, check_threads
 from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
 from matrixworld.coevolution.evaluation.tournament import (
     BLOCK_SECONDS,
@@ -26,12 +28,10 @@ from matrixworld.coevolution.seeding import Phase
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.config import WorldConfig
-from matrixworld.memory import EPISODE, check_memory
-from matrixworld.policy import Population, TeamPolicy
-from matrixworld.rollout import EpisodeStatistics, Rollout, rollout
-from matrixworld.seeds import match_seed
-from matrixworld.short_repr import short_repr
+from matrixworld.play.rollout import EpisodeStatistics, Rollout, rollout
+from matrixworld.play.seeds import match_seed
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Population, TeamPolicy
 
 RATE = 8
 """Bytes of a float64."""

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.checks import SEED_MAX, check_choice, check_integer
+from matrixworld._util.checks import SEED_MAX, check_choice, check_integer
 from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
 from matrixworld.coevolution.evaluation.held_out_scores import (
     HeldOutScores,
@@ -15,11 +15,11 @@ from matrixworld.coevolution.evaluation.held_out_scores import (
 )
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.config import WorldConfig
 from matrixworld.play import Callback, NetworkPolicy, Plays, capture_rates
-from matrixworld.policy import SCRIPTS, Population
-from matrixworld.rollout import Matches, rollout
-from matrixworld.rules import Rules
+from matrixworld.play.rollout import Matches, rollout
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import SCRIPTS, Population
+from matrixworld.world.rules import Rules
 
 
 def score_policy(

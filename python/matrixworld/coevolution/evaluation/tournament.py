@@ -13,14 +13,14 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.checks import check_instance, check_integer, check_number, check_threads
+from matrixworld._util.checks import check_instance, check_integer, check_number, check_threads
+from matrixworld._util.memory import EPISODE, check_memory
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import Seeds
-from matrixworld.config import WorldConfig
-from matrixworld.memory import EPISODE, check_memory
-from matrixworld.policy import Population, TeamPolicy, check_team
-from matrixworld.rollout import EpisodeStatistics, Matches, Rollout, rollout
+from matrixworld.play.rollout import EpisodeStatistics, Matches, Rollout, rollout
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Population, TeamPolicy, check_team
 
 BLOCK_SECONDS = 20.0
 """Seconds of work in a block that an executor plays: many times what it takes to hand it out, and

@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.checks import (
+from matrixworld._util.checks import (
     check_bool,
     check_floats,
     check_integer,
@@ -40,9 +40,9 @@ from matrixworld.coevolution.learners.experience import Experience, Reals
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings
 from matrixworld.coevolution.learners.perceptron import Perceptron, Tensor, orthogonal
 from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, State, Team
-from matrixworld.policy import CHANNELS, Network
-from matrixworld.rules import Interaction
 from matrixworld.version import MissingExtraError, install_hint
+from matrixworld.world.policy import CHANNELS, Network
+from matrixworld.world.rules import Interaction
 
 CHUNK = 16_384
 """Experience that are in the networks at one time. Gradients are sums over all chunks."""

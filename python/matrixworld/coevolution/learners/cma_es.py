@@ -10,7 +10,7 @@ from deap import cma
 from numpy.typing import ArrayLike
 from threadpoolctl import ThreadpoolController
 
-from matrixworld.checks import check_floats, check_integer, check_number
+from matrixworld._util.checks import check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
 

@@ -10,7 +10,13 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.checks import check_bool, check_choice, check_floats, check_integer, check_number
+from matrixworld._util.checks import (
+    check_bool,
+    check_choice,
+    check_floats,
+    check_integer,
+    check_number,
+)
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
 from matrixworld.coevolution.learners.noise import NoiseTable
 from matrixworld.coevolution.learners.optimizers import OPTIMIZERS, check_momentum, new_optimizer

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld._util.short_repr import short_repr
 from matrixworld.coevolution.types import BoolArray, IntArray
-from matrixworld.short_repr import short_repr
 
 Views = NDArray[np.uint8]
 Reals = NDArray[np.float32]

@@ -13,7 +13,7 @@ import numpy as np
 from deap import base
 from numpy.typing import ArrayLike
 
-from matrixworld.checks import check_choice, check_floats, check_integer, check_number
+from matrixworld._util.checks import check_choice, check_floats, check_integer, check_number
 from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
 from matrixworld.coevolution.learners.noise import NoiseTable
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team

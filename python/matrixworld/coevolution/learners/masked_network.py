@@ -12,11 +12,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from matrixworld._util.short_repr import short_repr
 from matrixworld.coevolution.types import BoolArray, Genome, Genomes, IntArray, Team
-from matrixworld.masks import CHANNEL, STEPS
-from matrixworld.policy import Network
-from matrixworld.rules import KINDS
-from matrixworld.short_repr import short_repr
+from matrixworld.world.masks import CHANNEL, STEPS
+from matrixworld.world.policy import Network
+from matrixworld.world.rules import KINDS
 
 MASKS: dict[str, tuple[str, ...]] = {
     "none": (),

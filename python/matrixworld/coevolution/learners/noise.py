@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from matrixworld.checks import check_integer, check_number
+from matrixworld._util.checks import check_integer, check_number
 from matrixworld.coevolution.types import BoolArray, Genome
 
 VECTORS_PER_TABLE = 256

@@ -6,7 +6,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from matrixworld.checks import check_choice, check_integer, check_number, shown
+from matrixworld._util.checks import check_choice, check_integer, check_number, shown
 from matrixworld.coevolution.types import Genome, State
 
 OPTIMIZERS = {"adam": "Adam", "momentum": "classical momentum"}

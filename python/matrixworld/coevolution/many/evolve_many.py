@@ -8,7 +8,10 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from matrixworld.checks import check_instance, check_number, check_threads
+from matrixworld._util.checks import check_instance, check_number, check_threads
+from matrixworld._util.files import is_temporary, locked
+from matrixworld._util.memory import check_memory
+from matrixworld._util.reading import DamagedFileError
 from matrixworld.coevolution.many.job import JOB, Job, Settings, job_of, open_job, save_job
 from matrixworld.coevolution.many.local_executor import LocalExecutor
 from matrixworld.coevolution.many.run_task import LOCK_WAIT, Values, counts_of
@@ -20,9 +23,6 @@ from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.run_directory import RunDirectory
 from matrixworld.coevolution.storage.run_files import CONFIG, LOCK, OtherVersionError
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
-from matrixworld.files import is_temporary, locked
-from matrixworld.memory import check_memory
-from matrixworld.reading import DamagedFileError
 
 BAD_FILES = (DamagedFileError, OtherVersionError, OSError, ValueError)
 """Errors of a run directory, which concern one run and no other."""

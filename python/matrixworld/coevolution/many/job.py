@@ -13,15 +13,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from matrixworld.checks import shown
+from matrixworld._util.checks import shown
+from matrixworld._util.files import load_json, save_json
+from matrixworld._util.reading import one_line
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.settings.training import settings_from_json, settings_to_json
 from matrixworld.coevolution.storage.run_files import OtherVersionError
-from matrixworld.files import load_json, save_json
-from matrixworld.policy import SCRIPTS
-from matrixworld.reading import one_line
 from matrixworld.version import __version__
+from matrixworld.world.policy import SCRIPTS
 
 JOB = "job.json"
 FORMAT = 1

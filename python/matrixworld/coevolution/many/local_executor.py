@@ -19,7 +19,7 @@ from multiprocessing.connection import Connection
 from multiprocessing.context import SpawnProcess
 from typing import Any, NamedTuple, TypeVar
 
-from matrixworld.checks import check_integer, usable_cores
+from matrixworld._util.checks import check_integer, usable_cores
 from matrixworld.coevolution.runs.alternating import DisengagementWarning
 
 TRIES = 3

@@ -7,13 +7,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
+from matrixworld._util.files import LockedError
 from matrixworld.coevolution.many.job import settings_from_text
 from matrixworld.coevolution.many.run_progress import RunProgress, clear_progress, write_progress
 from matrixworld.coevolution.many.stop_mark import StopMark
 from matrixworld.coevolution.runs.start import finish
 from matrixworld.coevolution.storage.consistency import COUNTS
 from matrixworld.coevolution.storage.run_files import CONFIG, RunFiles
-from matrixworld.files import LockedError
 
 LOCK_WAIT = 120.0
 """Seconds for which a locked run directory is waited for. A worker that was declared lost may only

@@ -11,7 +11,7 @@ from __future__ import annotations
 import secrets
 from pathlib import Path
 
-from matrixworld.files import replacing
+from matrixworld._util.files import replacing
 
 MARK = ".start"
 """Name of the file."""

@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.checks import check_number
+from matrixworld._util.checks import check_number
 from matrixworld.coevolution.opponents.samplers import check_available, check_count, checked_scores
 from matrixworld.coevolution.types import FloatArray, Indices, State
 

@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.checks import check_integer
+from matrixworld._util.checks import check_integer
 from matrixworld.coevolution.types import FloatArray, Indices, State
 
 

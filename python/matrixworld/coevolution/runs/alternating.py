@@ -7,9 +7,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from matrixworld._util.checks import check_choice
 from matrixworld.analysis import Disengagement, disengagements, judge, summarize
 from matrixworld.analysis.engagement import PATIENCE
-from matrixworld.checks import check_choice
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.opponents.registry import ALTERNATING, SCHEDULES, available
 from matrixworld.coevolution.payoff import Payoff

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld._util.files import save_json
+from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis import ResponseGain, response_gain
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.progress import Report, silent
@@ -17,10 +19,8 @@ from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSetti
 from matrixworld.coevolution.storage.run_files import CONFIG
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import FloatArray, Team, other
-from matrixworld.files import save_json
-from matrixworld.policy import Population, TeamPolicy
-from matrixworld.rollout import Rollout, rollout
-from matrixworld.short_repr import short_repr
+from matrixworld.play.rollout import Rollout, rollout
+from matrixworld.world.policy import Population, TeamPolicy
 
 RESPONSE = "best_response.json"
 POPULATION = 48

@@ -22,8 +22,8 @@ from matrixworld.coevolution.runs.training import Table, Training
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.settings.training import TrainingSettings
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Indices, Team
-from matrixworld.policy import Population, TeamPolicy
-from matrixworld.rollout import EpisodeStatistics
+from matrixworld.play.rollout import EpisodeStatistics
+from matrixworld.world.policy import Population, TeamPolicy
 
 Fitness = Callable[[EpisodeStatistics, Team, Table], FloatArray]
 

@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.arrays import array_specs, new_arrays
-from matrixworld.batch import Batch
 from matrixworld.coevolution.learners.experience import Experience, Views
 from matrixworld.coevolution.types import BoolArray, Indices, Seeds, Team, other
-from matrixworld.config import WorldConfig
-from matrixworld.policy import Population, TeamPolicy
+from matrixworld.world.arrays import array_specs, new_arrays
+from matrixworld.world.batch import Batch
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Population, TeamPolicy
 
 Player = tuple[range, list[TeamPolicy], NDArray[np.int32]]
 """Agents of a team, the policies that play for it, and the place of each match's policy."""

@@ -8,7 +8,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 from deap import base
 
-from matrixworld.checks import check_choice
+from matrixworld._util.checks import check_choice
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import GradientLearner
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
@@ -18,8 +18,8 @@ from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.storage.run_log import SEVERAL
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Seeds, Team, other
-from matrixworld.policy import Population
-from matrixworld.rollout import Matches
+from matrixworld.play.rollout import Matches
+from matrixworld.world.policy import Population
 
 Populations = dict[Team, Genomes]
 """Genomes (n, genes) float32 of each team."""

@@ -14,8 +14,8 @@ from matrixworld.coevolution.runs.training import Training
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genome, Genomes, Members, Team, other
-from matrixworld.policy import Population
-from matrixworld.rollout import Matches
+from matrixworld.play.rollout import Matches
+from matrixworld.world.policy import Population
 
 EVEN = 0.5
 """Capture rate at which neither team wins."""

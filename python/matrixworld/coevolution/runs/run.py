@@ -13,7 +13,8 @@ from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
-from matrixworld.checks import check_threads
+from matrixworld._util.checks import check_threads
+from matrixworld._util.reading import DamagedFileError
 from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.learners.registry import new_learner, starting_genomes, untrained
 from matrixworld.coevolution.payoff import Payoff
@@ -25,9 +26,8 @@ from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.settings.training import settings_to_json
 from matrixworld.coevolution.storage.run_directory import Checkpoint, RunDirectory
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, State, Stateful, Team
-from matrixworld.policy import Network
-from matrixworld.reading import DamagedFileError
-from matrixworld.rollout import Rollout, rollout
+from matrixworld.play.rollout import Rollout, rollout
+from matrixworld.world.policy import Network
 
 AnySettings = TypeVar("AnySettings", RaceSettings, SingleSettings)
 AnyRun = TypeVar("AnyRun", bound="Run[Any]")

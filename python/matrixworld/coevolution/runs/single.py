@@ -22,8 +22,8 @@ from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.run_directory import Checkpoint, RunDirectory
 from matrixworld.coevolution.storage.saved_run import archive_network, last_generation, script_of
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team, other
-from matrixworld.policy import SCRIPTS, Network, Population, TeamPolicy
-from matrixworld.rollout import Rollout, rollout
+from matrixworld.play.rollout import Rollout, rollout
+from matrixworld.world.policy import SCRIPTS, Network, Population, TeamPolicy
 
 GIVEN = "given as genomes"
 """Value of the settings `against` and `start` if these were given as arrays."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from matrixworld.checks import shown
+from matrixworld._util.checks import shown
 from matrixworld.coevolution.learners.registry import new_learner, starting_genomes, untrained
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME, new_sampler
 from matrixworld.coevolution.progress import Report, silent
@@ -16,7 +16,7 @@ from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.run_directory import RunDirectory
 from matrixworld.coevolution.storage.run_files import CONFIG
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
-from matrixworld.rollout import Rollout, rollout
+from matrixworld.play.rollout import Rollout, rollout
 
 AnyRun = Race | HallOfFameRace | SingleTeam
 

@@ -23,7 +23,7 @@ from matrixworld.coevolution.seeding import (
 )
 from matrixworld.coevolution.storage.run_log import SEVERAL
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Seeds, Team
-from matrixworld.policy import TeamPolicy
+from matrixworld.world.policy import TeamPolicy
 
 
 class Matchup(NamedTuple):

@@ -19,9 +19,9 @@ from matrixworld.coevolution.runs.experience import experience
 from matrixworld.coevolution.settings.training import TrainingSettings
 from matrixworld.coevolution.storage.run_log import Row
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, Seeds, Team
-from matrixworld.config import WorldConfig
-from matrixworld.policy import Network, Population, TeamPolicy
-from matrixworld.rollout import EpisodeStatistics, Matches, Rollout
+from matrixworld.play.rollout import EpisodeStatistics, Matches, Rollout
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network, Population, TeamPolicy
 
 Table = Callable[[FloatArray], FloatArray]
 """Arranges one value of each match (M,) as a table (n, m) of individuals against opponents."""

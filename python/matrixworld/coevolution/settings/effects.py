@@ -14,7 +14,7 @@ from matrixworld.coevolution.learners.learner import RunSettings
 from matrixworld.coevolution.learners.registry import LEARNERS
 from matrixworld.coevolution.opponents.registry import ALTERNATING, HALL_OF_FAME, SAMPLERS
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.rules import Outcome
+from matrixworld.world.rules import Outcome
 
 
 @dataclass(frozen=True)

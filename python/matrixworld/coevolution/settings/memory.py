@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from matrixworld._util.memory import EPISODE, NUMBER, check_memory, matches_memory
 from matrixworld.coevolution.learners.actor_critic import CHUNK
 from matrixworld.coevolution.learners.noise import table_size
 from matrixworld.coevolution.learners.registry import starting_genomes
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
-from matrixworld.memory import EPISODE, NUMBER, check_memory, matches_memory
-from matrixworld.policy import CHANNELS
+from matrixworld.world.policy import CHANNELS
 
 SAMPLED, BRED, JOINT = 2, 8, 4
 """Arrays of all candidates of a team at one time, measured: samples of two epochs; populations of

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from matrixworld.checks import check_choice, check_integer, check_number
+from matrixworld._util.checks import check_choice, check_integer, check_number
 from matrixworld.coevolution.fitness import LEAST_VIRULENCE, SHARING
 from matrixworld.coevolution.opponents.registry import (
     ALTERNATING,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from matrixworld.checks import check_choice, check_integer, shown
+from matrixworld._util.checks import check_choice, check_integer, shown
 from matrixworld.coevolution.settings.training import (
     OVERLAP_PENALTY,
     TrainingSettings,
@@ -13,7 +13,7 @@ from matrixworld.coevolution.settings.training import (
     with_parameters,
 )
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.policy import SCRIPTS
+from matrixworld.world.policy import SCRIPTS
 
 OVERLAP_PENALTY_ALONE = 0.5
 """Default overlap penalty of evaders that learn alone and from untrained genomes."""

@@ -11,7 +11,7 @@ from typing import Any, TypeVar, get_type_hints
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.checks import check_choice, check_integer, check_number
+from matrixworld._util.checks import check_choice, check_integer, check_number
 from matrixworld.coevolution.fitness import FITNESS
 from matrixworld.coevolution.learners.learner import LearnerEntry
 from matrixworld.coevolution.learners.masked_network import (
@@ -31,9 +31,9 @@ from matrixworld.coevolution.plugins import (
 )
 from matrixworld.coevolution.settings.effects import check_effects
 from matrixworld.coevolution.types import TEAMS, BoolArray, Team
-from matrixworld.config import WorldConfig
-from matrixworld.policy import Network
-from matrixworld.rules import VARIANTS, Capture, Outcome, Rewards, Rules, rules_of
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network
+from matrixworld.world.rules import VARIANTS, Capture, Outcome, Rewards, Rules, rules_of
 
 REWARDS = {"paper": Rewards.paper, "published": Rewards.published}
 """Rewards by name."""

@@ -12,8 +12,8 @@ run_log            `RunLog`, `read_log`: log.csv, one row per epoch
 saved_run          `open_run`: a run to look at, finished or not; `SavedRun`
 =================  ===============================================================================
 
-Atomic writes, checksums and locks of single files are in `matrixworld.files`, limits of what is
-read in `matrixworld.reading`.
+Atomic writes, checksums and locks of single files are in `matrixworld._util.files`, limits of what
+is read in `matrixworld._util.reading`.
 """
 
 from __future__ import annotations

@@ -13,8 +13,8 @@ import os
 from pathlib import Path
 from typing import NamedTuple
 
-from matrixworld.files import NO_LINK, check_replaceable, naming
-from matrixworld.reading import DamagedFileError, read_content
+from matrixworld._util.files import NO_LINK, check_replaceable, naming
+from matrixworld._util.reading import DamagedFileError, read_content
 
 
 class Position(NamedTuple):
@@ -40,7 +40,7 @@ class AppendedFile:
     path : Path
         The file; it may not exist yet.
     kind : str
-        Key in `matrixworld.reading.LIMITS`.
+        Key in `matrixworld._util.reading.LIMITS`.
     head : int, optional
         Bytes at the begin of the file that are no content, because they are rewritten. By default
         none.

@@ -21,6 +21,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from matrixworld._util.reading import Arrays, DamagedFileError, Form, check_arrays
 from matrixworld.coevolution.storage.appended_file import Position, too_short
 from matrixworld.coevolution.storage.genome_file import (
     GenomeFile,
@@ -30,7 +31,6 @@ from matrixworld.coevolution.storage.genome_file import (
 )
 from matrixworld.coevolution.storage.run_log import rows_after
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.reading import Arrays, DamagedFileError, Form, check_arrays
 
 Result = TypeVar("Result")
 

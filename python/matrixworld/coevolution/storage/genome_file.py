@@ -14,9 +14,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from matrixworld._util.reading import read_content
 from matrixworld.coevolution.storage.appended_file import AppendedFile, Position
 from matrixworld.coevolution.types import Genome, Genomes
-from matrixworld.reading import read_content
 
 DTYPE = np.dtype("<f4")
 HEAD = 128

@@ -16,6 +16,15 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from matrixworld._util.files import (
+    is_temporary,
+    json_digest,
+    locked,
+    remove_temporary_files,
+    save_arrays,
+    save_json,
+)
+from matrixworld._util.reading import Arrays, DamagedFileError
 from matrixworld.coevolution.storage.appended_file import Position
 from matrixworld.coevolution.storage.consistency import STAGE
 from matrixworld.coevolution.storage.genome_file import GenomeFile
@@ -35,15 +44,6 @@ from matrixworld.coevolution.storage.run_files import (
 )
 from matrixworld.coevolution.storage.run_log import Row, RunLog
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team
-from matrixworld.files import (
-    is_temporary,
-    json_digest,
-    locked,
-    remove_temporary_files,
-    save_arrays,
-    save_json,
-)
-from matrixworld.reading import Arrays, DamagedFileError
 from matrixworld.version import __version__
 
 INCOMPLETE = {LOCK, *map(genomes_name, TEAMS), "checkpoint.npz"}

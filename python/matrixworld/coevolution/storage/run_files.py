@@ -26,6 +26,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from matrixworld._util.files import json_digest, load_arrays, load_json
+from matrixworld._util.reading import Arrays, DamagedFileError, one_line
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.settings.training import settings_from_json
@@ -44,8 +46,6 @@ from matrixworld.coevolution.storage.consistency import (
 from matrixworld.coevolution.storage.genome_file import GenomeFile, GenomePosition
 from matrixworld.coevolution.storage.run_log import read_log
 from matrixworld.coevolution.types import TEAMS, Genomes, Team
-from matrixworld.files import json_digest, load_arrays, load_json
-from matrixworld.reading import Arrays, DamagedFileError, one_line
 from matrixworld.version import __version__
 
 # Format 7 differs from 6 in the genomes, which are appended to one file per team, and no longer

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld._util.reading import DamagedFileError, read_content
 from matrixworld.coevolution.storage.appended_file import AppendedFile, Position
-from matrixworld.reading import DamagedFileError, read_content
 
 Row = dict[str, Any]
 

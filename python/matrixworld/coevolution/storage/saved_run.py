@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld.checks import check_choice
+from matrixworld._util.checks import check_choice
+from matrixworld._util.reading import DamagedFileError
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings.race import RaceSettings
@@ -17,11 +18,10 @@ from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.run_directory import RunDirectory
 from matrixworld.coevolution.storage.run_files import CONFIG, genomes_name
 from matrixworld.coevolution.types import TEAMS, Genomes, Team
-from matrixworld.episode import Episode
+from matrixworld.episodes.episode import Episode
+from matrixworld.episodes.record import record
 from matrixworld.play import NetworkPolicy
-from matrixworld.policy import SCRIPTS, Network, Population, Script, TeamPolicy
-from matrixworld.reading import DamagedFileError
-from matrixworld.recorder import record
+from matrixworld.world.policy import SCRIPTS, Network, Population, Script, TeamPolicy
 
 
 def script_of(name: str) -> Script:

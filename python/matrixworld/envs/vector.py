@@ -1,0 +1,389 @@
+"""Vector environment of Gymnasium: many worlds, stepped together."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+from gymnasium.error import ClosedEnvironmentError
+from gymnasium.utils import seeding
+from gymnasium.vector import AutoresetMode
+from gymnasium.vector import VectorEnv as GymnasiumVectorEnv
+from gymnasium.vector.utils import batch_space
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+from typing_extensions import Unpack
+
+from matrixworld._core import Autoreset
+from matrixworld._util.checks import check_bool, check_integer, check_keywords
+from matrixworld.envs.opponent_worlds import BuiltInWorlds
+from matrixworld.envs.opponents import Opponents, built_in_team, set_opponents
+from matrixworld.envs.vector_arrays import (
+    Results,
+    TeamView,
+    copied,
+    make_buffers,
+    make_infos,
+    of_agents,
+    view_dtype,
+)
+from matrixworld.episodes.render import rgb
+from matrixworld.play import Plays
+from matrixworld.world.batch import Batch
+from matrixworld.world.config import WorldConfig, WorldSettings
+from matrixworld.world.masks import action_masks, check_maskable
+from matrixworld.world.rules import Rules
+from matrixworld.world.world import World
+
+OPTIONS = ("reset_mask", "episode", "pursuers", "evaders", "obstacles")
+"""Keys that ``options`` of a reset may have; ``opponents``, too, with a built-in team."""
+
+
+class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
+    """Vector environment of W worlds with A agents each, pursuers first.
+
+    Parameters
+    ----------
+    config : WorldConfig, Rules or str, optional
+        A configuration, rules, or the name of a variant. The default is "O".
+    n_worlds : int, optional
+        W. The default is 1.
+    copy : bool, optional
+        Whether `reset` and `step` return copies that belong to the caller, as in Gymnasium's own
+        vector environments. With False they return the arrays that every step overwrites, which is
+        faster. The default is True.
+    autoreset_mode : gymnasium.vector.AutoresetMode or str, optional
+        What happens after the end of an episode. ``NextStep`` (the default): the next step ignores
+        that world's actions and starts its seed's next episode. ``SameStep``: the last step also
+        starts the next episode. Observations, positions, alive, step, seed and state are then of
+        the new episode and everything else of the ended one; its last observations are in
+        ``infos["final_obs"]``. ``Disabled``: an ended world stays as it is, with rewards of 0,
+        until ``reset(options={"reset_mask": ended})``.
+    dtype : dtype, optional
+        Dtype of the observations, uint8 (the default) or float32.
+    flatten : bool, optional
+        Whether observations are ``(W, A, 3 * fov * fov)`` instead of ``(W, A, 3, fov, fov)``. The
+        default is False.
+    state : bool, optional
+        Whether ``infos["state"]`` holds the whole worlds, ``(W, 3, rows, cols)``. The default is
+        False.
+    action_mask : bool, optional
+        Whether ``infos["action_mask"]`` marks the moves that run into neither an obstacle nor the
+        border; needs a `fov` of at least 3. The default is False.
+    threads : int, optional
+        Threads that share the worlds of a step. The default is one for each core that the process
+        may use. No result depends on it.
+    render_mode : {None, "rgb_array"}, optional
+        What `render` returns. The default is None.
+    pursuers, evaders : Opponents, optional
+        What plays for one of the teams, if the environment plays it itself; see
+        `matrixworld.envs.opponents`. Each episode draws one of several. All arrays of agents are then
+        those of the other team, and A is its number of agents. By default the caller plays both.
+    **changes
+        Fields of the configuration to change.
+
+    Attributes
+    ----------
+    observations : ndarray
+        What each agent sees. Every step overwrites this array and the following ones.
+    rewards, terminations, truncations : ndarray, shape (W, A)
+        Results of the last step: float32, bool, bool.
+    infos : dict
+        See Notes.
+    actions : ndarray of int64, shape (W, A)
+        Actions for a `step` without arguments, to be filled in place.
+    pursuers, evaders : TeamView
+        The teams' parts of these arrays; of a built-in team without agents.
+    agents : range
+        The numbers of the A agents in their worlds.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `WorldConfig` and `Batch` do, and for an unknown mode or dtype.
+
+    Notes
+    -----
+    Rewards, terminations and truncations are ``(W, A)``, one for each agent. Gymnasium's vector
+    environments of single agents, and the wrappers for them, have ``(W,)``: `AgentVectorEnv` has
+    this form, with each agent as a sub-environment. An agent terminates when it disappears or its
+    world terminates, and stays terminated. ``infos["acted"]`` marks the agents that acted in this
+    step: a learner uses the transitions of these.
+
+    What `reset` and `step` return belongs to the caller. With ``copy=False``, and in the attributes
+    always, it is the same arrays at every step: copy what you keep.
+
+    **One thread of Python at a time.** A call while another thread's call is in progress raises
+    RuntimeError. Forked processes may go on with an environment, see `Batch`.
+
+    ``infos`` has the same keys at every step:
+
+    | key | shape | |
+    |---|---|---|
+    | ``alive`` | (W, A) bool | whether the agent is in its world now |
+    | ``acted`` | (W, A) bool | alive when the step began: its transition counts |
+    | ``positions`` | (W, A, 2) int32 | row and column; (-1, -1) when gone |
+    | ``captured``, ``ever_captured`` | (W, E) bool | captured at this moment; at some time of the episode |
+    | ``captors`` | (W, E) int32 | pursuers that took part in a capture of this step |
+    | ``involved``, ``fault`` | (W, A, 3) bool | in a collision with obstacle, teammate, adversary; at fault in it |
+    | ``cost`` | (W, A) float32 | number of kinds of collision in which it is at fault |
+    | ``cost_obstacle``, ``cost_teammate``, ``cost_adversary`` | (W, A) bool | at fault in a collision of this kind |
+    | ``capture_rate``, ``ever_capture_rate`` | (W,) float32 | shares of the evaders |
+    | ``survival_rate`` | (W, 2) float32 | shares of pursuers and of evaders that are alive |
+    | ``terminated``, ``truncated`` | (W,) bool | of the worlds |
+    | ``step`` | (W,) int32 | rounds played in the episode |
+    | ``seed``, ``episode_number`` | (W,) uint64 | the episode, as `World.reset` takes it |
+    | ``action_mask`` | (W, A, n_actions) int8 | 1 for moves to a free cell and for staying; only with ``action_mask=True`` |
+    | ``final_obs``, ``_final_obs`` | as observations; (W,) bool | last observations of an episode; whether it ended in this step |
+    | ``opponent`` | (W,) int64 | place in `opponents`; only with a built-in team, whose last one is in ``episode``, too |
+    | ``episode``, ``_episode`` | dict of `EPISODE_KEYS`; (W,) bool | statistics of the last ended episode, as in `EpisodeStatistics`; whether it ended in this step |
+
+    A further array of `array_specs` or `episode_specs` appears under its own name.
+    """  # noqa: E501  (a row of a table is one line)
+
+    single_observation_space: spaces.Box
+    single_action_space: spaces.MultiDiscrete
+    observation_space: spaces.Space[NDArray[Any]]
+    action_space: spaces.Space[NDArray[Any]]
+
+    def __init__(
+        self,
+        config: WorldConfig | Rules | str = "O",
+        n_worlds: int = 1,
+        *,
+        copy: bool = True,
+        autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
+        dtype: DTypeLike = np.uint8,
+        flatten: bool = False,
+        state: bool = False,
+        action_mask: bool = False,
+        threads: int | None = None,
+        render_mode: str | None = None,
+        pursuers: Opponents | None = None,
+        evaders: Opponents | None = None,
+        **changes: Unpack[WorldSettings],
+    ) -> None:
+        check_keywords(changes, WorldSettings.__annotations__, VectorEnv)
+        self.config: WorldConfig = WorldConfig.of(config, **changes)
+        self.num_envs: int = check_integer("n_worlds", n_worlds, 1)
+        if render_mode not in (None, "rgb_array"):
+            raise ValueError(f"render_mode: expected None or 'rgb_array', got {render_mode!r}")
+        self.render_mode = render_mode
+        mode = _mode(autoreset_mode)
+        self.metadata: dict[str, Any] = {
+            "autoreset_mode": mode,
+            "render_modes": ["rgb_array"],
+            "render_fps": 10,
+        }
+        self.copy: bool = check_bool("copy", copy)
+        if check_bool("action_mask", action_mask):
+            check_maskable(self.config)
+        team = built_in_team(self.config, pursuers, evaders, self.num_envs)
+        everyone = range(self.config.n_agents)
+        self.agents: range = everyone if team is None else team.learners
+        left_out = set() if check_bool("state", state) else {"state"}
+        if mode is not AutoresetMode.SAME_STEP:
+            # In the other modes the observations stay those of the episode's end for one step.
+            left_out.add("final_views")
+        kept = make_buffers(self.config, self.num_envs, view_dtype(dtype), left_out)
+        self._batch = Batch(
+            self.num_envs,
+            self.config,
+            threads=threads,
+            autoreset=Autoreset[mode.name],
+            buffers=kept,
+        )
+        waits = mode is not AutoresetMode.SAME_STEP
+        self._built_in = None if team is None else BuiltInWorlds(team, self._batch, waits)
+        mine = of_agents(kept, self.agents)
+        self._views = mine["views"]
+        # `reshape` that joins the last axes makes a view, so the batch writes into observations.
+        seen = (*self._views.shape[:2], -1) if check_bool("flatten", flatten) else self._views.shape
+        self.observations: NDArray[Any] = self._views.reshape(seen)
+        self.rewards: NDArray[np.float32] = mine["rewards"]
+        self.terminations: NDArray[np.bool_] = mine["terminations"]
+        self.truncations: NDArray[np.bool_] = mine["truncations"]
+        self.infos: dict[str, Any] = make_infos(mine, self.observations)
+        if self._built_in is not None:
+            self.infos["opponent"] = self._built_in.team.chosen
+            self.infos["episode"]["opponent"] = self._built_in.last
+        if action_mask:
+            self.infos["action_mask"] = action_masks(self._views, self.config.n_actions)
+        self._make_spaces()
+        self.actions: NDArray[np.int64] = np.zeros((self.n_worlds, len(self.agents)), np.int64)
+        first_evader = max(0, self.config.n_pursuers - self.agents.start)
+        self.pursuers: TeamView = TeamView(self, slice(0, first_evader))
+        self.evaders: TeamView = TeamView(self, slice(first_evader, None))
+        self._generators: tuple[np.random.Generator, ...] | None = None
+        self._seeded = False
+        # A batch starts with fixed seeds, which would make every unseeded run the same.
+        self._batch.reset(np.random.SeedSequence().generate_state(self.num_envs, np.uint64))
+
+    def _make_spaces(self) -> None:
+        shape, dtype = self.observations.shape[1:], self.observations.dtype
+        self.single_observation_space = spaces.Box(0, 1, shape, dtype.type)
+        self.single_action_space = spaces.MultiDiscrete([self.config.n_actions] * len(self.agents))
+        self.observation_space = batch_space(self.single_observation_space, self.num_envs)
+        self.action_space = batch_space(self.single_action_space, self.num_envs)
+
+    @property
+    def n_worlds(self) -> int:
+        """The number of worlds, W; Gymnasium's name is ``num_envs``."""
+        return self.num_envs
+
+    @property
+    def opponents(self) -> tuple[Plays, ...]:
+        """What can play for the built-in team; episodes that begin draw from it. May be set."""
+        return () if self._built_in is None else self._built_in.team.opponents
+
+    @opponents.setter
+    def opponents(self, opponents: Opponents) -> None:
+        set_opponents(None if self._built_in is None else self._built_in.team, opponents)
+
+    @property
+    def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
+        """The seed of each world; before the first reset the one that a reset without seed uses."""
+        return tuple(self.infos["seed"].tolist())
+
+    @property  # type: ignore[misc]
+    def np_random(self) -> tuple[np.random.Generator, ...]:  # type: ignore[override]
+        """A generator of each seed in `np_random_seed`; worlds never draw from them."""
+        if self._generators is None:
+            self._generators = tuple(seeding.np_random(seed)[0] for seed in self.np_random_seed)
+        return self._generators
+
+    def reset(
+        self,
+        *,
+        seed: int | ArrayLike | None = None,
+        options: Mapping[str, Any] | None = None,
+    ) -> tuple[NDArray[Any], dict[str, Any]]:
+        """Start an episode in every world, or in some.
+
+        Parameters
+        ----------
+        seed : int or array_like of int, shape (W,), optional
+            An int s gives world w the seed s + w. Without a seed each world starts its seed's next
+            episode; worlds that never had a seed draw one from the operating system.
+        options : mapping, optional
+            Any of `OPTIONS`: ``reset_mask``, bool, shape (W,), the worlds to reset; ``episode``,
+            the number of the seed's episode; ``pursuers`` and ``evaders``, positions, shape (n, 2)
+            or (W, n, 2); ``obstacles``, a map for these episodes. With a built-in team also
+            ``opponents``: what plays for it in episodes that begin from now on.
+
+        Returns
+        -------
+        observations : ndarray
+            What each agent sees.
+        infos : dict
+            See `VectorEnv`.
+
+        Raises
+        ------
+        ValueError
+            For other options, and as `Batch.reset` does; then no world has changed.
+        gymnasium.error.ClosedEnvironmentError
+            After `close`.
+        """
+        self._start(seed, options)
+        return self._returned((self.observations, self.infos))
+
+    def _start(self, seed: int | ArrayLike | None, options: Mapping[str, Any] | None) -> None:
+        self._require_open("reset")
+        given = dict(options or {})
+        built_in = self._built_in
+        known = OPTIONS if built_in is None else (*OPTIONS, "opponents")
+        unknown = set(given) - set(known)
+        if unknown:
+            raise ValueError(f"options: expected some of {known}, got {sorted(unknown)}")
+        if seed is None and not self._seeded:
+            seed = self.infos["seed"]
+        mask, opponents = given.pop("reset_mask", None), given.pop("opponents", None)
+        if built_in is not None and opponents is not None:
+            opponents = built_in.team.resolve(opponents)  # refused before a world has changed
+        self._batch.reset(seed, mask=mask, **given)
+        if built_in is not None:
+            built_in.begin(mask, opponents)
+        self._seeded = True
+        if seed is not None:
+            self._generators = None
+        self._write_masks()
+
+    def step(
+        self, actions: ArrayLike | None = None
+    ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]]:
+        """Play one round in every world.
+
+        Parameters
+        ----------
+        actions : array_like of int, shape (W, A), optional
+            See `Action`. The default is what the attribute `actions` holds. Actions of gone agents
+            and in ended worlds are ignored.
+
+        Returns
+        -------
+        observations : ndarray
+            What each agent sees.
+        rewards : ndarray of float32, shape (W, A)
+            Rewards of the step.
+        terminations, truncations : ndarray of bool, shape (W, A)
+            Whether agents have terminated; whether their world was truncated.
+        infos : dict
+            See `VectorEnv`.
+
+        Raises
+        ------
+        RuntimeError
+            Before the first reset.
+        ValueError, TypeError
+            As `Batch.step` does.
+        gymnasium.error.ClosedEnvironmentError
+            After `close`.
+        """
+        self._play(actions)
+        return self._returned(
+            (self.observations, self.rewards, self.terminations, self.truncations, self.infos)
+        )
+
+    def _play(self, actions: ArrayLike | None) -> None:
+        self._require_open("step")
+        if not self._seeded:
+            raise RuntimeError("call reset() before the first step")
+        given = self.actions if actions is None else actions
+        if self._built_in is None:
+            self._batch.step(given)
+        else:
+            self._batch.step(self._built_in.actions(given))
+            self._built_in.note_step()
+        self._write_masks()
+
+    def _write_masks(self) -> None:
+        if "action_mask" in self.infos:
+            self.infos["action_mask"][:] = action_masks(self._views, self.config.n_actions)
+
+    def _returned(self, results: Results) -> Results:
+        return copied(results) if self.copy else results
+
+    def _require_open(self, call: str) -> None:
+        if self.closed:
+            raise ClosedEnvironmentError(f"{call}: the environment was closed by close()")
+
+    def world(self, number: int) -> World:
+        """Return an independent copy of one world, to draw it or to plan in it."""
+        return self._batch.world(number)
+
+    def render(self) -> tuple[NDArray[np.uint8], ...] | None:
+        """Return a picture of each world, (height, width, 3) uint8; None without a render mode."""
+        self._require_open("render")
+        if self.render_mode is None:
+            return None
+        return tuple(rgb(self.world(number).scene()) for number in range(self.n_worlds))
+
+
+def _mode(given: AutoresetMode | str) -> AutoresetMode:
+    for mode in AutoresetMode:
+        if given in (mode, mode.value):
+            return mode
+    expected = ", ".join(mode.value for mode in AutoresetMode)
+    raise ValueError(f"autoreset_mode: expected one of {expected}, got {given!r}")

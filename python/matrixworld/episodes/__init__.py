@@ -1,0 +1,1 @@
+"""Recorded episodes: making, explaining, drawing and counting them."""

@@ -1,0 +1,300 @@
+"""Recorded episodes: arrays in memory, and files."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld._util.checks import check_integer, shown
+from matrixworld._util.files import replacing
+from matrixworld._util.reading import UNPACKED, DamagedFileError, parse_json, read_npz
+from matrixworld.world.conflicts import CONFLICT_COLUMNS, FORMS, KINDS, Conflict, conflict_of
+
+FORMAT = "matrixworld episode 3"  # marks a saved file; a new layout, a new number
+
+N_ACTIONS = 9  # stay and eight directions
+MOST_FOV = 255  # as in the engine
+BOTH_AGENTS = 0b11  # a set of the two agents of a conflict, as bits
+
+# Shape and dtype of each array. T is the number of steps, S = T + 1 that of moments.
+_ARRAYS: dict[str, tuple[str, str]] = {
+    "positions": ("S A 2", "int32"),
+    "last_positions": ("S A 2", "int32"),
+    "alive": ("S A", "bool"),
+    "captured": ("S E", "bool"),
+    "ever_captured": ("S E", "bool"),
+    "actions": ("T A", "int8"),
+    "rewards": ("T A", "float32"),
+    "involved": ("T A 3", "bool"),
+    "fault": ("T A 3", "bool"),
+    "map": ("rows cols", "bool"),
+    "conflict_table": ("N 11", "int32"),
+}
+CONFLICTS = "conflict_table"  # the only array that a recording may lack
+# World arrays that a recording keeps, one of each moment or of each step. Actions are not among
+# them: they are the input of a step.
+MOMENT_ARRAYS = tuple(name for name, (shape, _) in _ARRAYS.items() if shape.startswith("S"))
+STEP_ARRAYS = tuple(
+    name for name, (shape, _) in _ARRAYS.items() if shape.startswith("T") and name != "actions"
+)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Episode:
+    """Recorded episode of T steps with P pursuers and E evaders, A = P + E agents, pursuers first.
+
+    Step t (an entry of actions, rewards, involved, fault) leads from moment t to moment t + 1 (of
+    positions, last_positions, alive, captured, ever_captured).
+
+    Parameters
+    ----------
+    positions : ndarray of int32, shape (T + 1, A, 2)
+        Row and column of each agent; (-1, -1) when gone.
+    last_positions : ndarray of int32, shape (T + 1, A, 2)
+        The same, but for a gone agent the cell where it disappeared.
+    alive : ndarray of bool, shape (T + 1, A)
+        Whether the agent is in the world.
+    captured, ever_captured : ndarray of bool, shape (T + 1, E)
+        Whether the evader is captured at this moment; whether it was at some time until then.
+    actions : ndarray of int8, shape (T, A)
+        Actions, 0 to 8. Those of gone agents have no meaning.
+    rewards : ndarray of float32, shape (T, A)
+        Rewards of the step.
+    involved, fault : ndarray of bool, shape (T, A, 3)
+        Whether the agent was in a collision, and at fault in one, with an obstacle, a teammate, an
+        adversary.
+    map : ndarray of bool, shape (rows, cols)
+        True for an obstacle.
+    n_pursuers : int
+        P.
+    config : mapping, optional
+        The settings of the world, as plain values that JSON can hold. The default is none.
+        `WorldConfig.from_json` makes the settings from them.
+    conflict_table : ndarray of int32, shape (n, 11), optional
+        All conflicts: the step, from 1, and the numbers that
+        `matrixworld.world.conflicts.CONFLICT_COLUMNS` names. The default is None: not recorded.
+
+    Raises
+    ------
+    TypeError
+        For another dtype, and for a config that is not a mapping.
+    ValueError
+        For another shape, an action of a living agent outside 0 to 8, a position outside the map,
+        and for numbers of a conflict that are out of range.
+    """
+
+    positions: NDArray[np.int32]
+    last_positions: NDArray[np.int32]
+    alive: NDArray[np.bool_]
+    captured: NDArray[np.bool_]
+    ever_captured: NDArray[np.bool_]
+    actions: NDArray[np.int8]
+    rewards: NDArray[np.float32]
+    involved: NDArray[np.bool_]
+    fault: NDArray[np.bool_]
+    map: NDArray[np.bool_]
+    n_pursuers: int
+    config: Mapping[str, Any] = field(default_factory=dict)
+    conflict_table: NDArray[np.int32] | None = None
+
+    def __post_init__(self) -> None:
+        for name in self._names():
+            array, (_, dtype) = getattr(self, name), _ARRAYS[name]
+            if not isinstance(array, np.ndarray) or array.dtype != dtype:
+                got = getattr(array, "dtype", type(array).__name__)
+                raise TypeError(f"{name}: expected an array of {dtype}, got {got}")
+        check_integer("n_pursuers", self.n_pursuers)
+        if not isinstance(self.config, Mapping):
+            raise TypeError(f"config: expected a mapping, got {shown(self.config)}")
+        self._check_shapes()
+        # Gone agents keep whatever action was passed for them.
+        played = self.actions[self.alive[:-1]]
+        if ((played < 0) | (played >= N_ACTIONS)).any():
+            raise ValueError(f"actions: expected 0 to {N_ACTIONS - 1}, got {np.unique(played)}")
+        self._check_cells()
+        if self.conflict_table is not None:
+            _check_conflicts(self.conflict_table, self.length, self.map.shape, self.alive.shape[1])
+
+    def _check_cells(self) -> None:
+        """Raise ValueError for a position outside the map; (-1, -1) stands for a gone agent."""
+        lowest = np.where(self.alive, 0, -1)[..., None]
+        for name in ("positions", "last_positions"):
+            cells = getattr(self, name)
+            outside = (cells < lowest) | (cells >= self.map.shape)
+            if outside.any():
+                got = cells[outside.any(axis=2)][0].tolist()
+                raise ValueError(f"{name}: expected cells of a map {self.map.shape}, got {got}")
+
+    def _names(self) -> list[str]:
+        """Return the names of the arrays that this recording has."""
+        return [name for name in _ARRAYS if name != CONFLICTS or self.conflict_table is not None]
+
+    def _check_shapes(self) -> None:
+        steps, agents = (*self.actions.shape, 0, 0)[:2]
+        if not 0 <= self.n_pursuers <= agents:
+            raise ValueError(f"n_pursuers: expected 0 to {agents} (agents), got {self.n_pursuers}")
+        rows, cols = (*self.map.shape, 0, 0)[:2]
+        if not rows * cols:
+            raise ValueError(f"map: expected at least one cell, got shape {self.map.shape}")
+        sizes = {"S": steps + 1, "T": steps, "A": agents, "E": agents - self.n_pursuers}
+        sizes |= {"2": 2, "3": 3, "rows": rows, "cols": cols}
+        sizes |= {"N": 0 if self.conflict_table is None else len(self.conflict_table), "11": 11}
+        for name in self._names():
+            got = getattr(self, name).shape
+            expected = tuple(sizes[letter] for letter in _ARRAYS[name][0].split())
+            if got != expected:
+                raise ValueError(f"{name}: expected shape {expected}, got {got}")
+
+    def __repr__(self) -> str:
+        rows, cols = self.map.shape
+        return (
+            f"<Episode: {self.length} steps, {self.n_pursuers} pursuers, {self.n_evaders} evaders, "
+            f"{rows} x {cols} cells, capture rate {self.capture_rate:.2f}>"
+        )
+
+    @property
+    def length(self) -> int:
+        """The number of steps, T."""
+        return len(self.actions)
+
+    @property
+    def n_evaders(self) -> int:
+        """The number of evaders, E."""
+        return int(self.captured.shape[1])
+
+    @property
+    def counted(self) -> NDArray[np.bool_]:
+        """Evaders that count as captured, (T + 1, E): now under surround, else ever."""
+        rules = self.config.get("rules")
+        surround = isinstance(rules, Mapping) and rules.get("capture") == "SURROUND"
+        return self.captured if surround else self.ever_captured
+
+    @property
+    def capture_rate(self) -> float:
+        """Share of the evaders that count as captured at the end; 0 without evaders."""
+        return float(self.counted[-1].mean()) if self.n_evaders else 0.0
+
+    def explain(self, step: int = -1) -> list[Conflict]:
+        """Return the conflicts of one step: why agents bounced or disappeared in it.
+
+        Parameters
+        ----------
+        step : int, optional
+            The number of the step, 1 to T: it led to the moment that `replay.scene` draws for the
+            same number. Negative numbers count from the end; the default is the last step. Moment 0
+            has no step and no conflicts.
+
+        Returns
+        -------
+        list of Conflict
+            The conflicts as `World.conflicts` gives them; ``str`` of each is a sentence.
+
+        Raises
+        ------
+        IndexError
+            If the step is outside the episode.
+        ValueError
+            If the recording has no conflicts, because it was not made by `Recorder` or `record`.
+        """
+        if self.conflict_table is None:
+            raise ValueError("conflict_table: expected a recording with conflicts, got none")
+        now = moment(step, self.length)
+        rows = self.conflict_table[self.conflict_table[:, 0] == now, 1:].tolist()
+        return [conflict_of(numbers, self.n_pursuers) for numbers in rows]
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the episode to a file.
+
+        The file appears complete or not at all, and replaces an older one of this name.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file, of the format npz, without pickle.
+        """
+        arrays = {name: getattr(self, name) for name in self._names()}
+        # Readers refuse what expands to more: it may be meant to fill the memory.
+        small = sum(array.nbytes for array in arrays.values()) < UNPACKED // 2
+        write = np.savez_compressed if small else np.savez
+        with replacing(path) as file:
+            write(
+                file,
+                format=np.array(FORMAT),
+                n_pursuers=np.array(self.n_pursuers),
+                config=np.array(json.dumps(self.config)),
+                **arrays,
+            )
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Episode:
+        """Read an episode that `save` wrote.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file.
+
+        Returns
+        -------
+        Episode
+            The same arrays and settings.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be read.
+        DamagedFileError
+            A ValueError: if the file is cut, altered, not an episode, or beyond the limits in
+            `matrixworld._util.reading`. The message names the file.
+        """
+        path = Path(path)
+        entries = read_npz(path)
+        if str(entries.pop("format", "")) != FORMAT:
+            raise DamagedFileError(path, f"expected a file marked '{FORMAT}'")
+        names = {each.name for each in fields(cls)}
+        if entries.keys() | {CONFLICTS} != names:
+            problem = f"expected entries {sorted(names)}, got {sorted(entries)}"
+            raise DamagedFileError(path, problem)
+        arrays = {name: entries[name] for name in _ARRAYS if name in entries}
+        try:
+            config = parse_json(path, str(entries["config"]))
+            if "fov" in config:
+                check_integer("fov", config["fov"], 1, MOST_FOV)
+            return cls(n_pursuers=int(entries["n_pursuers"]), config=config, **arrays)
+        except DamagedFileError:
+            raise
+        except (OverflowError, TypeError, ValueError) as error:
+            raise DamagedFileError(path, f"not an episode ({error})") from error
+
+
+def moment(step: int, length: int) -> int:
+    """Return the number of a moment, 0 to the length, from one that may count from the end."""
+    if not -length - 1 <= step <= length:
+        raise IndexError(f"step: expected {-length - 1} to {length}, got {step}")
+    return step % (length + 1)
+
+
+def _check_conflicts(
+    table: NDArray[np.int32], steps: int, shape: tuple[int, ...], agents: int
+) -> None:
+    """Raise ValueError unless every number of the table is in its range."""
+    names = ("step", *CONFLICT_COLUMNS)
+    least = {"step": 1, "second": -1, "row": -1, "col": -1}
+    most = {"step": steps, "turn": agents - 1, "kind": len(KINDS) - 1, "form": len(FORMS) - 1}
+    most |= {"first": agents - 1, "second": agents - 1, "row": shape[0], "col": shape[1]}
+    low = [least.get(name, 0) for name in names]
+    high = [most.get(name, BOTH_AGENTS) for name in names]
+    bad = (table < low) | (table > high)
+    if bad.any():
+        row, column = np.argwhere(bad)[0]
+        raise ValueError(
+            f"conflict_table, {names[column]}: expected {low[column]} to {high[column]}, "
+            f"got {table[row, column]}"
+        )

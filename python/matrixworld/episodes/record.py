@@ -1,0 +1,246 @@
+"""Recording of an episode of a world while the caller plays it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld import _core
+from matrixworld._util.checks import INT_MAX, SEED_MAX, check_integer
+from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS, Episode
+from matrixworld.episodes.moments import capture_title, scene
+from matrixworld.episodes.render import MARK_STEPS, Scene
+from matrixworld.world.arrays import integers
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.conflicts import CONFLICT_COLUMNS
+from matrixworld.world.maps import MapLike
+from matrixworld.world.policy import TeamPolicy, check_team
+from matrixworld.world.rules import Rules
+from matrixworld.world.world import World
+
+
+class Recorder:
+    """Record of a world's episode: call `begin` after a reset and `note` after each round.
+
+    Parameters
+    ----------
+    world : World
+        The world that the caller plays. Its present moment is the first of the recording. From now
+        on it keeps the conflicts of every step, which the recording contains.
+
+    Raises
+    ------
+    RuntimeError
+        If a round is being played turn by turn.
+    """
+
+    def __init__(self, world: World) -> None:
+        self.world = world
+        world.keeps_conflicts = True
+        self._config = world.config.to_json()
+        self.begin()
+
+    def begin(self) -> None:
+        """Start a new recording with the world's present moment, which is between two rounds."""
+        if self.world.turn:
+            raise RuntimeError(
+                f"expected begin() between two rounds, got turn {self.world.turn} of a round"
+            )
+        self._map = self.world.map
+        self._start = self.world.steps
+        self._kept: dict[str, list[NDArray[Any]]] = {
+            name: [] for name in (*MOMENT_ARRAYS, "actions", *STEP_ARRAYS)
+        }
+        self._conflicts: list[NDArray[np.int32]] = []
+        self._keep(*MOMENT_ARRAYS)
+
+    def note(self, actions: ArrayLike) -> None:
+        """Record the round that was just played.
+
+        Parameters
+        ----------
+        actions : array_like of int, shape (A,)
+            The actions of that round.
+
+        Raises
+        ------
+        ValueError
+            For another shape.
+        TypeError
+            If the actions are not integers.
+        RuntimeError
+            If a round was left out, or the world was reset without `begin`.
+        """
+        row = integers("actions", actions)
+        if row.shape != (self.world.config.n_agents,):
+            raise ValueError(
+                f"actions: expected shape {(self.world.config.n_agents,)}, got {row.shape}"
+            )
+        # The world counts its own rounds: a difference means that a call is missing.
+        noted, played = len(self._kept["actions"]) + 1, self.world.steps - self._start
+        if noted != played:
+            raise RuntimeError(
+                f"expected begin() after a reset and note() after each round: this is note "
+                f"{noted}, and the world has played {played}"
+            )
+        self._kept["actions"].append(row.astype(np.int8))
+        self._conflicts.append(self.world.conflict_table())
+        self._keep(*MOMENT_ARRAYS, *STEP_ARRAYS)
+
+    def _keep(self, *names: str) -> None:
+        for name, array in self.world.read(*names).items():
+            self._kept[name].append(array)
+
+    def episode(self) -> Episode:
+        """Return the recorded episode, as `matrixworld.record` returns one."""
+        return self._last(len(self._kept["actions"]))
+
+    def scene(self, *, trail: int = 6) -> Scene:
+        """Return a drawing of the present moment.
+
+        Parameters
+        ----------
+        trail : int, optional
+            Number of past steps that the agents' trails show. The default is 6.
+
+        Returns
+        -------
+        Scene
+            The present moment with trails, and marks for captures and collisions of the last steps.
+        """
+        steps = len(self._kept["actions"])
+        # A picture shows few steps; a copy of the whole recording for each would cost its length.
+        window = self._last(min(steps, max(trail, MARK_STEPS)))
+        title = capture_title(window, window.length, f"step {self.world.steps}")
+        return scene(window, trail=trail, title=title)
+
+    def _last(self, steps: int) -> Episode:
+        """Return the last steps, with one moment more than steps, as an episode."""
+        n_agents = self.world.config.n_agents
+        # `stack` cannot infer shape and dtype from no steps at all.
+        empty: dict[str, NDArray[Any]] = {
+            "actions": np.empty((0, n_agents), np.int8),
+            "rewards": np.empty((0, n_agents), np.float32),
+            "involved": np.empty((0, n_agents, 3), np.bool_),
+            "fault": np.empty((0, n_agents, 3), np.bool_),
+        }
+        arrays: dict[str, Any] = {
+            name: np.stack(kept[len(kept) - steps - (name in MOMENT_ARRAYS) :])
+            if steps or name in MOMENT_ARRAYS
+            else empty[name]
+            for name, kept in self._kept.items()
+        }
+        return Episode(
+            **arrays,
+            map=self._map,
+            n_pursuers=self.world.config.n_pursuers,
+            config=self._config,
+            conflict_table=_numbered(self._conflicts[len(self._conflicts) - steps :]),
+        )
+
+
+def _numbered(tables: list[NDArray[np.int32]]) -> NDArray[np.int32]:
+    """Return the conflicts of all steps as one table that begins with the number of the step."""
+    steps = np.repeat(np.arange(1, len(tables) + 1, dtype=np.int32), [len(t) for t in tables])
+    return np.column_stack([steps, np.concatenate([_NO_CONFLICTS, *tables])])
+
+
+_NO_CONFLICTS = np.empty((0, len(CONFLICT_COLUMNS)), np.int32)
+
+
+def record_actions(
+    config: WorldConfig | Rules | str,
+    actions: ArrayLike,
+    *,
+    seed: int = 0,
+    episode: int = 0,
+    pursuers: ArrayLike | None = None,
+    evaders: ArrayLike | None = None,
+    obstacles: MapLike | None = None,
+) -> Episode:
+    """Play given actions and record every moment.
+
+    Parameters
+    ----------
+    config : WorldConfig, Rules or str
+        A configuration, rules, or the name of a variant.
+    actions : array_like of int, shape (T, A)
+        The actions, one row for each round. Rows after the end of the episode are ignored.
+    seed, episode : int, optional
+        The episode, as `World.reset` takes it. The defaults are 0.
+    pursuers, evaders : array_like of int, shape (n, 2), optional
+        First positions (row, column). The default is random positions.
+    obstacles : MapLike, optional
+        A map instead of the configuration's.
+
+    Returns
+    -------
+    Episode
+        The recorded episode.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `World.reset` and `World.step` do.
+    """
+    world = World(config)
+    world.reset(seed, episode=episode, pursuers=pursuers, evaders=evaders, obstacles=obstacles)
+    recorder = Recorder(world)
+    for row in np.asarray(actions):
+        if world.terminated or world.truncated:
+            break
+        world.step(row)
+        recorder.note(row)
+    return recorder.episode()
+
+
+def record(
+    config: WorldConfig | Rules | str,
+    pursuers: TeamPolicy,
+    evaders: TeamPolicy,
+    *,
+    seed: int,
+    pursuer: int = 0,
+    evader: int = 0,
+    episode: int = 0,
+) -> Episode:
+    """Play one episode and record every moment.
+
+    Parameters
+    ----------
+    config, pursuers, evaders
+        As in `matrixworld.rollout`.
+    seed : int
+        The seed of the match.
+    pursuer, evader : int, optional
+        Indices into the populations. The defaults are 0.
+    episode : int, optional
+        The number of the seed's episode: that of world ``episode`` of the match in `rollout`. The
+        default is 0.
+
+    Returns
+    -------
+    Episode
+        The recorded episode.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `rollout` does.
+    """
+    config = WorldConfig.of(config)
+    # The engine chooses the actions; a world that plays them again gives everything else.
+    chosen = _core.record(
+        config.setup,
+        check_team("pursuers", pursuers),
+        check_team("evaders", evaders),
+        pursuer=check_integer("pursuer", pursuer, 0, INT_MAX),
+        evader=check_integer("evader", evader, 0, INT_MAX),
+        seed=check_integer("seed", seed, 0, SEED_MAX),
+        episode=check_integer("episode", episode, 0, SEED_MAX),
+        of_moments=(),
+        of_steps=(),
+    )
+    return record_actions(config, chosen["actions"], seed=seed, episode=episode)

@@ -1,0 +1,131 @@
+"""Animated GIFs, written frame by frame."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable, Sequence
+from typing import BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageColor
+
+from matrixworld._util import colors
+from matrixworld._util.checks import check_real
+
+Draw = Callable[[int], NDArray[np.uint8]]
+
+PALETTE_COLORS = 128  # pictures have few hues and their blends; fewer colours compress better
+TOO_CLOSE = 8  # levels; Pillow's coarse look-up could confuse a colour this near with one of ours
+UNCHANGED = np.uint8(255)  # palette index of a pixel that stays as it was, written as transparent
+SAMPLES = 8  # frames looked at to choose the palette
+SLOWEST, FASTEST = 0.1, 50.0  # frames per second; most viewers slow down faster animations
+LONGEST_HOLD = 600.0  # seconds; the format has 16 bits for hundredths
+TRAILER = b";"  # the last byte of a GIF
+
+
+def write_gif(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, hold: float) -> None:
+    """Write an endless animation.
+
+    Parameters
+    ----------
+    file : binary file
+        Where the bytes go.
+    draw : callable
+        Takes a time and returns a frame, uint8 of shape (height, width, 3). All frames have the
+        same size and share a palette.
+    times : sequence of int
+        One frame is drawn for each.
+    fps : float
+        Frames per second, 0.1 to 50. Durations are rounded to hundredths of a second.
+    hold : float
+        Seconds for which the last frame is shown longer, 0 to 600.
+
+    Raises
+    ------
+    ValueError
+        If there are no times, or `fps` or `hold` is out of range.
+
+    Notes
+    -----
+    Pillow would keep all frames in memory to write such a file. Here it encodes one frame at a
+    time, each as a file of its own, whose header is cut off except for the first.
+    """
+    check_timing(times, fps=fps, hold=hold)
+    palette = _palette([draw(times[i]) for i in _spread(len(times))])
+    durations = [round(100 / fps)] * len(times)
+    durations[-1] += round(100 * hold)
+    shown: NDArray[np.uint8] | None = None
+    for time, duration in zip(times, durations, strict=True):
+        wanted = _indices(draw(time), palette)
+        changes = wanted if shown is None else np.where(wanted == shown, UNCHANGED, wanted)
+        encoded = _encoded(changes, palette, duration)
+        file.write(encoded if shown is None else encoded[_header_length(encoded) :])
+        shown = wanted
+    file.write(TRAILER)
+
+
+def check_timing(times: Sequence[int], *, fps: float, hold: float) -> None:
+    """Raise ValueError if there are no times, or if fps or hold is out of range."""
+    if len(times) == 0:
+        raise ValueError("times: expected at least one, got none")
+    if not SLOWEST <= check_real("fps", fps) <= FASTEST:
+        raise ValueError(f"fps: expected {SLOWEST:g} to {FASTEST:g} a second, got {fps}")
+    if not 0 <= check_real("hold", hold) <= LONGEST_HOLD:
+        raise ValueError(f"hold: expected 0 to {LONGEST_HOLD:g} seconds, got {hold}")
+
+
+def _indices(picture: NDArray[np.uint8], palette: Image.Image) -> NDArray[np.uint8]:
+    """Return the picture as numbers of the palette."""
+    quantized = Image.fromarray(picture).quantize(palette=palette, dither=Image.Dither.NONE)
+    numbers = np.array(quantized)
+    numbers[numbers >= PALETTE_COLORS] = 0  # unused entries of the palette repeat the first colour
+    return numbers
+
+
+def _encoded(indices: NDArray[np.uint8], palette: Image.Image, duration: int) -> bytes:
+    """Return a GIF of one image, without its last byte; the duration is in 1/100 s."""
+    image = Image.fromarray(indices)
+    image.putpalette(palette.getpalette() or [])
+    buffer = io.BytesIO()
+    image.save(
+        buffer,
+        "GIF",
+        duration=10 * duration,
+        loop=0,
+        transparency=int(UNCHANGED),
+        disposal=1,  # the next image is drawn over this one
+        optimize=False,  # which would renumber the palette
+    )
+    return buffer.getvalue().removesuffix(TRAILER)
+
+
+def _header_length(encoded: bytes) -> int:
+    """Return the number of bytes before the image: signature, screen, palette, loop request."""
+    flags = encoded[10]
+    length = 13 + (3 << ((flags & 7) + 1) if flags & 0x80 else 0)
+    while encoded[length : length + 2] in (b"!\xff", b"!\xfe"):  # application, comment
+        length += 2
+        while encoded[length]:  # blocks, each led by its length, up to an empty one
+            length += 1 + encoded[length]
+        length += 1
+    return length
+
+
+def _spread(count: int) -> list[int]:
+    return sorted(set(np.linspace(0, count - 1, SAMPLES).round().astype(int).tolist()))
+
+
+def _palette(pictures: list[NDArray[np.uint8]]) -> Image.Image:
+    """Return 256 colours: those of the project exactly, and the most frequent of some pictures."""
+    names = [*colors.TEAMS, colors.PAPER, colors.GRID, colors.INK, colors.OBSTACLE]
+    names += [colors.CAPTURE, colors.COLLISION]
+    exact = np.array([ImageColor.getrgb(name) for name in names])
+    together = Image.fromarray(np.concatenate(pictures)).quantize(PALETTE_COLORS - len(exact))
+    common = np.array(together.getpalette()).reshape(-1, 3)
+    distance = np.abs(common[:, None] - exact).max(axis=2).min(axis=1)
+    values = np.concatenate([exact, common[distance > TOO_CLOSE]])[:PALETTE_COLORS]
+    filled = np.concatenate([values, np.repeat(exact[:1], 256 - len(values), axis=0)])
+    palette = Image.new("P", (1, 1))
+    palette.putpalette(filled.ravel().tolist())
+    return palette

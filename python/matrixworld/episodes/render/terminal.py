@@ -1,0 +1,225 @@
+"""Scenes as text for a terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+from itertools import groupby
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld._util import colors
+from matrixworld.episodes.render.scene import Cell, CellContents, Scene
+
+MODES = ("true", "256", "none")
+
+
+class Ink(NamedTuple):
+    """Colours of a piece of text, ``#rrggbb``; empty means the terminal's own."""
+
+    text: str = ""
+    ground: str = ""
+
+
+class Glyphs(NamedTuple):
+    """The characters that a drawing is made of."""
+
+    pursuer: str
+    evader: str
+    captured: str
+    obstacle: str
+    free: str
+    crash: str
+
+
+UNICODE = Glyphs("▲", "●", "○", "██", "· ", "× ")
+ASCII = Glyphs("P", "E", "e", "##", ". ", "x ")
+Run = tuple[str, Ink]  # a piece of text of one colour
+
+
+def ansi(scene: Scene, *, color: str = "true", compact: bool = False) -> str:
+    """Draw a scene as lines of text.
+
+    A cell is two characters wide. The second one is the number of agents if there are several. If
+    both teams share a cell, colored text shows the sign or the number of each team in its color;
+    plain text shows X, and the number of agents if it is 3 or more.
+
+    Parameters
+    ----------
+    scene : Scene
+        What to draw.
+    color : {"true", "256", "none"}, optional
+        24-bit escape codes, the 256-color palette, or plain ASCII: P pursuer, E evader,
+        e captured evader, X both teams, x a death, # obstacle.
+    compact : bool, optional
+        Whether to draw half blocks: two rows of cells per line and one character per column. Only
+        colors tell the teams apart then, so it needs colors.
+
+    Returns
+    -------
+    str
+        The lines, without a newline at the end.
+
+    Raises
+    ------
+    ValueError
+        If `color` is unknown, or `compact` is combined with "none".
+    """
+    if color not in MODES:
+        raise ValueError(f"color: expected one of {MODES}, got {color!r}")
+    if compact and color == "none":
+        raise ValueError("compact: expected color 'true' or '256', got 'none'")
+    glyphs = ASCII if color == "none" else UNICODE
+    field = _half_blocks(scene) if compact else _cells(scene, glyphs)
+    return "\n".join(_painted(line, _CODES[color]) for line in (_legend(scene, glyphs), *field))
+
+
+def _legend(scene: Scene, glyphs: Glyphs) -> list[Run]:
+    pursuers, evaders = scene.team_sizes()
+    title = [(scene.title + "   ", Ink())] if scene.title else []
+    return [
+        *title,
+        (glyphs.pursuer, Ink(colors.PURSUER)),
+        (f" {pursuers}  ", Ink()),
+        (glyphs.evader, Ink(colors.EVADER)),
+        (f" {evaders}", Ink()),
+    ]
+
+
+def _cells(scene: Scene, glyphs: Glyphs) -> list[list[Run]]:
+    occupied, grounds = scene.occupied_cells(), _grounds(scene)
+    crashes = _last_step(scene.deaths)
+    lines: list[list[Run]] = []
+    for row, obstacles in enumerate(scene.map.tolist()):
+        line: list[Run] = []
+        for col, obstacle in enumerate(obstacles):
+            cell = (row, col)
+            ground = grounds.get(cell, colors.PAPER)
+            if cell in occupied:
+                line += _agents(occupied[cell], glyphs, ground)
+            elif cell in crashes:
+                line.append((glyphs.crash, Ink(colors.INK, ground)))
+            else:
+                text = glyphs.obstacle if obstacle else glyphs.free
+                ink = colors.OBSTACLE if obstacle else colors.FREE
+                line.append((text, Ink(ink, ground)))
+        lines.append(line)
+    return lines
+
+
+def _agents(contents: CellContents, glyphs: Glyphs, ground: str) -> list[Run]:
+    pursuer, evader = Ink(colors.PURSUER, ground), Ink(colors.EVADER, ground)
+    pursuers, evaders = len(contents.pursuers), len(contents.evaders)
+    sign = glyphs.captured if contents.all_captured else glyphs.evader
+    if pursuers and evaders:
+        if glyphs is ASCII:
+            return [("X" + _number(pursuers + evaders, least=3), pursuer)]
+        return [
+            (_number(pursuers, alone=glyphs.pursuer), pursuer),
+            (_number(evaders, alone=sign), evader),
+        ]
+    if pursuers:
+        return [(glyphs.pursuer + _number(pursuers), pursuer)]
+    return [(sign + _number(evaders), evader)]
+
+
+def _number(count: int, alone: str = " ", least: int = 2) -> str:
+    """Return one character: a digit, + for 10 or more, and `alone` below `least`."""
+    return alone if count < least else str(count) if count < 10 else "+"
+
+
+def _grounds(scene: Scene) -> dict[Cell, str]:
+    """Return the cells whose background shows an event of the last step."""
+    collided = scene.collided()[0] | _last_step(scene.deaths)
+    return {
+        **dict.fromkeys(collided, colors.COLLISION_GROUND),
+        **dict.fromkeys(_last_step(scene.captures), colors.CAPTURE_GROUND),
+    }
+
+
+def _last_step(marks: NDArray[np.integer] | None) -> set[Cell]:
+    if marks is None:
+        return set()
+    return {(row, col) for row, col, age in marks.tolist() if age == 0}
+
+
+def _half_blocks(scene: Scene) -> list[list[Run]]:
+    rows, cols = scene.shape
+    fill: dict[Cell, str] = dict.fromkeys(zip(*scene.map.nonzero(), strict=True), colors.OBSTACLE)
+    fill |= _grounds(scene)
+    for cell, contents in scene.occupied_cells().items():
+        fill[cell] = colors.PURSUER if contents.pursuers else colors.EVADER
+    return [
+        [
+            (
+                "▀",
+                Ink(
+                    fill.get((row, col), colors.PAPER),
+                    fill.get((row + 1, col), colors.PAPER) if row + 1 < rows else "",
+                ),
+            )
+            for col in range(cols)
+        ]
+        for row in range(0, rows, 2)
+    ]
+
+
+def _painted(line: list[Run], code: Callable[[Ink], str]) -> str:
+    """Return the line with an escape code at each change of colour, reset at its end."""
+    parts = []
+    for ink, runs in groupby(line, key=lambda run: run[1]):
+        text = "".join(run[0] for run in runs)
+        start = code(ink)
+        parts.append(f"{start}{text}{RESET}" if start else text)
+    return "".join(parts)
+
+
+RESET = "\x1b[0m"
+
+
+def _true_color(ink: Ink) -> str:
+    return _escape(ink, lambda colour: "2;" + ";".join(map(str, _channels(colour))))
+
+
+def _palette_color(ink: Ink) -> str:
+    return _escape(ink, lambda colour: f"5;{_palette_index(colour)}")
+
+
+def _escape(ink: Ink, number: Callable[[str], str]) -> str:
+    codes = [
+        f"{place};{number(colour)}"
+        for place, colour in (("38", ink.text), ("48", ink.ground))
+        if colour
+    ]
+    return f"\x1b[{';'.join(codes)}m" if codes else ""
+
+
+def _channels(colour: str) -> tuple[int, int, int]:
+    return int(colour[1:3], 16), int(colour[3:5], 16), int(colour[5:7], 16)
+
+
+@lru_cache(maxsize=64)
+def _palette_index(colour: str) -> int:
+    """Return the nearest colour of the 6 x 6 x 6 and 24 greys that xterm numbers 16 to 255."""
+    # The first 16 colours are left out, because users choose them.
+    levels = (0, 95, 135, 175, 215, 255)
+    palette = {
+        16 + 36 * r + 6 * g + b: (levels[r], levels[g], levels[b])
+        for r in range(6)
+        for g in range(6)
+        for b in range(6)
+    }
+    palette |= {232 + i: (8 + 10 * i,) * 3 for i in range(24)}
+    wanted = _channels(colour)
+    return min(
+        palette, key=lambda i: sum((a - b) ** 2 for a, b in zip(palette[i], wanted, strict=True))
+    )
+
+
+_CODES: dict[str, Callable[[Ink], str]] = {
+    "true": _true_color,
+    "256": _palette_color,
+    "none": lambda ink: "",
+}

@@ -1,0 +1,362 @@
+"""Safety of a team: collisions over many episodes, by kind and by fault."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld._util.checks import SEED_MAX, check_integer, check_naturals
+from matrixworld.analysis.rate_intervals import rate_intervals
+from matrixworld.world.rules import KINDS
+
+TEAMS = ("pursuers", "evaders")
+_COLUMNS = "{:10}{:11}{:24}{:24}{:>7}{:>8}{:>7}{:>9}"
+
+
+class StatisticsArrays(Protocol):
+    """The part of `EpisodeStatistics` that is read here."""
+
+    collisions: NDArray[np.int32]
+    faults: NDArray[np.int32]
+    agent_steps: NDArray[np.int64]
+    capture_rate: NDArray[np.float32]
+
+
+class StepStatus(Protocol):
+    """The part of an environment's ``status`` that is read here."""
+
+    alive: NDArray[np.bool_]
+    captured: NDArray[np.bool_]
+    involved: NDArray[np.bool_]
+    fault: NDArray[np.bool_]
+    capture_rate: NDArray[np.float32]
+    seed: NDArray[np.uint64]
+    episode: NDArray[np.uint64]
+    steps: NDArray[np.int32]
+    terminated: NDArray[np.bool_]
+    truncated: NDArray[np.bool_]
+
+
+class RecordedEpisode(Protocol):
+    """The part of a recorded `Episode` that is read here."""
+
+    alive: NDArray[np.bool_]
+    involved: NDArray[np.bool_]
+    fault: NDArray[np.bool_]
+    n_pursuers: int
+
+    @property
+    def capture_rate(self) -> float:
+        """Share of the evaders that count as captured at the end."""
+
+
+@dataclass(frozen=True, eq=False)
+class SafetySummary:
+    """Collisions of several episodes, by team (pursuers, evaders) and kind (see `KINDS`).
+
+    An agent-step is one step of one agent that was alive as the step began. A rate is the number of
+    agent-steps with at least one collision of a kind, per 1000 agent-steps of the team; it does not
+    count conflicts. Under occupation a contact of adversaries is nobody's fault, because contact is
+    the aim of the game.
+
+    Parameters
+    ----------
+    episodes : int
+        Number of episodes.
+    agent_steps : ndarray of int64, shape (2,)
+        Agent-steps of each team.
+    capture_rate : float
+        Mean over the episodes. Safety means little without success at the task.
+    involved_rate, fault_rate : ndarray of float64, shape (2, 3)
+        Agent-steps involved in a collision, and at fault in one, per 1000.
+    involved_interval, fault_interval : ndarray of float64, shape (2, 3, 2)
+        Ends of 95% intervals of the rates, by the bootstrap-t over episodes; NaN without an
+        interval, see `matrixworld.analysis.rate_intervals`.
+    safe_share : ndarray of float64, shape (2, 3)
+        Share of the episodes without an agent at fault.
+    safe_episodes : float
+        Share of the episodes without an agent at fault, of any team in any kind.
+    fault_median, fault_mean, fault_max : ndarray of float64, shape (2, 3)
+        Agent-steps at fault in an episode.
+    """
+
+    episodes: int
+    agent_steps: NDArray[np.int64]
+    capture_rate: float
+    involved_rate: NDArray[np.float64]
+    involved_interval: NDArray[np.float64]
+    fault_rate: NDArray[np.float64]
+    fault_interval: NDArray[np.float64]
+    safe_share: NDArray[np.float64]
+    safe_episodes: float
+    fault_median: NDArray[np.float64]
+    fault_mean: NDArray[np.float64]
+    fault_max: NDArray[np.float64]
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the summary as values that JSON can hold; ends of no interval are None."""
+        # Imported here, because worlds do not need the analysis.
+        from matrixworld.analysis.plain_values import plain_values
+
+        plain: dict[str, Any] = plain_values(self)
+        return plain
+
+    def __str__(self) -> str:
+        plural = "" if self.episodes == 1 else "s"
+        return "\n".join(
+            [
+                f"{self.episodes} episode{plural}, capture rate {self.capture_rate:.2f}, "
+                f"{self.safe_episodes:.0%} without anybody at fault",
+                "Agent-steps in collision, per 1000 (95% interval), and at fault in an episode:",
+                _COLUMNS.format("", "", "involved", "at fault", "median", "mean", "max", "none in"),
+                *(self._row(t, k) for t in range(len(TEAMS)) for k in range(len(KINDS))),
+            ]
+        )
+
+    def _row(self, t: int, k: int) -> str:
+        rates = (
+            _printed(rate[t, k], ends[t, k])
+            for rate, ends in (
+                (self.involved_rate, self.involved_interval),
+                (self.fault_rate, self.fault_interval),
+            )
+        )
+        return _COLUMNS.format(
+            *(TEAMS[t], KINDS[k], *rates),
+            f"{self.fault_median[t, k]:.0f}",
+            f"{self.fault_mean[t, k]:.1f}",
+            f"{self.fault_max[t, k]:.0f}",
+            f"{self.safe_share[t, k]:.0%}",
+        )
+
+
+def _printed(rate: float, ends: NDArray[np.float64]) -> str:
+    return f"{rate:.1f}" + ("" if np.isnan(ends[0]) else f" ({ends[0]:.1f} to {ends[1]:.1f})")
+
+
+class SafetyMonitor:
+    """Collects collisions of episodes and summarizes them.
+
+    Episodes come from a rollout (`add_statistics`), a `VectorEnv` (`add_infos` after each step), an
+    environment (`observe` after each step), a recording (`add_episode`), or as arrays (`add`).
+    ``monitor + other`` is a monitor of the episodes of both.
+
+    Examples
+    --------
+    >>> import matrixworld as mw
+    >>> monitor = mw.SafetyMonitor()
+    >>> matches = mw.Matches.of(0, 0, range(20))
+    >>> config = mw.WorldConfig("SB", rows=12, cols=12, n_pursuers=6, n_evaders=2, max_steps=50)
+    >>> monitor.add_statistics(mw.rollout(config, "chaser", "fleer", matches))
+    >>> monitor.episodes
+    20
+    >>> summary = monitor.summary()
+    >>> summary.fault_rate.shape
+    (2, 3)
+    """
+
+    def __init__(self) -> None:
+        self._collisions: list[NDArray[np.int64]] = []
+        self._faults: list[NDArray[np.int64]] = []
+        self._agent_steps: list[NDArray[np.int64]] = []
+        self._capture_rates: list[NDArray[np.float64]] = []
+        self._current: _Current | None = None
+
+    @property
+    def episodes(self) -> int:
+        """Number of episodes collected so far."""
+        return sum(len(part) for part in self._capture_rates)
+
+    def add(
+        self,
+        collisions: ArrayLike,
+        faults: ArrayLike,
+        agent_steps: ArrayLike,
+        capture_rate: ArrayLike,
+    ) -> None:
+        """Collect episodes given as arrays, which are copied.
+
+        Parameters
+        ----------
+        collisions, faults : array_like of int, shape (..., 2, 3)
+            Agent-steps involved in a collision, and at fault in one, by team and kind. The leading
+            axes are episodes.
+        agent_steps : array_like of int, shape (..., 2)
+            Agent-steps of each team.
+        capture_rate : array_like of float, shape (...)
+            Share of the evaders captured.
+
+        Raises
+        ------
+        TypeError
+            If a count is not an integer.
+        ValueError
+            If a count is negative, the shapes do not fit, or not faults <= collisions <=
+            agent_steps. No episode is collected then.
+        """
+        rates = np.array(capture_rate, np.float64)
+        if not ((rates >= 0) & (rates <= 1)).all():
+            raise ValueError(f"capture_rate: expected shares, 0 to 1, got {rates.tolist()}")
+        involved = _counts("collisions", collisions, (*rates.shape, 2, 3))
+        at_fault = _counts("faults", faults, (*rates.shape, 2, 3))
+        steps = _counts("agent_steps", agent_steps, (*rates.shape, 2))
+        if (at_fault > involved).any() or (involved > steps[..., np.newaxis]).any():
+            raise ValueError("safety: expected faults <= collisions <= agent_steps everywhere")
+        self._collisions.append(involved.reshape(-1, 2, 3))
+        self._faults.append(at_fault.reshape(-1, 2, 3))
+        self._agent_steps.append(steps.reshape(-1, 2))
+        self._capture_rates.append(rates.reshape(-1))
+
+    def add_statistics(self, statistics: StatisticsArrays) -> None:
+        """Collect all episodes of a `rollout`."""
+        self.add(
+            statistics.collisions,
+            statistics.faults,
+            statistics.agent_steps,
+            statistics.capture_rate,
+        )
+
+    def add_infos(self, infos: Mapping[str, Any]) -> None:
+        """Collect the episodes that ended in a step of a `VectorEnv`, if any did."""
+        ended, statistics = infos["_episode"], infos["episode"]
+        if ended.any():
+            names = ("collisions", "faults", "agent_steps", "capture_rate")
+            self.add(*(statistics[name][ended] for name in names))
+
+    def add_episode(self, episode: RecordedEpisode) -> None:
+        """Collect a recorded episode."""
+        n = episode.n_pursuers
+        self.add(
+            _by_team(episode.involved.sum(axis=0), n),
+            _by_team(episode.fault.sum(axis=0), n),
+            _by_team(episode.alive[:-1].sum(axis=0), n),
+            episode.capture_rate,
+        )
+
+    def observe(self, status: StepStatus) -> None:
+        """Follow an environment; call it after every step.
+
+        An episode is collected when it ends, and forgotten if a reset comes before its end.
+
+        Parameters
+        ----------
+        status : Status
+            ``env.status``. One of the same round as the last call adds nothing, so this works
+            after every step of an AEC environment as well.
+
+        Raises
+        ------
+        ValueError
+            If a step was left out.
+        """
+        current, steps = self._current, int(status.steps)
+        # Another seed or number, or fewer steps than before, means another episode.
+        if current is None or _which(status) != current.which or steps < current.steps:
+            current = _Current(status)
+        if steps not in (current.steps, current.steps + 1):
+            raise ValueError(f"status: expected step {current.steps + 1}, got step {steps}")
+        self._current = current
+        if steps == current.steps:  # the AEC API calls several times per round
+            return
+        current.follow(status)
+        if status.terminated or status.truncated:
+            self.add(*current.totals(), float(status.capture_rate))
+
+    def __add__(self, other: SafetyMonitor) -> SafetyMonitor:
+        """Return a monitor of the episodes of both."""
+        if not isinstance(other, SafetyMonitor):
+            return NotImplemented
+        both = SafetyMonitor()
+        for name in ("_collisions", "_faults", "_agent_steps", "_capture_rates"):
+            setattr(both, name, getattr(self, name) + getattr(other, name))
+        return both
+
+    def summary(self, *, seed: int = 0) -> SafetySummary:
+        """Summarize all episodes so far.
+
+        Parameters
+        ----------
+        seed : int, optional
+            Seed of the bootstrap. The default is 0.
+
+        Returns
+        -------
+        SafetySummary
+            Rates, intervals and shares.
+
+        Raises
+        ------
+        ValueError
+            If no episode was collected, or the seed is out of range.
+        TypeError
+            If the seed is not an integer.
+        """
+        seed = check_integer("seed", seed, 0, SEED_MAX)
+        if not self.episodes:
+            raise ValueError("safety: expected at least one whole episode, got none")
+        collisions, faults = np.concatenate(self._collisions), np.concatenate(self._faults)
+        steps = np.concatenate(self._agent_steps)
+        intervals = rate_intervals(np.stack([collisions, faults], axis=1), steps, seed)
+        return SafetySummary(
+            episodes=self.episodes,
+            agent_steps=steps.sum(axis=0),
+            capture_rate=float(np.concatenate(self._capture_rates).mean()),
+            involved_rate=_rate(collisions.sum(axis=0), steps.sum(axis=0)),
+            involved_interval=intervals[0],
+            fault_rate=_rate(faults.sum(axis=0), steps.sum(axis=0)),
+            fault_interval=intervals[1],
+            safe_share=(faults == 0).mean(axis=0),
+            safe_episodes=float((faults == 0).all(axis=(1, 2)).mean()),
+            fault_median=np.median(faults, axis=0),
+            fault_mean=faults.mean(axis=0),
+            fault_max=faults.max(axis=0),
+        )
+
+
+class _Current:
+    """Counts of the episode that an environment is in, or has just ended."""
+
+    def __init__(self, status: StepStatus) -> None:
+        self.which = _which(status)
+        self.n_pursuers = len(status.alive) - len(status.captured)
+        self.steps = 0
+        self.alive = np.ones_like(status.alive)
+        self.agent_steps = np.zeros(len(status.alive), np.int64)
+        self.involved = np.zeros(status.involved.shape, np.int64)
+        self.fault = np.zeros(status.fault.shape, np.int64)
+
+    def follow(self, status: StepStatus) -> None:
+        self.steps += 1
+        self.agent_steps += self.alive  # as the step began
+        self.involved += status.involved
+        self.fault += status.fault
+        self.alive = status.alive
+
+    def totals(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        n = self.n_pursuers
+        return _by_team(self.involved, n), _by_team(self.fault, n), _by_team(self.agent_steps, n)
+
+
+def _which(status: StepStatus) -> tuple[int, int]:
+    return int(status.seed), int(status.episode)
+
+
+def _counts(name: str, given: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.int64]:
+    array = check_naturals(name, given, np.int64)
+    if array.shape != shape:
+        raise ValueError(f"{name}: expected shape {shape}, got {array.shape}")
+    return array
+
+
+def _by_team(by_agent: NDArray[Any], n_pursuers: int) -> NDArray[Any]:
+    return np.stack([by_agent[:n_pursuers].sum(axis=0), by_agent[n_pursuers:].sum(axis=0)])
+
+
+def _rate(counts: NDArray[Any], agent_steps: NDArray[Any]) -> NDArray[np.float64]:
+    """Return counts per 1000 agent-steps, ``(..., 2, 3)`` from ``(..., 2, 3)`` and ``(..., 2)``."""
+    # A team without agent-steps has no collisions either: its rate is 0 and not NaN.
+    return np.asarray(1000 * counts / np.maximum(agent_steps, 1)[..., np.newaxis])

@@ -1,0 +1,202 @@
+"""Rollouts: whole episodes in the engine, from matches to statistics."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld import _core
+from matrixworld._util.checks import check_integer, check_naturals, check_threads
+from matrixworld._util.memory import check_memory, matches_memory
+from matrixworld._util.short_repr import short_repr
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Population, TeamPolicy, check_team
+from matrixworld.world.rules import Rules
+
+
+class Matches(NamedTuple):
+    """M matches of pursuers against evaders.
+
+    Parameters
+    ----------
+    pursuer, evader : ndarray of int32, shape (M,)
+        Indices into the populations; 0 for a script.
+    seed : ndarray of uint64, shape (M,)
+        Seeds. World j of a match plays episode j of its seed.
+    """
+
+    pursuer: NDArray[np.int32]
+    evader: NDArray[np.int32]
+    seed: NDArray[np.uint64]
+
+    @classmethod
+    def of(cls, pursuer: ArrayLike, evader: ArrayLike, seed: ArrayLike) -> Matches:
+        """Return matches of integers that broadcast against each other to one axis.
+
+        Parameters
+        ----------
+        pursuer, evader, seed : array_like of int
+            The columns, each of shape (M,), (1,) or ().
+
+        Returns
+        -------
+        Matches
+            The three columns, contiguous, with shape (M,).
+
+        Raises
+        ------
+        TypeError
+            If the values are not integers.
+        ValueError
+            If a value is below 0 or too large, or the shapes do not broadcast to one axis.
+        """
+        parts = (
+            check_naturals("pursuer", pursuer, np.int32),
+            check_naturals("evader", evader, np.int32),
+            check_naturals("seed", seed, np.uint64),
+        )
+        broadcast = np.atleast_1d(*parts)
+        # `broadcast_arrays` is slow beside a short rollout, and rarely needed.
+        if any(part.shape != broadcast[0].shape for part in broadcast):
+            broadcast = np.broadcast_arrays(*broadcast)
+        if broadcast[0].ndim != 1:
+            raise ValueError(f"matches: expected one axis, got shape {broadcast[0].shape}")
+        return cls(*(np.ascontiguousarray(part) for part in broadcast))
+
+
+@dataclass(frozen=True, eq=False)
+class EpisodeStatistics:
+    """Statistics of the episodes of M matches with W worlds each. Every shape begins with (M, W).
+
+    Parameters
+    ----------
+    capture_rate : ndarray of float32, shape (M, W)
+        Share of the evaders that count as captured at the end: captured at some time under
+        occupation, at that moment under surround.
+    ever_capture_rate : ndarray of float32, shape (M, W)
+        Share of the evaders that were captured at some time.
+    captured_fraction : ndarray of float32, shape (M, W)
+        Share that counts as captured, as a mean over ``max_steps``. After an early end it counts as
+        it was at the end, so fast captures score higher.
+    length : ndarray of int32, shape (M, W)
+        Steps.
+    pursuer_return, evader_return : ndarray of float64, shape (M, W)
+        Rewards summed over team and steps.
+    pursuer_survivors, evader_survivors : ndarray of int32, shape (M, W)
+        Agents alive at the end.
+    pursuer_overlap, evader_overlap : ndarray of float32, shape (M, W)
+        (Living agents - distinct cells that they are on) / team size, as a mean over ``max_steps``.
+    collisions, faults : ndarray of int32, shape (M, W, 2, 3)
+        Agent-steps in a collision, and at fault in one, by team (pursuers, evaders) and kind
+        (obstacle, teammate, adversary).
+    agent_steps : ndarray of int64, shape (M, W, 2)
+        Steps of agents that were alive when the step began, by team.
+    """
+
+    capture_rate: NDArray[np.float32]
+    ever_capture_rate: NDArray[np.float32]
+    captured_fraction: NDArray[np.float32]
+    length: NDArray[np.int32]
+    pursuer_return: NDArray[np.float64]
+    evader_return: NDArray[np.float64]
+    pursuer_survivors: NDArray[np.int32]
+    evader_survivors: NDArray[np.int32]
+    pursuer_overlap: NDArray[np.float32]
+    evader_overlap: NDArray[np.float32]
+    collisions: NDArray[np.int32]
+    faults: NDArray[np.int32]
+    agent_steps: NDArray[np.int64]
+
+    __repr__ = short_repr
+
+
+Rollout = Callable[..., EpisodeStatistics]
+"""Type of `rollout` and of pure functions with the same arguments that replace it."""
+
+
+def rollout(
+    config: WorldConfig | Rules | str,
+    pursuers: TeamPolicy,
+    evaders: TeamPolicy,
+    matches: Matches,
+    *,
+    worlds: int = 1,
+    threads: int | None = None,
+) -> EpisodeStatistics:
+    """Play every match in several worlds and return the statistics of the episodes.
+
+    Parameters
+    ----------
+    config : WorldConfig, Rules or str
+        A configuration, rules, or the name of a variant.
+    pursuers, evaders : Population or str
+        The teams' candidates: a population, or the name of a script.
+    matches : Matches
+        M matches of these candidates.
+    worlds : int, optional
+        Episodes of each match, W. The default is 1.
+    threads : int, optional
+        Threads that share the episodes. The default is one for each core that the process may use.
+
+    Returns
+    -------
+    EpisodeStatistics
+        Arrays that begin with (M, W).
+
+    Raises
+    ------
+    ValueError
+        If an index is beyond its population, or a network does not fit the world.
+    ValueError, TypeError
+        As `WorldConfig` and `Matches.of` do.
+
+    Notes
+    -----
+    A pure function: the same arguments give the same bits, for any number of threads and whatever
+    other matches are played with a match. Where the rules take turns, an agent decides when its
+    turn begins, and sees what earlier turns did.
+
+    Ctrl-C ends a rollout of the main thread within about 0.1 s, after the steps that its threads
+    are playing, with KeyboardInterrupt. It leaves no results behind.
+
+    The threads of a rollout wait for the next rollout of the same calling thread.
+    """
+    config, n_threads = WorldConfig.of(config), check_threads(threads)
+    teams = check_team("pursuers", pursuers), check_team("evaders", evaders)
+    columns = matches if _converted(matches) else Matches.of(*matches)
+    n_worlds = check_integer("worlds", worlds, 1)
+    needed = matches_memory(
+        config,
+        [team.network for team in (pursuers, evaders) if isinstance(team, Population)],
+        matches=len(columns.seed),
+        worlds=n_worlds,
+        threads=threads,
+    )
+    check_memory("rollout", needed)
+    arrays = _core.rollout(
+        config.setup,
+        *teams,
+        columns.pursuer,
+        columns.evader,
+        columns.seed,
+        n_worlds=n_worlds,
+        n_threads=n_threads,
+    )
+    return EpisodeStatistics(**arrays)
+
+
+def _converted(matches: Matches) -> bool:
+    """Whether matches are arrays as `Matches.of` returns them; the engine checks the indices."""
+    if not isinstance(matches, Matches) or len({np.shape(part) for part in matches}) != 1:
+        return False
+    return all(
+        isinstance(part, np.ndarray)
+        and part.dtype == dtype
+        and part.ndim == 1
+        and part.flags.c_contiguous
+        for part, dtype in zip(matches, (np.int32, np.int32, np.uint64), strict=True)
+    )

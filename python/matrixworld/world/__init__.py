@@ -1,0 +1,1 @@
+"""Games as data, and worlds: one (`World`) or many side by side (`Batch`)."""

@@ -1,0 +1,262 @@
+"""Batches: many worlds that are stepped together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from typing_extensions import Unpack
+
+from matrixworld import _core
+from matrixworld._core import Autoreset
+from matrixworld._util.checks import (
+    SEED_MAX,
+    check_integer,
+    check_keywords,
+    check_naturals,
+    check_threads,
+)
+from matrixworld._util.memory import batch_memory, check_memory
+from matrixworld.world.arrays import array_specs, integers, new_arrays
+from matrixworld.world.config import WorldConfig, WorldSettings
+from matrixworld.world.maps import MapLike, read_map
+from matrixworld.world.policy import TeamPolicy, check_agents, check_team
+from matrixworld.world.rules import Rules
+from matrixworld.world.world import World
+
+
+class Batch:
+    """W worlds of one configuration, stepped together into the caller's arrays.
+
+    Parameters
+    ----------
+    n_worlds : int
+        W.
+    config : WorldConfig, Rules or str, optional
+        A configuration, rules, or the name of a variant. The default is "O".
+    threads : int, optional
+        Threads that share the worlds of a step. The default is one for each core that the process
+        may use. No result depends on it.
+    autoreset : Autoreset, optional
+        What happens to a world whose episode has ended. ``DISABLED`` (the default): the world stays
+        as it is, with rewards of 0, until it is reset. ``NEXT_STEP``: the next step ignores the
+        world's actions and starts its seed's next episode. ``SAME_STEP``: the step that ends the
+        episode also starts the next one. The arrays of the last step are then of the ended episode,
+        and the arrays of the present moment (see `array_specs`) of the new one.
+    buffers : dict of str to ndarray, optional
+        The arrays to write into: any of `array_specs` and `episode_specs`, each with a leading axis
+        of W worlds. Views may also be float32. Every step writes into the same arrays. The default
+        is new arrays for all of `array_specs` but ``views`` and ``state``.
+    **changes
+        Fields of the configuration to change.
+
+    Attributes
+    ----------
+    config : WorldConfig
+        The configuration.
+    n_worlds : int
+        W.
+    buffers : dict of str to ndarray
+        The arrays that `reset` and `step` write into.
+
+    Raises
+    ------
+    ValueError, TypeError
+        If a buffer has another name, shape, dtype or memory layout, and as `WorldConfig` does.
+
+    Notes
+    -----
+    One thread of Python at a time may use a batch: `reset`, `step`, `decide` and `world` raise
+    RuntimeError while another thread's call is in progress, and then nothing has changed. Give each
+    thread a batch of its own, or hold a `threading.Lock` in each call.
+
+    A process may be forked. The child's batch goes on where the parent's was, and starts threads of
+    its own. Only a batch that another thread was using at that moment is refused in the child.
+    """
+
+    def __init__(
+        self,
+        n_worlds: int,
+        config: WorldConfig | Rules | str = "O",
+        *,
+        threads: int | None = None,
+        autoreset: Autoreset = Autoreset.DISABLED,
+        buffers: dict[str, NDArray[Any]] | None = None,
+        **changes: Unpack[WorldSettings],
+    ) -> None:
+        check_keywords(changes, WorldSettings.__annotations__, Batch)
+        self.config: WorldConfig = WorldConfig.of(config, **changes)
+        self.n_worlds: int = check_integer("n_worlds", n_worlds, 1)
+        if not isinstance(autoreset, Autoreset):
+            raise TypeError(f"autoreset: expected a matrixworld.Autoreset, got {autoreset!r}")
+        if not isinstance(buffers, dict | None):
+            raise TypeError(f"buffers: expected a dict of arrays, got {buffers!r}")
+        n_threads = check_threads(threads)
+        self.buffers: dict[str, NDArray[Any]] = (
+            self._default_buffers() if buffers is None else buffers
+        )
+        # New arrays take memory only as they are written into, so they are counted here, too.
+        arrays = sum(getattr(array, "nbytes", 0) for array in self.buffers.values())
+        worlds = batch_memory(self.config, self.n_worlds, threads)
+        check_memory("batch", {"worlds": worlds, "arrays": arrays})
+        # The engine checks the buffers and keeps them alive.
+        self._core = _core.Batch(
+            self.config.setup, self.n_worlds, n_threads, autoreset, self.buffers
+        )
+        self.reset(0)
+
+    def _default_buffers(self) -> dict[str, NDArray[Any]]:
+        specs = array_specs(self.config)
+        # Both are large, and slow to write.
+        chosen = {name: spec for name, spec in specs.items() if name not in ("views", "state")}
+        return new_arrays(chosen, self.n_worlds)
+
+    def reset(
+        self,
+        seed: int | ArrayLike | None = None,
+        *,
+        episode: int = 0,
+        mask: ArrayLike | None = None,
+        pursuers: ArrayLike | None = None,
+        evaders: ArrayLike | None = None,
+        obstacles: MapLike | None = None,
+    ) -> dict[str, NDArray[Any]]:
+        """Start an episode in every world, or in some, and return the buffers.
+
+        Parameters
+        ----------
+        seed : int or array_like of int, shape (W,), optional
+            An int s gives world w the seed s + w. World w then plays as a `World` does after
+            ``reset(seed of w, episode=episode)``. Without a seed each world starts its own seed's
+            next episode.
+        episode : int, optional
+            The number of the seeds' episode. The default is 0; without a seed it must be left out.
+        mask : array_like of bool, shape (W,), optional
+            The worlds to reset. The default is all.
+        pursuers, evaders : array_like of int, shape (n, 2) or (W, n, 2), optional
+            First positions (row, column), the same in every world or for each world. The default is
+            random positions.
+        obstacles : MapLike, optional
+            A map for this episode, as `read_map` takes it, instead of the configuration's.
+
+        Returns
+        -------
+        dict of str to ndarray
+            The buffers.
+
+        Raises
+        ------
+        ValueError, TypeError
+            As `World.reset` does; then no world has changed.
+        """
+        if seed is None and episode != 0:
+            raise ValueError(f"episode: expected a seed with it, got episode {episode} alone")
+        own_map = None if obstacles is None else read_map(obstacles)
+        self.config.check_map(own_map)
+        self._core.reset(
+            None if seed is None else self._seeds(seed),
+            check_integer("episode", episode, 0, SEED_MAX),
+            mask=None if mask is None else self._mask(mask),
+            pursuers=self._positions("pursuers", pursuers, self.config.n_pursuers),
+            evaders=self._positions("evaders", evaders, self.config.n_evaders),
+            map=None if own_map is None else own_map.astype(np.uint8),
+        )
+        return self.buffers
+
+    def _seeds(self, seed: int | ArrayLike) -> NDArray[np.uint64]:
+        if isinstance(seed, int | np.integer):
+            first = check_integer("seed", seed, 0, SEED_MAX)
+            # Seeds are 64 bits wide and wrap around after the largest one.
+            return np.array([(first + w) % 2**64 for w in range(self.n_worlds)], np.uint64)
+        return np.ascontiguousarray(check_naturals("seeds", seed, np.uint64))
+
+    def _mask(self, given: ArrayLike) -> NDArray[np.bool_]:
+        mask = np.ascontiguousarray(given)
+        if mask.dtype != np.bool_:
+            raise TypeError(f"mask: expected dtype bool, got {mask.dtype}")
+        return mask
+
+    def _positions(self, name: str, given: ArrayLike | None, n: int) -> NDArray[np.int32] | None:
+        if given is None:
+            return None
+        array = integers(name, given)
+        everywhere = (self.n_worlds, n, 2)
+        if array.shape not in ((n, 2), everywhere):
+            raise ValueError(f"{name}: expected shape {(n, 2)} or {everywhere}, got {array.shape}")
+        # Positions too large for int32 stay outside every grid, so the engine refuses them by name.
+        whole = np.broadcast_to(array, everywhere).clip(-(2**31), 2**31 - 1)
+        return np.ascontiguousarray(whole, dtype=np.int32)
+
+    def step(self, actions: ArrayLike) -> dict[str, NDArray[Any]]:
+        """Play one round in every world and return the buffers.
+
+        Parameters
+        ----------
+        actions : array_like of int, shape (W, A)
+            See `Action`. Actions of gone agents and in ended worlds are ignored.
+
+        Returns
+        -------
+        dict of str to ndarray
+            The buffers.
+
+        Raises
+        ------
+        ValueError
+            For another shape, and for an illegal action; the message names world and agent. Then no
+            world has changed.
+        TypeError
+            If the actions are not integers.
+        """
+        self._core.step(integers("actions", actions))
+        return self.buffers
+
+    def decide(
+        self,
+        policies: Sequence[TeamPolicy | None],
+        chosen: ArrayLike,
+        agents: range,
+        actions: NDArray[np.int64],
+    ) -> None:
+        """Write the actions that policies choose at this moment for agents of one team.
+
+        A policy uses the random numbers that it has in a rollout for the same seed, episode, step
+        and agent. The worlds stay as they are.
+
+        Parameters
+        ----------
+        policies : sequence of Population, str or None
+            Populations of one genome and names of scripts; None leaves a world's actions as they
+            are.
+        chosen : array_like of int, shape (W,)
+            The place in `policies` of each world's policy.
+        agents : range
+            The agents that act; all are of one team.
+        actions : ndarray of int64, shape (W, A)
+            Where to write. Entries of gone agents, of other agents and of ended worlds stay as they
+            are.
+
+        Raises
+        ------
+        ValueError, TypeError
+            If a policy or an array does not fit the worlds; then nothing was written.
+        """
+        teams = [
+            policy if policy is None else check_team("policies", policy) for policy in policies
+        ]
+        numbers = np.ascontiguousarray(check_naturals("chosen", chosen, np.int32))
+        self._core.decide(teams, numbers, *check_agents(agents), actions)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Refuse copies and pickles: a copy could not share the caller's buffers."""
+        raise TypeError(
+            "a batch cannot be copied or pickled, because its buffers belong to the caller: "
+            "copy single worlds with world(number)"
+        )
+
+    def world(self, number: int) -> World:
+        """Return an independent copy of one world, to draw it or to plan in it."""
+        number = check_integer("world", number, 0, self.n_worlds - 1)
+        return World.at(self.config, self._core.snapshot(number))

@@ -1,0 +1,346 @@
+"""The settings of a world, fixed before its first episode."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+from enum import Enum
+from functools import cached_property
+from numbers import Real
+from typing import Any, TypeAlias, TypedDict
+
+import numpy as np
+from numpy.typing import NDArray
+from typing_extensions import Unpack
+
+from matrixworld import _core
+from matrixworld._core import Capture
+from matrixworld._util.checks import (
+    check_bool,
+    check_choice,
+    check_integer,
+    check_keywords,
+    check_real,
+)
+from matrixworld.world.conflicts import agent_name
+from matrixworld.world.maps import MapLike, read_map
+from matrixworld.world.rules import Rewards, Rules, rules_of
+
+Obstacles: TypeAlias = "float | MapLike | None"
+"""A share of the cells, a map, or no obstacles."""
+
+_SIDE = 40
+# The paper's team sizes: surrounding one evader takes up to four pursuers.
+_TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}
+
+
+class WorldSettings(TypedDict, total=False):
+    """Keyword arguments that set or change fields of a `WorldConfig`, for type checkers.
+
+    Functions that make worlds and environments accept them.
+    """
+
+    rows: int | None
+    cols: int | None
+    n_pursuers: int | None
+    n_evaders: int | None
+    fov: int
+    diagonal: bool
+    max_steps: int
+    obstacles: Obstacles
+    rewards: Rewards | None
+
+
+def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
+    if given is None:
+        return 0.0
+    if isinstance(given, bool):  # Python takes it for a number, and True for a share of 1
+        raise TypeError(f"obstacles: expected a number in [0, 1) or a map, got {given!r}")
+    if isinstance(given, float | Real):  # for the type checker, a float is no Real
+        return check_real("obstacles", given)
+    return read_map(given)
+
+
+def _all_fields(what: str, kind: type[Any], plain: object) -> dict[str, Any]:
+    """Return a copy of the values of all fields of a dataclass; refuse a missing or unknown one."""
+    if not isinstance(plain, Mapping):
+        raise TypeError(f"{what}: expected a mapping, got {type(plain).__name__}")
+    names = {item.name for item in fields(kind)}
+    if plain.keys() != names:
+        raise ValueError(f"{what}: expected {sorted(names)}, got {sorted(map(str, plain))}")
+    return dict(plain)
+
+
+def _enum_member(kind: type[Any], name: str, value: object) -> Any:
+    """Return the value of a field, the member of that name where the field is an enumeration."""
+    expected = type(getattr(kind(), name))
+    if not issubclass(expected, Enum):
+        return value
+    check_choice(name, value, expected.__members__)
+    return expected[str(value)]
+
+
+@dataclass(frozen=True, eq=False, init=False)
+class WorldConfig:
+    """The settings of a world: its rules, its size and its rewards.
+
+    Settings are checked once, here, and never change. `dataclasses.replace` makes a changed copy.
+
+    Parameters
+    ----------
+    rules : Rules or str, optional
+        The rules, or the name of a variant such as ``"SB"``. The default is ``"O"``.
+    rows, cols : int, optional
+        Size of the grid in cells, 1 to 4096 a side. The default is the size of the obstacle map,
+        or 40 without one.
+    n_pursuers, n_evaders : int, optional
+        Agents of each team, 1 to 4,194,303. The default is 8 pursuers and 30 evaders, or 20 and 5
+        where capture is by surrounding, as in the paper.
+    fov : int, optional
+        Side, in cells, of the square that an agent sees around itself; odd, at most 255. The
+        default is 11.
+    diagonal : bool, optional
+        Whether agents move in 8 directions instead of 4. The default is False.
+    max_steps : int, optional
+        Rounds after which an episode is truncated. The default is 500.
+    obstacles : float or map, optional
+        A number in [0, 1) is the share of the cells that become obstacles at every reset. They are
+        drawn uniformly, so free cells need not be connected. Anything else is a fixed map as
+        `read_map` takes it: a bool array of shape (rows, cols), rows of text, or a path. By default
+        there are no obstacles.
+    rewards : Rewards, optional
+        The rewards. The default is `Rewards()`, those of the paper.
+
+    Raises
+    ------
+    TypeError
+        If a value has a wrong type.
+    ValueError
+        If a value is out of range, for example if there are more agents than free cells.
+
+    Warns
+    -----
+    UserWarning
+        If the rules can never capture an evader.
+
+    Examples
+    --------
+    >>> import dataclasses
+    >>> from matrixworld import WorldConfig
+    >>> config = WorldConfig("SB", rows=12, cols=16, n_pursuers=6, n_evaders=2, obstacles=0.1)
+    >>> config.n_agents, config.n_actions
+    (8, 5)
+    >>> dataclasses.replace(config, diagonal=True).n_actions
+    9
+    """
+
+    rules: Rules
+    rows: int
+    cols: int
+    n_pursuers: int
+    n_evaders: int
+    fov: int
+    diagonal: bool
+    max_steps: int
+    obstacles: float | NDArray[np.bool_]
+    rewards: Rewards
+
+    def __init__(
+        self,
+        rules: Rules | str = "O",
+        *,
+        rows: int | None = None,
+        cols: int | None = None,
+        n_pursuers: int | None = None,
+        n_evaders: int | None = None,
+        fov: int = 11,
+        diagonal: bool = False,
+        max_steps: int = 500,
+        obstacles: Obstacles = None,
+        rewards: Rewards | None = None,
+    ) -> None:
+        # Written out, not generated: defaults follow from the rules and the map.
+        row = rules_of(rules)
+        terrain = _obstacles(obstacles)
+        height, width = terrain.shape if isinstance(terrain, np.ndarray) else (_SIDE, _SIDE)
+        pursuers, evaders = _TEAM_SIZES[row.capture]
+        if rewards is not None and not isinstance(rewards, Rewards):
+            raise TypeError(f"rewards: expected Rewards, got {rewards!r}")
+        values: dict[str, Any] = {
+            "rules": row,
+            "rows": height if rows is None else rows,
+            "cols": width if cols is None else cols,
+            "n_pursuers": pursuers if n_pursuers is None else n_pursuers,
+            "n_evaders": evaders if n_evaders is None else n_evaders,
+            "fov": fov,
+            "diagonal": check_bool("diagonal", diagonal),
+            "max_steps": max_steps,
+            "obstacles": terrain,
+            "rewards": Rewards() if rewards is None else rewards,
+        }
+        for name in ("rows", "cols", "n_pursuers", "n_evaders", "fov", "max_steps"):
+            values[name] = check_integer(name, values[name])
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+        self.check_map(self.map)
+        # Building the engine's form checks the ranges, so a bad config fails here and not later.
+        self.setup  # noqa: B018
+        if not row.captures:
+            warnings.warn("these rules can never capture an evader", stacklevel=2)
+
+    @classmethod
+    def of(
+        cls, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
+    ) -> WorldConfig:
+        """Return a config with some fields changed.
+
+        Parameters
+        ----------
+        config : WorldConfig, Rules or str, optional
+            The config to start from, or the rules of a new one.
+        **changes
+            Fields but `rules`, and their new values.
+
+        Returns
+        -------
+        WorldConfig
+            `config` itself if it is a WorldConfig and nothing changes.
+
+        Raises
+        ------
+        TypeError
+            For an unknown keyword, and as `WorldConfig` does.
+        ValueError
+            As `WorldConfig` does.
+        """
+        check_keywords(changes, WorldSettings.__annotations__, cls.of)
+        if isinstance(config, WorldConfig):
+            values: dict[str, Any] = {**changes}  # fields are narrower than what `__init__` takes
+            return replace(config, **values) if values else config
+        return cls(config, **changes)
+
+    @property
+    def n_agents(self) -> int:
+        """Number of agents of both teams."""
+        return self.n_pursuers + self.n_evaders
+
+    @property
+    def n_actions(self) -> int:
+        """Number of actions: 5, or 9 with diagonal moves."""
+        return 9 if self.diagonal else 5
+
+    @property
+    def map(self) -> NDArray[np.bool_] | None:
+        """The fixed obstacle map, bool of shape (rows, cols), or None without one."""
+        return self.obstacles if isinstance(self.obstacles, np.ndarray) else None
+
+    @property
+    def density(self) -> float:
+        """Share of the cells that become obstacles at a reset; 0 with a fixed map."""
+        return 0.0 if isinstance(self.obstacles, np.ndarray) else self.obstacles
+
+    def agent_name(self, agent: int) -> str:
+        """Return the name of an agent: ``pursuer_0`` and so on, then ``evader_0`` and so on."""
+        return agent_name(agent, self.n_pursuers)
+
+    def check_map(self, obstacles: NDArray[np.bool_] | None) -> None:
+        """Raise ValueError unless a map has the size of the world; None passes."""
+        if obstacles is not None and obstacles.shape != (self.rows, self.cols):
+            raise ValueError(
+                f"obstacle map: expected shape {(self.rows, self.cols)}, the rows and cols, "
+                f"got {obstacles.shape}"
+            )
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the settings as values that JSON can hold; a map becomes rows of text."""
+        plain = {item.name: getattr(self, item.name) for item in fields(self)}
+        plain["rules"] = {
+            item.name: getattr(value, "name", value)
+            for item in fields(self.rules)
+            for value in [getattr(self.rules, item.name)]
+        }
+        plain["rewards"] = {
+            item.name: getattr(value, "name", list(value) if isinstance(value, tuple) else value)
+            for item in fields(self.rewards)
+            for value in [getattr(self.rewards, item.name)]
+        }
+        if self.map is not None:
+            plain["obstacles"] = ["".join(".#"[int(cell)] for cell in row) for row in self.map]
+        return plain
+
+    @classmethod
+    def from_json(cls, plain: Mapping[str, Any]) -> WorldConfig:
+        """Return the settings that `to_json` returned.
+
+        Parameters
+        ----------
+        plain : mapping
+            All settings as plain values, such as ``episode.config`` of a recorded episode.
+
+        Returns
+        -------
+        WorldConfig
+            The same settings.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a setting is missing, unknown or not valid.
+
+        Examples
+        --------
+        A world like the recorded one:
+
+        >>> import matrixworld as mw
+        >>> episode = mw.record(mw.WorldConfig("SB", max_steps=20), "chaser", "fleer", seed=1)
+        >>> config = mw.WorldConfig.from_json(episode.config)
+        >>> config.rules == mw.VARIANTS["SB"], config.max_steps
+        (True, 20)
+        >>> start = episode.positions[0]
+        >>> world = mw.World(config)
+        >>> world.reset(
+        ...     pursuers=start[: config.n_pursuers],
+        ...     evaders=start[config.n_pursuers :],
+        ...     obstacles=episode.map,
+        ... )
+        """
+        values = _all_fields("config", cls, plain)
+        # A text would be the path of a map: plain values must not choose a file to read.
+        if not isinstance(values["obstacles"], float | int | list):
+            raise TypeError(f"obstacles: expected a number or a list, got {values['obstacles']!r}")
+        for name, kind in (("rules", Rules), ("rewards", Rewards)):
+            given = _all_fields(name, kind, values[name])
+            values[name] = kind(**{key: _enum_member(kind, key, given[key]) for key in given})
+        return cls(**values)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields; the engine's form of them is built again on demand."""
+        return {item.name: getattr(self, item.name) for item in fields(self)}
+
+    # Kept, because worlds, batches and rollouts of this config all start from it.
+    @cached_property
+    def setup(self) -> _core.Setup:
+        """The engine's form of the settings."""
+        rules = {item.name: getattr(self.rules, item.name) for item in fields(self.rules)}
+        rewards = self.rewards
+        return _core.Setup(
+            rules=_core.Rules(**rules),
+            rewards=_core.Rewards(
+                capture=rewards.by_team("capture"),
+                neighbor=rewards.by_team("neighbor"),
+                collide=rewards.by_team("collide"),
+                step=rewards.by_team("step"),
+                blame=rewards.blame,
+                capture_repeats=rewards.capture_repeats,
+            ),
+            rows=self.rows,
+            cols=self.cols,
+            n_pursuers=self.n_pursuers,
+            n_evaders=self.n_evaders,
+            fov=self.fov,
+            diagonal=self.diagonal,
+            max_steps=self.max_steps,
+            density=self.density,
+            map=None if self.map is None else self.map.astype(np.uint8),
+        )

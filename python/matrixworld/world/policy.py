@@ -1,0 +1,318 @@
+"""Policies of a team: multilayer perceptrons as flat genomes, and scripts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields
+from functools import cached_property
+from itertools import pairwise
+from typing import Any, Literal, TypeAlias, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from matrixworld import _core
+from matrixworld._util.checks import check_bool, check_choice, check_integer, shown
+from matrixworld._util.memory import NUMBER, check_memory
+from matrixworld._util.short_repr import short_repr
+from matrixworld.world.config import WorldConfig
+
+Script: TypeAlias = Literal[
+    "random",
+    "still",
+    "chaser",
+    "fleer",
+    "clumsy-chaser",
+    "hunter",
+    "surrounder",
+    "clumsy-fleer",
+    "dodger",
+]
+
+SCRIPTS: tuple[Script, ...] = get_args(Script)
+"""Names of the scripted policies.
+
+==============  ===================================================================================
+random          any action, all equally likely
+still           always stays
+chaser          moves to where the nearest adversary in view is nearest
+fleer           moves to where the nearest adversary in view is farthest
+clumsy-chaser   a chaser that takes any action in half of the steps
+clumsy-fleer    a fleer that takes any action in half of the steps
+hunter          a chaser of the nearest adversary in view to which no teammate in view is nearer
+surrounder      a chaser of the nearest free cell beside an adversary in view without a teammate
+dodger          moves to where all adversaries in view together are farthest; each cell that holds
+                some weighs ``2**14 // (1 + moves)**2``
+==============  ===================================================================================
+
+Distances are counted in moves. All scripts but random avoid obstacles and break ties at random.
+Without an adversary in view (for the surrounder: without such a cell; for the hunter: without an
+adversary of its own) hunter and surrounder keep one direction for 12 steps, and the others, except
+still, walk at random.
+"""
+
+CHANNELS = 3
+"""Channels of a view: evaders, pursuers, obstacles."""
+
+_MAX_FOV = 255  # as in a world
+_MAX_LAYER = 2**20
+
+
+@dataclass(frozen=True)
+class Network:
+    """A multilayer perceptron that maps an agent's view to an action.
+
+    It describes the shape of the network only; a genome holds the weights.
+
+    Parameters
+    ----------
+    hidden : sequence of int, optional
+        Sizes of the hidden layers; may be empty. The default is one layer of 32.
+    activation : {"relu", "tanh"}, optional
+        Activation of the hidden layers.
+    fov : int, optional
+        Side of the view, odd. The input is the flattened view, 3 * fov * fov numbers.
+    n_actions : int, optional
+        Outputs: 5, or 9 with diagonal moves.
+    sampled : bool, optional
+        Whether the action is drawn from the softmax of the outputs, or is the first largest one.
+
+    Raises
+    ------
+    ValueError
+        If a size is below 1 or above 2**20, `fov` is even, or the activation is unknown.
+    TypeError
+        If a value has a wrong type.
+
+    Notes
+    -----
+    A genome is a flat array of float32. It holds, layer by layer, the weights as an (inputs,
+    outputs) matrix in row-major order and then the biases.
+
+    Examples
+    --------
+    >>> from matrixworld import Network
+    >>> network = Network(hidden=(16, 8), fov=5)
+    >>> network.sizes, network.genome_size
+    ((75, 16, 8, 5), 1397)
+    """
+
+    hidden: tuple[int, ...] = (32,)
+    activation: Literal["relu", "tanh"] = "relu"
+    fov: int = 11
+    n_actions: int = 5
+    sampled: bool = True
+
+    def __post_init__(self) -> None:
+        # Text, bytes and mappings can be iterated over, but hold no sizes.
+        if not isinstance(self.hidden, Iterable) or isinstance(self.hidden, str | bytes | Mapping):
+            raise TypeError(f"hidden: expected a sequence of ints, got {shown(self.hidden)}")
+        sizes = tuple(check_integer("hidden", size, 1, _MAX_LAYER) for size in self.hidden)
+        # A frozen dataclass lets its fields be set in this way only.
+        object.__setattr__(self, "hidden", sizes)
+        object.__setattr__(self, "fov", check_integer("fov", self.fov, 1, _MAX_FOV))
+        object.__setattr__(self, "n_actions", check_integer("n_actions", self.n_actions))
+        if self.fov % 2 == 0:
+            raise ValueError(f"fov: expected an odd number, got {self.fov}")
+        if self.n_actions not in (5, 9):
+            raise ValueError(f"n_actions: expected 5 or 9, got {self.n_actions}")
+        check_bool("sampled", self.sampled)
+        if self.activation not in ("relu", "tanh"):
+            raise ValueError(f"activation: expected 'relu' or 'tanh', got {self.activation!r}")
+
+    @classmethod
+    def for_config(
+        cls, config: WorldConfig, hidden: tuple[int, ...] = (32,), **more: Any
+    ) -> Network:
+        """Return a network for the views and actions of a world.
+
+        Parameters
+        ----------
+        config : WorldConfig
+            The settings of the world.
+        hidden : sequence of int, optional
+            Sizes of the hidden layers.
+        **more
+            Other fields of the network.
+        """
+        return cls(hidden, fov=config.fov, n_actions=config.n_actions, **more)
+
+    @property
+    def sizes(self) -> tuple[int, ...]:
+        """Sizes of all layers: inputs, hidden layers, actions."""
+        return (CHANNELS * self.fov**2, *self.hidden, self.n_actions)
+
+    @property
+    def genome_size(self) -> int:
+        """Number of weights and biases in a genome."""
+        return sum((n_in + 1) * n_out for n_in, n_out in pairwise(self.sizes))
+
+    def layers(
+        self, genome: NDArray[np.float32]
+    ) -> list[tuple[NDArray[np.float32], NDArray[np.float32]]]:
+        """Return the weights and biases of each layer, as views of a genome.
+
+        Parameters
+        ----------
+        genome : ndarray of float32, shape (genome_size,)
+            Changing a returned array changes it.
+
+        Returns
+        -------
+        list of (ndarray, ndarray)
+            For each layer its weights, shape (inputs, outputs), and biases, shape (outputs,).
+
+        Raises
+        ------
+        ValueError
+            If the genome has another shape.
+        """
+        if genome.shape != (self.genome_size,):
+            raise ValueError(f"genome: expected shape {(self.genome_size,)}, got {genome.shape}")
+        layers, start = [], 0
+        for n_in, n_out in pairwise(self.sizes):
+            middle, end = start + n_in * n_out, start + (n_in + 1) * n_out
+            layers.append((genome[start:middle].reshape(n_in, n_out), genome[middle:end]))
+            start = end
+        return layers
+
+    def logits(self, genome: NDArray[np.float32], views: NDArray[np.uint8]) -> NDArray[np.float32]:
+        """Return the outputs of the network, computed in NumPy.
+
+        Parameters
+        ----------
+        genome : ndarray of float32, shape (genome_size,)
+            Weights and biases.
+        views : ndarray of uint8, shape (n, 3, fov, fov)
+            What agents see.
+
+        Returns
+        -------
+        ndarray of float32, shape (n, n_actions)
+            The outputs, before any softmax.
+
+        Raises
+        ------
+        ValueError
+            If the views or the genome have another shape.
+        """
+        expected = (CHANNELS, self.fov, self.fov)
+        if views.shape[1:] != expected:
+            raise ValueError(f"views: expected shape (n, {str(expected)[1:]}, got {views.shape}")
+        x = views.reshape(len(views), self.sizes[0]).astype(np.float32)
+        *hidden, last = self.layers(genome)
+        for weights, bias in hidden:
+            x = x @ weights + bias
+            x = np.maximum(x, 0) if self.activation == "relu" else np.tanh(x)
+        return x @ last[0] + last[1]
+
+    def initial(
+        self, rng: np.random.Generator, weight: float = 0.05, head: float = 0.1
+    ) -> NDArray[np.float32]:
+        """Return a random genome, with all biases 0.
+
+        Parameters
+        ----------
+        rng : numpy.random.Generator
+            The source of random numbers.
+        weight, head : float, optional
+            Standard deviations of the weights in the hidden layers and in the last layer.
+
+        Returns
+        -------
+        ndarray of float32, shape (genome_size,)
+            The genome.
+        """
+        # Twice: the random numbers of a layer come as an array of their own.
+        check_memory("genome", 2 * NUMBER * self.genome_size)
+        genome = np.zeros(self.genome_size, np.float32)
+        layers = self.layers(genome)
+        for number, (weights, _) in enumerate(layers):
+            scale = head if number == len(layers) - 1 else weight
+            weights[:] = scale * rng.standard_normal(weights.shape, dtype=np.float32)
+        return genome
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields; the engine's form of them is built again on demand."""
+        return {item.name: getattr(self, item.name) for item in fields(self)}
+
+    # Networks are compared and hashed by their fields, so the engine's form is not one of them.
+    @cached_property
+    def core(self) -> _core.Network:
+        """The engine's form of this network."""
+        return _core.Network(
+            fov=self.fov,
+            hidden=list(self.hidden),
+            n_actions=self.n_actions,
+            activation=self.activation,
+            sampled=self.sampled,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Population:
+    """Genomes of one network, which can play for a team.
+
+    Parameters
+    ----------
+    genomes : ndarray of float32, shape (n, genome_size) or (genome_size,)
+        The genomes. A single one becomes a population of one.
+    network : Network
+        The network that all of them belong to.
+
+    Raises
+    ------
+    TypeError
+        If the dtype is another or `network` is not a Network.
+    ValueError
+        If the shape is another or a number is not finite.
+    """
+
+    genomes: NDArray[np.float32]
+    network: Network
+
+    __repr__ = short_repr
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.network, Network):
+            raise TypeError(f"network: expected a Network, got {self.network!r}")
+        genomes = np.atleast_2d(self.genomes)
+        if genomes.dtype != np.float32:
+            raise TypeError(f"genomes: expected dtype float32, got {genomes.dtype}")
+        expected = (len(genomes), self.network.genome_size)
+        if genomes.shape != expected or len(genomes) == 0:
+            raise ValueError(
+                f"genomes: expected shape (n >= 1, {expected[1]}), got {np.shape(self.genomes)}"
+            )
+        if not np.isfinite(genomes).all():
+            genome, gene = np.argwhere(~np.isfinite(genomes))[0]
+            raise ValueError(
+                f"genomes: expected finite numbers, got {genomes[genome, gene]} "
+                f"(genome {genome}, number {gene})"
+            )
+        # The engine reads the genomes from one block of memory, without copying them.
+        object.__setattr__(self, "genomes", np.ascontiguousarray(genomes))
+
+
+TeamPolicy: TypeAlias = Population | Script
+"""What plays for a team: genomes of a network, or the name of a script."""
+
+
+def check_team(name: str, team: TeamPolicy) -> Any:
+    """Return the engine's form of a team policy.
+
+    Raises TypeError for another type and ValueError for an unknown script.
+    """
+    if isinstance(team, Population):
+        return team.network.core, team.genomes
+    if not isinstance(team, str):
+        raise TypeError(f"{name}: expected a Population or the name of a script, got {team!r}")
+    check_choice(name, team, SCRIPTS)
+    return team
+
+
+def check_agents(agents: range) -> tuple[int, int]:
+    """Return the first agent of a range and one past the last; its step must be 1."""
+    if not isinstance(agents, range) or agents.step != 1:
+        raise TypeError(f"agents: expected a range with step 1, got {agents!r}")
+    return agents.start, agents.stop

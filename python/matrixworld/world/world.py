@@ -1,0 +1,320 @@
+"""One world, to play and to look at from Python. `matrixworld.Batch` plays many at once."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from typing_extensions import Unpack
+
+from matrixworld import _core
+from matrixworld._util.checks import SEED_MAX, check_integer
+from matrixworld._util.memory import check_memory, thread_memory
+from matrixworld.world.arrays import array_specs, integers
+from matrixworld.world.config import WorldConfig, WorldSettings
+from matrixworld.world.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
+from matrixworld.world.maps import MapLike, read_map
+from matrixworld.world.policy import TeamPolicy, check_agents, check_team
+from matrixworld.world.rules import Rules
+from matrixworld.world.state import WorldState
+
+
+def _positions(name: str, given: ArrayLike | None, n: int) -> NDArray[np.int32] | None:
+    if given is None:
+        return None
+    array = integers(name, given)
+    if array.shape != (n, 2):
+        raise ValueError(f"{name}: expected shape {(n, 2)}, got {array.shape}")
+    # Clipped cells are still outside the grid, so the engine refuses them with its own message.
+    return np.ascontiguousarray(array.clip(-(2**31), 2**31 - 1), dtype=np.int32)
+
+
+class World(WorldState):
+    """One world of pursuers and evaders on a grid.
+
+    A new world is in its first episode of seed 0. `step` plays one round; `reset` starts another
+    episode. The results of the last step are attributes, and every array is a fresh copy.
+
+    Arrays over agents hold the pursuers first and then the evaders: A = n_pursuers + n_evaders
+    agents, of which E = n_evaders are evaders. An agent keeps its index when others disappear.
+    Cells are (row, column) from (0, 0) at the top left.
+
+    Parameters
+    ----------
+    config : WorldConfig, Rules or str, optional
+        The settings, the rules, or the name of a variant. The default is ``"O"``.
+    **changes
+        Fields of `WorldConfig` to change.
+
+    Attributes
+    ----------
+    config : WorldConfig
+        The settings.
+    keeps_conflicts : bool
+        Whether every step keeps the list of `conflicts`, as with ``explain=True``. A `Recorder`
+        sets it.
+    positions, alive, rewards, ...
+        The arrays that `matrixworld.array_specs` lists; see `WorldState`.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `WorldConfig` does.
+
+    See Also
+    --------
+    matrixworld.parallel_env : The same world as a PettingZoo environment.
+    matrixworld.Batch : Many worlds at once.
+
+    Notes
+    -----
+    A copy (`copy.deepcopy`, `pickle`) is at the same moment of the same episode, and goes on
+    independently. Where several threads of Python use one world, their calls follow each other.
+
+    Examples
+    --------
+    Two pursuers and an evader; the first pursuer moves east, the evader north.
+
+    >>> from matrixworld import Action, World
+    >>> world = World("O", rows=3, cols=4, n_pursuers=2, n_evaders=1)
+    >>> world.reset(pursuers=[[0, 0], [2, 3]], evaders=[[1, 2]])
+    >>> rewards = world.step([Action.EAST, Action.STAY, Action.NORTH])
+    >>> print(world)
+    .PE.
+    ....
+    ...P
+    >>> world.positions.tolist()
+    [[0, 1], [2, 3], [0, 2]]
+    >>> [round(float(reward), 2) for reward in rewards]
+    [0.05, -0.05, -0.15]
+    """
+
+    config: WorldConfig
+    keeps_conflicts: bool
+
+    def __init__(
+        self, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
+    ) -> None:
+        self.config = WorldConfig.of(config, **changes)
+        check_memory("world", thread_memory(self.config))
+        self._specs = array_specs(self.config)
+        self._core = _core.World(self.config.setup)
+        self._explained = False
+        self.keeps_conflicts = False
+        self.reset(0)
+
+    def reset(
+        self,
+        seed: int | None = None,
+        *,
+        episode: int = 0,
+        pursuers: ArrayLike | None = None,
+        evaders: ArrayLike | None = None,
+        obstacles: MapLike | None = None,
+    ) -> None:
+        """Start an episode.
+
+        The same seed and episode number give the same start, on every machine.
+
+        Parameters
+        ----------
+        seed : int, optional
+            Seed of the episode, 0 to 2**64 - 1. Without it the next episode of the present seed
+            starts.
+        episode : int, optional
+            Number of the episode of `seed`, 0 to 2**64 - 1. Needs a seed. The default is 0.
+        pursuers, evaders : array_like of int, shape (n, 2), optional
+            Start cells of a whole team. By default they are drawn.
+        obstacles : map, optional
+            A map for this episode only, as `read_map` takes it. By default that of the config.
+
+        Raises
+        ------
+        ValueError
+            If start cells overlap, lie outside the grid or on an obstacle, or have a wrong number;
+            if a map has another size or no room for the agents; if a number is out of range.
+        TypeError
+            If a number is not an integer.
+
+        Notes
+        -----
+        If an argument is refused, the world stays as it was.
+        """
+        if seed is None:
+            # Numbers of episodes wrap around, so that a world never runs out of them.
+            if episode != 0:
+                raise ValueError(f"episode: expected a seed with it, got episode {episode} alone")
+            key = self.seed, (self.episode + 1) % (SEED_MAX + 1)
+        else:
+            key = (
+                check_integer("seed", seed, 0, SEED_MAX),
+                check_integer("episode", episode, 0, SEED_MAX),
+            )
+        own_map = None if obstacles is None else read_map(obstacles)
+        self.config.check_map(own_map)
+        self._core.reset(
+            *key,
+            pursuers=_positions("pursuers", pursuers, self.config.n_pursuers),
+            evaders=_positions("evaders", evaders, self.config.n_evaders),
+            map=None if own_map is None else own_map.astype(np.uint8),
+        )
+        self._explained = False
+
+    def step(self, actions: ArrayLike, *, explain: bool = False) -> NDArray[np.float32]:
+        """Play one round.
+
+        Parameters
+        ----------
+        actions : array_like of int, shape (A,)
+            The actions, see `Action`. Those of agents that are gone are ignored. Where the rules
+            take turns, all actions are chosen before the first turn.
+        explain : bool, optional
+            Whether to keep the list of `conflicts`. The default is False.
+
+        Returns
+        -------
+        ndarray of float32, shape (A,)
+            The rewards.
+
+        Raises
+        ------
+        RuntimeError
+            If the episode has ended, or a round is being played turn by turn.
+        ValueError
+            If the shape is another, or the action of a living agent is out of range.
+        TypeError
+            If the actions are not integers.
+        """
+        self._require_open()
+        if self.turn:
+            raise RuntimeError(
+                f"turn {self.turn} of {self.n_turns} is next: finish the round by play_turn()"
+            )
+        keeps_list = explain or self.keeps_conflicts
+        self._core.step(integers("actions", actions), keeps_list)
+        self._explained = keeps_list
+        return self.rewards
+
+    def play_turn(self, actions: ArrayLike, *, explain: bool = False) -> NDArray[np.float32]:
+        """Play the next turn of a round.
+
+        The round is over after its last turn; then `steps` grows. Captors, involvement, fault and
+        rewards accumulate over a round. If the world terminates in the middle of a round, the
+        remaining turns have to be played as well, but nothing happens in them.
+
+        Parameters
+        ----------
+        actions : array_like of int, shape (A,)
+            Only the actions of the living `actors` are read.
+        explain : bool, optional
+            Whether to keep the list of `conflicts`; pass it in every turn of the round.
+
+        Returns
+        -------
+        ndarray of float32, shape (A,)
+            The rewards of the round so far.
+
+        Raises
+        ------
+        RuntimeError, ValueError, TypeError
+            As `step` does.
+        """
+        if not self.turn:
+            self._require_open()
+        # A list that misses the first turns of a round would be incomplete, so it is not kept.
+        wanted = explain or self.keeps_conflicts
+        keeps_list = wanted and (self._explained or not self.turn)
+        self._core.play_turn(integers("actions", actions), keeps_list)
+        self._explained = keeps_list
+        return self.rewards
+
+    def decide(self, policy: TeamPolicy, agents: range, actions: NDArray[np.int64]) -> None:
+        """Write the actions that a policy chooses at this moment for agents of one team.
+
+        The policy uses the random numbers that it has in a rollout for the same seed, episode, step
+        and agent. The world stays as it is.
+
+        Parameters
+        ----------
+        policy : Population or str
+            A population of one genome, or the name of a script.
+        agents : range
+            The agents that act; all are of one team.
+        actions : ndarray of int64, shape (A,)
+            Where to write. Entries of gone agents and of other agents stay as they are; in an ended
+            episode all do.
+
+        Raises
+        ------
+        ValueError, TypeError
+            If the policy or an array does not fit the world.
+        """
+        self._core.decide(check_team("policy", policy), *check_agents(agents), actions)
+
+    def _require_open(self) -> None:
+        if self.terminated or self.truncated:
+            raise RuntimeError("the episode has ended: call reset() before the next step")
+
+    @property
+    def n_turns(self) -> int:
+        """Turns in a round: 1 where all agents move at once, 2 for teams, A for single agents."""
+        return self._core.n_turns()
+
+    @property
+    def turn(self) -> int:
+        """Number of the next turn in the round, from 0."""
+        return self._core.turn()
+
+    @property
+    def actors(self) -> range:
+        """Indices of the agents that act in the next turn, including agents that are gone."""
+        return range(*self._core.actors())
+
+    @property
+    def conflicts(self) -> list[Conflict]:
+        """The conflicts of the last step; RuntimeError unless it had ``explain=True``."""
+        table = self.conflict_table().tolist()
+        return [conflict_of(numbers, self.config.n_pursuers) for numbers in table]
+
+    def conflict_table(self) -> NDArray[np.int32]:
+        """Return the conflicts of the last step as numbers.
+
+        Returns
+        -------
+        ndarray of int32, shape (n, 10)
+            A row for each conflict; `CONFLICT_COLUMNS` names the columns.
+
+        Raises
+        ------
+        RuntimeError
+            Unless the step had ``explain=True``.
+        """
+        if not self._explained:
+            raise RuntimeError("no list of conflicts was kept: play the step with explain=True")
+        rows = [(*record[:5], *record[5], *record[6:]) for record in self._core.conflicts()]
+        return np.array(rows, np.int32).reshape(-1, len(CONFLICT_COLUMNS))
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return all that the future of the world depends on, without the list of conflicts."""
+        return {
+            "config": self.config,
+            "moment": self._core.snapshot(),
+            "keeps_conflicts": self.keeps_conflicts,
+        }
+
+    @classmethod
+    def at(cls, config: WorldConfig, moment: dict[str, Any]) -> World:
+        """Return a world that continues from a snapshot of the engine."""
+        world = cls.__new__(cls)
+        world.__setstate__({"config": config, "moment": moment, "keeps_conflicts": False})
+        return world
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.config = state["config"]
+        self.keeps_conflicts = state["keeps_conflicts"]
+        self._specs = array_specs(self.config)
+        self._core = _core.World(self.config.setup)
+        # The engine's world starts anew with the same settings and is then set to the moment.
+        self._core.restore(state["moment"])
+        self._explained = False

@@ -1,0 +1,302 @@
+"""Files are complete or refused: atomic writes and checksums."""
+
+from __future__ import annotations
+
+import copy
+import importlib
+import os
+import pickle
+import pkgutil
+import secrets
+import stat
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from command_line import matrixworld_command
+from matrixworld._util import files, reading
+from matrixworld._util.reading import DamagedFileError
+from matrixworld.coevolution.storage.genome_file import GenomeFile
+from matrixworld.coevolution.storage.run_log import RunLog
+from matrixworld.episodes import episode, replay
+
+unix = pytest.mark.skipif(sys.platform == "win32", reason="needs links and permissions")
+
+
+def test_arrays_come_back(tmp_path):
+    arrays = {"a": np.arange(6.0).reshape(2, 3), "text": np.array("abc"), "none": np.zeros((0, 4))}
+    files.save_arrays(tmp_path / "x.npz", arrays)
+    back = files.load_arrays(tmp_path / "x.npz")
+    assert back.keys() == arrays.keys()
+    for name, array in arrays.items():
+        assert back[name].dtype == array.dtype
+        assert np.array_equal(back[name], array)
+    with np.load(tmp_path / "x.npz", allow_pickle=False) as plain:
+        assert np.array_equal(plain["a"], arrays["a"])
+
+
+def test_objects_are_not_pickled(tmp_path):
+    with pytest.raises(TypeError, match="things: expected numbers or text"):
+        files.save_arrays(tmp_path / "x.npz", {"things": np.array([{}])})
+    assert not list(tmp_path.iterdir())
+
+
+def saved_arrays(path):
+    files.save_arrays(path, {"a": np.arange(4.0)})
+    return files.load_arrays
+
+
+def saved_json(path):
+    files.save_json(path, {"a": [1, 2.5], "b": "text"})
+    return files.load_json
+
+
+@pytest.mark.parametrize("save", [saved_arrays, saved_json])
+def test_every_cut_is_refused(tmp_path, save):
+    path = tmp_path / "x"
+    load = save(path)
+    whole = path.read_bytes().rstrip()
+    for length in range(len(whole)):
+        path.write_bytes(whole[:length])
+        with pytest.raises(DamagedFileError, match=r"x: (cut|altered)"):
+            load(path)
+
+
+@pytest.mark.parametrize("save", [saved_arrays, saved_json])
+def test_every_altered_byte_is_refused(tmp_path, save):
+    path = tmp_path / "x"
+    load = save(path)
+    whole = path.read_bytes()
+    for position, byte in enumerate(whole):
+        if byte > ord(" ") or save is saved_arrays:  # white space carries no content in JSON
+            path.write_bytes(whole[:position] + bytes([byte ^ 0x11]) + whole[position + 1 :])
+            with pytest.raises(DamagedFileError, match=r"x: (cut|altered)"):
+                load(path)
+
+
+def test_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
+    path = tmp_path / "x.json"
+    files.save_json(path, {"a": 1})
+
+    def full(handle):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(OSError, match="No space left"):
+        files.save_json(path, {"a": 2})
+    assert files.load_json(path) == {"a": 1}
+    assert [item.name for item in tmp_path.iterdir()] == ["x.json"]
+
+
+def test_a_file_is_kept_under_another_name_when_it_is_replaced(tmp_path):
+    path, previous = tmp_path / "x", tmp_path / "x.previous"
+    for content in (b"first", b"second", b"third"):
+        with files.replacing(path, keep_as=previous) as file:
+            file.write(content)
+    assert path.read_bytes() == b"third"
+    assert previous.read_bytes() == b"second"
+
+
+def test_an_error_while_writing_leaves_no_file(tmp_path):
+    def interrupted():
+        with files.replacing(tmp_path / "x") as file:
+            file.write(b"half")
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        interrupted()
+    assert not list(tmp_path.iterdir())
+
+
+# Names that are not those of regular files:
+
+
+def save_episode(path):
+    EPISODE.save(path)
+
+
+WRITERS = {
+    "save_arrays": lambda path: files.save_arrays(path, {"a": np.arange(3.0)}),
+    "save_json": lambda path: files.save_json(path, {"a": 1}),
+    "Episode.save": save_episode,
+    "replay.save": lambda path: replay.save(EPISODE, path.with_suffix(".png")),
+    "RunLog": lambda path: RunLog(path).append([]),
+    "GenomeFile": lambda path: GenomeFile(path).append(np.zeros((1, 3), np.float32)),
+    "locked": lambda path: files.locked(path).__enter__(),
+}
+SMALL = mw.WorldConfig(rows=4, cols=4, n_pursuers=1, n_evaders=1, max_steps=2)
+EPISODE = mw.record(SMALL, "chaser", "fleer", seed=1)
+
+
+@unix
+@pytest.mark.parametrize("writer", WRITERS)
+@pytest.mark.parametrize("kind", ["link", "broken link", "FIFO", "directory", "device"])
+def test_only_regular_files_are_replaced(tmp_path, writer, kind):
+    path, other = tmp_path / "x.png", tmp_path / "other"
+    other.write_bytes(b"mine")
+    made = {
+        "link": lambda: path.symlink_to(other),
+        "broken link": lambda: path.symlink_to(tmp_path / "missing"),
+        "FIFO": lambda: os.mkfifo(path),
+        "directory": path.mkdir,
+        "device": lambda: path.symlink_to(os.devnull),
+    }
+    made[kind]()
+    got = {"FIFO": "a FIFO", "directory": "a directory"}.get(kind, "a symbolic link")
+    with pytest.raises(FileExistsError, match=f"x.png: expected a file, got {got}"):
+        WRITERS[writer](path)
+    assert other.read_bytes() == b"mine"
+    assert sorted(os.listdir(tmp_path)) == ["other", "x.png"]
+
+
+@unix
+@pytest.mark.parametrize("device", ["/dev/null", "/dev/stdout"])
+def test_devices_are_not_replaced(device):
+    before = os.lstat(device)
+    with pytest.raises(FileExistsError, match=f"{device}: expected a file, got a "):
+        EPISODE.save(device)
+    assert os.lstat(device).st_ino == before.st_ino
+
+
+@unix
+def test_devices_are_refused_by_commands_before_they_play(tmp_path):
+    (tmp_path / "link.npz").symlink_to(tmp_path / "other")
+    for out in ("/dev/null", tmp_path / "link.npz"):
+        said = matrixworld_command("replay", "O", "--out", f"{out}", "--force", code=2).stderr
+        assert "expected a" in said
+    (tmp_path / "m.csv").write_text("0.1,0.2\n0.3,0.4\n")
+    command = ("analyze", tmp_path / "m.csv", "--json", "/dev/null", "--force")
+    said = matrixworld_command(*command, code=2).stderr
+    assert "/dev/null: expected a file, got a device" in said
+
+
+# Temporary names:
+
+
+@unix
+def test_temporary_names_are_new_each_time_and_not_guessed(tmp_path):
+    names = set()
+    for _ in range(20):
+        with files.replacing(tmp_path / "x") as file:
+            names.add(Path(file.name).name)
+            assert files.is_temporary(Path(file.name).name)
+            assert str(os.getpid()) not in Path(file.name).name.split(".")
+    assert len(names) == 20
+
+
+@unix
+def test_a_link_with_the_temporary_name_is_not_followed(tmp_path, monkeypatch):
+    other = tmp_path / "other"
+    other.write_bytes(b"mine")
+    monkeypatch.setattr(secrets, "token_hex", lambda size: "0" * 2 * size)
+    with files.replacing(tmp_path / "x") as file:
+        link = Path(file.name)
+    link.symlink_to(other)
+    with pytest.raises(FileExistsError, match="x"), files.replacing(tmp_path / "x"):
+        pass
+    assert other.read_bytes() == b"mine"
+    assert link.is_symlink()
+
+
+def test_a_name_of_the_greatest_length(tmp_path):
+    files.save_json(tmp_path / ("x" * 250), {"a": 1})
+    assert files.load_json(tmp_path / ("x" * 250)) == {"a": 1}
+
+
+@unix
+@pytest.mark.parametrize("mask", [0o022, 0o077])
+def test_permissions_are_those_of_a_plain_open(tmp_path, mask):
+    before = os.umask(mask)
+    try:
+        files.save_json(tmp_path / "x", {"a": 1})
+        (tmp_path / "y").touch()
+    finally:
+        os.umask(before)
+    assert (tmp_path / "x").stat().st_mode == (tmp_path / "y").stat().st_mode
+
+
+@unix
+@pytest.mark.parametrize("mode", [0o600, 0o664, 0o755])
+def test_permissions_of_a_replaced_file_are_kept(tmp_path, mode):
+    files.save_json(tmp_path / "x", {"a": 1})
+    (tmp_path / "x").chmod(mode)
+    files.save_json(tmp_path / "x", {"a": 2})
+    assert stat.S_IMODE((tmp_path / "x").stat().st_mode) == mode
+
+
+@unix
+def test_only_temporary_files_are_removed(tmp_path):
+    kept = [".x.tmp.d", "x.tmp", ".hidden"]
+    for name in [*kept, ".a.tmp", ".archive.npz.123.tmp"]:
+        (tmp_path / name).touch()
+    (tmp_path / ".directory.tmp").mkdir()
+    (tmp_path / ".link.tmp").symlink_to(tmp_path / "x.tmp")
+    files.remove_temporary_files(tmp_path)
+    assert sorted(os.listdir(tmp_path)) == sorted([*kept, ".directory.tmp"])
+
+
+# Limits:
+
+
+def test_what_is_written_can_be_read(tmp_path, monkeypatch):
+    """Writers refuse what readers would refuse, and leave the old file."""
+    monkeypatch.setitem(reading.LIMITS, "JSON", 2000)
+    monkeypatch.setitem(reading.LIMITS, "npz", 2000)
+    for save, small, large in [
+        (files.save_json, {"a": 1}, {"a": "x" * 2000}),
+        (files.save_arrays, {"a": [1]}, {"a": np.zeros(300)}),
+    ]:
+        save(tmp_path / "x", small)
+        before = (tmp_path / "x").read_bytes()
+        with pytest.raises(ValueError, match=r"x: expected at most 2,000 bytes \(.*\), got "):
+            save(tmp_path / "x", large)
+        assert (tmp_path / "x").read_bytes() == before
+
+
+def test_large_episodes_are_not_compressed(tmp_path, monkeypatch):
+    monkeypatch.setattr(episode, "UNPACKED", 100)
+    monkeypatch.setattr(reading, "UNPACKED", 100)
+    EPISODE.save(tmp_path / "x")
+    assert np.array_equal(mw.Episode.load(tmp_path / "x").positions, EPISODE.positions)
+
+
+# Exceptions:
+
+
+def exceptions():
+    """Return all exception classes of the package."""
+    for module in pkgutil.walk_packages(mw.__path__, "matrixworld."):
+        if not module.name.endswith("__main__"):
+            importlib.import_module(module.name)
+    found, left = set(), [Exception]
+    while left:
+        for each in left.pop().__subclasses__():
+            left.append(each)
+            if each.__module__.startswith("matrixworld"):
+                found.add(each)
+    return found
+
+
+MADE = {
+    "FailedRunsError": lambda kind: kind({}),  # errors inside it are not equal to their copies
+    "DamagedFileError": lambda kind: kind(Path("x.npz"), "cut"),
+    "FailedError": lambda kind: kind("pursuer", "took too long"),
+    "NoEffectError": lambda kind: kind("mutation", "mutation: expected the default"),
+}
+
+
+def test_every_exception_survives_pickle_and_copy():
+    found = exceptions()
+    assert len(found) >= 6
+    for kind in found:
+        error = MADE.get(kind.__name__, lambda kind: kind("a message"))(kind)
+        error.add_note("a note") if hasattr(error, "add_note") else None
+        pickled = pickle.loads(pickle.dumps(error))  # noqa: S301
+        for again in (pickled, copy.copy(error), copy.deepcopy(error)):
+            assert type(again) is kind
+            assert str(again) == str(error) != ""
+            assert again.args == error.args
+            assert vars(again) == vars(error)

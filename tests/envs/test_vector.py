@@ -1,0 +1,419 @@
+"""VectorEnv against single worlds, Gymnasium's interface, and who owns the arrays."""
+
+from __future__ import annotations
+
+import copy
+import itertools
+import pickle
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.error import ClosedEnvironmentError
+from gymnasium.vector import AutoresetMode
+
+import matrixworld as mw
+from matrixworld.episodes.render import rgb
+from rows import config_of, random_actions
+
+MODES = list(AutoresetMode)
+NAME_IN_WORLD = {"step": "steps", "episode_number": "episode"}
+SKIPPED = {"acted", "final_obs", "_final_obs", "episode", "_episode"}
+
+
+def make(name: str = "O", n_worlds: int = 4, **settings: Any) -> mw.VectorEnv:
+    return mw.VectorEnv(config_of(name, max_steps=7), n_worlds, **settings)
+
+
+def assert_agrees(env: mw.VectorEnv, worlds: list[mw.World]) -> None:
+    for w, world in enumerate(worlds):
+        np.testing.assert_array_equal(env.observations[w], world.views())
+        np.testing.assert_array_equal(env.rewards[w], world.rewards)
+        np.testing.assert_array_equal(env.terminations[w], world.terminations)
+        np.testing.assert_array_equal(env.truncations[w], world.truncations)
+        for k, kind in enumerate(mw.KINDS):
+            np.testing.assert_array_equal(env.infos[f"cost_{kind}"][w], world.fault[:, k])
+        for key in set(env.infos) - SKIPPED - {f"cost_{kind}" for kind in mw.KINDS}:
+            name = NAME_IN_WORLD.get(key, key)
+            np.testing.assert_array_equal(env.infos[key][w], world.read(name)[name], key)
+
+
+@pytest.mark.parametrize("name", ["O", "SDB", "TO", "D"])
+def test_each_world_is_a_single_world(name: str) -> None:
+    env = make(name, state=True, autoreset_mode="Disabled")
+    env.reset(seed=5)
+    worlds = [mw.World(env.config) for _ in range(4)]
+    for w, world in enumerate(worlds):
+        world.reset(5 + w)
+    assert_agrees(env, worlds)
+    for actions in random_actions(1, 5, 7, 4, env.config.n_agents):
+        over = [world.terminated or world.truncated for world in worlds]
+        alive = np.array([world.alive for world in worlds])
+        env.step(actions)
+        np.testing.assert_array_equal(env.infos["acted"], alive & ~np.array(over)[:, None])
+        if any(over):
+            break
+        for world, chosen in zip(worlds, actions, strict=True):
+            world.step(chosen)
+        assert_agrees(env, worlds)
+    assert worlds[0].steps > 1
+
+
+# ---- Ends of episodes ------------------------------------------------------------------------
+
+
+def test_next_step_begins_the_next_episode() -> None:
+    env = make(autoreset_mode=AutoresetMode.NEXT_STEP)
+    env.reset(seed=3)
+    world = mw.World(env.config)
+    world.reset(3, episode=1)
+    actions = random_actions(2, 5, 8, 4, env.config.n_agents)
+    for step in range(7):
+        env.step(actions[step])
+        if env.infos["_episode"][0]:
+            break
+    assert (env.infos["terminated"] | env.infos["truncated"])[0]
+    assert env.infos["step"][0] == env.infos["episode"]["length"][0] > 0
+    np.testing.assert_array_equal(env.infos["final_obs"][0], env.observations[0])
+    observations, rewards, terminations, truncations, infos = env.step(actions[7])
+    assert not rewards[0].any()
+    assert not infos["acted"][0].any()
+    assert not (terminations[0] | truncations[0]).any()
+    assert infos["step"][0] == 0
+    assert infos["episode_number"][0] == 1
+    assert not infos["_episode"][0]
+    np.testing.assert_array_equal(observations[0], world.views())
+
+
+def test_same_step_begins_it_at_once() -> None:
+    env, twin = make(autoreset_mode="SameStep"), make(autoreset_mode="NextStep")
+    env.reset(seed=3)
+    twin.reset(seed=3)
+    world = mw.World(env.config)
+    for actions in random_actions(2, 5, 7, 4, env.config.n_agents):
+        env.step(actions)
+        twin.step(actions)
+        np.testing.assert_array_equal(env.infos["_final_obs"], twin.infos["_final_obs"])
+        for w in np.flatnonzero(env.infos["_episode"]):
+            np.testing.assert_array_equal(env.infos["final_obs"][w], twin.observations[w])
+            for part in ("rewards", "terminations", "truncations"):
+                np.testing.assert_array_equal(getattr(env, part)[w], getattr(twin, part)[w])
+            world.reset(3 + int(w), episode=1)
+            np.testing.assert_array_equal(env.observations[w], world.views())
+        if env.infos["_episode"].any():
+            return
+    pytest.fail("no episode ended")
+
+
+def test_disabled_waits_for_a_reset() -> None:
+    env = make(autoreset_mode="Disabled")
+    env.reset(seed=3)
+    actions = random_actions(2, 5, 8, 4, env.config.n_agents)
+    for step in range(7):
+        env.step(actions[step])
+    ended = env.infos["terminated"] | env.infos["truncated"]
+    assert ended.all()
+    env.step(actions[7])
+    assert not env.rewards.any()
+    assert not env.infos["_episode"].any()
+    first = np.array([True, False, False, False])
+    env.reset(options={"reset_mask": first})
+    np.testing.assert_array_equal(env.infos["step"] == 0, first)
+    np.testing.assert_array_equal(env.infos["episode_number"], first)
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_statistics_of_an_episode(mode: AutoresetMode) -> None:
+    """They are sums over its steps and the agents that acted in them."""
+    env = make("SB", autoreset_mode=mode)
+    env.reset(seed=1)
+    teams = slice(0, env.pursuers.size), slice(env.pursuers.size, None)
+    sums = {"return": 0.0, "agent_steps": 0, "collisions": 0, "faults": 0}
+    for actions in random_actions(4, 5, 7, 4, env.config.n_agents):
+        env.step(actions)
+        parts = env.rewards, env.infos["acted"], env.infos["involved"], env.infos["fault"]
+        for key, part in zip(sums, parts, strict=True):
+            sums[key] += np.array([[part[w, team].sum(axis=0) for team in teams] for w in range(4)])
+    assert env.infos["_episode"].all()
+    for key, expected in sums.items():
+        np.testing.assert_allclose(env.infos["episode"][key], expected, rtol=1e-5)
+    assert set(env.infos["episode"]["length"]) == {7}
+    assert not env.infos["episode"]["capture_rate"].any()
+
+
+# ---- Arrays ------------------------------------------------------------------------------------
+
+
+def leaves(value: Any) -> list[np.ndarray]:
+    return (
+        [leaf for each in value.values() for leaf in leaves(each)]
+        if isinstance(value, dict)
+        else [value]
+    )
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_what_was_returned_stays(mode: AutoresetMode) -> None:
+    """Every array of `reset` and `step` is the caller's: later steps do not change it."""
+    env = make(state=True, action_mask=True, autoreset_mode=mode)
+    returned = [env.reset(seed=0)]
+    returned += [env.step(a) for a in random_actions(2, 5, 9, 4, env.config.n_agents)]
+    once = copy.deepcopy(returned)
+    kept = [leaf for each in returned for part in each for leaf in leaves(part)]
+    inside = [env.actions, env.observations, env.rewards, *leaves(env.infos)]
+    assert not any(np.shares_memory(array, own) for array in kept for own in inside)
+    env.step(np.zeros((4, env.config.n_agents), int))
+    env.reset(seed=5)
+    for before, after in zip(once, returned, strict=True):
+        for one, other in zip(before, after, strict=True):
+            np.testing.assert_equal(one, other)
+    assert any(not np.array_equal(one[0], other[0]) for one, other in itertools.pairwise(returned))
+
+
+def test_copies_agree_with_the_arrays() -> None:
+    env = make(autoreset_mode="SameStep")
+    env.reset(seed=2)
+    for actions in random_actions(2, 5, 9, 4, env.config.n_agents):
+        observations, rewards, terminations, truncations, infos = env.step(actions)
+        np.testing.assert_array_equal(observations, env.observations)
+        np.testing.assert_array_equal(rewards, env.rewards)
+        np.testing.assert_array_equal(terminations, env.terminations)
+        np.testing.assert_array_equal(truncations, env.truncations)
+        assert infos.keys() == env.infos.keys()
+        np.testing.assert_equal(infos, env.infos)
+
+
+def test_the_same_arrays_at_every_step_without_copies() -> None:
+    env = make(state=True, copy=False, action_mask=True)
+    observations, infos = env.reset(seed=0)
+    before = [id(array) for array in leaves(infos)]
+    for actions in random_actions(2, 5, 9, 4, env.config.n_agents):
+        step = env.step(actions)
+        assert step[0] is observations
+        assert step[1:4] == (env.rewards, env.terminations, env.truncations)
+        assert [id(array) for array in leaves(step[4])] == before
+
+
+def test_teams_are_parts_of_the_same_arrays() -> None:
+    env = make()
+    env.reset(seed=0)
+    n = env.config.n_pursuers
+    for name in ("observations", "rewards", "terminations", "truncations", "actions"):
+        for team, agents in ((env.pursuers, slice(0, n)), (env.evaders, slice(n, None))):
+            part = getattr(team, name)
+            assert np.shares_memory(part, getattr(env, name))
+            np.testing.assert_array_equal(part, getattr(env, name)[:, agents])
+    for name in ("alive", "acted", "cost", "positions", "involved", "fault"):
+        assert np.shares_memory(getattr(env.evaders, name), env.infos[name])
+    assert (env.pursuers.size, env.evaders.size) == (n, env.config.n_evaders)
+    assert env.evaders.observation_space.contains(env.evaders.observations[0, 0])
+    assert env.evaders.action_space == gymnasium.spaces.Discrete(5)
+
+
+def test_actions_filled_in_place() -> None:
+    env, twin = make(), make()
+    env.reset(seed=2)
+    twin.reset(seed=2)
+    for actions in random_actions(2, 5, 5, 4, env.config.n_agents):
+        env.pursuers.actions[:] = actions[:, : env.pursuers.size]
+        env.evaders.actions[:] = actions[:, env.pursuers.size :]
+        env.step()
+        twin.step(actions)
+        np.testing.assert_array_equal(env.observations, twin.observations)
+
+
+@pytest.mark.parametrize("flatten", [False, True])
+@pytest.mark.parametrize("dtype", [np.uint8, "float32"])
+def test_views_for_networks(dtype: Any, flatten: bool) -> None:
+    env = make(dtype=dtype, flatten=flatten, autoreset_mode="SameStep")
+    plain = make(autoreset_mode="SameStep")
+    env.reset(seed=2)
+    plain.reset(seed=2)
+    shape = (4, 7, 75) if flatten else (4, 7, 3, 5, 5)
+    for actions in random_actions(2, 5, 9, 4, env.config.n_agents):
+        seen, *_, infos = env.step(actions)
+        assert (seen.shape, seen.dtype) == (shape, np.dtype(dtype))
+        np.testing.assert_array_equal(seen, plain.step(actions)[0].reshape(shape))
+        np.testing.assert_array_equal(infos["final_obs"], plain.infos["final_obs"].reshape(shape))
+
+
+# ---- Gymnasium's interface ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_spaces(mode: AutoresetMode) -> None:
+    env = make("TO", autoreset_mode=mode, dtype=np.float32, flatten=True)
+    assert isinstance(env, gymnasium.vector.VectorEnv)
+    assert env.num_envs == env.n_worlds == 4
+    assert env.metadata["autoreset_mode"] is mode
+    observations, _ = env.reset(seed=1)
+    assert env.observation_space.contains(observations)
+    assert env.single_observation_space.contains(observations[0])
+    env.action_space.seed(3)
+    for _ in range(9):
+        actions = env.action_space.sample()
+        assert env.action_space.contains(actions)
+        assert env.single_action_space.contains(actions[0])
+        assert env.observation_space.contains(env.step(actions)[0])
+    env.close()
+    env.close()
+
+
+def test_closed() -> None:
+    env = make(render_mode="rgb_array")
+    env.reset(seed=1)
+    env.close()
+    actions = np.zeros((4, env.config.n_agents), int)
+    for name, call in (
+        ("step", lambda: env.step(actions)),
+        ("reset", lambda: env.reset(seed=1)),
+        ("render", env.render),
+    ):
+        with pytest.raises(ClosedEnvironmentError, match=rf"{name}: .* closed by close\(\)"):
+            call()
+
+
+def test_seeds_are_told() -> None:
+    env = make()
+    assert env.np_random_seed != make().np_random_seed
+    told = env.np_random_seed
+    env.reset()
+    assert env.np_random_seed == tuple(env.infos["seed"]) == told
+    first = env.reset(seed=told[0])[0][0]
+    np.testing.assert_array_equal(make().reset(seed=list(told))[0][0], first)
+    env.reset(seed=9)
+    assert env.np_random_seed == (9, 10, 11, 12)
+    numbers = [generator.random() for generator in env.np_random]
+    assert numbers == [np.random.default_rng(seed).random() for seed in (9, 10, 11, 12)]
+    env.reset()
+    assert [generator.random() for generator in env.np_random] != numbers
+    env.reset(seed=9)
+    assert [generator.random() for generator in env.np_random] == numbers
+
+
+def test_a_first_reset_of_some_worlds() -> None:
+    """The other worlds have random seeds, too."""
+    seeds = [make() for _ in range(2)]
+    for env in seeds:
+        env.reset(options={"reset_mask": np.array([True, False, False, False])})
+        assert not env.infos["episode_number"].any()
+    assert len({*seeds[0].np_random_seed, *seeds[1].np_random_seed}) == 8
+
+
+def test_seeds() -> None:
+    env, other = make(), make()
+    first = env.reset(seed=9)[0]
+    np.testing.assert_array_equal(other.reset(seed=[9, 10, 11, 12])[0], first)
+    second = env.reset()[0]
+    assert not np.array_equal(first, second)
+    np.testing.assert_array_equal(other.reset()[0], second)
+    np.testing.assert_array_equal(env.reset(seed=9, options={"episode": 1})[0], second)
+    unseeded = [make().reset()[0] for _ in range(2)]
+    assert not np.array_equal(*unseeded)
+
+
+def test_a_reset_with_positions_and_map() -> None:
+    env = mw.VectorEnv("R", 2, rows=4, cols=4, n_pursuers=1, n_evaders=1, state=True)
+    ground = np.eye(4, dtype=bool)
+    env.reset(
+        seed=1,
+        options={"pursuers": [[0, 1]], "evaders": [[[1, 0]], [[2, 0]]], "obstacles": ground},
+    )
+    np.testing.assert_array_equal(env.infos["positions"], [[[0, 1], [1, 0]], [[0, 1], [2, 0]]])
+    np.testing.assert_array_equal(env.infos["state"][:, 2], [ground, ground])
+
+
+@pytest.mark.parametrize("variant", mw.VARIANTS)
+def test_make_vec(variant: str) -> None:
+    name = f"matrixworld/pursuit_evasion_{variant.lower()}_v0"
+    env = gymnasium.make_vec(name, num_envs=3, rows=12, n_evaders=2, autoreset_mode="SameStep")
+    assert isinstance(env, mw.VectorEnv)
+    assert env.n_worlds == 3
+    assert env.config.rules == mw.VARIANTS[variant]
+    assert (env.config.rows, env.config.n_evaders) == (12, 2)
+    assert env.spec is not None
+    assert "kwargs" in env.spec.to_json()
+    again = gymnasium.make_vec(env.spec)
+    np.testing.assert_array_equal(env.reset(seed=5)[0], again.reset(seed=5)[0])
+
+
+def test_make_vec_by_the_module_and_by_the_mode() -> None:
+    name = "matrixworld:matrixworld/pursuit_evasion_o_v0"
+    env = gymnasium.make_vec(name, num_envs=2, vectorization_mode="vector_entry_point")
+    module = mw.envs.pursuit_evasion_o_v0
+    twin = module.vector_env(num_envs=2)
+    np.testing.assert_array_equal(env.reset(seed=5)[0], twin.reset(seed=5)[0])
+
+
+def test_pictures() -> None:
+    env = make(render_mode="rgb_array")
+    env.reset(seed=4)
+    pictures = env.render()
+    assert pictures is not None
+    for w, picture in enumerate(pictures):
+        np.testing.assert_array_equal(picture, rgb(env.world(w).scene()))
+    assert make().render() is None
+
+
+@pytest.mark.parametrize("copied", [copy.deepcopy, pickle.dumps])
+def test_worlds_are_copied_one_by_one(copied: Any) -> None:
+    env = make()
+    env.reset(seed=4)
+    with pytest.raises(TypeError, match=r"copy single worlds with world\(number\)"):
+        copied(env)
+    np.testing.assert_array_equal(copy.deepcopy(env.world(2)).views(), env.observations[2])
+
+
+def test_environments_are_independent() -> None:
+    alone = make("SD")
+    alone.reset(seed=6)
+    one, other = make("SD"), make("SD")
+    one.reset(seed=6)
+    other.reset(seed=7)
+    for actions in random_actions(2, 5, 9, 4, one.config.n_agents):
+        alone.step(actions)
+    for actions in random_actions(2, 5, 9, 4, one.config.n_agents):
+        one.step(actions)
+        other.step(actions[::-1])
+    np.testing.assert_array_equal(alone.observations, one.observations)
+    np.testing.assert_array_equal(alone.infos["episode_number"], one.infos["episode_number"])
+
+
+@pytest.mark.parametrize(
+    ("call", "error", "says"),
+    [
+        (lambda: mw.VectorEnv("O", 0), ValueError, "n_worlds: expected at least 1, got 0"),
+        (
+            lambda: make(dtype=np.float64),
+            ValueError,
+            "dtype: expected uint8 or float32, got float64",
+        ),
+        (lambda: make(flatten=1), TypeError, "flatten: expected True or False, got 1"),
+        (lambda: make(copy=0), TypeError, "copy: expected True or False, got 0"),
+        (lambda: make(action_mask=1), TypeError, "action_mask: expected True or False, got 1"),
+        (
+            lambda: mw.VectorEnv("O", fov=1, action_mask=True),
+            ValueError,
+            "action_mask: expected a fov of at least 3, got 1",
+        ),
+        (lambda: make(state="yes"), TypeError, "state: expected True or False, got 'yes'"),
+        (
+            lambda: make(autoreset_mode="Never"),
+            ValueError,
+            "NextStep, SameStep, Disabled, got 'Never'",
+        ),
+        (lambda: make(render_mode="human"), ValueError, "None or 'rgb_array', got 'human'"),
+        (lambda: make().step(np.zeros((4, 7), int)), RuntimeError, "reset\\(\\) before the first"),
+        (
+            lambda: make().reset(options={"map": 1}),
+            ValueError,
+            "expected some of .*got \\['map'\\]",
+        ),
+        (lambda: make().reset(seed=-1), ValueError, "seed: expected 0 to .*, got -1"),
+        (lambda: make().world(4), ValueError, "world: expected 0 to 3, got 4"),
+    ],
+)
+def test_refuses(call: Any, error: type[Exception], says: str) -> None:
+    with pytest.raises(error, match=says):
+        call()

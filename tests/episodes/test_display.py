@@ -1,0 +1,210 @@
+"""Where an environment with render_mode="human" is shown."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+import io
+import pickle
+import sys
+from collections.abc import Iterator
+from types import SimpleNamespace
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from matplotlib import pyplot as plt
+from matplotlib.backend_bases import KeyEvent, key_press_handler
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+import matrixworld as mw
+from matrixworld.episodes.display import FPS, Display, Notebook, _window
+from matrixworld.episodes.render import ansi, png, rgb
+from matrixworld.episodes.render.terminal_animation import CLEAR, HOME, WRAP_OFF, WRAP_ON
+from rows import config_of
+
+
+@pytest.fixture(autouse=True)
+def naps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    """Collect the pauses instead of taking them; the clock stands still."""
+    taken: list[float] = []
+    monkeypatch.setattr("time.sleep", taken.append)
+    monkeypatch.setattr("time.monotonic", lambda: 5.0)
+    monkeypatch.setattr(mpl, "rcParams", mpl.rcParams.copy())
+    mpl.use("agg")
+    return taken
+
+
+class TerminalStream(io.StringIO):
+    encoding = "utf-8"
+
+    def isatty(self) -> bool:
+        return True
+
+
+SCENE = mw.World(config_of("O")).scene("a title")
+
+
+# ---- Terminals ---------------------------------------------------------------------------------
+
+
+def test_without_display_or_terminal_it_is_plain_text(
+    naps: list[float], capsys: pytest.CaptureFixture[str]
+) -> None:
+    env = mw.parallel_env(config_of("O"), render_mode="human")
+    env.reset(seed=0)
+    env.step(dict.fromkeys(env.agents, 0))
+    assert env.render() is None
+    env.close()
+    printed = capsys.readouterr().out
+    assert printed.isascii()
+    assert naps == []  # a file needs no time to be seen
+    assert [line for line in printed.splitlines() if line.startswith("step")] == [
+        "step 0    captured 0 of 4 (0%)   P 3  E 4",
+        "step 1    captured 0 of 4 (0%)   P 3  E 4",
+    ]
+
+
+def test_a_terminal_is_drawn_in_place(naps: list[float], monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, value in {"COLUMNS": "99", "LINES": "40", "COLORTERM": "", "TERM": "xterm"}.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    stream = TerminalStream()
+    monkeypatch.setattr(sys, "stdout", stream)
+    shown = Display()
+    for _ in range(3):
+        shown.show(SCENE)
+    shown.close()
+    monkeypatch.undo()
+    pieces = stream.getvalue().split(HOME)
+    assert pieces[0] == WRAP_OFF + CLEAR
+    assert len(pieces) == 4
+    assert pieces[1].splitlines()[0].startswith(ansi(SCENE, color="256").splitlines()[0])
+    assert pieces[1] == pieces[2] == pieces[3] + WRAP_OFF
+    assert pieces[3].endswith(WRAP_ON + "\n")
+    assert naps == pytest.approx([0, 1 / FPS, 1 / FPS])
+
+
+# ---- Windows -----------------------------------------------------------------------------------
+
+
+class DisplayCanvas(FigureCanvasAgg):
+    """A canvas that says it stands on a display."""
+
+    required_interactive_framework = "made up"
+    flushed = 0
+
+    def flush_events(self) -> None:
+        type(self).flushed += 1
+
+
+@pytest.fixture
+def display(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Figures of Matplotlib's are windows."""
+    make = plt.figure
+
+    def window() -> Figure:
+        figure = make()
+        manager = figure.canvas.manager
+        DisplayCanvas(figure).manager = manager
+        monkeypatch.setattr(figure, "show", lambda: None)
+        return figure
+
+    monkeypatch.setattr(plt, "figure", window)
+    DisplayCanvas.flushed = 0
+    yield
+    plt.close("all")
+
+
+@pytest.mark.usefixtures("display")
+def test_a_window_shows_each_picture(naps: list[float]) -> None:
+    shown = Display()
+    for title in ("before", "now"):
+        shown.show(dataclasses.replace(SCENE, title=title), fov=5, viewers=[0])
+    (number,) = plt.get_fignums()
+    figure = plt.gcf()
+    assert figure.number == number
+    assert figure.axes[0].images[0].get_array().shape == rgb(SCENE).shape
+    expected = rgb(dataclasses.replace(SCENE, title="now"), fov=5, viewers=[0])
+    np.testing.assert_array_equal(figure.axes[0].images[0].get_array(), expected)
+    height, width, _ = expected.shape
+    assert (figure.get_size_inches() * figure.dpi).round().tolist() == [width, height]
+    assert DisplayCanvas.flushed == 2
+    assert naps == pytest.approx([0, 1 / FPS])
+    shown.close()
+    assert plt.get_fignums() == []
+
+
+@pytest.mark.usefixtures("display")
+def test_each_environment_has_a_window_of_its_own() -> None:
+    envs = [mw.parallel_env(config_of("O"), render_mode="human") for _ in range(2)]
+    for env in envs:
+        env.reset(seed=0)
+    assert len(plt.get_fignums()) == 2
+    envs[0].close()
+    assert len(plt.get_fignums()) == 1
+    envs[1].step(dict.fromkeys(envs[1].agents, 0))
+    assert DisplayCanvas.flushed == 3
+    envs[1].close()
+
+
+@pytest.mark.usefixtures("display")
+def test_a_window_closed_by_its_user_stays_closed_and_nothing_waits(naps: list[float]) -> None:
+    shown = Display()
+    shown.show(SCENE)
+    canvas = plt.gcf().canvas
+    key_press_handler(KeyEvent("key_press_event", canvas, "q"), canvas)
+    assert plt.get_fignums() == []
+    shown.show(SCENE)
+    assert DisplayCanvas.flushed == len(naps) == 1
+    shown.close()
+
+
+def test_a_display_that_is_not_there_is_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    def headless() -> Figure:
+        raise ImportError("Cannot load backend 'TkAgg', as 'headless' is currently running")
+
+    monkeypatch.setattr(plt, "figure", headless)
+    assert _window() is None
+
+
+def test_no_window_is_left_where_there_is_no_display() -> None:
+    assert _window() is None
+    assert plt.get_fignums() == []
+
+
+# ---- Notebooks ---------------------------------------------------------------------------------
+
+
+def test_a_notebook_s_output_is_drawn_anew() -> None:
+    drawn: list[tuple[str, Any]] = []
+
+    class Handle:
+        def update(self, data: Any, *, raw: bool) -> None:
+            drawn.append(("update", data))
+
+    def display(data: Any, *, raw: bool, display_id: bool) -> Handle:
+        drawn.append(("display", data))
+        return Handle()
+
+    shell = SimpleNamespace(execution_count=4)
+    place = Notebook(shell, display)
+    for _ in range(3):
+        place.show(SCENE, viewers=[1])
+    shell.execution_count = 5  # another cell is run
+    for _ in range(2):
+        place.show(SCENE)
+    place.close()
+    assert [how for how, _ in drawn] == ["display", "update", "update", "display", "update"]
+    assert drawn[0][1] == {"image/png": png(SCENE, viewers=[1])}
+
+
+def test_a_copied_environment_has_no_window() -> None:
+    env = mw.parallel_env(config_of("O"), render_mode="human")
+    env.reset(seed=0)
+    for twin in (copy.deepcopy(env), pickle.loads(pickle.dumps(env))):  # noqa: S301
+        twin.step(dict.fromkeys(twin.agents, 0))
+        assert twin.recorded.length == 1
+    assert env.recorded.length == 0

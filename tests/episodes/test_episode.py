@@ -1,0 +1,218 @@
+"""Recorded episodes: arrays, files, and refused input."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from made_up_episode import made_up_episode
+from matrixworld.episodes.episode import Episode
+
+EPISODE = made_up_episode()
+ARRAYS = [
+    each.name
+    for each in dataclasses.fields(Episode)
+    if isinstance(getattr(EPISODE, each.name), np.ndarray)
+]
+
+
+def same(a: Episode, b: Episode) -> bool:
+    return (
+        a.n_pursuers == b.n_pursuers
+        and a.config == b.config
+        and all(np.array_equal(getattr(a, name), getattr(b, name)) for name in ARRAYS)
+    )
+
+
+def test_the_example_has_captures_and_faults() -> None:
+    assert EPISODE.length == 30
+    assert EPISODE.n_evaders == 7
+    assert 0 < EPISODE.capture_rate < 1
+    assert EPISODE.fault.any()
+
+
+def test_the_short_description_of_an_episode() -> None:
+    rate = f"{EPISODE.capture_rate:.2f}"
+    expected = f"<Episode: 30 steps, 5 pursuers, 7 evaders, 12 x 16 cells, capture rate {rate}>"
+    assert repr(EPISODE) == expected
+
+
+def test_round_trip(tmp_path: Path) -> None:
+    path = tmp_path / "an episode.npz"
+    EPISODE.save(path)
+    loaded = Episode.load(path)
+    assert same(loaded, EPISODE)
+    for name in ARRAYS:
+        assert getattr(loaded, name).dtype == getattr(EPISODE, name).dtype
+    assert os.listdir(tmp_path) == [path.name]
+
+
+def test_round_trip_of_an_episode_without_steps_or_evaders(tmp_path: Path) -> None:
+    episode = made_up_episode(evaders=0, steps=0)
+    episode.save(tmp_path / "short")
+    assert same(Episode.load(tmp_path / "short"), episode)
+    assert episode.capture_rate == 0
+
+
+def test_the_same_episode_gives_the_same_bytes(tmp_path: Path) -> None:
+    EPISODE.save(tmp_path / "a")
+    EPISODE.save(tmp_path / "b")
+    assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
+
+
+def test_a_cut_file_is_refused_by_name(tmp_path: Path) -> None:
+    path = tmp_path / "cut.npz"
+    EPISODE.save(path)
+    whole = path.read_bytes()
+    for length in [*range(0, len(whole), 97), len(whole) - 1]:
+        path.write_bytes(whole[:length])
+        with pytest.raises(ValueError, match=r"cut\.npz: cut, altered or not an npz file"):
+            Episode.load(path)
+
+
+def test_an_altered_file_is_refused_or_reads_the_same(tmp_path: Path) -> None:
+    path = tmp_path / "altered.npz"
+    EPISODE.save(path)
+    whole = path.read_bytes()
+    outcomes = []
+    for place in range(0, len(whole), 13):
+        path.write_bytes(whole[:place] + bytes([whole[place] ^ 0x81]) + whole[place + 1 :])
+        outcomes.append(_loaded(path))
+    refusals = [outcome for outcome in outcomes if isinstance(outcome, str)]
+    assert all("altered.npz" in refusal for refusal in refusals)
+    assert len(refusals) > len(outcomes) / 2
+    harmless = [outcome for outcome in outcomes if isinstance(outcome, Episode)]
+    assert all(same(outcome, EPISODE) for outcome in harmless)  # for example a date in the archive
+
+
+def _loaded(path: Path) -> Episode | str:
+    try:
+        return Episode.load(path)
+    except ValueError as error:
+        return str(error)
+
+
+def test_foreign_files_are_refused(tmp_path: Path) -> None:
+    path = tmp_path / "foreign"
+    path.write_text("Dear Sir")
+    with pytest.raises(ValueError, match="foreign: cut, altered or not an npz file"):
+        Episode.load(path)
+    with path.open("wb") as file:
+        np.savez(file, payoff=np.zeros(3))
+    with pytest.raises(ValueError, match="foreign: expected a file marked 'matrixworld episode 3'"):
+        Episode.load(path)
+    with path.open("wb") as file:
+        np.save(file, np.zeros(3))
+    with pytest.raises(ValueError, match="foreign: cut, altered or not an npz file"):
+        Episode.load(path)
+    with path.open("wb") as file:
+        np.savez(file, format=np.array("matrixworld episode 3"), map=np.zeros((2, 2), bool))
+    with pytest.raises(
+        ValueError, match=r"foreign: expected entries \['actions', .* got \['map'\]"
+    ):
+        Episode.load(path)
+    with pytest.raises(FileNotFoundError):
+        Episode.load(tmp_path / "missing")
+
+
+def test_objects_are_not_unpickled(tmp_path: Path) -> None:
+    path = tmp_path / "pickled"
+    with path.open("wb") as file:
+        np.savez(file, format=np.array("matrixworld episode 3"), map=np.array([{}], object))
+    with pytest.raises(
+        ValueError,
+        match=r"pickled: cut, altered or not an npz file .*numbers or text, got dtype object",
+    ):
+        Episode.load(path)
+
+
+def test_an_entry_that_does_not_fit_is_refused_by_name(tmp_path: Path) -> None:
+    path = tmp_path / "misfit"
+    EPISODE.save(path)
+    with np.load(path) as stored:
+        entries = {**stored, "alive": stored["alive"][1:]}
+    with path.open("wb") as file:
+        np.savez(file, **entries)
+    with pytest.raises(ValueError, match=r"misfit: not an episode .*alive: expected shape"):
+        Episode.load(path)
+
+
+def test_a_save_that_fails_leaves_the_old_file(tmp_path: Path) -> None:
+    path = tmp_path / "kept.npz"
+    EPISODE.save(path)
+    with pytest.raises(TypeError, match="not JSON serializable"):
+        dataclasses.replace(EPISODE, config={"map": np.zeros(2)}).save(path)
+    assert same(Episode.load(path), EPISODE)
+    assert os.listdir(tmp_path) == ["kept.npz"]
+
+
+@pytest.mark.parametrize("name", ARRAYS)
+def test_wrong_dtypes_and_shapes_are_refused(name: str) -> None:
+    array = getattr(EPISODE, name)
+    with pytest.raises(TypeError, match=f"{name}: expected an array of {array.dtype}, got complex"):
+        dataclasses.replace(EPISODE, **{name: array.astype(complex)})
+    with pytest.raises(TypeError, match=f"{name}: expected an array of {array.dtype}, got list"):
+        dataclasses.replace(EPISODE, **{name: array.tolist()})
+    with pytest.raises(ValueError, match="expected shape"):
+        dataclasses.replace(EPISODE, **{name: array[None]})
+
+
+def explained(*rows: tuple[int, ...]) -> Episode:
+    return dataclasses.replace(EPISODE, conflict_table=np.array(rows, np.int32).reshape(-1, 11))
+
+
+def test_conflicts_are_kept_in_files_and_told_by_step(tmp_path: Path) -> None:
+    episode = explained(
+        (4, 0, 1, 0, 0, 3, 2, 5, 3, 3, 0), (4, 0, 0, 0, 7, -1, -1, 3, 1, 0, 1), (9,) + (0,) * 10
+    )
+    episode.save(tmp_path / "kept.npz")
+    for each in (episode, Episode.load(tmp_path / "kept.npz")):
+        assert list(map(str, each.explain(4))) == [
+            "pursuer_0 and pursuer_3 both headed for (2, 5): both bounce",
+            "evader_2 ran into the obstacle or border at (-1, 3): evader_2 disappears",
+        ]
+        assert each.explain(4) == each.explain(-27)
+        assert each.explain(5) == []
+    assert explained().explain() == []
+
+
+def test_a_recording_without_conflicts_cannot_explain() -> None:
+    with pytest.raises(ValueError, match="conflict_table: expected a recording with conflicts"):
+        EPISODE.explain(3)
+
+
+@pytest.mark.parametrize(
+    ("column", "value", "message"),
+    [
+        (0, 0, "step: expected 1 to 30, got 0"),
+        (0, 31, "step: expected 1 to 30, got 31"),
+        (2, 3, "kind: expected 0 to 2, got 3"),
+        (3, -1, "form: expected 0 to 2, got -1"),
+        (4, 12, "first: expected 0 to 11, got 12"),
+        (5, -2, "second: expected -1 to 11, got -2"),
+        (6, 13, "row: expected -1 to 12, got 13"),
+        (10, 4, "doomed: expected 0 to 3, got 4"),
+    ],
+)
+def test_conflicts_out_of_range_are_refused(column: int, value: int, message: str) -> None:
+    row = [4, 0, 1, 0, 0, 3, 2, 5, 3, 3, 0]
+    row[column] = value
+    with pytest.raises(ValueError, match=f"conflict_table, {message}"):
+        explained(tuple(row))
+    with pytest.raises(ValueError, match=r"conflict_table: expected shape \(2, 11\), got \(2, 4\)"):
+        dataclasses.replace(EPISODE, conflict_table=np.zeros((2, 4), np.int32))
+
+
+def test_unknown_actions_are_refused() -> None:
+    actions = EPISODE.actions.copy()
+    actions[~EPISODE.alive[:-1]] = 100  # actions of gone agents are ignored
+    dataclasses.replace(EPISODE, actions=actions)
+    actions[0, 0] = 9
+    with pytest.raises(ValueError, match="actions: expected 0 to 8"):
+        dataclasses.replace(EPISODE, actions=actions)
+    with pytest.raises(ValueError, match="n_pursuers: expected 0 to 12"):
+        dataclasses.replace(EPISODE, n_pursuers=13)

@@ -1,0 +1,187 @@
+"""Episodes recorded while they are played, and replayed from their actions."""
+
+from __future__ import annotations
+
+import copy
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld.episodes import render, replay
+from rows import CUSTOM, config_of, random_actions
+
+NAMES = [*mw.VARIANTS, *CUSTOM]
+ARRAYS = (
+    *("positions", "last_positions", "alive", "captured", "ever_captured", "actions", "rewards"),
+    *("involved", "fault", "map"),
+)
+
+
+def assert_same(one: mw.Episode, other: mw.Episode) -> None:
+    acted = one.alive[:-1]
+    for name in ARRAYS:
+        left, right = getattr(one, name), getattr(other, name)
+        if name == "actions":  # actions of gone agents have no meaning
+            left, right = left[acted], right[acted]
+        np.testing.assert_array_equal(left, right, name)
+        assert left.dtype == right.dtype
+    assert one.config == other.config
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_episode_from_its_actions(name: str) -> None:
+    config = config_of(name, obstacles=0.1)
+    episode = mw.record(config, "random", "fleer", seed=12, episode=3)
+    assert_same(episode, mw.record_actions(config, episode.actions, seed=12, episode=3))
+
+
+def test_an_episode_from_given_positions() -> None:
+    config = mw.WorldConfig("R", rows=3, cols=3, n_pursuers=1, n_evaders=1)
+    ground = np.eye(3, dtype=bool)
+    where = {"pursuers": [[0, 1]], "evaders": [[2, 0]], "obstacles": ground}
+    episode = mw.record_actions(config, [[1, 1], [3, 0]], seed=1, **where)
+    np.testing.assert_array_equal(episode.positions[0], [[0, 1], [2, 0]])
+    np.testing.assert_array_equal(episode.positions[-1], [[0, 1], [1, 0]])
+    np.testing.assert_array_equal(episode.map, ground)
+    assert episode.length == 2
+
+
+@pytest.mark.parametrize("name", ["D", "SD", "TO"])
+def test_an_environment_records_its_episode(name: str, tmp_path: Path) -> None:
+    config = config_of(name, obstacles=0.1)
+    env = mw.parallel_env(config, record=True)
+    env.reset(seed=12)
+    rows = random_actions(1, config.n_actions, config.max_steps, config.n_agents)
+    for row in rows:
+        if not env.agents:
+            break
+        env.step({agent: int(row[i]) for i, agent in enumerate(env.possible_agents)})
+    assert_same(env.recorded, mw.record_actions(config, rows, seed=12))
+    env.recorded.save(tmp_path / "kept.npz")
+    assert_same(mw.Episode.load(tmp_path / "kept.npz"), env.recorded)
+    env.reset()
+    assert env.recorded.length == 0
+
+
+def test_the_aec_environment_records_whole_rounds() -> None:
+    config = config_of("TO")
+    env = mw.aec_env(config, record=True)
+    env.reset(seed=4)
+    rng = np.random.default_rng(0)
+    for agent in env.agent_iter():
+        _, _, terminated, truncated, _ = env.last()
+        done = terminated or truncated
+        env.step(None if done else int(rng.integers(env.action_space(agent).n)))
+    kept = env.unwrapped.recorded
+    assert kept.length == env.unwrapped.status.steps
+    assert_same(kept, mw.record_actions(config, kept.actions, seed=4))
+
+
+def test_a_recorder_refuses_missing_rounds() -> None:
+    world = mw.World("O", rows=6, cols=6, n_pursuers=2, n_evaders=2)
+    recorder = mw.Recorder(world)
+    with pytest.raises(RuntimeError, match="this is note 1, and the world has played 0"):
+        recorder.note([0] * 4)
+    world.step([0] * 4)
+    with pytest.raises(ValueError, match=r"actions: expected shape \(4,\), got \(3,\)"):
+        recorder.note([0] * 3)
+    with pytest.raises(TypeError, match="actions: expected integers, got dtype float64"):
+        recorder.note([0.5] * 4)
+    recorder.note([0] * 4)
+    with pytest.raises(RuntimeError, match="this is note 2, and the world has played 1"):
+        recorder.note([0] * 4)
+    world.reset(3)
+    world.step([0] * 4)
+    with pytest.raises(RuntimeError, match=r"expected begin\(\) after a reset"):
+        recorder.note([0] * 4)
+    assert recorder.episode().length == 1
+
+
+def test_a_recorder_may_begin_during_an_episode() -> None:
+    world = mw.World("S", rows=6, cols=6, n_pursuers=2, n_evaders=2)
+    whole = mw.Recorder(world)
+    rows = random_actions(5, 5, 6, 4)
+    for row in rows[:2]:
+        world.step(row)
+        whole.note(row)
+    later = mw.Recorder(world)
+    for row in rows[2:]:
+        world.step(row)
+        whole.note(row)
+        later.note(row)
+    np.testing.assert_array_equal(later.episode().positions, whole.episode().positions[2:])
+    assert later.scene().title == whole.scene().title == "step 6    captured 0 of 2 (0%)"
+
+
+@pytest.mark.parametrize("name", ["D", "SD", "O"])
+def test_the_drawing_of_the_present_moment_is_that_of_the_episode(name: str) -> None:
+    config = config_of(name, obstacles=0.1)
+    world = mw.World(config)
+    recorder = mw.Recorder(world)
+    for row in random_actions(2, 5, config.max_steps, config.n_agents):
+        if world.terminated or world.truncated:
+            break
+        world.step(row)
+        recorder.note(row)
+        shown = recorder.scene()
+        caught = int(recorder.episode().counted[-1].sum())
+        share = f"captured {caught} of 4 ({caught / 4:.0%})"
+        assert config.n_evaders != 4 or shown.title == f"step {world.steps}    {share}"
+        expected = replay.scene(recorder.episode(), title=shown.title)
+        np.testing.assert_array_equal(render.rgb(shown, cell=12), render.rgb(expected, cell=12))
+    assert world.steps > 2
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_recording_explains_every_step_as_the_world_does(name: str, tmp_path: Path) -> None:
+    config = config_of(name, obstacles=0.1)
+    episode = mw.record(config, "random", "fleer", seed=12, episode=3)
+    episode.save(tmp_path / "kept.npz")
+    world = mw.World(config)
+    world.reset(12, episode=3)
+    told = [list(world.step(row, explain=True)) and world.conflicts for row in episode.actions]
+    for recording in (episode, mw.Episode.load(tmp_path / "kept.npz")):
+        assert [recording.explain(step) for step in range(1, recording.length + 1)] == told
+        assert recording.explain() == told[-1]
+        assert recording.explain(0) == []
+    assert any(told)
+
+
+def test_environments_of_turns_record_conflicts() -> None:
+    config = config_of("TO", obstacles=0.1)
+    env = mw.aec_env(config, record=True)
+    env.reset(seed=4)
+    rng = np.random.default_rng(0)
+    for agent in env.agent_iter():
+        _, _, terminated, truncated, _ = env.last()
+        done = terminated or truncated
+        env.step(None if done else int(rng.integers(env.action_space(agent).n)))
+    kept = env.unwrapped.recorded
+    np.testing.assert_array_equal(
+        kept.conflict_table, mw.record_actions(config, kept.actions, seed=4).conflict_table
+    )
+    assert kept.conflict_table[:, 1].max() > 0
+
+
+def test_a_recorder_begins_between_rounds() -> None:
+    world = mw.World("TO", rows=6, cols=6, n_pursuers=2, n_evaders=2)
+    recorder = mw.Recorder(world)
+    world.play_turn([0] * 4)
+    with pytest.raises(RuntimeError, match=r"expected begin\(\) between two rounds, got turn 1"):
+        recorder.begin()
+
+
+def test_a_copy_of_a_recorded_world_goes_on_with_its_recording() -> None:
+    recorder = copy.deepcopy(mw.Recorder(mw.World("SB", rows=4, cols=4, n_pursuers=6, n_evaders=2)))
+    recorder.world.step([mw.Action.EAST] * 8)
+    recorder.note([mw.Action.EAST] * 8)
+    assert recorder.episode().explain(1) == recorder.world.conflicts != []
+
+
+def test_a_step_outside_the_episode_is_not_explained() -> None:
+    episode = mw.record(mw.WorldConfig("O", max_steps=5), "still", "still", seed=0)
+    for step in (6, -7):
+        with pytest.raises(IndexError, match=f"step: expected -6 to 5, got {step}"):
+            episode.explain(step)

@@ -1,0 +1,81 @@
+"""The default number of threads."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+import matrixworld as mw
+from matrixworld._util import checks
+from scripts import run
+
+
+@pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="the system binds no processes")
+def test_the_default_follows_the_affinity() -> None:
+    """A batch starts a thread for each core of the process but one; the caller works, too."""
+    output = run("""
+from pathlib import Path
+from matrixworld._util.checks import usable_cores
+
+def threads_of(*cores):
+    os.sched_setaffinity(0, cores)
+    before = len(list(Path("/proc/self/task").iterdir()))
+    batch = mw.Batch(100)
+    return len(list(Path("/proc/self/task").iterdir())) - before, usable_cores()
+
+cores = sorted(os.sched_getaffinity(0))
+print(threads_of(cores[0]))
+if len(cores) > 1:
+    print(threads_of(*cores[:2]))
+""")
+    assert output.splitlines() in ([str((0, 1))], [str((0, 1)), str((1, 2))])
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="the system lists no threads")
+def test_threads_of_a_rollout_wait_for_the_next_one() -> None:
+    """They are neither started anew nor left behind, and others take their place where asked."""
+    output = run("""
+from pathlib import Path
+
+def threads_after(threads):
+    mw.rollout("SB", "still", "still", mw.Matches.of(0, 0, np.arange(8)), threads=threads)
+    return {int(task.name) for task in Path("/proc/self/task").iterdir()} - before
+
+before = {int(task.name) for task in Path("/proc/self/task").iterdir()}
+first = threads_after(3)
+print(len(first), threads_after(3) == first, len(threads_after(2)), len(threads_after(1)))
+""")
+    assert output.split() == ["2", "True", "1", "0"]
+
+
+@pytest.mark.parametrize(
+    ("own", "limits", "cores"),
+    [
+        ("0::/\n", {}, 1024),
+        ("0::/\n", {".": "max 100000\n"}, 1024),
+        ("0::/\n", {".": "150000 100000\n"}, 1.5),
+        ("1:cpu:/x\n0::/a/b\n", {"a": "400000 100000\n", "a/b": "max 100000\n"}, 4),
+        ("0::/a/b\n", {"a": "400000 100000\n", "a/b": "50000 100000\n"}, 0.5),
+        ("4:cpu,cpuacct:/old\n", {"old": "100000 100000\n"}, 1024),
+    ],
+)
+def test_control_groups_limit_cores(
+    own: str, limits: dict[str, str], cores: float, tmp_path: Path
+) -> None:
+    (tmp_path / "own").write_text(own)
+    for folder, limit in limits.items():
+        (tmp_path / "groups" / folder).mkdir(parents=True, exist_ok=True)
+        (tmp_path / "groups" / folder / "cpu.max").write_text(limit)
+    assert checks.control_group_cores(tmp_path / "own", tmp_path / "groups") == cores
+
+
+def test_a_limited_group_gives_fewer_threads(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(checks, "control_group_cores", lambda: 0.5)
+    assert checks.usable_cores() == 1
+    assert mw.Batch(3).n_worlds == 3
+
+
+def test_a_file_that_is_missing_limits_nothing(tmp_path: Path) -> None:
+    assert checks.control_group_cores(tmp_path / "none", tmp_path) == 1024

@@ -1,0 +1,189 @@
+"""Figures of the game show what the engine does, and the rules that it plays."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle, Rectangle, RegularPolygon
+from matplotlib.text import Text
+
+import matrixworld as mw
+from matrixworld import plots
+from matrixworld.plots import board
+from matrixworld.plots.conflicts import Situation, world_of
+from matrixworld.plots.interaction import PER_TEAM
+from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS
+from reference import ReferenceWorld, records
+
+PANELS = [
+    pytest.param(situation, outcome, id=f"{situation.name}-{outcome.name}")
+    for situation in plots.SITUATIONS
+    for outcome in OUTCOME_TEXTS
+]
+
+
+def texts(figure: Figure) -> list[str]:
+    return [text.get_text() for text in figure.findobj(Text) if text.get_text()]
+
+
+def played_by_the_reference(situation: Situation, outcome: mw.Outcome) -> ReferenceWorld:
+    """Return the slow world in Python after one step of a situation."""
+    world, shown = world_of(situation, outcome)
+    reference = ReferenceWorld(world.config)
+    count = world.config.n_pursuers
+    start = world.positions
+    reference.place(start[:count].tolist(), start[count:].tolist(), world.map)
+    actions = np.zeros(world.config.n_agents, int)
+    actions[shown] = [action for _, action in situation.agents]
+    reference.step(actions.tolist())
+    return reference
+
+
+@pytest.mark.parametrize(("situation", "outcome"), PANELS)
+def test_the_outcomes_are_those_of_the_reference(situation: Situation, outcome: mw.Outcome) -> None:
+    found = plots.resolve(situation, outcome)
+    reference = played_by_the_reference(situation, outcome)
+    agents = range(len(situation.agents))
+    assert found.alive == [agent in reference.where for agent in agents]
+    assert found.cells == [reference.been[agent] for agent in agents]
+    held = {agent for clash in reference.conflicts for agent in clash.held}
+    assert found.held == held
+
+
+def test_the_situations_are_of_the_forms_and_kinds_that_they_name() -> None:
+    """In each named conflict the engine finds this form or kind, and in the others none."""
+    found = {}
+    for situation in plots.SITUATIONS:
+        world, _ = world_of(situation, mw.Outcome.BOUNCE)
+        actions = np.zeros(world.config.n_agents, int)
+        actions[: len(situation.agents)] = [action for _, action in situation.agents]
+        world.step(actions, explain=True)
+        reference = played_by_the_reference(situation, mw.Outcome.BOUNCE)
+        assert records(world.conflicts) == records(reference.conflicts)
+        found[situation.name] = {(each.kind, each.form) for each in world.conflicts}
+    assert found == {
+        "vertex": {("teammate", "vertex")},
+        "edge": {("teammate", "edge")},
+        "following": set(),
+        "cycle": set(),
+        "blocked": {("obstacle", "vertex"), ("teammate", "vertex")},
+        "obstacle": {("obstacle", "vertex")},
+        "adversary": {("adversary", "vertex")},
+    }
+
+
+def test_the_drawing_shows_the_resolution() -> None:
+    figure = plots.conflict_outcomes(title="What happens")
+    panels = np.reshape(figure.axes, (len(plots.SITUATIONS), 4))
+    for situation, row in zip(plots.SITUATIONS, panels, strict=True):
+        for axes, outcome in zip(row[1:], OUTCOME_TEXTS, strict=True):
+            result = plots.resolve(situation, outcome)
+            names = {text.get_text() for text in axes.texts if text.get_text()}
+            pursuers = len(situation.pursuers)
+            living = [agent for agent, alive in enumerate(result.alive) if alive]
+            assert names == {
+                f"P{agent}" if agent < pursuers else f"E{agent - pursuers}" for agent in living
+            }
+            for text in axes.texts:
+                team, number = text.get_text()[0], int(text.get_text()[1:])
+                agent = number + (pursuers if team == "E" else 0)
+                x, y = text.get_position()
+                # Two agents on a cell are beside each other.
+                assert (round(y), round(x)) == result.cells[agent]
+            rings = [p for p in axes.patches if isinstance(p, Circle) and not p.get_fill()]
+            held = {result.cells[agent] for agent in result.held}
+            assert {(int(p.center[1]), int(p.center[0])) for p in rings} == held
+            gone = {
+                cell for cell, alive in zip(result.cells, result.alive, strict=True) if not alive
+            }
+            assert len(axes.lines) == len(gone)
+            triangles = [p for p in axes.patches if isinstance(p, RegularPolygon)]
+            assert len(triangles) == sum(agent < pursuers for agent in living)
+            cells = [p for p in axes.patches if isinstance(p, Rectangle)]
+            assert len(cells) == situation.rows * situation.cols
+            assert axes.get_xlabel() == result.text
+    assert "What happens" in texts(figure)
+
+
+def test_moves_are_those_of_the_engine() -> None:
+    for action, (down, right) in board.MOVES.items():
+        world = mw.World(rows=5, cols=5, n_pursuers=1, n_evaders=1)
+        world.reset(0, pursuers=[[2, 2]], evaders=[[0, 0]])
+        world.step([action, mw.Action.STAY])
+        assert world.positions[0].tolist() == [2 + down, 2 + right]
+
+
+def test_the_table_shows_the_rules() -> None:
+    own = mw.Rules(mw.Interaction.SWARM_TURNS, teammate=mw.Outcome.DISAPPEAR)
+    figure = plots.rules_table({**mw.VARIANTS, "mine": own})
+    (axes,) = figure.axes
+    rows: dict[int, list[str]] = {}
+    for text in axes.texts:
+        rows.setdefault(round(text.get_position()[1]), []).append(text.get_text())
+    for row, (name, rules) in enumerate({**mw.VARIANTS, "mine": own}.items()):
+        outcomes = (rules.obstacle, rules.teammate, rules.evader, rules.pursuer)
+        assert rows[row] == [
+            "mine" if name == "mine" else f"-{name}",
+            INTERACTION_TEXTS[rules.interaction],
+            *(OUTCOME_TEXTS[outcome].split()[0] for outcome in outcomes),
+            CAPTURE_TEXTS[rules.capture],
+            "disappear" if rules.removes_captured else "stay",
+        ]
+    with pytest.raises(ValueError, match="rules: expected at least one row, got none"):
+        plots.rules_table({})
+
+
+def test_the_turns_are_those_of_the_engine() -> None:
+    everyone = list(range(2 * PER_TEAM))
+    turns = {each: [list(turn) for turn in plots.turns_of(each)] for each in mw.Interaction}
+    assert turns == {
+        mw.Interaction.SIMULTANEOUS: [everyone],
+        mw.Interaction.SWARM_TURNS: [everyone[:PER_TEAM], everyone[PER_TEAM:]],
+        mw.Interaction.AGENT_TURNS: [[agent] for agent in everyone],
+    }
+    figure = plots.interaction_models()
+    for axes, (interaction, found) in zip(figure.axes, turns.items(), strict=True):
+        assert axes.get_title().strip() == INTERACTION_TEXTS[interaction]
+        drawn = [
+            (float(line.get_xdata()[0]), int(line.get_ydata()[0]))
+            for line in axes.lines
+            if line.get_marker() in ("o", "^")
+        ]
+        assert drawn == [(turn + 0.5, agent) for turn, each in enumerate(found) for agent in each]
+
+
+FIGURES = (plots.rules_table, plots.conflict_outcomes, plots.interaction_models)
+
+
+@pytest.mark.parametrize("draw", FIGURES)
+@pytest.mark.parametrize("suffix", plots.FORMATS)
+def test_figures_are_files_of_their_suffix(draw, suffix: str, tmp_path: Path) -> None:
+    begins = {"png": b"\x89PNG\r\n\x1a\n", "pdf": b"%PDF-", "svg": b"<?xml"}
+    file = plots.save_figure(draw(), tmp_path / f"figure.{suffix}")
+    content = file.read_bytes()
+    assert content.startswith(begins[suffix])
+    assert b"<image" not in content  # vectors only
+    assert b"Date" not in content
+
+
+def test_another_suffix_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"expected a name that ends in \.png, \.pdf, \.svg, got"):
+        plots.save_figure(plots.rules_table(), tmp_path / "figure.bmp")
+    assert not list(tmp_path.iterdir())
+
+
+def test_text_of_a_figure_is_inside_of_it(tmp_path: Path) -> None:
+    for draw in FIGURES:
+        figure = draw()
+        plots.save_figure(figure, tmp_path / "figure.png")  # which lays it out
+        box = figure.bbox
+        for text in figure.findobj(Text):
+            # Axes without ticks keep labels of their default limits, which are not drawn.
+            is_tick = text.get_text().replace("\N{MINUS SIGN}", "").replace(".", "").isdigit()
+            if text.get_text().strip() and text.get_visible() and not is_tick:
+                extent = text.get_window_extent()
+                assert extent.x0 >= box.x0 - 1, text.get_text()
+                assert extent.x1 <= box.x1 + 1, text.get_text()

@@ -1,0 +1,407 @@
+"""Every figure can be saved without a display and shows the given numbers."""
+
+from __future__ import annotations
+
+import io
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
+from PIL import Image
+
+from matrices import circular, logistic
+from matrixworld import analysis, plots
+from matrixworld._util import colors
+
+PNG = b"\x89PNG\r\n\x1a\n"
+
+
+@pytest.fixture
+def payoff() -> np.ndarray:
+    return logistic(31)
+
+
+@pytest.fixture
+def cycle() -> np.ndarray:
+    return circular(31)
+
+
+def saved(figure: Figure) -> Image.Image:
+    file = io.BytesIO()
+    figure.savefig(file, format="png")
+    assert file.getvalue().startswith(PNG)
+    return Image.open(file)
+
+
+def hexes(artists: list[object]) -> list[str]:
+    return [to_hex(a.get_color()).upper() for a in artists]  # type: ignore[attr-defined]
+
+
+def labels(axes: Axes) -> tuple[str, str]:
+    return axes.get_xlabel(), axes.get_ylabel()
+
+
+def legend_texts(figure: Figure) -> list[str]:
+    return [text.get_text() for legend in figure.legends for text in legend.get_texts()]
+
+
+def test_heatmap_shows_the_matrix_with_pursuers_upwards(payoff: np.ndarray) -> None:
+    figure = plots.payoff_heatmap(payoff, title="A race")
+    axes, colorbar = figure.axes
+    (image,) = axes.images
+    np.testing.assert_array_equal(image.get_array(), payoff)
+    assert image.origin == "lower"
+    assert image.get_clim() == (0.0, 1.0)
+    assert axes.get_title() == "A race"
+    assert labels(axes) == ("evader generation", "pursuer generation")
+    assert colorbar.get_ylabel().startswith("capture rate")
+    above, below = (line.get_xydata() for line in axes.lines)
+    np.testing.assert_array_equal(above, below[:, ::-1])
+    # Corners of cells only: no line crosses a cell of equal generations.
+    assert set(np.abs(above[:, 0] - above[:, 1])) == {0.0, 1.0}
+    assert (above[:, 1] - above[:, 0]).min() == 0
+    np.testing.assert_array_equal(above % 1, 0.5)
+    assert saved(figure).size == tuple(round(plots.DPI * s) for s in figure.get_size_inches())
+
+
+def test_heatmap_of_an_oblong_matrix_marks_equal_generations_only() -> None:
+    figure = plots.payoff_heatmap(np.full((8, 5), 0.5))
+    axes = figure.axes[0]
+    assert (*axes.get_xlim(), *axes.get_ylim()) == (-0.5, 4.5, -0.5, 7.5)
+    for line in axes.lines:
+        np.testing.assert_array_equal(line.get_xydata()[[0, -1]], [[-0.5, -0.5], [4.5, 4.5]])
+    saved(figure)
+
+
+def test_generalization_curves_and_baselines(payoff: np.ndarray) -> None:
+    figure = plots.generalization_curves(
+        payoff,
+        pursuer_baselines={"trained on random evaders": 0.7},
+        evader_baselines={"trained on random pursuers": 0.1, "on trained pursuers": 0.3},
+    )
+    (axes,) = figure.axes
+    scores = analysis.generalization(payoff)
+    for line, expected in zip(axes.lines, [*scores, [0.7] * 2, [0.1] * 2, [0.3] * 2], strict=True):
+        np.testing.assert_allclose(line.get_ydata(), expected)
+    assert hexes(axes.lines) == [
+        colors.PURSUER, colors.EVADER, colors.PURSUER, colors.EVADER, colors.EVADER,
+    ]  # fmt: skip
+    assert len({line.get_linestyle() for line in axes.lines[3:]}) == 2
+    assert labels(axes) == ("generation", "mean score")
+    assert legend_texts(figure) == [
+        "pursuers: capture rate",
+        "evaders: 1 - capture rate",
+        "trained on random evaders",
+        "trained on random pursuers",
+        "on trained pursuers",
+    ]
+    saved(figure)
+
+
+def episodes_of(payoff: np.ndarray, count: int = 6) -> np.ndarray:
+    """Return capture rates of single episodes around those of a matrix."""
+    noise = np.random.default_rng(0).normal(0, 0.2, (*payoff.shape, count))
+    return np.clip(payoff[..., None] + noise, 0, 1)
+
+
+def test_generalization_curves_show_the_interval_over_episodes(payoff: np.ndarray) -> None:
+    scores = episodes_of(payoff)
+    figure = plots.generalization_curves(scores, per_episode=True)
+    (axes,) = figure.axes
+    expected = analysis.generalization(scores.mean(axis=2))
+    for line, curve in zip(axes.lines, expected, strict=True):
+        np.testing.assert_allclose(line.get_ydata(), curve)
+    pursuers, evaders, _ = axes.collections
+    for drawn, band in zip(
+        (pursuers, evaders), analysis.generalization_over_episodes(scores), strict=True
+    ):
+        heights = drawn.get_paths()[0].vertices[:, 1]
+        assert heights.min() == pytest.approx(band.low.min())
+        assert heights.max() == pytest.approx(band.high.max())
+    assert legend_texts(figure)[-1] == "95% interval over episodes"
+    saved(figure)
+    single = plots.generalization_curves(scores[:, :, :1], per_episode=True)
+    assert not single.axes[0].collections
+    assert len(legend_texts(single)) == 2
+
+
+def test_a_long_title_is_wrapped(payoff: np.ndarray) -> None:
+    title = "runs/2026/a-directory-with-a-long-name/generalist-generalist, seed 0\nforgetting"
+    for draw in (plots.payoff_heatmap, plots.generalization_curves, plots.lag_profile_curve):
+        figure = draw(payoff, title=title)  # type: ignore[operator]
+        saved(figure)
+        lines = figure.axes[0].get_title().split("\n")
+        assert lines[-1] == "forgetting"
+        assert "".join(lines[:-1]).replace(" ", "") == title.split("\n")[0].replace(" ", "")
+        box = figure.axes[0].title.get_window_extent()
+        assert box.x0 >= 0
+        assert box.x1 <= figure.bbox.width
+
+
+def test_a_baseline_outside_the_unit_interval_is_refused(payoff: np.ndarray) -> None:
+    with pytest.raises(ValueError, match=r"baseline 'far off' with finite values.*got 1.2"):
+        plots.generalization_curves(payoff, evader_baselines={"far off": 1.2})
+
+
+def test_lag_profile_is_solid_where_it_rests_on_enough_cells(payoff: np.ndarray) -> None:
+    figure = plots.lag_profile_curve(payoff)
+    (axes,) = figure.axes
+    faint, solid, zero = axes.lines
+    profile = analysis.lag_profile(payoff)
+    np.testing.assert_array_equal(faint.get_xdata(), profile.lags)
+    np.testing.assert_array_equal(faint.get_ydata(), profile.means)
+    np.testing.assert_array_equal(solid.get_xdata(), np.arange(-26, 27))
+    assert list(zero.get_xdata()) == [0, 0]
+    assert labels(axes) == ("lag: pursuer minus evader generation", "mean capture rate")
+    saved(figure)
+
+
+def test_training_curve_colours_each_piece_by_the_team_that_learns() -> None:
+    rates, learners = [0.5, 0.9, 0.2, 0.8], [0, 0, 1, 0]
+    figure = plots.training_curve(rates, learners, generations=[1, 1, 1, 2], unit="team phase")
+    (axes,) = figure.axes
+    curve, points = axes.collections
+    assert isinstance(curve, LineCollection)
+    pieces = np.array(curve.get_segments())
+    np.testing.assert_allclose(pieces[:, 0], [[1, 0.5], [2, 0.9], [3, 0.2]])
+    np.testing.assert_allclose(pieces[:, 1], [[2, 0.9], [3, 0.2], [4, 0.8]])
+    assert [to_hex(c).upper() for c in curve.get_colors()] == [
+        colors.PURSUER, colors.EVADER, colors.PURSUER,
+    ]  # fmt: skip
+    assert [to_hex(c).upper() for c in points.get_facecolors()] == [
+        colors.TEAMS[team] for team in learners
+    ]
+    assert labels(axes) == ("team phase", "capture rate")
+    assert legend_texts(figure) == ["pursuers learn", "evaders learn"]
+    (top,) = axes.child_axes
+    assert top.get_xlabel() == "generation"
+    assert list(top.get_xticks()) == [1, 4]
+    assert [tick.get_text() for tick in top.get_xticklabels()] == ["1", "2"]
+    saved(figure)
+
+
+def test_a_training_curve_shows_only_the_teams_that_learn() -> None:
+    together = plots.training_curve([0.1, 0.4, 0.3], None)
+    assert not together.legends
+    pieces = together.axes[0].collections[0]
+    assert to_hex(pieces.get_colors()[0]) == colors.INK.lower()
+    alone = plots.training_curve([0.1, 0.4, 0.3], [1, 1, 1])
+    assert [text.get_text() for text in alone.legends[0].get_texts()] == ["evaders learn"]
+
+
+def test_a_smoothed_training_curve_keeps_the_raw_one_behind() -> None:
+    rates = np.tile([0.2, 0.8], 100)
+    figure = plots.training_curve(rates, np.zeros(200, dtype=int), window=2)
+    raw, smooth = figure.axes[0].collections
+    np.testing.assert_allclose(np.array(raw.get_segments())[:, 0, 1], rates[:-1])
+    np.testing.assert_allclose(np.array(smooth.get_segments())[1:, 0, 1], 0.5)
+    saved(figure)
+
+
+def test_the_moving_average_has_fewer_points_at_the_ends() -> None:
+    figure = plots.training_curve([0.0, 0.3, 0.6, 0.9], [0, 0, 1, 1], window=3)
+    smooth = np.array(figure.axes[0].collections[1].get_segments())
+    np.testing.assert_allclose(smooth[:, 0, 1], [0.15, 0.3, 0.6])
+    assert smooth[-1, 1, 1] == pytest.approx(0.75)
+    wide = plots.training_curve([0.0, 0.5, 1.0], [0, 0, 1], window=100).axes[0].collections[1]
+    np.testing.assert_allclose(np.array(wide.get_segments())[:, 0, 1], [0.25, 0.5])
+
+
+def test_a_training_curve_of_one_point_can_be_drawn() -> None:
+    saved(plots.training_curve([0.5], [1]))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (([0.5, 2.0], [0, 1]), r"values in \[0, 1\], got 2.0"),
+        (([[0.5]], [0]), r"1 dimension.*got shape \(1, 1\)"),
+        (([0.5, 0.6], [0, 2]), r"shape \(2,\), 0 for pursuers.*values \[0, 2\]"),
+        (([0.5, 0.6], [0]), r"learners of shape \(2,\).*got shape \(1,\)"),
+    ],
+)
+def test_training_curve_refuses_bad_input(arguments: tuple[list, list], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        plots.training_curve(*arguments)
+
+
+def test_training_curve_refuses_bad_options() -> None:
+    with pytest.raises(ValueError, match="window of at least 1 point, got 0"):
+        plots.training_curve([0.5, 0.5], [0, 1], window=0)
+    with pytest.raises(ValueError, match=r"generations of shape \(2,\), got \(3,\)"):
+        plots.training_curve([0.5, 0.5], [0, 1], generations=[1, 1, 1])
+
+
+def test_collisions_have_a_panel_a_team_and_a_line_a_kind() -> None:
+    rates = np.arange(4 * 2 * 3, dtype=float).reshape(4, 2, 3)
+    figure = plots.collision_rates(rates)
+    for team, (axes, name) in enumerate(zip(figure.axes, ("pursuers", "evaders"), strict=True)):
+        assert axes.get_title() == name
+        assert axes.get_xlabel() == "generation"
+        assert hexes(axes.lines) == [color.upper() for color in colors.CONFLICTS]
+        for kind, line in enumerate(axes.lines):
+            np.testing.assert_array_equal(line.get_ydata(), rates[:, team, kind])
+    assert figure.axes[0].get_ylabel() == "collisions per 1000 agent-steps"
+    assert figure.axes[0].get_ylim()[0] == 0.0
+    assert legend_texts(figure) == ["with obstacle", "with teammate", "with adversary"]
+    saved(figure)
+
+
+@pytest.mark.parametrize(
+    ("rates", "message"),
+    [
+        (np.zeros((4, 3)), r"shape \(G, 2, 3\), got \(4, 3\)"),
+        (np.zeros((0, 2, 3)), r"got \(0, 2, 3\)"),
+        (np.full((1, 2, 3), -1.0), "at least 0, got -1.0"),
+        (np.full((1, 2, 3), np.nan), "at least 0, got nan"),
+    ],
+)
+def test_collisions_refuse_bad_input(rates: np.ndarray, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        plots.collision_rates(rates)
+
+
+def test_comparison_puts_races_side_by_side(payoff: np.ndarray, cycle: np.ndarray) -> None:
+    races = {"specialists": cycle, "generalists": payoff}
+    figure = plots.comparison(races, title="Two races")
+    maps, lags, scores = np.array(figure.axes[:6]).reshape(3, 2)
+    for column, (name, matrix) in enumerate(races.items()):
+        image = maps[column].images[0]
+        np.testing.assert_array_equal(image.get_array(), matrix)
+        assert image.get_clim() == (0.0, 1.0)
+        assert maps[column].get_title() == name
+        profile = analysis.lag_profile(matrix)
+        np.testing.assert_array_equal(lags[column].lines[0].get_ydata(), profile.means)
+        for line, curve in zip(scores[column].lines, analysis.generalization(matrix), strict=True):
+            np.testing.assert_array_equal(line.get_ydata(), curve)
+    assert figure.get_suptitle() == "Two races"
+    assert len(legend_texts(figure)) == 2
+    saved(figure)
+
+
+def heads(figure: Figure, races: int) -> list[tuple[str, str]]:
+    """Return the numbers and the judgement above each heat map."""
+    return [tuple(text.get_text() for text in axes.texts[:2]) for axes in figure.axes[:races]]
+
+
+def judged(payoff: np.ndarray) -> analysis.Judgement:
+    return analysis.judge(payoff, episodes=100)
+
+
+def test_comparison_says_what_was_judged(payoff: np.ndarray, cycle: np.ndarray) -> None:
+    judgements = {"a": judged(cycle), "b": judged(payoff)}
+    figure = plots.comparison({"a": cycle, "b": payoff}, judgements)
+    (first, cycling), (second, race) = heads(figure, 2)
+    assert first.startswith("last half: transitive share 0.0")
+    assert second.startswith("last half: transitive share 0.9")
+    assert second.endswith("checkerboards 0.0%")
+    assert [cycling, race] == [analysis.headline(each) for each in judgements.values()]
+    assert "cycling" in cycling
+    assert "arms race" in race
+
+
+def test_comparison_claims_nothing_without_a_judgement(
+    payoff: np.ndarray, cycle: np.ndarray
+) -> None:
+    figure = plots.comparison({"a": cycle, "b": payoff}, {"b": judged(payoff)})
+    assert [verdict for _, verdict in heads(figure, 2)] == ["", "arms race (last half)"]
+
+
+@pytest.mark.parametrize("races", [1, 3, 5])
+def test_the_names_of_compared_races_are_inside_the_figure(cycle: np.ndarray, races: int) -> None:
+    judgement = judged(cycle)
+    names = [str(race) for race in range(races)]
+    figure = plots.comparison(dict.fromkeys(names, cycle), dict.fromkeys(names, judgement))
+    saved(figure)
+    for axes in figure.axes[:races]:
+        assert axes.title.get_window_extent().y1 < figure.bbox.height
+
+
+def test_many_compared_races_are_in_rows(payoff: np.ndarray) -> None:
+    names = [f"some-job-of-{n}/O-seed{n}/generalist-generalist, seed {n}" for n in range(10)]
+    figure = plots.comparison(dict.fromkeys(names, payoff), dict.fromkeys(names, judged(payoff)))
+    assert saved(figure).width < 2700
+    heatmaps = [axes for axes in figure.axes if axes.images and axes.get_title()]
+    assert [each.get_title().replace("\n", "").replace(" ", "") for each in heatmaps] == [
+        name.replace(" ", "") for name in names
+    ]
+    boxes = [each.title.get_window_extent() for each in heatmaps]
+    assert min(box.x0 for box in boxes) >= 0
+    assert max(box.x1 for box in boxes) <= figure.bbox.width
+    for number, box in enumerate(boxes):
+        assert not any(box.overlaps(other) for other in boxes[number + 1 :])
+        assert not any(box.overlaps(text.get_window_extent()) for text in heatmaps[number].texts)
+    (legend,) = figure.legends
+    assert 0 <= legend.get_window_extent().x0 < legend.get_window_extent().x1 <= figure.bbox.width
+
+
+@pytest.mark.parametrize("races", [1, 2, 3, 5])
+def test_the_legend_of_a_comparison_is_inside_the_figure(payoff: np.ndarray, races: int) -> None:
+    scores = dict.fromkeys(map(str, range(races)), episodes_of(payoff))
+    figure = plots.comparison(scores, per_episode=True)
+    saved(figure)
+    box = figure.legends[0].get_window_extent()
+    assert 0 <= box.x0 < box.x1 <= figure.bbox.width
+    (image,) = figure.axes[0].images
+    np.testing.assert_allclose(image.get_array(), scores["0"].mean(axis=2))
+
+
+def test_comparison_of_a_race_that_has_not_moved_yet() -> None:
+    figure = plots.comparison({"new": np.full((2, 2), 0.5)})
+    assert heads(figure, 1) == [("last half: no variance", "")]
+    saved(figure)
+
+
+def test_comparison_needs_a_race() -> None:
+    with pytest.raises(ValueError, match="at least one race to draw, got none"):
+        plots.comparison({})
+
+
+def test_plots_need_neither_pyplot_nor_a_display() -> None:
+    code = (
+        "import sys, io; from matrixworld import plots;"
+        "plots.payoff_heatmap([[0, 1], [1, 0]]).savefig(io.BytesIO());"
+        "assert 'matplotlib.pyplot' not in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_colors_need_no_matplotlib() -> None:
+    assert colors.TEAMS == (colors.PURSUER, colors.EVADER) == ("#D55E00", "#0072B2")
+    assert len(set(colors.CONFLICTS)) == 3
+
+
+def test_generalization_over_seeds_shows_means_and_intervals(payoff: np.ndarray) -> None:
+    rng = np.random.default_rng(3)
+    seeds = [np.clip(payoff + rng.normal(0, 0.1, payoff.shape), 0, 1) for _ in range(4)]
+    scores = [0.2, 0.3, 0.35, 0.1]
+    figure = plots.generalization_over_seeds(
+        {"one": seeds, "two": [payoff]}, evader_baselines={"one": {"trained alone": scores}}
+    )
+    one, two = figure.axes
+    bands = analysis.race_bands(seeds)
+    for line, band in zip(
+        one.lines, (bands.pursuer_generalization, bands.evader_generalization), strict=False
+    ):
+        np.testing.assert_allclose(line.get_ydata(), band.mean)
+    level = analysis.interval_over_runs(scores, bounds=(0, 1))
+    assert one.lines[2].get_ydata()[0] == pytest.approx(level.value)
+    (span,) = one.patches
+    assert (span.get_y(), span.get_y() + span.get_height()) == pytest.approx(
+        (level.low, level.high)
+    )
+    # A single seed has no interval.
+    assert len(two.collections) == 0
+    assert [axes.get_title() for axes in figure.axes] == ["one", "two"]
+    assert "trained alone" in legend_texts(figure)
+    assert labels(one) == ("generation", "mean score (0 to 1)")
+    saved(figure)
+    with pytest.raises(ValueError, match="baselines: expected names of one, got 'two'"):
+        plots.generalization_over_seeds({"one": seeds}, pursuer_baselines={"two": {"x": [0.5]}})
+    with pytest.raises(ValueError, match="expected at least one race to draw, got none"):
+        plots.generalization_over_seeds({})

@@ -1,0 +1,179 @@
+"""Figures of several seeds show the given numbers, at any number of groups and seeds."""
+
+from __future__ import annotations
+
+import io
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+
+from matrixworld import analysis, plots
+from matrixworld._util import colors
+
+RNG = np.random.default_rng(0)
+EPISODES = RNG.binomial(1, 0.5, (11, 13, 13, 4)).astype(float)
+"""Scores of 11 runs of 13 generations."""
+MATRICES = EPISODES.mean(axis=3)
+
+
+def judged(seeds: int) -> analysis.Judgement:
+    return analysis.judge(EPISODES[:seeds], per_episode=True)
+
+
+def saved(figure: Figure) -> None:
+    figure.savefig(io.BytesIO(), format="png")
+
+
+def thick(axes: Axes) -> list[np.ndarray]:
+    """Return the heights of the mean curves: the thick lines."""
+    return [
+        np.asarray(line.get_ydata())
+        for line in axes.lines
+        if line.get_linewidth() > 1.0 and len(line.get_xdata()) > 2
+    ]
+
+
+def test_bands_show_means_and_intervals_over_seeds() -> None:
+    figure = plots.seed_bands({"one": MATRICES[:4], "two": MATRICES[4:6]}, {"one": judged(4)})
+    scores, other, strength, _, lags, _ = figure.axes
+    bands = analysis.race_bands(MATRICES[:4])
+    for axes, expected in (
+        (scores, (bands.pursuer_generalization, bands.evader_generalization)),
+        (strength, (bands.pursuer_ratings, bands.evader_ratings)),
+        (lags, (bands.lag_profile,)),
+    ):
+        for drawn, band, filled in zip(thick(axes), expected, axes.collections, strict=True):
+            np.testing.assert_allclose(drawn, band.mean)
+            heights = filled.get_paths()[0].vertices[:, 1]
+            assert heights.min() == pytest.approx(band.low.min())
+            assert heights.max() == pytest.approx(band.high.max())
+    assert scores.get_title() == f"one\n4 seeds\n{analysis.headline(judged(4))}"
+    assert other.get_title() == "two\n2 seeds"
+    assert [axes.get_ylabel() for axes in figure.axes[::2]] == [
+        "mean score", "Elo rating (points)", "mean capture rate",
+    ]  # fmt: skip
+    assert scores.get_xlabel() == "generation"
+    assert strength.get_ylim() == figure.axes[3].get_ylim()
+    saved(figure)
+
+
+def test_single_seeds_are_thin_lines_if_there_are_few() -> None:
+    few = plots.seed_bands({"few": MATRICES[:10]})
+    many = plots.seed_bands({"many": MATRICES})
+    assert len(few.axes[0].lines) == 2 + 2 * 10
+    assert len(many.axes[0].lines) == 2
+    texts = [[text.get_text() for text in f.legends[0].get_texts()] for f in (few, many)]
+    assert ["single seed" in labels for labels in texts] == [True, False]
+
+
+def test_a_single_seed_has_no_band() -> None:
+    figure = plots.seed_bands({"alone": MATRICES[:1]})
+    assert not figure.axes[0].collections
+    assert figure.axes[0].get_title() == "alone\n1 seed: no band"
+    saved(figure)
+
+
+def test_runs_of_different_lengths_have_a_band_while_there_are_several() -> None:
+    figure = plots.seed_bands({"mixed": [MATRICES[0], MATRICES[1][:8, :8]]})
+    assert len(thick(figure.axes[0])[0]) == 13
+    saved(figure)
+
+
+@pytest.mark.parametrize("groups", [1, 3, 6])
+def test_all_groups_are_inside_the_figure(groups: int) -> None:
+    names = [f"a schedule with a long name, number {n}" for n in range(groups)]
+    figure = plots.seed_bands(dict.fromkeys(names, MATRICES[:2]), title="All of them")
+    saved(figure)
+    titles = [axes.title for axes in figure.axes if axes.get_title()]
+    assert len(titles) == groups
+    for box in (title.get_window_extent() for title in titles):
+        assert box.x0 >= 0
+        assert box.x1 <= figure.bbox.width
+        assert box.y1 <= figure.bbox.height
+    assert figure.get_suptitle() == "All of them"
+
+
+def cells(axes: Axes) -> list[Rectangle]:
+    return [patch for patch in axes.patches if isinstance(patch, Rectangle)]
+
+
+def test_the_strip_has_a_cell_for_each_verdict() -> None:
+    judgement = judged(3)
+    figure = plots.verdict_strip({"a": judgement}, {"a": (2, 5, 9)}, {"a": (7,)})
+    (axes,) = figure.axes
+    findings = judgement.headline.findings
+    looks = {"present": colors.BLUE, "absent": colors.GRID, "cannot tell": colors.PAPER}
+    drawn = {(round(c.get_x()), round(c.get_y())): c for c in cells(axes)}
+    for column, run in ((0, 0), (1, 1), (3, 2)):
+        for row, finding in enumerate(findings.values()):
+            patch = drawn[column, row]
+            expected = tuple(int(looks[finding.by_run[run]][k : k + 2], 16) for k in (1, 3, 5))
+            assert tuple(round(255 * part) for part in patch.get_facecolor()[:3]) == expected
+    assert all(drawn[2, row].get_hatch() for row in range(6))
+    labels = [tick.get_text() for tick in axes.get_xticklabels()]
+    assert labels == ["2", "5", "7", "9", "all together"]
+    words = [text.get_text() for text in axes.texts]
+    assert words[-6:] == [finding.verdict for finding in findings.values()]
+    assert axes.get_title(loc="left") == f"a: {analysis.headline(judgement)}"
+    legend = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert legend == ["present", "absent", "cannot tell", "not finished"]
+    saved(figure)
+
+
+def test_many_seeds_have_cells_without_words() -> None:
+    seeds = tuple(range(11))
+    figure = plots.verdict_strip({"a": judged(11)}, {"a": seeds}, {"a": tuple(range(11, 40))})
+    (axes,) = figure.axes
+    assert len(axes.texts) == 6
+    assert len(cells(axes)) == 6 * 41
+    assert figure.get_figwidth() <= 16
+
+
+def test_a_strip_needs_a_seed_for_each_run() -> None:
+    with pytest.raises(ValueError, match="seeds: expected 3 of a, got 2"):
+        plots.verdict_strip({"a": judged(3)}, {"a": (0, 1)})
+
+
+def test_scores_show_profiles_and_interquartile_means() -> None:
+    scores = {"a": {"pursuer": RNG.random((7, 5)), "evader": RNG.random((7, 5))},
+              "b": {"pursuer": RNG.random((3, 5)), "evader": RNG.random((3, 5))}}  # fmt: skip
+    figure = plots.seed_scores(scores)
+    profiles, middles, _, evaders = figure.axes
+    for line, of_group in zip(profiles.lines, scores.values(), strict=True):
+        expected = analysis.performance_profile(of_group["pursuer"]).shares.mean
+        np.testing.assert_allclose(line.get_ydata(), expected)
+    # Seven seeds have a band and an interval, three have neither.
+    assert len(profiles.collections) == 1
+    a = analysis.interquartile_mean(scores["a"]["pursuer"])
+    bar, diamond, other = middles.lines
+    np.testing.assert_allclose(bar.get_xdata(), [a.low, a.high])
+    np.testing.assert_allclose(diamond.get_xdata(), a.value)
+    b = analysis.interquartile_mean(scores["b"]["pursuer"])
+    np.testing.assert_allclose(other.get_xdata(), b.value)
+    dots = np.asarray(middles.collections[0].get_offsets())[:, 0]
+    np.testing.assert_allclose(dots, scores["a"]["pursuer"].mean(axis=1))
+    labels = [tick.get_text() for tick in middles.get_yticklabels()]
+    assert labels == ["a (7 seeds)", "b (3 seeds)"]
+    assert (profiles.get_xlabel(), evaders.get_xlabel()) == (
+        "threshold of the capture rate",
+        "escape rate",
+    )
+    saved(figure)
+
+
+@pytest.mark.parametrize(
+    ("draw", "message"),
+    [
+        (lambda: plots.seed_bands({}), "at least one group of runs to draw, got none"),
+        (lambda: plots.verdict_strip({}, {}), "at least one group of runs to draw, got none"),
+        (lambda: plots.seed_scores({}), "at least one group of runs to draw, got none"),
+        (lambda: plots.seed_bands({"a": []}), "at least one run, got none"),
+        (lambda: plots.seed_scores({"a": {"pursuer": [0.5]}}), "scores of a with 2 dimension"),
+    ],
+)
+def test_bad_input_is_refused(draw, message: str) -> None:  # type: ignore[no-untyped-def]
+    with pytest.raises(ValueError, match=message):
+        draw()

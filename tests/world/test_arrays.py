@@ -1,0 +1,98 @@
+"""The table of output arrays: its descriptions, and that arrays are written in full."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable
+from dataclasses import fields
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld.envs import INFO_KEYS
+from matrixworld.world.arrays import BATCH_FIELDS, WORLD_FIELDS, OutputField, Specs
+from rows import config_of, random_actions
+
+LETTERS = {
+    "agents": "A",
+    "evaders": "E",
+    "kinds": "3",
+    "teams": "2",
+    "row_col": "2",
+    "channels": "3",
+}
+ROW = re.compile(r"^(\w+) +\((.*?)\) +(\w+) +\S", re.MULTILINE)
+N_WORLDS = 3
+
+
+@pytest.mark.parametrize(
+    ("specs", "table"),
+    [(mw.array_specs, WORLD_FIELDS), (mw.episode_specs, BATCH_FIELDS)],
+)
+def test_every_field_is_described(
+    specs: Callable[..., Specs], table: dict[str, OutputField]
+) -> None:
+    described = {
+        name: (shape, dtype) for name, shape, dtype in ROW.findall(inspect.getdoc(specs) or "")
+    }
+    assert list(described) == list(table)
+    for name, (shape, dtype) in described.items():
+        axes = tuple(LETTERS.get(axis, axis) for axis in table[name].axes)
+        assert tuple(re.findall(r"\w+", shape)) == axes
+        assert dtype == table[name].dtype
+
+
+def test_moments_are_listed() -> None:
+    """The last paragraph of `array_specs` names the arrays of the present moment."""
+    moments = {name for name, field in WORLD_FIELDS.items() if field.written == "moment"}
+    paragraph = (inspect.getdoc(mw.array_specs) or "").split("\n\n")[-1]
+    assert set(re.findall(r"``(\w+)``", paragraph)) == moments
+
+
+@pytest.mark.parametrize("views", [np.uint8, np.float32])
+def test_arrays_are_written_in_full_and_nothing_else_is(views: type) -> None:
+    """Whatever is in memory before, each array ends up the same, and its surroundings unchanged."""
+    config = config_of("SB", obstacles=0.1, max_steps=3)
+    specs = mw.array_specs(config) | mw.episode_specs(config)
+    written = []
+    for fill in (0x00, 0xEE):
+        blocks = {}
+        for name, (shape, dtype) in specs.items():
+            chosen = np.dtype(views if name.endswith("views") else dtype)
+            size = int(np.prod((N_WORLDS, *shape))) * chosen.itemsize
+            block = np.full(size + 16, fill, np.uint8)
+            blocks[name] = block, block[8:-8].view(chosen).reshape(N_WORLDS, *shape)
+        buffers = {name: array for name, (_, array) in blocks.items()}
+        batch = mw.Batch(N_WORLDS, config, buffers=buffers)
+        batch.reset(4)
+        for actions in random_actions(1, config.n_actions, 3, N_WORLDS, config.n_agents):
+            batch.step(actions)
+        assert buffers["ended"].all()
+        for block, _ in blocks.values():
+            assert (block[:8] == fill).all()
+            assert (block[-8:] == fill).all()
+        written.append(buffers)
+    for name, array in written[0].items():
+        np.testing.assert_array_equal(array, written[1][name], name)
+
+
+def test_every_output_is_in_infos() -> None:
+    """In infos under its own name, or one of the arrays that environments return otherwise."""
+    env = mw.VectorEnv(config_of("O"), 2, state=True)
+    returned = {"rewards", "terminations", "truncations", "views", "last_positions"}
+    renamed = {"steps", "ended", "final_views"}
+    statistics = {name for name in BATCH_FIELDS if name.startswith("episode_")}
+    assert {name.removeprefix("episode_") for name in statistics} == set(env.infos["episode"])
+    named = {*WORLD_FIELDS, *BATCH_FIELDS} - returned - renamed - statistics
+    assert named <= set(env.infos)
+    of_agents = {name for name, field in WORLD_FIELDS.items() if field.axes == ("agents", "kinds")}
+    assert {f"{name}_{kind}" for name in of_agents for kind in mw.KINDS} <= set(INFO_KEYS)
+
+
+def test_statistics_of_batches_are_statistics_of_rollouts() -> None:
+    names = {field.name for field in fields(mw.EpisodeStatistics)}
+    for name in (name for name in BATCH_FIELDS if name.startswith("episode_")):
+        statistic = name.removeprefix("episode_")
+        assert statistic in names or {f"pursuer_{statistic}", f"evader_{statistic}"} <= names
