@@ -1,4 +1,4 @@
-"""Settings of the random tests, and the two worlds that every case of the rules is played in."""
+"""The option for slow tests, settings of the random ones, and the two worlds of every case."""
 
 from __future__ import annotations
 
@@ -22,6 +22,17 @@ settings.register_profile(
 settings.register_profile(
     "long", max_examples=5000, database=None, deadline=None, suppress_health_check=SLOW
 )
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--slow", action="store_true", help="run the tests that are marked as slow")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if not config.getoption("--slow"):
+        for item in items:
+            if "slow" in item.keywords:
+                item.add_marker(pytest.mark.skip(reason="slow: give --slow"))
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -140,6 +140,7 @@ def small(directory: Path, **changes: Any) -> ClassResult:
     return play_class(directory, CONFIG, limits=Limits(seconds=5, wait=20.0), **given)
 
 
+@pytest.mark.slow
 def test_equal_results_with_any_threads_and_any_company(tmp_path: Path) -> None:
     write_programs(tmp_path, honest_programs(4))
     one, other = small(tmp_path, threads=1), small(tmp_path, threads=3)

@@ -402,6 +402,7 @@ def test_a_real_ctrl_c(tmp_path):
     assert results(Path("out")) == results(tmp_path / "straight")
 
 
+@pytest.mark.slow
 def test_resume_of_a_finished_job_prints_the_same(job, copy):
     before = {path: path.read_bytes() for path in copy.rglob("*.*") if path.is_file()}
     page = before.pop(copy / "explorer.html").decode()

@@ -164,6 +164,7 @@ def test_ctrl_c_in_a_terminal_says_how_to_continue_and_leaves_no_process():
     assert {path.name for path in Path("out").iterdir()} == {MAIN_JOB[0], "job.json", ".lock"}
 
 
+@pytest.mark.slow
 @posix
 def test_killed_at_some_moments_and_resumed_ends_the_same(monkeypatch):
     """After the file of the job, in the first runs, and in the last one."""

@@ -123,6 +123,7 @@ def test_a_killed_worker_is_replaced_by_another(dask: DaskCluster, tmp_path: Pat
     check_equal(place, settings, tmp_path / "alone")
 
 
+@pytest.mark.slow
 def test_a_frozen_worker_does_no_harm(dask: DaskCluster, tmp_path: Path) -> None:
     first, _ = dask.workers(2)
     settings, place = races(3, **SLOW), tmp_path / "many"
@@ -140,6 +141,7 @@ def test_a_frozen_worker_does_no_harm(dask: DaskCluster, tmp_path: Path) -> None
     dask.kill(first)  # it may live on, but no scheduler knows it
 
 
+@pytest.mark.slow
 def test_a_race_that_kills_workers_is_named(dask: DaskCluster, tmp_path: Path) -> None:
     dask.workers(3)
     place = tmp_path / "many"
@@ -157,6 +159,7 @@ def test_a_race_that_kills_workers_is_named(dask: DaskCluster, tmp_path: Path) -
     check_equal(place, good, tmp_path / "alone")
 
 
+@pytest.mark.slow
 def test_interrupted_tasks_stop_and_continue(dask: DaskCluster, tmp_path: Path) -> None:
     dask.workers(2)
     settings, place = races(3, **{**SLOW, "generations": 8}), tmp_path / "many"

@@ -102,6 +102,7 @@ def test_one_response_takes_no_cluster(run: Path, tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path) -> None:
     out = tmp_path / "out"
     # Several seconds: it is stopped in its middle.

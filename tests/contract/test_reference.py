@@ -1,6 +1,6 @@
 """The compiled world against the slow one, on random small crowded worlds of all rules.
 
-``pytest --hypothesis-profile=long tests/contract/test_reference.py`` looks much longer.
+``pytest --slow --hypothesis-profile=long tests/contract/test_reference.py`` looks much longer.
 """
 
 from __future__ import annotations
@@ -81,6 +81,7 @@ def test_every_row_of_rules(adversary: str, interaction: str) -> None:
             compare(random_scene(fields, rng))
 
 
+@pytest.mark.slow
 def test_links_that_share_a_cell() -> None:
     """Evaders that may share a cell and be held there one after another are rare elsewhere."""
     fields = {"obstacle": "B", "teammate": "R", "adversary": "BR", "capture": "surround"}
@@ -150,6 +151,7 @@ def assert_apart(before: dict, after: dict, pairs: list[tuple[int, int]]) -> Non
             assert not swapped, f"{a} and {b} swapped"
 
 
+@pytest.mark.slow
 @MANY
 @given(scenes(teammate=["B"]))
 def test_teammates_that_bounce_stay_apart(scene: Scene) -> None:
@@ -159,6 +161,7 @@ def test_teammates_that_bounce_stay_apart(scene: Scene) -> None:
         assert_apart(before, after, pairs)
 
 
+@pytest.mark.slow
 @MANY
 @given(scenes(adversary=[pair for pair in FIELDS["adversary"] if pair != "RR"]))
 def test_adversaries_stay_apart_unless_both_reach(scene: Scene) -> None:
@@ -182,6 +185,7 @@ def test_an_agent_stays_or_does_what_it_set_out_to_do(scene: Scene) -> None:
                 assert not scene.obstacles[row, col]
 
 
+@pytest.mark.slow
 @MANY
 @given(scenes())
 def test_the_reports_agree_with_each_other(scene: Scene) -> None:

@@ -141,6 +141,7 @@ assert codes == [0] * 10
 """)
 
 
+@pytest.mark.slow
 def test_forks_in_the_middle_of_steps() -> None:
     """The batch of a step in progress is refused in the child, and can be deleted and replaced."""
     output = forked(f"""

@@ -150,6 +150,7 @@ np.testing.assert_array_equal(world.views(), mw.World("TO").views())
 """)
 
 
+@pytest.mark.slow
 def test_actions_that_another_thread_writes() -> None:
     """No action that was not checked is played: each is read once."""
     run("""

@@ -22,6 +22,7 @@ FEW = {
     "bench_evolve": ["--generations", "1", "--epochs", "2"],
 }
 """Options of each script for a short run."""
+SLOW = ("bench_evolve", "bench_scaling")
 
 
 def load(name: str, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
@@ -38,7 +39,9 @@ def test_all_benchmarks_are_tested() -> None:
     assert sorted(FEW) == sorted(path.stem for path in FOLDER.glob("bench_*.py"))
 
 
-@pytest.mark.parametrize("name", FEW)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow if name in SLOW else ()) for name in FEW]
+)
 def test_benchmark_runs(name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.syspath_prepend(FOLDER)
     monkeypatch.chdir(tmp_path)

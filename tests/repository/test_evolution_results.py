@@ -14,6 +14,7 @@ from evolution_scripts import SCRIPTS, run_quickly
 from matrixworld.coevolution import open_run
 
 
+@pytest.mark.slow
 def test_hall_of_fame_compares_two_kinds_of_race(tmp_path: Path) -> None:
     printed = run_quickly("hall_of_fame", tmp_path)
     assert "| living opponents only | halls of fame | difference | |" in printed
@@ -69,6 +70,7 @@ def test_archives_are_compared_at_one_budget(tmp_path: Path) -> None:
     assert printed.count("\n| latest |") == printed.count("\n| maxsolve |") == 1
 
 
+@pytest.mark.slow
 def test_paper_claims_prints_intervals_and_writes_numbers(tmp_path: Path) -> None:
     printed = run_quickly("paper_claims", tmp_path)
     table = (tmp_path / "paper_claims/claims.md").read_text()
@@ -88,6 +90,7 @@ def test_paper_claims_prints_intervals_and_writes_numbers(tmp_path: Path) -> Non
 NUMBER = r"-?\d+\.\d+"
 
 
+@pytest.mark.slow
 def test_committed_claims_follow_from_committed_numbers(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -126,6 +129,7 @@ def test_verdict_on_a_claim(
     assert script.Claim("it is so", "a number", estimate, side).verdict == verdict
 
 
+@pytest.mark.slow
 def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: Path) -> None:
     evolve = partial(run_quickly, "evolve_held_out", tmp_path)
     assert "O done\nSB done\nWritten: held_out.npz" in evolve()

@@ -50,6 +50,7 @@ def test_an_unknown_schedule_is_refused(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_generalisation_compares_at_equal_matches_and_reuses_its_runs(tmp_path: Path) -> None:
     told = quick("generalisation", tmp_path)
     assert {path.name for path in tmp_path.iterdir()} == {"generalisation.png", "runs"}
@@ -99,6 +100,7 @@ def test_generalisation_refuses_runs_of_other_settings(script: ModuleType, tmp_p
         script.played(script.FULL, tmp_path / "race")
 
 
+@pytest.mark.slow
 def test_the_deap_example_is_determined_by_its_seed(tmp_path: Path) -> None:
     told = quick("deap_example", tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == ["deap_example.png"]
@@ -199,6 +201,7 @@ def test_safe_coevolution_evaluates_each_champion_separately(script: ModuleType)
             np.testing.assert_allclose(rates, 1000 * collisions / steps, rtol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("script", ["catching_fleers"], indirect=True)
 def test_catching_fleers_tests_every_training_in_teams_of_several_sizes(
     script: ModuleType, tmp_path: Path

@@ -14,6 +14,7 @@ from recipes import Recipe, copy_project, read_recipes, run
 
 RECIPES = read_recipes()
 MOST_FILES_OF_AN_OUTPUT = 3
+QUICK = ("An opponent sampler", "A measure")
 
 
 def test_every_kind_of_extension_has_a_recipe() -> None:
@@ -65,12 +66,17 @@ def project(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize(
     "recipe",
-    [pytest.param(each, id=each.title) for each in RECIPES if not each.needs_compiler],
+    [
+        pytest.param(each, id=each.title, marks=() if each.title in QUICK else pytest.mark.slow)
+        for each in RECIPES
+        if not each.needs_compiler
+    ],
 )
 def test_a_recipe_in_python(recipe: Recipe, project: Path) -> None:
     follow([recipe], project)
 
 
+@pytest.mark.slow
 def test_the_recipes_with_a_compiler(project: Path) -> None:
     """All of them in one copy, so that the engine is compiled once."""
     follow([recipe for recipe in RECIPES if recipe.needs_compiler], project)

@@ -62,6 +62,7 @@ def test_aggregates_over_runs_are_withheld_below_six_and_cover_from_ten_on(
         assert all(row.given >= 0.85 * row.repetitions for row in rows if row.samples >= 6)
 
 
+@pytest.mark.slow
 def test_the_script_writes_counts_and_their_table(script: ModuleType, tmp_path: Path) -> None:
     printed = run_quickly("interval_coverage", tmp_path)
     counts = script.read_counts(tmp_path / "coverage/coverage.csv")

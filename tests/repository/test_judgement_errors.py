@@ -85,6 +85,7 @@ def follows(tables: ModuleType, results: Path) -> bool:
     return bool(tables.report_of(results) == (results / "errors.md").read_text(encoding="utf-8"))
 
 
+@pytest.mark.slow
 def test_quick_benchmark_writes_tables_that_follow_from_counts(
     run: Callable[..., str], tables: ModuleType, tmp_path: Path
 ) -> None:
@@ -112,6 +113,7 @@ def test_quick_benchmark_writes_tables_that_follow_from_counts(
     assert sum(races.values()) <= 28 * 2 * len(CONDITIONS)
 
 
+@pytest.mark.slow
 def test_an_interrupted_benchmark_continues(
     run: Callable[..., str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

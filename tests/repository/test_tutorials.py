@@ -17,6 +17,8 @@ NOTEBOOKS = sorted(TUTORIALS.glob("[0-9]*.ipynb"))
 SOLUTIONS = sorted((TUTORIALS / "solutions").glob("[0-9]*.py"))
 SECONDS_A_CELL = 300
 LARGEST = 1_000_000  # bytes
+QUICK_CHAPTERS = (1, 4, 9)
+"""The notebooks that run without `--slow`: rules, a race and its analysis, and safety."""
 
 each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.stem for path in NOTEBOOKS])
 each_solution = pytest.mark.parametrize("path", SOLUTIONS, ids=[path.stem for path in SOLUTIONS])
@@ -38,7 +40,17 @@ def test_every_notebook_has_solutions() -> None:
     assert [path.stem for path in SOLUTIONS] == [path.stem for path in NOTEBOOKS]
 
 
-@each_notebook
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(
+            path,
+            id=path.stem,
+            marks=() if chapter(path) in QUICK_CHAPTERS else pytest.mark.slow,
+        )
+        for path in NOTEBOOKS
+    ],
+)
 @pytest.mark.filterwarnings("default")  # Jupyter has warnings of its own
 def test_notebook_runs(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     import nbformat

@@ -153,7 +153,7 @@ def stop_at(share):
     return report
 
 
-@pytest.mark.parametrize("kind", ["threads", "processes"])
+@pytest.mark.parametrize("kind", [pytest.param("threads", marks=pytest.mark.slow), "processes"])
 def test_ctrl_c_ends_all_runs_within_a_second_and_the_same_call_continues(kind, tmp_path):
     settings = [tiny_race(seed=seed, **LONG) for seed in range(3)]
     options = {"executor": ThreadPoolExecutor(2)} if kind == "threads" else {"threads": 2}
@@ -193,6 +193,7 @@ def test_a_stop_of_an_earlier_start_does_not_stop_a_later_one(tmp_path):
         new.check()
 
 
+@pytest.mark.slow
 def test_tasks_that_an_earlier_start_left_behind_end_and_the_later_start_waits(
     tmp_path, monkeypatch
 ):

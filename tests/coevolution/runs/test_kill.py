@@ -48,6 +48,7 @@ def seconds_of(kind, directory):
     return time.monotonic() - began
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", RUNS)
 def test_killed_at_random(kind, tmp_path):
     """The moments are spread over the whole life of a process: creation, training, the end.
