@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 
 from matrixworld import WorldConfig
-from matrixworld._util.reading import LIMITS
 from matrixworld.classroom import Limits, play_class
 from matrixworld.classroom.policy_process import MODULES
 from matrixworld.classroom.seat import CAN_FORK, Seat
 from matrixworld.classroom.system_calls import ALLOWED
+from matrixworld.classroom.untrusted import MOST_BYTES
 from matrixworld.cli.class_tournament import class_command
 
 PAGE = (Path(__file__).parents[2] / "docs" / "class.md").read_text(encoding="utf-8")
@@ -53,7 +53,7 @@ def test_limits_and_options_are_those_of_the_command() -> None:
     }
     assert set(re.findall(r"`(--[\w-]+)", PAGE)) <= {*options, "--no-open"}
     assert f"allows {len(ALLOWED)} of them" in PAGE
-    assert (LIMITS["program"], LIMITS["genome"]) == (256 << 10, 8 << 20)
+    assert (MOST_BYTES["program"], MOST_BYTES["genome"]) == (256 << 10, 8 << 20)
 
 
 def test_all_modules_that_programs_may_import_are_listed() -> None:

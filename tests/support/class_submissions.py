@@ -218,7 +218,7 @@ def write_hostile_files(directory: Path) -> dict[str, str]:
         "no team.npz": "expected an array 'team'",
         "many layers.npz": "hidden: expected at most 16 layers, got 1000",
         "cut.npz": "cut, altered or not an npz file",
-        "pickle.npz": "expected numbers or text, got dtype object",
+        "pickle.npz": "expected dtype of kind f and 1 dimensions, got dtype object",
         "large.npz": "expected at most 8,388,608 bytes",
         "bomb.npz": "expected arrays of at most 268,435,456 bytes",
         "long.py": "expected at most 262,144 bytes",

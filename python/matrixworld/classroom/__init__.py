@@ -4,6 +4,7 @@ Programs run in processes that can compute in memory and answer, and can do noth
 is played in the process of the teacher, which never runs a line of a program.
 
 ==================  ================================================================================
+untrusted.py        reading files that may be anything
 submissions.py      what lies in the directory of a class
 genome_file.py      a genome with its network as a file
 admission.py        who may play: programs are loaded and tried

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from matrixworld._util.checks import check_integer, check_number
-from matrixworld._util.reading import MIB
 
 MOST_SECONDS = 3600
 
@@ -58,7 +57,7 @@ def apply(limits: Limits, files: int | None) -> None:
     """
     import resource
 
-    hard = {"RLIMIT_AS": _address_space() + limits.memory * MIB, "RLIMIT_CORE": 0}
+    hard = {"RLIMIT_AS": _address_space() + limits.memory * 2**20, "RLIMIT_CORE": 0}
     if files is not None:
         hard |= {
             "RLIMIT_FSIZE": 0,  # of regular files; connections and /dev/null have no size

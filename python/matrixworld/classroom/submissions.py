@@ -15,7 +15,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import Literal, TypeAlias
 
-from matrixworld._util.reading import DamagedFileError, kind_of_file, one_line, read_content
+from matrixworld._util.reading import DamagedFileError, one_line
+from matrixworld.classroom.untrusted import kind_of_file, read_content
 from matrixworld.coevolution.types import Team
 from matrixworld.world.policy import TeamPolicy
 

@@ -1,0 +1,212 @@
+"""Genomes as files: written and read, and whatever else a stranger may hand in is refused."""
+
+from __future__ import annotations
+
+import io
+import os
+import signal
+import socket
+import struct
+import sys
+import tracemalloc
+import zipfile
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from matrixworld.classroom import load_genome, save_genome
+from matrixworld.classroom.untrusted import MOST_BYTES, MOST_UNPACKED, read_content
+from matrixworld.coevolution import DamagedFileError
+from matrixworld.play import NetworkPolicy
+from matrixworld.world.policy import Network
+
+LITTLE_MEMORY = 100 * 2**20
+SECONDS = 20
+
+
+@pytest.mark.parametrize(
+    "network",
+    [
+        Network(),
+        Network((), fov=3),
+        Network((7, 5), activation="tanh", fov=5, n_actions=9, sampled=False),
+    ],
+)
+def test_a_genome_is_read_as_it_was(network: Network, tmp_path: Path) -> None:
+    policy = NetworkPolicy(network, network.initial(np.random.default_rng(1)))
+    save_genome(tmp_path / "a.npz", "evader", policy)
+    team, population = load_genome(tmp_path / "a.npz")
+    assert (team, population.network) == ("evader", network)
+    np.testing.assert_array_equal(population.genomes[0], policy.genome)
+
+
+def test_numpy_writes_such_a_file_too(tmp_path: Path) -> None:
+    network = Network((4,), fov=3)
+    genome = network.initial(np.random.default_rng(0))
+    np.savez_compressed(
+        tmp_path / "a.npz", genome=genome, hidden=[4], activation="relu", fov=3, n_actions=5,
+        sampled=True, team="pursuer",
+    )  # fmt: skip
+    assert load_genome(tmp_path / "a.npz")[1].network == network
+
+
+def test_another_team_is_refused_before_a_file_is_made(tmp_path: Path) -> None:
+    network = Network((), fov=1)
+    policy = NetworkPolicy(network, np.zeros(network.genome_size, np.float32))
+    with pytest.raises(ValueError, match="^team: "):
+        save_genome(tmp_path / "a.npz", "both", policy)  # type: ignore[arg-type]
+    assert list(tmp_path.iterdir()) == []
+
+
+# Files that are no regular ones, or too large:
+
+
+def listening_socket(path: Path) -> None:
+    # A relative name, because the length of a socket's name is limited.
+    here = os.getcwd()
+    os.chdir(path.parent)
+    with socket.socket(socket.AF_UNIX) as made:
+        made.bind(path.name)
+    os.chdir(here)
+
+
+def larger_than(most: int) -> Callable[[Path], None]:
+    """Return a function that makes a file without content that claims more bytes."""
+
+    def make(path: Path) -> None:
+        path.touch()
+        os.truncate(path, most + 1)
+
+    return make
+
+
+NOT_FILES: dict[str, Callable[[Path], None]] = {
+    "a FIFO": os.mkfifo,
+    "a directory": Path.mkdir,
+    "a device": lambda path: path.symlink_to("/dev/zero"),
+    "a socket": listening_socket,
+}
+
+
+@pytest.fixture(autouse=True)
+def little_memory_and_time() -> Iterator[None]:
+    """Fail instead of waiting for ever, or of taking all memory."""
+
+    def late(number: int, frame: object) -> None:
+        raise TimeoutError(f"expected an answer within {SECONDS} seconds")
+
+    before = signal.signal(signal.SIGALRM, late)
+    signal.alarm(SECONDS)
+    tracemalloc.start()
+    yield
+    assert tracemalloc.get_traced_memory()[1] < LITTLE_MEMORY
+    tracemalloc.stop()
+    signal.alarm(0)
+    signal.signal(signal.SIGALRM, before)
+
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs FIFOs")
+
+
+@pytest.mark.parametrize("kind", ["genome", "program"])
+@pytest.mark.parametrize("found", NOT_FILES)
+def test_what_is_no_file_is_not_opened(kind: str, found: str, tmp_path: Path) -> None:
+    NOT_FILES[found](tmp_path / "a")
+    with pytest.raises(DamagedFileError, match=f"expected a regular file, got {found}$"):
+        read_content(tmp_path / "a", kind)  # type: ignore[arg-type]
+
+
+def test_a_fifo_that_takes_the_name_of_a_file_is_not_waited_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Between the look at the name and the opening of it."""
+    os.mkfifo(tmp_path / "a.npz")
+    (tmp_path / "file").touch()
+    regular = (tmp_path / "file").stat()
+    monkeypatch.setattr(Path, "stat", lambda path, **options: regular)
+    with pytest.raises(DamagedFileError, match="got a FIFO$"):
+        read_content(tmp_path / "a.npz", "genome")
+
+
+@pytest.mark.parametrize("kind", MOST_BYTES)
+def test_a_file_that_is_too_large_is_not_read(kind: str, tmp_path: Path) -> None:
+    larger_than(MOST_BYTES[kind])(tmp_path / "a")
+    with pytest.raises(DamagedFileError, match=f"^.*a: expected at most {MOST_BYTES[kind]:,} byt"):
+        read_content(tmp_path / "a", kind)  # type: ignore[arg-type]
+
+
+# Archives that would expand, claim, or run something:
+
+
+def npy(shape: object, dtype: str = "<f4", data: bytes = b"") -> bytes:
+    """Return an npy file whose header claims a shape and a dtype."""
+    text = f"{{'descr': {dtype!r}, 'fortran_order': False, 'shape': {shape}, }}"
+    header = text.encode().ljust(117) + b"\n"
+    return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header + data
+
+
+def npz(members: Mapping[str, bytes], compression: int = zipfile.ZIP_DEFLATED) -> bytes:
+    """Return an npz file of npy files."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", compression, compresslevel=1) as archive:
+        for member, content in members.items():
+            archive.writestr(f"{member}.npy", content)
+    return buffer.getvalue()
+
+
+def bomb() -> bytes:
+    """Return an npz file that expands to a little more than the limit."""
+    buffer = io.BytesIO()
+    with (
+        zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive,
+        archive.open("genome.npy", "w", force_zip64=True) as file,
+    ):
+        file.write(npy((MOST_UNPACKED // 4,)))
+        for _ in range(MOST_UNPACKED // 2**22):
+            file.write(bytes(2**22))
+    return buffer.getvalue()
+
+
+ARCHIVES: dict[str, tuple[bytes, str]] = {
+    "empty": (b"", "not an npz file"),
+    "begin of an archive": (b"PK\x05\x06", "not an npz file"),
+    "zip bomb": (bomb(), f"expected arrays of at most {MOST_UNPACKED:,} bytes"),
+    "header of 8 TB": (npz({"genome": npy((2 * 10**12,))}), "expected 8,000,000,000,000 bytes"),
+    "header of 10**60 numbers": (npz({"genome": npy((10**30, 10**30))}), "expected dtype of kind"),
+    "negative size": (npz({"genome": npy((-2,), data=bytes(24))}), "expected -8 bytes"),
+    "long header": (npz({"genome": npy("-" * 9000 + "1")}), "not an npz file"),
+    "nothing but dimensions": (npz({"genome": npy((10**18,), "|V0")}), "got dtype"),
+    "pickled": (npz({"genome": npy((1,), "|O", b"\x80\x04N.")}), "got dtype object"),
+    "dates": (npz({"genome": npy((1,), "<M8[s]", bytes(8))}), "got dtype datetime64"),
+    "not an array": (npz({"genome": b"text"}), "not an npz file"),
+    "lzma": (npz({"genome": npy((2,), data=bytes(8))}, zipfile.ZIP_LZMA), "no compression"),
+    "20,000 members": (npz({str(n): b"" for n in range(20_000)}), "expected at most 100 arrays"),
+    "no members": (npz({}), "expected an array 'genome'"),
+}
+
+
+@pytest.mark.parametrize("name", ARCHIVES)
+def test_archives_that_hold_no_genome(name: str, tmp_path: Path) -> None:
+    content, reason = ARCHIVES[name]
+    (tmp_path / "a.npz").write_bytes(content)
+    with pytest.raises(DamagedFileError, match=reason) as caught:
+        load_genome(tmp_path / "a.npz")
+    assert len(str(caught.value).splitlines()) == 1
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_a_genome_with_altered_bytes_is_read_or_refused(seed: int, tmp_path: Path) -> None:
+    """Also in headers and in the directory of the archive."""
+    network, rng = Network((2,), fov=1), np.random.default_rng(seed)
+    save_genome(
+        tmp_path / "a.npz", "pursuer", NetworkPolicy(network, np.zeros(network.genome_size, "f4"))
+    )
+    content = bytearray((tmp_path / "a.npz").read_bytes())
+    for place in rng.integers(len(content), size=rng.integers(1, 4)):
+        content[place] = rng.integers(256)
+    (tmp_path / "a.npz").write_bytes(bytes(content))
+    with suppress(DamagedFileError):  # any other error fails
+        load_genome(tmp_path / "a.npz")
