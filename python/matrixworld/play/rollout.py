@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
 from matrixworld._util.checks import check_integer, check_naturals, check_threads
-from matrixworld._util.memory import check_memory, matches_memory
+from matrixworld._util.memory import EPISODE_BYTES, check_memory
 from matrixworld._util.short_repr import short_repr
+from matrixworld.world.arrays import workspace_bytes
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Population, TeamPolicy, check_team
 from matrixworld.world.rules import Rules
@@ -169,14 +170,11 @@ def rollout(
     teams = check_team("pursuers", pursuers), check_team("evaders", evaders)
     columns = matches if _converted(matches) else Matches.of(*matches)
     n_worlds = check_integer("worlds", worlds, 1)
-    needed = matches_memory(
-        config,
-        [team.network for team in (pursuers, evaders) if isinstance(team, Population)],
-        matches=len(columns.seed),
-        worlds=n_worlds,
-        threads=threads,
-    )
-    check_memory("rollout", needed)
+    episodes = len(columns.seed) * n_worlds
+    # A thread copies the genomes that it plays, beside tables that are as large.
+    genomes = [t.genomes[0].nbytes for t in (pursuers, evaders) if isinstance(t, Population)]
+    played = min(n_threads, episodes) * (workspace_bytes(config) + 2 * sum(genomes))
+    check_memory("rollout", episodes=EPISODE_BYTES * episodes, threads=played)
     arrays = _core.rollout(
         config.setup,
         *teams,

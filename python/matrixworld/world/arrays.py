@@ -151,8 +151,18 @@ def new_arrays(specs: Specs, n_worlds: int) -> dict[str, NDArray[Any]]:
         name: n_worlds * math.prod(shape) * np.dtype(dtype).itemsize
         for name, (shape, dtype) in specs.items()
     }
-    check_memory("arrays", sizes)
+    check_memory("arrays", **sizes)
     return {name: np.zeros((n_worlds, *shape), dtype) for name, (shape, dtype) in specs.items()}
+
+
+def state_bytes(config: WorldConfig) -> int:
+    """Return about how many bytes a world in a batch needs for itself."""
+    return 1000 + 32 * config.n_agents + (4 * config.rows * config.cols if config.density else 0)
+
+
+def workspace_bytes(config: WorldConfig) -> int:
+    """Return about how many bytes a thread needs to play any number of worlds, one by one."""
+    return 32 * config.rows * config.cols + 160 * config.n_agents
 
 
 def integers(name: str, given: ArrayLike) -> NDArray[Any]:

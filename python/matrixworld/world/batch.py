@@ -18,8 +18,14 @@ from matrixworld._util.checks import (
     check_naturals,
     check_threads,
 )
-from matrixworld._util.memory import batch_memory, check_memory
-from matrixworld.world.arrays import array_specs, integers, new_arrays
+from matrixworld._util.memory import check_memory
+from matrixworld.world.arrays import (
+    array_specs,
+    integers,
+    new_arrays,
+    state_bytes,
+    workspace_bytes,
+)
 from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.maps import MapLike, read_map
 from matrixworld.world.policy import TeamPolicy, check_agents, check_team
@@ -99,8 +105,9 @@ class Batch:
         )
         # New arrays take memory only as they are written into, so they are counted here, too.
         arrays = sum(getattr(array, "nbytes", 0) for array in self.buffers.values())
-        worlds = batch_memory(self.config, self.n_worlds, threads)
-        check_memory("batch", {"worlds": worlds, "arrays": arrays})
+        worlds = self.n_worlds * state_bytes(self.config)
+        played = min(n_threads, self.n_worlds) * workspace_bytes(self.config)
+        check_memory("batch", worlds=worlds, threads=played, arrays=arrays)
         # The engine checks the buffers and keeps them alive.
         self._core = _core.Batch(
             self.config.setup, self.n_worlds, n_threads, autoreset, self.buffers

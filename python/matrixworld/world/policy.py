@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from matrixworld import _core
 from matrixworld._util.checks import check_bool, check_choice, check_integer, shown
-from matrixworld._util.memory import NUMBER, check_memory
+from matrixworld._util.memory import check_memory
 from matrixworld._util.short_repr import short_repr
 from matrixworld.world.config import WorldConfig
 
@@ -224,7 +224,7 @@ class Network:
             The genome.
         """
         # Twice: the random numbers of a layer come as an array of their own.
-        check_memory("genome", 2 * NUMBER * self.genome_size)
+        check_memory("genome", weights=2 * 4 * self.genome_size)
         genome = np.zeros(self.genome_size, np.float32)
         layers = self.layers(genome)
         for number, (weights, _) in enumerate(layers):

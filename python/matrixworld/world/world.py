@@ -10,8 +10,8 @@ from typing_extensions import Unpack
 
 from matrixworld import _core
 from matrixworld._util.checks import SEED_MAX, check_integer
-from matrixworld._util.memory import check_memory, thread_memory
-from matrixworld.world.arrays import array_specs, integers
+from matrixworld._util.memory import check_memory
+from matrixworld.world.arrays import array_specs, integers, workspace_bytes
 from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
 from matrixworld.world.maps import MapLike, read_map
@@ -97,7 +97,7 @@ class World(WorldState):
         self, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
     ) -> None:
         self.config = WorldConfig.of(config, **changes)
-        check_memory("world", thread_memory(self.config))
+        check_memory("world", cells=workspace_bytes(self.config))
         self._specs = array_specs(self.config)
         self._core = _core.World(self.config.setup)
         self._explained = False

@@ -386,11 +386,11 @@ def test_bad_input_is_refused_before_anything_is_written(bad, kind, message, tmp
 def test_memory_is_that_of_the_runs_that_play_at_one_time(tmp_path, monkeypatch):
     monkeypatch.setattr("matrixworld._util.memory.available_memory", lambda: 300_000_000)
     monkeypatch.setattr(
-        sys.modules[function.__module__], "run_memory", lambda settings, threads: {"all": 10**8}
+        sys.modules[function.__module__], "run_memory", lambda settings: {"all": 10**8}
     )
     checked = sys.modules[function.__module__].check_job
     checked(job_of(SETTINGS), tmp_path, None, 2)
-    with pytest.raises(ValueError, match="5 runs at one time: expected to need at most 300 MB"):
+    with pytest.raises(ValueError, match="5 runs at one time: expected to need at most 0.3 GB"):
         checked(job_of(SETTINGS), tmp_path, None, 3)
     checked(job_of(SETTINGS), tmp_path, ThreadPoolExecutor(9), None)
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_instance, check_integer, check_threads
-from matrixworld._util.memory import EPISODE, check_memory
+from matrixworld._util.memory import EPISODE_BYTES, check_memory
 from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis import Estimate, mean_over_episodes
 from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
@@ -172,7 +172,7 @@ def score_population(
         opponents, left_out = fitting_opponents(team, config)
     count = len(population.genomes)
     # Rates of the opponents so far, and the statistics of one more.
-    check_memory("scores", count * episodes * (EPISODE + 2 * RATE * len(opponents)))
+    check_memory("scores", rates=count * episodes * (EPISODE_BYTES + 2 * RATE * len(opponents)))
     each = [
         _pairs(config, team, population, opponent, held_out_seed(seed, team, n), episodes, play)
         for n, opponent in enumerate(opponents.values())

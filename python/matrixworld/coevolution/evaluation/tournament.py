@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_instance, check_integer, check_number, check_threads
-from matrixworld._util.memory import EPISODE, check_memory
+from matrixworld._util.memory import EPISODE_BYTES, check_memory
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import Seeds
@@ -99,7 +99,7 @@ def tournament(
     check_number("block_seconds", block_seconds, least=0.0, positive=True)
     size = _count(pursuers), _count(evaders)
     # The statistics of all episodes are kept until the end.
-    check_memory("tournament", EPISODE * size[0] * size[1] * episodes)
+    check_memory("tournament", episodes=EPISODE_BYTES * size[0] * size[1] * episodes)
     generations = (range(start, start + n) for start, n in zip(first, size, strict=True))
     seeds = [evaluation_seed(seed, g, h) for g, h in product(*generations)]
     table = np.array(seeds, dtype=np.uint64).reshape(size)

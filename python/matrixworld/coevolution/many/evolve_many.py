@@ -171,10 +171,10 @@ def check_job(job: Job, root: Path, executor: Executor | None, threads: int | No
             raise ValueError(f"threads: expected None with an executor, got {threads}")
     left = {n: each for n, each in job.runs.items() if not RunDirectory(root / n).finished}
     # Runs on other machines check the memory there; here one learner is made, to try it.
-    workers, each_threads = shares(len(left), threads) if executor is None else (1, 1)
-    needs = [sum(run_memory(each, each_threads).values()) for each in left.values()]
+    workers, _ = shares(len(left), threads) if executor is None else (1, 1)
+    needs = [sum(run_memory(each).values()) for each in left.values()]
     largest = sorted(needs, reverse=True)[:workers]
-    check_memory(f"{workers} runs at one time" if workers > 1 else "run", sum(largest))
+    check_memory(f"{workers} runs at one time" if workers > 1 else "run", runs=sum(largest))
     # Seeds make no difference here, and a job may have a thousand.
     for each in dict.fromkeys(replace(each, seed=0) for each in left.values()):
         check_own_code(each)

@@ -14,13 +14,14 @@ from typing import Any, ClassVar, Generic, TypeVar
 import numpy as np
 
 from matrixworld._util.checks import check_threads
+from matrixworld._util.memory import check_memory
 from matrixworld._util.reading import DamagedFileError
 from matrixworld.coevolution.learners.learner import Learner
 from matrixworld.coevolution.learners.registry import new_learner, starting_genomes, untrained
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.training import Training
-from matrixworld.coevolution.settings.memory import check_run_memory
+from matrixworld.coevolution.settings.memory import run_memory
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.settings.training import settings_to_json
@@ -82,7 +83,7 @@ class Run(ABC, Generic[AnySettings]):
         self.settings: AnySettings = settings
         self.check_settings()
         check_threads(threads)
-        check_run_memory(settings, threads)
+        check_memory("run", **run_memory(settings))
         self.training: Training = Training(settings, play, threads)
         self.network: Network = self.training.network
         self.stage: int = 0
