@@ -24,8 +24,8 @@ from class_submissions import (
 )
 from matrixworld import Matches, WorldConfig, match_seed, record_actions, rollout
 from matrixworld.classroom import ClassResult, Limits, play_class, standings
-from matrixworld.classroom.round_robin import SCRIPTS
-from matrixworld.classroom.seat import CAN_FORK, Seat
+from matrixworld.classroom.policy_process import CAN_FORK, PolicyServer, problem_here
+from matrixworld.classroom.tournament import SCRIPTS
 from matrixworld.coevolution.types import TEAMS
 
 pytestmark = pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
@@ -42,9 +42,8 @@ ENTRIES = {"program": 14, "genome": 4}
 
 @pytest.fixture(scope="module", autouse=True)
 def sandbox() -> None:
-    with Seat(Limits()) as seat:
-        if problem := seat.ready():
-            pytest.skip(problem)
+    if problem := problem_here():
+        pytest.skip(problem)
 
 
 @pytest.fixture(scope="module")
@@ -234,7 +233,7 @@ def test_nothing_that_can_play_is_an_error_with_all_reasons(tmp_path: Path) -> N
 def test_genomes_play_where_programs_cannot(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(Seat, "ready", lambda seat: seat._reply() and "no filters here")
+    monkeypatch.setattr(PolicyServer, "ready", lambda server: server._reply() and "no filters here")
     write_genomes(tmp_path, 2)
     write_programs(tmp_path, honest_programs(1))
     result = small(tmp_path)

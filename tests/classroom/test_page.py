@@ -13,7 +13,7 @@ from browser import DESKTOP, PHONE, Browser, browser
 from class_submissions import write_genomes
 from matrixworld import WorldConfig
 from matrixworld.classroom import ClassResult, class_page, play_class, standings
-from matrixworld.classroom.report import Tables
+from matrixworld.classroom.page import Tables
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.explorer.page import write_page
 

@@ -6,6 +6,7 @@ import os
 import re
 import time
 from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -19,11 +20,11 @@ from class_submissions import (
 )
 from matrixworld import WorldConfig
 from matrixworld.classroom import Entry, Limits, Refusal
-from matrixworld.classroom.admission import admit
-from matrixworld.classroom.host import NOT_CONFINED
-from matrixworld.classroom.referee import Referee
-from matrixworld.classroom.seat import CAN_FORK
+from matrixworld.classroom.match import MatchPool
+from matrixworld.classroom.policy_process import CAN_FORK
+from matrixworld.classroom.policy_server import NOT_CONFINED
 from matrixworld.classroom.submissions import Submission
+from matrixworld.classroom.tournament import admit
 
 pytestmark = pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
 
@@ -32,29 +33,31 @@ LIMITS = Limits(seconds=1, wait=2.0, memory=128)
 
 
 @pytest.fixture(scope="module")
-def referee() -> Iterator[Referee]:
-    with Referee(CONFIG, seed=0, limits=LIMITS, trust=False, threads=1, programs=True) as made:
+def pool() -> Iterator[MatchPool]:
+    with closing(
+        MatchPool(CONFIG, seed=0, limits=LIMITS, trust=False, threads=1, programs=True)
+    ) as made:
         assert made.problem != NOT_CONFINED
         if made.problem:
             pytest.skip(made.problem)
         yield made
 
 
-def admitted(referee: Referee, text: str) -> tuple[list[Entry], list[Refusal]]:
+def admitted(pool: MatchPool, text: str) -> tuple[list[Entry], list[Refusal]]:
     submission = Submission("student", "student.py", "program", Path("student.py"), text.encode())
-    return admit([submission], referee, lambda what, done, total: None)
+    return admit([submission], pool, lambda what, done, total: None)
 
 
 @pytest.mark.parametrize("name", REFUSED_PROGRAMS)
 def test_a_program_that_breaks_a_rule_is_refused(
-    referee: Referee, name: str, tmp_path: Path
+    pool: MatchPool, name: str, tmp_path: Path
 ) -> None:
     (tmp_path / "student 00.py").write_text("")
     before = processes_of_programs()
     text, reason = REFUSED_PROGRAMS[name]
     text = text.replace("{mark}", str(tmp_path / "mark")).replace("{directory}", str(tmp_path))
     began = time.monotonic()
-    entries, [refusal] = admitted(referee, text)
+    entries, [refusal] = admitted(pool, text)
     assert entries == []
     assert re.search(reason, refusal.reason), refusal.reason
     assert len(refusal.reason) < 400
@@ -65,23 +68,23 @@ def test_a_program_that_breaks_a_rule_is_refused(
 
 @pytest.mark.parametrize("name", HARMLESS_ATTACKS)
 def test_a_program_that_changes_its_own_process_only_plays(
-    referee: Referee, name: str, tmp_path: Path
+    pool: MatchPool, name: str, tmp_path: Path
 ) -> None:
     text = HARMLESS_ATTACKS[name].replace("{mark}", str(tmp_path / "mark"))
-    [entry], refusals = admitted(referee, text)
+    [entry], refusals = admitted(pool, text)
     assert (entry.team, refusals) == ("pursuer", [])
     assert list(tmp_path.iterdir()) == []
 
 
-def test_the_next_program_finds_nothing_of_the_one_before(referee: Referee) -> None:
-    admitted(referee, "import builtins, math\nbuiltins.left = math.left = 1\n" + ACTS + "return 0")
+def test_the_next_program_finds_nothing_of_the_one_before(pool: MatchPool) -> None:
+    admitted(pool, "import builtins, math\nbuiltins.left = math.left = 1\n" + ACTS + "return 0")
     text = "import builtins, math\nassert not hasattr(builtins, 'left')\n"
     text += "assert not hasattr(math, 'left')\n" + ACTS + "return 0"
-    entries, refusals = admitted(referee, text)
+    entries, refusals = admitted(pool, text)
     assert (len(entries), refusals) == (1, [])
 
 
-def test_a_program_sees_no_environment_and_no_other_open_file(referee: Referee) -> None:
+def test_a_program_sees_no_environment_and_no_other_open_file(pool: MatchPool) -> None:
     text = (
         "import os\n"
         "assert not os.environ, os.environ\n"
@@ -90,12 +93,12 @@ def test_a_program_sees_no_environment_and_no_other_open_file(referee: Referee) 
         "    except OSError as error:\n        assert error.errno == 9\n"
         "    else:\n        raise AssertionError(handle)\n"
     )
-    entries, refusals = admitted(referee, text + ACTS + "return 0")
+    entries, refusals = admitted(pool, text + ACTS + "return 0")
     assert (len(entries), refusals) == (1, [])
 
 
 @pytest.mark.parametrize("call", [0, 56, 57, 62, 101, 157, 160, 302, 321, 425, 435])
-def test_system_calls_by_number_fail(referee: Referee, call: int) -> None:
+def test_system_calls_by_number_fail(pool: MatchPool, call: int) -> None:
     """By hand, as a program could do without Python: clone, kill, ptrace, limits, bpf, io_uring."""
     if os.uname().machine != "x86_64":
         pytest.skip("numbers of x86-64")
@@ -105,24 +108,24 @@ def test_system_calls_by_number_fail(referee: Referee, call: int) -> None:
         f"assert library.syscall({number}, 0, 0, 0, 0, 0) == -1\n"
         "assert ctypes.get_errno() == 1, ctypes.get_errno()\n"
     )
-    entries, refusals = admitted(referee, text + ACTS + "return 0")
+    entries, refusals = admitted(pool, text + ACTS + "return 0")
     assert (len(entries), refusals) == (1, [])
 
 
-def test_programs_may_import_what_the_documentation_lists(referee: Referee) -> None:
+def test_programs_may_import_what_the_documentation_lists(pool: MatchPool) -> None:
     page = Path(__file__).parents[2] / "docs/class.md"
     listed = page.read_text(encoding="utf-8").partition("A program can import")[2].partition("\n\n")
     names = re.findall(r"`([\w.]+)`", listed[0])
     assert len(names) > 20
     text = "".join(f"import {name}\n" for name in names) + ACTS + "return 0"
-    entries, refusals = admitted(referee, text)
+    entries, refusals = admitted(pool, text)
     assert (len(entries), refusals) == (1, [])
 
 
-def test_honest_programs_play_both_teams(referee: Referee) -> None:
+def test_honest_programs_play_both_teams(pool: MatchPool) -> None:
     teams = []
     for text in honest_programs(4).values():
-        entries, refusals = admitted(referee, text)
+        entries, refusals = admitted(pool, text)
         assert refusals == []
         teams.append([entry.team for entry in entries])
     assert teams == [["pursuer"], ["evader"], ["pursuer", "evader"], ["pursuer", "evader"]]

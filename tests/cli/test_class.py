@@ -11,8 +11,7 @@ import pytest
 from class_submissions import honest_programs, write_genomes, write_programs
 from command_line import RACE, matrixworld_command, run_together, words
 from matrixworld.classroom import load_genome
-from matrixworld.classroom.limits import Limits
-from matrixworld.classroom.seat import CAN_FORK, Seat
+from matrixworld.classroom.policy_process import problem_here
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.storage.saved_run import run_directories
 
@@ -80,11 +79,9 @@ def test_a_directory_without_submissions(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["empty"]
 
 
-@pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
 def test_programs_play_and_refusals_are_printed(directory: Path, tmp_path: Path) -> None:
-    with Seat(Limits()) as seat:
-        if problem := seat.ready():
-            pytest.skip(problem)
+    if problem := problem_here():
+        pytest.skip(problem)
     write_programs(directory, honest_programs(1) | {"bad": "def evade(view, rng): return 'up'"})
     result = matrixworld_command("class", directory, *WORLD, "--threads", 1)
     assert "student 00" in result.output

@@ -159,10 +159,10 @@ HARMLESS_ATTACKS: dict[str, str] = {
     "prints": "for n in range(200): print('x' * 100_000)\n" + ACTS + "print(view); return 1",
     "patches": (
         "import sys, numpy, matrixworld\n"
-        "from matrixworld.classroom import policy_process\n"
+        "from matrixworld.classroom import policy_server\n"
         "matrixworld.World = matrixworld.rollout = None\n"
         "numpy.random.default_rng = lambda *a: None\n"
-        "policy_process._action = lambda *a: 3\n"
+        "policy_server._action = lambda *a: 3\n"
         "sys.modules.clear()\n" + ACTS + "return 'a very good action'"
     ),
     "catches": ("try: open('{mark}', 'w')\nexcept OSError: pass\n" + ACTS + "return 2"),
@@ -254,7 +254,7 @@ def processes_of_programs() -> list[int]:
     for entry in Path("/proc").glob("[0-9]*"):
         with suppress(OSError):  # it has just ended
             state, parent = (entry / "stat").read_text().rpartition(")")[2].split()[:2]
-            if "classroom.host" in (entry / "cmdline").read_text() and state != "Z":
+            if "classroom.policy_server" in (entry / "cmdline").read_text() and state != "Z":
                 parents[int(entry.name)] = int(parent)
     ours = {number for number, parent in parents.items() if parent in (1, os.getpid())}
     return sorted(ours | {number for number, parent in parents.items() if parent in ours})

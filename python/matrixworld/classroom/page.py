@@ -1,7 +1,8 @@
-"""The page of a class tournament: standings, the matrix of all matches, and their recordings."""
+"""A class tournament as plain values for a JSON file, and as a page with the recorded matches."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from itertools import product
 from typing import Any
 
@@ -9,14 +10,58 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.analysis.plain_values import plain_values
-from matrixworld.classroom.report import Tables, summary
-from matrixworld.classroom.round_robin import ClassResult
+from matrixworld.classroom.standings import Standing
+from matrixworld.classroom.tournament import ClassResult
+from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.explorer.page import render_page
+from matrixworld.play.seeds import match_seed
+from matrixworld.version import __version__
 
 MOST_BYTES = 3 * 2**20
 """Recordings of a page, in bytes; base64 adds a third. 56 x 56 default matches take 0.8 MB."""
 
 Pair = tuple[int, int]
+Tables = Mapping[Team, Sequence[Standing]]
+
+
+def class_json(result: ClassResult, tables: Tables) -> dict[str, Any]:
+    """Return a tournament as values that JSON can hold, with the results of all episodes."""
+    return {
+        **_summary(result, tables),
+        "capture_rates": plain_values(result.capture_rates),
+        "lengths": plain_values(result.lengths),
+    }
+
+
+def _summary(result: ClassResult, tables: Tables) -> dict[str, Any]:
+    """Return settings, standings and refusals as plain values."""
+    return {
+        "matrixworld": __version__,
+        "world": result.config.to_json(),
+        "seed": str(result.seed),
+        # As text: a number of JavaScript holds 53 of the 64 bits.
+        "match_seed": str(match_seed(result.seed)),
+        "episodes": result.capture_rates.shape[2],
+        "names": {team: [entry.name for entry in result.entries[team]] for team in TEAMS},
+        "standings": {team: [_row(each) for each in tables[team]] for team in TEAMS},
+        "refusals": plain_values(result.refusals),
+    }
+
+
+def _row(standing: Standing) -> dict[str, Any]:
+    return {
+        "name": standing.entry.name,
+        "kind": standing.entry.kind,
+        "file": standing.entry.file,
+        "number": standing.number,
+        "rank": standing.rank,
+        "ranks": plain_values(standing.ranks),
+        "score": standing.score.value,
+        "low": standing.score.low,
+        "high": standing.score.high,
+        "best": standing.best,
+        "worst": standing.worst,
+    }
 
 
 def class_page(result: ClassResult, tables: Tables, *, title: str, most: int = MOST_BYTES) -> str:
@@ -46,7 +91,7 @@ def class_page(result: ClassResult, tables: Tables, *, title: str, most: int = M
         for g in range(result.capture_rates.shape[0])
     ]
     data: dict[str, Any] = {
-        **summary(result, tables),
+        **_summary(result, tables),
         "title": title,
         "n_actions": n_actions,
         "capture_rate": _rounded(result.capture_rates.mean(axis=2)),

@@ -1,237 +1,262 @@
-"""The process of one submitted program during one match: it gets views and returns actions.
-
-The process is limited before the program's first line is compiled. It knows what its agents see,
-and nothing else of the world: no positions, no opponents, no seeds of the world.
-"""
+"""A submitted program during one match, on the side that plays: what it is told and answers."""
 
 from __future__ import annotations
 
-import inspect
 import json
 import os
-import random
-from collections.abc import Callable, Mapping
-from types import FrameType
-from typing import Any
+import signal
+import socket
+import subprocess
+import sys
+import sysconfig
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld.classroom.wire import (
+import matrixworld
+from matrixworld._util.reading import one_line
+from matrixworld.classroom.policy_server import (
     ACTIONS,
     CODE,
     ERROR,
+    LONGEST_COMMAND,
     LONGEST_ERROR,
     NUMBER,
     READY,
-    SETTINGS,
     VIEWS,
+    MessageError,
     message,
     receive,
 )
+from matrixworld.classroom.sandbox import Limits
+from matrixworld.coevolution.types import Team
 
-FUNCTIONS = {"pursuer": "pursue", "evader": "evade"}
-"""The function of a program that plays for a team."""
-FILE = "<submission>"
-"""Name of the program in the frames of its functions."""
-
-MODULES = (
-    "abc", "array", "bisect", "cmath", "collections.abc", "contextlib", "copy", "dataclasses",
-    "decimal", "enum", "fractions", "functools", "graphlib", "heapq", "itertools", "json", "math",
-    "numbers", "operator", "random", "re", "statistics", "string", "struct", "textwrap", "time",
-    "types", "typing", "__future__", "numpy.fft", "numpy.lib.stride_tricks", "numpy.linalg",
-    "numpy.polynomial", "numpy.random", "matrixworld",
-    # Not to be named by programs, but by Python while it loads one.
-    "encodings.utf_8_sig", "encodings.latin_1", "encodings.cp1252",
-)  # fmt: skip
-"""Modules that are loaded before a program runs. It can import these, and no others."""
+CAN_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds")
+NO_FORK = "they need Linux or macOS"
+# Not ``-m``: programs would find a second copy of the module, which is not loaded.
+START = "from matrixworld.classroom.policy_server import main; main()"
+LONGEST_REASON = 300
+"""Most characters of what a program says about its own end."""
 
 
-class PolicyError(Exception):
-    """A program did not give what it had to give; the text is for its author."""
+class RefusedError(Exception):
+    """A submission broke a rule or a limit; the text says which.
 
-
-class Connection:
-    """Messages of the parent, and answers to it.
-
-    Parameters
-    ----------
-    handle : int
-        The open connection.
+    `team` is the team for which it played; None where it did not play.
     """
 
-    def __init__(self, handle: int) -> None:
-        self._handle = handle
-
-    def receive(self, kind: bytes) -> bytes:
-        """Return the content of the next message, which is of one kind."""
-        return receive(self._read, {kind: 1 << 30})[1]
-
-    def _read(self, size: int) -> bytes:
-        return os.read(self._handle, size)
-
-    def send(self, kind: bytes, content: bytes) -> None:
-        """Send a message."""
-        rest = message(kind, content)
-        while rest:
-            rest = rest[os.write(self._handle, rest) :]
+    def __init__(self, reason: str, team: Team | None = None) -> None:
+        super().__init__(reason)
+        self.team = team
 
 
-def serve(handle: int) -> None:
-    """Load a program and let it play until the parent ends the connection."""
-    connection = Connection(handle)
+class End(NamedTuple):
+    """How a program's process ended: its exit code (-n: by signal n), and its processor time."""
+
+    code: int
+    seconds: float
+
+
+class PolicyServer:
+    """A process that makes the processes of programs, one after the other.
+
+    Several may start at the same time: `ready` waits until this one is there.
+    """
+
+    def __init__(self, limits: Limits, trust: bool = False) -> None:
+        self.limits, self._trust = limits, trust
+        self._closed = False
+        self._start()
+
+    def _start(self) -> None:
+        self._commands, theirs = socket.socketpair()
+        with theirs:
+            self._process = subprocess.Popen(
+                [sys.executable, "-c", START, *["--trust"] * self._trust],
+                stdin=theirs.fileno(),
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                cwd=os.path.abspath(os.sep),
+                env=_environment(),
+                start_new_session=True,  # Ctrl-C is for the parent, which then ends the servers
+            )
+
+    def ready(self) -> str:
+        """Wait for the server; return why programs cannot be confined here, empty if they can."""
+        try:
+            problem: str = self._reply()["problem"]
+        except RefusedError:
+            return "the process that starts them has ended"
+        return problem
+
+    def _reply(self) -> dict[str, Any]:
+        reply = self._commands.recv(LONGEST_COMMAND)
+        if not reply:
+            raise RefusedError("the process that held the program was ended from outside")
+        values: dict[str, Any] = json.loads(reply)
+        return values
+
+    def connect(self, settings: Mapping[str, Any]) -> socket.socket:
+        """Return the connection to a new process."""
+        ours, theirs = socket.socketpair()
+        command = json.dumps({"limits": asdict(self.limits), "settings": settings}).encode()
+        try:
+            with theirs:
+                socket.send_fds(self._commands, [command], [theirs.fileno()])
+        except OSError:  # the tournament was interrupted
+            ours.close()
+            raise
+        return ours
+
+    def end(self) -> End:
+        """End the process and return how it ended."""
+        try:
+            self._commands.send(b"end")
+            return End(**self._reply())
+        except (OSError, RefusedError):
+            # The tournament was interrupted, or a trusted program has ended the server.
+            if not self._closed:
+                self._stop()
+                self._start()
+                self.ready()
+            return End(-signal.SIGKILL, 0.0)
+
+    def close(self) -> None:
+        """End the server for good, and with it what it has made."""
+        self._closed = True
+        self._stop()
+
+    def _stop(self) -> None:
+        # A thread may wait for a reply: it gets the end of the connection.
+        with suppress(OSError):
+            self._commands.shutdown(socket.SHUT_RDWR)
+        self._commands.close()
+        self._process.wait()
+
+
+def problem_here() -> str:
+    """Return why programs cannot play on this system; empty if they can."""
+    if not CAN_FORK:
+        return NO_FORK
+    server = PolicyServer(Limits())
     try:
-        settings = json.loads(connection.receive(SETTINGS))
-        functions = _load(connection.receive(CODE), settings["seed"])
-        present = [name in functions for name in FUNCTIONS.values()]
-        connection.send(READY, bytes(present))
-        _play(connection, settings, functions)
-    except EOFError:
-        return
-    # Whatever a program raises, also SystemExit, is the answer to the question why it failed.
-    except BaseException as error:  # noqa: BLE001
-        connection.send(ERROR, _explained(error))
+        return server.ready()
+    finally:
+        server.close()
 
 
-def _load(code: bytes, seed: list[int]) -> dict[str, Any]:
-    """Run a program and return its names."""
-    # Programs that use the global generators are reproducible, too.
-    random.seed(seed[0])
-    np.random.seed(seed[0])  # noqa: NPY002
-    names: dict[str, Any] = {"__name__": "submission", "__file__": FILE}
-    exec(compile(code, FILE, "exec", dont_inherit=True), names)
-    return names
+def _environment() -> dict[str, str]:
+    """Return the environment of a server: nothing of the user's."""
+    kept = {name: os.environ[name] for name in ("LD_LIBRARY_PATH",) if name in os.environ}
+    # Not sys.path, which may begin with the directory of the submissions: a file random.py of a
+    # student would be imported by the server.
+    packages = {str(Path(file).parents[1]) for file in (matrixworld.__file__, np.__file__) if file}
+    own = packages - {sysconfig.get_path("purelib"), sysconfig.get_path("platlib")}
+    return {
+        **kept,
+        "PYTHONPATH": os.pathsep.join(sorted(own)),
+        "PYTHONSAFEPATH": "1",  # nor the directory where it starts; from Python 3.11 on
+        "PYTHONHASHSEED": "0",  # sets of text have the same order in every match
+        "OPENBLAS_NUM_THREADS": "1",
+        "OMP_NUM_THREADS": "1",
+        "MKL_NUM_THREADS": "1",
+    }
 
 
-def _play(connection: Connection, settings: Mapping[str, Any], names: Mapping[str, Any]) -> None:
-    """Answer every message of views with actions."""
-    function = FUNCTIONS[settings["team"]]
-    view = (3, settings["fov"], settings["fov"])
-    act = None
-    while True:
-        content = connection.receive(VIEWS)
-        if act is None:  # asked for the first time: a program need not play for both teams
-            act = _callable(function, names, np.random.default_rng(settings["seed"]))
-        agents, views = _views(content, view)
-        chosen = [
-            _action(function, act(number, each), settings["n_actions"])
-            for number, each in zip(agents.tolist(), views, strict=True)
-        ]
-        connection.send(ACTIONS, bytes(chosen))
+class PolicyProcess:
+    """A submitted program during one match; RefusedError if it fails or breaks a limit.
 
+    Settings are ``team``, ``fov``, ``n_actions``, and ``seed``, a list of integers. `functions`
+    says whether the program has one for pursuers, and one for evaders; `seconds` is the processor
+    time that it took, known when the match is over.
+    """
 
-def _views(
-    content: bytes, view: tuple[int, int, int]
-) -> tuple[NDArray[np.uint32], NDArray[np.uint8]]:
-    """Return the numbers of n agents, and what they see, (n, 3, fov, fov)."""
-    size = np.dtype(NUMBER).itemsize
-    n = len(content) // (size + int(np.prod(view)))
-    numbers = np.frombuffer(content, NUMBER, n)
-    # A copy: the function may write into what it gets.
-    return numbers, np.frombuffer(content, np.uint8, offset=n * size).reshape(n, *view).copy()
+    def __init__(self, server: PolicyServer, code: bytes, settings: Mapping[str, Any]) -> None:
+        self._server = server
+        self._team: Team = settings["team"]
+        self._n_actions: int = settings["n_actions"]
+        self.seconds = 0.0
+        self._connection = server.connect(settings)
+        self._open = True
+        with self._ending_on_failure():
+            self._send(CODE, code)
+            flags = self._answer(READY, 2)
+        self.functions = flags[0] == 1, flags[1] == 1
 
+    def actions(self, numbers: NDArray[Any], views: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        """Return what the program chooses for n agents with views (n, 3, fov, fov).
 
-Act = Callable[[int, NDArray[np.uint8]], Any]
+        The number of an agent is the same in all steps of an episode. All actions are legal.
+        """
+        with self._ending_on_failure():
+            self._send(VIEWS, numbers.astype(NUMBER).tobytes() + views.tobytes())
+            chosen = np.frombuffer(self._answer(ACTIONS, len(numbers)), np.uint8)
+            # The program's process checks this, too; but that process is the program's.
+            if (chosen >= self._n_actions).any():
+                raise MessageError(f"expected actions below {self._n_actions}")
+        return chosen
 
+    @contextmanager
+    def _ending_on_failure(self) -> Iterator[None]:
+        """End the process if it fails, and raise RefusedError with the reason."""
+        try:
+            yield
+        except (TimeoutError, MessageError, EOFError, ConnectionError) as error:
+            raise RefusedError(self._reason(error, self.end()), self._team) from error
+        except BaseException:
+            self.end()
+            raise
 
-def _callable(name: str, names: Mapping[str, Any], rng: np.random.Generator) -> Act:
-    """Return the program's function as one of the number of an agent and of its view."""
-    function = names.get(name)
-    if not callable(function):
-        raise PolicyError(f"expected a function {name}(view, rng), got none")
-    required = _required(function)
-    if len(required) == 2:
-        return lambda number, view: function(view, rng)
-    if len(required) == 3:
-        memories: dict[int, dict[Any, Any]] = {}
-        return lambda number, view: function(view, rng, memories.setdefault(number, {}))
-    expected = f"{name}(view, rng) or {name}(view, rng, memory)"
-    raise PolicyError(f"expected {expected}, got {name}({', '.join(required)})")
+    def _reason(self, error: Exception, end: End) -> str:
+        """Return in words why a process ended that had not finished."""
+        limits = self._server.limits
+        if isinstance(error, TimeoutError):
+            return f"no answer within {limits.wait:g} seconds"
+        if isinstance(error, MessageError):
+            return "wrote into the connection of its process"
+        if end.code == -signal.SIGXCPU or end.seconds >= limits.seconds:
+            return f"more than {limits.seconds} seconds of processor time in a match"
+        if end.code < 0:
+            return f"its process crashed ({signal.Signals(-end.code).name})"
+        return f"ended its own process (exit code {end.code})"
 
+    def _send(self, kind: bytes, content: bytes) -> None:
+        self._connection.settimeout(self._server.limits.wait)
+        self._connection.sendall(message(kind, content))
 
-def _required(function: Callable[..., Any]) -> list[str]:
-    """Return the parameters of a function that have no default."""
-    try:
-        parameters = inspect.signature(function).parameters.values()
-    except (TypeError, ValueError):  # functions of libraries may tell none
-        return ["view", "rng"]
-    return [each.name for each in parameters if each.default is each.empty]
+    def _answer(self, kind: bytes, size: int) -> bytes:
+        """Return an answer of an exact size; RefusedError with the program's own error."""
+        last = time.monotonic() + self._server.limits.wait
 
+        def read(most: int) -> bytes:
+            # The time is that of the whole answer, which may come byte by byte.
+            self._connection.settimeout(max(1e-3, last - time.monotonic()))
+            return self._connection.recv(most)
 
-def _action(name: str, value: Any, n_actions: int) -> int:
-    """Return an action as an int; PolicyError if it is none."""
-    if isinstance(value, np.ndarray) and value.shape == ():
-        value = value.item()
-    if isinstance(value, bool | np.bool_ | np.ndarray) or not hasattr(value, "__index__"):
-        raise PolicyError(
-            f"{name} returned {_kind(value)}, expected an action 0 to {n_actions - 1}"
-        )
-    action = value.__index__()
-    if not 0 <= action < n_actions:
-        raise PolicyError(f"{name} returned {action}, expected an action 0 to {n_actions - 1}")
-    return int(action)
+        found, content = receive(read, {kind: size, ERROR: LONGEST_ERROR})
+        if found == ERROR:
+            line = one_line(content.decode(errors="replace"))
+            short = line if len(line) <= LONGEST_REASON else f"{line[:LONGEST_REASON]} ..."
+            raise RefusedError(short, self._team)
+        if len(content) != size:
+            raise MessageError(f"expected {size} bytes, got {len(content)}")
+        return content
 
+    def end(self) -> End:
+        """End the process of the program, and note its time."""
+        self._open = False
+        self._connection.close()
+        end = self._server.end()
+        self.seconds = end.seconds
+        return end
 
-def _kind(value: Any) -> str:
-    """Return what a program returned instead of an action, in few words."""
-    if value is None:
-        return "None (a return is missing)"
-    if isinstance(value, np.ndarray):
-        return f"an array of shape {value.shape} and dtype {value.dtype}"
-    if isinstance(value, float | np.floating):
-        return f"the float {float(value)!r}"
-    return f"a {type(value).__name__}"
-
-
-# What the author of the program reads:
-
-
-def _explained(error: BaseException) -> bytes:
-    """Return an error with the line of the program that caused it, as a short text."""
-    try:
-        return _text(error).encode(errors="replace")[:LONGEST_ERROR]
-    except BaseException:  # noqa: BLE001, its message may be the program's own code, or too large
-        return type(error).__name__.encode()[:LONGEST_ERROR]
-
-
-def _text(error: BaseException) -> str:
-    if isinstance(error, PolicyError):
-        return str(error)
-    if isinstance(error, SyntaxError):
-        place = f"line {error.lineno}: " if error.lineno else ""
-        return f"{place}SyntaxError: {error.msg}"
-    line = _line(error)
-    place = f"line {line}: " if line else ""
-    if isinstance(error, SystemExit):
-        return f"{place}the program ends itself (SystemExit)"
-    if isinstance(error, MemoryError):
-        return f"{place}MemoryError: more memory than the limit"
-    text = str(error)[:LONGEST_ERROR]
-    if isinstance(error, OSError) and error.strerror:
-        text = error.strerror + (f": {error.filename!r}" if error.filename else "")
-    more = next((hint for kind, hint in HINTS.items() if isinstance(error, kind)), "")
-    return f"{place}{type(error).__name__}: {text}{more}"
-
-
-HINTS = {
-    ImportError: " (docs/class.md lists what can be imported)",
-    PermissionError: " (files, network, processes and signals are not allowed)",
-}
-"""What is added to some errors."""
-
-
-def _line(error: BaseException) -> int:
-    """Return the last line of the program in an error's traceback; 0 if there is none."""
-    found, trace = 0, error.__traceback__
-    while trace is not None:
-        frame: FrameType = trace.tb_frame
-        if frame.f_code.co_filename == FILE:
-            found = trace.tb_lineno
-        trace = trace.tb_next
-    return found
-
-
-def load_modules() -> None:
-    """Import what programs may import, before files cannot be read any more."""
-    for name in MODULES:
-        __import__(name)
+    def close(self) -> None:
+        """End the process of the program, if it has not ended."""
+        if self._open:
+            self.end()

@@ -15,8 +15,8 @@ from matrixworld.analysis import (
     generalization_over_episodes,
     linear_over_episodes,
 )
-from matrixworld.classroom.round_robin import ClassResult
 from matrixworld.classroom.submissions import Entry
+from matrixworld.classroom.tournament import ClassResult
 from matrixworld.coevolution.types import Team
 
 ERROR = 0.05

@@ -1,4 +1,4 @@
-"""What lies in the directory of a class: programs and genomes, and what is neither.
+"""What students hand in: programs and genomes in the directory of a class, and what is neither.
 
 A submission is ``NAME.py``, ``NAME.npz``, or a file of these kinds in a directory ``NAME/``, as
 learning platforms pack them. Files are read here and never run; links are not followed.
@@ -7,21 +7,27 @@ learning platforms pack them. Files are read here and never run; links are not f
 from __future__ import annotations
 
 import hashlib
+import os
 import sys
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Literal, TypeAlias
+from typing import Literal, NamedTuple, TypeAlias
 
+import numpy as np
+
+from matrixworld._util.checks import check_choice
+from matrixworld._util.files import save_arrays
 from matrixworld._util.reading import DamagedFileError, one_line
-from matrixworld.classroom.untrusted import kind_of_file, read_content
-from matrixworld.coevolution.types import Team
-from matrixworld.world.policy import TeamPolicy
+from matrixworld.classroom.untrusted import Form, kind_of_file, read_arrays, read_content
+from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.play import NetworkPolicy
+from matrixworld.world.policy import Network, Population, TeamPolicy
 
-Kind: TypeAlias = Literal["program", "genome", "script"]
-KINDS: dict[str, Literal["program", "genome"]] = {".py": "program", ".npz": "genome"}
+FileKind: TypeAlias = Literal["program", "genome"]
+FILE_KINDS: dict[str, FileKind] = {".py": "program", ".npz": "genome"}
 """Kinds of submissions by the suffix of the file."""
 
 IGNORED = ("__pycache__", "__MACOSX", "Thumbs.db", "desktop.ini")
@@ -30,29 +36,16 @@ MOST_FILES = 1000
 """The most files of a class."""
 LONGEST_NAME = 60
 """The most characters of a name on the page."""
+MOST_LAYERS = 16
+"""The most hidden layers: a million layers of one unit would fit into a file, and take hours."""
 
 
-@dataclass(frozen=True)
-class Submission:
-    """A file that was handed in.
+class Submission(NamedTuple):
+    """A file that was handed in; names are lines of printable characters."""
 
-    Parameters
-    ----------
-    name : str
-        Name of the student, as one line of printable characters.
-    file : str
-        Name of the file in the directory, as one line of printable characters.
-    kind : {"program", "genome"}
-        What it is.
-    path : Path
-        Where it is.
-    content : bytes
-        What it holds.
-    """
-
-    name: str
-    file: str
-    kind: Literal["program", "genome"]
+    name: str  # of the student
+    file: str  # in the directory
+    kind: FileKind
     path: Path
     content: bytes
 
@@ -96,7 +89,7 @@ class Entry:
 
     name: str
     team: Team
-    kind: Kind
+    kind: Literal["program", "genome", "script"]
     file: str
     policy: bytes | TeamPolicy
 
@@ -112,28 +105,14 @@ class Entry:
         return tuple(int.from_bytes(digest[at : at + 4], "little") for at in range(0, 16, 4))
 
 
+# ---- The directory of a class --------------------------------------------------------------------
+
+
 def read_submissions(directory: Path) -> tuple[list[Submission], list[Refusal]]:
-    """Return what was handed in, and what cannot be read.
+    """Return what was handed in, and what cannot be read, in the order of the files' names.
 
-    Parameters
-    ----------
-    directory : Path
-        The directory of the class.
-
-    Returns
-    -------
-    submissions : list of Submission
-        In the order of their files' names.
-    refusals : list of Refusal
-        In the same order.
-
-    Raises
-    ------
-    OSError
-        If the directory cannot be read.
-    ValueError
-        If it holds more than `MOST_FILES` files, or if Python imports modules from it: a submission
-        of the name of a module would run here.
+    ValueError if there are more than `MOST_FILES`, or if Python imports modules from the directory:
+    a submission of the name of a module would run here.
     """
     if any(Path(place).resolve() == directory.resolve() for place in sys.path):
         raise ValueError(
@@ -145,14 +124,13 @@ def read_submissions(directory: Path) -> tuple[list[Submission], list[Refusal]]:
     for number, (name, path) in enumerate(_files(directory)):
         if number == MOST_FILES:
             raise ValueError(f"{directory}: expected at most {MOST_FILES} files, got more")
-        file, shown = one_line(path.relative_to(directory)), display_name(name)
+        file, shown = one_line(path.relative_to(directory)), _display_name(name)
         problem = _problem(path)
         if not problem:
+            kind = FILE_KINDS[path.suffix.lower()]
             try:
-                content = read_content(path, KINDS[path.suffix.lower()])
-                submissions.append(
-                    Submission(shown, file, KINDS[path.suffix.lower()], path, content)
-                )
+                content = read_content(path, kind)
+                submissions.append(Submission(shown, file, kind, path, content))
                 continue
             except DamagedFileError as error:
                 problem = without_path(error)
@@ -185,8 +163,8 @@ def _problem(path: Path) -> str:
     found = kind_of_file(path.lstat().st_mode)
     if found:
         return f"expected a file, got {found}"
-    if path.suffix.lower() not in KINDS:
-        return f"expected a file that ends in {' or '.join(KINDS)}"
+    if path.suffix.lower() not in FILE_KINDS:
+        return f"expected a file that ends in {' or '.join(FILE_KINDS)}"
     return ""
 
 
@@ -195,36 +173,17 @@ def without_path(error: DamagedFileError) -> str:
     return one_line(error.args[1])
 
 
-def display_name(name: str) -> str:
-    """Return a name as one short line of printable characters."""
+def _display_name(name: str) -> str:
     line = one_line(name)
     return line if len(line) <= LONGEST_NAME else f"{line[:LONGEST_NAME]}..."
 
 
-def same_student(name: str) -> str:
-    """Return what names of the same student have in common: case and form do not matter."""
-    return unicodedata.normalize("NFKC", name).casefold().strip()
-
-
 def without_rivals(entries: list[Entry]) -> tuple[list[Entry], list[Refusal]]:
-    """Refuse all entries of a student who handed in several for one team.
-
-    Parameters
-    ----------
-    entries : list of Entry
-        Entries of students.
-
-    Returns
-    -------
-    entries : list of Entry
-        Those that are the only one of their student and team.
-    refusals : list of Refusal
-        One for each of the others.
-    """
+    """Refuse all entries of a student who handed in several for one team."""
     groups: dict[tuple[str, Team], list[Entry]] = {}
     for entry in entries:
-        groups.setdefault((same_student(entry.name), entry.team), []).append(entry)
-    kept = [entry for entry in entries if len(groups[same_student(entry.name), entry.team]) == 1]
+        groups.setdefault(_student_and_team(entry), []).append(entry)
+    kept = [entry for entry in entries if len(groups[_student_and_team(entry)]) == 1]
     refusals = [
         Refusal(
             entry.name,
@@ -237,3 +196,100 @@ def without_rivals(entries: list[Entry]) -> tuple[list[Entry], list[Refusal]]:
         for entry in group
     ]
     return kept, refusals
+
+
+def _student_and_team(entry: Entry) -> tuple[str, Team]:
+    """Return student and team of an entry; the case and the form of a name do not matter."""
+    return unicodedata.normalize("NFKC", entry.name).casefold().strip(), entry.team
+
+
+# ---- A genome as a file --------------------------------------------------------------------------
+
+GENOME_FORMS: dict[str, Form] = {
+    "genome": ("f", 1),
+    "hidden": ("iuf", 1),  # an empty list is an array of floats
+    "activation": ("U", 0),
+    "fov": ("iu", 0),
+    "n_actions": ("iu", 0),
+    "sampled": ("b", 0),
+    "team": ("U", 0),
+}
+
+
+def save_genome(path: str | os.PathLike[str], team: Team, policy: NetworkPolicy) -> None:
+    """Write a policy as a file that `matrixworld class` plays.
+
+    Parameters
+    ----------
+    path : str or path
+        The file, which is replaced if it exists.
+    team : {"pursuer", "evader"}
+        The team for which it plays.
+    policy : NetworkPolicy
+        The policy, such as ``open_run(directory).policy("pursuer")``.
+
+    Raises
+    ------
+    ValueError
+        If there is no such team.
+    """
+    check_choice("team", team, TEAMS)
+    network = policy.network
+    save_arrays(
+        Path(path),
+        {
+            "genome": policy.genome,
+            "hidden": np.array(network.hidden, np.int64),
+            "activation": network.activation,
+            "fov": network.fov,
+            "n_actions": network.n_actions,
+            "sampled": network.sampled,
+            "team": team,
+        },
+    )
+
+
+def load_genome(path: str | os.PathLike[str]) -> tuple[Team, Population]:
+    """Return the team of a genome's file, and the genome as a population of one.
+
+    Parameters
+    ----------
+    path : str or path
+        A file as `save_genome` writes it; ``numpy.savez`` with the same keys can make one, too.
+
+    Returns
+    -------
+    team : {"pursuer", "evader"}
+        The team.
+    population : Population
+        The genome with its network.
+
+    Raises
+    ------
+    DamagedFileError
+        If the file is damaged, too large, or not of this form.
+    OSError
+        If it cannot be read.
+    """
+    file = Path(path)
+    return genome_of(file, read_content(file, "genome"))
+
+
+def genome_of(path: Path, content: bytes) -> tuple[Team, Population]:
+    """Return team and genome in the content of a file, as `load_genome`."""
+    arrays = read_arrays(path, content, GENOME_FORMS)
+    team, layers = str(arrays["team"]), len(arrays["hidden"])
+    if layers > MOST_LAYERS:
+        raise DamagedFileError(path, f"hidden: expected at most {MOST_LAYERS} layers, got {layers}")
+    try:
+        check_choice("team", team, TEAMS)
+        network = Network(
+            tuple(int(size) for size in arrays["hidden"]),
+            activation=str(arrays["activation"]),  # type: ignore[arg-type]
+            fov=int(arrays["fov"]),
+            n_actions=int(arrays["n_actions"]),
+            sampled=bool(arrays["sampled"]),
+        )
+        return team, Population(arrays["genome"], network)  # type: ignore[return-value]
+    except (OverflowError, TypeError, ValueError) as error:
+        raise DamagedFileError(path, str(error)) from error

@@ -10,11 +10,10 @@ from typing import Any, TypeVar
 import click
 
 from matrixworld._util.checks import INT_MAX
-from matrixworld.classroom.limits import Limits
-from matrixworld.classroom.page import class_page
-from matrixworld.classroom.report import class_json
-from matrixworld.classroom.round_robin import ClassResult, play_class
+from matrixworld.classroom.page import class_json, class_page
+from matrixworld.classroom.sandbox import Limits
 from matrixworld.classroom.standings import Standing, standings
+from matrixworld.classroom.tournament import ClassResult, play_class
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, progress
 from matrixworld.cli.options import (

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from matrixworld.classroom.genome_file import save_genome
+from matrixworld.classroom.submissions import save_genome
 from matrixworld.cli.arguments import failures, run_of
 from matrixworld.cli.options import force_option, refuse_existing
 from matrixworld.coevolution import open_run

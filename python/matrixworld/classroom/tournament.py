@@ -1,9 +1,13 @@
-"""The tournament: every pursuer of a class against every evader."""
+"""The tournament: every pursuer of a class against every evader.
+
+Every submission is read, loaded and tried first. What breaks a rule is left out, and its matches
+count for no one.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, closing, nullcontext
 from dataclasses import dataclass, field
 from itertools import product
 from pathlib import Path
@@ -12,13 +16,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_integer, check_threads
-from matrixworld.classroom.admission import admit, reason_of
-from matrixworld.classroom.limits import Limits
-from matrixworld.classroom.match import FailedError, Played
-from matrixworld.classroom.referee import Referee
-from matrixworld.classroom.submissions import Entry, Refusal, read_submissions
+from matrixworld._util.reading import DamagedFileError
+from matrixworld.classroom.match import MatchPool, Played
+from matrixworld.classroom.policy_process import RefusedError
+from matrixworld.classroom.policy_server import FUNCTIONS
+from matrixworld.classroom.sandbox import Limits
+from matrixworld.classroom.submissions import (
+    Entry,
+    Refusal,
+    Submission,
+    genome_of,
+    read_submissions,
+    without_path,
+    without_rivals,
+)
 from matrixworld.coevolution.progress import Report
 from matrixworld.coevolution.types import TEAMS, Team, other
+from matrixworld.play import check_fits
 from matrixworld.play.seeds import match_seed
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Script
@@ -28,6 +42,8 @@ SCRIPTS: dict[Team, tuple[Script, ...]] = {
     "evader": ("random", "fleer", "dodger"),
 }
 """The package's scripts that take part, for comparison."""
+TRIAL_OPPONENT: Script = "random"
+"""The script against which every program plays an episode first."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +76,10 @@ class ClassResult:
     capture_rates: NDArray[np.float64]
     lengths: NDArray[np.int64]
     recordings: dict[tuple[int, int], NDArray[np.uint8]] = field(repr=False)
+
+
+def _silent(what: str, done: int, total: int) -> None:
+    """Report nothing."""
 
 
 def play_class(
@@ -111,29 +131,27 @@ def play_class(
     """
     check_integer("episodes", episodes, 2)
     check_integer("seed", seed, 0)
+    limits = limits or Limits()
     submissions, unreadable = read_submissions(directory)
-    with Referee(
+    pool = MatchPool(
         config,
         seed=match_seed(seed),
-        limits=limits or Limits(),
+        limits=limits,
         trust=trust,
         threads=check_threads(threads),
         programs=any(each.kind == "program" for each in submissions),
-    ) as referee:
+    )
+    with closing(pool):
         with progress("submissions") as report:
-            students, refused = admit(submissions, referee, report)
+            students, refused = admit(submissions, pool, report)
         refusals = [*unreadable, *refused]
         _require(students, refusals, directory)
         with progress("episodes") as report:
-            results = _Results(students, limits or Limits())
-            results.play(referee, episodes, report)
-    refusals += results.refusals
-    _require([each for each in students if each not in results.failed], refusals, directory)
-    return results.all(config, seed, refusals)
-
-
-def _silent(what: str, done: int, total: int) -> None:
-    """Report nothing."""
+            played = _RoundRobin(students, limits)
+            played.play(pool, episodes, report)
+    refusals += [Refusal(each.name, each.file, reason) for each, reason in played.failed.items()]
+    _require([each for each in students if each not in played.failed], refusals, directory)
+    return played.result(config, seed, refusals)
 
 
 def _require(students: Sequence[Entry], refusals: Sequence[Refusal], directory: Path) -> None:
@@ -143,7 +161,78 @@ def _require(students: Sequence[Entry], refusals: Sequence[Refusal], directory: 
         raise ValueError(f"{directory}: expected a submission that can play, got none{reasons}")
 
 
-class _Results:
+# ---- Who may play --------------------------------------------------------------------------------
+
+Admitted = tuple[list[Entry], list[Refusal]]
+
+
+def admit(submissions: Sequence[Submission], pool: MatchPool, report: Report) -> Admitted:
+    """Return the entries of submissions, at most one for each student and team, and refusals."""
+    entries: list[Entry] = []
+    refusals: list[Refusal] = []
+    tried = pool.executor.map(lambda each: _entries_of(each, pool), submissions)
+    for number, (found, refused) in enumerate(tried, 1):
+        entries += found
+        refusals += refused
+        report("trials", number, len(submissions))
+    kept, rivals = without_rivals(entries)
+    return kept, refusals + rivals
+
+
+def _entries_of(submission: Submission, pool: MatchPool) -> Admitted:
+    """Return the entries of one submission, or why it is refused."""
+    try:
+        if submission.kind == "genome":
+            return [_genome(submission, pool.config)], []
+        return _program(submission, pool)
+    except RefusedError as error:
+        return [], [Refusal(submission.name, submission.file, str(error))]
+
+
+def _genome(submission: Submission, config: WorldConfig) -> Entry:
+    """Read a genome; RefusedError if it is damaged or does not fit the world."""
+    try:
+        team, population = genome_of(submission.path, submission.content)
+        check_fits("genome", population.network, config)
+    except DamagedFileError as error:
+        raise RefusedError(without_path(error)) from error
+    except ValueError as error:
+        raise RefusedError(str(error)) from error
+    return Entry(submission.name, team, "genome", submission.file, population)
+
+
+def _program(submission: Submission, pool: MatchPool) -> Admitted:
+    """Load a program, and let it play an episode for each team for which it has a function."""
+    if pool.problem:
+        raise RefusedError(f"programs are not played here: {pool.problem}")
+    present = pool.functions(submission.content)
+    if not any(present):
+        raise RefusedError("expected a function pursue(view, rng) or evade(view, rng), got none")
+    entries: list[Entry] = []
+    refusals: list[Refusal] = []
+    for team, is_present in zip(TEAMS, present, strict=True):
+        if not is_present:
+            continue
+        entry = Entry(submission.name, team, "program", submission.file, submission.content)
+        opponent = Entry(TRIAL_OPPONENT, other(team), "script", "", TRIAL_OPPONENT)
+        try:
+            pool.play(*((entry, opponent) if team == "pursuer" else (opponent, entry)), 1)
+            entries.append(entry)
+        except RefusedError as error:
+            refusals.append(Refusal(entry.name, entry.file, _reason(entry, error)))
+    return entries, refusals
+
+
+def _reason(entry: Entry, error: RefusedError) -> str:
+    """Return why an entry is refused, beginning with its function."""
+    text, function = str(error), FUNCTIONS[entry.team]
+    return text if text.startswith(f"{function} ") else f"{function}: {text}"
+
+
+# ---- All pairs -----------------------------------------------------------------------------------
+
+
+class _RoundRobin:
     """The results of all pairs, and the entries that broke a rule while they played."""
 
     def __init__(self, students: Sequence[Entry], limits: Limits) -> None:
@@ -159,36 +248,33 @@ class _Results:
         self._seconds: dict[Entry, float] = {}
         self.failed: dict[Entry, str] = {}
 
-    def play(self, referee: Referee, episodes: int, report: Report) -> None:
+    def play(self, pool: MatchPool, episodes: int, report: Report) -> None:
         """Play all pairs; those of an entry that broke a rule are left out from then on."""
-        counts = len(self._entries["pursuer"]), len(self._entries["evader"])
-        pairs = list(product(range(counts[0]), range(counts[1])))
 
-        def play(pair: tuple[int, int]) -> Played | FailedError | None:
-            pursuers, evaders = self._of(pair)
-            if pursuers in self.failed or evaders in self.failed:
+        def play(entries: tuple[Entry, ...]) -> Played | RefusedError | None:
+            if any(entry in self.failed for entry in entries):
                 return None
             try:
-                return referee.match(pursuers, evaders, episodes)
-            except FailedError as error:
+                return pool.play(entries[0], entries[1], episodes)
+            except RefusedError as error:
                 return error
 
+        teams = [self._entries[team] for team in TEAMS]
+        pairs = list(product(*(range(len(entries)) for entries in teams)))
         # In the order of the pairs: the first failure of an entry is the same with any threads.
-        for number, found in enumerate(referee.executor.map(play, pairs)):
-            self._note(pairs[number], found)
+        for number, found in enumerate(pool.executor.map(play, product(*teams))):
+            self._add(pairs[number], found)
             report("round robin", (number + 1) * episodes, len(pairs) * episodes)
 
-    def _of(self, pair: tuple[int, int]) -> tuple[Entry, Entry]:
-        return self._entries["pursuer"][pair[0]], self._entries["evader"][pair[1]]
-
-    def _note(self, pair: tuple[int, int], found: Played | FailedError | None) -> None:
-        entries = dict(zip(TEAMS, self._of(pair), strict=True))
-        if isinstance(found, FailedError):
-            entry, rival = (entries[team] for team in (found.team, other(found.team)))
-            reason = f"{reason_of(entry, found)} (in the match against {rival.name})"
+    def _add(self, pair: tuple[int, ...], found: Played | RefusedError | None) -> None:
+        entries = {team: self._entries[team][n] for team, n in zip(TEAMS, pair, strict=True)}
+        if isinstance(found, RefusedError):
+            assert found.team is not None
+            entry, rival = entries[found.team], entries[other(found.team)]
+            reason = f"{_reason(entry, found)} (in the match against {rival.name})"
             self.failed.setdefault(entry, reason)
         elif found is not None:
-            self._played[pair] = found
+            self._played[pair[0], pair[1]] = found
             for team, seconds in found.seconds.items():
                 self._count(entries[team], seconds)
 
@@ -199,12 +285,7 @@ class _Results:
             limit = f"more than {self._limits.in_all:g} seconds of processor time in all matches"
             self.failed.setdefault(entry, limit)
 
-    @property
-    def refusals(self) -> list[Refusal]:
-        """Why entries that had been admitted were refused later."""
-        return [Refusal(each.name, each.file, reason) for each, reason in self.failed.items()]
-
-    def all(self, config: WorldConfig, seed: int, refusals: Sequence[Refusal]) -> ClassResult:
+    def result(self, config: WorldConfig, seed: int, refusals: Sequence[Refusal]) -> ClassResult:
         """Return the results of the entries that broke no rule."""
         kept = {
             team: [n for n, entry in enumerate(entries) if entry not in self.failed]

@@ -1,4 +1,4 @@
-"""The system calls of a process, reduced for good to those that computing in memory needs.
+"""What a submitted program may use: limits of the process, and a filter of its system calls.
 
 Linux runs a small program (seccomp-bpf) before each system call of the process. Ours knows a list
 of allowed calls; every other one fails with EPERM, which Python raises as PermissionError. The
@@ -14,6 +14,79 @@ import os
 import platform
 import struct
 import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from matrixworld._util.checks import check_integer, check_number
+
+MOST_SECONDS = 3600
+MIB = 2**20
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Limits of a submitted program.
+
+    Parameters
+    ----------
+    seconds : int, optional
+        Processor time of one match, in seconds. The default is 10.
+    wait : float, optional
+        Time by the clock that one answer may take, in seconds. The default is 30.
+    in_all : float, optional
+        Processor time of all matches of one submission, in seconds. The default is 200.
+    memory : int, optional
+        Memory beyond that of Python and NumPy themselves, in MiB. The default is 512.
+
+    Raises
+    ------
+    ValueError, TypeError
+        If a limit is out of range.
+    """
+
+    seconds: int = 10
+    wait: float = 30.0
+    in_all: float = 200.0
+    memory: int = 512
+
+    def __post_init__(self) -> None:
+        check_integer("seconds", self.seconds, 1, MOST_SECONDS)
+        check_integer("memory", self.memory, 16, 1 << 20)
+        for name in ("wait", "in_all"):
+            check_number(name, getattr(self, name), least=0.0, positive=True)
+
+
+def set_limits(limits: Limits, files: int | None) -> None:
+    """Limit this process for good.
+
+    `files` are open already: it can then open no other one, write to no regular one, and start no
+    process. With None only time and memory are limited.
+    """
+    import resource
+
+    hard = {"RLIMIT_AS": _address_space() + limits.memory * MIB, "RLIMIT_CORE": 0}
+    if files is not None:
+        hard |= {
+            "RLIMIT_FSIZE": 0,  # of regular files; connections and /dev/null have no size
+            "RLIMIT_MEMLOCK": 0,
+            "RLIMIT_NOFILE": files,
+            "RLIMIT_NPROC": 0,  # not for root, which the filter of system calls stops
+        }
+    for name, value in hard.items():
+        # macOS lacks some of them, and refuses a limit of the address space.
+        if hasattr(resource, name) and not (name == "RLIMIT_AS" and sys.platform == "darwin"):
+            resource.setrlimit(getattr(resource, name), (value, value))
+    # The first signal can be caught, the second one, a second later, cannot.
+    resource.setrlimit(resource.RLIMIT_CPU, (limits.seconds, limits.seconds + 1))
+
+
+def _address_space() -> int:
+    """Return the bytes of address space that this process uses already."""
+    import resource
+
+    status = Path("/proc/self/statm")
+    return int(status.read_text().split()[0]) * resource.getpagesize() if status.exists() else 0
+
 
 ALLOWED = {
     # What is open already: the connection to the parent, and /dev/null.
@@ -62,18 +135,15 @@ _PR_SET_NO_NEW_PRIVS, _PR_SET_SECCOMP, _PR_SET_PDEATHSIG = 38, 22, 1
 _SECCOMP_MODE_FILTER = 2
 
 
-def restrict() -> None:
+def filter_system_calls() -> None:
     """Allow this process, which has one thread, the calls in `ALLOWED` only, from now on.
 
-    Raises
-    ------
-    OSError
-        If the system has no such filters, or forbids them.
+    OSError if the system has no such filters, or forbids them.
     """
     if sys.platform != "linux" or platform.machine() not in MACHINES:
         machine = f"{platform.system()} on {platform.machine()}"
         raise OSError(errno.ENOSYS, f"expected Linux on {' or '.join(MACHINES)}, got {machine}")
-    program = ctypes.create_string_buffer(_program(*MACHINES[platform.machine()]))
+    program = ctypes.create_string_buffer(_filter(*MACHINES[platform.machine()]))
     # struct sock_fprog: the number of instructions of 8 bytes, and their address.
     count, address = (len(program) - 1) // 8, ctypes.addressof(program)
     header = ctypes.create_string_buffer(struct.pack("@HP", count, address))
@@ -93,7 +163,7 @@ def end_with_parent(signal: int) -> None:
 
 
 def _control(option: int, *arguments: int) -> None:
-    """Call prctl, and raise OSError if it fails."""
+    """Call prctl; OSError if it fails."""
     words = [*arguments, 0, 0, 0, 0][:4]
     library = ctypes.CDLL(None, use_errno=True)
     if library.prctl(ctypes.c_int(option), *map(ctypes.c_ulong, words)):
@@ -101,7 +171,7 @@ def _control(option: int, *arguments: int) -> None:
         raise OSError(number, os.strerror(number))
 
 
-def _program(column: int, machine: int) -> bytes:
+def _filter(column: int, machine: int) -> bytes:
     """Return the filter: instructions of code, jump if true, jump if false, and a number."""
     numbers = [row[column] for row in ALLOWED.values()]
     return b"".join(
