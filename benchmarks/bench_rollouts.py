@@ -83,7 +83,7 @@ def decisions(
     config: mw.WorldConfig, team: mw.Population, matches: mw.Matches, worlds: int, threads: int
 ) -> int:
     """Play all matches, and return the number of decisions."""
-    scores = mw.rollout(config, team, team, matches, worlds=worlds, threads=threads)
+    scores = mw.rollout(config, team, team, matches, episodes=worlds, threads=threads)
     return int(scores.agent_steps.sum())
 
 
@@ -119,7 +119,7 @@ def short_episodes(hidden: tuple[int, ...], obstacles: float, fresh: bool, clock
     def play(number: int) -> int:
         seeds = number * GENOMES + each
         matches = mw.Matches.of(each, each[::-1], seeds) if fresh else mw.Matches.of(0, 1, seeds)
-        return decisions(config, team, matches, worlds=1, threads=1)
+        return decisions(config, team, matches, episodes=1, threads=1)
 
     return clock.rate(play)
 

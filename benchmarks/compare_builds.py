@@ -48,7 +48,7 @@ def rollouts(
 
         def play(number: int) -> tuple[int, Any]:
             matches = mw.Matches.of(each, 0, number * len(each) + np.arange(len(each)))
-            scores = mw.rollout(config, team, team, matches, worlds=worlds, threads=threads)
+            scores = mw.rollout(config, team, team, matches, episodes=worlds, threads=threads)
             return int(scores.agent_steps.sum()), scores
 
         return play

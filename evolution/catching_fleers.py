@@ -117,7 +117,7 @@ def captured(plan: Plan, pursuers: mw.Population | str, evaders: str, size: int,
             pursuers,
             evaders,
             mw.Matches.of(0, 0, plan.base.seed),
-            worlds=plan.episodes,
+            episodes=plan.episodes,
         ).capture_rate.mean()
     )
 

@@ -170,7 +170,7 @@ def cell(genomes: dict[str, np.ndarray], team: Team, name: str, variant: str, ep
     rates = []
     for script in held_out_scripts(other(team), variant):
         sides = (player, script) if team == "pursuer" else (script, player)
-        captured = mw.rollout(variant, *sides, matches, worlds=episodes).capture_rate.mean()
+        captured = mw.rollout(variant, *sides, matches, episodes=episodes).capture_rate.mean()
         rates.append(captured if team == "pursuer" else 1 - captured)
     return f"{rates[0]:.2f}, {np.mean(rates):.2f}"
 

@@ -252,7 +252,7 @@ def surrounding(
         each = np.arange(len(pursuers.genomes))
         world = plan.surround.world(plan.surround.eval_steps)
         scores = mw.rollout(
-            world, pursuers, "random", mw.Matches.of(each, 0, each), worlds=100, threads=threads
+            world, pursuers, "random", mw.Matches.of(each, 0, each), episodes=100, threads=threads
         )
         captured.append(scores.capture_rate.mean(axis=1))
         steps = scores.agent_steps[:, :, 0].sum(axis=1)

@@ -140,7 +140,7 @@ def evaluate(champions: Mapping[Team, np.ndarray], budget: Budget) -> dict[Team,
     # All champions meet all opponents: a price is judged by the same opponents as any other.
     pairs = np.indices((n, n)).reshape(2, -1)
     matches = mw.Matches.of(*pairs, np.arange(n * n))
-    played = mw.rollout(budget.world, pursuers, evaders, matches, worlds=budget.episodes)
+    played = mw.rollout(budget.world, pursuers, evaders, matches, episodes=budget.episodes)
 
     def champion(t: int, player: int) -> tuple[float, np.ndarray]:
         own, monitor = pairs[t] == player, mw.SafetyMonitor()

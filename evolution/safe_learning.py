@@ -30,14 +30,16 @@ from numpy.typing import ArrayLike, NDArray
 from common import script_parser
 from matrixworld._util import colors
 from matrixworld.analysis import Estimate, interval_over_runs
-from matrixworld.world.rules import KINDS
+from matrixworld.world.rules import COLLISION_KINDS
 from safe_runs import FULL, LIMIT, QUICK, measured, play
 
 Numbers = Mapping[str, NDArray[Any]]
 """The arrays that `safe_runs.measured` returns."""
 
 EVOLVED = " evolution: "
-HEAD = " | ".join(["capture rate", "collisions", *KINDS, "while training", "million steps"])
+HEAD = " | ".join(
+    ["capture rate", "collisions", *COLLISION_KINDS, "while training", "million steps"]
+)
 NOTHING, TWELVE, ONE, LIMITED, WALLS, OCCUPIED, MASK_ONE, BOTH = (
     colors.INK, colors.VERMILLION, colors.PURPLE, colors.BLUE, colors.SKY_BLUE, colors.GREEN,
     colors.MUTED, colors.ORANGE,
@@ -86,7 +88,7 @@ def judged(numbers: Numbers, name: str, *, budget: float) -> dict[str, NDArray[A
     return {
         "capture rate": numbers[f"{name} / capture rate"][seeds, last],
         "all": faults.sum(axis=1),
-        **{kind: faults[:, k] for k, kind in enumerate(KINDS)},
+        **{kind: faults[:, k] for k, kind in enumerate(COLLISION_KINDS)},
         "training": 1000 * numbers[f"{name} / collisions"][seeds, last] / steps[seeds, last],
         "agent-steps": steps[seeds, last] / 1e6,
     }
@@ -119,7 +121,7 @@ def row(numbers: Numbers, name: str, label: str, budget: float) -> str:
     cells = [
         shown(found["capture rate"], 2, most=1.0),
         shown(found["all"], 1),
-        *(f"{found[kind].mean():.1f}" for kind in KINDS),
+        *(f"{found[kind].mean():.1f}" for kind in COLLISION_KINDS),
         shown(found["training"], 1),
         f"{found['agent-steps'].mean():.2f}",
     ]
@@ -145,7 +147,9 @@ def training_figure(numbers: Numbers) -> Figure:
             name, label = f"{variant} {method}", method.partition(": ")[2]
             curve(captures, numbers, name, "capture rate", color=color, label=label)
             axes.set_title(f"-{variant}: {label}", color=color, fontsize="medium")
-            for k, (kind, of_kind) in enumerate(zip(KINDS, colors.CONFLICTS, strict=True)):
+            for k, (kind, of_kind) in enumerate(
+                zip(COLLISION_KINDS, colors.CONFLICTS, strict=True)
+            ):
                 curve(axes, numbers, name, "fault", k, color=of_kind, label=kind)
             axes.set_yscale("symlog", linthresh=10.0)
             axes.set_ylim(0.0, 1000.0)

@@ -189,7 +189,7 @@ def tested(run: SavedRun, episodes: int) -> tuple[NDArray[Any], NDArray[Any]]:
         own,
         settings.against,
         mw.Matches.of(generations, 0, FIRST_TEST_SEED),
-        worlds=episodes,
+        episodes=episodes,
     )
     monitors = [mw.SafetyMonitor() for _ in generations]
     fields = (played.collisions, played.faults, played.agent_steps, played.capture_rate)

@@ -43,7 +43,7 @@ def tables() -> dict[str, Any]:
         "CAPTURES": numbers(mw.Capture),
         "BLAMES": numbers(mw.Blame),
         "ACTIONS": [action.name for action in mw.Action],
-        "KINDS": conflicts.KINDS,
+        "KINDS": conflicts.COLLISION_KINDS,
         "FORMS": conflicts.FORMS,
         "CONFLICT_COLUMNS": conflicts.CONFLICT_COLUMNS,
         "AGENT_NAMES": conflicts.AGENT_NAMES,

@@ -34,14 +34,14 @@ from matrixworld.world.config import WorldConfig
 from matrixworld.world.conflicts import Conflict
 from matrixworld.world.maps import read_map
 from matrixworld.world.policy import SCRIPTS, Network, Population
-from matrixworld.world.rules import KINDS, VARIANTS, Action, Rewards, Rules
+from matrixworld.world.rules import COLLISION_KINDS, VARIANTS, Action, Rewards, Rules
 from matrixworld.world.world import World
 
 if TYPE_CHECKING:
     from matrixworld.coevolution import score_policy
 
 __all__ = [
-    "KINDS",
+    "COLLISION_KINDS",
     "SCRIPTS",
     "VARIANTS",
     "Action",

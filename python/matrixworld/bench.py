@@ -140,7 +140,7 @@ def check_matches(config: WorldConfig, network: Network, threads: int) -> None:
     # Also where only one thread is measured, there must be something to compare with.
     several = max(2, threads)
     one, more = (
-        rollout(config, *teams, matches, worlds=2, threads=number) for number in (1, several)
+        rollout(config, *teams, matches, episodes=2, threads=number) for number in (1, several)
     )
     for name in (item.name for item in fields(EpisodeStatistics)):
         if not np.array_equal(getattr(one, name), getattr(more, name)):

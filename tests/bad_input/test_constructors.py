@@ -84,7 +84,7 @@ CALLS: dict[str, tuple[Callable[..., object], dict[str, Any]]] = {
     "rollout": (
         mw.rollout,
         {"config": CONFIG, "pursuers": TEAM, "evaders": TEAM}
-        | {"matches": MATCH, "worlds": 1, "threads": 1},
+        | {"matches": MATCH, "episodes": 1, "threads": 1},
     ),
     "record": (
         mw.record,

@@ -101,8 +101,8 @@ MATCHES = [
     value("huge seeds", lambda: mw.Matches.of(0, 0, 2**64), "0 to 1844 | got 18446744073709551616"),
     kind("text as a seed", lambda: mw.Matches.of(0, 0, "7"), "an integer | got '7'"),
     value("a table of matches", lambda: mw.Matches.of([[0]], 0, 0), "one axis | got shape (1, 1)"),
-    value("no worlds", lambda: rollout(TEAM, TEAM, worlds=0), "at least 1 | got 0"),
-    kind("float worlds", lambda: rollout(TEAM, TEAM, worlds=1.5), "an integer | got 1.5"),
+    value("no episodes", lambda: rollout(TEAM, TEAM, episodes=0), "at least 1 | got 0"),
+    kind("float episodes", lambda: rollout(TEAM, TEAM, episodes=1.5), "an integer | got 1.5"),
     value("no threads", lambda: rollout(TEAM, TEAM, threads=0), "1 to 1024 | got 0"),
     kind("no config", lambda: rollout(TEAM, TEAM, None), "Rules or the name | got None"),
     value(

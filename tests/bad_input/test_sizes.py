@@ -36,9 +36,9 @@ TOO_LARGE = {
     "views": lambda: mw.VectorEnv(CONFIG, MANY),
     "threads": lambda: mw.Batch(1024, WIDE, threads=1024, buffers={}),
     "genome": lambda: GIANT.initial(np.random.default_rng(0)),
-    "episodes": lambda: mw.rollout(CONFIG, TEAM, "still", MATCH, worlds=MANY),
+    "episodes": lambda: mw.rollout(CONFIG, TEAM, "still", MATCH, episodes=MANY),
     "threads of a rollout": lambda: mw.rollout(
-        mw.WorldConfig(rows=4096, cols=4096), "still", "still", MATCH, worlds=2**16, threads=1024
+        mw.WorldConfig(rows=4096, cols=4096), "still", "still", MATCH, episodes=2**16, threads=1024
     ),
     "tournament": lambda: play_tournament(CONFIG, TEAM, TEAM, seed=0, episodes=MANY),
     "scores": lambda: score_population(CONFIG, "pursuer", TEAM, episodes=MANY),
@@ -116,7 +116,7 @@ CALLS: dict[str, tuple[Callable[[], object], int]] = {
     "agents": (lambda: mw.Batch(1000, CROWD, threads=1, buffers={}), 1000 * state_bytes(CROWD)),
     "worlds": (lambda: mw.Batch(50_000, SMALL, threads=1, buffers={}), 50_000 * state_bytes(SMALL)),
     "episodes": (
-        lambda: mw.rollout(SMALL, "still", "still", MATCH, worlds=200_000, threads=1),
+        lambda: mw.rollout(SMALL, "still", "still", MATCH, episodes=200_000, threads=1),
         200_000 * memory.EPISODE_BYTES,
     ),
 }

@@ -128,7 +128,9 @@ def test_matches_without_programs_are_those_of_the_engine(
     }
     for pursuers in SCRIPTS["pursuer"]:
         for evaders in SCRIPTS["evader"]:
-            found = rollout(CONFIG, pursuers, evaders, Matches.of(0, 0, [match_seed(0)]), worlds=3)
+            found = rollout(
+                CONFIG, pursuers, evaders, Matches.of(0, 0, [match_seed(0)]), episodes=3
+            )
             cell = numbers["pursuer"][pursuers], numbers["evader"][evaders]
             np.testing.assert_allclose(result.capture_rates[cell], found.capture_rate[0])
             np.testing.assert_array_equal(result.lengths[cell], found.length[0])

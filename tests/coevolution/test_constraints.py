@@ -33,7 +33,7 @@ def test_beyond_the_limit_only_the_violation_counts() -> None:
 
 def test_collisions_are_counted_as_by_the_safety_monitor() -> None:
     config = mw.WorldConfig("S", rows=6, cols=6, n_pursuers=4, n_evaders=3, max_steps=20)
-    scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, [1, 2]), worlds=3)
+    scores = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, [1, 2]), episodes=3)
     for t, team in enumerate(TEAMS):
         for match, found in enumerate(collisions(scores, team)):
             monitor = mw.SafetyMonitor()
@@ -73,7 +73,7 @@ def test_a_limit_makes_evolution_collide_less(tmp_path: Path) -> None:
         run = coevolution.finish(replace(base, cost_limit=limit), tmp_path / name, threads=1)
         own = Population(run.teams["pursuer"].genomes[-1:], run.teams["pursuer"].network)
         matches = mw.Matches.of(0, 0, 9)
-        scores = mw.rollout(base.world(30), own, "random", matches, worlds=50)
+        scores = mw.rollout(base.world(30), own, "random", matches, episodes=50)
         return float(collisions(scores, "pursuer")[0])
 
     assert rate("limited", 20.0) < 0.5 * rate("free", None)

@@ -83,7 +83,7 @@ def rollouts(digest: hashlib._Hash) -> None:
         network = mw.Network.for_config(config, (9, 7))
         team = mw.Population(random_genome(network, 1), network)
         for pursuers, evaders in ((team, "fleer"), ("chaser", team), ("random", "still")):
-            scores = mw.rollout(config, pursuers, evaders, matches, worlds=2, threads=1)
+            scores = mw.rollout(config, pursuers, evaders, matches, episodes=2, threads=1)
             for name in SCORES:
                 digest.update(whole_numbers(getattr(scores, name)))
 

@@ -48,7 +48,10 @@ def test_they_are_the_arrays_of_the_worlds(team: str, mode: AutoresetMode, copie
 
     def assert_infos(flat: dict[str, Any], whole: dict[str, Any]) -> None:
         keys = {"alive", "acted", "positions", "involved", "fault", "cost", "action_mask"}
-        assert flat.keys() == keys | {f"cost_{k}" for k in mw.KINDS} | {"final_obs", "_final_obs"}
+        assert flat.keys() == keys | {f"cost_{k}" for k in mw.COLLISION_KINDS} | {
+            "final_obs",
+            "_final_obs",
+        }
         for key in flat.keys() - {"_final_obs"}:
             assert_equal(flat[key], whole[key])
         n = env.num_envs // 3

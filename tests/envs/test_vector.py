@@ -32,9 +32,9 @@ def assert_agrees(env: mw.VectorEnv, worlds: list[mw.World]) -> None:
         np.testing.assert_array_equal(env.rewards[w], world.rewards)
         np.testing.assert_array_equal(env.terminations[w], world.terminations)
         np.testing.assert_array_equal(env.truncations[w], world.truncations)
-        for k, kind in enumerate(mw.KINDS):
+        for k, kind in enumerate(mw.COLLISION_KINDS):
             np.testing.assert_array_equal(env.infos[f"cost_{kind}"][w], world.fault[:, k])
-        for key in set(env.infos) - SKIPPED - {f"cost_{kind}" for kind in mw.KINDS}:
+        for key in set(env.infos) - SKIPPED - {f"cost_{kind}" for kind in mw.COLLISION_KINDS}:
             name = NAME_IN_WORLD.get(key, key)
             np.testing.assert_array_equal(env.infos[key][w], world.read(name)[name], key)
 

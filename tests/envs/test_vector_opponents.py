@@ -43,7 +43,7 @@ def test_episodes_are_those_of_rollouts(name: str, team: str, mode: AutoresetMod
         envs = mw.VectorEnv(config, 4, autoreset_mode=mode, **{f"{team}s": theirs})
         sides = (theirs, mine) if team == "pursuer" else (mine, theirs)
         matches = mw.Matches.of(0, 0, np.arange(30, 34))
-        expected = mw.rollout(config, *sides, matches, worlds=3)
+        expected = mw.rollout(config, *sides, matches, episodes=3)
         _, infos = envs.reset(seed=30)
         played = np.zeros(4, int)
         while (played < 3).any():

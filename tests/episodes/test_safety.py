@@ -16,7 +16,7 @@ import matrixworld as mw
 from rows import config_of, random_actions
 
 NAMES = ["D", "SB", "SDB", "TO", "swarm-S"]
-PAGE = Path(__file__).parents[1] / "docs" / "safety.md"
+PAGE = Path(__file__).parents[2] / "docs" / "safety.md"
 
 
 def rows_of(config: mw.WorldConfig, number: int) -> np.ndarray:
@@ -109,7 +109,7 @@ def follow_turns(monitor: mw.SafetyMonitor, config: mw.WorldConfig, seed: int) -
 def test_rollouts_agree_with_recordings(name: str) -> None:
     config, matches = config_of(name), mw.Matches.of(0, 0, range(4))
     rolled, recorded = mw.SafetyMonitor(), mw.SafetyMonitor()
-    rolled.add_statistics(mw.rollout(config, "random", "fleer", matches, worlds=2))
+    rolled.add_statistics(mw.rollout(config, "random", "fleer", matches, episodes=2))
     for seed in range(4):
         for episode in range(2):
             recorded.add_episode(mw.record(config, "random", "fleer", seed=seed, episode=episode))

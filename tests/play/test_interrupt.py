@@ -26,7 +26,7 @@ few = mw.Matches.of([0, 1, 2], [2, 0, 1], [5, 6, 7])
 many = mw.Matches.of(0, 1, np.arange(100_000))
 
 def play(matches, threads):
-    return mw.rollout("SB", team, team, matches, worlds=3, threads=threads)
+    return mw.rollout("SB", team, team, matches, episodes=3, threads=threads)
 """
 
 INTERRUPTED = """

@@ -24,10 +24,10 @@ def team_of(
     return mw.Population(np.stack(genomes), network)
 
 
-def assert_same(config: mw.WorldConfig, hidden: tuple[int, ...], *, worlds: int) -> None:
+def assert_same(config: mw.WorldConfig, hidden: tuple[int, ...], *, episodes: int) -> None:
     team = team_of(config, hidden)
     matches = mw.Matches.of([0, 1, 1], [0, 0, 1], [3, 4, 5])
-    assert_same_one_by_one(config, team, team, matches, worlds=worlds, threads=2)
+    assert_same_one_by_one(config, team, team, matches, episodes=episodes, threads=2)
 
 
 @pytest.mark.parametrize("obstacles", ["none", "random", "map"])
@@ -37,17 +37,17 @@ def test_every_game(name: str, obstacles: str) -> None:
     chosen = {"none": 0.0, "random": 0.15, "map": MAP}[obstacles]
     number = NAMES.index(name)
     config = config_of(name, obstacles=chosen, diagonal=number % 2 == 1)
-    assert_same(config, WIDTHS[number % 5], worlds=1 + number % 20)
+    assert_same(config, WIDTHS[number % 5], episodes=1 + number % 20)
 
 
-@pytest.mark.parametrize("worlds", [1, 2, 15, 16, 17, 20, 33])
-def test_every_number_of_worlds(worlds: int) -> None:
-    assert_same(mw.WorldConfig("O", rows=14, cols=14, max_steps=40), (32,), worlds=worlds)
+@pytest.mark.parametrize("episodes", [1, 2, 15, 16, 17, 20, 33])
+def test_every_number_of_worlds(episodes: int) -> None:
+    assert_same(mw.WorldConfig("O", rows=14, cols=14, max_steps=40), (32,), episodes=episodes)
 
 
 @pytest.mark.parametrize("hidden", WIDTHS)
 def test_every_width(hidden: tuple[int, ...]) -> None:
-    assert_same(mw.WorldConfig("SDB", rows=15, cols=12, max_steps=15), hidden, worlds=3)
+    assert_same(mw.WorldConfig("SDB", rows=15, cols=12, max_steps=15), hidden, episodes=3)
 
 
 @pytest.mark.parametrize("n_agents", [2, 31, 32, 33, 63, 64, 65, 127, 128, 129])
@@ -56,7 +56,7 @@ def test_every_number_of_agents(n_agents: int) -> None:
     config = mw.WorldConfig(
         "R", rows=13, cols=13, n_pursuers=n_agents // 2, n_evaders=(n_agents + 1) // 2, max_steps=12
     )
-    assert_same(config, (32,), worlds=2)
+    assert_same(config, (32,), episodes=2)
 
 
 @pytest.mark.parametrize("fov", [1, 5, 11, 57])
@@ -65,7 +65,7 @@ def test_every_view(fov: int) -> None:
         config = mw.WorldConfig(
             "O", rows=20, cols=60, n_pursuers=20, fov=fov, max_steps=12, obstacles=obstacles
         )
-        assert_same(config, (32,), worlds=3)
+        assert_same(config, (32,), episodes=3)
 
 
 @pytest.mark.parametrize("diagonal", [False, True])
@@ -74,8 +74,8 @@ def test_the_largest_output_and_different_networks(diagonal: bool) -> None:
     one = team_of(config, (16,), sampled=False)
     other = team_of(config, (40, 8), n=3)
     matches = mw.Matches.of([0, 1, 1], [2, 0, 1], [1, 2, 3])
-    assert_same_one_by_one(config, one, other, matches, worlds=5)
-    assert_same_one_by_one(config, one, one, mw.Matches.of(0, 1, 7), worlds=5)
+    assert_same_one_by_one(config, one, other, matches, episodes=5)
+    assert_same_one_by_one(config, one, one, mw.Matches.of(0, 1, 7), episodes=5)
 
 
 def test_extreme_weights() -> None:
@@ -83,7 +83,7 @@ def test_extreme_weights() -> None:
     config = mw.WorldConfig("O", rows=9, cols=9, n_pursuers=9, max_steps=10)
     team = team_of(config, (32,))
     huge = mw.Population(team.genomes * np.float32(1e30), team.network)
-    assert_same_one_by_one(config, huge, team, mw.Matches.of(0, 1, [1, 2]), worlds=3)
+    assert_same_one_by_one(config, huge, team, mw.Matches.of(0, 1, [1, 2]), episodes=3)
 
 
 def test_rewards_of_many_magnitudes() -> None:
@@ -92,4 +92,4 @@ def test_rewards_of_many_magnitudes() -> None:
         pursuer_step=1e-7, evader_step=3e8, pursuer_capture=1e5, evader_neighbor=-7e-4
     )
     config = mw.WorldConfig("SD", rows=9, cols=9, max_steps=60, rewards=rewards)
-    assert_same(config, (32,), worlds=9)
+    assert_same(config, (32,), episodes=9)

@@ -76,7 +76,7 @@ def test_statistics_are_those_of_the_recorded_episodes(name: str) -> None:
         (team, "random", mw.Matches.of(both, one, seeds)),
         ("chaser", team, mw.Matches.of(one, both, seeds)),
     ):
-        statistics = mw.rollout(config, pursuers, evaders, matches, worlds=2)
+        statistics = mw.rollout(config, pursuers, evaders, matches, episodes=2)
         for m, (pursuer, evader, seed) in enumerate(zip(*matches, strict=True)):
             chosen = {"pursuer": int(pursuer), "evader": int(evader), "seed": int(seed)}
             for world in range(2):
@@ -88,7 +88,7 @@ def test_statistics_are_those_of_the_recorded_episodes(name: str) -> None:
 
 def test_shapes_and_types() -> None:
     config = config_of("O")
-    statistics = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, [1, 2, 3]), worlds=4)
+    statistics = mw.rollout(config, "random", "random", mw.Matches.of(0, 0, [1, 2, 3]), episodes=4)
     types = {
         "capture_rate": "f4",
         "ever_capture_rate": "f4",
@@ -113,7 +113,7 @@ def test_shapes_and_types() -> None:
 
 
 def test_no_matches() -> None:
-    statistics = mw.rollout("O", "random", "still", mw.Matches.of([], [], []), worlds=2)
+    statistics = mw.rollout("O", "random", "still", mw.Matches.of([], [], []), episodes=2)
     assert statistics.length.shape == (0, 2)
 
 
@@ -138,7 +138,7 @@ def test_the_episode_is_that_of_a_world_with_the_same_seed() -> None:
 
 def test_episodes_end_early_or_at_max_steps() -> None:
     config = config_of("O", max_steps=60)
-    statistics = mw.rollout(config, "chaser", "random", mw.Matches.of(0, 0, 1), worlds=40)
+    statistics = mw.rollout(config, "chaser", "random", mw.Matches.of(0, 0, 1), episodes=40)
     early = statistics.length < 60
     assert early.any()
     assert (statistics.length <= 60).all()
@@ -160,22 +160,22 @@ def race(request: pytest.FixtureRequest) -> tuple[mw.WorldConfig, mw.Population,
 @pytest.mark.parametrize("threads", [2, 3, 7, None])
 def test_threads_change_nothing(race: Any, threads: int | None) -> None:
     config, team, matches = race
-    one = mw.rollout(config, team, team, matches, worlds=20, threads=1)
-    assert_same_bits(one, mw.rollout(config, team, team, matches, worlds=20, threads=threads))
+    one = mw.rollout(config, team, team, matches, episodes=20, threads=1)
+    assert_same_bits(one, mw.rollout(config, team, team, matches, episodes=20, threads=threads))
 
 
 def test_other_matches_and_order_change_nothing(race: Any) -> None:
     config, team, matches = race
-    whole = mw.rollout(config, team, team, matches, worlds=3)
+    whole = mw.rollout(config, team, team, matches, episodes=3)
     for rows in ([8, 3, 0, 5, 1, 2, 7, 6, 4], [4], [2, 2, 2], [7, 1]):
         some = mw.Matches(*(column[rows] for column in matches))
-        assert_same_bits(whole, mw.rollout(config, team, team, some, worlds=3), rows)
+        assert_same_bits(whole, mw.rollout(config, team, team, some, episodes=3), rows)
 
 
 def test_worlds_are_the_episodes_of_a_seed(race: Any) -> None:
     config, team, matches = race
-    few = mw.rollout(config, team, team, matches, worlds=2)
-    many = mw.rollout(config, team, team, matches, worlds=18)
+    few = mw.rollout(config, team, team, matches, episodes=2)
+    many = mw.rollout(config, team, team, matches, episodes=18)
     for name in FIELDS:
         np.testing.assert_array_equal(getattr(few, name), getattr(many, name)[:, :2])
     assert len(np.unique(many.pursuer_return)) > 18

@@ -161,7 +161,7 @@ def test_safe_coevolution_prices_collisions(tmp_path: Path) -> None:
 @pytest.mark.parametrize("script", ["safe_coevolution"], indirect=True)
 def test_safe_coevolution_charges_each_team_for_its_own_faults(script: ModuleType) -> None:
     world = script.SMALL
-    scores = mw.rollout(world, "random", "random", mw.Matches.of(0, 0, [1, 2]), worlds=3)
+    scores = mw.rollout(world, "random", "random", mw.Matches.of(0, 0, [1, 2]), episodes=3)
     for t, team in enumerate(coevolution.TEAMS):
         for match in range(2):
             each = []
@@ -190,7 +190,7 @@ def test_safe_coevolution_evaluates_each_champion_separately(script: ModuleType)
             collisions, steps, captured = np.zeros(3), 0, []
             for p, e in pairs[team]:
                 match = mw.Matches.of(p, e, 2 * p + e)
-                scores = mw.rollout(script.SMALL, pursuers, evaders, match, worlds=10)
+                scores = mw.rollout(script.SMALL, pursuers, evaders, match, episodes=10)
                 collisions[:2] += scores.faults[0, :, t, :2].sum(axis=0)
                 collisions[2] += scores.collisions[0, :, t, 2].sum()
                 steps += scores.agent_steps[0, :, t].sum()

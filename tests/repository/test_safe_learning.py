@@ -45,7 +45,7 @@ def test_safe_learning_compares_methods_at_equal_agent_steps(tmp_path: Path) -> 
     last = mw.Population(own.genomes[-1:], own.network)
     world = settings.world(settings.eval_steps)
     matches = mw.Matches.of(0, 0, 10**6)
-    played = mw.rollout(world, last, "random", matches, worlds=5)
+    played = mw.rollout(world, last, "random", matches, episodes=5)
     assert captures[1, -1] == pytest.approx(played.capture_rate.mean())
     assert run_quickly("safe_learning", tmp_path) == printed
 

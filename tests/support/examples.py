@@ -111,7 +111,7 @@ def _of_worlds() -> Iterator[Any]:
     used = mw.Network.for_config(config, (4,))
     team = mw.Population(np.zeros((2, used.genome_size), np.float32), used)
     matches = mw.Matches.of([0, 1], 0, 7)
-    statistics = mw.rollout(config, team, "fleer", matches, worlds=2)
+    statistics = mw.rollout(config, team, "fleer", matches, episodes=2)
     yield from (mw.Population(np.ones((1, fresh.genome_size), np.float32), fresh), used, team)
     yield from (matches, statistics, ("chaser", team))
     world = mw.World(config)

@@ -43,8 +43,8 @@ def of_everything() -> str:
         digest.update(logits.tobytes())
         team = mw.Population(genomes, network)
         matches = mw.Matches.of([0, 1], [1, 0], 7)
-        scores = mw.rollout(config, team, team, matches, worlds=5)
-        assert_same_one_by_one(config, team, team, matches, worlds=5)
+        scores = mw.rollout(config, team, team, matches, episodes=5)
+        assert_same_one_by_one(config, team, team, matches, episodes=5)
         for item in fields(scores):
             digest.update(getattr(scores, item.name).tobytes())
     return digest.hexdigest()

@@ -58,7 +58,7 @@ def test_other_shapes_are_refused(weights: Any) -> None:
 def test_without_a_mask_it_plays_like_a_rollout() -> None:
     weights = [6, 20, -10, -10, -2, 0]
     masked = play_masked(weights, everything, episodes=400, seed=1)
-    played = mw.rollout(WORLD, pack(weights), "random", mw.Matches.of(0, 0, 2), worlds=400)
+    played = mw.rollout(WORLD, pack(weights), "random", mw.Matches.of(0, 0, 2), episodes=400)
     # Means of 400 episodes each; the standard error of their difference is below 0.5 steps.
     assert abs(masked.steps.mean() - played.length.mean()) < 2
     assert abs(masked.captured.mean() - played.capture_rate.mean()) < 0.05

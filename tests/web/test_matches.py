@@ -93,7 +93,7 @@ def test_every_script_plays_as_in_the_extension(run_command: Commands, script: s
 def test_statistics_of_episodes_are_those_of_a_rollout(run_command: Commands) -> None:
     config = config_of("O", max_steps=30)
     pursuers, evaders = team(config, (32,), 1), team(config, (8,), 2)
-    wanted = mw.rollout(config, pursuers, evaders, mw.Matches.of(0, 0, [9]), worlds=4, threads=1)
+    wanted = mw.rollout(config, pursuers, evaders, mw.Matches.of(0, 0, [9]), episodes=4, threads=1)
     got = run_command(
         do="rollout",
         config=config.to_json(),

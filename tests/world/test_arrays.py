@@ -88,7 +88,7 @@ def test_every_output_is_in_infos() -> None:
     named = {*WORLD_FIELDS, *BATCH_FIELDS} - returned - renamed - statistics
     assert named <= set(env.infos)
     of_agents = {name for name, field in WORLD_FIELDS.items() if field.axes == ("agents", "kinds")}
-    assert {f"{name}_{kind}" for name in of_agents for kind in mw.KINDS} <= set(INFO_KEYS)
+    assert {f"{name}_{kind}" for name in of_agents for kind in mw.COLLISION_KINDS} <= set(INFO_KEYS)
 
 
 def test_statistics_of_batches_are_statistics_of_rollouts() -> None:

@@ -81,7 +81,7 @@ def test_episodes_with_obstacles_of_their_own() -> None:
     )
     network = mw.Network.for_config(config, (8,))
     team = mw.Population(np.stack([random_genome(network, seed) for seed in range(2)]), network)
-    scores = mw.rollout(config, team, team, mw.Matches.of([0, 1], [1, 1], [7, 7]), worlds=4)
+    scores = mw.rollout(config, team, team, mw.Matches.of([0, 1], [1, 1], [7, 7]), episodes=4)
     for match in range(2):
         for world in range(4):
             episode = mw.record(config, team, team, seed=7, pursuer=match, evader=1, episode=world)

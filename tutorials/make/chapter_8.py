@@ -77,12 +77,12 @@ def tested(team: Team, genomes: np.ndarray, opponent: TeamPolicy, episodes: int)
     world = RACE.world(RACE.eval_steps)
     if team == "pursuer":
         scores = mw.rollout(
-            world, own, opponent, mw.Matches.of(index, 0, 0), worlds=episodes, threads=1
+            world, own, opponent, mw.Matches.of(index, 0, 0), episodes=episodes, threads=1
         )
         rates = scores.capture_rate
     else:
         scores = mw.rollout(
-            world, opponent, own, mw.Matches.of(0, index, 0), worlds=episodes, threads=1
+            world, opponent, own, mw.Matches.of(0, index, 0), episodes=episodes, threads=1
         )
         rates = 1.0 - scores.capture_rate
     return np.rint(1000 * rates.mean(axis=1)).astype(np.uint16)

@@ -67,7 +67,7 @@ def evolve(seed: int, penalty: float, limit: float | None = None) -> Row:
     curve, faults = [], np.zeros(3, np.int64)
     for _ in range(EPOCHS):
         played = mw.rollout(
-            with_penalty(penalty), pack(learner.ask(rng)), "random", matches(rng), worlds=WORLDS
+            with_penalty(penalty), pack(learner.ask(rng)), "random", matches(rng), episodes=WORLDS
         )
         learner.tell(played.pursuer_return.mean(axis=1))
         rate = fault_rate(played.faults, played.agent_steps)
@@ -81,7 +81,7 @@ def evolve(seed: int, penalty: float, limit: float | None = None) -> Row:
 def tested(weights: NDArray[np.float32], seed: int) -> Row:
     """Play a pack in new episodes."""
     played = mw.rollout(
-        WORLD, pack(weights), "random", mw.Matches.of(0, 0, 10**6 + seed), worlds=EPISODES
+        WORLD, pack(weights), "random", mw.Matches.of(0, 0, 10**6 + seed), episodes=EPISODES
     )
     return {
         "weights": weights,

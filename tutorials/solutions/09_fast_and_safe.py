@@ -24,7 +24,7 @@ exercise_1 = [5, 10, -10, -10, -5, 0]
 
 free = replace(WORLD, rewards=mw.Rewards(pursuer_collide=0))
 brisk, idle = [4, 10, -10, -8, -2, 0], [0, 0, 0, 0, 0, 20]
-played = mw.rollout(free, pack([brisk, idle]), "random", mw.Matches.of([0, 1], 0, 2), worlds=400)
+played = mw.rollout(free, pack([brisk, idle]), "random", mw.Matches.of([0, 1], 0, 2), episodes=400)
 gain = played.pursuer_return.mean(axis=1)
 collisions = played.faults[:, :, 0].sum(axis=2).mean(axis=1)
 

@@ -139,7 +139,7 @@ class MatchPool:
     def _play_in_engine(self, pursuers: TeamPolicy, evaders: TeamPolicy, episodes: int) -> Played:
         """Play a match without programs."""
         matches = Matches.of(0, 0, [self._seed])
-        found = rollout(self.config, pursuers, evaders, matches, worlds=episodes, threads=1)
+        found = rollout(self.config, pursuers, evaders, matches, episodes=episodes, threads=1)
         first = record(self.config, pursuers, evaders, seed=self._seed)
         return Played(
             found.capture_rate[0].astype(np.float64),

@@ -20,7 +20,7 @@ from matrixworld.play import Plays
 from matrixworld.world.arrays import WORLD_FIELDS, OutputField
 from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.masks import action_masks, check_maskable
-from matrixworld.world.rules import KINDS, VARIANTS, Rules
+from matrixworld.world.rules import COLLISION_KINDS, VARIANTS, Rules
 from matrixworld.world.world import World
 
 
@@ -54,7 +54,7 @@ _INFO_FIELDS = [output for name, output in WORLD_FIELDS.items() if name not in _
 
 def _keys(output: OutputField) -> list[str]:
     if output.axes == ("agents", "kinds"):
-        return [f"{output.name}_{kind}" for kind in KINDS]
+        return [f"{output.name}_{kind}" for kind in COLLISION_KINDS]
     if output.axes == ("teams",):
         return [f"{team}_{output.name}" for team in ("pursuer", "evader")]
     return ["step" if output.name == "steps" else output.name]
@@ -62,7 +62,7 @@ def _keys(output: OutputField) -> list[str]:
 
 INFO_KEYS = (
     *(key for output in _INFO_FIELDS for key in _keys(output)),
-    *(f"cost_{kind}" for kind in KINDS),
+    *(f"cost_{kind}" for kind in COLLISION_KINDS),
 )
 """The keys of every agent's info, at every step."""
 

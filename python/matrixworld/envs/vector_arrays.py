@@ -17,7 +17,7 @@ from matrixworld.world.arrays import (
     new_arrays,
 )
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.rules import KINDS
+from matrixworld.world.rules import COLLISION_KINDS
 
 if TYPE_CHECKING:
     from matrixworld.envs.vector import VectorEnv
@@ -32,7 +32,7 @@ EPISODE_KEYS = {
 
 AGENT_KEYS = (
     *(name for name, field in WORLD_FIELDS.items() if field.axes[:1] == ("agents",)),
-    *("acted", "final_obs", "action_mask", *(f"cost_{kind}" for kind in KINDS)),
+    *("acted", "final_obs", "action_mask", *(f"cost_{kind}" for kind in COLLISION_KINDS)),
 )
 """The keys of infos whose arrays have an axis of agents after that of worlds."""
 
@@ -84,7 +84,7 @@ def make_infos(buffers: dict[str, NDArray[Any]], observations: NDArray[Any]) -> 
         for name, array in buffers.items()
         if name not in _NOT_IN_INFOS
     }
-    infos |= {f"cost_{kind}": buffers["fault"][..., k] for k, kind in enumerate(KINDS)}
+    infos |= {f"cost_{kind}": buffers["fault"][..., k] for k, kind in enumerate(COLLISION_KINDS)}
     # Without an array of its own, the end of an episode is what the observations show then.
     final = buffers.get("final_views")
     infos["final_obs"] = observations if final is None else final.reshape(observations.shape)

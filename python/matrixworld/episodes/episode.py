@@ -15,7 +15,13 @@ from numpy.typing import NDArray
 from matrixworld._util.checks import check_integer, shown
 from matrixworld._util.files import replacing
 from matrixworld._util.reading import UNPACKED, DamagedFileError, parse_json, read_npz
-from matrixworld.world.conflicts import CONFLICT_COLUMNS, FORMS, KINDS, Conflict, conflict_of
+from matrixworld.world.conflicts import (
+    COLLISION_KINDS,
+    CONFLICT_COLUMNS,
+    FORMS,
+    Conflict,
+    conflict_of,
+)
 
 FORMAT = "matrixworld episode 3"  # marks a saved file; a new layout, a new number
 
@@ -287,7 +293,12 @@ def _check_conflicts(
     """Raise ValueError unless every number of the table is in its range."""
     names = ("step", *CONFLICT_COLUMNS)
     least = {"step": 1, "second": -1, "row": -1, "col": -1}
-    most = {"step": steps, "turn": agents - 1, "kind": len(KINDS) - 1, "form": len(FORMS) - 1}
+    most = {
+        "step": steps,
+        "turn": agents - 1,
+        "kind": len(COLLISION_KINDS) - 1,
+        "form": len(FORMS) - 1,
+    }
     most |= {"first": agents - 1, "second": agents - 1, "row": shape[0], "col": shape[1]}
     low = [least.get(name, 0) for name in names]
     high = [most.get(name, BOTH_AGENTS) for name in names]

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import SEED_MAX, check_integer, check_naturals
 from matrixworld.analysis.rate_intervals import rate_intervals
-from matrixworld.world.rules import KINDS
+from matrixworld.world.rules import COLLISION_KINDS
 
 TEAMS = ("pursuers", "evaders")
 _COLUMNS = "{:10}{:11}{:24}{:24}{:>7}{:>8}{:>7}{:>9}"
@@ -56,7 +56,7 @@ class RecordedEpisode(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class SafetySummary:
-    """Collisions of several episodes, by team (pursuers, evaders) and kind (see `KINDS`).
+    """Collisions of several episodes, by team (pursuers, evaders) and kind (see `COLLISION_KINDS`).
 
     An agent-step is one step of one agent that was alive as the step began. A rate is the number of
     agent-steps with at least one collision of a kind, per 1000 agent-steps of the team; it does not
@@ -113,7 +113,7 @@ class SafetySummary:
                 f"{self.safe_episodes:.0%} without anybody at fault",
                 "Agent-steps in collision, per 1000 (95% interval), and at fault in an episode:",
                 _COLUMNS.format("", "", "involved", "at fault", "median", "mean", "max", "none in"),
-                *(self._row(t, k) for t in range(len(TEAMS)) for k in range(len(KINDS))),
+                *(self._row(t, k) for t in range(len(TEAMS)) for k in range(len(COLLISION_KINDS))),
             ]
         )
 
@@ -126,7 +126,7 @@ class SafetySummary:
             )
         )
         return _COLUMNS.format(
-            *(TEAMS[t], KINDS[k], *rates),
+            *(TEAMS[t], COLLISION_KINDS[k], *rates),
             f"{self.fault_median[t, k]:.0f}",
             f"{self.fault_mean[t, k]:.1f}",
             f"{self.fault_max[t, k]:.0f}",

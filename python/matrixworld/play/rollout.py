@@ -27,7 +27,7 @@ class Matches(NamedTuple):
     pursuer, evader : ndarray of int32, shape (M,)
         Indices into the populations; 0 for a script.
     seed : ndarray of uint64, shape (M,)
-        Seeds. World j of a match plays episode j of its seed.
+        Seeds. Episode j of a match is episode j of its seed.
     """
 
     pursuer: NDArray[np.int32]
@@ -71,30 +71,30 @@ class Matches(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class EpisodeStatistics:
-    """Statistics of the episodes of M matches with W worlds each. Every shape begins with (M, W).
+    """Statistics of M matches with N episodes each. Every shape begins with (M, N).
 
     Parameters
     ----------
-    capture_rate : ndarray of float32, shape (M, W)
+    capture_rate : ndarray of float32, shape (M, N)
         Share of the evaders that count as captured at the end: captured at some time under
         occupation, at that moment under surround.
-    ever_capture_rate : ndarray of float32, shape (M, W)
+    ever_capture_rate : ndarray of float32, shape (M, N)
         Share of the evaders that were captured at some time.
-    captured_fraction : ndarray of float32, shape (M, W)
+    captured_fraction : ndarray of float32, shape (M, N)
         Share that counts as captured, as a mean over ``max_steps``. After an early end it counts as
         it was at the end, so fast captures score higher.
-    length : ndarray of int32, shape (M, W)
+    length : ndarray of int32, shape (M, N)
         Steps.
-    pursuer_return, evader_return : ndarray of float64, shape (M, W)
+    pursuer_return, evader_return : ndarray of float64, shape (M, N)
         Rewards summed over team and steps.
-    pursuer_survivors, evader_survivors : ndarray of int32, shape (M, W)
+    pursuer_survivors, evader_survivors : ndarray of int32, shape (M, N)
         Agents alive at the end.
-    pursuer_overlap, evader_overlap : ndarray of float32, shape (M, W)
+    pursuer_overlap, evader_overlap : ndarray of float32, shape (M, N)
         (Living agents - distinct cells that they are on) / team size, as a mean over ``max_steps``.
-    collisions, faults : ndarray of int32, shape (M, W, 2, 3)
+    collisions, faults : ndarray of int32, shape (M, N, 2, 3)
         Agent-steps in a collision, and at fault in one, by team (pursuers, evaders) and kind
         (obstacle, teammate, adversary).
-    agent_steps : ndarray of int64, shape (M, W, 2)
+    agent_steps : ndarray of int64, shape (M, N, 2)
         Steps of agents that were alive when the step began, by team.
     """
 
@@ -125,10 +125,10 @@ def rollout(
     evaders: TeamPolicy,
     matches: Matches,
     *,
-    worlds: int = 1,
+    episodes: int = 1,
     threads: int | None = None,
 ) -> EpisodeStatistics:
-    """Play every match in several worlds and return the statistics of the episodes.
+    """Play every match in one or more episodes and return their statistics.
 
     Parameters
     ----------
@@ -138,15 +138,15 @@ def rollout(
         The teams' candidates: a population, or the name of a script.
     matches : Matches
         M matches of these candidates.
-    worlds : int, optional
-        Episodes of each match, W. The default is 1.
+    episodes : int, optional
+        Episodes of each match, N. The default is 1.
     threads : int, optional
         Threads that share the episodes. The default is one for each core that the process may use.
 
     Returns
     -------
     EpisodeStatistics
-        Arrays that begin with (M, W).
+        Arrays that begin with (M, N).
 
     Raises
     ------
@@ -169,19 +169,19 @@ def rollout(
     config, n_threads = WorldConfig.of(config), check_threads(threads)
     teams = check_team("pursuers", pursuers), check_team("evaders", evaders)
     columns = matches if _converted(matches) else Matches.of(*matches)
-    n_worlds = check_integer("worlds", worlds, 1)
-    episodes = len(columns.seed) * n_worlds
+    each = check_integer("episodes", episodes, 1)
+    total = len(columns.seed) * each
     # A thread copies the genomes that it plays, beside tables that are as large.
     genomes = [t.genomes[0].nbytes for t in (pursuers, evaders) if isinstance(t, Population)]
-    played = min(n_threads, episodes) * (workspace_bytes(config) + 2 * sum(genomes))
-    check_memory("rollout", episodes=EPISODE_BYTES * episodes, threads=played)
+    played = min(n_threads, total) * (workspace_bytes(config) + 2 * sum(genomes))
+    check_memory("rollout", episodes=EPISODE_BYTES * total, threads=played)
     arrays = _core.rollout(
         config.setup,
         *teams,
         columns.pursuer,
         columns.evader,
         columns.seed,
-        n_worlds=n_worlds,
+        n_worlds=each,
         n_threads=n_threads,
     )
     return EpisodeStatistics(**arrays)

@@ -22,7 +22,7 @@ from matrixworld.plots.style import (
     unit_axis,
     whole_numbers,
 )
-from matrixworld.world.rules import KINDS
+from matrixworld.world.rules import COLLISION_KINDS
 
 _TEAMS = ("pursuers", "evaders")
 _MARKED = 100  # curves with up to this many points have a marker at each
@@ -133,7 +133,7 @@ def _draw_collisions(axes: Axes, rates: NDArray[np.float64], team: str, color: s
     marker = "o" if len(rates) <= _MARKED else ""
     for kind, curve in enumerate(rates.T):
         axes.plot(
-            curve, label=f"with {KINDS[kind]}", color=colors.CONFLICTS[kind],
+            curve, label=f"with {COLLISION_KINDS[kind]}", color=colors.CONFLICTS[kind],
             linestyle=("-", *DASHES)[kind], marker=marker, markersize=3,
         )  # fmt: skip
     axes.set_title(team, color=color)

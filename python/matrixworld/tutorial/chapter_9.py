@@ -29,7 +29,7 @@ def _weights(answer: Any) -> str | None:
         return "The answer is a list of six numbers."
     if weights.shape != (len(WEIGHTS),) or not np.isfinite(weights).all():
         return f"The answer is six numbers, one for each of {', '.join(WEIGHTS)}."
-    played = rollout(WORLD, pack(weights), "random", Matches.of(0, 0, 91), worlds=1000)
+    played = rollout(WORLD, pack(weights), "random", Matches.of(0, 0, 91), episodes=1000)
     faults = 1000 * played.faults[:, :, 0].sum() / played.agent_steps[:, :, 0].sum()
     steps = played.length.mean()
     if faults < MOST_FAULTS and steps <= MOST_STEPS:
@@ -46,7 +46,7 @@ def _weights(answer: Any) -> str | None:
 @cache
 def _break_even() -> float:
     free = replace(WORLD, rewards=Rewards(pursuer_collide=0))
-    played = rollout(free, pack([BRISK, IDLE]), "random", Matches.of([0, 1], 0, 2), worlds=400)
+    played = rollout(free, pack([BRISK, IDLE]), "random", Matches.of([0, 1], 0, 2), episodes=400)
     gain = played.pursuer_return.mean(axis=1)
     collisions = played.faults[:, :, 0].sum(axis=2).mean(axis=1)
     return float((gain[0] - gain[1]) / (collisions[0] - collisions[1]))

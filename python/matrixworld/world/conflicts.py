@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-KINDS = ("obstacle", "teammate", "adversary")
+COLLISION_KINDS = ("obstacle", "teammate", "adversary")
 """The kinds of collision, in the order of the last axis of ``involved`` and ``fault``."""
 
 FORMS = ("vertex", "edge", "chain")
@@ -115,7 +115,9 @@ def conflict_of(numbers: Sequence[int], n_pursuers: int) -> Conflict:
         first=names[0], second=names[-1], cell=cell
     )
     text = SENTENCE.format(event=event, outcome=_outcome(agents, held, doomed, n_pursuers))
-    return Conflict(KINDS[kind], FORMS[form], agents, cell, at_fault, held, doomed, turn, text)
+    return Conflict(
+        COLLISION_KINDS[kind], FORMS[form], agents, cell, at_fault, held, doomed, turn, text
+    )
 
 
 def _outcome(

@@ -12,10 +12,10 @@ import numpy as np
 
 from matrixworld._core import Blame, Capture, Interaction, Outcome
 from matrixworld._util.checks import check_bool, check_instance, check_real, shown
-from matrixworld.world.conflicts import KINDS
+from matrixworld.world.conflicts import COLLISION_KINDS
 
 __all__ = [
-    "KINDS",
+    "COLLISION_KINDS",
     "VARIANTS",
     "Action",
     "Blame",
@@ -64,7 +64,7 @@ DISAPPEARING = {Outcome.DISAPPEAR}
 """The outcomes that remove an agent."""
 
 Penalty: TypeAlias = float | tuple[float, float, float]
-"""One number for collisions of all kinds, or one for each of `KINDS`."""
+"""One number for collisions of all kinds, or one for each of `COLLISION_KINDS`."""
 
 # Rewards are float32 in the engine; a larger number would become infinite there.
 _LARGEST = float(np.finfo(np.float32).max)
@@ -221,8 +221,10 @@ class Rewards:
         for name in (item.name for item in fields(self)):
             value = getattr(self, name)
             if name.endswith("_collide") and isinstance(value, tuple | list):
-                if len(value) != len(KINDS):
-                    raise ValueError(f"{name}: expected 1 or {len(KINDS)} numbers, got {value!r}")
+                if len(value) != len(COLLISION_KINDS):
+                    raise ValueError(
+                        f"{name}: expected 1 or {len(COLLISION_KINDS)} numbers, got {value!r}"
+                    )
                 # The only way to set a field of a frozen dataclass.
                 object.__setattr__(self, name, tuple(_reward(name, part) for part in value))
             elif name not in ("blame", "capture_repeats"):

@@ -104,7 +104,7 @@ class WorldState:
 
     @property
     def involved(self) -> NDArray[np.bool_]:
-        """Whether each agent was in a collision of each kind of `KINDS`, bool of shape (A, 3)."""
+        """Whether each agent was in a collision of each kind, bool of shape (A, 3)."""
         return self._read("involved")
 
     @property

@@ -103,7 +103,7 @@ def test_evolved_opponents_are_better_than_random_walks(variant):
     pursuers, evaders = (held_out(team, variant) for team in TEAMS)
 
     def captured(pursuers: Any, evaders: Any) -> float:
-        scores = mw.rollout(config, pursuers, evaders, matches, worlds=12)
+        scores = mw.rollout(config, pursuers, evaders, matches, episodes=12)
         return float(scores.captured_fraction.mean())
 
     walk = captured("random", "random")
@@ -132,7 +132,7 @@ def test_scores_are_those_of_the_matches(race):
             own = mw.Population(run.teams[team].genomes[2], run.settings.network)
             sides = (own, opponent) if team == "pursuer" else (opponent, own)
             config = run.settings.world(12)
-            played = mw.rollout(config, *sides, mw.Matches.of(0, 0, np.uint64(seed)), worlds=4)
+            played = mw.rollout(config, *sides, mw.Matches.of(0, 0, np.uint64(seed)), episodes=4)
             captured = played.capture_rate[0].astype(float)
             expected = captured if team == "pursuer" else 1 - captured
             assert np.array_equal(found.rates[0, number], expected)

@@ -72,7 +72,7 @@ def test_matches_outside_of_the_engine_are_the_engine_s(name: str) -> None:
     for pursuers in ("hunter", "random"):
         played = capture_rates(config, pursuers, evaders, seed=9, episodes=6)
         matches = mw.Matches.of(0, 0, np.uint64(9))
-        expected = mw.rollout(config, pursuers, evaders, matches, worlds=6)
+        expected = mw.rollout(config, pursuers, evaders, matches, episodes=6)
         assert np.array_equal(played, expected.capture_rate[0].astype(float))
 
 

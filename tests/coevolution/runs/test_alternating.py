@@ -66,7 +66,7 @@ def test_training_matches_are_those_of_the_log(tmp_path):
     played = []
 
     def play(config, pursuers, evaders, matches, **options):
-        played.append((config.max_steps, pursuers, evaders, matches, options["worlds"]))
+        played.append((config.max_steps, pursuers, evaders, matches, options["episodes"]))
         return rollout(config, pursuers, evaders, matches, **options)
 
     race = Race(tiny_race(worlds=2), tmp_path / "run", play=play)
@@ -75,10 +75,10 @@ def test_training_matches_are_those_of_the_log(tmp_path):
     log = race.files.log()
     rows = zip(log["generation"], log["team"], log["opponent"], strict=True)
     for call, (generation, team, opponent) in enumerate(rows):
-        steps, pursuers, evaders, matches, worlds = played[call]
+        steps, pursuers, evaders, matches, episodes = played[call]
         learning, still = (pursuers, evaders) if team == "pursuer" else (evaders, pursuers)
         other = "evader" if team == "pursuer" else "pursuer"
-        assert (steps, worlds, learning.genomes.shape[0]) == (8, 2, 4)
+        assert (steps, episodes, learning.genomes.shape[0]) == (8, 2, 4)
         met = matches.evader if team == "pursuer" else matches.pursuer
         assert set(met.tolist()) == {opponent}
         assert np.array_equal(still.genomes, archive[other][: len(still.genomes)])
@@ -97,7 +97,7 @@ def test_every_cell_can_be_replayed_alone(straight):
     teams = [Population(archive[team], straight.network) for team in ("pursuer", "evader")]
     for g, h in [(0, 2), (2, 0), (1, 1)]:
         seed = evaluation_seed(settings.seed, g, h)
-        scores = rollout(world, *teams, Matches.of(g, h, seed), worlds=3)
+        scores = rollout(world, *teams, Matches.of(g, h, seed), episodes=3)
         assert np.array_equal(scores.capture_rate[0], payoff.capture_rates[g, h])
         assert np.array_equal(scores.length[0], payoff.lengths[g, h])
         assert np.array_equal(scores.faults[0].mean(axis=0), payoff.faults[g, h])
@@ -332,9 +332,9 @@ def _without(values, name):
     return {key: value for key, value in values.items() if key != name}
 
 
-def disengaged(config, pursuers, evaders, matches, *, worlds=1, threads=None):
+def disengaged(config, pursuers, evaders, matches, *, episodes=1, threads=None):
     """Return results in which all evaders are captured."""
-    return constant_scores(1.0, (len(matches.seed), worlds))
+    return constant_scores(1.0, (len(matches.seed), episodes))
 
 
 def test_disengagement_causes_one_warning(tmp_path):

@@ -50,7 +50,7 @@ def test_what_is_played(race, tmp_path, champion):
 
     def rates(pursuers: Population, evaders: Population, seed: int) -> np.ndarray:
         config, match = run.settings.world(12), Matches.of(0, 0, np.uint64(seed))
-        scores = rollout(config, pursuers, evaders, match, worlds=EPISODES)
+        scores = rollout(config, pursuers, evaders, match, episodes=EPISODES)
         captured = scores.capture_rate[0].astype(float)
         return captured if learner == "pursuer" else 1 - captured
 

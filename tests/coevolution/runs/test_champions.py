@@ -89,7 +89,7 @@ def mean_fitness(race, team, genomes, opponents, seeds):
             Population(pair["pursuer"], race.network),
             Population(pair["evader"], race.network),
             Matches.of([0], [0], [seeds[j][e]]),
-            worlds=settings.worlds,
+            episodes=settings.worlds,
         )
         penalty = settings.resolved_overlap_penalty
         values[i, j, e] = fitness(scores, team, measure=settings.fitness, overlap_penalty=penalty)[

@@ -35,7 +35,7 @@ def test_the_matches_are_those_of_a_rollout(team: Team, opponents, worlds: int) 
     others = 0 if isinstance(opponents, str) else CHOSEN
     sides = (own, opponents) if team == "pursuer" else (opponents, own)
     indices = (0, others) if team == "pursuer" else (others, 0)
-    scores = rollout(CONFIG, *sides, Matches.of(*indices, SEEDS), worlds=worlds)
+    scores = rollout(CONFIG, *sides, Matches.of(*indices, SEEDS), episodes=worlds)
     side = TEAMS.index(team)
     np.testing.assert_array_equal(
         found.acted.sum(axis=(0, 2)), scores.agent_steps[..., side].ravel()

@@ -122,7 +122,7 @@ def _captured(
     if callable(pursuers) or callable(evaders):
         return capture_rates(config, pursuers, evaders, seed=seed, episodes=episodes)
     match = Matches.of(0, 0, np.uint64(seed))
-    scores = rollout(config, pursuers, evaders, match, worlds=episodes, threads=threads)
+    scores = rollout(config, pursuers, evaders, match, episodes=episodes, threads=threads)
     return np.asarray(scores.capture_rate[0], np.float64)
 
 

@@ -201,7 +201,7 @@ def play_pairs(pairs: Pairs, threads: int | None) -> EpisodeStatistics:
         pairs.pursuers,
         pairs.evaders,
         matches,
-        worlds=pairs.episodes,
+        episodes=pairs.episodes,
         threads=threads,
     )
 

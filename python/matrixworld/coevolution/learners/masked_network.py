@@ -16,12 +16,12 @@ from matrixworld._util.short_repr import short_repr
 from matrixworld.coevolution.types import BoolArray, Genome, Genomes, IntArray, Team
 from matrixworld.world.masks import CHANNEL, STEPS
 from matrixworld.world.policy import Network
-from matrixworld.world.rules import KINDS
+from matrixworld.world.rules import COLLISION_KINDS
 
 MASKS: dict[str, tuple[str, ...]] = {
     "none": (),
     "obstacles": ("obstacle",),
-    "occupied": KINDS,
+    "occupied": COLLISION_KINDS,
 }
 """Masks by name: the kinds of collision that a forbidden move would risk."""
 

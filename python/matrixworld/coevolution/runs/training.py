@@ -73,7 +73,7 @@ class Training:
         """Play and count M matches; the arrays of the result have shape (M, worlds)."""
         worlds, threads = self.settings.worlds, self.threads
         scores = self.rollout(
-            self.world, pursuers, evaders, matches, worlds=worlds, threads=threads
+            self.world, pursuers, evaders, matches, episodes=worlds, threads=threads
         )
         self.matches += int(scores.length.size)
         self.steps += int(scores.length.sum())
