@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -11,26 +11,41 @@ from typing import NamedTuple
 
 import numpy as np
 
-from matrixworld import toys
-from matrixworld.coevolution import RaceSettings, finish
-from matrixworld.toys import race_formulas as formulas
-from matrixworld.toys.race_formulas import Draws, SyntheticRace
-from matrixworld.toys.race_truths import (
+from judgement_races import KINDS, synthetic_races
+from judgement_toys import RACES
+from judgement_truths import (
     CONDITIONS,
-    NOISES,
     WINDOWS,
     Truth,
     Truths,
     change_of_strength,
-    play_episodes,
     truths_of_group,
 )
-from matrixworld.toys.synthetic_races import KINDS, synthetic_races
+from matrixworld.coevolution import RaceSettings, finish
+from matrixworld.toys import SyntheticRace, play_episodes
+from matrixworld.toys.synthetic_races import Draws, disengagement
 
 SIZES = (8, 15, 31, 60, 100)
 RUNS = (1, 1, 1, 3, 5, 10)
 """Half of the races are single runs."""
 EFFECTS = (0.25, 0.5, 1.0, 2.0)
+
+
+class Noise(NamedTuple):
+    """How matches of known capture rates turn out; see `matrixworld.toys.play_episodes`."""
+
+    episodes: int
+    evaders: int = 1
+    matchups: float = 0.0
+
+
+NOISES: Mapping[str, Noise] = {
+    **{f"win or loss, {n}": Noise(n) for n in (1, 2, 4, 10, 50, 200)},
+    **{f"30 evaders, {n}": Noise(n, evaders=30) for n in (2, 10, 50)},
+    "win or loss, 10, matchups": Noise(10, matchups=0.02),
+    "30 evaders, 10, matchups": Noise(10, evaders=30, matchups=0.02),
+}
+"""Noises by name, with the episodes of each pair."""
 POWER_NOISES = (
     "win or loss, 2", "win or loss, 10", "win or loss, 50", "win or loss, 200",
     "30 evaders, 2", "30 evaders, 10",
@@ -113,7 +128,7 @@ def _play(
         known = NUMBER
     # Each run at once becomes means, unless its episodes are to be shown.
     show = np.asarray if known == PER_EPISODE else _means
-    played = np.stack([show(play_episodes(race.rates, noise, rng)) for race in races])
+    played = np.stack([show(_play_one(race, noise, rng)) for race in races])
     return Case(
         played[0] if runs == 1 else played,
         known == PER_EPISODE,
@@ -122,6 +137,12 @@ def _play(
         {"noise": noise_name, "generations": str(n), "episodes known": known, "runs": str(runs)}
         | setting,
         {window: _true_gains(races, window) for window in WINDOWS},
+    )
+
+
+def _play_one(race: SyntheticRace, noise: Noise, rng: np.random.Generator) -> np.ndarray:
+    return play_episodes(
+        race.rates, noise.episodes, rng, evaders=noise.evaders, matchups=noise.matchups
     )
 
 
@@ -136,7 +157,7 @@ def _true_gains(races: list[SyntheticRace], window: str) -> list[float | None]:
 
 def toy_case(kind: str, seed: int) -> Case:
     """Return a race in a toy game, with its episodes."""
-    race = toys.labelled_race(kind, seed)
+    race = RACES[kind](seed)
     return Case(race.scores, True, None, dict(race.truths), {}, {})
 
 
@@ -164,7 +185,7 @@ def _only_no_arms_race() -> Truths:
 
 def _disengaged(n: int, effect: float, draws: Draws) -> SyntheticRace:
     """Return a race that one team wins from an onset on, by ``1 - .03 / effect``."""
-    return formulas.disengagement(n, 1.0, draws, rate=1.0 - 0.03 / effect)
+    return disengagement(n, 1.0, draws, rate=1.0 - 0.03 / effect)
 
 
 POWER = {
@@ -200,6 +221,6 @@ class Source(NamedTuple):
 SOURCES = {
     "synthetic": Source(synthetic_case, tuple(KINDS), 1.0),
     "power": Source(power_case, tuple(POWER), 6.0),
-    "toy game": Source(toy_case, tuple(toys.RACES), 0.25),
+    "toy game": Source(toy_case, tuple(RACES), 0.25),
     "real race": Source(real_case, (FROZEN, SHUFFLED), 0.25),
 }

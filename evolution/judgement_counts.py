@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld.toys.synthetic_races import KINDS
+from judgement_races import KINDS
 
 Row = dict[str, str]
 VERDICTS = PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"
@@ -24,7 +24,7 @@ SIZE_EDGES = {
     "forgetting": (0.1, 0.15, 0.2, 0.3, 0.4, 0.6),
     "disengagement": (0.97, 0.98, 0.985, 0.99, 0.995, 1.0),
 }
-"""Edges of the bins of the figure, in the units of `matrixworld.toys.race_truths.truths`.
+"""Edges of the bins of the figure, in the units of `judgement_truths.truths`.
 
 The last bin has no upper end.
 """

@@ -5,15 +5,16 @@
 
 Three sources of races, none of which uses the judgement:
 
-- synthetic races (`matrixworld.toys.synthetic_races`): 28 kinds by formula, each seed with its own
-  nuisance parameters, effect size, noise, number of generations and number of runs. Constants of
-  the judgement may have been set on kinds marked *development*, with seeds below 1000; all others
-  are *held back*;
-- toy games (`matrixworld.toys.labelled_races`);
+- synthetic races (`judgement_races.py`): 28 kinds by formula, each seed with its own nuisance
+  parameters, effect size, noise, number of generations and number of runs. Constants of the
+  judgement may have been set on kinds marked *development*, with seeds below 1000; all others are
+  *held back*;
+- toy games (`judgement_toys.py`);
 - small real races with a known manipulation: learners that cannot learn, and finished races whose
   opponents are put in random order.
 
-`judgement_cases.py` makes the races, `judgement_counts.py` counts the verdicts, and
+`judgement_cases.py` plays the races, `judgement_truths.py` says what is true of them,
+`judgement_counts.py` counts the verdicts, and
 `judgement_tables.py` writes tables and draws hits by size of the effect, on races of their own.
 
 Look at false alarms first (a condition is called present and is not), by kind and window; then at
@@ -37,11 +38,14 @@ import numpy as np
 from tqdm import tqdm
 
 import judgement_cases
+import judgement_races
+import judgement_toys
+import judgement_truths
 from common import executor_of, script_parser
 from judgement_cases import SOURCES
+from judgement_races import KINDS
 from judgement_tables import write_tables
 from matrixworld import analysis
-from matrixworld.toys.synthetic_races import KINDS
 
 FIRST_SEED = 10_000
 """Published seeds start here; seeds below 1000 are for setting constants."""
@@ -87,8 +91,9 @@ def version() -> str:
     """Return a checksum of everything that a judgement or a synthetic race depends on."""
     # Once: files that change while the script runs are not those that it imported.
     package = Path(analysis.__file__).parent.parent
-    cases = Path(judgement_cases.__file__)
-    files = [*sorted(package.glob("analysis/*.py")), *sorted(package.glob("toys/*.py")), cases]
+    modules = judgement_cases, judgement_races, judgement_toys, judgement_truths
+    files = [*sorted(package.glob("analysis/*.py")), *sorted(package.glob("toys/*.py"))]
+    files += [Path(each.__file__) for each in modules]
     return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()[:16]
 
 

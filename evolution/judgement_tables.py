@@ -20,8 +20,8 @@ from judgement_counts import (
     totals,
     write_counts,
 )
-from matrixworld.toys.race_truths import CONDITIONS, WINDOWS
-from matrixworld.toys.synthetic_races import KINDS
+from judgement_races import KINDS
+from judgement_truths import CONDITIONS, WINDOWS
 
 ALLOWED = 0.05
 """False alarms that a judgement may have, as a share."""
@@ -141,7 +141,7 @@ INTRODUCTION = (
     '"absent" on a race that has it. "At most" is the upper end of a one-sided 95 % interval '
     "(Clopper and Pearson) of the rate of false alarms. Kinds marked *development* may have served "
     "to set constants, with other seeds; all others are *held back*. Races of which the "
-    "definitions (`matrixworld.toys.race_truths`) leave the truth open are not counted."
+    "definitions (`evolution/judgement_truths.py`) leave the truth open are not counted."
 )
 SETTINGS = (
     "Synthetic races, headline window: hits (of races that have the condition) / false alarms (of "

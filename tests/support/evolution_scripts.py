@@ -1,4 +1,4 @@
-"""Run the scripts of evolution/ from the command line."""
+"""Run the scripts of evolution/ from the command line, and read what they have published."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ import sys
 from pathlib import Path
 
 SCRIPTS = Path(__file__).parents[2] / "evolution"
+RESULTS = SCRIPTS / "results"
+DOCS = SCRIPTS.parent / "docs"
 
 
 def run_script(name: str, place: Path, *options: str) -> subprocess.CompletedProcess[str]:
@@ -20,3 +22,13 @@ def run_quickly(name: str, place: Path, *options: str) -> str:
     done = run_script(name, place, "--quick", *options)
     assert done.returncode == 0, done.stderr
     return done.stdout
+
+
+def read(path: Path) -> str:
+    return path.read_text(encoding="utf-8")
+
+
+def rows(table: str) -> list[list[str]]:
+    """Return the cells of a Markdown table, without its head."""
+    lines = [line for line in table.splitlines() if line.startswith("| ")]
+    return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[1:]]

@@ -171,9 +171,7 @@ def _of_tutorial() -> Iterator[Any]:
 
 def _of_toys() -> Iterator[Any]:
     history = toys.numbers_game("focusing", seed=0, generations=3)
-    yield from (history, toys.GAMES, toys.labelled_race("rock-paper-scissors, its averages", 0))
-    yield toys.synthetic_races("pure race", 8, seed=0)
-    yield toys.Side(fitness=np.asarray, select=coevolution.select_truncation, mutate=np.flip)
+    yield from (history, toys.GAMES, toys.synthetic_race("pure race", 8, seed=0))
 
 
 def _of_learning() -> Iterator[Any]:

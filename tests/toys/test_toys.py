@@ -7,11 +7,17 @@ import pytest
 
 from matrixworld import toys
 from matrixworld.coevolution.opponents import HallOfFame, Latest, Prioritized, Uniform
-from matrixworld.toys import numbers
-from matrixworld.toys.numbers import beats_in_sum, beats_where_farthest, beats_where_nearest
-from matrixworld.toys.populations import select_proportionate
+from matrixworld.toys import bit_strings
+from matrixworld.toys.bit_strings import (
+    Side,
+    beats_in_sum,
+    beats_where_farthest,
+    beats_where_nearest,
+    evolve,
+    mutate_biased,
+    select_proportionate,
+)
 from matrixworld.toys.rock_paper_scissors import PAPER, ROCK, SCISSORS
-from matrixworld.toys.virulence import mutate_biased
 
 # Rock-paper-scissors
 
@@ -57,6 +63,21 @@ def test_generalists_do_not_cycle():
     assert toys.exploitability(toys.alternate("specialist-specialist", 2, 1)) > 0.3
 
 
+def test_chances_of_hands_and_of_averages() -> None:
+    pure = np.eye(3)
+    np.testing.assert_allclose(
+        toys.capture_probabilities(pure, pure), [[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]]
+    )
+    lucky = toys.capture_probabilities(pure, pure, luck=0.1)
+    np.testing.assert_allclose(lucky[0], [0.5, 0.1, 0.9])
+    np.testing.assert_allclose(toys.average_strategies([0, 1, 1, 2])[-1], [0.25, 0.5, 0.25])
+    np.testing.assert_allclose(
+        toys.capture_probabilities(np.full((1, 3), 1 / 3), pure), [[0.5] * 3]
+    )
+    with pytest.raises(ValueError, match=r"luck: expected a number in \[0, 0.5\], got 0.6"):
+        toys.capture_probabilities(pure, pure, luck=0.6)
+
+
 # Numbers games
 
 
@@ -95,7 +116,7 @@ def test_redrawn_bits_are_bits_flipped_half_as_often(name, expected, tolerance, 
         chosen = rng.random(bits.shape) < probability
         return np.where(chosen, rng.random(bits.shape) < 0.5, bits)
 
-    monkeypatch.setattr(numbers, "flip", redraw)
+    monkeypatch.setattr(bit_strings, "flip", redraw)
     redrawn = [toys.numbers_game(name, seed).final_objective for seed in range(4)]
     assert np.mean(redrawn) == pytest.approx(expected, abs=tolerance)
 
@@ -134,14 +155,14 @@ def test_champions_are_played_besides_the_living():
 def all_zeros_or_ones(samplers):
     """Five generations in which children of side 0 are all zeros, and those of side 1 all ones."""
     sides = [
-        toys.Side(
+        Side(
             fitness=lambda wins: wins,
             select=select_proportionate,
             mutate=lambda bits, rng, value=value: np.full_like(bits, value),
         )
         for value in (False, True)
     ]
-    return toys.evolve(
+    return evolve(
         toys.GAMES["scalar"],
         tuple(sides),
         np.random.default_rng(0),
@@ -184,6 +205,23 @@ def test_unknown_game_is_refused():
         toys.numbers_game("chess", 0)
 
 
+def test_scores_of_a_history_by_hand() -> None:
+    ones = np.array([[[[3], [3]], [[1], [1]]], [[[2], [2]], [[2], [2]]]])
+    history = toys.History(toys.GAMES["scalar"], ones, np.zeros((1, 2, 2)))
+    scores = history.scores([0, 1], 3, np.random.default_rng(0))
+    assert scores.shape == (2, 2, 3)
+    # 3 against 1 and 2; 2 against 1 and 2.
+    assert scores.mean(axis=2).tolist() == [[1.0, 1.0], [1.0, 0.5]]
+    assert history.objective.tolist() == [[[3, 3], [1, 1]], [[2, 2], [2, 2]]]
+
+
+def test_scores_draw_individuals_at_random() -> None:
+    ones = np.array([[[[0], [2]], [[1], [1]]]])  # one of two wins
+    history = toys.History(toys.GAMES["scalar"], ones, np.zeros((0, 2, 2)))
+    scores = history.scores([0], 2000, np.random.default_rng(0))
+    assert scores.mean() == pytest.approx(0.5, abs=0.05)
+
+
 # Virulence
 
 
@@ -216,3 +254,31 @@ def test_parasites_may_have_a_fitness_of_your_own():
     assert np.array_equal(given.ones, named.ones)
     drifted = toys.hosts_and_parasites(np.zeros_like, 3, generations=200)
     assert drifted.objective[-50:, 1].mean() == pytest.approx(75, abs=5)
+
+
+# Synthetic races: tests/evolution/test_judgement_races.py looks at each kind
+
+
+def test_an_unknown_kind_and_too_few_generations_are_refused():
+    with pytest.raises(ValueError, match="kind: expected one of pure race; .*, got 'chess'"):
+        toys.synthetic_race("chess", 20, 0)
+    with pytest.raises(ValueError, match="n: expected at least 4 generations, got 3"):
+        toys.synthetic_race("cycle", 3, 0)
+
+
+@pytest.mark.parametrize("evaders", [1, 30])
+@pytest.mark.parametrize(("episodes", "matchups"), [(1, 0.0), (10, 0.0), (50, 0.0), (10, 0.02)])
+def test_mean_and_variance_of_matches(evaders, episodes, matchups):
+    rng, rates = np.random.default_rng(1), np.full(40_000 // episodes, 0.3)
+    played = toys.play_episodes(rates, episodes, rng, evaders=evaders, matchups=matchups)
+    means = played.mean(axis=-1)
+    # Binomial variance with evaders that share their fate to 1/5, and that of the matchups.
+    expected = 0.3 * 0.7 * (1 + (evaders - 1) / 5) / evaders / episodes + matchups**2
+    assert means.mean() == pytest.approx(0.3, abs=0.03)
+    assert means.var() == pytest.approx(expected, rel=0.35)
+
+
+def test_certain_matches_end_as_they_must():
+    rng = np.random.default_rng(0)
+    assert toys.play_episodes(np.ones(3), 5, rng).tolist() == [[1.0] * 5] * 3
+    assert toys.play_episodes(np.zeros(3), 5, rng, evaders=30).max() == 0.0

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from matrixworld import analysis
-from matrixworld.toys.race_truths import Noise, play_episodes
+from matrixworld.toys import play_episodes
 from matrixworld.tutorial import check, kept
 from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS, WELL
 
@@ -105,12 +105,12 @@ def test_noise_lowers_the_transitive_share_and_the_correction_removes_the_bias()
     truth = 0.5 + 0.2 * np.subtract.outer(strength, strength)
     shares = []
     for seed in range(20):
-        race = play_episodes(truth, Noise(1), np.random.default_rng(seed))
+        race = play_episodes(truth, 1, np.random.default_rng(seed))
         shares.append(analysis.transitive_share(race.mean(axis=2)))
     assert np.mean(shares) < 0.4
     corrected = [
         analysis.transitive_share_over_episodes(
-            play_episodes(truth, Noise(10), np.random.default_rng(seed))
+            play_episodes(truth, 10, np.random.default_rng(seed))
         ).value
         for seed in range(20)
     ]

@@ -81,23 +81,9 @@ def capture_probabilities(
 def best_response(
     team: Team, opponents: ArrayLike, matrix: FloatArray, rng: np.random.Generator
 ) -> int:
-    """Return the hand with the highest mean payoff to a team; decide ties at random.
+    """Return the hand with the highest mean payoff to a team against hands (c,).
 
-    Parameters
-    ----------
-    team : {"pursuer", "evader"}
-        Team that responds.
-    opponents : array_like of int, shape (c,)
-        Hands of the opponents.
-    matrix : ndarray of float64, shape (3, 3)
-        Payoffs, as of `payoff_matrix`.
-    rng : numpy.random.Generator
-        Decides ties.
-
-    Returns
-    -------
-    int
-        The hand.
+    Ties are decided at random.
     """
     counts = np.bincount(np.asarray(opponents), minlength=3)
     payoffs = matrix @ counts if team == "pursuer" else -(counts @ matrix)

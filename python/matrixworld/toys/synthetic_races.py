@@ -1,102 +1,264 @@
 """Synthetic races: capture rates without noise, by formula, so that the truth about them is known.
 
-A kind of race is a function of the number of generations, an effect size and nuisance parameters
-(levels, slopes, phases, differences between the teams), which are drawn from a seed. It returns the
-true capture rates ``M[g, h]`` and the strength that each team has *by design*, which leaves out
-what chance adds. `matrixworld.toys.race_truths` says what is true of a race, and plays it.
+A kind of race is a function of the number of generations n, an effect size (1 is plain to see) and
+nuisance parameters (levels, slopes, phases, differences between the teams), which are drawn from a
+seed. Throughout, t in [0, 1] is the time of a generation, p_g and e_h are strengths in logits, and
+sigma(x) = 1 / (1 + exp(-x)).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import partial
-from typing import NamedTuple
 
-from matrixworld.toys import race_formulas as formulas
-from matrixworld.toys.race_formulas import Draws, SyntheticRace
+import numpy as np
 
-Make = Callable[[int, float, Draws], SyntheticRace]
+from matrixworld.coevolution.types import FloatArray
 
 
-class Kind(NamedTuple):
-    """A kind of race.
+@dataclass(frozen=True)
+class SyntheticRace:
+    """A race of known capture rates.
 
     Parameters
     ----------
-    make : callable
-        (Generations, effect size, `Draws`) -> `SyntheticRace`.
-    development : bool
-        Whether constants of a judgement may be set on it. Kinds that are held back are for
-        measuring only.
+    rates : ndarray of float64, shape (n, n)
+        Probability that pursuers of generation g capture an evader of generation h.
+    pursuers, evaders : ndarray of float64, shape (n,)
+        Strength *by design* of each generation, in any unit. Chance is left out: the strength is
+        constant where it drifts.
     """
 
-    make: Make
-    development: bool = False
+    rates: FloatArray
+    pursuers: FloatArray
+    evaders: FloatArray
 
 
-KINDS: Mapping[str, Kind] = {
-    "pure race": Kind(partial(formulas.race, total=4.0), development=True),
-    "slow race": Kind(formulas.slow_race),
-    "steep race": Kind(partial(formulas.race, total=15.0)),
-    "uneven pace": Kind(formulas.uneven_pace),
-    "saturating race": Kind(formulas.saturating),
-    "two skills": Kind(formulas.two_skills),
-    "only pursuers rise": Kind(partial(formulas.one_sided, pursuers=True), development=True),
-    "only evaders rise": Kind(partial(formulas.one_sided, pursuers=False), development=True),
-    "cycle": Kind(partial(formulas.cycle, periods=(2.0, 4.0)), development=True),
-    "cycle, uneven periods": Kind(partial(formulas.cycle, periods=(1.3, 2.7, 3.4))),
-    "rock-paper-scissors": Kind(formulas.hands),
-    "cycle on a climb": Kind(partial(formulas.cycle, periods=(2.0, 3.0, 4.0), climb=2.0)),
-    "wave, then race": Kind(partial(formulas.wave_then, late=False)),
-    "race, then wave": Kind(partial(formulas.wave_then, late=True)),
-    "noise only, .1": Kind(partial(formulas.constant, rate=0.1), development=True),
-    "noise only, .5": Kind(partial(formulas.constant, rate=0.5), development=True),
-    "noise only, .8": Kind(partial(formulas.constant, rate=0.8), development=True),
-    "drift": Kind(formulas.drift, development=True),
-    "fluctuation": Kind(formulas.fluctuation),
-    "early stagnation": Kind(partial(formulas.stagnation, until=1 / 3), development=True),
-    "late stagnation": Kind(partial(formulas.stagnation, until=3 / 4)),
-    "single jump": Kind(formulas.jump),
-    "forgetting": Kind(formulas.forgetting, development=True),
-    "decline": Kind(formulas.decline),
-    "collapse": Kind(formulas.collapse),
-    "disengagement, .95": Kind(partial(formulas.disengagement, rate=0.95)),
-    "disengagement, .985": Kind(partial(formulas.disengagement, rate=0.985)),
-    "disengagement, .995": Kind(partial(formulas.disengagement, rate=0.995)),
+class Draws:
+    """Nuisance parameters of a run: a part that all runs of a group share, and a part of its own.
+
+    `seed` is that of the group, `run` the index of the run in it.
+    """
+
+    def __init__(self, seed: int, run: int = 0) -> None:
+        self.shared: np.random.Generator = np.random.default_rng([seed, 0])
+        self.own: np.random.Generator = np.random.default_rng([seed, 1, run])
+
+    def level(self) -> float:
+        """Return a level in logits: N(0, .4) of the group + N(0, .15) of the run."""
+        return float(self.shared.normal(0.0, 0.4) + self.own.normal(0.0, 0.15))
+
+    def size(self, low: float, high: float) -> float:
+        """Return a size: uniform in the group, times exp(N(0, .15)) of the run."""
+        return float(self.shared.uniform(low, high) * np.exp(self.own.normal(0.0, 0.15)))
+
+    def moment(self, low: float, high: float) -> float:
+        """Return a time: uniform in the group + N(0, .01) of the run."""
+        return float(self.shared.uniform(low, high) + self.own.normal(0.0, 0.01))
+
+    def lag(self) -> float:
+        """Return the angle between the teams in a cycle: 45 to 135 degrees either way."""
+        return float(self.own.choice((-1.0, 1.0)) * np.pi * self.own.uniform(0.25, 0.75))
+
+    def sizes(self, size: float) -> tuple[float, float]:
+        """Return the sizes of pursuers and evaders: one up to 1.3 times the size, one down."""
+        ratio = np.exp(self.shared.uniform(-1.0, 1.0) * np.log(1.3))
+        return size * ratio * self.size(1.0, 1.0), size / ratio * self.size(1.0, 1.0)
+
+    def coin(self) -> bool:
+        """Return True or False, the same for the group."""
+        return bool(self.shared.random() < 0.5)
+
+
+def sigma(x: FloatArray) -> FloatArray:
+    """Return ``1 / (1 + exp(-x))``."""
+    return np.asarray(1.0 / (1.0 + np.exp(-x)))
+
+
+def logit(rate: float) -> float:
+    """Return the inverse of `sigma`."""
+    return float(np.log(rate / (1.0 - rate)))
+
+
+def time(n: int) -> FloatArray:
+    """Return the time (n,) of each generation."""
+    return np.linspace(0.0, 1.0, n)
+
+
+def additive(
+    p: FloatArray, e: FloatArray, level: float, cycle: FloatArray | float = 0.0
+) -> SyntheticRace:
+    """Return ``M = sigma(level + p_g - e_h + cycle_gh)``; p and e are by design."""
+    return SyntheticRace(sigma(level + p[:, None] - e + cycle), p, e)
+
+
+def by_chance(walks: FloatArray, level: float) -> SyntheticRace:
+    """Return ``M = sigma(level + p_g - e_h)``, where p and e (2, n) come from chance."""
+    flat = np.zeros(walks.shape[1])
+    return SyntheticRace(additive(walks[0], walks[1], level).rates, flat, flat)
+
+
+def of_one_team(
+    course: FloatArray, other: FloatArray, level: float, *, pursuers: bool
+) -> SyntheticRace:
+    """Return a race in which the named team has the strength `course`, the other one `other`."""
+    return additive(course, other, level) if pursuers else additive(other, course, level)
+
+
+def race(n: int, effect: float, draws: Draws, *, total: float) -> SyntheticRace:
+    """``p = a t``, ``e = b t``: both teams rise evenly, by about `total` logits."""
+    a, b = draws.sizes(effect * total)
+    return additive(a * time(n), b * time(n), draws.level())
+
+
+def slow_race(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """``M = sigma(s (g - h))`` with s at most .1 a generation, whatever n."""
+    return race(n, effect, draws, total=(n - 1) * draws.shared.uniform(0.03, 0.1))
+
+
+def one_sided(n: int, effect: float, draws: Draws, *, pursuers: bool) -> SyntheticRace:
+    """One team rises by ``c t``, c = 2 to 4 logits; the other stands still."""
+    rising = effect * draws.size(2.0, 4.0) * time(n)
+    # The level moves to the middle, so that captures are neither rare nor certain.
+    middle = draws.level() - (1 if pursuers else -1) * rising[-1] / 2.0
+    return of_one_team(rising, np.zeros(n), middle, pursuers=pursuers)
+
+
+def rotation(n: int, periods: float, draws: Draws, radius: FloatArray | float = 1.0) -> FloatArray:
+    """Return ``r_g r_h cos(angle_g - angle_h + lag)``: skill on a circle, `periods` times round."""
+    # At least five generations in a period; a faster circle could not be seen.
+    angle = 2.0 * np.pi * min(periods, n / 5.0) * time(n)
+    reach = np.broadcast_to(radius, n)
+    return np.asarray(reach[:, None] * reach * np.cos(angle[:, None] - angle + draws.lag()))
+
+
+def cycle(
+    n: int, effect: float, draws: Draws, *, periods: tuple[float, ...], climb: float = 0.0
+) -> SyntheticRace:
+    """Rotate the skill, amplitude 1.5 to 3 logits, while both teams climb by `climb` logits."""
+    a, b = draws.sizes(climb)
+    circle = rotation(n, float(draws.shared.choice(periods)), draws)
+    level, amplitude = draws.level(), effect * draws.size(1.5, 3.0)
+    return additive(a * time(n), b * time(n), level, amplitude * circle)
+
+
+def constant(n: int, effect: float, draws: Draws, *, rate: float) -> SyntheticRace:
+    """``M = rate`` for all pairs: whatever is seen is noise. The effect size has no effect."""
+    del effect
+    level = logit(rate) + draws.own.normal(0.0, 0.15)
+    return additive(np.zeros(n), np.zeros(n), level)
+
+
+def drift(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """``p`` and ``e`` are independent random walks that end at N(0, 1) logits, without a trend."""
+    walks = effect * np.cumsum(draws.own.normal(size=(2, n)), axis=1) / np.sqrt(n)
+    return by_chance(walks, draws.level())
+
+
+def stagnation(n: int, effect: float, draws: Draws, *, until: float) -> SyntheticRace:
+    """``p = a min(t / until, 1)``: both rise by about 4 logits, and stand still from `until` on."""
+    rise = np.minimum(time(n) / until, 1.0)
+    a, b = draws.sizes(4.0 * effect)
+    return additive(a * rise, b * rise, draws.level())
+
+
+def disengagement(n: int, effect: float, draws: Draws, *, rate: float) -> SyntheticRace:
+    """Return a race (2 logits), until one team wins `rate` of the current matches from an onset on.
+
+    The onset lies between t = 0 and .4, and takes .05. From then on both stand still. The effect
+    size has no effect.
+    """
+    del effect
+    t, onset = time(n), draws.moment(0.0, 0.4)
+    engaged = draws.size(1.5, 2.5) * np.minimum(t, onset)
+    ahead = logit(rate) * np.clip((t - onset) / 0.05, 0.0, 1.0)
+    return of_one_team(engaged + ahead, engaged, 0.0, pursuers=draws.coin())
+
+
+SYNTHETIC: Mapping[str, Callable[[int, float, Draws], SyntheticRace]] = {
+    "pure race": partial(race, total=4.0),
+    "slow race": slow_race,
+    "only pursuers rise": partial(one_sided, pursuers=True),
+    "only evaders rise": partial(one_sided, pursuers=False),
+    "cycle": partial(cycle, periods=(2.0, 4.0)),
+    "noise only, .5": partial(constant, rate=0.5),
+    "drift": drift,
+    "early stagnation": partial(stagnation, until=1 / 3),
+    "disengagement, .95": partial(disengagement, rate=0.95),
+    "disengagement, .985": partial(disengagement, rate=0.985),
+    "disengagement, .995": partial(disengagement, rate=0.995),
 }
-"""Kinds of races by name."""
+"""Kinds of races by name; `evolution/judgement_races.py` measures the judgement with more kinds."""
 
 
-def synthetic_races(
-    kind: str, n: int, seed: int, *, effect: float = 1.0, runs: int = 1
-) -> list[SyntheticRace]:
-    """Return the runs of a group: races of one kind, with parameters that vary between runs.
+def synthetic_race(kind: str, n: int, seed: int) -> SyntheticRace:
+    """Return a race of known capture rates.
 
     Parameters
     ----------
     kind : str
-        Name in `KINDS`.
+        Name in `SYNTHETIC`.
     n : int
-        Generations of each team.
+        Generations of each team, at least 4.
     seed : int
         Seed of the nuisance parameters.
-    effect : float, optional
-        Size of what the kind is about (a rise, an amplitude, a loss); 1 is plain to see.
-    runs : int, optional
-        Number of runs. The default is 1.
 
     Returns
     -------
-    list of SyntheticRace
-        The runs.
+    SyntheticRace
+        The race.
 
     Raises
     ------
     ValueError
         If there is no such kind, or n is below 4.
     """
-    if kind not in KINDS:
-        raise ValueError(f"kind: expected one of {'; '.join(KINDS)}, got {kind!r}")
+    if kind not in SYNTHETIC:
+        raise ValueError(f"kind: expected one of {'; '.join(SYNTHETIC)}, got {kind!r}")
     if n < 4:
         raise ValueError(f"n: expected at least 4 generations, got {n}")
-    return [KINDS[kind].make(n, effect, Draws(seed, run)) for run in range(runs)]
+    return SYNTHETIC[kind](n, 1.0, Draws(seed))
+
+
+TOGETHER = 4.0
+"""Fates of an episode's evaders: Beta(4 M, 4 (1 - M)), so that their correlation is 1 / 5."""
+
+
+def play_episodes(
+    rates: FloatArray,
+    episodes: int,
+    rng: np.random.Generator,
+    *,
+    evaders: int = 1,
+    matchups: float = 0.0,
+) -> FloatArray:
+    """Play matches of known capture rates.
+
+    Parameters
+    ----------
+    rates : ndarray of float64, shape (...)
+        Capture rates without noise.
+    episodes : int
+        Episodes of each pair.
+    rng : numpy.random.Generator
+        Draws the matches.
+    evaders : int, optional
+        Evaders of an episode, whose captured fraction is its score; 1 is a win or loss.
+    matchups : float, optional
+        Standard deviation of what is particular to each pair of generations, in capture rate.
+
+    Returns
+    -------
+    ndarray of float64, shape (..., episodes)
+        Captured fraction of each episode. With one evader: Bernoulli(M); with k: Binomial(k, q) / k
+        with q from Beta(4 M, 4 (1 - M)) once an episode. M is the rate plus N(0, `matchups`) of the
+        pair, which is the same in all of its episodes.
+    """
+    true = np.clip(rates + matchups * rng.standard_normal(rates.shape), 0.0, 1.0)
+    chances = np.repeat(true[..., None], episodes, axis=-1)
+    if evaders > 1:
+        # Beta distributions have no parameter 0.
+        inside = TOGETHER * np.clip(chances, 1e-9, 1.0 - 1e-9)
+        chances = rng.beta(inside, TOGETHER - inside)
+    return np.asarray(rng.binomial(evaders, chances) / evaders)

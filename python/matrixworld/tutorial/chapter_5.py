@@ -11,8 +11,7 @@ import numpy as np
 from matrixworld import analysis
 from matrixworld.coevolution import SCHEDULES, available
 from matrixworld.coevolution.types import FloatArray
-from matrixworld.toys import synthetic_races
-from matrixworld.toys.race_truths import Noise, play_episodes
+from matrixworld.toys import play_episodes, synthetic_race
 from matrixworld.tutorial.exercises import Exercise, Prediction
 from matrixworld.tutorial.kept import kept
 
@@ -42,7 +41,7 @@ def noisy_race(kind: str, seed: int, *, generations: int = 20) -> FloatArray:
     Parameters
     ----------
     kind : str
-        Name in `matrixworld.toys.synthetic_races.KINDS`.
+        Name in `matrixworld.toys.SYNTHETIC`.
     seed : int
         Seed of the race and of its episodes.
     generations : int, optional
@@ -53,8 +52,8 @@ def noisy_race(kind: str, seed: int, *, generations: int = 20) -> FloatArray:
     ndarray of float64, shape (generations, generations, 10)
         Captured fraction of 30 evaders in each episode.
     """
-    rates = synthetic_races(kind, generations, seed)[0].rates
-    return play_episodes(rates, Noise(episodes=10, evaders=30), np.random.default_rng([5, seed]))
+    rates = synthetic_race(kind, generations, seed).rates
+    return play_episodes(rates, 10, np.random.default_rng([5, seed]), evaders=30)
 
 
 def four_races() -> dict[str, FloatArray]:

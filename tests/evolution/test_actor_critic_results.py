@@ -2,35 +2,25 @@
 
 from __future__ import annotations
 
-import importlib
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 
-from evolution_scripts import SCRIPTS, run_quickly, run_script
+import actor_critic_baselines as baselines
+import actor_critic_races as races
+from evolution_scripts import DOCS, RESULTS, read, run_quickly, run_script
 from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution import open_run
 
-RESULTS = SCRIPTS / "results" / "actor_critic"
-DOCS = SCRIPTS.parent / "docs"
-
-
-@pytest.fixture
-def script(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    monkeypatch.syspath_prepend(SCRIPTS)
-    return importlib.import_module(request.param)
-
-
-baselines = pytest.mark.parametrize("script", ["actor_critic_baselines"], indirect=True)
+PUBLISHED = RESULTS / "actor_critic"
 
 
 def test_baselines_play_each_game_with_each_learner_and_continue(tmp_path: Path) -> None:
     pytest.importorskip("torch")
     told = run_quickly("actor_critic_baselines", tmp_path, "--processes", "1")
     results = tmp_path / "actor_critic"
-    assert told.startswith((results / "baselines.md").read_text(encoding="utf-8"))
+    assert told.startswith(read(results / "baselines.md"))
     numbers = np.load(results / "baselines.npz")
     assert numbers["captures"].shape == (4, 3, 2, 4)
     root = tmp_path / "runs" / "actor_critic" / "quick"
@@ -60,7 +50,6 @@ def test_baselines_play_each_game_with_each_learner_and_continue(tmp_path: Path)
     assert again.count("\n") == told.count("\n")
 
 
-@baselines
 @pytest.mark.parametrize(
     ("team", "values", "verdict"),
     [
@@ -72,31 +61,29 @@ def test_baselines_play_each_game_with_each_learner_and_continue(tmp_path: Path)
         ("evader", [0.97, 0.98, 0.99], "not reached"),
     ],
 )
-def test_verdicts(script: ModuleType, team: str, values: list[float], verdict: str) -> None:
+def test_verdicts(team: str, values: list[float], verdict: str) -> None:
     # The published interval is 0.8 +- 2.262 * 0.1 / sqrt(10) = 0.8 +- 0.072.
-    game = script.Game("a game", team, "random", 0.8, 0.1)
+    game = baselines.Game("a game", team, "random", 0.8, 0.1)
     assert game.verdict(interval_over_runs(values, bounds=(0.0, 1.0))) == verdict
 
 
-@baselines
-def test_the_committed_baselines_follow_from_the_committed_numbers(script: ModuleType) -> None:
-    numbers = dict(np.load(RESULTS / "baselines.npz"))
-    table = (RESULTS / "baselines.md").read_text(encoding="utf-8")
-    assert script.table(script.FULL, numbers) + "\n" == table
-    assert table in (DOCS / "actor_critic.md").read_text(encoding="utf-8")
+def test_the_committed_baselines_follow_from_the_committed_numbers() -> None:
+    numbers = dict(np.load(PUBLISHED / "baselines.npz"))
+    table = read(PUBLISHED / "baselines.md")
+    assert baselines.table(baselines.FULL, numbers) + "\n" == table
+    assert table in read(DOCS / "actor_critic.md")
 
 
-@pytest.mark.parametrize("script", ["actor_critic_races"], indirect=True)
-def test_the_committed_verdicts_follow_from_the_committed_races(script: ModuleType) -> None:
-    table = (RESULTS / "races.md").read_text(encoding="utf-8")
-    assert script.table(dict(np.load(RESULTS / "races.npz"))) + "\n" == table
-    assert table in (DOCS / "actor_critic.md").read_text(encoding="utf-8")
+def test_the_committed_verdicts_follow_from_the_committed_races() -> None:
+    table = read(PUBLISHED / "races.md")
+    assert races.table(dict(np.load(PUBLISHED / "races.npz"))) + "\n" == table
+    assert table in read(DOCS / "actor_critic.md")
 
 
 def test_races_are_judged_by_schedule(tmp_path: Path) -> None:
     pytest.importorskip("torch")
     told = run_quickly("actor_critic_races", tmp_path, "--threads", "1")
-    assert told.startswith((tmp_path / "actor_critic" / "races.md").read_text(encoding="utf-8"))
+    assert told.startswith(read(tmp_path / "actor_critic" / "races.md"))
     for schedule in ("specialist-specialist", "generalist-specialist", "generalist-generalist"):
         assert f"| {schedule} | " in told
     assert len(list((tmp_path / "runs").rglob("summary.json"))) == 3 * 2

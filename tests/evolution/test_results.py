@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import re
 from functools import partial
 from pathlib import Path
@@ -10,7 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from evolution_scripts import SCRIPTS, run_quickly
+import hall_of_fame
+import paper_claims
+from evolution_scripts import RESULTS, read, run_quickly
 from matrixworld.coevolution import open_run
 
 
@@ -21,7 +22,7 @@ def test_hall_of_fame_compares_two_kinds_of_race(tmp_path: Path) -> None:
     assert {path.name for path in tmp_path.iterdir()} == {"runs", "hall_of_fame"}
     results = tmp_path / "hall_of_fame"
     assert {path.name for path in results.iterdir()} == {"races.csv", "comparison.md", "seed_0.png"}
-    assert printed.startswith((results / "comparison.md").read_text(encoding="utf-8"))
+    assert printed.startswith(read(results / "comparison.md"))
     matches = [
         open_run(tmp_path / "runs/hall_of_fame" / kind / "0").files.log()["matches"][-1]
         for kind in ("living-opponents-only", "halls-of-fame")
@@ -30,16 +31,14 @@ def test_hall_of_fame_compares_two_kinds_of_race(tmp_path: Path) -> None:
     assert run_quickly("hall_of_fame", tmp_path) == printed
 
 
-def test_committed_comparison_follows_from_committed_races(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.syspath_prepend(SCRIPTS)
-    script = importlib.import_module("hall_of_fame")
-    results = SCRIPTS / "results" / "hall_of_fame"
-    found = script.read_races(results / "races.csv")
+def test_committed_comparison_follows_from_committed_races() -> None:
+    results = RESULTS / "hall_of_fame"
+    found = hall_of_fame.read_races(results / "races.csv")
     seeds = [[row["seed"] for row in rows] for rows in found.values()]
     assert seeds[0] == seeds[1] == list(range(len(seeds[0])))
-    assert script.table(found) + "\n" == (results / "comparison.md").read_text(encoding="utf-8")
+    assert hall_of_fame.table(found) + "\n" == (results / "comparison.md").read_text(
+        encoding="utf-8"
+    )
 
 
 @pytest.mark.parametrize(
@@ -52,11 +51,8 @@ def test_committed_comparison_follows_from_committed_races(
         (0.0, 0.0, -1, "undecided"),
     ],
 )
-def test_verdict_on_halls_of_fame(
-    monkeypatch: pytest.MonkeyPatch, low: float, high: float, expected: int, verdict: str
-) -> None:
-    monkeypatch.syspath_prepend(SCRIPTS)
-    assert importlib.import_module("hall_of_fame").verdict(low, high, expected) == verdict
+def test_verdict_on_halls_of_fame(low: float, high: float, expected: int, verdict: str) -> None:
+    assert hall_of_fame.verdict(low, high, expected) == verdict
 
 
 def test_archives_are_compared_at_one_budget(tmp_path: Path) -> None:
@@ -73,7 +69,7 @@ def test_archives_are_compared_at_one_budget(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_paper_claims_prints_intervals_and_writes_numbers(tmp_path: Path) -> None:
     printed = run_quickly("paper_claims", tmp_path)
-    table = (tmp_path / "paper_claims/claims.md").read_text()
+    table = read(tmp_path / "paper_claims/claims.md")
     assert table in printed
     claims, scores = table.strip().split("\n\n")
     assert len(claims.splitlines()) == 2 + 32
@@ -91,14 +87,11 @@ NUMBER = r"-?\d+\.\d+"
 
 
 @pytest.mark.slow
-def test_committed_claims_follow_from_committed_numbers(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.syspath_prepend(SCRIPTS)
-    results = SCRIPTS / "results" / "paper_claims"
+def test_committed_claims_follow_from_committed_numbers() -> None:
+    results = RESULTS / "paper_claims"
     with np.load(results / "numbers.npz") as numbers:
-        told = importlib.import_module("paper_claims").tables(numbers)
-    committed = (results / "claims.md").read_text(encoding="utf-8").strip()
+        told = paper_claims.tables(numbers)
+    committed = read(results / "claims.md").strip()
     # Another SciPy may resample differently: text and verdicts stay, numbers change a little.
     assert re.sub(NUMBER, "#", told) == re.sub(NUMBER, "#", committed)
     values, expected = ([*map(float, re.findall(NUMBER, text))] for text in (told, committed))
@@ -120,13 +113,9 @@ def test_committed_claims_follow_from_committed_numbers(
         ([0.1] * 10, "below", "not reproduced"),
     ],
 )
-def test_verdict_on_a_claim(
-    monkeypatch: pytest.MonkeyPatch, values: list[float], side: str, verdict: str
-) -> None:
-    monkeypatch.syspath_prepend(SCRIPTS)
-    script = importlib.import_module("paper_claims")
-    estimate = script.over_seeds(np.array(values))
-    assert script.Claim("it is so", "a number", estimate, side).verdict == verdict
+def test_verdict_on_a_claim(values: list[float], side: str, verdict: str) -> None:
+    estimate = paper_claims.over_seeds(np.array(values))
+    assert paper_claims.Claim("it is so", "a number", estimate, side).verdict == verdict
 
 
 @pytest.mark.slow

@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-import importlib
 import json
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType, SimpleNamespace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy.stats import binom
 
-from evolution_scripts import SCRIPTS
+import judgement_cases as cases
+import judgement_errors
+import judgement_tables as tables
+from evolution_scripts import RESULTS, read
+from judgement_truths import CONDITIONS, WINDOWS
 from matrixworld import analysis
-from matrixworld.toys.race_truths import CONDITIONS, WINDOWS
 
-COMMITTED = SCRIPTS / "results" / "judgement"
+COMMITTED = RESULTS / "judgement"
 
 
 class Findings(dict[str, SimpleNamespace]):
@@ -44,54 +46,36 @@ def opinion(source: np.ndarray, *, per_episode: bool = False, episodes: int | No
     return SimpleNamespace(windows=windows, window="last half")
 
 
-@pytest.fixture
-def script(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    """Import the script, with an opinion in place of the judgement."""
-    monkeypatch.setattr(analysis, "judge", opinion, raising=False)
-    monkeypatch.syspath_prepend(SCRIPTS)
-    return importlib.import_module("judgement_errors")
+@pytest.fixture(autouse=True)
+def no_judgement(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Put the opinion in place of the judgement, which takes long."""
+    monkeypatch.setattr(analysis, "judge", opinion)
 
 
 @pytest.fixture
-def cases(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    """Import the module of races."""
-    monkeypatch.syspath_prepend(SCRIPTS)
-    return importlib.import_module("judgement_cases")
-
-
-@pytest.fixture
-def tables(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    """Import the module of tables."""
-    monkeypatch.syspath_prepend(SCRIPTS)
-    return importlib.import_module("judgement_tables")
-
-
-@pytest.fixture
-def run(
-    script: ModuleType, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> Callable[..., str]:
+def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
     """Return a function that runs the script with options and returns what it prints."""
 
     def run_script(*options: object) -> str:
         monkeypatch.setattr(sys, "argv", ["judgement_errors.py", *map(str, options)])
-        script.main()
+        judgement_errors.main()
         return capsys.readouterr().out
 
     return run_script
 
 
-def follows(tables: ModuleType, results: Path) -> bool:
+def follows(results: Path) -> bool:
     """Whether the tables of a directory follow from its counts."""
-    return bool(tables.report_of(results) == (results / "errors.md").read_text(encoding="utf-8"))
+    return bool(tables.report_of(results) == read(results / "errors.md"))
 
 
 @pytest.mark.slow
 def test_quick_benchmark_writes_tables_that_follow_from_counts(
-    run: Callable[..., str], tables: ModuleType, tmp_path: Path
+    run: Callable[..., str], tmp_path: Path
 ) -> None:
     told = run("--quick", "--results", tmp_path)
-    assert told.startswith((tmp_path / "errors.md").read_text(encoding="utf-8"))
-    assert follows(tables, tmp_path)
+    assert told.startswith(read(tmp_path / "errors.md"))
+    assert follows(tmp_path)
     counts = tables.read_counts(tmp_path / "counts.csv")
     assert {row["sample"] for row in counts} == {
         "development",
@@ -137,7 +121,7 @@ def test_judgements_of_other_code_are_refused(run: Callable[..., str], tmp_path:
         run("--quick", "--results", tmp_path)
 
 
-def test_races_are_those_that_the_setting_says(cases: ModuleType) -> None:
+def test_races_are_those_that_the_setting_says() -> None:
     seen = set()
     for seed in range(40):
         case = cases.synthetic_case("cycle", seed)
@@ -154,7 +138,7 @@ def test_races_are_those_that_the_setting_says(cases: ModuleType) -> None:
     assert seen == {"each episode", "number of episodes", "unknown"}
 
 
-def test_races_for_power_curves_are_single_and_show_all_episodes(cases: ModuleType) -> None:
+def test_races_for_power_curves_are_single_and_show_all_episodes() -> None:
     for kind in cases.POWER:
         sizes = []
         for seed in range(6):
@@ -168,7 +152,7 @@ def test_races_for_power_curves_are_single_and_show_all_episodes(cases: ModuleTy
     assert 0.97 <= case.truths["last half"]["disengagement"].size <= 1.0
 
 
-def test_sizes_by_hand(tables: ModuleType) -> None:
+def test_sizes_by_hand() -> None:
     found = [
         ["last half", "cycling", True, 0.09, "present"],
         ["last half", "disengagement", False, 0.5, "absent"],
@@ -186,7 +170,7 @@ def test_sizes_by_hand(tables: ModuleType) -> None:
     ]
 
 
-def test_learners_that_cannot_learn_and_opponents_in_random_order(cases: ModuleType) -> None:
+def test_learners_that_cannot_learn_and_opponents_in_random_order() -> None:
     frozen = cases.real_case(cases.FROZEN, 3)
     assert frozen.scores.shape == (15, 15, 10)
     held = {condition: truth.holds for condition, truth in frozen.truths["whole"].items()}
@@ -208,7 +192,7 @@ def judgement(kind: str, found: list[list[Any]], **setting: str) -> dict[str, An
     }  # fmt: skip
 
 
-def test_counts_by_hand(tables: ModuleType) -> None:
+def test_counts_by_hand() -> None:
     both = [
         judgement("cycle", [["last half", "cycling", True, 0.1, "present"]]),
         judgement("cycle", [["last half", "cycling", True, 0.1, "absent"]]),
@@ -227,28 +211,27 @@ def test_counts_by_hand(tables: ModuleType) -> None:
     assert "| cycling | held back | decline | whole | 1 of 1 | 100.0% | yes |" in text
 
 
-def test_coverage_by_hand(tables: ModuleType) -> None:
+def test_coverage_by_hand() -> None:
     gains = [["whole", "pursuer", 0.1, 0.0, 0.2], ["whole", "evader", 0.3, 0.0, 0.2]]
     rows = tables.count_gains([judgement("cycle", []) | {"gains": gains}])
     assert {(row["covered"], row["missed"]) for row in rows} == {("1", "1")}
 
 
 @pytest.mark.parametrize(("count", "of"), [(0, 100), (3, 20), (19, 20)])
-def test_upper_bounds_of_rates(tables: ModuleType, count: int, of: int) -> None:
+def test_upper_bounds_of_rates(count: int, of: int) -> None:
     # By definition: at the bound, so few happen with a probability of 5 %.
     assert binom.cdf(count, of, tables.upper_bound(count, of)) == pytest.approx(0.05)
     assert tables.upper_bound(of, of) == 1.0
 
 
-@pytest.mark.skipif(not COMMITTED.exists(), reason="no results are committed")
-def test_committed_errors_follow_from_committed_counts(tables: ModuleType) -> None:
-    assert follows(tables, COMMITTED)
+def test_committed_errors_follow_from_committed_counts() -> None:
+    assert follows(COMMITTED)
     counts = tables.read_counts(COMMITTED / "counts.csv")
     assert {row["condition"] for row in counts} == set(CONDITIONS)
     assert not list(COMMITTED.glob("*.jsonl"))
     assert sum(file.stat().st_size for file in COMMITTED.iterdir()) < 300_000
 
 
-def test_verdicts_are_plain_values(script: ModuleType) -> None:
-    found = script.judged(script.Task("synthetic", "noise only, .5", 4))
+def test_verdicts_are_plain_values() -> None:
+    found = judgement_errors.judged(judgement_errors.Task("synthetic", "noise only, .5", 4))
     assert json.loads(json.dumps(found, allow_nan=False))["kind"] == "noise only, .5"

@@ -2,32 +2,25 @@
 
 from __future__ import annotations
 
-import importlib
 from pathlib import Path
-from types import ModuleType
 
 import pytest
 
-from evolution_scripts import SCRIPTS, run_quickly
+import interval_coverage as coverage
+from evolution_scripts import RESULTS, read, run_quickly
 from matrixworld.analysis import MEASURES
 
-RESULTS = SCRIPTS / "results" / "coverage"
+PUBLISHED = RESULTS / "coverage"
 
 
-@pytest.fixture
-def script(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    monkeypatch.syspath_prepend(SCRIPTS)
-    return importlib.import_module("interval_coverage")
-
-
-def test_committed_table_follows_from_committed_counts(script: ModuleType) -> None:
-    counts = script.read_counts(RESULTS / "coverage.csv")
-    assert (RESULTS / "coverage.md").read_text(encoding="utf-8") == script.table(counts) + "\n"
+def test_committed_table_follows_from_committed_counts() -> None:
+    counts = coverage.read_counts(PUBLISHED / "coverage.csv")
+    assert read(PUBLISHED / "coverage.md") == coverage.table(counts) + "\n"
     assert all(0 <= row.covered <= row.given <= row.repetitions == 400 for row in counts)
 
 
-def test_normal_runs_are_covered_in_93_to_97_percent(script: ModuleType) -> None:
-    counts = script.read_counts(RESULTS / "coverage.csv")
+def test_normal_runs_are_covered_in_93_to_97_percent() -> None:
+    counts = coverage.read_counts(PUBLISHED / "coverage.csv")
     for interval in ("mean of runs", "difference of runs"):
         rows = [row for row in counts if (row.interval, row.data) == (interval, "normal")]
         assert [row.samples for row in rows] == [2, 3, 5, 10, 20]
@@ -35,8 +28,8 @@ def test_normal_runs_are_covered_in_93_to_97_percent(script: ModuleType) -> None
         assert 0.93 < covered / given < 0.97
 
 
-def test_intervals_over_episodes_cover_at_least_90_percent(script: ModuleType) -> None:
-    counts = script.read_counts(RESULTS / "coverage.csv")
+def test_intervals_over_episodes_cover_at_least_90_percent() -> None:
+    counts = coverage.read_counts(PUBLISHED / "coverage.csv")
     published = {row.interval for row in counts}
     # The measures of the evaders are those of the pursuers on the swapped matrix.
     unbiased = {name for name, one in MEASURES.items() if one.noise != "bias"}
@@ -49,10 +42,8 @@ def test_intervals_over_episodes_cover_at_least_90_percent(script: ModuleType) -
             assert row.covered >= 0.9 * row.given, row
 
 
-def test_aggregates_over_runs_are_withheld_below_six_and_cover_from_ten_on(
-    script: ModuleType,
-) -> None:
-    counts = script.read_counts(RESULTS / "coverage.csv")
+def test_aggregates_over_runs_are_withheld_below_six_and_cover_from_ten_on() -> None:
+    counts = coverage.read_counts(PUBLISHED / "coverage.csv")
     for interval in ("interquartile mean", "performance profile", "probability of improvement"):
         rows = [row for row in counts if row.interval == interval]
         assert {row.samples for row in rows} == {3, 5, 6, 10, 20}
@@ -63,22 +54,22 @@ def test_aggregates_over_runs_are_withheld_below_six_and_cover_from_ten_on(
 
 
 @pytest.mark.slow
-def test_the_script_writes_counts_and_their_table(script: ModuleType, tmp_path: Path) -> None:
+def test_the_script_writes_counts_and_their_table(tmp_path: Path) -> None:
     printed = run_quickly("interval_coverage", tmp_path)
-    counts = script.read_counts(tmp_path / "coverage/coverage.csv")
-    assert printed.startswith(script.table(counts))
-    assert (tmp_path / "coverage/coverage.md").read_text() == script.table(counts) + "\n"
+    counts = coverage.read_counts(tmp_path / "coverage/coverage.csv")
+    assert printed.startswith(coverage.table(counts))
+    assert read(tmp_path / "coverage/coverage.md") == coverage.table(counts) + "\n"
     assert {row.repetitions for row in counts} == {20}
     assert min(row.given for row in counts if row.interval == "mean of episodes") == 20
 
 
-def test_a_table_lists_the_worst_case_and_exceptions(script: ModuleType) -> None:
+def test_a_table_lists_the_worst_case_and_exceptions() -> None:
     counts = [
-        script.Count("mean", "even", 0, 5, 200, 200, 190),
-        script.Count("mean", "odd", 8, 5, 200, 100, 80),
-        script.Count("mean", "rare", 0, 5, 200, 10, 0),
+        coverage.Count("mean", "even", 0, 5, 200, 200, 190),
+        coverage.Count("mean", "odd", 8, 5, 200, 100, 80),
+        coverage.Count("mean", "rare", 0, 5, 200, 10, 0),
     ]
-    lines = script.table(counts).splitlines()
+    lines = coverage.table(counts).splitlines()
     assert lines[2] == "| mean | 5 | 52% | 87.1% | 80.0% | odd, 8 x 8 |"
     assert lines[-1] == "- mean, odd, 8 x 8: 80.0% at 5"
-    assert "- " not in script.table(counts[:1]).split("Exceptions")[1]
+    assert "- " not in coverage.table(counts[:1]).split("Exceptions")[1]

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-import importlib
 import re
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 
+import catching_fleers
+import deap_example
+import generalisation
 import matrixworld as mw
-from evolution_scripts import SCRIPTS, run_quickly, run_script
+import safe_coevolution
+from evolution_scripts import rows, run_quickly, run_script
 from matrixworld import coevolution
 
 
@@ -21,17 +23,6 @@ def quick(name: str, place: Path, *options: str) -> str:
     told = run_quickly(name, place, *options)
     assert (place / f"{name}.png").read_bytes().startswith(b"\x89PNG")
     return told
-
-
-def rows(table: str) -> list[list[str]]:
-    lines = [line for line in table.splitlines() if line.startswith("| ")]
-    return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[1:]]
-
-
-@pytest.fixture
-def script(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    monkeypatch.syspath_prepend(SCRIPTS)
-    return importlib.import_module(request.param)
 
 
 def test_arms_race_runs_and_draws(tmp_path: Path) -> None:
@@ -93,11 +84,10 @@ def test_generalisation_compares_at_equal_matches_and_reuses_its_runs(tmp_path: 
     assert {path: path.stat().st_mtime_ns for path in written} == written
 
 
-@pytest.mark.parametrize("script", ["generalisation"], indirect=True)
-def test_generalisation_refuses_runs_of_other_settings(script: ModuleType, tmp_path: Path) -> None:
-    coevolution.start(script.QUICK, tmp_path / "race")
+def test_generalisation_refuses_runs_of_other_settings(tmp_path: Path) -> None:
+    coevolution.start(generalisation.QUICK, tmp_path / "race")
     with pytest.raises(ValueError, match="race: expected a run of"):
-        script.played(script.FULL, tmp_path / "race")
+        generalisation.played(generalisation.FULL, tmp_path / "race")
 
 
 @pytest.mark.slow
@@ -110,9 +100,8 @@ def test_the_deap_example_is_determined_by_its_seed(tmp_path: Path) -> None:
     assert quick("deap_example", tmp_path, "--seed", "1") != told
 
 
-@pytest.mark.parametrize("script", ["deap_example"], indirect=True)
-def test_the_deap_example_scores_each_player_against_each_rival(script: ModuleType) -> None:
-    world, rng = script.SMALL, np.random.default_rng(0)
+def test_the_deap_example_scores_each_player_against_each_rival() -> None:
+    world, rng = deap_example.SMALL, np.random.default_rng(0)
     network = mw.Network.for_config(world)
     own, rivals = (np.stack([network.initial(rng) for _ in range(n)]) for n in (3, 2))
     seeds = rng.integers(2**63, size=(3, 2))
@@ -127,18 +116,17 @@ def test_the_deap_example_scores_each_player_against_each_rival(script: ModuleTy
             escaped = 1 - captured - 0.2 * float(scores.evader_overlap[0, 0])
             expected[i] += (captured if team == "pursuer" else escaped) / 2
         np.testing.assert_allclose(
-            script.score(team, world, own, rivals, seeds), expected, rtol=1e-5
+            deap_example.score(team, world, own, rivals, seeds), expected, rtol=1e-5
         )
 
 
-@pytest.mark.parametrize("script", ["deap_example"], indirect=True)
-def test_the_deap_example_evolves_a_response_that_wins(script: ModuleType) -> None:
+def test_the_deap_example_evolves_a_response_that_wins() -> None:
     world = mw.WorldConfig("O", rows=8, cols=8, n_pursuers=2, n_evaders=4, max_steps=40, fov=7)
-    budget = script.Budget(world, 1, 1, 1, 24, 1, response=100)
+    budget = deap_example.Budget(world, 1, 1, 1, 24, 1, response=100)
     network, rng = mw.Network.for_config(world), np.random.default_rng(0)
     rival, naive = network.initial(rng), network.initial(rng)
-    escaper = script.best_response("evader", rival, budget, rng)
-    before, after = script.capture_rates(budget, rival, np.stack([naive, escaper]))[0]
+    escaper = deap_example.best_response("evader", rival, budget, rng)
+    before, after = deap_example.capture_rates(budget, rival, np.stack([naive, escaper]))[0]
     assert after < before - 0.1
 
 
@@ -158,9 +146,8 @@ def test_safe_coevolution_prices_collisions(tmp_path: Path) -> None:
         assert obstacle[priced] + teammate[priced] < obstacle[free] + teammate[free]
 
 
-@pytest.mark.parametrize("script", ["safe_coevolution"], indirect=True)
-def test_safe_coevolution_charges_each_team_for_its_own_faults(script: ModuleType) -> None:
-    world = script.SMALL
+def test_safe_coevolution_charges_each_team_for_its_own_faults() -> None:
+    world = safe_coevolution.SMALL
     scores = mw.rollout(world, "random", "random", mw.Matches.of(0, 0, [1, 2]), episodes=3)
     for t, team in enumerate(coevolution.TEAMS):
         for match in range(2):
@@ -170,19 +157,20 @@ def test_safe_coevolution_charges_each_team_for_its_own_faults(script: ModuleTyp
                 aim = captured if team == "pursuer" else 1 - captured
                 faults = sum(int(n) for n in scores.faults[match, episode, t])
                 each.append(aim - 0.5 * faults / scores.agent_steps[match, episode, t])
-            assert script.fitness(scores, team, 0.5)[match] == pytest.approx(np.mean(each))
+            assert safe_coevolution.fitness(scores, team, 0.5)[match] == pytest.approx(
+                np.mean(each)
+            )
 
 
-@pytest.mark.parametrize("script", ["safe_coevolution"], indirect=True)
-def test_safe_coevolution_evaluates_each_champion_separately(script: ModuleType) -> None:
-    network = mw.Network.for_config(script.SMALL)
+def test_safe_coevolution_evaluates_each_champion_separately() -> None:
+    network = mw.Network.for_config(safe_coevolution.SMALL)
     rng = np.random.default_rng(0)
     champions = {
         team: np.stack([network.initial(rng, head=head) for head in (0.01, 3.0)])
         for team in coevolution.TEAMS
     }
-    budget = replace(script.QUICK, prices=(0.0,))
-    told = script.evaluate(champions, budget)
+    budget = replace(safe_coevolution.QUICK, prices=(0.0,))
+    told = safe_coevolution.evaluate(champions, budget)
     pursuers, evaders = (mw.Population(champions[team], network) for team in coevolution.TEAMS)
     for index in range(2):
         pairs = {"pursuer": [(index, 0), (index, 1)], "evader": [(0, index), (1, index)]}
@@ -190,7 +178,7 @@ def test_safe_coevolution_evaluates_each_champion_separately(script: ModuleType)
             collisions, steps, captured = np.zeros(3), 0, []
             for p, e in pairs[team]:
                 match = mw.Matches.of(p, e, 2 * p + e)
-                scores = mw.rollout(script.SMALL, pursuers, evaders, match, episodes=10)
+                scores = mw.rollout(safe_coevolution.SMALL, pursuers, evaders, match, episodes=10)
                 collisions[:2] += scores.faults[0, :, t, :2].sum(axis=0)
                 collisions[2] += scores.collisions[0, :, t, 2].sum()
                 steps += scores.agent_steps[0, :, t].sum()
@@ -202,14 +190,11 @@ def test_safe_coevolution_evaluates_each_champion_separately(script: ModuleType)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("script", ["catching_fleers"], indirect=True)
-def test_catching_fleers_tests_every_training_in_teams_of_several_sizes(
-    script: ModuleType, tmp_path: Path
-) -> None:
+def test_catching_fleers_tests_every_training_in_teams_of_several_sizes(tmp_path: Path) -> None:
     told = run_quickly("catching_fleers", tmp_path)
     table = {row[0]: row[1:] for row in rows(told)}
-    plan = script.QUICK
-    assert len(table) == len(script.SCRIPTED) + len(plan.changes)
+    plan = catching_fleers.QUICK
+    assert len(table) == len(catching_fleers.SCRIPTED) + len(plan.changes)
     # Recorded episodes give the same captures as the script's rollouts.
     world = plan.base.world(plan.base.eval_steps)
     size = plan.teams[-1]

@@ -1,6 +1,6 @@
 """Toy races with labels: the matches of their generations, and what is known to be true of them.
 
-Most labels follow from the exact chances of the generations (`matrixworld.toys.race_truths`); gains
+Most labels follow from the exact chances of the generations (`judgement_truths`); gains
 follow from the objective, which selection does not use (the number of ones), and from the rules of
 the game (no hand is better than another). Labels never use the matches.
 """
@@ -12,20 +12,21 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from judgement_truths import WINDOWS, Truth, Truths, span_of, truths
 from matrixworld.coevolution.opponents.samplers import Uniform
 from matrixworld.coevolution.types import TEAMS, FloatArray, Indices
-from matrixworld.toys.numbers import numbers_game
-from matrixworld.toys.populations import History
-from matrixworld.toys.race_formulas import SyntheticRace
-from matrixworld.toys.race_truths import WINDOWS, Truth, Truths, span_of, truths
-from matrixworld.toys.rock_paper_scissors import (
-    HandHistory,
+from matrixworld.toys import (
+    History,
+    SyntheticRace,
     alternate,
     average_strategies,
     capture_probabilities,
+    hosts_and_parasites,
+    numbers_game,
     play_together,
 )
-from matrixworld.toys.virulence import HOST_BIAS, hosts_and_parasites
+from matrixworld.toys.bit_strings import HOST_BIAS
+from matrixworld.toys.rock_paper_scissors import HandHistory
 
 GENERATIONS = 31
 """Generations of each race that play against each other."""
@@ -39,43 +40,14 @@ RISE, STANDSTILL = 5.0, 1.0
 
 @dataclass(frozen=True)
 class LabelledRace:
-    """A race and what is true of it.
+    """A race and what is true of it: window -> condition -> `Truth`.
 
-    Parameters
-    ----------
-    scores : ndarray of float64, shape (n, n, episodes)
-        Scores of the first side in each match: 1 for a win, 1/2 for a draw, 0 for a loss.
-    truths : dict of str to dict
-        Window (a name of `race_truths.WINDOWS`) -> condition -> `race_truths.Truth`.
+    `scores` (n, n, episodes) are those of the first side in each match: 1 for a win, 1/2 for a
+    draw, 0 for a loss.
     """
 
     scores: FloatArray
     truths: Mapping[str, Truths]
-
-
-def labelled_race(name: str, seed: int) -> LabelledRace:
-    """Play one of `RACES`.
-
-    Parameters
-    ----------
-    name : str
-        Name in `RACES`.
-    seed : int
-        Seed of the race and of its matches.
-
-    Returns
-    -------
-    LabelledRace
-        The race.
-
-    Raises
-    ------
-    ValueError
-        If there is no race of that name.
-    """
-    if name not in RACES:
-        raise ValueError(f"race: expected one of {', '.join(RACES)}, got {name!r}")
-    return RACES[name](seed)
 
 
 def _episode_count(seed: int) -> int:
@@ -126,19 +98,9 @@ def _fictitious_play(rounds: int, seed: int) -> HandHistory:
 
 
 def chances_of_history(history: History, generations: Indices) -> FloatArray:
-    """Return the exact mean score of each pair of generations, over all pairs of individuals.
+    """Return the exact mean score of each pair of generations (k,), over all pairs of individuals.
 
-    Parameters
-    ----------
-    history : History
-        The race.
-    generations : ndarray of int, shape (k,)
-        Generations to compare.
-
-    Returns
-    -------
-    ndarray of float64, shape (k, k)
-        Chance that side 0 (rows) wins against side 1 (columns); half of a draw is a win.
+    The chances (k, k) are those of side 0 (rows) against side 1 (columns); half of a draw is a win.
     """
     first, second = history.ones[generations, 0], history.ones[generations, 1]
     k, n = first.shape[:2]
@@ -157,25 +119,11 @@ def truths_of_history(
 ) -> dict[str, Truths]:
     """Return what is true of a race of populations, by chances and ones of some generations.
 
-    Parameters
-    ----------
-    history : History
-        The race.
-    generations : ndarray of int, shape (k,)
-        Generations to look at, in ascending order.
-    selected : bool, optional
-        Whether there is selection. Without it all gains are chance.
+    Without selection (`selected`) all gains are chance.
 
-    Returns
-    -------
-    dict of str to dict
-        Window -> condition -> `Truth`.
-
-    Notes
-    -----
-    All but gains as in `race_truths.truths`. A population rises in a window if it gains 5 ones or
-    more, and some in three of four parts; it does not if it gains 1 at most; otherwise it is open.
-    Where more than one number decides, ones do not say who is better, so gains are open.
+    All but gains are as in `judgement_truths.truths`. A population rises in a window if it gains 5
+    ones or more, and some in three of four parts; it does not if it gains 1 at most; otherwise it
+    is open. Where more than one number decides, ones do not say who is better, so gains are open.
     """
     still = np.zeros(len(generations))
     race = SyntheticRace(chances_of_history(history, generations), still, still)

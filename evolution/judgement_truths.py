@@ -1,4 +1,4 @@
-"""What is true of a race whose capture rates are known, window by window; and matches with noise.
+"""What is true of a race whose capture rates are known, window by window.
 
 The truth comes from the rates without noise and from the strength that the teams have by design. It
 never uses matches, and no part of a judgement.
@@ -13,7 +13,7 @@ import numpy as np
 
 from matrixworld.analysis import checkerboards
 from matrixworld.coevolution.types import BoolArray, FloatArray
-from matrixworld.toys.race_formulas import SyntheticRace
+from matrixworld.toys import SyntheticRace
 
 WINDOWS: Mapping[str, tuple[float, float]] = {
     "whole": (0.0, 1.0),
@@ -35,14 +35,9 @@ CONDITIONS = (
 
 
 class Truth(NamedTuple):
-    """Whether a race has a condition, and how large it is.
+    """Whether a race has a condition, and how large the effect is, in the unit of its definition.
 
-    Parameters
-    ----------
-    holds : bool or None
-        None where the definition leaves it open.
-    size : float
-        Size of the effect, in the unit of the definition; see `truths`.
+    `holds` is None where the definition, see `truths`, leaves it open.
     """
 
     holds: bool | None
@@ -53,22 +48,8 @@ Truths = dict[str, Truth]
 
 
 def truths(race: SyntheticRace, window: str) -> Truths:
-    """Return what is true of a window of a race.
+    """Return what is true of a window of a race: condition -> truth.
 
-    Parameters
-    ----------
-    race : SyntheticRace
-        The race.
-    window : str
-        Name in `WINDOWS`.
-
-    Returns
-    -------
-    dict of str to Truth
-        Condition -> truth.
-
-    Notes
-    -----
     The *strength* of a generation is its mean score against all opponents of the matrix. A team
     *rises* in a window if its strength by design does so in at least three of four equal parts, no
     single step makes up half of the rise, and its gain (the slope of the strength times the
@@ -226,64 +207,3 @@ def _longest_row(mask: BoolArray) -> int:
     """Return the length of the longest row of True."""
     ends = np.flatnonzero(np.concatenate([[True], ~mask, [True]]))
     return int(np.diff(ends).max() - 1)
-
-
-# ---- Matches -------------------------------------------------------------------------------------
-
-
-class Noise(NamedTuple):
-    """How matches of known capture rates turn out.
-
-    Parameters
-    ----------
-    episodes : int
-        Episodes of each pair.
-    evaders : int, optional
-        Evaders of an episode, whose captured fraction is its score; 1 is a win or loss.
-    matchups : float, optional
-        Standard deviation of what is particular to each pair of generations, in capture rate.
-    """
-
-    episodes: int
-    evaders: int = 1
-    matchups: float = 0.0
-
-
-TOGETHER = 4.0
-"""Fates of an episode's evaders: Beta(4 M, 4 (1 - M)), so that their correlation is 1 / 5."""
-
-NOISES: Mapping[str, Noise] = {
-    **{f"win or loss, {n}": Noise(n) for n in (1, 2, 4, 10, 50, 200)},
-    **{f"30 evaders, {n}": Noise(n, evaders=30) for n in (2, 10, 50)},
-    "win or loss, 10, matchups": Noise(10, matchups=0.02),
-    "30 evaders, 10, matchups": Noise(10, evaders=30, matchups=0.02),
-}
-"""Noises by name, with the episodes of each pair."""
-
-
-def play_episodes(rates: FloatArray, noise: Noise, rng: np.random.Generator) -> FloatArray:
-    """Play matches of known capture rates.
-
-    Parameters
-    ----------
-    rates : ndarray of float64, shape (...)
-        Capture rates without noise.
-    noise : Noise
-        How matches turn out.
-    rng : numpy.random.Generator
-        Draws the matches.
-
-    Returns
-    -------
-    ndarray of float64, shape (..., episodes)
-        Captured fraction of each episode. With one evader: Bernoulli(M); with k: Binomial(k, q) / k
-        with q from Beta(4 M, 4 (1 - M)) once an episode. M is the rate plus N(0, `matchups`) of the
-        pair, which is the same in all of its episodes.
-    """
-    true = np.clip(rates + noise.matchups * rng.standard_normal(rates.shape), 0.0, 1.0)
-    chances = np.repeat(true[..., None], noise.episodes, axis=-1)
-    if noise.evaders > 1:
-        # Beta distributions have no parameter 0.
-        inside = TOGETHER * np.clip(chances, 1e-9, 1.0 - 1e-9)
-        chances = rng.beta(inside, TOGETHER - inside)
-    return np.asarray(rng.binomial(noise.evaders, chances) / noise.evaders)

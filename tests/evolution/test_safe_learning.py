@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import importlib
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from evolution_scripts import SCRIPTS, run_quickly
+import safe_learning
+from evolution_scripts import DOCS, RESULTS, read, run_quickly
 from matrixworld.coevolution import open_run
 
-RESULTS = SCRIPTS / "results" / "safe_learning"
+PUBLISHED = RESULTS / "safe_learning"
 
 
 def test_safe_learning_compares_methods_at_equal_agent_steps(tmp_path: Path) -> None:
@@ -22,7 +22,7 @@ def test_safe_learning_compares_methods_at_equal_agent_steps(tmp_path: Path) -> 
     assert {path.name for path in results.iterdir()} == {
         "table.md", "numbers.npz", "training.png", "methods.png",
     }  # fmt: skip
-    table = (results / "table.md").read_text(encoding="utf-8")
+    table = read(results / "table.md")
     assert printed.startswith(table)
     rows = [line for line in table.splitlines() if line.startswith(("| gradients", "| evolution"))]
     assert len(rows) == 8 + 5 + 5
@@ -50,11 +50,7 @@ def test_safe_learning_compares_methods_at_equal_agent_steps(tmp_path: Path) -> 
     assert run_quickly("safe_learning", tmp_path) == printed
 
 
-def test_methods_are_compared_at_the_last_generation_within_the_budget(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.syspath_prepend(SCRIPTS)
-    script = importlib.import_module("safe_learning")
+def test_methods_are_compared_at_the_last_generation_within_the_budget() -> None:
     steps = {"S a": [[0, 50, 100], [0, 40, 90]], "S b": [[0, 70, 95], [0, 60, 120]]}
     numbers = {}
     for name, of_seeds in steps.items():
@@ -62,28 +58,26 @@ def test_methods_are_compared_at_the_last_generation_within_the_budget(
         numbers[f"{name} / collisions"] = np.array(of_seeds) / 10
         numbers[f"{name} / capture rate"] = np.arange(6).reshape(2, 3) / 10
         numbers[f"{name} / fault"] = np.arange(18.0).reshape(2, 3, 3)
-    found = script.judged(numbers, "S a", budget=90)
+    found = safe_learning.judged(numbers, "S a", budget=90)
     np.testing.assert_allclose(found["capture rate"], [0.1, 0.5])
     np.testing.assert_allclose(found["all"], [3 + 4 + 5, 15 + 16 + 17])
     np.testing.assert_allclose(found["teammate"], [4, 16])
     np.testing.assert_allclose(found["training"], [100, 100])
     np.testing.assert_allclose(found["agent-steps"], [50e-6, 90e-6])
-    np.testing.assert_allclose(script.judged(numbers, "S b", budget=95)["capture rate"], [0.2, 0.4])
+    np.testing.assert_allclose(
+        safe_learning.judged(numbers, "S b", budget=95)["capture rate"], [0.2, 0.4]
+    )
 
 
-def test_the_committed_table_follows_from_the_committed_numbers(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.syspath_prepend(SCRIPTS)
-    script = importlib.import_module("safe_learning")
-    with np.load(RESULTS / "numbers.npz") as numbers:
-        told = script.table(dict(numbers))
-    assert told + "\n" == (RESULTS / "table.md").read_text(encoding="utf-8")
+def test_the_committed_table_follows_from_the_committed_numbers() -> None:
+    with np.load(PUBLISHED / "numbers.npz") as numbers:
+        told = safe_learning.table(dict(numbers))
+    assert told + "\n" == read(PUBLISHED / "table.md")
 
 
 def test_the_page_shows_the_numbers_of_the_committed_table() -> None:
-    page = (SCRIPTS.parent / "docs" / "safe_learning.md").read_text(encoding="utf-8")
-    table = (RESULTS / "table.md").read_text(encoding="utf-8")
+    page = read(DOCS / "safe_learning.md")
+    table = read(PUBLISHED / "table.md")
 
     def rows(text: str) -> list[list[str]]:
         lines = [line for line in text.splitlines() if line.startswith(("| grad", "| evol"))]

@@ -1,0 +1,197 @@
+"""Races for measuring the judgement: capture rates by formula, of 28 kinds.
+
+Some kinds are those of `matrixworld.toys`; here are the formulas of the others. Each takes the
+number of generations n, an effect size (1 is plain to see) and the nuisance parameters' `Draws`;
+`matrixworld.toys.synthetic_races` explains the symbols. `judgement_truths` says what is true of a
+race.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from matrixworld.toys import SYNTHETIC, SyntheticRace
+from matrixworld.toys.synthetic_races import (
+    Draws,
+    additive,
+    by_chance,
+    constant,
+    cycle,
+    of_one_team,
+    race,
+    rotation,
+    sigma,
+    stagnation,
+    time,
+)
+
+# ---- Races ---------------------------------------------------------------------------------------
+
+
+def uneven_pace(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Both teams gain exponential amounts in 40 % of the steps; one gains 2 to 3 times as much."""
+    steps = draws.own.exponential(size=(2, n)) * (draws.own.random((2, n)) < 0.4)
+    fast, slow = 5.0 * effect * np.cumsum(steps, axis=1) / (0.4 * n)
+    slow = slow / draws.size(2.0, 3.0)
+    return of_one_team(fast, slow, draws.level(), pursuers=draws.coin())
+
+
+def saturating(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """``M = clip(.5 + a g - b h, floor, ceiling)``: differences beyond the limits do not count."""
+    a, b = (size * time(n) for size in draws.sizes(1.2 * effect))
+    floor, ceiling = draws.shared.uniform(0.05, 0.25), draws.shared.uniform(0.7, 0.92)
+    return SyntheticRace(np.clip(0.5 + a[:, None] - b, floor, ceiling), a, b)
+
+
+def two_skills(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """``M = sigma(1 + a_g - b_h) sigma(1 + c_g - d_h)``: to win needs both of two skills.
+
+    Each skill rises at its own time, so no strength ``f(p_g - e_h)`` explains the rates; but a
+    later generation is never worse against any opponent.
+    """
+    t = time(n)
+    a, d = (size * t**2 for size in draws.sizes(4.0 * effect))
+    b, c = (size * np.sqrt(t) for size in draws.sizes(4.0 * effect))
+    rates = sigma(1.0 + a[:, None] - b) * sigma(1.0 + c[:, None] - d)
+    return SyntheticRace(rates, a + c, b + d)
+
+
+# ---- Cycles --------------------------------------------------------------------------------------
+
+
+def hands(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Rock-paper-scissors: ``M = sigma(+c, 0, -c)``, hands change one after the other."""
+    turns = 3.0 * min(float(draws.shared.choice((2.0, 3.0, 4.5))), n / 4.0)
+    start, lag = draws.own.integers(3, size=2)
+    hands = (start + np.floor(turns * time(n))).astype(int)
+    difference = (hands[:, None] - hands + lag) % 3
+    amplitude = effect * draws.size(2.5, 4.0)
+    flat = np.zeros(n)
+    return additive(flat, flat, 0.0, amplitude * np.array([0.0, 1.0, -1.0])[difference])
+
+
+def wave_then(n: int, effect: float, draws: Draws, *, late: bool) -> SyntheticRace:
+    """Return a cycle in one half of the time, a race (3 logits) in the other; `late`: cycle last.
+
+    ``M = sigma(a x(t_g) - b x(t_h) + c r_g r_h cos(...))`` with x rising in the race's half, and r
+    falling from 1 to 0 between the halves (.4 to .5 early, .5 to .6 late).
+    """
+    t = time(n)
+    radius = np.clip((t - 0.5) / 0.1 if late else (0.5 - t) / 0.1, 0.0, 1.0)
+    rise = np.clip(2.0 * t if late else 2.0 * t - 1.0, 0.0, 1.0)
+    a, b = draws.sizes(3.0)
+    circle = rotation(n, draws.shared.uniform(3.0, 6.0), draws, radius)
+    amplitude = effect * draws.size(1.5, 3.0)
+    return additive(a * rise, b * rise, draws.level(), amplitude * circle)
+
+
+# ---- Nobody gains, or not for long ---------------------------------------------------------------
+
+
+def fluctuation(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """``x_t = .6 x_{t-1} + noise``, standard deviation .5 logits: strength returns to its mean."""
+    kept, noise = 0.6, draws.own.normal(size=(n, 2))
+    x = [noise[0]]
+    for step in noise[1:]:
+        x.append(kept * x[-1] + np.sqrt(1.0 - kept**2) * step)
+    return by_chance(0.5 * effect * np.array(x).T, draws.level())
+
+
+def jump(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Each team jumps by about 2 logits, once, at its own moment between t = .2 and .8."""
+    a, b = draws.sizes(2.0 * effect)
+    p, e = (np.where(time(n) > draws.moment(0.2, 0.8), size, 0.0) for size in (a, b))
+    return additive(p, e, draws.level())
+
+
+# ---- Losses --------------------------------------------------------------------------------------
+
+
+def forgetting(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Both teams rise by 3 logits; one loses 2 to 4 logits against opponents older than a lag.
+
+    ``M = sigma(a t_g - b t_h - c [t_g - t_h > lag])`` if the pursuers forget, lag .12 to .3.
+    """
+    t, lag = time(n), draws.moment(0.12, 0.3)
+    a, b = draws.sizes(3.0)
+    lost = np.where(t[:, None] - t > lag, effect * draws.size(2.0, 4.0), 0.0)
+    return additive(a * t, b * t, draws.level(), -lost if draws.coin() else lost.T)
+
+
+def decline(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """One team rises by 2 logits up to t = .5, then falls by 3; the other rises by 1."""
+    t = time(n)
+    course = 4.0 * np.minimum(t, 0.5) - 6.0 * effect * np.maximum(t - 0.5, 0.0)
+    return of_one_team(draws.size(0.8, 1.2) * course, t, draws.level(), pursuers=draws.coin())
+
+
+def collapse(n: int, effect: float, draws: Draws) -> SyntheticRace:
+    """Both teams rise by 3 logits; from t = .7 to .85 one loses 3 to 5."""
+    t, start = time(n), draws.moment(0.68, 0.75)
+    a, b = draws.sizes(3.0)
+    lost = effect * draws.size(3.0, 5.0) * np.clip((t - start) / 0.12, 0.0, 1.0)
+    pursuers = draws.coin()
+    return additive(
+        a * t - lost * pursuers, b * t - lost * (not pursuers), draws.level() * (1 - effect / 4)
+    )
+
+
+# ---- Kinds ---------------------------------------------------------------------------------------
+
+
+class Kind(NamedTuple):
+    """A kind of race.
+
+    `make` takes (generations, effect size, `Draws`) and returns a `SyntheticRace`. Constants of a
+    judgement may be set on kinds for `development`; the others are held back for measuring.
+    """
+
+    make: Callable[[int, float, Draws], SyntheticRace]
+    development: bool = False
+
+
+KINDS: Mapping[str, Kind] = {
+    "pure race": Kind(SYNTHETIC["pure race"], development=True),
+    "slow race": Kind(SYNTHETIC["slow race"]),
+    "steep race": Kind(partial(race, total=15.0)),
+    "uneven pace": Kind(uneven_pace),
+    "saturating race": Kind(saturating),
+    "two skills": Kind(two_skills),
+    "only pursuers rise": Kind(SYNTHETIC["only pursuers rise"], development=True),
+    "only evaders rise": Kind(SYNTHETIC["only evaders rise"], development=True),
+    "cycle": Kind(SYNTHETIC["cycle"], development=True),
+    "cycle, uneven periods": Kind(partial(cycle, periods=(1.3, 2.7, 3.4))),
+    "rock-paper-scissors": Kind(hands),
+    "cycle on a climb": Kind(partial(cycle, periods=(2.0, 3.0, 4.0), climb=2.0)),
+    "wave, then race": Kind(partial(wave_then, late=False)),
+    "race, then wave": Kind(partial(wave_then, late=True)),
+    "noise only, .1": Kind(partial(constant, rate=0.1), development=True),
+    "noise only, .5": Kind(SYNTHETIC["noise only, .5"], development=True),
+    "noise only, .8": Kind(partial(constant, rate=0.8), development=True),
+    "drift": Kind(SYNTHETIC["drift"], development=True),
+    "fluctuation": Kind(fluctuation),
+    "early stagnation": Kind(SYNTHETIC["early stagnation"], development=True),
+    "late stagnation": Kind(partial(stagnation, until=3 / 4)),
+    "single jump": Kind(jump),
+    "forgetting": Kind(forgetting, development=True),
+    "decline": Kind(decline),
+    "collapse": Kind(collapse),
+    "disengagement, .95": Kind(SYNTHETIC["disengagement, .95"]),
+    "disengagement, .985": Kind(SYNTHETIC["disengagement, .985"]),
+    "disengagement, .995": Kind(SYNTHETIC["disengagement, .995"]),
+}
+"""Kinds of races by name."""
+
+
+def synthetic_races(
+    kind: str, n: int, seed: int, *, effect: float = 1.0, runs: int = 1
+) -> list[SyntheticRace]:
+    """Return the runs of a group: races of one kind, with parameters that vary between runs.
+
+    The effect is the size of what the kind is about (a rise, an amplitude, a loss).
+    """
+    return [KINDS[kind].make(n, effect, Draws(seed, run)) for run in range(runs)]

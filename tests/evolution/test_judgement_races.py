@@ -1,0 +1,253 @@
+"""Races whose truth is known: what is true of formulas and toys, by hand and by counting."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+from judgement_races import KINDS, synthetic_races
+from judgement_toys import RACES, chances_of_history, truths_of_history
+from judgement_truths import CONDITIONS, WINDOWS, Truths, truths, truths_of_group
+from matrixworld import toys
+from matrixworld.coevolution.opponents import Uniform
+from matrixworld.coevolution.types import TEAMS
+from matrixworld.toys import SyntheticRace
+
+
+def held(found: Truths) -> dict[str, bool | None]:
+    return {condition: truth.holds for condition, truth in found.items()}
+
+
+# Formulas
+
+
+def what_holds(kind: str, window: str = "whole", **options: float) -> list[set[bool | None]]:
+    """Return, for each condition, what is true of ten races of a kind."""
+    found = [truths(synthetic_races(kind, 40, seed, **options)[0], window) for seed in range(10)]
+    return [{one[condition].holds for one in found} for condition in CONDITIONS]
+
+
+T, F, OPEN = {True}, {False}, {None}
+
+
+@pytest.mark.parametrize(
+    ("kind", "window", "expected"),
+    [
+        ("pure race", "whole", [T, F, F, F, F, F]),
+        ("slow race", "last half", [T, F, F, F, F, F]),
+        ("two skills", "last half", [T, F, F, F, F, F]),
+        ("only pursuers rise", "first half", [F, T, F, F, F, F]),
+        ("only evaders rise", "whole", [F, T, F, F, F, F]),
+        ("cycle", "whole", [F, F, F, T, T, F]),
+        ("rock-paper-scissors", "last half", [F, F, F, T, T, F]),
+        ("cycle on a climb", "whole", [T, F, F, T, T, F]),
+        ("wave, then race", "last half", [T, F, F, F, F, F]),
+        ("noise only, .1", "whole", [F, F, T, F, F, F]),
+        ("early stagnation", "first half", [T, F, F, F, F, F]),
+        ("early stagnation", "last half", [F, F, T, F, F, F]),
+        ("late stagnation", "whole", [T, F, F, F, F, F]),
+        ("disengagement, .95", "last half", [F, F, T, F, F, F]),
+        ("disengagement, .985", "last half", [OPEN, OPEN, OPEN, OPEN, OPEN, T]),
+        ("disengagement, .995", "whole", [OPEN, OPEN, OPEN, OPEN, OPEN, T]),
+    ],
+)
+def test_what_is_true_of_kinds(kind: str, window: str, expected: list[set[bool | None]]) -> None:
+    for condition, found, wanted in zip(
+        CONDITIONS, what_holds(kind, window), expected, strict=True
+    ):
+        # Nuisance parameters may leave a few races open, and never turn the truth round.
+        assert wanted <= found <= wanted | OPEN, condition
+
+
+def test_losses_are_forgetting_and_no_arms_race() -> None:
+    for kind in ("decline", "collapse"):
+        arms, one_sided, _, cycling, forgetting, _ = what_holds(kind, "last half")
+        assert (arms, one_sided, cycling, forgetting) == (F, T, F, T)
+    assert True in what_holds("forgetting", "last half", effect=2.0)[4]
+
+
+def test_a_jump_and_chance_are_no_arms_race() -> None:
+    for kind in ("single jump", "drift", "fluctuation"):
+        arms, one_sided, _, cycling, *_ = what_holds(kind)
+        assert (arms, one_sided, cycling) == (F, F, F)
+
+
+def checkerboard_share(rates: np.ndarray, margin: float) -> float:
+    """Count checkerboards by looking at all quadruples, one after the other."""
+    found, possible = 0, 0
+    for p, q in combinations(range(len(rates)), 2):
+        for a, b in combinations(range(len(rates)), 2):
+            wins = (rates[p, a], rates[q, b]), (rates[p, b], rates[q, a])
+            found += any(min(x) - max(y) > margin for x, y in (wins, wins[::-1]))
+            possible += 1
+    return found / possible
+
+
+@pytest.mark.parametrize("kind", ["cycle", "forgetting", "two skills", "saturating race", "drift"])
+def test_share_of_checkerboards(kind: str) -> None:
+    race = synthetic_races(kind, 12, 3)[0]
+    truth = truths(race, "whole")["cycling"]
+    share = checkerboard_share(race.rates, 0.1)
+    assert truth.size == pytest.approx(share)
+    slightest = checkerboard_share(race.rates, 0.02)
+    assert truth.holds is (True if share >= 0.02 else None if slightest else False)
+
+
+def test_truth_of_a_rise_by_hand() -> None:
+    def arms_race(course: np.ndarray) -> bool | None:
+        rates = 0.5 + (course[:, None] - course) / 20
+        return truths(SyntheticRace(rates, course, course), "whole")["arms race"].holds
+
+    even, jump = np.arange(8.0), (np.arange(8) >= 4) * 4.0
+    burst = np.array([0, 1, 1, 1, 1, 5, 6, 7])
+    found = [arms_race(course) for course in (even, jump, burst, -even, 0 * even)]
+    assert found == [True, False, None, False, False]
+
+
+def test_truth_of_a_drop_by_hand() -> None:
+    rates = np.full((8, 8), 0.5)
+    rates[6:] -= 0.2  # pursuers lose .2 in half of the later half
+    race = SyntheticRace(rates, np.zeros(8), np.zeros(8))
+    assert truths(race, "whole")["forgetting"] == (True, pytest.approx(0.1))
+    assert truths(race, "first half")["forgetting"] == (False, 0.0)
+
+
+def test_truth_of_a_group_is_open_where_its_runs_differ() -> None:
+    runs = [synthetic_races(kind, 20, 0)[0] for kind in ("pure race", "only pursuers rise")]
+    found = truths_of_group(runs, "whole")
+    assert found["arms race"].holds is None
+    assert found["cycling"].holds is False
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("n", [8, 15, 60])
+def test_rates_are_rates_and_follow_from_the_seed(kind: str, n: int) -> None:
+    for effect in (0.25, 2.0):
+        runs = synthetic_races(kind, n, 5, effect=effect, runs=2)
+        again = synthetic_races(kind, n, 5, effect=effect, runs=2)
+        for run, other in zip(runs, again, strict=True):
+            assert run.rates.shape == (n, n)
+            assert run.pursuers.shape == run.evaders.shape == (n,)
+            assert 0.0 <= run.rates.min() <= run.rates.max() <= 1.0
+            assert np.array_equal(run.rates, other.rates)
+        assert not np.array_equal(runs[0].rates, runs[1].rates)
+        for window in WINDOWS:
+            assert tuple(truths_of_group(runs, window)) == CONDITIONS
+
+
+def test_kinds_are_enough_and_some_are_held_back() -> None:
+    development = {name for name, kind in KINDS.items() if kind.development}
+    assert len(KINDS) >= 18
+    assert len(development) < len(KINDS) / 2
+    assert {"pure race", "cycle", "drift", "forgetting", "early stagnation"} <= development
+
+
+def test_later_generations_are_never_worse_where_skill_is_transitive() -> None:
+    for kind in ("pure race", "two skills", "saturating race", "late stagnation"):
+        rates = synthetic_races(kind, 30, 1)[0].rates
+        assert (np.diff(rates, axis=0) >= 0).all()
+        assert (np.diff(rates, axis=1) <= 0).all()
+
+
+# Toys
+
+
+def test_averages_are_near_the_equilibrium_from_the_start() -> None:
+    for seed in range(3):
+        hands = toys.play_together({team: Uniform(None) for team in TEAMS}, 400, seed)
+        for rounds in (100, 250, 400):
+            so_far = {team: hands[team][: rounds + 1] for team in TEAMS}
+            assert toys.exploitability(so_far) < 0.15
+        truth = RACES["rock-paper-scissors, its averages"](seed).truths["last half"]
+        assert [name for name, one in truth.items() if one.holds] == ["stagnation"]
+
+
+def test_hands_cycle_without_an_arms_race() -> None:
+    for name in ("specialists", "generalists", "fictitious play"):
+        race = RACES[f"rock-paper-scissors, {name}"](1)
+        for window in WINDOWS:
+            truth = held(race.truths[window])
+            assert truth["cycling"] is True
+            assert truth["arms race"] is truth["one-sided progress"] is False
+
+
+@pytest.mark.parametrize("game", ["scalar", "focusing", "intransitive"])
+def test_chances_are_the_means_of_many_matches(game: str) -> None:
+    history, picked = toys.numbers_game(game, 3, generations=60), np.array([0, 20, 40, 60])
+    chances = chances_of_history(history, picked)
+    scores = history.scores(picked, 4000, np.random.default_rng(1))
+    np.testing.assert_allclose(scores.mean(axis=2), chances, atol=0.04)
+
+
+def a_history(game: str, totals: np.ndarray) -> toys.History:
+    """Return a history of pairs of individuals with `totals` ones, (k, dimensions)."""
+    ones = np.repeat(np.repeat(totals[:, None, None, :], 2, axis=1), 2, axis=2)
+    return toys.History(toys.GAMES[game], ones.astype(int), np.zeros((len(totals) - 1, 2, 2)))
+
+
+def test_truths_of_histories_by_hand() -> None:
+    every = np.arange(11)
+
+    def whole(game: str, totals: np.ndarray, **options: bool) -> dict[str, bool | None]:
+        return held(truths_of_history(a_history(game, totals), every, **options)["whole"])
+
+    climbing = whole("scalar", 5 * every[:, None])
+    # Later generations win all matches against earlier ones, and half against their own.
+    assert climbing["arms race"] is True
+    assert climbing["one-sided progress"] is climbing["cycling"] is False
+    assert climbing["forgetting"] is climbing["stagnation"] is False
+    assert whole("scalar", 5 * every[:, None], selected=False)["arms race"] is False
+    still = whole("scalar", np.full((11, 1), 50))
+    assert [name for name, holds in still.items() if holds] == ["stagnation"]
+    lost = whole("scalar", 50 - every[:, None])
+    assert lost["forgetting"] is True
+    assert lost["arms race"] is lost["stagnation"] is False
+    slow = whole("scalar", 50 + every[:, None] // 4)
+    assert slow["arms race"] is None
+    assert whole("focusing", np.full((11, 10), 5) + every[:, None])["arms race"] is None
+
+
+def test_a_race_that_one_side_always_wins_is_disengaged() -> None:
+    one_sided = a_history("scalar", np.full((11, 1), 50))
+    one_sided.ones[:, 1] = 0
+    found = held(truths_of_history(one_sided, np.arange(11))["last half"])
+    assert found.pop("disengagement") is True
+    assert set(found.values()) == {None}
+
+
+@pytest.mark.parametrize("name", RACES)
+def test_labelled_races_name_every_condition(name: str) -> None:
+    for seed in (0, 12):
+        race = RACES[name](seed)
+        assert tuple(race.truths) == tuple(WINDOWS)
+        assert all(tuple(found) == CONDITIONS for found in race.truths.values())
+        assert race.scores.shape == (31, 31, 10 if seed == 0 else 40)
+        assert set(np.unique(race.scores)) <= {0.0, 0.5, 1.0}
+
+
+def test_labelled_races_follow_from_the_seed() -> None:
+    for name in ("rock-paper-scissors, generalists", "virulence .75, climbing"):
+        one, again, other = (RACES[name](seed).scores for seed in (3, 3, 4))
+        assert np.array_equal(one, again)
+        assert not np.array_equal(one, other)
+
+
+@pytest.mark.parametrize(
+    ("name", "condition", "holds"),
+    [
+        ("scalar, climbing", "arms race", True),
+        ("scalar, climbing", "cycling", False),
+        ("scalar, at the top", "arms race", False),
+        ("scalar, without mutation", "stagnation", True),
+        ("intransitive", "cycling", True),
+        ("virulence 1", "disengagement", True),
+        ("virulence .75, climbing", "arms race", True),
+        ("virulence .75, later", "disengagement", False),
+        ("mutation without selection", "arms race", False),
+    ],
+)
+def test_what_is_true_of_toys(name: str, condition: str, holds: bool) -> None:
+    for seed in range(2):
+        assert RACES[name](seed).truths["last half"][condition].holds is holds
