@@ -17,9 +17,8 @@ from matrixworld.envs.drawing import Drawing
 from matrixworld.envs.opponents import Opponents, built_in_team, set_opponents
 from matrixworld.episodes.episode import Episode
 from matrixworld.play import Plays
-from matrixworld.world.arrays import WORLD_FIELDS, OutputField
+from matrixworld.world.arrays import WORLD_FIELDS, OutputField, action_masks, check_maskable
 from matrixworld.world.config import WorldConfig, WorldSettings
-from matrixworld.world.masks import action_masks, check_maskable
 from matrixworld.world.rules import COLLISION_KINDS, VARIANTS, Rules
 from matrixworld.world.world import World
 

@@ -30,9 +30,9 @@ from matrixworld.envs.vector_arrays import (
 )
 from matrixworld.episodes.render import rgb
 from matrixworld.play import Plays
+from matrixworld.world.arrays import action_masks, check_maskable
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig, WorldSettings
-from matrixworld.world.masks import action_masks, check_maskable
 from matrixworld.world.rules import Rules
 from matrixworld.world.world import World
 

@@ -1,4 +1,4 @@
-"""Names, shapes and dtypes of world output arrays, and the check of integer inputs."""
+"""The arrays that worlds write and read: names, shapes, dtypes, masks, checks of inputs."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from matrixworld import _core
 from matrixworld._util.memory import check_memory
 from matrixworld.world.config import WorldConfig
+from matrixworld.world.rules import Action
 
 Specs: TypeAlias = dict[str, tuple[tuple[int, ...], DTypeLike]]
 
@@ -18,18 +19,9 @@ Specs: TypeAlias = dict[str, tuple[tuple[int, ...], DTypeLike]]
 class OutputField(NamedTuple):
     """One row of the engine's table of output arrays.
 
-    Parameters
-    ----------
-    name : str
-        Name of the array.
-    dtype : numpy.dtype
-        Dtype of the array. Arrays of views may also be float32.
-    axes : tuple of str
-        Axes of one world's part: ``agents``, ``evaders``, ``teams``, ``kinds``, ``row_col``,
-        ``channels``, ``fov``, ``rows`` or ``cols``.
-    written : {"moment", "step", "step start", "episode end"}
-        When the engine writes it. After an automatic reset, a ``moment`` is of the new episode and
-        a ``step`` still of the ended one.
+    `axes` are those of one world's part: agents, evaders, teams, kinds, row_col, channels, fov,
+    rows or cols. `written` is when the engine writes it: "moment", "step", "step start" or "episode
+    end". After an automatic reset, a moment is of the new episode, a step still of the ended one.
     """
 
     name: str
@@ -37,6 +29,12 @@ class OutputField(NamedTuple):
     axes: tuple[str, ...]
     written: str
 
+
+# Rows and columns from an agent to the cell that each `Action` leads to.
+MOVES = np.array([(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)])
+
+CHANNEL = {"evader": 0, "pursuer": 1, "obstacle": 2}
+"""Channels of a view by what they show."""
 
 # The engine's own table: a new output is declared there (cpp/play/output_fields.cpp), and described
 # in the docstring of `array_specs` or `episode_specs` below.
@@ -143,10 +141,7 @@ def _specs(fields: dict[str, OutputField], config: WorldConfig) -> Specs:
 
 
 def new_arrays(specs: Specs, n_worlds: int) -> dict[str, NDArray[Any]]:
-    """Return an array of zeros for each of some specs, with a leading axis of worlds.
-
-    Raises OutOfMemoryError if they need more memory than is available.
-    """
+    """Return an array of zeros for each of some specs, with a leading axis of worlds."""
     sizes = {
         name: n_worlds * math.prod(shape) * np.dtype(dtype).itemsize
         for name, (shape, dtype) in specs.items()
@@ -166,25 +161,10 @@ def workspace_bytes(config: WorldConfig) -> int:
 
 
 def integers(name: str, given: ArrayLike) -> NDArray[Any]:
-    """Return integers as an array of a dtype that the engine takes.
+    """Return integers as an array of a dtype that the engine takes, uint8 or int64.
 
-    Parameters
-    ----------
-    name : str
-        Name of the argument, for the error message.
-    given : array_like of int
-        The integers, of any integer dtype.
-
-    Returns
-    -------
-    ndarray of uint8 or int64
-        The same integers. Values above the largest int64 become that one: they are out of range for
-        every argument of the engine, which then names them in its own message.
-
-    Raises
-    ------
-    TypeError
-        If the values are not integers.
+    Raises TypeError for other values. Integers above the largest int64 become that one: they are
+    out of range for every argument of the engine, which then names them in its own message.
     """
     array = np.asarray(given)
     if array.dtype.kind not in "iu":
@@ -194,3 +174,38 @@ def integers(name: str, given: ArrayLike) -> NDArray[Any]:
     if array.dtype.kind == "u" and array.itemsize == 8:
         array = array.clip(max=np.iinfo(np.int64).max)  # a cast alone would make them negative
     return array.astype(np.int64)
+
+
+def positions_of(
+    name: str, given: ArrayLike | None, n: int, n_worlds: int | None = None
+) -> NDArray[np.int32] | None:
+    """Return positions of n agents, (n, 2), or of n agents in each world, (n_worlds, n, 2)."""
+    if given is None:
+        return None
+    array = integers(name, given)
+    shapes = [(n, 2)] if n_worlds is None else [(n, 2), (n_worlds, n, 2)]
+    if array.shape not in shapes:
+        expected = " or ".join(map(str, shapes))
+        raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
+    # Clipped cells are still outside the grid, so the engine refuses them with its own message.
+    whole = np.broadcast_to(array, shapes[-1]).clip(-(2**31), 2**31 - 1)
+    return np.ascontiguousarray(whole, dtype=np.int32)
+
+
+def check_maskable(config: WorldConfig) -> None:
+    """Raise ValueError if agents do not see the cells that they can move to."""
+    if config.fov < 3:
+        raise ValueError(f"action_mask: expected a fov of at least 3, got {config.fov}")
+
+
+def action_masks(views: NDArray[Any], n_actions: int) -> NDArray[np.int8]:
+    """Return which actions lead to a free cell: int8 (..., n_actions) of views (..., 3, fov, fov).
+
+    1 for staying and for a move to a cell without an obstacle inside the grid. Other agents do not
+    matter. All actions of an agent that is gone are 1.
+    """
+    rows, cols = MOVES[:n_actions].T + views.shape[-1] // 2
+    # Views draw the cells outside the grid as obstacles, and an agent that is gone sees none.
+    masks: NDArray[np.int8] = (views[..., CHANNEL["obstacle"], rows, cols] == 0).astype(np.int8)
+    masks[..., Action.STAY] = 1  # staying is never a collision, even on an obstacle's cell
+    return masks

@@ -23,6 +23,7 @@ from matrixworld.world.arrays import (
     array_specs,
     integers,
     new_arrays,
+    positions_of,
     state_bytes,
     workspace_bytes,
 )
@@ -100,9 +101,12 @@ class Batch:
         if not isinstance(buffers, dict | None):
             raise TypeError(f"buffers: expected a dict of arrays, got {buffers!r}")
         n_threads = check_threads(threads)
-        self.buffers: dict[str, NDArray[Any]] = (
-            self._default_buffers() if buffers is None else buffers
-        )
+        if buffers is None:
+            specs = array_specs(self.config)
+            for large in ("views", "state"):  # and slow to write
+                del specs[large]
+            buffers = new_arrays(specs, self.n_worlds)
+        self.buffers: dict[str, NDArray[Any]] = buffers
         # New arrays take memory only as they are written into, so they are counted here, too.
         arrays = sum(getattr(array, "nbytes", 0) for array in self.buffers.values())
         worlds = self.n_worlds * state_bytes(self.config)
@@ -113,12 +117,6 @@ class Batch:
             self.config.setup, self.n_worlds, n_threads, autoreset, self.buffers
         )
         self.reset(0)
-
-    def _default_buffers(self) -> dict[str, NDArray[Any]]:
-        specs = array_specs(self.config)
-        # Both are large, and slow to write.
-        chosen = {name: spec for name, spec in specs.items() if name not in ("views", "state")}
-        return new_arrays(chosen, self.n_worlds)
 
     def reset(
         self,
@@ -165,9 +163,9 @@ class Batch:
         self._core.reset(
             None if seed is None else self._seeds(seed),
             check_integer("episode", episode, 0, SEED_MAX),
-            mask=None if mask is None else self._mask(mask),
-            pursuers=self._positions("pursuers", pursuers, self.config.n_pursuers),
-            evaders=self._positions("evaders", evaders, self.config.n_evaders),
+            mask=None if mask is None else _mask(mask),
+            pursuers=positions_of("pursuers", pursuers, self.config.n_pursuers, self.n_worlds),
+            evaders=positions_of("evaders", evaders, self.config.n_evaders, self.n_worlds),
             map=None if own_map is None else own_map.astype(np.uint8),
         )
         return self.buffers
@@ -178,23 +176,6 @@ class Batch:
             # Seeds are 64 bits wide and wrap around after the largest one.
             return np.array([(first + w) % 2**64 for w in range(self.n_worlds)], np.uint64)
         return np.ascontiguousarray(check_naturals("seeds", seed, np.uint64))
-
-    def _mask(self, given: ArrayLike) -> NDArray[np.bool_]:
-        mask = np.ascontiguousarray(given)
-        if mask.dtype != np.bool_:
-            raise TypeError(f"mask: expected dtype bool, got {mask.dtype}")
-        return mask
-
-    def _positions(self, name: str, given: ArrayLike | None, n: int) -> NDArray[np.int32] | None:
-        if given is None:
-            return None
-        array = integers(name, given)
-        everywhere = (self.n_worlds, n, 2)
-        if array.shape not in ((n, 2), everywhere):
-            raise ValueError(f"{name}: expected shape {(n, 2)} or {everywhere}, got {array.shape}")
-        # Positions too large for int32 stay outside every grid, so the engine refuses them by name.
-        whole = np.broadcast_to(array, everywhere).clip(-(2**31), 2**31 - 1)
-        return np.ascontiguousarray(whole, dtype=np.int32)
 
     def step(self, actions: ArrayLike) -> dict[str, NDArray[Any]]:
         """Play one round in every world and return the buffers.
@@ -267,3 +248,10 @@ class Batch:
         """Return an independent copy of one world, to draw it or to plan in it."""
         number = check_integer("world", number, 0, self.n_worlds - 1)
         return World.at(self.config, self._core.snapshot(number))
+
+
+def _mask(given: ArrayLike) -> NDArray[np.bool_]:
+    mask = np.ascontiguousarray(given)
+    if mask.dtype != np.bool_:
+        raise TypeError(f"mask: expected dtype bool, got {mask.dtype}")
+    return mask

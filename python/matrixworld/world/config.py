@@ -62,6 +62,17 @@ def _obstacles(given: Obstacles) -> float | NDArray[np.bool_]:
     return read_map(given)
 
 
+def _plain(value: Any) -> Any:
+    """Return a setting as JSON holds it: rules and rewards as mappings, a map as rows of text."""
+    if isinstance(value, Rules | Rewards):
+        return {name: _plain(part) for name, part in vars(value).items()}
+    if isinstance(value, np.ndarray):
+        return ["".join(".#"[int(cell)] for cell in row) for row in value]
+    if isinstance(value, tuple):
+        return list(value)
+    return getattr(value, "name", value)  # of a member of an enumeration its name
+
+
 def _all_fields(what: str, kind: type[Any], plain: object) -> dict[str, Any]:
     """Return a copy of the values of all fields of a dataclass; refuse a missing or unknown one."""
     if not isinstance(plain, Mapping):
@@ -193,26 +204,10 @@ class WorldConfig:
     def of(
         cls, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
     ) -> WorldConfig:
-        """Return a config with some fields changed.
+        """Return a config, or the one of some rules, with fields other than `rules` changed.
 
-        Parameters
-        ----------
-        config : WorldConfig, Rules or str, optional
-            The config to start from, or the rules of a new one.
-        **changes
-            Fields but `rules`, and their new values.
-
-        Returns
-        -------
-        WorldConfig
-            `config` itself if it is a WorldConfig and nothing changes.
-
-        Raises
-        ------
-        TypeError
-            For an unknown keyword, and as `WorldConfig` does.
-        ValueError
-            As `WorldConfig` does.
+        It is `config` itself if that is a WorldConfig and nothing changes. Raises as `WorldConfig`
+        does, and TypeError for an unknown keyword.
         """
         check_keywords(changes, WorldSettings.__annotations__, cls.of)
         if isinstance(config, WorldConfig):
@@ -254,39 +249,13 @@ class WorldConfig:
 
     def to_json(self) -> dict[str, Any]:
         """Return the settings as values that JSON can hold; a map becomes rows of text."""
-        plain = {item.name: getattr(self, item.name) for item in fields(self)}
-        plain["rules"] = {
-            item.name: getattr(value, "name", value)
-            for item in fields(self.rules)
-            for value in [getattr(self.rules, item.name)]
-        }
-        plain["rewards"] = {
-            item.name: getattr(value, "name", list(value) if isinstance(value, tuple) else value)
-            for item in fields(self.rewards)
-            for value in [getattr(self.rewards, item.name)]
-        }
-        if self.map is not None:
-            plain["obstacles"] = ["".join(".#"[int(cell)] for cell in row) for row in self.map]
-        return plain
+        return {item.name: _plain(getattr(self, item.name)) for item in fields(self)}
 
     @classmethod
     def from_json(cls, plain: Mapping[str, Any]) -> WorldConfig:
-        """Return the settings that `to_json` returned.
+        """Return the settings from plain values, such as ``episode.config`` of a recorded episode.
 
-        Parameters
-        ----------
-        plain : mapping
-            All settings as plain values, such as ``episode.config`` of a recorded episode.
-
-        Returns
-        -------
-        WorldConfig
-            The same settings.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If a setting is missing, unknown or not valid.
+        Raises TypeError or ValueError if a setting is missing, unknown or not valid.
 
         Examples
         --------
@@ -322,17 +291,12 @@ class WorldConfig:
     @cached_property
     def setup(self) -> _core.Setup:
         """The engine's form of the settings."""
-        rules = {item.name: getattr(self.rules, item.name) for item in fields(self.rules)}
         rewards = self.rewards
+        paid = {name: rewards.by_team(name) for name in ("capture", "neighbor", "collide", "step")}
         return _core.Setup(
-            rules=_core.Rules(**rules),
+            rules=_core.Rules(**vars(self.rules)),
             rewards=_core.Rewards(
-                capture=rewards.by_team("capture"),
-                neighbor=rewards.by_team("neighbor"),
-                collide=rewards.by_team("collide"),
-                step=rewards.by_team("step"),
-                blame=rewards.blame,
-                capture_repeats=rewards.capture_repeats,
+                **paid, blame=rewards.blame, capture_repeats=rewards.capture_repeats
             ),
             rows=self.rows,
             cols=self.cols,

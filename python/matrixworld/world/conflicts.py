@@ -91,20 +91,7 @@ def agent_name(agent: int, n_pursuers: int) -> str:
 
 
 def conflict_of(numbers: Sequence[int], n_pursuers: int) -> Conflict:
-    """Return a conflict from its numbers.
-
-    Parameters
-    ----------
-    numbers : sequence of int
-        The numbers that `CONFLICT_COLUMNS` names.
-    n_pursuers : int
-        Number of pursuers, for the names of the agents.
-
-    Returns
-    -------
-    Conflict
-        The same with names.
-    """
+    """Return a conflict from the numbers that `CONFLICT_COLUMNS` names."""
     turn, kind, form, first, second, row, col, *bits = numbers
     agents, cell = (first,) if second < 0 else (first, second), (row, col)
     at_fault, held, doomed = (

@@ -124,17 +124,7 @@ class Network:
     def for_config(
         cls, config: WorldConfig, hidden: tuple[int, ...] = (32,), **more: Any
     ) -> Network:
-        """Return a network for the views and actions of a world.
-
-        Parameters
-        ----------
-        config : WorldConfig
-            The settings of the world.
-        hidden : sequence of int, optional
-            Sizes of the hidden layers.
-        **more
-            Other fields of the network.
-        """
+        """Return a network for the views and actions of a world; `more` are its other fields."""
         return cls(hidden, fov=config.fov, n_actions=config.n_actions, **more)
 
     @property
@@ -150,22 +140,9 @@ class Network:
     def layers(
         self, genome: NDArray[np.float32]
     ) -> list[tuple[NDArray[np.float32], NDArray[np.float32]]]:
-        """Return the weights and biases of each layer, as views of a genome.
+        """Return weights (inputs, outputs) and biases (outputs,) of each layer, views of a genome.
 
-        Parameters
-        ----------
-        genome : ndarray of float32, shape (genome_size,)
-            Changing a returned array changes it.
-
-        Returns
-        -------
-        list of (ndarray, ndarray)
-            For each layer its weights, shape (inputs, outputs), and biases, shape (outputs,).
-
-        Raises
-        ------
-        ValueError
-            If the genome has another shape.
+        Changing a returned array changes the genome. Raises ValueError if it has another shape.
         """
         if genome.shape != (self.genome_size,):
             raise ValueError(f"genome: expected shape {(self.genome_size,)}, got {genome.shape}")
@@ -177,7 +154,7 @@ class Network:
         return layers
 
     def logits(self, genome: NDArray[np.float32], views: NDArray[np.uint8]) -> NDArray[np.float32]:
-        """Return the outputs of the network, computed in NumPy.
+        """Return the outputs before any softmax, float32 (n, n_actions), computed in NumPy.
 
         Parameters
         ----------
@@ -185,11 +162,6 @@ class Network:
             Weights and biases.
         views : ndarray of uint8, shape (n, 3, fov, fov)
             What agents see.
-
-        Returns
-        -------
-        ndarray of float32, shape (n, n_actions)
-            The outputs, before any softmax.
 
         Raises
         ------
@@ -209,7 +181,7 @@ class Network:
     def initial(
         self, rng: np.random.Generator, weight: float = 0.05, head: float = 0.1
     ) -> NDArray[np.float32]:
-        """Return a random genome, with all biases 0.
+        """Return a random genome, float32 (genome_size,), with all biases 0.
 
         Parameters
         ----------
@@ -217,11 +189,6 @@ class Network:
             The source of random numbers.
         weight, head : float, optional
             Standard deviations of the weights in the hidden layers and in the last layer.
-
-        Returns
-        -------
-        ndarray of float32, shape (genome_size,)
-            The genome.
         """
         # Twice: the random numbers of a layer come as an array of their own.
         check_memory("genome", weights=2 * 4 * self.genome_size)
@@ -299,10 +266,7 @@ TeamPolicy: TypeAlias = Population | Script
 
 
 def check_team(name: str, team: TeamPolicy) -> Any:
-    """Return the engine's form of a team policy.
-
-    Raises TypeError for another type and ValueError for an unknown script.
-    """
+    """Return the engine's form of a team policy."""
     if isinstance(team, Population):
         return team.network.core, team.genomes
     if not isinstance(team, str):

@@ -257,26 +257,7 @@ def _reward(name: str, value: object) -> float:
 
 
 def rules_of(variant: Rules | str) -> Rules:
-    """Return the rules of a variant.
-
-    Parameters
-    ----------
-    variant : Rules or str
-        Rules, which are returned as they are, or a name such as ``"O"``, ``"-O"`` or
-        ``"pursuit-evasion-o"``.
-
-    Returns
-    -------
-    Rules
-        The row of `VARIANTS`.
-
-    Raises
-    ------
-    ValueError
-        If the name is unknown.
-    TypeError
-        If `variant` has another type.
-    """
+    """Return rules as they are, or those of a name such as ``"O"`` or ``"pursuit-evasion-o"``."""
     if isinstance(variant, Rules):
         return variant
     if not isinstance(variant, str):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,26 +11,23 @@ from typing_extensions import Unpack
 from matrixworld import _core
 from matrixworld._util.checks import SEED_MAX, check_integer
 from matrixworld._util.memory import check_memory
-from matrixworld.world.arrays import array_specs, integers, workspace_bytes
+from matrixworld.episodes.render import Scene
+from matrixworld.world.arrays import (
+    CHANNEL,
+    WORLD_FIELDS,
+    array_specs,
+    integers,
+    positions_of,
+    workspace_bytes,
+)
 from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.conflicts import CONFLICT_COLUMNS, Conflict, conflict_of
 from matrixworld.world.maps import MapLike, read_map
 from matrixworld.world.policy import TeamPolicy, check_agents, check_team
 from matrixworld.world.rules import Rules
-from matrixworld.world.state import WorldState
 
 
-def _positions(name: str, given: ArrayLike | None, n: int) -> NDArray[np.int32] | None:
-    if given is None:
-        return None
-    array = integers(name, given)
-    if array.shape != (n, 2):
-        raise ValueError(f"{name}: expected shape {(n, 2)}, got {array.shape}")
-    # Clipped cells are still outside the grid, so the engine refuses them with its own message.
-    return np.ascontiguousarray(array.clip(-(2**31), 2**31 - 1), dtype=np.int32)
-
-
-class World(WorldState):
+class World:
     """One world of pursuers and evaders on a grid.
 
     A new world is in its first episode of seed 0. `step` plays one round; `reset` starts another
@@ -54,8 +51,9 @@ class World(WorldState):
     keeps_conflicts : bool
         Whether every step keeps the list of `conflicts`, as with ``explain=True``. A `Recorder`
         sets it.
-    positions, alive, rewards, ...
-        The arrays that `matrixworld.array_specs` lists; see `WorldState`.
+    positions, alive, rewards, terminated, ...
+        All that `matrixworld.array_specs` lists: the present moment, and results of the last step.
+        What has the shape () is a number of Python. `views` and `state` are methods.
 
     Raises
     ------
@@ -92,6 +90,28 @@ class World(WorldState):
 
     config: WorldConfig
     keeps_conflicts: bool
+
+    # Read by `__getattr__`. A = n_pursuers + n_evaders agents, E evaders.
+    seed: int
+    episode: int
+    steps: int
+    terminated: bool
+    truncated: bool
+    capture_rate: float
+    ever_capture_rate: float
+    survival_rate: NDArray[np.float32]  # (2,): of pursuers and of evaders
+    positions: NDArray[np.int32]  # (A, 2)
+    last_positions: NDArray[np.int32]  # (A, 2)
+    alive: NDArray[np.bool_]  # (A,)
+    captured: NDArray[np.bool_]  # (E,)
+    ever_captured: NDArray[np.bool_]  # (E,)
+    captors: NDArray[np.int32]  # (E,)
+    involved: NDArray[np.bool_]  # (A, 3), by kind of collision
+    fault: NDArray[np.bool_]  # (A, 3)
+    cost: NDArray[np.float32]  # (A,)
+    rewards: NDArray[np.float32]  # (A,)
+    terminations: NDArray[np.bool_]  # (A,)
+    truncations: NDArray[np.bool_]  # (A,)
 
     def __init__(
         self, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
@@ -155,8 +175,8 @@ class World(WorldState):
         self.config.check_map(own_map)
         self._core.reset(
             *key,
-            pursuers=_positions("pursuers", pursuers, self.config.n_pursuers),
-            evaders=_positions("evaders", evaders, self.config.n_evaders),
+            pursuers=positions_of("pursuers", pursuers, self.config.n_pursuers),
+            evaders=positions_of("evaders", evaders, self.config.n_evaders),
             map=None if own_map is None else own_map.astype(np.uint8),
         )
         self._explained = False
@@ -294,6 +314,92 @@ class World(WorldState):
             raise RuntimeError("no list of conflicts was kept: play the step with explain=True")
         rows = [(*record[:5], *record[5], *record[6:]) for record in self._core.conflicts()]
         return np.array(rows, np.int32).reshape(-1, len(CONFLICT_COLUMNS))
+
+    def read(self, *names: str) -> dict[str, NDArray[Any]]:
+        """Return several arrays of `array_specs` with one call of the engine, each a fresh copy.
+
+        Raises ValueError if a name is unknown.
+        """
+        unknown = set(names) - set(self._specs)
+        if unknown:
+            raise ValueError(f"read: expected some of {list(self._specs)}, got {sorted(unknown)}")
+        arrays = {name: np.empty(*self._specs[name]) for name in names}
+        self._core.write(arrays)
+        return arrays
+
+    if not TYPE_CHECKING:  # or a misspelled attribute would pass the type checker
+
+        def __getattr__(self, name: str) -> Any:
+            """Return an array of `array_specs`, or its number if it has no axes."""
+            if name not in WORLD_FIELDS:
+                raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+            array = self.read(name)[name]
+            return array if array.ndim else array.item()
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *WORLD_FIELDS]
+
+    @property
+    def map(self) -> NDArray[np.bool_]:
+        """Obstacles of this episode, bool of shape (rows, cols)."""
+        return np.asarray(self.state()[CHANNEL["obstacle"]], np.bool_)
+
+    def views(self) -> NDArray[np.uint8]:
+        """Return what each agent sees, uint8 of shape (A, 3, fov, fov).
+
+        0 or 1, in the channels evaders, pursuers and obstacles, centred on the agent. Cells outside
+        the grid are obstacles. The agent itself is not drawn; a teammate on its cell is. An agent
+        that is gone sees zeros.
+        """
+        return self.read("views")["views"]
+
+    def state(self) -> NDArray[np.uint8]:
+        """Return the whole world, uint8 of shape (3, rows, cols), in the channels of `views`."""
+        return self.read("state")["state"]
+
+    def scene(self, title: str = "") -> Scene:
+        """Return this moment for `matrixworld.episodes.render`; a notebook shows it as a picture.
+
+        Collisions of the last step are marked.
+
+        Parameters
+        ----------
+        title : str, optional
+            A line of text above the drawing.
+
+        Returns
+        -------
+        Scene
+            The arrays to draw.
+        """
+        return Scene(
+            positions=self.last_positions,
+            alive=self.alive,
+            captured=self.captured,
+            map=self.map,
+            n_pursuers=self.config.n_pursuers,
+            involved=self.involved,
+            fault=self.fault,
+            title=title,
+        )
+
+    def __str__(self) -> str:
+        """Return the world as text: '.' free, '#' obstacle, 'P' pursuer, 'E' evader, 'X' both.
+
+        A digit is the number of agents of one team on a cell; 9 stands for more as well.
+        """
+        counts = np.zeros((2, self.config.rows, self.config.cols), int)
+        team = np.arange(self.config.n_agents) >= self.config.n_pursuers
+        alive = self.alive
+        # Unlike an indexed +=, this counts every agent of a shared cell.
+        np.add.at(counts, (team[alive].astype(int), *self.positions[alive].T), 1)
+        picture = np.where(self.map, "#", ".")
+        picture[counts[0] > 0] = "P"
+        picture[counts[1] > 0] = "E"
+        several = counts.max(axis=0) > 1
+        picture[several] = counts.max(axis=0).clip(0, 9)[several].astype(str)
+        picture[(counts > 0).all(axis=0)] = "X"
+        return "\n".join("".join(row) for row in picture)
 
     def __getstate__(self) -> dict[str, Any]:
         """Return all that the future of the world depends on, without the list of conflicts."""

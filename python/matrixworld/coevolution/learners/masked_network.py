@@ -14,7 +14,7 @@ import numpy as np
 
 from matrixworld._util.short_repr import short_repr
 from matrixworld.coevolution.types import BoolArray, Genome, Genomes, IntArray, Team
-from matrixworld.world.masks import CHANNEL, STEPS
+from matrixworld.world.arrays import CHANNEL, MOVES
 from matrixworld.world.policy import Network
 from matrixworld.world.rules import COLLISION_KINDS
 
@@ -117,7 +117,7 @@ def mask_weights(network: Network, mask: str, team: Team) -> FixedWeights | None
 def _cells(network: Network, mask: str, team: Team) -> IntArray:
     """Return which input says that a move is forbidden, (kinds, moves)."""
     fov = network.fov
-    rows, cols = STEPS[1 : network.n_actions].T + fov // 2
+    rows, cols = MOVES[1 : network.n_actions].T + fov // 2
     own, foreign = ("pursuer", "evader") if team == "pursuer" else ("evader", "pursuer")
     seen = {"obstacle": "obstacle", "teammate": own, "adversary": foreign}
     channels = np.array([CHANNEL[seen[kind]] for kind in MASKS[mask]])
