@@ -21,7 +21,7 @@ from typing import Any
 import click
 
 from matrixworld import Matches, Population, _core
-from matrixworld.cli.jobs import play_run
+from matrixworld.cli.jobs import new_job, play_runs
 from matrixworld.cli.report import report
 from matrixworld.coevolution import (
     EvolutionStrategy,
@@ -29,7 +29,6 @@ from matrixworld.coevolution import (
     Race,
     RaceSettings,
     RunDirectory,
-    start,
 )
 from matrixworld.coevolution.runs import team_phase
 from matrixworld.coevolution.runs.training import Training
@@ -76,10 +75,10 @@ def race(settings: RaceSettings, threads: int, parts: Parts) -> dict[str, bytes]
     with TemporaryDirectory() as directory, silence():
         root = Path(directory)
         with parts.timed(OTHER):
-            result = play_run(start(settings, root, threads=threads))
+            [result], _ = play_runs(new_job([settings], None), root, threads, new=True)
         with parts.timed(FIGURES):
             report([result], root)
-        return {name: (root / name).read_bytes() for name in RESULTS}
+        return {name: (result.path / name).read_bytes() for name in RESULTS}
 
 
 def check(learner: str, threads: int) -> None:

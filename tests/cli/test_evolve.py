@@ -12,6 +12,7 @@ import subprocess
 import sys
 import time
 from dataclasses import fields
+from functools import partial
 from pathlib import Path
 
 import click
@@ -19,9 +20,19 @@ import numpy as np
 import pytest
 from click.testing import Result
 
-from command_line import FIGURES, JOB, MAIN_JOB, PNG, RACE, WORLD, matrixworld_command, words
+from command_line import (
+    FIGURES,
+    JOB,
+    MAIN_JOB,
+    PLACES,
+    PNG,
+    RACE,
+    WORLD,
+    matrixworld_command,
+    words,
+)
 from matrixworld._util.files import json_digest, load_json, locked, save_json
-from matrixworld.cli import evolve, held_out, report
+from matrixworld.cli import held_out, report
 from matrixworld.cli.arguments import find_runs
 from matrixworld.cli.options import option_name
 from matrixworld.cli.setting_options import SECTIONS, settings_from
@@ -31,11 +42,13 @@ from matrixworld.coevolution import (
     RaceSettings,
     RunDirectory,
     SingleSettings,
+    finish,
     open_run,
     resume,
     score,
     start,
 )
+from matrixworld.coevolution.many import watch
 from matrixworld.coevolution.many.watch import Watch
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
@@ -105,10 +118,10 @@ def test_without_options_the_settings_are_those_of_the_package():
 def test_options_become_settings(undrawn):
     more = ["--anneal", "--diagonal", "--activation", "tanh", "--variant", "sb", "--sigma", ".2"]
     matrixworld_command(
-        "evolve", "run", *words(RACE), *more, "--hidden", "5,4", "--obstacles", "0.1",
+        "evolve", "job", *words(RACE), *more, "--hidden", "5,4", "--obstacles", "0.1",
         "--schedule", "generalist-specialist",
     )  # fmt: skip
-    assert open_run("run").settings == tiny_race(
+    assert open_run("job/generalist-specialist/seed-5").settings == tiny_race(
         schedule="generalist-specialist", anneal=True, diagonal=True, activation="tanh",
         variant="SB", sigma=0.2, hidden=(5, 4), obstacles=0.1,
     )  # fmt: skip
@@ -137,7 +150,7 @@ def test_a_map_file_and_no_hidden_layer(undrawn, tmp_path):
         "evolve", "run", *words({**given, "hidden": "none", "obstacles": "a.map"}),
         "--schedule", "specialist-specialist",
     )  # fmt: skip
-    settings = open_run("run").settings
+    settings = open_run("run/specialist-specialist/seed-5").settings
     assert settings.hidden == ()
     assert settings.world(10).map.sum() == 2
 
@@ -183,9 +196,9 @@ def test_bad_options_are_refused_before_anything_is_written(options, message, tm
 
 def test_the_main_job_is_the_package_s_races(job, tmp_path):
     output, _ = job
-    for name in MAIN_JOB:
+    for name, place in zip(MAIN_JOB, PLACES, strict=True):
         start(tiny_race(schedule=name), tmp_path / name).run()
-        assert results(output / name) == results(tmp_path / name)
+        assert results(output / place) == results(tmp_path / name)
 
 
 def test_the_main_job_writes_figures_and_numbers(job):
@@ -193,14 +206,14 @@ def test_the_main_job_writes_figures_and_numbers(job):
     names = {path.name for path in output.iterdir()}
     written = {"job.json", ".lock", "comparison.png", "summary.json", "explorer.html"}
     assert names == {*MAIN_JOB, *written}
-    for name in MAIN_JOB:
-        assert {path.name for path in (output / name).glob("*.png")} == FIGURES
+    for place in PLACES:
+        assert {path.name for path in (output / place).glob("*.png")} == FIGURES
     for path in output.rglob("*.png"):
         assert path.read_bytes().startswith(PNG)
     runs = json.loads((output / "summary.json").read_text())["runs"]
     assert list(runs) == [*MAIN_JOB]
     for name, numbers in runs.items():
-        run = open_run(output / name)
+        run = open_run(output / name / "seed-5")
         held_out = numbers.pop("held_out")
         assert numbers == run.files.summary()
         scores = score(run)
@@ -234,7 +247,7 @@ def test_the_main_job_prints_its_results(job):
     ]
     assert "Terms are explained in docs/glossary.md." in result.stdout
     assert f"All files are in {output}:" in result.stdout
-    assert f"matrixworld replay '{output}/generalist-generalist' --pursuer 2" in result.stdout
+    assert f"matrixworld replay '{output}/{PLACES[2]}' --pursuer 2" in result.stdout
     assert "(3 of 3 runs)" in result.stderr
     assert "[1/3] pursuers against held-out opponents" in result.stderr
     assert "left" in result.stderr
@@ -247,7 +260,7 @@ def test_held_out_scores_are_those_of_the_command(job):
         for line in result.stdout.splitlines()
     }
     for column, name in enumerate(MAIN_JOB):
-        matrixworld_command("score", output / name, "--json", f"{name}.json")
+        matrixworld_command("score", output / PLACES[column], "--json", f"{name}.json")
         found = json.loads(Path(f"{name}.json").read_text())
         for team in TEAMS:
             mean = found[f"{team}s"]["mean"][0]["value"]
@@ -307,7 +320,7 @@ def test_all_schedules_and_the_hall_of_fame(undrawn):
     matrixworld_command("evolve", "out", *words(JOB), *chosen)
     runs = find_runs(Path("out"))
     schedules = [MAIN_JOB[0], "generalist-specialist", *MAIN_JOB[1:]]
-    assert [path.name for path in runs] == schedules
+    assert [path.parent.name for path in runs] == schedules
     assert [open_run(path).settings.schedule for path in runs] == schedules
     matrixworld_command("plot", runs[-1])
     assert {path.name for path in runs[-1].glob("*.png")} == FIGURES
@@ -319,24 +332,25 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
         "evolve", "first", "--against", "random", "--team", "evader", *words(WORLD), *epochs
     )
     start(tiny_single(team="evader"), "again").run()
-    assert results(Path("first")) == results(Path("again"))
-    numbers = open_run("first").files.summary()
+    first = Path("first/evader-against-random/seed-5")
+    assert results(first) == results(Path("again"))
+    numbers = open_run(first).files.summary()
     rate, low, high = (numbers[f"capture_rate{end}"] for end in ("", "_low", "_high"))
     interval = f"95% interval of the mean {low:.4f} to {high:.4f}; standard deviation of an"
     assert f"capture rate {rate:.4f} ({interval} episode" in result.stdout
     assert f"length in steps {numbers['length']:.1f} (" in result.stdout
-    assert (Path("first") / "training.png").read_bytes().startswith(PNG)
+    assert (first / "training.png").read_bytes().startswith(PNG)
     matrixworld_command(
         "evolve", "next", "--against", "first", "--start", "hunters", *words(WORLD), code=2
     )
     matrixworld_command("evolve", "next", "--against", "first", *words(WORLD), *epochs)
-    archive = open_run("next").files.archive()
-    last = open_run("first").files.archive()["evader"][-1]
+    archive = open_run("next/pursuer-against-evader-against-random/seed-5").files.archive()
+    last = open_run(first).files.archive()["evader"][-1]
     assert np.array_equal(archive["evader"], last[None])
 
 
 def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
-    against = copy / MAIN_JOB[0]
+    against = copy / PLACES[0]
     result = matrixworld_command("evolve", "out", "--against", against, "--fov", 5, code=2)
     assert "opponents: expected genomes for fov 5" in result.stderr
     assert not Path("out").exists()
@@ -348,15 +362,14 @@ def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
 @pytest.mark.parametrize("calls", [0, 7, 11])
 def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(job, undrawn, monkeypatch, calls):
     play = StopAt(calls)
-    monkeypatch.setattr(
-        evolve, "start", lambda settings, path, threads=None: start(settings, path, play=play)
-    )
     one = [*words(RACE), "--schedule", MAIN_JOB[2]]
-    result = matrixworld_command("evolve", "out", *one, code=130)
+    with monkeypatch.context() as patch:
+        patch.setattr(watch, "finish", partial(finish, play=play))
+        result = matrixworld_command("evolve", "out", *one, code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
     resumed = matrixworld_command("evolve", "--resume", "out")
     assert "All files are in out:" in resumed.stdout
-    assert results(Path("out")) == results(job[0] / MAIN_JOB[2])
+    assert results(Path("out") / PLACES[2]) == results(job[0] / PLACES[2])
 
 
 def test_a_job_that_is_stopped_before_its_first_run_is_resumed_whole(job, undrawn, monkeypatch):
@@ -371,8 +384,8 @@ def test_a_job_that_is_stopped_before_its_first_run_is_resumed_whole(job, undraw
     said = matrixworld_command("evolve", "out", *words(JOB), code=2).stderr
     assert "--resume out continues the run in it" in said
     matrixworld_command("evolve", "--resume", "out")
-    for name in MAIN_JOB:
-        assert results(Path("out") / name) == results(job[0] / name)
+    for place in PLACES:
+        assert results(Path("out") / place) == results(job[0] / place)
 
 
 def test_a_real_ctrl_c(tmp_path):
@@ -386,7 +399,8 @@ def test_a_real_ctrl_c(tmp_path):
         # In a background job SIGINT may be ignored, and child processes inherit that.
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
-    log = Path("out") / "log.csv"
+    run = Path("out") / PLACES[0]
+    log = run / "log.csv"
     deadline = time.monotonic() + 30
     while not log.exists() and time.monotonic() < deadline:
         time.sleep(0.05)
@@ -395,11 +409,11 @@ def test_a_real_ctrl_c(tmp_path):
     assert process.returncode == 130
     assert "matrixworld evolve --resume out\n" in errors
     assert "Traceback" not in errors
-    stopped = resume("out")
+    stopped = resume(run)
     assert stopped.stage < stopped.n_stages
     stopped.run()
     start(stopped.settings, tmp_path / "straight").run()
-    assert results(Path("out")) == results(tmp_path / "straight")
+    assert results(run) == results(tmp_path / "straight")
 
 
 @pytest.mark.slow
@@ -417,7 +431,7 @@ def test_resume_of_a_finished_job_prints_the_same(job, copy):
 
 
 def test_resume_scores_races_that_have_no_scores_of_their_own(copy, undrawn):
-    names = [copy / name / "scores.json" for name in MAIN_JOB]
+    names = [copy / place / "scores.json" for place in PLACES]
     before = [name.read_bytes() for name in names]
     names[0].unlink()
     names[1].write_bytes(before[2])
@@ -425,7 +439,7 @@ def test_resume_scores_races_that_have_no_scores_of_their_own(copy, undrawn):
     assert "[2/2] evaders against held-out opponents" in result.stderr
     assert [name.read_bytes() for name in names] == before
     # As if another version of the package had written it.
-    files = RunDirectory.open(copy / MAIN_JOB[2])
+    files = RunDirectory.open(copy / PLACES[2])
     owner = f"{json_digest(files.config())}/scores.json"
     kept = {**load_json(names[2], owner=owner), "matrixworld": "0.0"}
     save_json(names[2], kept, owner=owner)
@@ -443,11 +457,11 @@ def test_a_locked_run_and_a_damaged_run_give_an_error_of_one_line(copy):
         refused = matrixworld_command("evolve", "--resume", copy, code=1)
     assert "Error: " in refused.stderr
     assert "another process is running there" in refused.stderr
-    run = RunDirectory.open(copy / MAIN_JOB[1])
+    run = RunDirectory.open(copy / PLACES[1])
     (run.path / "summary.json").unlink()
     with run.lock():
         refused = matrixworld_command("evolve", "--resume", run.path, code=1)
     assert "another process is running there" in refused.stderr
-    (copy / MAIN_JOB[0] / "payoff.npz").write_bytes(b"nothing")
+    (copy / PLACES[0] / "payoff.npz").write_bytes(b"nothing")
     damaged = matrixworld_command("plot", copy, code=1)
     assert "payoff.npz: cut or altered" in damaged.stderr

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from command_line import JOB, MAIN_JOB, RACE, matrixworld_command, words
+from command_line import JOB, MAIN_JOB, PLACES, RACE, matrixworld_command, words
 from matrixworld.cli import explore
 from matrixworld.cli.explore import of_each_group
 from matrixworld.cli.jobs import open_result
@@ -42,14 +42,14 @@ def data_of(page: Path) -> dict[str, Any]:
 def test_evolve_ends_with_a_page_of_all_its_races(job: tuple[Path, str]) -> None:
     root, output = job
     data = data_of(root / "explorer.html")
-    assert [run["name"] for run in data["runs"]] == [*MAIN_JOB]
+    assert [run["name"] for run in data["runs"]] == PLACES
     assert data["title"] == "main job"
     assert "explorer.html: open it in a browser" in output
 
 
 def test_the_page_has_the_held_out_scores_of_the_report(job: tuple[Path, str]) -> None:
     root, _ = job
-    scores = json.loads((root / MAIN_JOB[0] / "scores.json").read_text())
+    scores = json.loads((root / PLACES[0] / "scores.json").read_text())
     [first, *_] = data_of(root / "explorer.html")["runs"]
     assert first["held_out"] == {team: scores[team] for team in ("pursuers", "evaders")}
 
@@ -57,7 +57,7 @@ def test_the_page_has_the_held_out_scores_of_the_report(job: tuple[Path, str]) -
 def test_a_page_is_written_beside_the_run_and_opened(
     job: tuple[Path, str], opened: list[str]
 ) -> None:
-    run = job[0] / MAIN_JOB[1]
+    run = job[0] / PLACES[1]
     result = matrixworld_command("explore", run)
     page = run / "explorer.html"
     assert result.output.strip() == str(page)
@@ -79,7 +79,7 @@ def test_a_file_of_another_name(job: tuple[Path, str], tmp_path: Path) -> None:
     page = tmp_path / "two.html"
     runs = [job[0] / name for name in MAIN_JOB[:2]]
     matrixworld_command("explore", *runs, "-o", page, "--no-open")
-    assert [run["name"] for run in data_of(page)["runs"]] == [*MAIN_JOB[:2]]
+    assert [run["name"] for run in data_of(page)["runs"]] == PLACES[:2]
 
 
 def test_an_unfinished_run_is_refused(tmp_path: Path) -> None:

@@ -19,6 +19,7 @@ from matrixworld.coevolution import PluginError, open_run
 from tiny_race import results
 
 RUN_OPTIONS = {**RACE, "schedule": "alternating", "opponents": 2}
+PLACE = "alternating/seed-5"
 OWN = {
     "learner": "mine:Learner",
     "learner_settings": "sigma=0.2,shrink=0.5",
@@ -72,7 +73,7 @@ def straight(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("straight")
     (folder / "mine.py").write_text(MINE)
     assert evolve(folder, "run", *words({**RUN_OPTIONS, **OWN})) == 0
-    return folder / "run"
+    return folder / "run" / PLACE
 
 
 def evolve(folder: Path, *args: object, killed_at: int = 0) -> int:
@@ -98,7 +99,7 @@ def test_killed_in_the_middle_and_resumed(straight, mine, tmp_path, killed_at):
     options = words({**RUN_OPTIONS, **OWN})
     assert evolve(tmp_path, "run", *options, killed_at=killed_at) == -signal.SIGKILL
     assert evolve(tmp_path, "--resume", "run") == 0
-    assert results(tmp_path / "run") == results(straight)
+    assert results(tmp_path / "run" / PLACE) == results(straight)
 
 
 def test_the_settings_are_kept(straight):
@@ -187,7 +188,7 @@ def test_values_of_all_kinds(mine):
     values = ["--learner-settings", "n=3,x=-.5", "--learner-settings", "on=true, word=fast"]
     options = words({**RACE, "schedule": MAIN_JOB[0], "learner": "mine:Learner"})
     matrixworld_command("evolve", "out", *options, *values)
-    assert open_run("out").settings.learner_settings["word"] == "fast"
+    assert open_run(f"out/{MAIN_JOB[0]}/seed-5").settings.learner_settings["word"] == "fast"
 
 
 def test_an_error_in_the_code_keeps_its_traceback_and_says_how_to_continue(mine):

@@ -21,7 +21,7 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Path, str]:
     """A race in the working directory, and what `evolve` printed."""
     monkeypatch.chdir(tmp_path)
     told = matrixworld_command("evolve", "run", *words(LONGER), "--threads", 1).stdout
-    return Path("run"), told
+    return Path("run/specialist-specialist/seed-5"), told
 
 
 def test_all_commands_come_to_the_same_judgement(run, monkeypatch):
@@ -59,5 +59,5 @@ def test_all_commands_come_to_the_same_judgement(run, monkeypatch):
     )
     figures.draw_run(result)
     titles = {axes.get_title() for figure in drawn for axes in figure.axes}
-    assert f"run (specialist-specialist), seed 5\n{headline(expected)}" in titles
+    assert f"specialist-specialist, seed 5\n{headline(expected)}" in titles
     assert plots.comparison({"a": result.payoff.capture_rate}).axes[0].texts[-1].get_text() == ""

@@ -195,11 +195,10 @@ def test_runs_of_several_settings_in_one_directory_are_groups_of_their_own(capsy
 
 
 def test_seeds_of_one_team_have_their_own_table(capsys):
-    results = []
+    results, name = [], "pursuer-against-random"
     for seed in (0, 1, 2):
-        start(tiny_single(seed=seed), f"alone/seed-{seed}", threads=1).run()
-        results.append(open_result(Path(f"alone/seed-{seed}")))
-    name = "pursuers against random"
+        start(tiny_single(seed=seed), f"alone/{name}/seed-{seed}", threads=1).run()
+        results.append(open_result(Path(f"alone/{name}/seed-{seed}")))
     report_seeds(results, {name: [0, 1, 2]}, Path("alone"), threads=1)
     said = capsys.readouterr().out
     assert f"{name}: 3 of 3 seeds finished" in said
@@ -208,7 +207,7 @@ def test_seeds_of_one_team_have_their_own_table(capsys):
     summary = load_json(Path("alone/summary.json"))
     assert summary["groups"][name]["measures"]["capture_rate"]["value"] == np.mean(rates)
     said = matrixworld_command("score", "alone", "--episodes", 2, "--threads", 1).stdout
-    assert "alone: 3 of 3 seeds finished" in said
+    assert f"alone/{name}: 3 of 3 seeds finished" in said
     assert "evaders of generation" not in said
 
 

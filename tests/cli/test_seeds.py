@@ -84,9 +84,10 @@ def test_one_team_alone_and_the_default_directory():
     said = matrixworld_command("evolve", "--seeds", "0-1", *alone)
     assert said.stderr.startswith("Output directory: runs/O-evader-against-random-seeds0-1\n")
     root = Path("runs/O-evader-against-random-seeds0-1")
-    assert find_runs(root) == [root / "seed-0", root / "seed-1"]
+    runs = [root / f"evader-against-random/seed-{n}" for n in (0, 1)]
+    assert find_runs(root) == runs
     finish(tiny_single(seed=1, team="evader"), "alone")
-    assert results(root / "seed-1") == results(Path("alone"))
+    assert results(runs[1]) == results(Path("alone"))
 
 
 def test_what_is_finished_missing_and_failed_is_reported(monkeypatch):
@@ -198,7 +199,7 @@ def test_runs_that_were_put_together_by_hand_are_continued(tmp_path):
     assert Path("mine/1/summary.json").exists()
     assert Path("mine/0/summary.json").read_bytes() == before
     assert not Path("mine/job.json").exists()
-    assert "1 of 1 seeds finished" in said
+    assert "All files are in mine:" in said
 
 
 def test_progress_as_lines(capsys):

@@ -16,6 +16,8 @@ RACE = {**WORLD, "generations": 2, "pursuer_epochs": 2, "evader_epochs": 3}
 JOB = {**RACE, "joint_epochs": 2}
 """Options of the main job, whose races have several schedules."""
 MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
+PLACES = [f"{schedule}/seed-{TINY['seed']}" for schedule in MAIN_JOB]
+"""Where the runs of the main job are."""
 FIGURES = {"payoff.png", "generalization.png", "lag_profile.png", "training.png", "collisions.png"}
 PNG, GIF = b"\x89PNG", b"GIF89a"
 

@@ -18,7 +18,7 @@ from matrixworld.cli.options import (
     write_json,
 )
 from matrixworld.cli.race_groups import Group, groups_of, one_group, races_argument
-from matrixworld.cli.run_groups import of_seeds
+from matrixworld.cli.run_groups import of_several_seeds
 from matrixworld.cli.seed_tables import print_missing
 
 
@@ -40,7 +40,7 @@ def analyze_command(
     refuse_existing(json_file, force=force)
     with failures():
         # The directories of a job of several seeds say which runs belong together.
-        seeds = of_seeds(races)
+        seeds = of_several_seeds(races)
         groups = groups_of(races, episodes) if seeds else [one_group(races, episodes)]
         found = {group.name: _analysis(group.payoffs) for group in groups}
         for group in groups:

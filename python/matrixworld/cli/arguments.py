@@ -24,6 +24,8 @@ from matrixworld.world.policy import SCRIPTS
 # From the newest opponents only to those of all generations: the generalists are the last schedule.
 ORDER = [*list(SCHEDULES)[:-1], HALL_OF_FAME, list(SCHEDULES)[-1], ALTERNATING]
 """The order in which the runs of one job are played and shown."""
+SEED = r"seed-(\d+)"
+"""Names of the directories of a job's runs."""
 MOST_NAMES = 5
 """Most runs that a message names."""
 
@@ -41,9 +43,15 @@ def place_in_job(name: PurePath | str) -> tuple[tuple[int, int, str], ...]:
 
 def _place(name: str) -> tuple[int, int, str]:
     # seed-2 comes before seed-10.
-    seed = re.fullmatch(r"seed-(\d+)", name)
+    seed = re.fullmatch(SEED, name)
     schedule = ORDER.index(name) if name in ORDER else len(ORDER)
     return schedule, int(seed[1]) if seed else -1, name
+
+
+def run_name(path: Path) -> str:
+    """Return what a run is called: its directory, or in a job the folder of its seeds."""
+    path = path.absolute()
+    return path.parent.name if re.fullmatch(SEED, path.name) else path.name
 
 
 def run_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Path | None:

@@ -19,7 +19,7 @@ from matrixworld.cli.options import (
     write_json,
 )
 from matrixworld.cli.race_groups import Group, groups_of, one_group, races_argument
-from matrixworld.cli.run_groups import of_seeds
+from matrixworld.cli.run_groups import of_several_seeds
 from matrixworld.cli.seed_tables import STRIP_LEGEND, print_missing, print_strip
 
 SINGLE_RUN = "The intervals are about this run. Runs with other seeds may differ."
@@ -51,7 +51,7 @@ def diagnose_command(
     refuse_existing(json_file, force=force)
     with failures():
         # The directories of a job of several seeds say which runs belong together.
-        several = each or of_seeds(races)
+        several = each or of_several_seeds(races)
         groups = groups_of(races, episodes) if several else [one_group(races, episodes, EACH)]
         for group in groups:
             _print(group, explained)

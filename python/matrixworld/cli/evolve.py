@@ -13,7 +13,7 @@ import click
 from matrixworld.cli.arguments import can_resume, failures, resume_command, resumed_of
 from matrixworld.cli.clusters import cluster_option, on_cluster, refuse_threads
 from matrixworld.cli.console import INTERRUPTED, note, warnings_as_notes
-from matrixworld.cli.jobs import default_directory, found_job, new_job, play_run, play_runs
+from matrixworld.cli.jobs import default_directory, found_job, new_job, play_runs
 from matrixworld.cli.options import (
     SectionedCommand,
     given_options,
@@ -27,11 +27,8 @@ from matrixworld.cli.setting_options import in_options, setting_options, setting
 from matrixworld.coevolution import (
     PluginError,
     RaceSettings,
-    Run,
     RunDirectory,
     SingleSettings,
-    resume,
-    start,
 )
 from matrixworld.coevolution.many.evolve_many import check_job
 from matrixworld.coevolution.many.job import Job
@@ -112,23 +109,22 @@ def _play_new(
 ) -> None:
     job = new_job(settings, seeds)
     elsewhere = _elsewhere(job, where, threads)
-    root = _new_directory(output, default_directory(settings[0], seeds))
+    root = _new_directory(output, default_directory(job))
     # Some settings can be checked only when opponents and start genomes have been read.
     try:
-        check_job(job or Job({".": settings[0]}), root, elsewhere, threads)
-        work = job or start(settings[0], root, threads=threads)
+        check_job(job, root, elsewhere, threads)
     except ValueError as error:
         raise click.UsageError(in_options(str(error))) from error
     with _resumable(root):
-        _play(work, root, threads, where, new=True)
+        _play(job, root, threads, where, new=True)
 
 
-def _elsewhere(job: Job | None, where: str | None, threads: int | None) -> Executor | None:
+def _elsewhere(job: Job, where: str | None, threads: int | None) -> Executor | None:
     """Return an executor for checks if runs play on other machines; a single run cannot."""
     if where is None:
         return None
     refuse_threads(where, threads)
-    if job is None:
+    if len(job.runs) == 1:
         raise click.UsageError(
             "--cluster: expected several runs, such as --seeds 0-9, got one, which cannot be shared"
         )
@@ -136,37 +132,31 @@ def _elsewhere(job: Job | None, where: str | None, threads: int | None) -> Execu
 
 
 def _play_old(root: Path, threads: int | None, where: str | None) -> None:
-    # The run is restored inside the block: reading it may fail or take some time.
+    # The job is read inside the block: reading it may fail or take some time.
     with _resumable(root):
         job = found_job(root)
         elsewhere = _elsewhere(job, where, threads)
         try:
-            if job is not None:
-                check_job(job, root, elsewhere, threads)
-            work = job or resume(root, threads=threads)
+            check_job(job, root, elsewhere, threads)
         except ValueError as error:
             # The package of a learner of the user's own may be missing, or have changed.
             raise click.ClickException(str(error)) from error
-        _play(work, root, threads, where, new=False)
+        _play(job, root, threads, where, new=False)
 
 
-def _play(
-    work: Job | Run[Any], root: Path, threads: int | None, where: str | None, *, new: bool
-) -> None:
-    """Play a job or a single run, and report the results; exit code 1 if runs failed."""
-    if isinstance(work, Run):
-        report([play_run(work)], root, threads)
-        return
-    with on_cluster(where, threads, root, work.runs.values()) as executor:
-        results, failed = play_runs(work, root, threads, executor, new=new)
-    if any(name != getattr(each, "schedule", "") for name, each in work.runs.items()):
-        report_seeds(results, work.asked(), root, failed, threads)
+def _play(job: Job, root: Path, threads: int | None, where: str | None, *, new: bool) -> None:
+    """Play a job, and report the results; exit code 1 if runs failed."""
+    with on_cluster(where, threads, root, job.runs.values()) as executor:
+        results, failed = play_runs(job, root, threads, executor, new=new)
+    asked = job.asked()
+    if max(map(len, asked.values())) > 1:
+        report_seeds(results, asked, root, failed, threads)
     elif results:
         report(results, root, threads)
     if failed:
         lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
         raise click.ClickException(
-            f"{len(failed)} of {len(work.runs)} runs failed:{lines}\nTo try them again:\n"
+            f"{len(failed)} of {len(job.runs)} runs failed:{lines}\nTo try them again:\n"
             f"  {resume_command(root)}"
         )
 

@@ -17,7 +17,7 @@ from matrixworld.cli.options import force_option, refuse_existing
 from matrixworld.cli.run_groups import (
     by_settings,
     finished_runs,
-    of_seeds,
+    of_several_seeds,
     root_of,
 )
 from matrixworld.coevolution import open_run
@@ -53,7 +53,7 @@ def explore_command(runs: list[Path], output: Path | None, opens: bool, force: b
     """
     with failures():
         results, _ = finished_runs(runs)
-        beside = root_of(results) / PAGE if of_seeds(runs) else page_file(runs)
+        beside = root_of(results) / PAGE if of_several_seeds(runs) else page_file(runs)
         page = output or beside
         refuse_existing(page, force=force)
         write_explorer(results, page)

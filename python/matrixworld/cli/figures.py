@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.analysis import headline
+from matrixworld.cli.arguments import run_name
 from matrixworld.cli.baselines import baseline_scores
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.settings.race import RaceSettings
@@ -109,8 +110,8 @@ def draw_comparison(races: Mapping[str, Result], path: Path) -> Path:
 
 
 def run_title(path: Path, settings: RaceSettings | SingleSettings) -> str:
-    """Return the name of a run in figures: its directory, its schedule and its seed."""
-    name = path.absolute().name
+    """Return the name of a run in figures, with its schedule and its seed."""
+    name = run_name(path)
     if isinstance(settings, RaceSettings) and settings.schedule != name:
         name = f"{name} ({settings.schedule})"
     return f"{name}, seed {settings.seed}"

@@ -14,18 +14,17 @@ import click
 
 from matrixworld.analysis import Judgement, Summary, judge, summarize
 from matrixworld.cli.arguments import find_runs, place_in_job, resume_command
-from matrixworld.cli.console import note, progress
+from matrixworld.cli.console import note
 from matrixworld.cli.job_progress import job_progress
 from matrixworld.coevolution import (
     Payoff,
     PluginError,
     RaceSettings,
-    Run,
     RunDirectory,
     SingleSettings,
 )
 from matrixworld.coevolution.many.evolve_many import BAD_FILES, described, play_job
-from matrixworld.coevolution.many.job import Job, job_of, open_job
+from matrixworld.coevolution.many.job import Job, against_name, job_of, open_job
 
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
@@ -89,20 +88,19 @@ def open_result(path: Path) -> Result:
     return Result(files, settings, Payoff.from_arrays(files.payoff()))
 
 
-def default_directory(settings: Settings, seeds: Sequence[int] | None) -> Path:
-    """Return the directory named after a run's variant and seeds, such as ``runs/O-seed0``."""
-    named = f"seed{settings.seed}" if seeds is None else f"seeds{seeds[0]}-{seeds[-1]}"
+def default_directory(job: Job) -> Path:
+    """Return the directory named after a job's variant and seeds, such as ``runs/O-seed0``."""
+    settings = next(iter(job.runs.values()))
+    seeds = [each.seed for each in job.runs.values()]
+    named = f"seeds{seeds[0]}-{seeds[-1]}" if len({*seeds}) > 1 else f"seed{seeds[0]}"
     # Rules made in Python have no name.
     variant = settings.variant if isinstance(settings.variant, str) else "own-rules"
-    # `against` may be the path of a run: its last part is the name.
-    what = ""
-    if isinstance(settings, SingleSettings):
-        what = f"-{settings.team}-against-{Path(settings.against).name}"
+    what = f"-{against_name(settings)}" if isinstance(settings, SingleSettings) else ""
     return RUNS / f"{variant}{what}-{named}"
 
 
-def new_job(settings: Sequence[Settings], seeds: Sequence[int] | None) -> Job | None:
-    """Return the job of runs that options ask for; None for a single run, which needs none.
+def new_job(settings: Sequence[Settings], seeds: Sequence[int] | None) -> Job:
+    """Return the job of runs that options ask for.
 
     Parameters
     ----------
@@ -113,40 +111,28 @@ def new_job(settings: Sequence[Settings], seeds: Sequence[int] | None) -> Job | 
     """
     # The order in which find_runs finds them, so that --resume prints and draws the same.
     ordered = sorted(settings, key=lambda each: place_in_job(getattr(each, "schedule", "")))
-    if seeds is not None:
-        return job_of([replace(each, seed=seed) for each in ordered for seed in seeds])
-    if len(ordered) == 1:
-        return None
-    return job_of({each.schedule: each for each in ordered if isinstance(each, RaceSettings)})
+    if seeds is None:
+        return job_of(ordered)
+    return job_of([replace(each, seed=seed) for each in ordered for seed in seeds])
 
 
-def found_job(root: Path) -> Job | None:
-    """Return the job in a directory; None for a single run.
+def found_job(root: Path) -> Job:
+    """Return the job in a directory; a run's directory is a job of one.
 
     Raises
     ------
     click.UsageError
         If the directory is a part of a job.
     """
-    runs = find_runs(root)
-    if runs == [root]:
-        return None
     job = open_job(root)
     if job is not None:
         return job
-    if open_job(root.parent) is not None:
+    runs = find_runs(root)
+    if runs != [root] and open_job(root.parent) is not None:
         hint = resume_command(root.parent)
         raise click.UsageError(f"--resume: expected a whole job, got a part of it; {hint}")
     # Runs that were put together by hand.
     return Job({run.relative_to(root).as_posix(): RunDirectory(run).settings() for run in runs})
-
-
-def play_run(run: Run[Any]) -> Result:
-    """Play a single run to its end, with a progress bar."""
-    with progress() as report:
-        if not run.files.finished:
-            note(str(run.files.path))
-        return Result(run.files, run.settings, run.run(report))
 
 
 def play_runs(
@@ -157,17 +143,20 @@ def play_runs(
     *,
     new: bool,
 ) -> tuple[list[Result], dict[Path, str]]:
-    """Play the runs of a job, with a line of progress for each.
+    """Play the runs of a job, and show their progress.
 
     Returns
     -------
     list of Result
         The finished runs.
     dict of Path to str
-        Why the other ones failed.
+        Why the other ones failed. The error of a single run is raised.
     """
     with job_progress() as report:
         outcome = play_job(job, root, keep=new, executor=executor, threads=threads, report=report)
+    if len(job.runs) == 1:
+        for error in outcome.failures.values():
+            raise error  # as it is: one sentence, or the traceback of the user's own code
     for error in outcome.failures.values():
         if isinstance(error, PluginError):  # the user's own code: the traceback is wanted
             note("".join(traceback.format_exception(error)))

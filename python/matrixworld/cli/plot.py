@@ -27,7 +27,7 @@ from matrixworld.cli.held_out import held_out_scores
 from matrixworld.cli.jobs import Result
 from matrixworld.cli.options import force_option, refuse_existing
 from matrixworld.cli.race_groups import Group, run_groups
-from matrixworld.cli.run_groups import Unfinished, finished_runs, of_seeds, root_of
+from matrixworld.cli.run_groups import Unfinished, finished_runs, of_several_seeds, root_of
 from matrixworld.cli.seed_figures import (
     draw_generalization,
     draw_seeds,
@@ -165,7 +165,7 @@ def _draw_all(
     races = [run for run in results if run.is_race]
     if comparison is not None and len(races) < 2:
         raise click.UsageError(f"--comparison: expected at least two races, got {len(races)}")
-    seeds = of_seeds([run.path for run in results]) and len(races) > 1
+    seeds = of_several_seeds([run.path for run in results]) and len(races) > 1
     # The figures of several seeds stand for those of the single runs.
     together = seeds and selection.name in (None, "generalization")
     singles = results if each or not together else []

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from matrixworld._util.files import save_json
+from matrixworld.cli.arguments import run_name
 from matrixworld.cli.console import TERMS, command
 from matrixworld.cli.explore import write_explorer
 from matrixworld.cli.figures import draw_comparison, draw_run
@@ -36,7 +37,7 @@ def report(results: Sequence[Result], root: Path, threads: int | None = None) ->
     threads : int, optional
         Threads that play matches against held-out opponents. By default all cores.
     """
-    races = {each.path.name: each for each in results if each.is_race}
+    races = {run_name(each.path): each for each in results if each.is_race}
     scores = held_out_scores(list(races.values()), threads)
     # Nothing is refused here: figures of an earlier report of the same runs are replaced.
     drawn = {each.path: draw_run(each) for each in results}
@@ -93,7 +94,7 @@ def _print_files(drawn: Mapping[Path, Sequence[Path]], root: Path, *, races: int
     if races > 1:
         click.echo("  comparison.png: the races side by side; summary.json: their numbers")
     for path, figures in drawn.items():
-        place = "" if path == root else f"{path.name}/: "
+        place = "" if path == root else f"{path.relative_to(root)}/: "
         click.echo(f"  {place}{', '.join(figure.name for figure in figures)}")
     scores = ", scores.json" if races else ""
     click.echo(f"  data of each run: payoff.npz, *.npy (genomes), log.csv, summary.json{scores}")

@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-from matrixworld.cli.arguments import find_runs, run_of
+from matrixworld.cli.arguments import SEED, find_runs, run_of
 from matrixworld.cli.console import note
 from matrixworld.cli.jobs import Result, open_result
 from matrixworld.coevolution.many.job import open_job
@@ -24,14 +24,19 @@ Unfinished = Mapping[Path, RaceSettings | SingleSettings]
 
 
 def of_seeds(paths: Collection[Path]) -> bool:
-    """Return whether all paths are runs of a job of several seeds, ``seed-<n>``."""
-    return all(re.fullmatch(r"seed-\d+", path.name) for path in paths)
+    """Return whether all paths are runs of jobs, ``seed-<n>``."""
+    return all(re.fullmatch(SEED, path.name) for path in paths)
+
+
+def of_several_seeds(paths: Collection[Path]) -> bool:
+    """Return whether all paths are runs of jobs, and some differ in their seed only."""
+    return of_seeds(paths) and len({path.parent for path in paths}) < len(paths)
 
 
 def run_or_seeds(ctx: click.Context, param: click.Parameter, value: str) -> list[Path]:
     """Return the run of a directory, or all runs of a job of several seeds."""
     runs = find_runs(Path(value))
-    if len(runs) > 1 and of_seeds(runs):
+    if of_several_seeds(runs):
         return runs
     run = run_of(ctx, param, value)
     return [] if run is None else [run]
@@ -130,12 +135,8 @@ def root_of(runs: Sequence[Result]) -> Path:
 
 def _asked(folder: Path, settings: Any) -> set[int]:
     """Return the seeds that the job of a directory was asked for, of these settings."""
-    # Races lie in a directory of their schedule, runs of one team in that of the job.
-    for root in (folder.parent, folder):
-        job = open_job(root)
-        if job is not None:
-            return {each.seed for each in job.runs.values() if _same(each, settings)}
-    return set()
+    job = open_job(folder.parent)
+    return {each.seed for each in job.runs.values() if _same(each, settings)} if job else set()
 
 
 def _same(one: Any, other: Any) -> bool:

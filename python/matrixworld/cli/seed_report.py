@@ -120,7 +120,7 @@ def _by_group(
 
 def _runs_of(name: str, results: Sequence[Result], root: Path) -> list[Result]:
     """Return the runs of a group, in the order of their seeds."""
-    found = [each for each in results if group_of(_inside(root, each.path), each.settings) == name]
+    found = [each for each in results if group_of(_inside(root, each.path)) == name]
     return sorted(found, key=lambda run: run.settings.seed)
 
 

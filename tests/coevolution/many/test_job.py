@@ -55,17 +55,19 @@ def test_names_and_what_was_asked_for():
     job = job_of([*races, tiny_single(seed=7)])
     first, second = ALL_SCHEDULES[:2]
     assert [*job.runs] == [
-        f"{first}/seed-3", f"{second}/seed-3", f"{first}/seed-12", f"{second}/seed-12", "seed-7",
+        f"{first}/seed-3", f"{second}/seed-3", f"{first}/seed-12", f"{second}/seed-12",
+        "pursuer-against-random/seed-7",
     ]  # fmt: skip
-    assert job.asked() == {first: [3, 12], second: [3, 12], "pursuers against random": [7]}
+    assert job.asked() == {first: [3, 12], second: [3, 12], "pursuer-against-random": [7]}
     named = job_of({"sigma-0.1": tiny_race(), "sigma-0.2/seed-5": tiny_race(sigma=0.2)})
     assert named.asked() == {"sigma-0.1": [5], "sigma-0.2": [5]}
 
 
 def test_paths_of_opponents_mean_the_same_to_workers_elsewhere(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    settings = job_of([tiny_single(against="runs/first", start="/other")]).runs["seed-5"]
-    assert settings.against == str(tmp_path / "runs/first")
+    job = job_of([tiny_single(against="runs/my first/seed-3", start="/other")])
+    settings = job.runs["pursuer-against-my-first/seed-5"]
+    assert settings.against == str(tmp_path / "runs/my first/seed-3")
     assert settings.start == str(Path("/other"))
 
 

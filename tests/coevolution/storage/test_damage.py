@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import killed
-from command_line import MAIN_JOB, RACE, matrixworld_command, words
+from command_line import MAIN_JOB, PLACES, RACE, matrixworld_command, words
 from matrixworld._util import files
 from matrixworld.cli import report
 from matrixworld.cli.console import INTERRUPTED
@@ -281,10 +281,11 @@ def test_a_command_stopped_while_it_makes_a_run_can_be_repeated(straight, tmp_pa
     with monkeypatch.context() as patch:
         patch.setattr(RunDirectory, "write_config", interrupted)
         matrixworld_command(*command, code=INTERRUPTED)
-    assert not (directory / "config.json").exists()
-    assert "that holds a run" in matrixworld_command("evolve", "--resume", directory, code=2).stderr
-    matrixworld_command(*command)
-    assert results(directory) == results(straight)
+    run = directory / PLACES[-1]
+    assert not (run / "config.json").exists()
+    assert "that holds a run" in matrixworld_command("evolve", "--resume", run, code=2).stderr
+    matrixworld_command("evolve", "--resume", directory)
+    assert results(run) == results(straight)
 
 
 def interrupted(*args, **options):

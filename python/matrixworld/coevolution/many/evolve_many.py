@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -12,7 +12,15 @@ from matrixworld._util.checks import check_instance, check_number, check_threads
 from matrixworld._util.files import is_temporary, locked
 from matrixworld._util.memory import check_memory
 from matrixworld._util.reading import DamagedFileError
-from matrixworld.coevolution.many.job import JOB, Job, Settings, job_of, open_job, save_job
+from matrixworld.coevolution.many.job import (
+    ITSELF,
+    JOB,
+    Job,
+    Settings,
+    job_of,
+    open_job,
+    save_job,
+)
 from matrixworld.coevolution.many.local_executor import LocalExecutor
 from matrixworld.coevolution.many.run_task import LOCK_WAIT, Values, counts_of
 from matrixworld.coevolution.many.watch import JobReport, Watch, silent
@@ -89,12 +97,13 @@ def evolve_many(
     ----------
     settings : sequence, or mapping of str, of RaceSettings or SingleSettings
         Settings of each run. In `directory` a race gets the directory ``<schedule>/seed-<n>`` and a
-        run of one team ``seed-<n>``; or give a mapping from names, such as ``sigma-0.1/seed-3``.
+        run of one team ``<team>-against-<opponent>/seed-<n>``; or give a mapping from names, such
+        as ``sigma-0.1/seed-3``.
     directory : str or Path
         A new or empty directory, or that of the same runs, which are continued.
     executor : concurrent.futures.Executor, optional
         Plays the runs, one thread each. By default worker processes of this machine, each with as
-        many threads as there are more cores than runs.
+        many threads as there are more cores than runs; a single run is played in this process.
     threads : int, optional
         Threads of the default executor in all. By default one per usable core.
     report : callable, optional
@@ -148,7 +157,8 @@ def evolve_many(
         except BAD_FILES as error:  # noqa: PERF203, of one run: the others are returned
             failures[path] = error
     if failures:
-        raise FailedRunsError(failures, finished)
+        cause = next(iter(failures.values())) if len(job.runs) == 1 else None
+        raise FailedRunsError(failures, finished) from cause
     return finished
 
 
@@ -169,7 +179,7 @@ def check_job(job: Job, root: Path, executor: Executor | None, threads: int | No
         check_instance("executor", executor, Executor)
         if threads is not None:
             raise ValueError(f"threads: expected None with an executor, got {threads}")
-    left = {n: each for n, each in job.runs.items() if not RunDirectory(root / n).finished}
+    left = {n: each for n, each in job.runs.items() if not _finished(root, n)}
     # Runs on other machines check the memory there; here one learner is made, to try it.
     workers, _ = shares(len(left), threads) if executor is None else (1, 1)
     needs = [sum(run_memory(each).values()) for each in left.values()]
@@ -238,7 +248,8 @@ def play_job(
         After Ctrl-C, when the tasks have ended at a checkpoint.
     """
     root.mkdir(parents=True, exist_ok=True)
-    with locked(root / LOCK):
+    # A run that is a job of its own locks its directory itself.
+    with nullcontext() if ITSELF in job.runs else locked(root / LOCK):
         if keep:
             # Again, because another process may have begun a job before this one got the lock.
             check_directory(root, job)
@@ -247,7 +258,10 @@ def play_job(
                 save_job(root, job)
         watch = Watch(job, root, *_ended(job, root))
         unfinished = len(watch.unfinished())
-        if unfinished:
+        if unfinished == 1 and executor is None:
+            # A worker process would take half a second to start, and hide where an error came from.
+            watch.play_here(threads=threads, lock_wait=lock_wait, report=report)
+        elif unfinished:
             with _executor(executor, unfinished, threads) as (player, each):
                 watch.play(player, threads=each, lock_wait=lock_wait, report=report)
     return Outcome(watch.finished, watch.failures)
@@ -284,13 +298,18 @@ def _ended(job: Job, root: Path) -> tuple[dict[str, Values], dict[str, BaseExcep
     finished: dict[str, Values] = {}
     failures: dict[str, BaseException] = {}
     for name, settings in job.runs.items():
-        files = RunDirectory(root / name)
-        if files.finished:
+        if _finished(root, name):
             try:
-                finished[name] = {"name": name, **_counts(files, settings)}
+                finished[name] = {"name": name, **_counts(RunDirectory(root / name), settings)}
             except BAD_FILES as error:
                 failures[name] = error
     return finished, failures
+
+
+def _finished(root: Path, name: str) -> bool:
+    """Return whether nothing has to be done for a run."""
+    # A run that is a job of its own is restored in any case, to tell of any damage.
+    return name != ITSELF and RunDirectory(root / name).finished
 
 
 def _counts(files: RunDirectory, settings: Settings) -> Values:

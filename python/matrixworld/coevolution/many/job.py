@@ -34,6 +34,9 @@ KINDS: dict[str, type[RaceSettings] | type[SingleSettings]] = {
 NAME = re.compile(r"\w[\w.=+-]*(/\w[\w.=+-]*)?")
 """Names of runs: relative paths of one or two parts that every system accepts."""
 
+ITSELF = "."
+"""Name of the only run of a job whose directory is that of the run, as `finish` makes it."""
+
 Settings = RaceSettings | SingleSettings
 
 
@@ -53,7 +56,7 @@ class Job:
         """Return the seeds that were asked for, by schedule or other name of a group of runs."""
         found: dict[str, list[int]] = {}
         for name, settings in self.runs.items():
-            found.setdefault(group_of(name, settings), []).append(settings.seed)
+            found.setdefault(group_of(name), []).append(settings.seed)
         return found
 
 
@@ -64,7 +67,7 @@ def job_of(settings: Sequence[Settings] | Mapping[str, Settings]) -> Job:
     ----------
     settings : sequence, or mapping of str, of RaceSettings or SingleSettings
         The settings, perhaps by name. Without names a race gets ``<schedule>/seed-<n>``, a run of
-        one team ``seed-<n>``.
+        one team ``<team>-against-<opponent>/seed-<n>``.
 
     Raises
     ------
@@ -92,8 +95,20 @@ def job_of(settings: Sequence[Settings] | Mapping[str, Settings]) -> Job:
 
 
 def _named(settings: Any) -> tuple[str, Any]:
-    folder = f"{settings.schedule}/" if isinstance(settings, RaceSettings) else ""
-    return f"{folder}seed-{getattr(settings, 'seed', None)}", settings
+    if isinstance(settings, SingleSettings):
+        folder = against_name(settings)
+    else:
+        folder = getattr(settings, "schedule", "")  # what has none is refused by `job_of`
+    return f"{folder}/seed-{getattr(settings, 'seed', None)}", settings
+
+
+def against_name(settings: SingleSettings) -> str:
+    """Return what a run of one team is called, such as ``evader-against-random``."""
+    path = Path(settings.against)
+    # Runs of a job are called after their seeds, which says nothing: their folder does.
+    name = path.parent.name if re.fullmatch(r"seed-\d+", path.name) else path.name
+    name = re.sub(r"[^\w.=+-]", "-", name)
+    return f"{settings.team}-against-{name}"
 
 
 def _check_names(runs: Mapping[str, Settings]) -> None:
@@ -130,22 +145,9 @@ def _from_anywhere(settings: Settings) -> Settings:
     return replace(settings, **absolute)
 
 
-def group_of(name: str, settings: Settings) -> str:
-    """Return the name of the runs that differ from a run in their seed only, such as a schedule.
-
-    Parameters
-    ----------
-    name : str
-        Name of the run.
-    settings : RaceSettings or SingleSettings
-        Its settings.
-    """
-    folder, slash, last = name.rpartition("/")
-    if slash:
-        return folder
-    if last == f"seed-{settings.seed}" and isinstance(settings, SingleSettings):
-        return f"{settings.team}s against {Path(settings.against).name}"
-    return last
+def group_of(name: str) -> str:
+    """Return the name of the runs that differ from a run in their seed only, such as a schedule."""
+    return name.rpartition("/")[0] or name
 
 
 # Settings as text:

@@ -88,7 +88,9 @@ def counts_of(files: RunFiles) -> Values:
     return {**played, "disengagement": "; ".join(numbers.get("disengagement", []))}
 
 
-def waiting(play: Callable[[], Result], path: Path, mark: StopMark, seconds: float) -> Result:
+def waiting(
+    play: Callable[[], Result], path: Path, mark: StopMark | None, seconds: float
+) -> Result:
     """Return what `play` returns; repeat it while another process holds the run directory.
 
     Parameters
@@ -97,7 +99,7 @@ def waiting(play: Callable[[], Result], path: Path, mark: StopMark, seconds: flo
         Plays the run.
     path : Path
         The run directory.
-    mark : StopMark
+    mark : StopMark or None
         Ends the waiting, too.
     seconds : float
         Longest time to wait.
@@ -114,7 +116,8 @@ def waiting(play: Callable[[], Result], path: Path, mark: StopMark, seconds: flo
             if not (path / CONFIG).exists():
                 raise
         time.sleep(LOOK)
-        mark.check()
+        if mark is not None:
+            mark.check()
 
 
 class _Look:

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import time
 import warnings
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from matrixworld.coevolution.many.job import Job, Settings, group_of, settings_to_text
+from matrixworld.coevolution.many.job import ITSELF, Job, Settings, group_of, settings_to_text
 from matrixworld.coevolution.many.run_progress import RunProgress, read_progress, remove_progress
-from matrixworld.coevolution.many.run_task import Values, run_task
+from matrixworld.coevolution.many.run_task import Values, counts_of, run_task, waiting
 from matrixworld.coevolution.many.stop_mark import StopMark
 from matrixworld.coevolution.runs.alternating import DisengagementWarning
+from matrixworld.coevolution.runs.start import finish
 
 SECONDS = 0.5
 """Seconds between two reports."""
@@ -121,13 +123,36 @@ class Watch:
             _end(futures)
             remove_progress(self.directory)
 
+    def play_here(
+        self, *, threads: int | None, lock_wait: float, report: JobReport = silent
+    ) -> None:
+        """Play the only run that is neither finished nor failed, in this process; see `play`."""
+        [(name, settings)] = self.unfinished()
+        path = self.directory / name
+        remove_progress(self.directory)
+        # Tasks that an earlier start left behind end from now on.
+        mark = None if name == ITSELF else StopMark.start(self.directory)
+        look = _Report(lambda now: report(self.progress({name: now})))
+        try:
+            run = waiting(
+                lambda: finish(settings, path, threads=threads, report=look),
+                path, mark, 0.0 if mark is None else lock_wait,
+            )  # fmt: skip
+            self.finished[name] = {"name": name, **counts_of(run.files)}
+        except Exception as error:  # noqa: BLE001, of the run
+            self.failures[name] = error
+        finally:
+            if mark is not None:
+                mark.stop()
+        report(self.progress({}))
+
     def unfinished(self) -> list[tuple[str, Settings]]:
         """Return the runs to play: the first one of each group, then the second ones, ..."""
         runs = self.job.runs.items()
         counts: dict[str, int] = {}
         order = {}
-        for name, settings in runs:
-            group = group_of(name, settings)
+        for name in self.job.runs:
+            group = group_of(name)
             order[name] = counts[group] = counts.get(group, 0) + 1
         left = [run for run in runs if run[0] not in self.finished and run[0] not in self.failures]
         # If the job is stopped, the groups have about equally many seeds.
@@ -136,11 +161,11 @@ class Watch:
     def _collect(self, futures: Mapping[Future[Values], str], report: JobReport) -> None:
         pending = set(futures)
         while pending:
-            report(self.progress())
+            report(self.progress(read_progress(self.directory)))
             done, pending = wait(pending, timeout=SECONDS, return_when=FIRST_COMPLETED)
             for future in done:
                 self._take(futures[future], future)
-        report(self.progress())
+        report(self.progress({}))
 
     def _take(self, name: str, future: Future[Values]) -> None:
         try:
@@ -153,11 +178,11 @@ class Watch:
         except Exception as error:  # noqa: BLE001, of one run: the others go on
             self.failures[name] = error
 
-    def progress(self) -> JobProgress:
-        """Return the progress, as the files tell it."""
+    def progress(self, told: Mapping[str, RunProgress]) -> JobProgress:
+        """Return the progress of the job, from what its runs in work have told."""
         running = {
             name: each
-            for name, each in read_progress(self.directory).items()
+            for name, each in told.items()
             if name in self.job.runs and name not in self.finished and name not in self.failures
         }
         for name, each in running.items():
@@ -181,17 +206,30 @@ class Watch:
 
     def _estimates(self) -> Iterable[int]:
         """Return the episodes of each run: known, or as of the last known run of its group."""
-        by_group = {
-            group_of(name, self.job.runs[name]): total for name, total in self._totals.items()
-        }
+        by_group = {group_of(name): total for name, total in self._totals.items()}
         mean = sum(by_group.values()) // max(len(by_group), 1)
-        for name, settings in self.job.runs.items():
-            yield self._totals.get(name, by_group.get(group_of(name, settings), mean))
+        for name in self.job.runs:
+            yield self._totals.get(name, by_group.get(group_of(name), mean))
 
 
 def matches_of(values: Values) -> int:
     """Return the episodes of a finished run."""
     return int(values["training_matches"]) + int(values["evaluation_matches"])
+
+
+class _Report:
+    """The report of a run that is played in this process."""
+
+    def __init__(self, tell: Callable[[RunProgress], None]) -> None:
+        self._tell, self._next = tell, 0.0
+        self._before: int | None = None
+
+    def __call__(self, what: str, done: int, total: int) -> None:
+        """Tell the progress, unless it has been told less than half a second ago."""
+        self._before = done if self._before is None else self._before
+        if time.monotonic() >= self._next:
+            self._next = time.monotonic() + SECONDS
+            self._tell(RunProgress(what, done, total, self._before))
 
 
 def _end(futures: Iterable[Future[Values]]) -> None:
