@@ -13,8 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import matrixworld as mw
-from matrixworld.play import policy
-from matrixworld.world import conflicts, maps
+from matrixworld.world import conflicts, maps, policy
 
 LINE = 80  # characters
 TABLES = Path(__file__).parent / "src/engine/tables.ts"

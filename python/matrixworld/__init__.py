@@ -25,8 +25,7 @@ from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import Recorder, record, record_actions
 from matrixworld.episodes.safety import SafetyMonitor, SafetySummary
 from matrixworld.play import NetworkPolicy
-from matrixworld.play.rollout import EpisodeStatistics, Matches, rollout
-from matrixworld.play.seeds import match_seed
+from matrixworld.play.rollout import EpisodeStatistics, Matches, match_seed, rollout
 from matrixworld.version import __version__ as __version__
 from matrixworld.world.arrays import array_specs, episode_specs
 from matrixworld.world.batch import Batch

@@ -20,7 +20,7 @@ from matrixworld.classroom.sandbox import Limits
 from matrixworld.classroom.submissions import Entry
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.episodes.record import record
-from matrixworld.play.matches import Decide, Worlds, asked_agents, decide_by, play_episodes
+from matrixworld.play.matches import Decide, Episodes, asked_agents, decide_by, play_episodes
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import TeamPolicy
@@ -166,10 +166,10 @@ class MatchPool:
 def _asking(program: PolicyProcess) -> Decide:
     """Return a program as what decides for a team."""
 
-    def decide(worlds: Worlds, agents: range, actions: NDArray[np.int64]) -> None:
-        moment = worlds.moment()
-        asked = asked_agents(moment, agents)
+    def decide(played: Episodes, agents: range, actions: NDArray[np.int64]) -> None:
+        arrays = played.arrays()
+        asked = asked_agents(arrays, agents)
         if asked.any():
-            actions[asked] = program.actions(np.flatnonzero(asked), moment["views"][asked])
+            actions[asked] = program.actions(np.flatnonzero(asked), arrays["views"][asked])
 
     return decide

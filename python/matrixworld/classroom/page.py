@@ -14,7 +14,7 @@ from matrixworld.classroom.standings import Standing
 from matrixworld.classroom.tournament import ClassResult
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.explorer.page import render_page
-from matrixworld.play.seeds import match_seed
+from matrixworld.play.rollout import match_seed
 from matrixworld.version import __version__
 
 MOST_BYTES = 3 * 2**20

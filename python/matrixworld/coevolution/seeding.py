@@ -29,7 +29,7 @@ from enum import IntEnum
 import numpy as np
 
 from matrixworld.coevolution.types import Seeds, Team
-from matrixworld.play.seeds import match_seed
+from matrixworld.play.rollout import match_seed
 
 
 class Purpose(IntEnum):

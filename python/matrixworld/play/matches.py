@@ -3,51 +3,71 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any, Protocol, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.play.functions import Plays, ask
 from matrixworld.play.network_policy import check_fits
-from matrixworld.world.arrays import array_specs
+from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Population, TeamPolicy
 from matrixworld.world.world import World
 
+Callback: TypeAlias = Callable[[NDArray[np.uint8]], ArrayLike]
+"""A policy as a function: observations uint8 (n, 3, fov, fov) of n living agents of one team, to
+actions (n,), integers."""
+
+Plays: TypeAlias = TeamPolicy | Callback
+"""What chooses a team's actions: a population of one genome, the name of a script, a function."""
+
+Arrays: TypeAlias = Mapping[str, NDArray[Any]]
+"""The arrays `_READ` of the present moment, each with a leading axis of worlds."""
+
 _READ = ("views", "alive", "terminated", "truncated", "capture_rate")
 
-Moment: TypeAlias = Mapping[str, NDArray[Any]]
-"""The arrays `_READ` of W worlds, each with a leading axis of worlds."""
 
+def ask(
+    policy: Callback,
+    views: NDArray[Any],
+    asked: NDArray[np.bool_],
+    actions: NDArray[np.int64],
+    n_actions: int,
+) -> None:
+    """Write the actions that a function chooses for some agents of W worlds.
 
-class Worlds(Protocol):
-    """The worlds of a match's episodes."""
+    Parameters
+    ----------
+    policy : callable
+        The function.
+    views : ndarray, shape (W, A, 3, fov, fov)
+        What the agents see.
+    asked : ndarray of bool, shape (W, A)
+        The agents that act; all are alive and of one team. If there are none, the function is not
+        called.
+    actions : ndarray of int64, shape (W, A)
+        Where to write. Entries of other agents stay as they are.
+    n_actions : int
+        Number of legal actions.
 
-    def moment(self) -> Moment:
-        """Return the arrays of the present moment."""
-        ...
-
-    def turns(self) -> Iterator[range]:
-        """Yield the agents that act in each turn of the next round."""
-        ...
-
-    def decide(self, policy: TeamPolicy, agents: range, actions: NDArray[np.int64]) -> None:
-        """Write the actions (W, A) that a population of one genome or a script chooses."""
-        ...
-
-    def play(self, actions: NDArray[np.int64], running: NDArray[np.bool_]) -> None:
-        """Play a turn in the worlds that are running."""
-        ...
-
-
-Decide: TypeAlias = Callable[[Worlds, range, NDArray[np.int64]], None]
-"""What decides for a team: called with the worlds, the team's agents whose turn it is, and the
-actions (W, A), in which it writes those of the agents that have to act."""
-
-OnRound: TypeAlias = Callable[[NDArray[np.int64], NDArray[np.bool_]], None]
-"""What is called after each round."""
+    Raises
+    ------
+    ValueError, TypeError
+        If the function returns something else than one legal action for each agent.
+    """
+    if not asked.any():
+        return
+    seen = views[asked].astype(np.uint8, copy=False)
+    chosen = integers("actions of the policy", policy(seen))
+    if chosen.shape != (len(seen),):
+        raise ValueError(
+            f"actions of the policy: expected shape {(len(seen),)}, got {chosen.shape}"
+        )
+    if chosen.min() < 0 or chosen.max() >= n_actions:
+        wrong = chosen[(chosen < 0) | (chosen >= n_actions)][0]
+        raise ValueError(f"actions of the policy: expected 0 to {n_actions - 1}, got {wrong}")
+    actions[asked] = chosen
 
 
 def capture_rates(
@@ -75,116 +95,48 @@ def capture_rates(
     for name, policy in (("pursuers", pursuers), ("evaders", evaders)):
         if isinstance(policy, Population):
             check_fits(name, policy.network, config)
-        deciders.append(_decider(policy, config.n_actions))
+        decide = _asking(policy, config.n_actions) if callable(policy) else decide_by(policy)
+        deciders.append(decide)
     return play_episodes(config, *deciders, seed=seed, episodes=episodes)
 
 
-def play_episodes(
-    config: WorldConfig,
-    pursuers: Decide,
-    evaders: Decide,
-    *,
-    seed: int,
-    episodes: int,
-    on_round: OnRound = lambda actions, running: None,
-) -> NDArray[np.float64]:
-    """Play the episodes of a match side by side; any functions decide for the teams.
-
-    Parameters
-    ----------
-    config, seed, episodes
-        As in `capture_rates`.
-    pursuers, evaders : Decide
-        What decides for the teams.
-    on_round : callable, optional
-        Called after each round with the actions, int64 (episodes, A), and with the episodes that
-        played it, bool (episodes,). Both change in the next round.
-
-    Returns
-    -------
-    ndarray of float64, shape (episodes,)
-        The capture rates.
-    """
-    teams = {
-        range(config.n_pursuers): pursuers,
-        range(config.n_pursuers, config.n_agents): evaders,
-    }
-    simultaneous = World(config).n_turns == 1
-    worlds: Worlds = (_Together if simultaneous else _InTurns)(config, seed, episodes)
-    actions = np.zeros((episodes, config.n_agents), np.int64)
-    while (running := _running(worlds.moment())).any():
-        for turn in worlds.turns():
-            for team, decide in teams.items():
-                acting = range(max(team.start, turn.start), min(team.stop, turn.stop))
-                if acting:
-                    decide(worlds, acting, actions)
-            worlds.play(actions, running)
-        on_round(actions, running)
-    return np.asarray(worlds.moment()["capture_rate"], np.float64)
-
-
-def asked_agents(moment: Moment, agents: range) -> NDArray[np.bool_]:
-    """Return which of some agents, of all worlds, have to act: bool (W, A)."""
-    asked = np.zeros(moment["alive"].shape, np.bool_)
-    asked[:, agents] = moment["alive"][:, agents] & _running(moment)[:, None]
-    return asked
-
-
-def decide_by(policy: TeamPolicy) -> Decide:
-    """Return a population of one genome, or a script, as what decides for a team."""
-    return lambda worlds, agents, actions: worlds.decide(policy, agents, actions)
-
-
-def _decider(policy: Plays, n_actions: int) -> Decide:
-    if not callable(policy):
-        return decide_by(policy)
-    called = policy
-
-    def decide(worlds: Worlds, agents: range, actions: NDArray[np.int64]) -> None:
-        moment = worlds.moment()
-        ask(called, moment["views"], asked_agents(moment, agents), actions, n_actions)
-
-    return decide
-
-
-def _running(moment: Moment) -> NDArray[np.bool_]:
-    return np.asarray(~(moment["terminated"] | moment["truncated"]))
-
-
 class _Together:
-    """Worlds in which all agents act at once: a batch."""
+    """The episodes of a match in which all agents act at once: a batch."""
 
     def __init__(self, config: WorldConfig, seed: int, episodes: int) -> None:
         specs = array_specs(config)
         buffers = {name: np.zeros((episodes, *specs[name][0]), specs[name][1]) for name in _READ}
         self._batch = Batch(episodes, config, buffers=buffers)
-        self._agents = range(config.n_agents)
         for episode in range(episodes):
             chosen = np.arange(episodes) == episode
             self._batch.reset(np.full(episodes, seed, np.uint64), episode=episode, mask=chosen)
 
-    def moment(self) -> Moment:
+    def arrays(self) -> Arrays:
+        """Return the arrays of the present moment."""
         return self._batch.buffers
 
     def turns(self) -> Iterator[range]:
-        yield self._agents
+        """Yield the agents that act in each turn of the next round."""
+        yield range(self._batch.config.n_agents)
 
     def decide(self, policy: TeamPolicy, agents: range, actions: NDArray[np.int64]) -> None:
+        """Write the actions (W, A) that a population of one genome or a script chooses."""
         self._batch.decide([policy], np.zeros(len(actions), np.int32), agents, actions)
 
     def play(self, actions: NDArray[np.int64], running: NDArray[np.bool_]) -> None:
+        """Play a turn in the episodes that are running."""
         self._batch.step(actions)
 
 
 class _InTurns:
-    """Worlds whose rounds have several turns, played turn by turn."""
+    """The episodes of a match whose rounds have several turns; with the methods of `_Together`."""
 
     def __init__(self, config: WorldConfig, seed: int, episodes: int) -> None:
         self._worlds = [World(config) for _ in range(episodes)]
         for episode, world in enumerate(self._worlds):
             world.reset(seed, episode=episode)
 
-    def moment(self) -> Moment:
+    def arrays(self) -> Arrays:
         read = [world.read(*_READ) for world in self._worlds]
         return {name: np.stack([arrays[name] for arrays in read]) for name in _READ}
 
@@ -202,3 +154,69 @@ class _InTurns:
     def play(self, actions: NDArray[np.int64], running: NDArray[np.bool_]) -> None:
         for number in np.flatnonzero(running):
             self._worlds[number].play_turn(actions[number])
+
+
+Episodes: TypeAlias = _Together | _InTurns
+"""The episodes of a match, played side by side."""
+
+Decide: TypeAlias = Callable[[Episodes, range, NDArray[np.int64]], None]
+"""What decides for a team: called with the episodes, the team's agents whose turn it is, and the
+actions (episodes, A), in which it writes those of the agents that have to act."""
+
+OnRound: TypeAlias = Callable[[NDArray[np.int64], NDArray[np.bool_]], None]
+"""What is called after each round: with the actions, int64 (episodes, A), and with the episodes
+that played it, bool (episodes,). Both change in the next round."""
+
+
+def play_episodes(
+    config: WorldConfig,
+    pursuers: Decide,
+    evaders: Decide,
+    *,
+    seed: int,
+    episodes: int,
+    on_round: Callable[[NDArray[np.int64], NDArray[np.bool_]], None] = lambda actions, running: (
+        None
+    ),
+) -> NDArray[np.float64]:
+    """Play the episodes of a match side by side and return their capture rates, (episodes,)."""
+    teams = {
+        range(config.n_pursuers): pursuers,
+        range(config.n_pursuers, config.n_agents): evaders,
+    }
+    simultaneous = World(config).n_turns == 1
+    played: Episodes = (_Together if simultaneous else _InTurns)(config, seed, episodes)
+    actions = np.zeros((episodes, config.n_agents), np.int64)
+    while (running := _running(played.arrays())).any():
+        for turn in played.turns():
+            for team, decide in teams.items():
+                acting = range(max(team.start, turn.start), min(team.stop, turn.stop))
+                if acting:
+                    decide(played, acting, actions)
+            played.play(actions, running)
+        on_round(actions, running)
+    return np.asarray(played.arrays()["capture_rate"], np.float64)
+
+
+def asked_agents(arrays: Arrays, agents: range) -> NDArray[np.bool_]:
+    """Return which of some agents, of all episodes, have to act: bool (episodes, A)."""
+    asked = np.zeros(arrays["alive"].shape, np.bool_)
+    asked[:, agents] = arrays["alive"][:, agents] & _running(arrays)[:, None]
+    return asked
+
+
+def decide_by(policy: TeamPolicy) -> Decide:
+    """Return a population of one genome, or a script, as what decides for a team."""
+    return lambda played, agents, actions: played.decide(policy, agents, actions)
+
+
+def _asking(function: Callback, n_actions: int) -> Decide:
+    def decide(played: Episodes, agents: range, actions: NDArray[np.int64]) -> None:
+        arrays = played.arrays()
+        ask(function, arrays["views"], asked_agents(arrays, agents), actions, n_actions)
+
+    return decide
+
+
+def _running(arrays: Arrays) -> NDArray[np.bool_]:
+    return np.asarray(~(arrays["terminated"] | arrays["truncated"]))

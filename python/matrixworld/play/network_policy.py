@@ -3,19 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_bool
-from matrixworld.play.exports import onnx_model, torch_module
+from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import CHANNELS, Network, Population
 
 if TYPE_CHECKING:
     import onnx
     import torch
+
+
+Layers: TypeAlias = list[tuple[NDArray[np.float32], NDArray[np.float32]]]
+"""Weights (inputs, outputs) and biases (outputs,) of each layer."""
+
+OPSET = 13
+"""The ONNX operators' version, of 2020: enough for a perceptron, and read by old runtimes."""
+_IR_VERSION = 8
 
 
 def check_fits(name: str, network: Network, config: WorldConfig) -> None:
@@ -139,17 +147,9 @@ class NetworkPolicy:
         return self.network.logits(self.genome, views).reshape(*leading, -1)
 
     def probabilities(self, observations: ArrayLike) -> NDArray[np.float32]:
-        """Return the probability of each action: the softmax of the outputs.
+        """Return the probability of each action, (..., n_actions): the softmax of the outputs.
 
-        Parameters
-        ----------
-        observations : array_like of int or float
-            As in a call.
-
-        Returns
-        -------
-        ndarray of float32, shape (..., n_actions)
-            They add up to 1 over the last axis. A policy that does not sample takes the largest.
+        A policy that does not sample takes the largest.
         """
         logits = self.logits(observations)
         weights = np.exp(logits - logits.max(axis=-1, keepdims=True))
@@ -170,7 +170,7 @@ class NetworkPolicy:
             f"got {array.shape}"
         )
 
-    def layers(self) -> list[tuple[NDArray[np.float32], NDArray[np.float32]]]:
+    def layers(self) -> Layers:
         """Return a copy of the weights (inputs, outputs) and biases (outputs,) of each layer.
 
         An observation is flattened in its own order: channel, row, column. The activation follows
@@ -185,31 +185,77 @@ class NetworkPolicy:
     def to_torch(self) -> torch.nn.Sequential:
         """Return the network as a PyTorch module: observations (n, ...) to logits (n, n_actions).
 
-        Returns
-        -------
-        torch.nn.Sequential
-            Flatten, then Linear and activation in turn. Inputs are float32; the softmax of the
-            outputs are the probabilities. It can be trained further.
-
-        Raises
-        ------
-        ImportError
-            If PyTorch is not installed.
+        It is Flatten, then Linear and activation in turn. Inputs are float32; the softmax of the
+        outputs are the probabilities. It can be trained. Raises ImportError without PyTorch.
         """
-        return torch_module(self.network, self.layers())
+        return _torch_module(self.network, self.layers())
 
     def to_onnx(self) -> onnx.ModelProto:
         """Return the network as an ONNX model, for example to save with ``onnx.save``.
 
-        Returns
-        -------
-        onnx.ModelProto
-            Input ``observations``, float32 (n, 3, fov, fov); outputs ``logits`` and
-            ``probabilities``, float32 (n, n_actions). Opset 13.
-
-        Raises
-        ------
-        ImportError
-            If the package onnx is not installed.
+        Its input is ``observations``, float32 (n, 3, fov, fov); outputs are ``logits`` and
+        ``probabilities``, float32 (n, n_actions). Raises ImportError without the package onnx.
         """
-        return onnx_model(self.network, self.layers())
+        return _onnx_model(self.network, self.layers())
+
+
+def _torch_module(network: Network, layers: Layers) -> torch.nn.Sequential:
+    """Return a perceptron of PyTorch with these weights, without a softmax at its end."""
+    try:
+        import torch
+    except ImportError as error:
+        raise ImportError("to_torch: expected PyTorch, install it: pip install torch") from error
+    activation = torch.nn.ReLU if network.activation == "relu" else torch.nn.Tanh
+    modules: list[torch.nn.Module] = [torch.nn.Flatten()]
+    for weights, bias in layers:
+        linear = torch.nn.Linear(*weights.shape)
+        # PyTorch keeps weights as (outputs, inputs).
+        linear.load_state_dict(
+            {"weight": torch.from_numpy(weights.T.copy()), "bias": torch.from_numpy(bias)}
+        )
+        modules += [linear, activation()]
+    return torch.nn.Sequential(*modules[:-1])
+
+
+def _onnx_model(network: Network, layers: Layers) -> onnx.ModelProto:
+    """Return an ONNX model with these weights and the outputs logits and probabilities."""
+    try:
+        import onnx
+    except ImportError as error:
+        raise ImportError("to_onnx: expected the package onnx, install it: pip install onnx") from (
+            error
+        )
+    helper, real = onnx.helper, onnx.TensorProto.FLOAT
+    view = [CHANNELS, network.fov, network.fov]
+    activation = "Relu" if network.activation == "relu" else "Tanh"
+    nodes: list[Any] = [helper.make_node("Flatten", ["observations"], ["hidden_0"], axis=1)]
+    weights: list[Any] = []
+    for number, (matrix, bias) in enumerate(layers):
+        names = [f"weights_{number}", f"bias_{number}"]
+        weights += map(onnx.numpy_helper.from_array, (matrix, bias), names)
+        inputs = [f"hidden_{number}", *names]
+        if number == len(layers) - 1:
+            nodes.append(helper.make_node("Gemm", inputs, ["logits"]))
+            break
+        nodes.append(helper.make_node("Gemm", inputs, [f"sum_{number}"]))
+        nodes.append(helper.make_node(activation, [f"sum_{number}"], [f"hidden_{number + 1}"]))
+    nodes.append(helper.make_node("Softmax", ["logits"], ["probabilities"], axis=1))
+    graph = helper.make_graph(
+        nodes,
+        "policy",
+        [helper.make_tensor_value_info("observations", real, ["n", *view])],
+        [
+            helper.make_tensor_value_info(name, real, ["n", network.n_actions])
+            for name in ("logits", "probabilities")
+        ],
+        weights,
+    )
+    model = helper.make_model(
+        graph,
+        opset_imports=[helper.make_opsetid("", OPSET)],
+        ir_version=_IR_VERSION,
+        producer_name="matrixworld",
+        producer_version=__version__,
+    )
+    onnx.checker.check_model(model, full_check=True)
+    return model

@@ -1,4 +1,4 @@
-"""Rollouts: whole episodes in the engine, from matches to statistics."""
+"""Rollouts: whole episodes in the engine, from matches and their seeds to statistics."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
-from matrixworld._util.checks import check_integer, check_naturals, check_threads
+from matrixworld._util.checks import SEED_MAX, check_integer, check_naturals, check_threads
 from matrixworld._util.memory import EPISODE_BYTES, check_memory
 from matrixworld._util.short_repr import short_repr
 from matrixworld.world.arrays import workspace_bytes
@@ -36,17 +36,12 @@ class Matches(NamedTuple):
 
     @classmethod
     def of(cls, pursuer: ArrayLike, evader: ArrayLike, seed: ArrayLike) -> Matches:
-        """Return matches of integers that broadcast against each other to one axis.
+        """Return matches of integers, each of shape (M,), (1,) or ().
 
         Parameters
         ----------
         pursuer, evader, seed : array_like of int
-            The columns, each of shape (M,), (1,) or ().
-
-        Returns
-        -------
-        Matches
-            The three columns, contiguous, with shape (M,).
+            The columns, which broadcast against each other to one axis.
 
         Raises
         ------
@@ -198,3 +193,31 @@ def _converted(matches: Matches) -> bool:
         and part.flags.c_contiguous
         for part, dtype in zip(matches, (np.int32, np.int32, np.uint64), strict=True)
     )
+
+
+def match_seed(run_seed: int, *key: int) -> int:
+    """Return the seed of a match.
+
+    Parameters
+    ----------
+    run_seed : int
+        The seed of the run.
+    *key : int
+        Numbers that distinguish the match from others of the run, for example epoch and pair.
+
+    Returns
+    -------
+    int
+        A 64-bit seed from `numpy.random.SeedSequence`, the same on every machine and version.
+
+    Raises
+    ------
+    ValueError
+        If a number is below 0.
+    TypeError
+        If a number is not an integer.
+    """
+    # A SeedSequence mixes all numbers, so that near keys give unrelated seeds.
+    entropy = [check_integer("match seed", part, 0, SEED_MAX) for part in (run_seed, *key)]
+    words = np.random.SeedSequence(entropy).generate_state(1, np.uint64)
+    return int(words[0])

@@ -28,8 +28,7 @@ from matrixworld.coevolution.seeding import Phase
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.play.rollout import EpisodeStatistics, Rollout, rollout
-from matrixworld.play.seeds import match_seed
+from matrixworld.play.rollout import EpisodeStatistics, Rollout, match_seed, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Population, TeamPolicy
 
