@@ -22,7 +22,7 @@ import pettingzoo
 from pettingzoo.env_registry.exceptions import FailedToImport
 
 import matrixworld as mw
-from matrixworld.bench import RandomActions
+from matrixworld.cli.bench import RandomActions
 from plain_coevolution import (
     EVADER,
     PURSUER,

@@ -25,7 +25,7 @@ from timing import Clock, Rate, bind, n_cores, print_table
 
 HIDDEN: tuple[tuple[int, ...], ...] = ((32,), (64, 64), (400, 300))
 SHORT = 20  # rounds of a short episode
-WORLDS = 16  # worlds of a match with long episodes
+EPISODES = 16  # of a match with long episodes
 GENOMES = 64  # population in short episodes; the largest genomes fill 68 MB
 GEMM_SIDE = 2048
 CORE_TYPES = (None, "SkylakeX")  # core types of OpenBLAS; None: its own choice
@@ -80,27 +80,27 @@ def check(hidden: tuple[int, ...]) -> None:
 
 
 def decisions(
-    config: mw.WorldConfig, team: mw.Population, matches: mw.Matches, worlds: int, threads: int
+    config: mw.WorldConfig, team: mw.Population, matches: mw.Matches, episodes: int, threads: int
 ) -> int:
     """Play all matches, and return the number of decisions."""
-    scores = mw.rollout(config, team, team, matches, episodes=worlds, threads=threads)
+    scores = mw.rollout(config, team, team, matches, episodes=episodes, threads=threads)
     return int(scores.agent_steps.sum())
 
 
 def long_episodes(hidden: tuple[int, ...], rounds: int, threads: int, clock: Clock) -> Rate:
-    """Measure decisions with one match of 16 worlds on each thread."""
+    """Measure decisions with one match of 16 episodes on each thread."""
     config = mw.WorldConfig("O", max_steps=rounds)
     team = population(config, hidden, 2)
 
     def play(number: int) -> int:
         matches = mw.Matches.of(0, 1, number * threads + np.arange(threads))
-        return decisions(config, team, matches, WORLDS, threads)
+        return decisions(config, team, matches, EPISODES, threads)
 
     return clock.measure(play)
 
 
 def short_episodes(hidden: tuple[int, ...], obstacles: float, fresh: bool, clock: Clock) -> float:
-    """Return decisions per second of matches of one world.
+    """Return decisions per second of matches of one episode.
 
     Parameters
     ----------

@@ -26,7 +26,7 @@ import click
 import numpy as np
 
 import matrixworld as mw
-from matrixworld.bench import RandomActions
+from matrixworld.cli.bench import RandomActions
 from scaling_figure import Curve, draw
 from timing import Clock, bind, print_table
 

@@ -13,18 +13,18 @@ from __future__ import annotations
 import click
 
 import matrixworld as mw
-from matrixworld.bench import Measurement, check_worlds, measurements
+from matrixworld.cli.bench import Timing, check_worlds, timings_of_worlds
 from timing import bind, n_cores, print_table
 
 VARIANTS = ("O", "SDB")
 
 
-def measured(variant: str, threads: int, seconds: float, repeats: int) -> list[Measurement]:
+def measured(variant: str, threads: int, seconds: float, repeats: int) -> list[Timing]:
     """Measure worlds of a variant on one thread and on several."""
     config = mw.WorldConfig(variant)
     bind(1)
     check_worlds(config, threads)
-    planned = measurements(config, config, [], population=1, threads=threads)
+    planned = timings_of_worlds(config, threads)
     for each in planned:
         bind(each.threads)
         for _ in range(repeats):

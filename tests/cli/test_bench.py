@@ -11,10 +11,10 @@ import pytest
 
 import matrixworld as mw
 from command_line import MAIN_JOB, matrixworld_command
-from matrixworld import bench
+from matrixworld._util.checks import processor_name
 from matrixworld._util.files import load_json
-from matrixworld.bench import Machine, Measurement
-from matrixworld.cli.bench_report import figures_of, matches_of, print_figures
+from matrixworld.cli import bench
+from matrixworld.cli.bench import Timing, durations, evolve_figures, hints, lines_of, matches_of
 from matrixworld.coevolution import RaceSettings, start
 
 WORLD = ["--rows", 7, "--cols", 6, "--pursuers", 2, "--evaders", 3, "--fov", 5]
@@ -30,16 +30,9 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("MATRIXWORLD_KERNELS", raising=False)
 
 
-def measurement(what: str, threads: int, *rates: float, hidden: tuple[int, ...] | None = None):
-    """A measurement whose calls play 10 worlds or matches, of 500 agent-steps in all."""
-    done = Measurement(what, 10, threads, lambda call: None, 500, 20, hidden)
-    done.rates += rates
-    return done
-
-
-def figures(*measured: Measurement):
-    races = [RaceSettings(schedule=name) for name in MAIN_JOB]
-    return figures_of(measured, Machine.this(), mw.WorldConfig("O"), races)
+def timing(what: str, threads: int, *rates: float, hidden: tuple[int, ...] | None = None):
+    """A timing of calls that play 10 worlds or matches, of 500 agent-steps in all."""
+    return Timing(what, 10, threads, lambda call: None, 500, 20, hidden, [*rates])
 
 
 # What it prints and writes
@@ -107,11 +100,12 @@ def test_a_map_as_world():
 
 
 def test_rates_are_medians_and_multiples_of_one_thread():
-    lines = figures(
-        measurement("VectorEnv", 1, 1.0, 4.0, 2.0),
-        measurement("VectorEnv", 4, 3.0, 3.5, 1.0),
-        measurement("matches", 4, 2.0, hidden=(32,)),
-    )["lines"]
+    measured = (
+        timing("VectorEnv", 1, 1.0, 4.0, 2.0),
+        timing("VectorEnv", 4, 3.0, 3.5, 1.0),
+        timing("matches", 4, 2.0, hidden=(32,)),
+    )
+    lines = lines_of(measured)
     assert [line["agent_steps_per_second"] for line in lines] == [1000, 1500, 1000]
     assert [line["world_steps_per_second"] for line in lines] == [40, 60, 40]
     assert [line["matches_per_second"] for line in lines] == [None, None, 20]
@@ -126,26 +120,23 @@ def test_matches_of_adds_up_to_the_total_of_a_run(tmp_path):
 
 
 def test_how_long_evolve_takes():
-    evolve = figures(measurement("matches", 2, 10.0, hidden=(32,)))["evolve"]
-    matches = [matches_of(RaceSettings(schedule=name)) for name in MAIN_JOB]
-    training, evaluation = map(sum, zip(*matches, strict=True))
+    races = [RaceSettings(schedule=name) for name in MAIN_JOB]
+    lines = lines_of([timing("matches", 2, 10.0, hidden=(32,))])
+    evolve = evolve_figures(lines, races)
+    training, evaluation = map(sum, zip(*map(matches_of, races), strict=True))
     assert evolve["matches"] == training + evaluation
     assert evolve["seconds"] == pytest.approx((training + 2.5 * evaluation) / 100)
-    assert figures(measurement("matches", 2, 10.0, hidden=(64,)))["evolve"] is None
+    (told,) = durations(lines, evolve, " here")
+    assert " matches of matrixworld evolve here with --hidden 32 take about" in told
+    assert evolve_figures(lines_of([timing("matches", 2, 10.0, hidden=(64,))]), races) is None
 
 
-def test_hints_say_what_may_be_wrong(capsys):
-    one, good, bad = (
-        measurement("matches", n, r, hidden=(32,)) for n, r in ((1, 1), (2, 2), (2, 1))
-    )
-    print_figures(figures(one, good), default=True)
-    told = capsys.readouterr().out
-    assert "Hint" not in told
-    assert " matches of matrixworld evolve with --hidden 32 take about" in told
-    print_figures(figures(one, bad, measurement("step only", 1, 1.0, 2.0)), default=True)
-    told = " ".join(capsys.readouterr().out.split())
-    assert "Hint: 2 threads are only 1.00 times as fast as one (matches, hidden 32)." in told
-    assert "Hint: the repeats of step only, 10 at once with 1 thread, differ by 67%." in told
+def test_hints_say_what_may_be_wrong():
+    one, good, bad = (timing("matches", n, r, hidden=(32,)) for n, r in ((1, 1), (2, 2), (2, 1)))
+    assert not [*hints(lines_of([one, good]))]
+    slow, uneven = hints(lines_of([one, bad, timing("step only", 1, 1.0, 2.0)]))
+    assert "Hint: 2 threads are only 1.00 times as fast as one (matches, hidden 32)." in slow
+    assert "Hint: the repeats of step only, 10 at once with 1 thread, differ by 67%." in uneven
 
 
 def test_the_share_of_living_agents():
@@ -165,8 +156,8 @@ def test_large_views_mean_fewer_worlds():
 def test_a_processor_without_a_name(tmp_path):
     cpuinfo = tmp_path / "cpuinfo"
     cpuinfo.write_text("processor : 0\nmodel name\t: Abacus 3\nmodel name\t: Abacus 3\n")
-    assert bench.processor_name(cpuinfo) == "Abacus 3"
-    assert bench.processor_name(tmp_path / "nothing")
+    assert processor_name(cpuinfo) == "Abacus 3"
+    assert processor_name(tmp_path / "nothing")
 
 
 # What it refuses
@@ -230,14 +221,14 @@ def test_a_wrong_answer_of_threads_ends_it(monkeypatch):
 
 @pytest.mark.parametrize("repeats", [0, 3, 15])
 def test_ctrl_c_gives_what_was_measured_so_far(monkeypatch, repeats):
-    repeat, calls = Measurement.repeat, iter(range(repeats))
+    repeat, calls = Timing.repeat, iter(range(repeats))
 
-    def stop(each: Measurement, seconds: float) -> None:
+    def stop(each: Timing, seconds: float) -> None:
         if next(calls, None) is None:
             raise KeyboardInterrupt
         repeat(each, seconds)
 
-    monkeypatch.setattr(Measurement, "repeat", stop)
+    monkeypatch.setattr(Timing, "repeat", stop)
     result = matrixworld_command(*QUICK, "--threads", 2, "--json", "a.json", code=130)
     if repeats == 0:
         assert "Stopped. Nothing was measured yet." in result.stderr

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import operator
 import os
+import platform
 import re
 from collections.abc import Callable, Iterable
 from difflib import get_close_matches
@@ -199,6 +200,15 @@ def usable_cores() -> int:
     else:
         cores = os.cpu_count() or 1
     return max(1, min(cores, MOST_THREADS, ceil(control_group_cores())))
+
+
+def processor_name(cpuinfo: Path = Path("/proc/cpuinfo")) -> str:
+    """Return the processor's name, or "unknown"."""
+    lines = cpuinfo.read_text(encoding="utf-8").splitlines() if cpuinfo.is_file() else []
+    names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    # Linux only has cpuinfo, and on some machines it names no model.
+    known = (*names, platform.processor(), platform.machine())
+    return next((name for name in known if name), "unknown")
 
 
 @cache

@@ -14,7 +14,7 @@ analyze.py          ``analyze``: all measures of payoffs, also of a matrix of on
 class_tournament.py ``class``: a tournament of policies that students have handed in
 export.py           ``export``: a genome of a run as a file for that tournament
 variants.py         ``variants``: the table of rules
-bench.py            ``bench``: how fast this machine plays; `bench_report` prints it
+bench.py            ``bench``: how fast this machine plays
 options.py          options that several commands share, and old names of options
 setting_options.py  options from the fields of the settings
 arguments.py        run directories as arguments

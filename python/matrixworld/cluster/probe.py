@@ -19,8 +19,8 @@ import numpy as np
 from threadpoolctl import threadpool_info
 
 import matrixworld
+from matrixworld._util.checks import processor_name
 from matrixworld._util.files import TEMPORARY, LockedError, locked
-from matrixworld.bench import processor_name
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.version import __version__
 from matrixworld.world.config import WorldConfig
