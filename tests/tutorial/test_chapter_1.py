@@ -142,7 +142,7 @@ def occupied(cells: list, targets: list) -> set[int]:
         (lambda cells, targets: None, "end with `return`?"),
         (lambda cells, targets: [(0, 1)], "a set of agents' numbers, got [(0, 1)]"),
         (lambda cells, targets: True, "a set of agents' numbers, got True"),
-        ({0, 1}, "The answer is your function itself"),
+        ({0, 1}, "the answer is your function itself"),
     ],
 )
 def test_wrong_functions(answer: Any, expected: str) -> None:

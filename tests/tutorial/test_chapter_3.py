@@ -46,7 +46,7 @@ def test_a_view_has_three_layers() -> None:
 
 
 def test_one_right_number_is_not_enough() -> None:
-    assert "expected another number" in reply("3.1", lambda side, hidden, moves: 653)
+    assert "Expected another number" in reply("3.1", lambda side, hidden, moves: 653)
 
 
 # Standard error
@@ -58,7 +58,7 @@ def test_the_square_is_missed() -> None:
 
 def test_the_number_of_matches_is_whole_and_enough() -> None:
     assert "whole number" in reply("3.2", lambda spread, error: int((spread / error) ** 2))
-    assert "expected a number" in reply("3.2", lambda spread, error: None)
+    assert "Expected a number" in reply("3.2", lambda spread, error: None)
 
 
 # Overlap

@@ -71,7 +71,7 @@ def test_wrong_matrices(matrix: object, expected: str) -> None:
         (lambda payoff, g: payoff[:g, g].mean(), "a column"),
         (lambda payoff, g: payoff[g].mean(), "later evaders"),
         (lambda payoff, g: payoff[:g, :g].mean() + 1, "one row"),
-        (lambda payoff, g: payoff[g, :g], "expected a number"),
+        (lambda payoff, g: payoff[g, :g], "Expected a number"),
     ],
 )
 def test_other_parts_of_the_matrix(answer: object, expected: str) -> None:
@@ -109,7 +109,7 @@ def pairs(individuals, opponents):
         (lambda beats, a, b: beats(*pairs(a, b)[::-1]).mean(), "the opponents win"),
         (lambda beats, a, b: beats(a[: len(b)], b).mean(), "every individual against all"),
         (lambda beats, a, b: beats(*pairs(a, b)).sum(), "between 0 and 1"),
-        (lambda beats, a, b: beats(*pairs(a, b)), "expected a number"),
+        (lambda beats, a, b: beats(*pairs(a, b)), "Expected a number"),
         (lambda beats, a, b: 0.5, "there are 35 pairs"),
     ],
 )

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from matrixworld import analysis
+from matrixworld import analysis, coevolution
 from matrixworld.tutorial import check, kept
 from matrixworld.tutorial.chapter_5 import ENDINGS, four_races, noisy_race
 
@@ -55,14 +55,24 @@ def test_the_four_races_are_what_the_solution_says() -> None:
         (lambda k, i: i % k, "rule of the pursuers"),
         (lambda k, i: k, "specialists"),
         (lambda k, i: 0, "not the opponent"),
-        (lambda k, i: i / (k + 1), "expected a whole number"),
-        (lambda k, i: None, "expected a whole number"),
+        (lambda k, i: i / (k + 1), "Expected a whole number"),
+        (lambda k, i: None, "Expected a whole number"),
     ],
 )
 def test_opponents_of_generalists(answer: object, says: str) -> None:
     reply = check("5.2", answer)
     assert reply.right is False
     assert says in reply.text
+
+
+def test_generalists_of_the_package_meet_these_opponents() -> None:
+    sampler = coevolution.SCHEDULES["generalist-generalist"].sampler("evader")
+    rng = np.random.default_rng(0)
+
+    def met(k: int, i: int) -> int:
+        return int(sampler.sample(coevolution.available("evader", k), i, rng)[0])
+
+    assert check("5.2", met).right
 
 
 def differences(each: np.ndarray) -> np.ndarray:

@@ -38,7 +38,7 @@ def count_of_neighbours(matrix: np.ndarray) -> int:
 
 def test_counts_of_checkerboards() -> None:
     says("6.1", 3, "Expected a function")
-    says("6.1", lambda matrix: None, "expected a number")
+    says("6.1", lambda matrix: None, "Expected a number")
     says("6.1", ordered_count, "4 times too many")
     says("6.1", lambda matrix: 0, "too few")
     says("6.1", count_of_neighbours, "too few")
@@ -48,7 +48,7 @@ def test_counts_of_checkerboards() -> None:
 
 def test_transitive_shares() -> None:
     says("6.2", 0.5, "Expected a function")
-    says("6.2", lambda matrix: matrix, "expected a number")
+    says("6.2", lambda matrix: matrix, "Expected a number")
     says("6.2", lambda matrix: 1 - analysis.transitive_share(matrix), "share of the rest")
 
     def twice(matrix: np.ndarray) -> float:

@@ -47,7 +47,7 @@ def without_a_zero(wins, v):
         ("7.3", [1, 2], "function itself"),
         ("7.3", lambda wins: wins.sum(axis=1), "number of wins"),
         ("7.3", lambda wins: (wins / wins.sum(axis=1, keepdims=True)).sum(axis=1), "divide by"),
-        ("7.3", lambda wins: wins.sum(axis=0), "returns 6 numbers"),
+        ("7.3", lambda wins: wins.sum(axis=0), "Expected 6 numbers"),
         ("7.4", None, "a number"),
         ("7.4", 84.0, "not a percentage"),
         ("7.4", 0.25, "among the alarms"),

@@ -1,4 +1,4 @@
-"""Exercises of notebook 9: typical mistakes get a sentence that helps; numbers of the text hold."""
+"""Notebook 9: its packs play as the text says, typical mistakes get a sentence that helps."""
 
 from __future__ import annotations
 
@@ -7,9 +7,18 @@ from typing import Any
 import numpy as np
 import pytest
 
+import matrixworld as mw
 from matrixworld.tutorial import check, kept
-from matrixworld.tutorial.chapter_9 import BRISK, GREEDY, _break_even
-from matrixworld.tutorial.packs import everything, play_masked
+from matrixworld.tutorial.chapter_9 import (
+    BRISK,
+    GREEDY,
+    WEIGHTS,
+    WORLD,
+    break_even,
+    everything,
+    pack,
+    play_masked,
+)
 
 STEPS = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1)]
 
@@ -83,7 +92,7 @@ def test_wrong_answers_get_a_sentence(name: str, answer: Any, part: str) -> None
 
 
 def test_replies_do_not_give_answers_away() -> None:
-    assert f"{_break_even():.1f}" not in check("9.2", 12).text
+    assert f"{break_even():.1f}" not in check("9.2", 12).text
     assert "299" not in check("9.3", 100).text
 
 
@@ -103,15 +112,15 @@ def test_any_convention_that_works_is_right() -> None:
 
 
 def test_both_signs_of_a_penalty_are_understood() -> None:
-    assert check("9.2", -_break_even()).right
-    assert check("9.2", np.float32(_break_even())).right
+    assert check("9.2", -break_even()).right
+    assert check("9.2", np.float32(break_even())).right
 
 
 def test_the_brisk_pack_captures_and_is_safe_in_most_episodes() -> None:
     played = play_masked(BRISK, everything, episodes=300, seed=5)
     assert played.captured.mean() > 0.95
     assert (played.safety.summary().safe_share[0] > 0.6).all()
-    assert 8 < _break_even() < 12
+    assert 8 < break_even() < 12
 
 
 @pytest.fixture(scope="module")
@@ -153,3 +162,79 @@ def test_masks_rule_collisions_out(runs: dict[str, np.ndarray]) -> None:
 def test_a_limit_is_kept_at_the_end(runs: dict[str, np.ndarray]) -> None:
     rates = 1000 * runs["limit_faults"].sum(axis=1) / runs["limit_agent_steps"]
     assert (rates < 20).all()
+
+
+# ---- Packs of six weights ----
+
+EVADERS, PURSUERS, OBSTACLES = range(3)
+
+
+def wishes(view: np.ndarray, weights: np.ndarray) -> list[float]:
+    """Return the wishes for the five actions, cell by cell as the table says."""
+    of = dict(zip(WEIGHTS, weights, strict=True))
+    found = [of["stay"]]
+    evaders = [(r - 5, c - 5) for r, c in np.argwhere(view[EVADERS])]
+    found[0] += of["hold"] * sum(abs(r) + abs(c) == 1 for r, c in evaders)
+    for row, col in STEPS[1:]:
+        wish = of["wall"] * view[OBSTACLES, 5 + row, 5 + col]
+        wish += of["teammate"] * view[PURSUERS, 5 + row, 5 + col]
+        for r, c in evaders:
+            wish += of["approach"] * (r * row + c * col) / max(abs(r) + abs(c), 1)
+        for down, right in STEPS[1:]:
+            r, c = row + down, col + right
+            if (r, c) != (0, 0):
+                wish += of["crowd"] * view[PURSUERS, 5 + r, 5 + c]
+        found.append(wish)
+    return found
+
+
+def test_the_network_wishes_what_the_table_says() -> None:
+    rng = np.random.default_rng(0)
+    views = (rng.random((20, 3, 11, 11)) < 0.1).astype(np.uint8)
+    weights = rng.normal(size=6)
+    own = pack(weights)
+    found = own.network.logits(own.genomes[0], views)
+    expected = [wishes(view, weights) for view in views]
+    np.testing.assert_allclose(found, expected, atol=1e-4)
+
+
+def test_several_packs_are_one_population() -> None:
+    both = pack([[1, 2, 3, 4, 5, 6], [0, 0, 0, 0, 0, 1]])
+    np.testing.assert_array_equal(both.genomes[0], pack([1, 2, 3, 4, 5, 6]).genomes[0])
+    assert len(both.genomes) == 2
+
+
+@pytest.mark.parametrize("weights", [1.0, [1, 2], np.zeros((2, 7)), np.zeros((1, 1, 6))])
+def test_other_shapes_are_refused(weights: Any) -> None:
+    with pytest.raises(ValueError, match=r"weights: expected shape \(6,\) or \(n, 6\), got \("):
+        pack(weights)
+
+
+def test_without_a_mask_it_plays_like_a_rollout() -> None:
+    weights = [6, 20, -10, -10, -2, 0]
+    masked = play_masked(weights, everything, episodes=400, seed=1)
+    played = mw.rollout(WORLD, pack(weights), "random", mw.Matches.of(0, 0, 2), episodes=400)
+    # Means of 400 episodes each; the standard error of their difference is below 0.5 steps.
+    assert abs(masked.steps.mean() - played.length.mean()) < 2
+    assert abs(masked.captured.mean() - played.capture_rate.mean()) < 0.05
+    assert masked.safety.episodes == 400
+    assert masked.steps.max() <= WORLD.max_steps
+
+
+def test_a_forbidden_action_is_never_chosen() -> None:
+    def no_moves(views: np.ndarray) -> np.ndarray:
+        return np.tile([True, False, False, False, False], (len(views), 1))
+
+    def nothing(views: np.ndarray) -> np.ndarray:
+        return np.zeros((len(views), 5), bool)
+
+    for mask in (no_moves, nothing):  # where nothing is allowed, pursuers stay
+        stayed = play_masked([6, 0, 0, 0, 0, 0], mask, episodes=20)
+        assert not stayed.captured.any()
+        assert (stayed.steps == WORLD.max_steps).all()
+        assert stayed.safety.summary().fault_rate[0].sum() == 0
+
+
+def test_a_mask_of_another_shape_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"mask: expected shape \(30, 5\), got \(30,\)"):
+        play_masked([0] * 6, lambda views: np.ones(len(views), bool), episodes=5)

@@ -24,7 +24,7 @@ from matrixworld import coevolution
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun
 from matrixworld.coevolution.evaluation.held_out_scores import score_population
-from matrixworld.tutorial.kept import DATA
+from matrixworld.tutorial.course import DATA
 
 SEEDS = range(10)
 EVERY = 3  # generations from one that is scored to the next

@@ -23,7 +23,7 @@ import numpy as np
 
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import SCHEDULES, ProgressBars, RaceSettings, evolve_many
-from matrixworld.tutorial.kept import DATA
+from matrixworld.tutorial.course import DATA
 
 SEEDS = range(10)
 WITHOUT_EFFECT = ("joint_epochs", "contemporaries", "hall_sample")

@@ -41,7 +41,7 @@ from matrixworld.coevolution import (
     tournament,
 )
 from matrixworld.coevolution.opponents import Uniform
-from matrixworld.tutorial.kept import DATA
+from matrixworld.tutorial.course import DATA
 
 SAMPLERS = ("latest", "round-robin", "uniform", "maxsolve", "ipca", "lapca")
 SEEDS = range(10)

@@ -20,7 +20,7 @@ from tqdm import tqdm
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import RaceSettings, SavedRun, finish
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.tutorial.kept import DATA
+from matrixworld.tutorial.course import DATA
 
 ROOT = Path(__file__).parents[2]
 COUNTS = ROOT / "evolution" / "results" / "judgement" / "counts.csv"

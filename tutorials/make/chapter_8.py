@@ -20,7 +20,7 @@ import matrixworld as mw
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import RaceSettings, SavedRun, SingleSettings, Team, finish, held_out
 from matrixworld.coevolution.types import TEAMS, other
-from matrixworld.tutorial.kept import DATA
+from matrixworld.tutorial.course import DATA
 from matrixworld.world.policy import TeamPolicy
 
 SEEDS = range(10)

@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from matrixworld._util.files import save_arrays
-from matrixworld.tutorial.kept import DATA
+from matrixworld.tutorial.course import DATA
 
 ROOT = Path(__file__).parents[2]
 NUMBERS = ROOT / "evolution" / "results" / "paper_claims" / "numbers.npz"

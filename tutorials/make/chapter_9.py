@@ -3,7 +3,7 @@
     python tutorials/make/chapter_9.py      eight minutes on one core; goes on after an interruption
 
 Writes `safe_packs.npz` to the folder of kept results. Every pack has six weights and evolves for
-the same number of matches in the same world (`matrixworld.tutorial.packs`):
+the same number of matches in the same world (`matrixworld.tutorial.chapter_9`):
 
 - penalties: a fixed penalty for each collision at fault, with the paper's other rewards;
 - limit: the penalty rises while a pack collides more often than a limit, and falls below it;
@@ -25,8 +25,8 @@ from tqdm import tqdm
 import matrixworld as mw
 from matrixworld._util.files import load_arrays, save_arrays
 from matrixworld.coevolution import EvolutionStrategy, NoiseTable
-from matrixworld.tutorial.kept import DATA
-from matrixworld.tutorial.packs import WEIGHTS, WORLD, pack, play_masked
+from matrixworld.tutorial.chapter_9 import WEIGHTS, WORLD, pack, play_masked
+from matrixworld.tutorial.course import DATA
 
 PENALTIES = (0.0, 0.1, 0.3, 1.0, 3.0, 12.0, 40.0)
 LIMIT = 20.0  # agent-steps at fault of 1000

@@ -32,23 +32,9 @@ CELL = 40
 
 
 def pack(cells: Sequence[Cell], side: int, rules: Rules | str = "SB") -> World:
-    """Return a world of pursuers on a square of cells.
+    """Return a world of pursuers on a square of cells, at the begin of an episode.
 
     A world has agents of both teams, so one evader waits behind a wall on the right of the square.
-
-    Parameters
-    ----------
-    cells : sequence of (int, int)
-        Row and column of each pursuer.
-    side : int
-        Rows and columns of the square.
-    rules : Rules or str, optional
-        The rules, or the name of a variant. The default is ``"SB"``.
-
-    Returns
-    -------
-    World
-        At the begin of an episode.
     """
     walls = np.zeros((side, side + 2), np.bool_)
     walls[:, side] = True
@@ -65,15 +51,9 @@ def target(cell: Cell, action: Action | int) -> Cell:
 
 @dataclass(frozen=True, repr=False)
 class Picture:
-    """A picture that a notebook shows.
+    """A picture that a notebook shows."""
 
-    Parameters
-    ----------
-    pixels : ndarray of uint8, shape (height, width, 3)
-        Its pixels.
-    """
-
-    pixels: NDArray[np.uint8]
+    pixels: NDArray[np.uint8]  # (height, width, 3)
 
     def __repr__(self) -> str:
         height, width, _ = self.pixels.shape
@@ -86,28 +66,10 @@ class Picture:
 
 
 def plan(world: World, actions: ArrayLike, title: str = "planned moves") -> Picture:
-    """Draw a world, and where its agents are going to move.
+    """Draw a world, which stays as it is, and where its agents are going to move.
 
-    Parameters
-    ----------
-    world : World
-        The world, which stays as it is.
-    actions : array_like of int, shape (A,)
-        The actions of all agents.
-    title : str, optional
-        A line of text above the drawing.
-
-    Returns
-    -------
-    Picture
-        Agents carry their numbers, and arrows show their moves.
-
-    Raises
-    ------
-    ValueError
-        If there is not one action for each agent, or an action is no number from 0 to 4.
-    TypeError
-        If the actions are not integers.
+    Agents carry their numbers, and arrows show their moves. ValueError or TypeError unless there is
+    one action from 0 to 4 for each agent.
     """
     chosen = integers("actions", actions)
     if chosen.shape != (world.config.n_agents,):
@@ -138,20 +100,7 @@ def _draw_arrow(draw: ImageDraw.ImageDraw, centre: tuple[float, float], move: Ce
 
 
 def before_and_after(world: World, actions: ArrayLike) -> Picture:
-    """Play a step, and draw the planned moves and what came of them.
-
-    Parameters
-    ----------
-    world : World
-        The world, which goes on and keeps the conflicts of the step.
-    actions : array_like of int, shape (A,)
-        The actions of all agents.
-
-    Returns
-    -------
-    Picture
-        Both moments beside each other. Agents carry their numbers.
-    """
+    """Play a step of a world, and draw the planned moves and what came of them."""
     before = plan(world, actions)
     recorder = Recorder(world)
     world.step(actions)
@@ -162,22 +111,9 @@ def before_and_after(world: World, actions: ArrayLike) -> Picture:
 
 
 def random_pack(rng: np.random.Generator, side: int, count: int) -> tuple[list[Cell], list[Cell]]:
-    """Return random cells of pursuers on a square, and the cells that they mean to enter.
+    """Return cells of pursuers on a square, all different, and those they mean to enter.
 
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Where the numbers come from.
-    side : int
-        Rows and columns of the square.
-    count : int
-        Number of pursuers.
-
-    Returns
-    -------
-    cells, targets : list of (int, int)
-        Different cells, and for each of them the same or one beside it. A pursuer that would leave
-        the square stays.
+    These are the same or beside them. A pursuer that would leave the square stays.
     """
     places = rng.permutation(side * side)[:count]
     cells = [divmod(int(place), side) for place in places]

@@ -2,83 +2,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields
 from operator import index
+from typing import Any
 
 import numpy as np
 
 from matrixworld.explorer.gallery import drawn_world
 from matrixworld.tutorial.boards import Cell, actions_to, pack, random_pack
-from matrixworld.tutorial.exercises import NO_FUNCTION, Exercise, Prediction
+from matrixworld.tutorial.checks import FormError, Kind, actions, function, value
+from matrixworld.tutorial.course import Exercise, Prediction
 from matrixworld.world.rules import VARIANTS, Action, Capture, Interaction, Outcome, Rules
-
-ABC = ("a", "b", "c")
-
-MAZE = "A . . # . / . # . # . / . # . . . / . . # # a"
-"""World of the first exercise."""
-SHORTEST = 7
-"""Moves from the pursuer to the evader there."""
-ROOM = ((0, 0), (0, 1), (1, 0), (1, 1))
-"""Cells of the four pursuers in the second exercise."""
-
-BUMPER_CARS = Rules(
-    Interaction.SWARM_TURNS,
-    obstacle=Outcome.BOUNCE,
-    teammate=Outcome.BOUNCE,
-    evader=Outcome.BOUNCE,
-    pursuer=Outcome.BOUNCE,
-    capture=Capture.SURROUND,
-)
-"""Rules of the third exercise."""
-
-
-def read_actions(answer: object, count: int) -> list[Action] | str:
-    """Return an answer as actions, or what is wrong with its form."""
-    expected = f"Expected a list of {count} actions such as Action.EAST"
-    if isinstance(answer, str) or not isinstance(answer, Iterable):
-        return f"{expected}, got {type(answer).__name__}."
-    given = list(answer)
-    if len(given) != count:
-        return f"{expected}, got {len(given)} of them."
-    try:
-        actions = [index(each) for each in given]
-    except TypeError:
-        return f"{expected}; one entry is no action."
-    if not all(Action.STAY <= each <= Action.WEST for each in actions):
-        return f"{expected}; actions are 0 (stay) to 4 (west)."
-    return [Action(each) for each in actions]
-
 
 # 1.1: a way through a maze.
 
+MAZE = "A . . # . / . # . # . / . # . . . / . . # # a"
+SHORTEST = 7
+"""Moves from the pursuer to the evader there."""
 
-def _mistake_in_way(answer: object) -> str | None:
-    actions = read_actions(answer, SHORTEST)
-    if isinstance(actions, str):
-        return actions
+
+def _mistake_in_way(way: list[Action]) -> str | None:
     world = drawn_world("O", MAZE)
-    for number, action in enumerate(actions, 1):
+    for number, action in enumerate(way, 1):
         world.step([action, Action.STAY], explain=True)
         if world.terminated:
-            break
+            return None
         if world.conflicts:
             return f"Move {number} ({action.name}) runs into an obstacle or the border."
-    if not world.terminated:
-        row, col = world.positions[0].tolist()
-        return f"After {SHORTEST} moves the pursuer stands on ({row}, {col}), the evader on (3, 4)."
-    return None
+    row, col = world.positions[0].tolist()
+    return f"After {SHORTEST} moves the pursuer stands on ({row}, {col}), the evader on (3, 4)."
 
 
 # 1.2: four pursuers in a room of four cells.
 
+ROOM = ((0, 0), (0, 1), (1, 0), (1, 1))
 
-def _mistake_in_room(answer: object) -> str | None:
-    actions = read_actions(answer, len(ROOM))
-    if isinstance(actions, str):
-        return actions
+
+def _mistake_in_room(moves: list[Action]) -> str | None:
     world = pack(ROOM, 2)
-    world.step([*actions, Action.STAY], explain=True)
+    world.step([*moves, Action.STAY], explain=True)
     if world.conflicts:
         return f"This happens: {world.conflicts[0]}."
     stayed = [i for i, cell in enumerate(ROOM) if tuple(world.positions[i]) == cell]
@@ -89,41 +51,31 @@ def _mistake_in_room(answer: object) -> str | None:
 
 # 1.3: rules of one's own.
 
+BUMPER_CARS = Rules(
+    Interaction.SWARM_TURNS,
+    obstacle=Outcome.BOUNCE,
+    teammate=Outcome.BOUNCE,
+    evader=Outcome.BOUNCE,
+    pursuer=Outcome.BOUNCE,
+    capture=Capture.SURROUND,
+)
 
-def _mistake_in_rules(answer: object) -> str | None:
-    if isinstance(answer, str):
-        return "Expected mw.Rules(...), got text."
+
+def _mistake_in_rules(answer: Any) -> str | None:
     if not isinstance(answer, Rules):
         return f"Expected mw.Rules(...), got {type(answer).__name__}."
-    wrong = [
-        field.name
-        for field in fields(Rules)
-        if getattr(answer, field.name) != getattr(BUMPER_CARS, field.name)
-    ]
-    if wrong:
-        return f"Not yet as described: {', '.join(wrong)}."
-    return None
+    names = [field.name for field in fields(Rules)]
+    wrong = [name for name in names if getattr(answer, name) != getattr(BUMPER_CARS, name)]
+    return f"Not yet as described: {', '.join(wrong)}." if wrong else None
 
 
 # 1.4: conflicts found by the student's own function.
 
-Finder = Callable[[list[Cell], list[Cell]], object]
 
-
-def true_conflicts(cells: list[Cell], targets: list[Cell], side: int) -> set[int]:
+def true_conflicts(cells: list[Cell], targets: list[Cell], side: int = 4) -> set[int]:
     """Return the pursuers in a vertex or an edge conflict, as the engine finds them.
 
-    Parameters
-    ----------
-    cells, targets : list of (int, int)
-        Where the pursuers stand, and which cells they mean to enter; none leaves the square.
-    side : int
-        Rows and columns of the square.
-
-    Returns
-    -------
-    set of int
-        Their numbers.
+    They stand on cells of a square and mean to enter targets, none of which is outside.
     """
     # Teammates that share cells hold each other nowhere, so there are no chains.
     world = pack(cells, side, VARIANTS["S"])
@@ -143,24 +95,14 @@ def _situations() -> list[tuple[list[Cell], list[Cell]]]:
     return drawn + [random_pack(rng, 4, count) for count in range(2, 11) for _ in range(8)]
 
 
-def _mistake_in_finder(answer: object) -> str | None:
-    if not callable(answer):
-        return NO_FUNCTION
-    for cells, targets in _situations():
-        found = answer(list(cells), list(targets))
-        if found is None:
-            return "Your function returns None. Does it end with `return`?"
-        try:
-            numbers = {index(each) for each in found}
-        except TypeError:
-            return f"Your function has to return a set of agents' numbers, got {found!r}."
-        expected = true_conflicts(cells, targets, 4)
-        if numbers != expected:
-            return _difference(cells, targets, numbers, expected)
-    return None
+def _agents(value: Any) -> set[int]:
+    try:
+        return {index(each) for each in value}
+    except TypeError:
+        raise FormError(f"got {value!r}") from None
 
 
-def _difference(cells: list[Cell], targets: list[Cell], found: set[int], expected: set[int]) -> str:
+def _difference(found: set[int], expected: set[int], cells: list[Cell], targets: list[Cell]) -> str:
     """Say in which situation a function is wrong, and about which agent."""
     missed, wrong = sorted(expected - found), sorted(found - expected)
     told = (
@@ -171,9 +113,17 @@ def _difference(cells: list[Cell], targets: list[Cell], found: set[int], expecte
     return f"For cells {cells} and targets {targets}, {told}."
 
 
-EXERCISES: Mapping[str, Exercise | Prediction] = {
+in_conflict = function(
+    Kind("a set of agents' numbers", _agents),
+    lambda cells, targets: true_conflicts(cells, targets),
+    _situations,
+    otherwise=_difference,
+)
+
+
+EXERCISES: dict[str, Exercise | Prediction] = {
     "1.1": Exercise(
-        _mistake_in_way,
+        value(actions(SHORTEST), _mistake_in_way),
         "No way is shorter: the evader is 3 rows and 4 columns away.",
         (
             "Rows grow to the south and columns to the east. Draw the way on paper first.",
@@ -182,18 +132,16 @@ EXERCISES: Mapping[str, Exercise | Prediction] = {
         ),
     ),
     "1.a": Prediction(
-        ABC,
         "c",
         "Under these rules teammates that want the same cell bounce back: both stay. No agent "
         "comes first, and the number of an agent gives it no right.",
     ),
     "1.b": Prediction(
-        ABC,
         "a",
         "All agents move at the same moment. When pursuer 0 arrives, pursuer 1 has left.",
     ),
     "1.2": Exercise(
-        _mistake_in_room,
+        value(actions(len(ROOM)), _mistake_in_room),
         "Each agent enters the cell that the next one leaves. Such a cycle is no conflict, just "
         "as a queue is none.",
         (
@@ -205,19 +153,17 @@ EXERCISES: Mapping[str, Exercise | Prediction] = {
         ),
     ),
     "1.c": Prediction(
-        ABC,
         "b",
         "The outcome of the evader is to bounce back: it keeps the cell on which it stands, and "
         "the pursuer is stopped. Under such rules pursuers have to surround an evader.",
     ),
     "1.d": Prediction(
-        ("a", "b", "c", "d"),
         "c",
         "Where all move at once, the evader is gone when the pursuer arrives. Where agents take "
         "turns, the pursuer arrives while the evader still has to wait for its turn.",
+        options=("a", "b", "c", "d"),
     ),
     "1.e": Prediction(
-        ABC,
         "c",
         "All chasers run after the same nearest evader, so they meet each other on its heels, and "
         "now a meeting costs both their lives.",
@@ -233,7 +179,7 @@ EXERCISES: Mapping[str, Exercise | Prediction] = {
         ),
     ),
     "1.4": Exercise(
-        _mistake_in_finder,
+        in_conflict,
         "It agrees with the engine in all situations: these are the vertex and edge conflicts.",
         (
             "Compare every agent with every other one: two loops, and two questions inside.",
@@ -243,4 +189,3 @@ EXERCISES: Mapping[str, Exercise | Prediction] = {
         ),
     ),
 }
-"""Exercises and predictions, in the order of the notebook."""

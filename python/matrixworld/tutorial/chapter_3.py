@@ -3,56 +3,52 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from matrixworld._util.checks import shown
-from matrixworld.tutorial.exercises import NO_DEFINITION, Exercise, Prediction
+from matrixworld.tutorial.checks import NUMBER, function
+from matrixworld.tutorial.course import Exercise, Prediction
 from matrixworld.world.policy import Network
 
+genome_size = function(
+    NUMBER,
+    lambda side, hidden, moves: Network((hidden,), fov=side, n_actions=moves).genome_size,
+    lambda: ((5, 8, 5), (11, 32, 5), (3, 4, 9)),
+    case="For a view of {side} x {side}, {hidden} hidden units and {moves} moves",
+    clues=(
+        (
+            lambda side, hidden, moves: 3 * side * side * hidden + hidden * moves,
+            "It counts the weights. What else does each unit have?",
+        ),
+        (
+            lambda side, hidden, moves: (side * side + 1) * hidden + (hidden + 1) * moves,
+            "How many layers does a view have?",
+        ),
+    ),
+    otherwise="Expected another number.",
+)
 
-def _genome_size(answer: Any) -> str | None:
-    if not callable(answer):
-        return NO_DEFINITION
-    for side, hidden, moves in ((5, 8, 5), (11, 32, 5), (3, 4, 9)):
-        right = Network((hidden,), fov=side, n_actions=moves).genome_size
-        found = answer(side, hidden, moves)
-        if found == right:
-            continue
-        case = f"For a view of {side} x {side}, {hidden} hidden units and {moves} moves"
-        if found == right - hidden - moves:
-            return f"{case}, {found} counts the weights. What else does each unit have?"
-        if found == right - 2 * side * side * hidden:
-            return f"{case}, the result is {found}. How many layers does a view have?"
-        return f"{case}, expected another number than {shown(found)}."
-    return None
+
+def _why_matches(found: float, right: int, spread: float, error: float) -> str:
+    if abs(found - right) <= 1:
+        return "It must be a whole number, and the smallest one that is enough."
+    return "Expected another number."
 
 
-def _matches_needed(answer: Any) -> str | None:
-    if not callable(answer):
-        return NO_DEFINITION
-    for spread, error in ((0.2, 0.1), (0.17, 0.01), (0.3, 0.05), (0.2, 0.03)):
-        right = math.ceil(round((spread / error) ** 2, 6))
-        found = answer(spread, error)
-        case = f"For a spread of {spread} and an error of {error}"
-        if not isinstance(found, int | float | np.integer | np.floating):
-            return f"{case}, expected a number, got {shown(found)}."
-        if found == right:
-            continue
-        if math.isclose(found, spread / error) or found == math.ceil(spread / error):
-            return (
-                f"{case}, {found:.6g} is too few. Half the error takes more than twice the matches."
-            )
-        if abs(found - right) <= 1:
-            return (
-                f"{case}, the result is {found:.6g}. It must be a whole number, and the smallest "
-                "one that is enough."
-            )
-        return f"{case}, expected another number than {found:.6g}."
-    return None
-
+TOO_FEW = "It is too few. Half the error takes more than twice the matches."
+matches_needed = function(
+    NUMBER,
+    lambda spread, error: math.ceil(round((spread / error) ** 2, 6)),
+    lambda: ((0.2, 0.1), (0.17, 0.01), (0.3, 0.05), (0.2, 0.03)),
+    case="For a spread of {spread} and an error of {error}",
+    clues=(
+        (lambda spread, error: spread / error, TOO_FEW),
+        (lambda spread, error: math.ceil(spread / error), TOO_FEW),
+    ),
+    otherwise=_why_matches,
+)
 
 TEAM = 10
 CROWDS: tuple[list[tuple[int, int]], ...] = (
@@ -63,35 +59,28 @@ CROWDS: tuple[list[tuple[int, int]], ...] = (
 )
 """Cells of living agents."""
 
-
-def _overlap(answer: Any) -> str | None:
-    if not callable(answer):
-        return NO_DEFINITION
-    for cells in CROWDS:
-        # Copies: a function that empties its argument must not spoil the next check.
-        found = answer(list(cells), TEAM)
-        right = (len(cells) - len(set(cells))) / TEAM
-        if not isinstance(found, int | float | np.integer | np.floating):
-            return f"For the cells {cells} expected a number, got {shown(found)}."
-        if not math.isclose(found, right, abs_tol=1e-9):
-            return _why_overlap(cells, found)
-    return None
-
-
-def _why_overlap(cells: list[tuple[int, int]], found: Any) -> str:
-    case = f"For the cells {cells} and a team of {TEAM} the result is {found:.6g}."
-    shared = sum(cells.count(cell) > 1 for cell in cells)
-    extra = len(cells) - len(set(cells))
-    if math.isclose(found, shared / TEAM):
-        return f"{case} It counts all agents on shared cells; the first on each is not counted."
-    if cells and math.isclose(found, extra / len(cells)):
-        return f"{case} It is a share of the living; expected a share of the whole team."
-    return f"{case} Expected another number. How many different cells are there?"
-
+overlap = function(
+    NUMBER,
+    lambda cells, team: (len(cells) - len(set(cells))) / team,
+    lambda: ((cells, TEAM) for cells in CROWDS),
+    case="For the cells {cells} and a team of {team}",
+    clues=(
+        (
+            lambda cells, team: sum(cells.count(cell) > 1 for cell in cells) / team,
+            "It counts all agents on shared cells; the first on each is not counted.",
+        ),
+        (
+            lambda cells, team: (len(cells) - len(set(cells))) / (len(cells) or team),
+            "It is a share of the living; expected a share of the whole team.",
+        ),
+    ),
+    otherwise="Expected another number. How many different cells are there?",
+)
 
 GENES, EPOCHS, NOISE = 60, 200, 0.01
 ENOUGH = 1 / 3
 """Share of the distance to the optimum that a learner has to cover."""
+MOST_CANDIDATES = 200
 
 
 def _learner(answer: Any) -> str | None:
@@ -115,7 +104,7 @@ def _learner(answer: Any) -> str | None:
     return None
 
 
-def _gain(make: Callable[..., Any], seed: int) -> float | str:
+def _gain(make: Any, seed: int) -> float | str:
     """Return the share of the distance to an optimum that a learner covers, or what is wrong."""
     rng = np.random.default_rng(seed)
     start = rng.standard_normal(GENES).astype(np.float32) * np.float32(0.1)
@@ -144,14 +133,14 @@ def _wrong_candidates(candidates: Any) -> str | None:
         return f"ask: expected the shape (n, {GENES}), got {candidates.shape}."
     if candidates.dtype != np.float32:
         return f"ask: expected the dtype float32, got {candidates.dtype}."
-    if len(candidates) > 200:
-        return f"ask: expected at most 200 candidates here, got {len(candidates)}."
+    if len(candidates) > MOST_CANDIDATES:
+        return f"ask: expected at most {MOST_CANDIDATES} candidates here, got {len(candidates)}."
     return None
 
 
 EXERCISES: dict[str, Exercise | Prediction] = {
     "3.1": Exercise(
-        _genome_size,
+        genome_size,
         "Each layer has inputs times outputs weights, and one bias for each output. Most genes are "
         "in the first layer, because a view has many cells.",
         (
@@ -161,14 +150,13 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
     "3.a": Prediction(
-        ("a", "b", "c"),
         "c",
         "Python looks up what each small step means whenever it is done; the compiler did "
         "it once. Evolution plays tens of thousands of matches, so the ratio decides what can be "
         "tried.",
     ),
     "3.2": Exercise(
-        _matches_needed,
+        matches_needed,
         "The standard error is spread / sqrt(n), so n = (spread / error)**2, rounded up. Ten times "
         "less error costs a hundred times as many matches.",
         (
@@ -178,18 +166,16 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
     "3.b": Prediction(
-        ("a", "b", "c"),
         "c",
         "The logbook shows the luckiest of thousands of scores. In new matches the luck is gone.",
     ),
     "3.c": Prediction(
-        ("a", "b", "c"),
         "b",
         "Nothing in their fitness speaks against it: a genome whose ten evaders hide together in "
         "four lucky matches scores more than one whose evaders are found one by one.",
     ),
     "3.3": Exercise(
-        _overlap,
+        overlap,
         "Agents minus different cells: on each cell all but the first are counted.",
         (
             "On a cell with n agents, n - 1 are counted.",
@@ -206,4 +192,3 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
 }
-"""Exercises and predictions in the order of the notebook."""

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from numbers import Real
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,8 @@ from matrixworld import analysis
 from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulence
 from matrixworld.coevolution.types import FloatArray
 from matrixworld.toys import hosts_and_parasites, play_episodes, synthetic_race
-from matrixworld.tutorial.exercises import NO_FUNCTION, Exercise, Prediction
+from matrixworld.tutorial.checks import NUMBER, array, function, number, tried, value
+from matrixworld.tutorial.course import Exercise, Prediction
 
 # ---- Races to judge ------------------------------------------------------------------------------
 
@@ -28,18 +28,7 @@ ANSWERS = {"yes": "present", "no": "absent", "?": "cannot tell"}
 
 
 def unknown_races(episodes: int) -> list[FloatArray]:
-    """Return the races to judge, with so many episodes of each pair.
-
-    Parameters
-    ----------
-    episodes : int
-        Episodes of each pair of generations.
-
-    Returns
-    -------
-    list of ndarray of float64, shape (31, 31, episodes)
-        1 where the evader was captured, else 0.
-    """
+    """Return the races to judge, (31, 31, episodes): 1 where the evader was captured, else 0."""
     return [
         play_episodes(_rates(*each), episodes, np.random.default_rng([7, place]))
         for place, each in enumerate(UNKNOWN)
@@ -47,19 +36,9 @@ def unknown_races(episodes: int) -> list[FloatArray]:
 
 
 def reveal(answers: Any, races: Sequence[FloatArray]) -> str:
-    """Return the truth about the races, beside a student's verdicts and those of `judge`.
+    """Return the truth about `unknown_races`, beside a student's verdicts and those of `judge`.
 
-    Parameters
-    ----------
-    answers : sequence of str
-        ``"yes"``, ``"no"`` or ``"?"`` for each race: whether it is disengaged in its last half.
-    races : sequence of ndarray of float64, shape (31, 31, episodes)
-        What `unknown_races` returned.
-
-    Returns
-    -------
-    str
-        A table, or what is wrong with the answers.
+    An answer is "yes", "no" or "?": whether a race is disengaged in its last half.
     """
     if answers is ...:
         return "No verdicts yet. Replace the dots with a list, and run both cells again."
@@ -101,171 +80,159 @@ def _rates(kind: str, seed: int) -> FloatArray:
 
 # ---- Exercises -----------------------------------------------------------------------------------
 
-CLOSE = 1e-9
 
-
-def _same(found: object, expected: FloatArray) -> bool:
-    array = np.asarray(found, dtype=np.float64)
-    return array.shape == expected.shape and bool(np.allclose(array, expected, atol=CLOSE))
-
-
-def _restraint_mistake(answer: object) -> str | None:
-    if not callable(answer):
-        return NO_FUNCTION
+def _wins_of_parasites() -> Iterable[tuple[FloatArray, float]]:
     rng = np.random.default_rng(71)
     for virulence in (1.0, 0.75, 0.6):
-        wins = rng.integers(0, 6, 25).astype(float)
+        wins = np.minimum(rng.integers(0, 6, 25), 4).astype(float)
         wins[0] = 4.0
-        wins[wins > 4.0] = 4.0
-        found, expected = answer(wins, virulence), reduced_virulence(wins, virulence)
-        if np.shape(found) != wins.shape:
-            return f"Expected a fitness for each of {len(wins)} parasites, got {np.shape(found)}."
-        if not _same(found, expected):
-            return _restraint_clue(found, wins, virulence)
-    zeros = np.asarray(answer(np.zeros(4), 0.75), dtype=float)
-    if not np.isfinite(zeros).all():
-        return "If no parasite wins, the largest number of wins is 0. Then all fitness is 0."
-    return None if _same(zeros, np.zeros(4)) else "If no parasite wins, all fitness is 0."
+        yield wins, virulence
+    yield np.zeros(25), 0.75
 
 
-def _restraint_clue(found: Any, wins: FloatArray, virulence: float) -> str:
-    share = wins / virulence
-    if _same(found, 2.0 * share - share**2):
-        return (
+def _virulence_of(share: FloatArray, virulence: float) -> FloatArray:
+    return 2.0 * share / virulence - (share / virulence) ** 2
+
+
+restraint = function(
+    array("a fitness for each of 25 parasites", 25),
+    lambda wins, virulence: reduced_virulence(wins, virulence),
+    _wins_of_parasites,
+    clues=(
+        (
+            lambda wins, virulence: _virulence_of(wins, virulence),
             "x is not the number of wins: it is the wins divided by the largest number of wins in "
-            "the population."
-        )
-    fifth = wins / 5.0 / virulence
-    if _same(found, 2.0 * fifth - fifth**2):
-        return "x is relative to the best parasite of the population, which need not win all five."
-    return f"With v = {virulence} and wins {wins[:3]}... the fitness is another one."
+            "the population.",
+        ),
+        (
+            lambda wins, virulence: _virulence_of(wins / 5.0, virulence),
+            "x is relative to the best parasite of the population, which need not win all five.",
+        ),
+    ),
+    otherwise=lambda found, right, wins, virulence: (
+        f"With v = {virulence} and wins {wins[:3]}... the fitness is another one."
+        if wins.any()
+        else "If no parasite wins, the largest number of wins is 0. Then all fitness is 0."
+    ),
+)
+
+threshold = number(
+    0.9,
+    0.002,
+    kind=NUMBER._replace(name="a number between 0.5 and 1"),
+    clues={
+        0.8: "At v = 0.8 the fitness is largest for 4 of 5 wins. But 4 wins may be as good as 5 "
+        "at a larger v."
+    },
+    low=lambda v: (
+        "There, 4 wins are at least as good as 5. There is a larger v with this property."
+        if v >= 0.5
+        else "Virulence lies between 0.5 and 1."
+    ),
+    high=lambda v: (
+        "There, 5 wins are still better than 4."
+        if v <= 1.0
+        else "Virulence lies between 0.5 and 1."
+    ),
+)
 
 
-def _threshold_mistake(answer: object) -> str | None:
-    if isinstance(answer, bool) or not isinstance(answer, Real):
-        return "The answer is a number between 0.5 and 1."
-    value = float(answer)
-    if abs(value - 0.9) < 0.002:
-        return None
-    if abs(value - 0.8) < 0.002:
-        return (
-            "At v = 0.8 the fitness is largest for 4 of 5 wins. But 4 wins may be as good as 5 "
-            "at a larger v."
-        )
-    if not 0.5 <= value <= 1.0:
-        return "Virulence lies between 0.5 and 1."
-    better = reduced_virulence([4.0, 5.0], value)
-    if better[0] >= better[1]:
-        return "There, 4 wins are at least as good as 5. There is a larger v with this property."
-    return "There, 5 wins are still better than 4."
+def _tables_of_wins() -> Iterable[tuple[FloatArray]]:
+    wins = (np.random.default_rng(73).random((6, 4)) < 0.5).astype(float)
+    wins[0], wins[1:, 3] = 1.0, 0.0
+    yield (wins,)
+    without = wins.copy()
+    without[:, 3] = 0.0
+    yield (without,)
 
 
-def _sharing_mistake(answer: object) -> str | None:
-    if not callable(answer):
-        return NO_FUNCTION
-    rng = np.random.default_rng(73)
-    wins = (rng.random((6, 4)) < 0.5).astype(float)
-    wins[0], wins[:, 3] = 1.0, 0.0
-    wins[0, 3] = 1.0
-    found, expected = answer(wins), competitive_sharing(wins)
-    if np.shape(found) != (6,):
-        return (
-            "Your function gets a table of 6 individuals (rows) against 4 opponents (columns), and "
-            f"returns 6 numbers. It returned the shape {np.shape(found)}."
-        )
-    if not _same(found, expected):
-        return _sharing_clue(found, wins)
-    wins[:, 3] = 0.0
-    found = np.asarray(answer(wins), dtype=float)
+def _why_not_shared(found: FloatArray, right: FloatArray, wins: FloatArray) -> str:
     if not np.isfinite(found).all():
         return "An opponent that no individual beats is worth nothing. You divide by zero there."
-    expected = competitive_sharing(wins)
-    return None if _same(found, expected) else "Try a table in which no individual beats one."
-
-
-def _sharing_clue(found: Any, wins: FloatArray) -> str:
-    if _same(found, wins.sum(axis=1)):
-        return (
-            "That is the number of wins. Each opponent is worth 1 in total, however many beat it."
-        )
-    shares = wins / np.maximum(wins.sum(axis=1, keepdims=True), 1.0)
-    if _same(found, shares.sum(axis=1)):
-        return (
-            "You divide by the wins of the individual. Divide by the number of individuals that "
-            "beat the opponent."
-        )
     return "Each column shares one point among those that beat this opponent; then sum each row."
 
 
+sharing = function(
+    array("6 numbers, one for each individual (row) of a table of 6 x 4 wins", 6),
+    lambda wins: competitive_sharing(wins),
+    _tables_of_wins,
+    clues=(
+        (
+            lambda wins: wins.sum(axis=1),
+            "That is the number of wins. Each opponent is worth 1 in total, however many beat it.",
+        ),
+        (
+            lambda wins: (wins > 0).any(axis=1).astype(float),
+            "You divide by the wins of the individual. Divide by the number of individuals that "
+            "beat the opponent.",
+        ),
+    ),
+    otherwise=_why_not_shared,
+)
+
 HITS, ALARMS, RARITY = 0.9, 0.25, 0.05
+"""Shares of disengaged races that the rule finds, of others that it takes for such; of both."""
+FALSE, TRUE = ALARMS * (1.0 - RARITY), HITS * RARITY
 
-
-def _fooled_mistake(answer: object) -> str | None:
-    if isinstance(answer, bool) or not isinstance(answer, Real):
-        return "The answer is a number: a share between 0 and 1."
-    value, false, true = float(answer), ALARMS * (1.0 - RARITY), HITS * RARITY
-    right = false / (false + true)
-    if value > 1.0:
-        return "The answer is a share between 0 and 1, not a percentage."
-    if abs(value - right) < 0.006:
-        return None
-    clues = {
+fooled = number(
+    FALSE / (FALSE + TRUE),
+    0.006,
+    kind=NUMBER._replace(name="a number: a share between 0 and 1"),
+    clues={
         ALARMS: "That is the share of alarms among the races that are not disengaged. "
         "You look for the share of these races among the alarms.",
-        true / (false + true): "That is the share of alarms that are right.",
-        false: "That is the share of false alarms among all races. Divide by all alarms.",
+        TRUE / (FALSE + TRUE): "That is the share of alarms that are right.",
+        FALSE: "That is the share of false alarms among all races. Divide by all alarms.",
         1.0 - HITS: "That is the share of the disengaged races that the rule misses.",
         ALARMS / (ALARMS + HITS): "This would hold if half of all races were disengaged.",
-    }
-    near = (text for number, text in clues.items() if abs(value - number) < 0.006)
-    return next(near, "Imagine 1000 races, and count the alarms of both kinds.")
-
+    },
+    low="Imagine 1000 races, and count the alarms of both kinds.",
+    high=lambda share: (
+        "The answer is a share between 0 and 1, not a percentage."
+        if share > 1.0
+        else "Imagine 1000 races, and count the alarms of both kinds."
+    ),
+)
 
 FEWEST_ONES = 85.0
 TRIALS, TRIAL_GENERATIONS = range(700, 703), 200
 
 
-def _fitness_mistake(answer: object) -> str | None:
-    if not callable(answer):
-        return NO_FUNCTION
-    shape = np.shape(answer(np.array([0.0, 1.0, 2.0, 5.0])))
-    if shape != (4,):
-        return (
-            f"Your function gets 4 numbers of wins; expected 4 fitness values, got shape {shape}."
-        )
-    ones = [_ones_of_hosts(answer, seed) for seed in TRIALS]
+def _fitness(answer: Any) -> str | None:
+    four = value(array("4 fitness values for 4 numbers of wins", 4), lambda found: None)
+    unfit = four(answer(np.array([0.0, 1.0, 2.0, 5.0])))
+    if unfit:
+        return unfit
+
+    def fitness(wins: FloatArray) -> FloatArray:
+        return np.asarray(answer(wins.copy()), dtype=np.float64)
+
+    races = [hosts_and_parasites(fitness, s, generations=TRIAL_GENERATIONS) for s in TRIALS]
+    ones = [float(race.final_objective[0]) for race in races]
     if min(ones) >= FEWEST_ONES:
         return None
-    each = ", ".join(f"{one:.0f}" for one in ones)
     return (
-        f"With your parasites the hosts end with {each} ones in three races of "
-        f"{TRIAL_GENERATIONS} generations; expected at least {FEWEST_ONES:.0f} in each."
+        f"With your parasites the hosts end with {', '.join(f'{one:.0f}' for one in ones)} ones "
+        f"in three races of {TRIAL_GENERATIONS} generations; expected at least {FEWEST_ONES:.0f} "
+        "in each."
     )
-
-
-def _ones_of_hosts(fitness: Callable[[FloatArray], FloatArray], seed: int) -> float:
-    def checked(wins: FloatArray) -> FloatArray:
-        return np.asarray(fitness(wins.copy()), dtype=np.float64)
-
-    race = hosts_and_parasites(checked, seed, generations=TRIAL_GENERATIONS)
-    return float(race.final_objective[0])
 
 
 EXERCISES: dict[str, Exercise | Prediction] = {
     "7.a": Prediction(
-        ("near 50", "near 75", "above 90"),
         "near 50",
         "Every host loses every match. All hosts have the same fitness, so the fittest of five is "
         "a random one, and mutation alone moves the bits.",
+        options=("near 50", "near 75", "above 90"),
     ),
     "7.b": Prediction(
-        ("the greedy ones", "the restrained ones", "equally many"),
         "the restrained ones",
         "Greedy parasites lose their opponents, and with them every reason to improve. Restrained "
         "ones keep opponents that climb, and have to climb with them.",
+        options=("the greedy ones", "the restrained ones", "equally many"),
     ),
     "7.1": Exercise(
-        _restraint_mistake,
+        restraint,
         "The fitness is largest where the share of wins is v, and lower for a parasite that wins "
         "more than that.",
         (
@@ -275,7 +242,7 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
     "7.2": Exercise(
-        _threshold_mistake,
+        threshold,
         "f(0.8) = f(1) gives 1.6 v - 0.64 = 2 v - 1, so v = 0.9. Selection only compares fitness, "
         "so with five matches every v above 0.9 is the same as v = 1.",
         (
@@ -284,12 +251,12 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
     "7.c": Prediction(
-        ("about 10 %", "about 50 %", "about 90 %"),
         "about 10 %",
         "It has 1 of 172 wins. A rare skill is lost before anything can be built on it.",
+        options=("about 10 %", "about 50 %", "about 90 %"),
     ),
     "7.3": Exercise(
-        _sharing_mistake,
+        sharing,
         "Each opponent is worth one point in total, however many beat it.",
         (
             "How many individuals beat each opponent? Sum the columns: wins.sum(axis=0).",
@@ -298,13 +265,13 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
     "7.d": Prediction(
-        ("0 or 1", "2 to 4", "5 or more"),
         "5 or more",
         "A remedy works against its own cause. These evaders do not lack a fitness that tells them "
         "apart. They lack time.",
+        options=("0 or 1", "2 to 4", "5 or more"),
     ),
     "7.4": Exercise(
-        _fooled_mistake,
+        fooled,
         "Of 1000 races 50 are disengaged, which gives 45 right alarms, and 950 are not, which "
         "gives 237 or 238 false ones. Five of six alarms are false, although the rule looks good.",
         (
@@ -314,7 +281,7 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
     "7.5": Exercise(
-        _fitness_mistake,
+        tried(_fitness),
         "Your parasites keep their hosts in the race. Any fitness that does not reward winning "
         "every match can do it, if it still tells parasites apart.",
         (
@@ -324,4 +291,3 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
 }
-"""Exercises and predictions by name, in the order of the notebook."""

@@ -1,19 +1,145 @@
-"""Exercises of notebook 9, "Fast and safe?"."""
+"""Exercises of notebook 9, "Fast and safe?", and its packs of pursuers with six weights.
+
+A pack is a network without a hidden layer, so the engine plays it as fast as any other policy. Its
+genome follows from six numbers, see `WEIGHTS`.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from numbers import Real
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from matrixworld._util.checks import check_floats
+from matrixworld.envs.vector import VectorEnv
+from matrixworld.episodes.safety import SafetyMonitor
 from matrixworld.play.rollout import Matches, rollout
-from matrixworld.tutorial.exercises import NO_FUNCTION, Exercise, Prediction
-from matrixworld.tutorial.packs import WEIGHTS, WORLD, MaskedEpisodes, pack, play_masked
+from matrixworld.tutorial.checks import NUMBER, WHOLE, number, numbers, tried, value
+from matrixworld.tutorial.course import Exercise, Prediction
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network, Population
 from matrixworld.world.rules import Rewards
+
+# ---- Packs ---------------------------------------------------------------------------------------
+
+WORLD = WorldConfig("S", rows=10, cols=10, n_pursuers=6, n_evaders=1, max_steps=60)
+"""Six pursuers have to surround one evader. In -S pursuers may share a cell; it is a collision."""
+
+WEIGHTS = ("approach", "hold", "wall", "teammate", "crowd", "stay")
+"""What a pack weighs. The wish for an action is the sum of each weight times what it counts:
+
+approach    for a move: how much it leads towards the evaders in view, -1 to 1 each
+hold        for staying: evaders on the four cells around
+wall        for a move: 1 if an obstacle or the border is there
+teammate    for a move: teammates on that cell
+crowd       for a move: teammates on the other three cells around that cell
+stay        for staying: always 1
+"""
+
+_STEPS = np.array([(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1)])  # rows, columns of each `Action`
+_EVADERS, _PURSUERS, _OBSTACLES = range(3)  # channels of views
+
+Mask = Callable[[NDArray[np.uint8]], ArrayLike]
+"""Takes views, (n, 3, fov, fov), and returns which actions are allowed, (n, n_actions)."""
+
+
+def pack(weights: ArrayLike) -> Population:
+    """Return packs as a population of networks; weights are (6,) or (n, 6), as in `WEIGHTS`.
+
+    Genomes are linear in the weights. Actions are drawn with the softmax of the wishes.
+    """
+    given = np.atleast_2d(check_floats("weights", weights, np.float64))
+    if given.ndim != 2 or given.shape[1] != len(WEIGHTS):
+        raise ValueError(f"weights: expected shape (6,) or (n, 6), got {np.shape(weights)}")
+    network = Network.for_config(WORLD, hidden=())
+    return Population((given @ _genomes(network)).astype(np.float32), network)
+
+
+def _genomes(network: Network) -> NDArray[np.float32]:
+    """Return the genome of each weight alone, (6, genome_size)."""
+    half = network.fov // 2
+    cells = np.indices((network.fov, network.fov)) - half
+    distance = abs(cells).sum(axis=0)
+    genomes = np.zeros((len(WEIGHTS), network.genome_size), np.float32)
+    shape = (3, network.fov, network.fov, network.n_actions)
+    layers = [network.layers(genome)[0] for genome in genomes]
+    approach, hold, wall, teammate, crowd, _ = (inputs.reshape(shape) for inputs, _ in layers)
+    for action, step in enumerate(_STEPS[1:], start=1):
+        along = np.tensordot(step, cells, axes=1)
+        from_target = abs(cells - step[:, None, None]).sum(axis=0)
+        approach[_EVADERS, ..., action] = along / np.maximum(distance, 1)
+        wall[_OBSTACLES, ..., action] = from_target == 0
+        teammate[_PURSUERS, ..., action] = from_target == 0
+        crowd[_PURSUERS, ..., action] = (from_target == 1) & (distance > 0)
+    hold[_EVADERS, ..., 0] = distance == 1
+    layers[-1][1][0] = 1.0
+    return genomes
+
+
+class MaskedEpisodes(NamedTuple):
+    """Episodes of a pack under a mask."""
+
+    safety: SafetyMonitor
+    steps: NDArray[np.int64]
+    captured: NDArray[np.bool_]  # whether the evader was surrounded
+
+
+def play_masked(
+    weights: ArrayLike,
+    mask: Mask,
+    *,
+    episodes: int = 100,
+    seed: int = 0,
+    config: WorldConfig = WORLD,
+    evaders: str = "random",
+) -> MaskedEpisodes:
+    """Play a pack that never chooses an action that a mask forbids.
+
+    The mask takes the views of n pursuers, (n, 3, fov, fov), and returns for each action whether it
+    is allowed, (n, 5). A pursuer that is allowed nothing stays.
+    """
+    (genome,), network = (own := pack(weights)).genomes, own.network
+    envs = VectorEnv(config, n_worlds=episodes, evaders=evaders, autoreset_mode="Disabled")
+    views, _ = envs.reset(seed=seed)
+    rng, safety = np.random.default_rng(seed), SafetyMonitor()
+    steps, captured = np.zeros(episodes, np.int64), np.zeros(episodes, bool)
+    running = np.ones(episodes, bool)
+    while running.any():
+        actions = np.zeros((episodes, config.n_pursuers), np.int64)
+        seen = views[running].reshape(-1, *views.shape[2:])
+        wishes = network.logits(genome, seen)
+        wishes[~_allowed(mask, seen)] = -np.inf
+        # The largest of wishes with Gumbel noise is a draw with their softmax.
+        chosen = (wishes + rng.gumbel(size=wishes.shape)).argmax(axis=1)
+        actions[running] = chosen.reshape(-1, config.n_pursuers)
+        views, *_, infos = envs.step(actions)
+        safety.add_infos(infos)
+        ended = running & infos["_episode"]
+        steps[ended] = infos["episode"]["length"][ended]
+        captured[ended] = infos["episode"]["capture_rate"][ended] == 1
+        running &= ~ended
+    return MaskedEpisodes(safety, steps, captured)
+
+
+def _allowed(mask: Mask, views: NDArray[np.uint8]) -> NDArray[np.bool_]:
+    allowed = np.array(mask(views), bool)
+    expected = (len(views), len(_STEPS))
+    if allowed.shape != expected:
+        raise ValueError(f"mask: expected shape {expected}, got {allowed.shape}")
+    allowed[~allowed.any(axis=1), 0] = True
+    return allowed
+
+
+def everything(views: NDArray[np.uint8]) -> NDArray[np.bool_]:
+    """Allow every action: the mask that masks nothing."""
+    return np.ones((len(views), len(_STEPS)), bool)
+
+
+# ---- Exercises -----------------------------------------------------------------------------------
 
 MOST_FAULTS, MOST_STEPS = 10.0, 15.0
 BRISK, IDLE = (4, 10, -10, -8, -2, 0), (0, 0, 0, 0, 0, 20)
@@ -22,13 +148,7 @@ FEWEST_EPISODES = 299  # 0.99^299 = 0.0495, and 0.99^298 = 0.05004
 FEWEST_CAPTURES = 0.5
 
 
-def _weights(answer: Any) -> str | None:
-    try:
-        weights = np.asarray(answer, np.float64)
-    except (TypeError, ValueError):
-        return "The answer is a list of six numbers."
-    if weights.shape != (len(WEIGHTS),) or not np.isfinite(weights).all():
-        return f"The answer is six numbers, one for each of {', '.join(WEIGHTS)}."
+def _weights(weights: list[float]) -> str | None:
     played = rollout(WORLD, pack(weights), "random", Matches.of(0, 0, 91), episodes=1000)
     faults = 1000 * played.faults[:, :, 0].sum() / played.agent_steps[:, :, 0].sum()
     steps = played.length.mean()
@@ -44,7 +164,8 @@ def _weights(answer: Any) -> str | None:
 
 
 @cache
-def _break_even() -> float:
+def break_even() -> float:
+    """Return the penalty at which the returns of the brisk and of the idle pack are equal."""
     free = replace(WORLD, rewards=Rewards(pursuer_collide=0))
     played = rollout(free, pack([BRISK, IDLE]), "random", Matches.of([0, 1], 0, 2), episodes=400)
     gain = played.pursuer_return.mean(axis=1)
@@ -52,66 +173,58 @@ def _break_even() -> float:
     return float((gain[0] - gain[1]) / (collisions[0] - collisions[1]))
 
 
+LARGER = (
+    "At this penalty the return of the {} pack is larger. Look for the penalty at which both are "
+    "equal."
+)
+
+
 def _penalty(answer: Any) -> str | None:
-    if not isinstance(answer, Real) and np.ndim(answer) == 0:
-        answer = getattr(answer, "item", lambda: answer)()
-    if isinstance(answer, bool) or not isinstance(answer, Real):
-        return "The answer is one number: the penalty at which both returns are equal."
-    value = abs(float(answer))
-    true = _break_even()
-    if abs(value - true) <= 0.02 * true:
-        return None
-    played = "At this penalty the return of the {} pack is larger. "
-    return played.format("brisk" if value < true else "idle") + (
-        "Look for the penalty at which both are equal."
-    )
+    kind = NUMBER._replace(name="one number: the penalty at which both returns are equal")
+    right = break_even()
+    judge = number(right, 0.02 * right, low=LARGER.format("brisk"), high=LARGER.format("idle"))
+    if isinstance(answer, np.ndarray) and answer.ndim == 0:
+        answer = answer.item()
+    # Rewards are negative where penalties are positive: both signs are understood.
+    return value(kind, lambda penalty: judge(abs(penalty)))(answer)
 
 
-def _episodes(answer: Any) -> str | None:
-    if isinstance(answer, bool) or not isinstance(answer, int | np.integer):
-        return "The answer is a whole number of episodes."
-    if answer in (FEWEST_EPISODES, 300):
-        return None
-    if answer <= 0:
-        return "At least one episode has to be played."
-    chance = 0.99 ** int(answer)
-    if answer < FEWEST_EPISODES:
-        return (
-            f"A pack with p = 0.01 would pass {answer} episodes with a probability of "
-            f"{chance:.1%}. That is more than 5%."
-        )
-    return f"That is enough, but not the smallest number: {chance:.2%} is well below 5%."
+episodes_needed = number(
+    FEWEST_EPISODES,
+    0,
+    kind=WHOLE._replace(name="a whole number of episodes"),
+    low=lambda n: (
+        f"A pack with p = 0.01 would pass {n} episodes with a probability of {0.99**n:.1%}. That "
+        "is more than 5%."
+        if n > 0
+        else "At least one episode has to be played."
+    ),
+    high=lambda n: f"That is enough, but not the smallest number: {0.99**n:.2%} is well below 5%.",
+)
 
 
 def _mask(answer: Any) -> str | None:
-    if not callable(answer):
-        return NO_FUNCTION
-    views = np.zeros((2, 3, WORLD.fov, WORLD.fov), np.uint8)
-    allowed = answer(views)
+    allowed = answer(np.zeros((2, 3, WORLD.fov, WORLD.fov), np.uint8))
     if np.shape(allowed) != (2, 5):
         return f"For n views it returns (n, 5) values; for 2 views it gave {np.shape(allowed)}."
     if not np.asarray(allowed, bool).all():
         return "On an empty grid, with nothing in view, it forbids an action. Nothing can happen."
-    for weights in (GREEDY, BRISK):
-        played = play_masked(weights, answer, episodes=200, seed=92)
-        mistake = _collided(played)
-        if mistake is not None:
-            return mistake
-    return None
+    played = (play_masked(weights, answer, episodes=200, seed=92) for weights in (GREEDY, BRISK))
+    return next(filter(None, map(_collided, played)), None)
 
 
 def _collided(played: MaskedEpisodes) -> str | None:
     """Return what is wrong with a mask, from episodes under it."""
-    rates: NDArray[np.float64] = played.safety.summary().fault_rate[0]
-    if rates[0]:
+    walls, teammates = played.safety.summary().fault_rate[0][:2]
+    if walls:
         return (
-            f"Pursuers still run into walls ({rates[0]:.1f} of 1000 agent-steps). Views show the "
+            f"Pursuers still run into walls ({walls:.1f} of 1000 agent-steps). Views show the "
             "cells outside the grid as obstacles."
         )
-    if rates[1]:
+    if teammates:
         return (
-            f"Pursuers still collide with teammates ({rates[1]:.1f} of 1000 agent-steps). Is there "
-            "a cell to which two of them may go at once, or one with a teammate on it?"
+            f"Pursuers still collide with teammates ({teammates:.1f} of 1000 agent-steps). Is "
+            "there a cell to which two of them may go at once, or one with a teammate on it?"
         )
     if played.captured.mean() < FEWEST_CAPTURES:
         return (
@@ -124,13 +237,14 @@ def _collided(played: MaskedEpisodes) -> str | None:
 
 EXERCISES: dict[str, Exercise | Prediction] = {
     "9.a": Prediction(
-        ("a", "b", "c"),
         "c",
         "Pursuers in one cell cannot surround anything. Those that avoid each other come from "
         "different sides, so they are safer and faster.",
     ),
     "9.1": Exercise(
-        _weights,
+        value(
+            numbers(f"six numbers, one for each of {', '.join(WEIGHTS)}", len(WEIGHTS)), _weights
+        ),
         "Being careful (`crowd`) and determined (`approach`) have to grow together: what counts is "
         "how they compare, since the softmax looks at differences of wishes.",
         (
@@ -141,7 +255,6 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
     "9.b": Prediction(
-        ("a", "b", "c"),
         "b",
         "Runs that found a way to capture before they stopped moving became careful, but not safe. "
         "The others learned that who does not move does not collide.",
@@ -157,7 +270,7 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
     "9.3": Exercise(
-        _episodes,
+        episodes_needed,
         "0.99^299 is just below 0.05. The rule of thumb 3/n gives 300. To show a rate that is ten "
         "times smaller takes ten times as many episodes.",
         (
@@ -166,13 +279,12 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
     "9.c": Prediction(
-        ("a", "b", "c"),
         "b",
         "No pursuer enters an occupied cell any more. But two pursuers can still enter the same "
         "free cell at the same moment, and then stay together in it.",
     ),
     "9.4": Exercise(
-        _mask,
+        tried(_mask),
         "No pursuer enters an occupied cell, and no two may enter the same free one. So no two can "
         "meet, whatever they wish.",
         (
@@ -185,7 +297,6 @@ EXERCISES: dict[str, Exercise | Prediction] = {
         ),
     ),
     "9.d": Prediction(
-        ("a", "b", "c"),
         "b",
         "These packs had learned to capture with several pursuers in one cell. The mask takes that "
         "away, and nothing has taught them what to do instead.",

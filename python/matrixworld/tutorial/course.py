@@ -1,4 +1,4 @@
-"""Exercises of the course: an answer is checked at once, and hints are given one after the other.
+"""What the notebooks ask for: exercises and hints, results that are kept, the size of experiments.
 
 Each notebook has a module ``chapter_<number>`` with a table ``EXERCISES``. A key such as ``"3.2"``
 names the second exercise of the third notebook, ``"3.b"`` its second prediction.
@@ -6,30 +6,35 @@ names the second exercise of the third notebook, ``"3.b"`` its second prediction
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import os
+from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import import_module
+from pathlib import Path
 from textwrap import fill
-from typing import Any
+from typing import TypeVar
 
-from matrixworld._util.checks import check_instance
+from matrixworld._util.checks import check_instance, shown
+from matrixworld._util.files import load_arrays
+from matrixworld._util.reading import Arrays
+from matrixworld.tutorial.checks import Check
 
 CHAPTERS = range(1, 10)
 """Numbers of the notebooks."""
-
 WIDEST = 88
 """Characters in a line of a reply: exported notebooks break longer lines inside words."""
-
-NO_FUNCTION = "The answer is your function itself: give its name, without parentheses."
-"""Reply where the answer has to be a function that was written in the cell."""
-NO_DEFINITION = "Expected a function: remove the dots, and write `def answer(...):` in the cell."
-"""Reply where the cell itself has to define it."""
-
 NO_ANSWER = "No answer yet. Replace the dots with your answer, run the cell, and check again."
 NO_PREDICTION = (
     "No prediction yet. Replace the dots in the cell above and run both cells again. Those who "
     "predict first see more."
 )
+
+DATA = Path(__file__).parent / "data"
+"""Results that take longer than a notebook should; scripts in ``tutorials/make`` make them anew."""
+QUICK = "MATRIXWORLD_QUICK"
+"""Environment variable: if it is 1, notebooks compute at the smaller size."""
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -40,15 +45,14 @@ class Exercise:
     ----------
     mistake : callable
         Takes the answer and returns what is wrong with it in one or two sentences, or None if it is
-        right. It does not give the answer away. What a student's own function raises is not caught:
-        the traceback tells more.
+        right.
     explanation : str
         Why the right answer is right.
     hints : tuple of str
         Hints, from the smallest to the one that nearly tells it.
     """
 
-    mistake: Callable[[Any], str | None]
+    mistake: Check
     explanation: str
     hints: tuple[str, ...]
 
@@ -59,17 +63,17 @@ class Prediction:
 
     Parameters
     ----------
-    options : tuple of str
-        The answers to choose from.
     outcome : str
         The option that the experiment shows.
     explanation : str
         Why it happens.
+    options : tuple of str, optional
+        The answers to choose from. The default is ``("a", "b", "c")``.
     """
 
-    options: tuple[str, ...]
     outcome: str
     explanation: str
+    options: tuple[str, ...] = ("a", "b", "c")
 
     def __post_init__(self) -> None:
         if self.outcome not in self.options:
@@ -78,33 +82,17 @@ class Prediction:
 
 @dataclass(frozen=True, repr=False)
 class Feedback:
-    """The reply to an answer; a notebook shows it as the last expression of a cell.
+    """The reply to an answer, or a hint; a notebook shows it as the last expression of a cell.
 
     Parameters
     ----------
     right : bool or None
-        Whether the answer is right; None if there is no answer yet.
+        Whether the answer is right; None if there is no answer.
     text : str
         The reply in words.
     """
 
     right: bool | None
-    text: str
-
-    def __repr__(self) -> str:
-        return fill(self.text, WIDEST)
-
-
-@dataclass(frozen=True, repr=False)
-class Hint:
-    """A hint; a notebook shows it as the last expression of a cell.
-
-    Parameters
-    ----------
-    text : str
-        The hint in words.
-    """
-
     text: str
 
     def __repr__(self) -> str:
@@ -138,8 +126,7 @@ def check(name: str, answer: object) -> Feedback:
         return Feedback(None, NO_ANSWER)
     mistake = exercise.mistake(answer)
     if mistake is not None:
-        more = f"  (hint({name!r}) gives a hint.)" if exercise.hints else ""
-        return Feedback(False, f"✗ Not yet. {mistake}{more}")
+        return Feedback(False, f"✗ Not yet. {mistake}  (hint({name!r}) gives a hint.)")
     return Feedback(True, f"✓ Right. {exercise.explanation}")
 
 
@@ -161,7 +148,7 @@ _given: dict[str, int] = {}
 """How many hints of each exercise were given."""
 
 
-def hint(name: str) -> Hint:
+def hint(name: str) -> Feedback:
     """Give the next hint of an exercise; after the last one, the last one again.
 
     Parameters
@@ -171,7 +158,7 @@ def hint(name: str) -> Hint:
 
     Returns
     -------
-    Hint
+    Feedback
         The hint.
 
     Raises
@@ -180,12 +167,11 @@ def hint(name: str) -> Hint:
         If there is no exercise of this name.
     """
     exercise = _find(name)
-    hints = exercise.hints if isinstance(exercise, Exercise) else ()
-    if not hints:
-        return Hint("There is no hint: any prediction is a good one.")
-    number = min(_given.get(name, 0), len(hints) - 1)
+    if isinstance(exercise, Prediction):
+        return Feedback(None, "There is no hint: any prediction is a good one.")
+    number = min(_given.get(name, 0), len(exercise.hints) - 1)
     _given[name] = number + 1
-    return Hint(f"Hint {number + 1} of {len(hints)}: {hints[number]}")
+    return Feedback(None, f"Hint {number + 1} of {len(exercise.hints)}: {exercise.hints[number]}")
 
 
 def exercises(chapter: int) -> Mapping[str, Exercise | Prediction]:
@@ -223,3 +209,45 @@ def _find(name: str) -> Exercise | Prediction:
     if name not in table:
         raise ValueError(f"name: expected one of {', '.join(table)}, got {name!r}")
     return table[name]
+
+
+def kept(name: str) -> Arrays:
+    """Return arrays that were computed before.
+
+    Parameters
+    ----------
+    name : str
+        Name of the file without its ending.
+
+    Returns
+    -------
+    mapping of str to ndarray
+        The arrays.
+
+    Raises
+    ------
+    ValueError
+        If nothing is kept under this name.
+    """
+    names = sorted(path.stem for path in DATA.glob("*.npz"))
+    if name not in names:
+        raise ValueError(f"name: expected one of {', '.join(names)}, got {shown(name)}")
+    return load_arrays(DATA / f"{name}.npz")
+
+
+def size(full: T, quick: T) -> T:
+    """Return the size of an experiment: smaller where notebooks only have to prove that they run.
+
+    Parameters
+    ----------
+    full : object
+        The value for a reader.
+    quick : object
+        The value if the environment variable ``MATRIXWORLD_QUICK`` is 1.
+
+    Returns
+    -------
+    object
+        One of them.
+    """
+    return quick if os.environ.get(QUICK) == "1" else full
