@@ -22,7 +22,7 @@ from matplotlib.figure import Figure
 import matrixworld as mw
 from matrixworld.episodes.display import FPS, Display, Notebook, _window
 from matrixworld.episodes.render import ansi, png, rgb
-from matrixworld.episodes.render.terminal_animation import CLEAR, HOME, WRAP_OFF, WRAP_ON
+from matrixworld.episodes.render.terminal import CLEAR, HOME, WRAP_OFF, WRAP_ON
 from rows import config_of
 
 

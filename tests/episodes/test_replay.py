@@ -22,7 +22,7 @@ from made_up_episode import made_up_episode
 from matrixworld._util import colors
 from matrixworld.episodes import render
 from matrixworld.episodes.episode import Episode
-from matrixworld.episodes.render import terminal_animation as term
+from matrixworld.episodes.render import terminal as term
 from matrixworld.episodes.replay import (
     animate_terminal,
     animation,

@@ -15,7 +15,7 @@ from PIL import Image
 import matrixworld as mw
 from matrixworld.coevolution import start
 from matrixworld.episodes.render import rgb
-from matrixworld.episodes.render.layout import SMALLEST_NUMBERED, fitting_cell
+from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.explorer import Explorer, Playground, explore
 from matrixworld.explorer.playground import PIXELS
 from tiny_race import tiny_race

@@ -22,7 +22,7 @@ from matrixworld.cli.options import (
 from matrixworld.cli.setting_options import world_options
 from matrixworld.coevolution import open_run
 from matrixworld.episodes import replay
-from matrixworld.episodes.episode import Episode, moment
+from matrixworld.episodes.episode import Episode, step_number
 from matrixworld.episodes.record import record
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, TeamPolicy
@@ -197,7 +197,7 @@ def _check_pictures(
 
 def _moment(step: int, played: Episode) -> int:
     try:
-        return moment(step, played.length)
+        return step_number(step, played.length)
     except IndexError as error:
         raise click.UsageError(f"--{error}") from error
 

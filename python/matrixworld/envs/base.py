@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from typing_extensions import Unpack
 
 from matrixworld._util.checks import check_bool, check_keywords
-from matrixworld.envs.drawing import Drawing
 from matrixworld.envs.opponents import Opponents, built_in_team, set_opponents
+from matrixworld.episodes.display import Drawing
 from matrixworld.episodes.episode import Episode
 from matrixworld.play import Plays
 from matrixworld.world.arrays import WORLD_FIELDS, OutputField, action_masks, check_maskable

@@ -1,4 +1,4 @@
-"""Recorded episodes: arrays in memory, and files."""
+"""Recorded episodes: arrays in memory, files, and scenes to be drawn."""
 
 from __future__ import annotations
 
@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import check_integer, shown
+from matrixworld._util.checks import check_instance, check_integer, shown
 from matrixworld._util.files import replacing
 from matrixworld._util.reading import UNPACKED, DamagedFileError, parse_json, read_npz
+from matrixworld.episodes.render import MARK_STEPS, Scene
 from matrixworld.world.conflicts import (
     COLLISION_KINDS,
     CONFLICT_COLUMNS,
@@ -211,19 +212,14 @@ class Episode:
         """
         if self.conflict_table is None:
             raise ValueError("conflict_table: expected a recording with conflicts, got none")
-        now = moment(step, self.length)
+        now = step_number(step, self.length)
         rows = self.conflict_table[self.conflict_table[:, 0] == now, 1:].tolist()
         return [conflict_of(numbers, self.n_pursuers) for numbers in rows]
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the episode to a file.
+        """Write the episode to a file of the format npz, without pickle.
 
         The file appears complete or not at all, and replaces an older one of this name.
-
-        Parameters
-        ----------
-        path : str or os.PathLike
-            The file, of the format npz, without pickle.
         """
         arrays = {name: getattr(self, name) for name in self._names()}
         # Readers refuse what expands to more: it may be meant to fill the memory.
@@ -241,16 +237,6 @@ class Episode:
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Episode:
         """Read an episode that `save` wrote.
-
-        Parameters
-        ----------
-        path : str or os.PathLike
-            The file.
-
-        Returns
-        -------
-        Episode
-            The same arrays and settings.
 
         Raises
         ------
@@ -280,8 +266,8 @@ class Episode:
             raise DamagedFileError(path, f"not an episode ({error})") from error
 
 
-def moment(step: int, length: int) -> int:
-    """Return the number of a moment, 0 to the length, from one that may count from the end."""
+def step_number(step: int, length: int) -> int:
+    """Return a number of steps, 0 to the length, from one that may count from the end."""
     if not -length - 1 <= step <= length:
         raise IndexError(f"step: expected {-length - 1} to {length}, got {step}")
     return step % (length + 1)
@@ -309,3 +295,78 @@ def _check_conflicts(
             f"conflict_table, {names[column]}: expected {low[column]} to {high[column]}, "
             f"got {table[row, column]}"
         )
+
+
+def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None = None) -> Scene:
+    """Return one moment of an episode, to be drawn.
+
+    Parameters
+    ----------
+    episode : Episode
+        The recording.
+    step : int, optional
+        The number of steps played before the moment. Negative numbers count from the end; the
+        default is the end.
+    trail : int, optional
+        Steps back that the trails of the agents go.
+    title : str, optional
+        A line of text. By default the step and the share of the evaders that are captured.
+
+    Returns
+    -------
+    Scene
+        The arrays to draw.
+
+    Raises
+    ------
+    IndexError
+        If the step is outside the episode.
+    TypeError, ValueError
+        If `step` or `trail` is not an integer, or `trail` is negative.
+    """
+    check_instance("episode", episode, Episode)
+    now = step_number(check_integer("step", step), episode.length)
+    check_integer("trail", trail, 0)
+    captures, deaths = _marks(episode, now)
+    return Scene(
+        positions=episode.last_positions[now],
+        alive=episode.alive[now],
+        captured=episode.captured[now],
+        map=episode.map,
+        n_pursuers=episode.n_pursuers,
+        involved=episode.involved[now - 1] if now else None,
+        fault=episode.fault[now - 1] if now else None,
+        trail=episode.positions[max(0, now - trail) : now],
+        captures=captures,
+        deaths=deaths,
+        title=capture_title(episode, now, f"step {now} of {episode.length}")
+        if title is None
+        else title,
+    )
+
+
+def capture_title(episode: Episode, now: int, start: str) -> str:
+    """Return a line of text: `start`, and how many of the evaders are captured."""
+    caught, of = int(episode.counted[now].sum()), episode.n_evaders
+    share = f" ({caught / of:.0%})" if of else ""
+    return f"{start}    captured {caught} of {of}{share}"
+
+
+def _marks(episode: Episode, now: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return row, column and age of the captures and of the other deaths of the last steps."""
+    captures: list[tuple[int, int, int]] = []
+    deaths: list[tuple[int, int, int]] = []
+    for step in range(max(1, now - MARK_STEPS + 1), now + 1):
+        caught = _newly_captured(episode, step)
+        # An evader that disappears in its capture is marked as captured, not as dead.
+        gone = episode.alive[step - 1] & ~episode.alive[step]
+        for marks, agents in ((captures, caught), (deaths, gone & ~caught)):
+            last_positions = episode.last_positions[step, agents].tolist()
+            marks.extend((row, col, now - step) for row, col in last_positions)
+    return np.array(captures, int).reshape(-1, 3), np.array(deaths, int).reshape(-1, 3)
+
+
+def _newly_captured(episode: Episode, step: int) -> NDArray[np.bool_]:
+    """Return which agents were captured for the first time in this step, shape (A,)."""
+    evaders = episode.ever_captured[step] & ~episode.ever_captured[step - 1]
+    return np.concatenate([np.zeros(episode.n_pursuers, bool), evaders])

@@ -18,11 +18,9 @@ from PIL import Image
 
 from matrixworld._util.checks import check_instance, check_integer, check_number
 from matrixworld._util.files import replacing
-from matrixworld.episodes.episode import Episode
-from matrixworld.episodes.moments import scene
+from matrixworld.episodes.episode import Episode, scene
 from matrixworld.episodes.render import ansi, rgb
-from matrixworld.episodes.render.gif import check_timing, write_gif
-from matrixworld.episodes.render.layout import (
+from matrixworld.episodes.render.canvas import (
     MOST_ANIMATED,
     MOST_PIXELS,
     SMALLEST_NUMBERED,
@@ -30,8 +28,8 @@ from matrixworld.episodes.render.layout import (
     check_pixels,
     fitting_cell,
 )
-from matrixworld.episodes.render.mp4 import write_mp4
-from matrixworld.episodes.render.terminal_animation import color_mode, fits, play
+from matrixworld.episodes.render.film import check_timing, write_gif, write_mp4
+from matrixworld.episodes.render.terminal import color_mode, fits, play
 
 __all__ = [
     "Animation",

@@ -21,7 +21,7 @@ from typing import Any
 
 from matrixworld.envs.variant_texts import VARIANT_TEXTS
 from matrixworld.episodes.render import png
-from matrixworld.episodes.render.layout import SMALLEST_NUMBERED, fitting_cell
+from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.explorer.frame import frame, mime_bundle
 from matrixworld.explorer.gallery import GALLERY, drawn_world
 from matrixworld.explorer.links import Command, scene_link

@@ -175,9 +175,7 @@ def play_episodes(
     *,
     seed: int,
     episodes: int,
-    on_round: Callable[[NDArray[np.int64], NDArray[np.bool_]], None] = lambda actions, running: (
-        None
-    ),
+    on_round: OnRound | None = None,
 ) -> NDArray[np.float64]:
     """Play the episodes of a match side by side and return their capture rates, (episodes,)."""
     teams = {
@@ -194,7 +192,8 @@ def play_episodes(
                 if acting:
                     decide(played, acting, actions)
             played.play(actions, running)
-        on_round(actions, running)
+        if on_round is not None:
+            on_round(actions, running)
     return np.asarray(played.arrays()["capture_rate"], np.float64)
 
 

@@ -13,7 +13,7 @@ from PIL import Image, ImageDraw
 from matrixworld._util import colors
 from matrixworld.episodes import render
 from matrixworld.episodes.record import Recorder
-from matrixworld.episodes.render.layout import Layout
+from matrixworld.episodes.render.canvas import Layout
 from matrixworld.world.arrays import integers
 from matrixworld.world.rules import Action, Rules
 from matrixworld.world.world import World

@@ -11,8 +11,7 @@ from PIL import ImageColor
 
 from matrixworld._util import colors
 from matrixworld.episodes.render import Scene, ansi, rgb
-from matrixworld.episodes.render.layout import Layout
-from matrixworld.episodes.render.sprites import shape
+from matrixworld.episodes.render.canvas import Layout, shape
 
 OBSTACLES = np.zeros((4, 6), bool)
 OBSTACLES[1, 2] = OBSTACLES[3, 5] = True

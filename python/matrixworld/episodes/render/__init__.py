@@ -5,8 +5,7 @@
 
 from __future__ import annotations
 
-from matrixworld.episodes.render.raster import MARK_STEPS, png, rgb
-from matrixworld.episodes.render.scene import Cell, Scene
+from matrixworld.episodes.render.scene import MARK_STEPS, Cell, Scene, png, rgb
 from matrixworld.episodes.render.terminal import ansi
 
 __all__ = ["MARK_STEPS", "Cell", "Scene", "ansi", "png", "rgb"]

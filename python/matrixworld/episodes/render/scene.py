@@ -1,29 +1,44 @@
-"""The arrays of one moment that a drawing is made from, checked once."""
+"""One moment of a world as plain arrays, and its picture, drawn with Pillow."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import io
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
+from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image, ImageDraw
 
-from matrixworld.episodes.render.raster import png
+from matrixworld._util import colors
+from matrixworld._util.checks import check_integer
+from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, Layout, Point, font, stamp
 from matrixworld.world.conflicts import agent_name
 
 Cell = tuple[int, int]
 
+MARK_STEPS = 4  # steps until the mark of a capture or a death has faded
+SMALLEST_BADGE = 14  # cell size in pixels below which a number on an agent is unreadable
+SMALLEST_GRID = 6  # cell size in pixels below which lines between cells would fill the picture
+TRIANGLE_SCALE = 1.16  # a triangle as wide as a disc looks smaller
+SHARED_SCALE, SHARED_SHIFT = 0.74, 0.19  # both teams on one cell, in diameters of an agent
+BURST_SCALE, CROSS_SCALE, RING_SCALE = 1.7, 0.9, 1.14  # marks, in cells
+INVOLVED_OPACITY = 0.4  # of the ring of an agent that is not at fault
+NUMBERS_IN_BADGE = 3  # more numbers of agents would cover the next cell
+TRAIL_LEVEL = 220  # of 255: how strong the newest piece of a trail is
+OLDEST_LEVEL = 0.25  # of the newest piece: a trail that faded to nothing would end nowhere
+TRAIL_WIDTH, TRAIL_SHIFT = 0.2, 0.1  # in cells; trails of the teams are beside each other
+VIEW_LEVEL = 28  # of 255: tint of a field of view
+
 
 @dataclass
 class CellContents:
-    """The living agents on one cell.
+    """The living agents on one cell, by their numbers in their teams.
 
-    Parameters
-    ----------
-    pursuers, evaders : list of int, optional
-        The numbers of the agents in their team.
-    captured : int, optional
-        How many of the evaders are captured at this moment.
+    `captured` is how many of the evaders are captured at this moment.
     """
 
     pursuers: list[int] = field(default_factory=list)
@@ -196,3 +211,267 @@ def _check_shape(
         wanted = tuple("any" if want is None else want for want in expected)
         shown = "(" + ", ".join(map(str, wanted)) + ("," if len(wanted) == 1 else "") + ")"
         raise ValueError(f"{name}: expected shape {shown}, got {array.shape}")
+
+
+def rgb(
+    scene: Scene,
+    *,
+    cell: int | None = None,
+    fov: int = 11,
+    viewers: Sequence[int | str] = (),
+    numbers: bool = False,
+) -> NDArray[np.uint8]:
+    """Draw a scene as an array of pixels.
+
+    Scenes of the same grid and cell size give pictures of the same size, as animations need.
+
+    Parameters
+    ----------
+    scene : Scene
+        What to draw.
+    cell : int, optional
+        Pixels per cell. By default the size of the grid decides.
+    fov : int, optional
+        Side of the fields of view, odd. The default is 11.
+    viewers : sequence of int or str, optional
+        The agents whose fields of view are outlined while they are alive, by number or by name
+        (``pursuer_0`` and so on, ``evader_0`` and so on).
+    numbers : bool, optional
+        Whether agents carry their numbers in their teams: 3 for ``pursuer_3`` and ``evader_3``.
+        Cells then have at least 20 pixels. The default is False.
+
+    Returns
+    -------
+    ndarray of uint8, shape (height, width, 3)
+        The picture.
+
+    Raises
+    ------
+    ValueError
+        If `cell` is below 1 (20 with numbers) or gives too large a picture, `fov` is even, or a
+        viewer is unknown.
+    """
+    if check_integer("fov", fov, 1) % 2 == 0:
+        raise ValueError(f"fov: expected an odd number from 1 up, got {fov}")
+    agents = [scene.agent(viewer) for viewer in viewers]
+    least = SMALLEST_NUMBERED if numbers else 1
+    picture = _Picture(scene, Layout.of(scene.shape, cell, least=least), numbers)
+    for agent in agents:
+        picture.draw_view(agent, fov // 2)
+    # Each layer is drawn over the ones before it: agents must not be hidden.
+    picture.draw_trails()
+    picture.draw_marks()
+    picture.draw_collisions()
+    picture.draw_agents()
+    picture.draw_header()
+    return np.array(picture.canvas)
+
+
+def png(scene: Scene, **look: Any) -> bytes:
+    """Draw a scene as the bytes of a PNG file; `look` holds keyword arguments of `rgb`."""
+    buffer = io.BytesIO()
+    Image.fromarray(rgb(scene, **look)).save(buffer, "PNG")
+    return buffer.getvalue()
+
+
+# The ground is the slowest part to draw and the same in all frames of an episode.
+@lru_cache(maxsize=8)
+def _ground(obstacles: bytes, layout: Layout) -> Image.Image:
+    """Return the picture of an empty world: obstacles, and lines between free cells."""
+    canvas = Image.new("RGB", (layout.width, layout.height), colors.PAPER)
+    draw = ImageDraw.Draw(canvas)
+    left, top, right, bottom = layout.field
+    draw.rectangle((left - 2, top - 2, right + 1, bottom + 1), outline=colors.OBSTACLE, width=2)
+    if layout.cell >= SMALLEST_GRID:
+        for x in range(left + layout.cell, right, layout.cell):
+            draw.line((x, top, x, bottom - 1), fill=colors.GRID)
+        for y in range(top + layout.cell, bottom, layout.cell):
+            draw.line((left, y, right - 1, y), fill=colors.GRID)
+    cells = np.frombuffer(obstacles, np.uint8).reshape(layout.rows, layout.cols) * np.uint8(255)
+    size = (right - left, bottom - top)
+    mask = Image.fromarray(cells).resize(size, Image.Resampling.NEAREST)
+    canvas.paste(colors.OBSTACLE, (left, top), mask)
+    return canvas
+
+
+class _Picture:
+    """A scene while it is being drawn."""
+
+    def __init__(self, scene: Scene, layout: Layout, numbers: bool) -> None:
+        self.scene = scene
+        self.layout = layout
+        self.numbers = numbers
+        self.badges: list[tuple[list[int], Point]] = []  # agents on one cell, and where to say so
+        self.canvas = _ground(scene.map.astype(bool).tobytes(), layout).copy()
+
+    def draw_view(self, viewer: int, reach: int) -> None:
+        """Draw the square that an agent sees."""
+        if not self.scene.alive[viewer]:
+            return
+        row, col = self.scene.positions[viewer].tolist()
+        colour = colors.TEAMS[viewer >= self.scene.n_pursuers]
+        left, top, right, bottom = self.layout.box(
+            row - reach, col - reach, row + reach, col + reach
+        )
+        tint = Image.new("L", (right - left, bottom - top), VIEW_LEVEL)
+        self.canvas.paste(colour, (left, top), tint)
+        ImageDraw.Draw(self.canvas).rectangle(
+            (left, top, right - 1, bottom - 1), outline=colour, width=self.layout.stroke
+        )
+
+    def draw_trails(self) -> None:
+        """Draw where each living agent came from: a line that fades with age."""
+        if self.scene.trail is None or len(self.scene.trail) == 0:
+            return
+        cells = np.concatenate([self.scene.trail, self.scene.positions[None]])
+        teams = slice(0, self.scene.n_pursuers), slice(self.scene.n_pursuers, None)
+        for team, colour, side in zip(teams, colors.TEAMS, (-1, 1), strict=True):
+            mask = Image.new("L", self.canvas.size, 0)
+            shift = side * TRAIL_SHIFT * self.layout.cell
+            alive = self.scene.alive[team]
+            _draw_lines(ImageDraw.Draw(mask), self.layout, cells[:, team], alive, shift)
+            self.canvas.paste(colour, (0, 0), mask)
+
+    def draw_marks(self) -> None:
+        """Draw captures as stars under the agents, and deaths by collision as crosses."""
+        for marks, name, colour, scale in (
+            (self.scene.captures, "burst", colors.CAPTURE, BURST_SCALE),
+            (self.scene.deaths, "cross", colors.COLLISION, CROSS_SCALE),
+        ):
+            size = max(7, round(self.layout.cell * scale))
+            for row, col, age in [] if marks is None else marks.tolist():
+                if age < MARK_STEPS:
+                    self._draw_mark(name, colour, self.layout.centre(row, col), size, age)
+
+    def _draw_mark(self, name: str, colour: str, at: Point, size: int, age: int) -> None:
+        opacity = 1 - age / MARK_STEPS
+        stamp(self.canvas, name, colour, at, size, opacity)
+        if colour == colors.CAPTURE:  # too light for white paper without an outline
+            stamp(self.canvas, "burst outline", colors.INK, at, size, opacity)
+
+    def draw_agents(self) -> None:
+        """Draw the living agents; two teams on one cell are smaller and side by side."""
+        size = self.layout.agent
+        for (row, col), contents in self.scene.occupied_cells().items():
+            x, y = self.layout.centre(row, col)
+            if contents.pursuers and contents.evaders:
+                shift, small = size * SHARED_SHIFT, max(3, round(size * SHARED_SCALE))
+                self._draw_evaders(contents, (x + shift, y - shift), small)
+                self._draw_pursuers(contents, (x - shift, y + shift), small)
+            elif contents.pursuers:
+                self._draw_pursuers(contents, (x, y), size)
+            else:
+                self._draw_evaders(contents, (x, y), size)
+        for agents, centre in self.badges:  # over the agents of all cells, which may be near
+            self._draw_badge(agents, centre)
+
+    def _draw_pursuers(self, contents: CellContents, centre: Point, size: int) -> None:
+        wide = round(size * TRIANGLE_SCALE)
+        stamp(self.canvas, "triangle", colors.PAPER, centre, wide + 4 * self.layout.halo)
+        stamp(self.canvas, "triangle", colors.PURSUER, centre, wide)
+        side = -1 if contents.evaders else 1  # evaders on the cell have their badge on the right
+        badge = (centre[0] + side * size * 0.5, centre[1] - side * size * 0.4)
+        inside = (centre[0], centre[1] + size * 0.16)  # where a triangle is wide
+        self._draw_label(contents.pursuers, inside, badge, round(size * 0.55), colors.PAPER)
+
+    def _draw_evaders(self, contents: CellContents, centre: Point, size: int) -> None:
+        """Draw a disc, which is hollow if all evaders on the cell are captured."""
+        shape = "thick ring" if contents.all_captured else "disc"
+        stamp(self.canvas, "disc", colors.PAPER, centre, size + 2 * self.layout.halo)
+        stamp(self.canvas, shape, colors.EVADER, centre, size)
+        badge = (centre[0] + size * 0.45, centre[1] - size * 0.4)
+        ink, scale = (colors.EVADER, 0.55) if contents.all_captured else (colors.PAPER, 0.65)
+        self._draw_label(contents.evaders, centre, badge, round(size * scale), ink)
+
+    def _draw_label(
+        self, agents: list[int], inside: Point, badge: Point, size: int, ink: str
+    ) -> None:
+        """Draw which agents, or how many of them, are on a cell."""
+        if len(agents) > 1:
+            self.badges.append((agents, badge))
+        elif self.numbers:
+            draw = ImageDraw.Draw(self.canvas)
+            text = str(agents[0])
+            draw.text(inside, text, fill=ink, font=font(size - 2 * (len(text) - 1)), anchor="mm")
+
+    def _draw_badge(self, agents: list[int], centre: Point) -> None:
+        """Draw the number of agents of one team on a cell, or the numbers that they carry."""
+        if self.layout.cell < SMALLEST_BADGE:
+            return
+        size = max(11, round(self.layout.cell * 0.42))
+        text = _badge_text(agents, self.numbers)
+        draw, letters = ImageDraw.Draw(self.canvas), font(size - 1)
+        width = max(size, draw.textlength(text, font=letters) + size * 0.4)
+        x = min(max(centre[0], width / 2 + 1), self.layout.width - width / 2 - 2)
+        for colour, border in ((colors.PAPER, 1), (colors.INK, 0)):
+            right, down = width / 2 + border, size / 2 + border
+            box = (x - right, centre[1] - down, x + right, centre[1] + down)
+            draw.rounded_rectangle(box, radius=down, fill=colour)
+        draw.text((x, centre[1]), text, fill=colors.PAPER, font=letters, anchor="mm")
+
+    def draw_collisions(self) -> None:
+        """Draw rings around agents: strong for agents at fault, faint for others involved."""
+        size = max(9, round(self.layout.cell * RING_SCALE))
+        for cells, opacity in zip(self.scene.collided(), (1.0, INVOLVED_OPACITY), strict=True):
+            for row, col in sorted(cells):
+                at = self.layout.centre(row, col)
+                stamp(self.canvas, "ring", colors.COLLISION, at, size, opacity)
+
+    def draw_header(self) -> None:
+        """Draw the title on the left, and the sizes of both teams on the right."""
+        layout = self.layout
+        draw, text = ImageDraw.Draw(self.canvas), font(layout.text)
+        middle, right = layout.header / 2 + 1, layout.width - layout.margin
+        pursuers, evaders = map(str, self.scene.team_sizes())
+        for shape, colour, count in (
+            ("disc", colors.EVADER, evaders),
+            ("triangle", colors.PURSUER, pursuers),
+        ):
+            draw.text((right, middle), count, fill=colors.INK, font=text, anchor="rm")
+            right -= round(draw.textlength(count, font=text)) + layout.text
+            stamp(self.canvas, shape, colour, (right + 1, middle), layout.text)
+            right -= round(layout.text * 1.1)
+        title = _shortened(self.scene.title, right - layout.margin, layout.text)
+        draw.text((layout.margin, middle), title, fill=colors.INK, font=text, anchor="lm")
+
+
+def _draw_lines(
+    draw: ImageDraw.ImageDraw,
+    layout: Layout,
+    cells: NDArray[np.integer],
+    alive: NDArray[np.bool_],
+    shift: float,
+) -> None:
+    """Draw one line per step, in pieces so that it fades evenly, newer lines over older ones."""
+    width = max(1, round(layout.cell * TRAIL_WIDTH))
+    pieces = max(2, layout.cell // 6)
+    steps = len(cells) - 1
+    for step, (start, end) in enumerate(pairwise(cells)):
+        # An agent that is gone has negative coordinates: no line leads from there.
+        moved = alive & (start != end).any(axis=1) & (start >= 0).all(axis=1)
+        freshness = (step + (np.arange(pieces) + 1) / pieces) / steps
+        strength = OLDEST_LEVEL + (1 - OLDEST_LEVEL) * freshness
+        levels = (TRAIL_LEVEL * strength).round().astype(int).tolist()
+        for a, b in zip(start[moved].tolist(), end[moved].tolist(), strict=True):
+            (x0, y0), (x1, y1) = layout.centre(*a), layout.centre(*b)
+            dx, dy = (x1 - x0) / pieces, (y1 - y0) / pieces
+            for piece, level in enumerate(levels):
+                x, y = x0 + piece * dx + shift, y0 + piece * dy + shift
+                draw.line((x, y, x + dx, y + dy), fill=level, width=width)
+
+
+def _badge_text(agents: list[int], numbers: bool) -> str:
+    if not numbers:
+        return str(len(agents)) if len(agents) < 10 else "+"
+    shown = [str(agent) for agent in agents[:NUMBERS_IN_BADGE]]
+    return " ".join(shown + ["+"] * (len(agents) > NUMBERS_IN_BADGE))
+
+
+def _shortened(title: str, room: int, size: int) -> str:
+    """Return the title, cut to a width in pixels."""
+    text = font(size)
+    if text.getlength(title) <= room:
+        return title
+    while title and text.getlength(title + "...") > room:
+        title = title[:-1]
+    return title.rstrip() + "..."

@@ -1,4 +1,4 @@
-"""Animated GIFs, written frame by frame."""
+"""Animated GIFs and MP4 films, written frame by frame."""
 
 from __future__ import annotations
 
@@ -12,8 +12,10 @@ from PIL import Image, ImageColor
 
 from matrixworld._util import colors
 from matrixworld._util.checks import check_real
+from matrixworld.version import install_hint
 
 Draw = Callable[[int], NDArray[np.uint8]]
+"""Takes a time and returns a frame, uint8 (height, width, 3); all have the same, even sides."""
 
 PALETTE_COLORS = 128  # pictures have few hues and their blends; fewer colours compress better
 TOO_CLOSE = 8  # levels; Pillow's coarse look-up could confuse a colour this near with one of ours
@@ -23,33 +25,23 @@ SLOWEST, FASTEST = 0.1, 50.0  # frames per second; most viewers slow down faster
 LONGEST_HOLD = 600.0  # seconds; the format has 16 bits for hundredths
 TRAILER = b";"  # the last byte of a GIF
 
+# A browser can start before it has the whole file.
+FORMAT = ("-f", "mp4", "-movflags", "+faststart")
+QUALITY = ("-crf", "16", "-tune", "animation")
+# Without these tags browsers guess the colour space from the height of the film.
+COLOURS = (
+    "-vf",
+    "scale=out_color_matrix=bt709:out_range=tv,"
+    "setparams=colorspace=bt709:color_primaries=bt709:color_trc=bt709",
+)
+
 
 def write_gif(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, hold: float) -> None:
-    """Write an endless animation.
+    """Write an endless animation with one frame for each time, and the last one `hold` s longer.
 
-    Parameters
-    ----------
-    file : binary file
-        Where the bytes go.
-    draw : callable
-        Takes a time and returns a frame, uint8 of shape (height, width, 3). All frames have the
-        same size and share a palette.
-    times : sequence of int
-        One frame is drawn for each.
-    fps : float
-        Frames per second, 0.1 to 50. Durations are rounded to hundredths of a second.
-    hold : float
-        Seconds for which the last frame is shown longer, 0 to 600.
-
-    Raises
-    ------
-    ValueError
-        If there are no times, or `fps` or `hold` is out of range.
-
-    Notes
-    -----
-    Pillow would keep all frames in memory to write such a file. Here it encodes one frame at a
-    time, each as a file of its own, whose header is cut off except for the first.
+    Durations are rounded to hundredths of a second. Pillow would keep all frames in memory to write
+    such a file. Here it encodes one frame at a time, each as a file of its own, whose header is cut
+    off except for the first.
     """
     check_timing(times, fps=fps, hold=hold)
     palette = _palette([draw(times[i]) for i in _spread(len(times))])
@@ -129,3 +121,34 @@ def _palette(pictures: list[NDArray[np.uint8]]) -> Image.Image:
     palette = Image.new("P", (1, 1))
     palette.putpalette(filled.ravel().tolist())
     return palette
+
+
+def write_mp4(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, hold: float) -> None:
+    """Write a film (H.264, yuv420p) as `write_gif` does, into an open file that has a name.
+
+    Raises ImportError without imageio-ffmpeg.
+    """
+    check_timing(times, fps=fps, hold=hold)
+    try:
+        import imageio_ffmpeg
+    except ImportError as error:
+        raise ImportError(f"MP4 needs the extra 'video': {install_hint('video')}") from error
+    last = draw(times[-1])
+    height, width, _ = last.shape
+    writer = imageio_ffmpeg.write_frames(
+        file.name,
+        (width, height),
+        fps=fps,
+        quality=None,
+        macro_block_size=2,  # the least that yuv420p needs; a larger one would rescale frames
+        ffmpeg_log_level="error",
+        output_params=[*FORMAT, *QUALITY, *COLOURS],
+    )
+    writer.send(None)
+    try:
+        for time in times:
+            writer.send(draw(time).tobytes())
+        for _ in range(round(hold * fps)):
+            writer.send(last.tobytes())
+    finally:
+        writer.close()
