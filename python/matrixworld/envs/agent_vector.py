@@ -12,8 +12,7 @@ from gymnasium.vector.utils import batch_space
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_choice, check_instance
-from matrixworld.envs.vector import VectorEnv
-from matrixworld.envs.vector_arrays import AGENT_KEYS
+from matrixworld.envs.vector import AGENT_KEYS, VectorEnv
 from matrixworld.episodes.render import rgb
 from matrixworld.world.arrays import integers
 
@@ -197,10 +196,10 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         """
         worlds = self.worlds
         worlds._play(self._all_actions(actions))
-        over = worlds.infos["terminated"] | worlds.infos["truncated"]
+        ended = worlds.infos["terminated"] | worlds.infos["truncated"]
         observations, infos = self._seen()
         rewards, truncations = self._flat(worlds.rewards), self._flat(worlds.truncations)
-        terminations = self._flat(worlds.terminations & over[:, None])
+        terminations = self._flat(worlds.terminations & ended[:, None])
         return observations, rewards, terminations, truncations, infos
 
     def _all_actions(self, given: ArrayLike) -> NDArray[Any]:

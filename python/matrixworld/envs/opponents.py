@@ -16,6 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
 from matrixworld.play import Callback, NetworkPolicy, Plays, ask, check_fits
+from matrixworld.world.arrays import integers
+from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, Population
 from matrixworld.world.world import World
@@ -40,32 +42,9 @@ _PURPOSE = 2**32
 class BuiltInTeam:
     """The team that an environment of W worlds plays itself.
 
-    Parameters
-    ----------
-    team : {"pursuer", "evader"}
-        The team.
-    opponents : Opponent or iterable of Opponent
-        What can play for it.
-    config : WorldConfig
-        The settings of the worlds.
-    n_worlds : int, optional
-        W. The default is 1.
-
-    Attributes
-    ----------
-    agents : range
-        Its agents.
-    learners : range
-        The agents of the other team.
-    chosen : ndarray of int64, shape (W,)
-        The place in `opponents` of each world's opponent, when its episode began.
-    playing : list
-        The opponent of each world's episode. Opponents that are set later do not change it.
-
-    Raises
-    ------
-    ValueError, TypeError
-        If an opponent is unknown or has a network for other worlds.
+    `agents` are its agents, `learners` those of the other team. `playing` is the opponent of each
+    world's episode; opponents that are set later do not change it. `chosen`, int64 (W,), is its
+    place in `opponents` when the episode began.
     """
 
     def __init__(
@@ -105,15 +84,7 @@ class BuiltInTeam:
     def begin(
         self, seed: ArrayLike, episode: ArrayLike, worlds: NDArray[np.bool_] | None = None
     ) -> None:
-        """Draw the opponents of episodes that begin.
-
-        Parameters
-        ----------
-        seed, episode : array_like of uint64, shape (W,)
-            The episodes.
-        worlds : ndarray of bool, shape (W,), optional
-            The worlds in which an episode begins. The default is all.
-        """
+        """Draw the opponents of episodes that begin in all worlds, or in those of a mask (W,)."""
         seeds, episodes = (np.atleast_1d(np.asarray(key, np.uint64)) for key in (seed, episode))
         begun = np.arange(len(seeds)) if worlds is None else np.flatnonzero(worlds)
         for world in begun:
@@ -122,17 +93,7 @@ class BuiltInTeam:
             self.playing[world] = self.opponents[place]
 
     def decide(self, world: World, agents: range, actions: NDArray[np.int64]) -> None:
-        """Write the actions of the team's agents among `agents` in the only world.
-
-        Parameters
-        ----------
-        world : World
-            The world.
-        agents : range
-            The agents that act.
-        actions : ndarray of int64, shape (A,)
-            Where to write.
-        """
+        """Write the actions (A,) of the team's agents among `agents` in the only world."""
         acting = range(max(agents.start, self.agents.start), min(agents.stop, self.agents.stop))
         [policy] = self.playing
         if not acting:
@@ -143,6 +104,85 @@ class BuiltInTeam:
         asked = np.zeros((1, len(actions)), np.bool_)
         asked[0, acting] = world.alive[acting]
         ask(policy, world.views()[None], asked, actions[None], self._config.n_actions)
+
+
+class BuiltInWorlds:
+    """A built-in team in all worlds of a batch, against an opponent for each.
+
+    The batch writes at least views, alive, seed, episode, terminated, truncated and ended. `waits`:
+    whether a world whose episode has ended waits for the next step or for a reset. `last`, int64
+    (W,), is the place in ``team.opponents`` of the opponent in each world's last ended episode.
+    """
+
+    def __init__(self, team: BuiltInTeam, batch: Batch, waits: bool) -> None:
+        self.team = team
+        self.last = np.zeros_like(team.chosen)
+        self._batch, self._waits = batch, waits
+        self._actions: NDArray[np.int64] = np.zeros(batch.buffers["alive"].shape, np.int64)
+        self._episodes = self._keys()
+        self._group_worlds()
+
+    def _keys(self) -> NDArray[np.uint64]:
+        """Return a copy of seed and episode of every world, (2, W)."""
+        return np.stack([self._batch.buffers["seed"], self._batch.buffers["episode"]])
+
+    def _draw(self, worlds: NDArray[np.bool_] | None) -> None:
+        """Draw the opponents of worlds whose episodes have begun."""
+        self._episodes = self._keys()
+        self.team.begin(self._episodes[0], self._episodes[1], worlds)
+        self._group_worlds()
+
+    def _group_worlds(self) -> None:
+        """List the policies that play, and the place in this list of each world's policy."""
+        # By identity: equality of functions of the user may be anything.
+        places: dict[int, int] = {}
+        playing = self.team.playing
+        numbers = [places.setdefault(id(policy), len(places)) for policy in playing]
+        self._chosen = np.array(numbers, np.int32)
+        self._policies: list[Plays] = list({id(policy): policy for policy in playing}.values())
+
+    def begin(self, worlds: ArrayLike | None, opponents: Opponents | None) -> None:
+        """Draw opponents after a reset, of all worlds or of those of a mask (W,)."""
+        if opponents is not None:
+            self.team.opponents = opponents
+        self._draw(None if worlds is None else np.asarray(worlds))
+
+    def actions(self, given: ArrayLike) -> NDArray[np.int64]:
+        """Return the actions of all agents, (W, A), with those of the caller's agents given.
+
+        Raises ValueError for another shape and TypeError if they are not integers.
+        """
+        chosen = integers("actions", given)
+        learners = self.team.learners
+        expected = (len(self._actions), len(learners))
+        if chosen.shape != expected:
+            raise ValueError(f"actions: expected shape {expected}, got {chosen.shape}")
+        self._actions[:, learners.start : learners.stop] = chosen
+        engine = [None if callable(policy) else policy for policy in self._policies]
+        self._batch.decide(engine, self._chosen, self.team.agents, self._actions)
+        for number, policy in enumerate(self._policies):
+            if callable(policy):
+                asked = self._acting() & (self._chosen == number)[:, None]
+                views = self._batch.buffers["views"]
+                ask(policy, views, asked, self._actions, self._batch.config.n_actions)
+        return self._actions
+
+    def _acting(self) -> NDArray[np.bool_]:
+        """Return which agents of the team act now, bool (W, A)."""
+        buffers = self._batch.buffers
+        acting = np.zeros_like(buffers["alive"])
+        acting[:, self.team.agents] = buffers["alive"][:, self.team.agents]
+        if self._waits:
+            acting[buffers["terminated"] | buffers["truncated"]] = False
+        return acting
+
+    def note_step(self) -> None:
+        """Draw opponents of the episodes that the batch began by itself; call it after a step."""
+        ended = self._batch.buffers["ended"]
+        self.last[ended] = self.team.chosen[ended]
+        begun = (self._keys() != self._episodes).any(axis=0)
+        if begun.any():
+            self._draw(begun)
 
 
 def _drawn(seed: int, episode: int, n: int) -> int:
@@ -157,22 +197,7 @@ def built_in_team(
     evaders: Opponents | None,
     n_worlds: int = 1,
 ) -> BuiltInTeam | None:
-    """Return the team that an environment plays itself; None if the caller plays both.
-
-    Parameters
-    ----------
-    config : WorldConfig
-        The settings of the worlds.
-    pursuers, evaders : Opponent or iterable of Opponent, optional
-        What plays for a team; None for the caller's team.
-    n_worlds : int, optional
-        Number of worlds. The default is 1.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As `BuiltInTeam` does, and if both teams are given.
-    """
+    """Return the team that an environment plays itself; None if the caller plays both."""
     if pursuers is not None and evaders is not None:
         raise ValueError(
             "pursuers, evaders: expected one team that the environment plays, got both; "

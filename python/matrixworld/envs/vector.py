@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, TypeVar, cast
 
 import numpy as np
 from gymnasium import spaces
@@ -17,27 +17,49 @@ from typing_extensions import Unpack
 
 from matrixworld._core import Autoreset
 from matrixworld._util.checks import check_bool, check_integer, check_keywords
-from matrixworld.envs.opponent_worlds import BuiltInWorlds
-from matrixworld.envs.opponents import Opponents, built_in_team, set_opponents
-from matrixworld.envs.vector_arrays import (
-    Results,
-    TeamView,
-    copied,
-    make_buffers,
-    make_infos,
-    of_agents,
-    view_dtype,
-)
+from matrixworld.envs.opponents import BuiltInWorlds, Opponents, built_in_team, set_opponents
 from matrixworld.episodes.render import rgb
 from matrixworld.play import Plays
-from matrixworld.world.arrays import action_masks, check_maskable
+from matrixworld.world.arrays import (
+    BATCH_FIELDS,
+    WORLD_FIELDS,
+    Specs,
+    action_masks,
+    array_specs,
+    check_maskable,
+    episode_specs,
+    new_arrays,
+)
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig, WorldSettings
-from matrixworld.world.rules import Rules
+from matrixworld.world.rules import COLLISION_KINDS, Rules
 from matrixworld.world.world import World
 
 OPTIONS = ("reset_mask", "episode", "pursuers", "evaders", "obstacles")
 """Keys that ``options`` of a reset may have; ``opponents``, too, with a built-in team."""
+
+
+Results = TypeVar("Results", bound="tuple[Any, ...]")
+"""What `reset` or `step` of a vector environment returns."""
+
+EPISODE_KEYS = {
+    name.removeprefix("episode_"): name for name in BATCH_FIELDS if name.startswith("episode_")
+}
+"""The keys of ``infos["episode"]``, and the arrays of `episode_specs` that they are."""
+
+AGENT_KEYS = (
+    *(name for name, field in WORLD_FIELDS.items() if field.axes[:1] == ("agents",)),
+    *("acted", "final_obs", "action_mask", *(f"cost_{kind}" for kind in COLLISION_KINDS)),
+)
+"""The keys of infos whose arrays have an axis of agents after that of worlds."""
+
+# Arrays that infos leave out: `reset` and `step` return them, or infos have them in another form.
+_NOT_IN_INFOS = {
+    *("rewards", "terminations", "truncations", "views", "last_positions"),
+    *("ended", "final_views", *EPISODE_KEYS.values()),
+}
+# Gymnasium has its own meaning for ``infos["episode"]``.
+_RENAMED = {"steps": "step", "episode": "episode_number"}
 
 
 class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
@@ -186,7 +208,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         if mode is not AutoresetMode.SAME_STEP:
             # In the other modes the observations stay those of the episode's end for one step.
             left_out.add("final_views")
-        kept = make_buffers(self.config, self.num_envs, view_dtype(dtype), left_out)
+        kept = _make_buffers(self.config, self.num_envs, _view_dtype(dtype), left_out)
         self._batch = Batch(
             self.num_envs,
             self.config,
@@ -196,7 +218,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         )
         waits = mode is not AutoresetMode.SAME_STEP
         self._built_in = None if team is None else BuiltInWorlds(team, self._batch, waits)
-        mine = of_agents(kept, self.agents)
+        mine = _of_agents(kept, self.agents)
         self._views = mine["views"]
         # `reshape` that joins the last axes makes a view, so the batch writes into observations.
         seen = (*self._views.shape[:2], -1) if check_bool("flatten", flatten) else self._views.shape
@@ -204,7 +226,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         self.rewards: NDArray[np.float32] = mine["rewards"]
         self.terminations: NDArray[np.bool_] = mine["terminations"]
         self.truncations: NDArray[np.bool_] = mine["truncations"]
-        self.infos: dict[str, Any] = make_infos(mine, self.observations)
+        self.infos: dict[str, Any] = _make_infos(mine, self.observations)
         if self._built_in is not None:
             self.infos["opponent"] = self._built_in.team.chosen
             self.infos["episode"]["opponent"] = self._built_in.last
@@ -363,7 +385,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
             self.infos["action_mask"][:] = action_masks(self._views, self.config.n_actions)
 
     def _returned(self, results: Results) -> Results:
-        return copied(results) if self.copy else results
+        return _copied(results) if self.copy else results
 
     def _require_open(self, call: str) -> None:
         if self.closed:
@@ -379,6 +401,100 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         if self.render_mode is None:
             return None
         return tuple(rgb(self.world(number).scene()) for number in range(self.n_worlds))
+
+
+class TeamView:
+    """One team's part of a `VectorEnv`'s arrays, without copies, for n agents.
+
+    ``observations``, ``actions``, ``rewards``, ``terminations`` and ``truncations`` are parts of
+    the environment's attributes, ``alive``, ``acted``, ``cost``, ``positions``, ``involved`` and
+    ``fault`` of its infos: shapes begin with (W, n). The spaces are those of one agent.
+
+    Every step overwrites these arrays, also with ``copy=True``: copy what you keep.
+    """
+
+    def __init__(self, env: VectorEnv, agents: slice) -> None:
+        self.agents: slice = agents
+        self.observations: NDArray[Any] = env.observations[:, agents]
+        self.actions: NDArray[np.int64] = env.actions[:, agents]
+        self.rewards: NDArray[np.float32] = env.rewards[:, agents]
+        self.terminations: NDArray[np.bool_] = env.terminations[:, agents]
+        self.truncations: NDArray[np.bool_] = env.truncations[:, agents]
+        self.alive: NDArray[np.bool_] = env.infos["alive"][:, agents]
+        self.acted: NDArray[np.bool_] = env.infos["acted"][:, agents]
+        self.cost: NDArray[np.float32] = env.infos["cost"][:, agents]
+        self.positions: NDArray[np.int32] = env.infos["positions"][:, agents]
+        self.involved: NDArray[np.bool_] = env.infos["involved"][:, agents]
+        self.fault: NDArray[np.bool_] = env.infos["fault"][:, agents]
+        shape, dtype = self.observations.shape[2:], self.observations.dtype
+        self.observation_space: spaces.Box = spaces.Box(0, 1, shape, dtype.type)
+        self.action_space: spaces.Discrete = spaces.Discrete(env.config.n_actions)
+
+    @property
+    def size(self) -> int:
+        """The number of agents, n."""
+        return int(self.actions.shape[1])
+
+
+def _view_dtype(dtype: DTypeLike) -> np.dtype[Any]:
+    """Return the dtype of views; raise ValueError unless it is uint8 or float32."""
+    chosen = np.dtype(dtype)
+    if chosen not in (np.uint8, np.float32):
+        raise ValueError(f"dtype: expected uint8 or float32, got {chosen}")
+    return chosen
+
+
+def _make_buffers(
+    config: WorldConfig, n_worlds: int, views: np.dtype[Any], left_out: set[str]
+) -> dict[str, NDArray[Any]]:
+    """Return an array of zeros for each output of a batch that is not left out."""
+    specs = array_specs(config) | episode_specs(config)
+    chosen: Specs = {
+        name: (shape, views if name.endswith("views") else dtype)
+        for name, (shape, dtype) in specs.items()
+        if name not in left_out
+    }
+    return new_arrays(chosen, n_worlds)
+
+
+def _of_agents(buffers: dict[str, NDArray[Any]], agents: range) -> dict[str, NDArray[Any]]:
+    """Return the same arrays with some agents only, without copies."""
+    fields = WORLD_FIELDS | BATCH_FIELDS
+    return {
+        name: array[:, agents.start : agents.stop]
+        if fields[name].axes[:1] == ("agents",)
+        else array
+        for name, array in buffers.items()
+    }
+
+
+def _make_infos(buffers: dict[str, NDArray[Any]], observations: NDArray[Any]) -> dict[str, Any]:
+    """Return the infos of a vector environment: its buffers under the names of `VectorEnv`."""
+    infos: dict[str, Any] = {
+        _RENAMED.get(name, name): array
+        for name, array in buffers.items()
+        if name not in _NOT_IN_INFOS
+    }
+    infos |= {f"cost_{kind}": buffers["fault"][..., k] for k, kind in enumerate(COLLISION_KINDS)}
+    # Without an array of its own, the end of an episode is what the observations show then.
+    final = buffers.get("final_views")
+    infos["final_obs"] = observations if final is None else final.reshape(observations.shape)
+    infos["episode"] = {key: buffers[name] for key, name in EPISODE_KEYS.items()}
+    return infos | dict.fromkeys(("_final_obs", "_episode"), buffers["ended"])
+
+
+def _copied(results: Results) -> Results:
+    """Return copies of arrays and infos; what was one array in two places is one copy in both."""
+    copies: dict[int, Any] = {}
+
+    def copy_of(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: copy_of(each) for key, each in value.items()}
+        if id(value) not in copies:
+            copies[id(value)] = value.copy()
+        return copies[id(value)]
+
+    return cast("Results", tuple(map(copy_of, results)))
 
 
 def _mode(given: AutoresetMode | str) -> AutoresetMode:
