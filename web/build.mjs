@@ -24,7 +24,7 @@ function files(path) {
   return readdirSync(path).flatMap((name) => files(join(path, name)));
 }
 
-/** Return the digest of paths and contents of the sources; `explorer/built.py` computes the same. */
+/** Return the digest of paths and contents of the sources; tests/explorer/test_page.py computes the same. */
 function digest() {
   const hash = createHash("sha256");
   const paths = SOURCES.flatMap((source) => files(join(HERE, source)));

@@ -51,7 +51,6 @@ def tables() -> dict[str, Any]:
         "CONFLICT_SENTENCE": conflicts.SENTENCE,
         "SCRIPTS": scripts(),
         "MAP_CHARACTERS": {"free": maps.FREE, "blocked": maps.BLOCKED},
-        "VARIANTS": {name: mw.WorldConfig(name).to_json() for name in mw.VARIANTS},
     }
 
 
@@ -61,7 +60,6 @@ COMMENTS = {
     "KINDS": "The texts of conflicts: templates that Python fills, too.",
     "SCRIPTS": "What each script does.",
     "MAP_CHARACTERS": "Characters of passable and of impassable cells in a map.",
-    "VARIANTS": "The settings of each variant, with the default sizes.",
 }
 
 
@@ -73,20 +71,11 @@ def literal(table: Any) -> str:
 
 def text() -> str:
     """Return the file."""
-    lines = [
-        "// Written by web/write_tables.py from the Python package; do not edit.",
-        "",
-        'import type { WorldConfig } from "./types.ts";',
-    ]
+    lines = ["// Written by web/write_tables.py from the Python package; do not edit."]
     for name, table in tables().items():
         if name in COMMENTS:
             lines += ["", f"/** {COMMENTS[name]} */"]
-        if name == "VARIANTS":
-            lines += ["export const VARIANTS: Readonly<Record<string, WorldConfig>> = {"]
-            lines += [f"  {key}: {json.dumps(value)}," for key, value in table.items()]
-            lines += ["};"]
-        else:
-            lines += [f"export const {name} = {literal(table)} as const;"]
+        lines += [f"export const {name} = {literal(table)} as const;"]
     return "\n".join(lines) + "\n"
 
 

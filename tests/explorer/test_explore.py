@@ -26,7 +26,9 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_a_notebook_shows_the_page_in_a_frame(run: Path, tmp_path: Path) -> None:
     page = explore(run, file=tmp_path / "page.html")
     assert page.path == tmp_path / "page.html"
-    found = re.fullmatch(r'<iframe srcdoc="([^"]*)".*</iframe>', page._repr_html_())
+    found = re.fullmatch(
+        r'<iframe srcdoc="([^"]*)".*</iframe>', page._repr_mimebundle_()["text/html"]
+    )
     assert found
     assert html.unescape(found[1]) == page.path.read_text(encoding="utf-8")
 

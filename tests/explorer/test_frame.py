@@ -37,7 +37,7 @@ def test_the_picture_of_a_playground_is_the_scene_of_its_world() -> None:
     playground = Playground(world)
     world.step([mw.Action.SOUTH] * 3)
     bundle = playground._repr_mimebundle_()
-    assert bundle["text/html"] == playground._repr_html_()
+    assert "<iframe srcdoc=" in bundle["text/html"]
     drawn = picture(bundle)
     cell = fitting_cell((3, 5), PIXELS, SMALLEST_NUMBERED)
     assert np.array_equal(drawn, rgb(before, cell=cell, numbers=True))
@@ -69,7 +69,6 @@ def test_the_picture_of_an_explorer_is_a_match_of_the_run(tmp_path: Path) -> Non
     start(tiny_race(), tmp_path / "run", threads=1).run()
     page = explore(tmp_path / "run")
     bundle = page._repr_mimebundle_()
-    assert bundle["text/html"] == page._repr_html_()
     height, width, _ = picture(bundle).shape
     assert width > 2 * height
     assert Explorer(page.path)._repr_mimebundle_().keys() == {"text/html"}

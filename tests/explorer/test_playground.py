@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from browser import DESKTOP, LAPTOP, PHONE, Browser
-from matrixworld.explorer.gallery import GALLERY
+from matrixworld.explorer.scenes import GALLERY
 from playground_page import PlaygroundPage
 
 SCENE = "rules=SB&size=3x5&pursuers=0.0_0.2&evaders=2.4&next=240"

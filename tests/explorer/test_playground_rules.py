@@ -11,8 +11,7 @@ import pytest
 import matrixworld as mw
 from browser import Browser
 from drawing import Case, actions_of, begin
-from matrixworld.explorer.gallery import GALLERY, Example, drawn_world
-from matrixworld.explorer.links import scene_link
+from matrixworld.explorer.scenes import GALLERY, Example, drawn_world, scene_link
 from playground_page import PlaygroundPage, decided, state_of
 
 CONTRACT = Path(__file__).parents[1] / "contract"

@@ -12,8 +12,7 @@ import pytest
 from matrixworld import analysis
 from matrixworld.coevolution import TEAMS, SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.explorer.archives import archives_of, kept_generations
-from matrixworld.explorer.run_data import run_data, training_curve
+from matrixworld.explorer.run_data import archives_of, kept_generations, run_data, training_curve
 from matrixworld.world.config import WorldConfig
 from tiny_race import tiny_race, tiny_single
 

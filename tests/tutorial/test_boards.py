@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from matrixworld import Action, World
-from matrixworld.explorer.gallery import drawn_world
+from matrixworld.explorer.scenes import drawn_world
 from matrixworld.tutorial.boards import (
     Picture,
     actions_to,

@@ -10,7 +10,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import Action
-from matrixworld.explorer.gallery import drawn_world
+from matrixworld.explorer.scenes import drawn_world
 from matrixworld.tutorial import check, hint
 from matrixworld.tutorial.boards import pack, random_pack
 from matrixworld.tutorial.chapter_1 import BUMPER_CARS, MAZE, SHORTEST, true_conflicts

@@ -12,7 +12,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import Action
-from matrixworld.explorer.gallery import drawn_world
+from matrixworld.explorer.scenes import drawn_world
 from matrixworld.tutorial import check
 from matrixworld.tutorial.boards import random_pack
 from matrixworld.tutorial.chapter_2 import JAM, JAM_ACTIONS, MARKET, true_cells

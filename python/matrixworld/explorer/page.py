@@ -2,23 +2,31 @@
 
 The page loads nothing: its content security policy allows the two scripts (the engine and the
 page's own) and the style sheet that it holds, named by their digests, and nothing from elsewhere.
+Scripts and style sheets are built from the directory ``web/`` of the repository; ``npm ci && npm
+run build`` there writes them anew.
 """
 
 from __future__ import annotations
 
 import base64
 import hashlib
+import html
 import os
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from matrixworld._util.files import replacing
-from matrixworld.explorer.built import ENGINE, KINDS, built_text
 from matrixworld.version import __version__
 
 if TYPE_CHECKING:
     from jinja2 import Environment
     from markupsafe import Markup
+
+BUILT = Path(__file__).parent / "built"
+KINDS = ("js", "css")
+ENGINE = "engine"
+"""Name of the script that holds the engine as WebAssembly, which all pages share."""
 
 # Markup that would end or change an element; the bundler writes none of it.
 _ENDS = {"js": ("</script", "<!--", "<script"), "css": ("</style",)}
@@ -35,30 +43,11 @@ def render_page(
     *,
     opens: Sequence[str] = (),
 ) -> str:
-    """Return a page as HTML.
+    """Return a page ("explorer", "playground" or "class") as HTML.
 
-    Parameters
-    ----------
-    page : {"explorer", "playground", "class"}
-        Name of its built files and of its template.
-    title : str
-        Title of the page; any text.
-    data : mapping
-        Plain values that JSON can hold, which the script reads.
-    blobs : mapping of str to bytes, optional
-        Large data by identifier, apart from the JSON so that the script decodes what it needs.
-    opens : sequence of str, optional
-        Names of pages that this one makes and opens: they are under its policy, too.
-
-    Returns
-    -------
-    str
-        The page.
-
-    Raises
-    ------
-    ValueError
-        If a number is not finite, or a built file holds markup that would end it.
+    The page's script reads `data`, plain values that JSON can hold, and decodes of `blobs`, large
+    data by identifier, what it needs. Pages that it makes and opens are under its policy, too: they
+    are named in `opens`. ValueError if a number is not finite.
     """
     scripts = {name: _inline(name, "js") for name in (ENGINE, page)}
     style = _inline(page, "css")
@@ -80,10 +69,10 @@ def render_page(
     )
 
 
-def write_page(path: str | os.PathLike[str], html: str) -> None:
+def write_page(path: str | os.PathLike[str], page: str) -> None:
     """Write a page, complete or not at all."""
     with replacing(path) as file:
-        file.write(html.encode())
+        file.write(page.encode())
 
 
 def _environment() -> Environment:
@@ -107,7 +96,7 @@ def _inline(page: str, kind: str) -> Markup:
     from markupsafe import Markup
 
     # The first line names the sources of all pages: a page changes only with its own.
-    text = built_text(page, kind).partition("\n")[2]
+    text = (BUILT / f"{page}.{kind}").read_text(encoding="utf-8").partition("\n")[2]
     found = [markup for markup in _ENDS[kind] if markup in text.lower()]
     if found:
         raise ValueError(f"built file: expected no {found[0]!r}, which would end its element")
@@ -137,3 +126,20 @@ def _policy(scripts: Sequence[str], styles: Sequence[str]) -> str:
 def _digests(texts: Sequence[str]) -> str:
     digests = [base64.b64encode(hashlib.sha256(text.encode()).digest()) for text in texts]
     return " ".join(f"'sha256-{digest.decode()}'" for digest in digests)
+
+
+def mime_bundle(page: str, title: str, picture: bytes) -> dict[str, str]:
+    """Return a page as a notebook keeps it: in a frame, and as a picture, a PNG file or nothing.
+
+    Notebooks show the frame. Where scripts do not run, such as on a page of exported notebooks, the
+    picture is shown if the frame is removed from the output.
+    """
+    # The page travels inside the frame: notebooks do not serve files from elsewhere.
+    bundle = {
+        "text/html": f'<iframe srcdoc="{html.escape(page, quote=True)}" '
+        'style="width: 100%; height: 860px; border: 0" '
+        f'title="{html.escape(title, quote=True)}"></iframe>'
+    }
+    if picture:
+        bundle["image/png"] = base64.b64encode(picture).decode("ascii")
+    return bundle

@@ -22,10 +22,8 @@ from typing import Any
 from matrixworld.envs.variant_texts import VARIANT_TEXTS
 from matrixworld.episodes.render import png
 from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, fitting_cell
-from matrixworld.explorer.frame import frame, mime_bundle
-from matrixworld.explorer.gallery import GALLERY, drawn_world
-from matrixworld.explorer.links import Command, scene_link
-from matrixworld.explorer.page import render_page, write_page
+from matrixworld.explorer.page import mime_bundle, render_page, write_page
+from matrixworld.explorer.scenes import GALLERY, Command, drawn_world, scene_link
 from matrixworld.world.policy import SCRIPTS
 from matrixworld.world.rules import (
     CAPTURE_TEXTS,
@@ -98,7 +96,7 @@ class Playground:
     Attributes
     ----------
     scene : str
-        The scene as it stands in a link; see `matrixworld.explorer.links`.
+        The scene as it stands in a link; see `matrixworld.explorer.scenes`.
     picture : bytes
         The scene as a PNG file: what a notebook shows where it shows no frame.
 
@@ -167,10 +165,6 @@ class Playground:
     def __repr__(self) -> str:
         return f"<Playground: {self.scene or 'the first example'}>"
 
-    def _repr_html_(self) -> str:
-        """Return a frame that shows the page, for notebooks."""
-        return frame(self.html(), "playground")
-
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """Return the frame, and the picture for places that show no frame."""
         return mime_bundle(self.html(), "playground", self.picture)
@@ -212,8 +206,6 @@ def _field(name: str) -> dict[str, Any]:
 def _documented() -> dict[str, str]:
     """Return the texts of the fields in the docstring of `Rules`."""
     texts: dict[str, str] = {}
-    for names, text in re.findall(
-        r"^([\w, ]+) : .*\n((?: {4}.+\n)+)", cleandoc(Rules.__doc__ or ""), re.M
-    ):
+    for names, text in DOCUMENTED.findall(cleandoc(Rules.__doc__ or "")):
         texts |= dict.fromkeys(names.split(", "), " ".join(text.split()))
     return texts

@@ -1,16 +1,23 @@
-"""A run as plain values for a page: settings, training, results and findings."""
+"""A run as plain values for a page: settings, training, results, findings, and its teams.
+
+Numbers and verdicts come from `matrixworld.analysis`, from the same functions that the command line
+and the figures use; the page computes none of its own.
+"""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from matrixworld import analysis
+from matrixworld.analysis.evidence import FEWEST_EPISODES
 from matrixworld.analysis.plain_values import plain_values
+from matrixworld.analysis.summary import MARGIN
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -18,9 +25,8 @@ from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.settings.training import settings_to_json
 from matrixworld.coevolution.storage.saved_run import SavedRun
-from matrixworld.coevolution.types import TEAMS
-from matrixworld.explorer.archives import generations_of
-from matrixworld.explorer.findings import findings, too_few_episodes
+from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.world.policy import Network, Population, TeamPolicy
 
 Settings = RaceSettings | SingleSettings
 
@@ -31,21 +37,10 @@ WINDOWS, LONGEST = 4, 100
 
 
 def run_data(name: str, run: SavedRun, held_out: Mapping[str, Any] | None = None) -> dict[str, Any]:
-    """Return what a page shows of a finished run.
+    """Return what a page shows of a finished run, without its teams.
 
-    Parameters
-    ----------
-    name : str
-        Name of the run on the page.
-    run : SavedRun
-        The run.
-    held_out : mapping, optional
-        ``HeldOutScores.to_json()`` of the last ``"pursuers"`` and of the last ``"evaders"``.
-
-    Returns
-    -------
-    dict
-        Plain values that JSON can hold, without the genomes.
+    `held_out` has ``HeldOutScores.to_json()`` of the last ``"pursuers"`` and of the last
+    ``"evaders"``.
     """
     settings, payoff = run.settings, run.payoff()
     shape = tuple(generations_of(run.teams[team]) for team in TEAMS)
@@ -72,20 +67,10 @@ def run_data(name: str, run: SavedRun, held_out: Mapping[str, Any] | None = None
 
 
 def plain_payoff(payoff: Payoff, shape: tuple[int, ...]) -> dict[str, Any]:
-    """Return the results of all cells, placed in a matrix of all generations.
+    """Return the results of all cells, placed in a matrix of all generations of the archives.
 
-    Parameters
-    ----------
-    payoff : Payoff
-        Results; those of a single team are of its last generation.
-    shape : tuple of int
-        Pursuer and evader generations of the archives.
-
-    Returns
-    -------
-    dict
-        ``first``, the generations of the first cell that was played; its shape; and lists of rows:
-        capture rate, and episode by episode capture rates and lengths.
+    ``first`` are the generations of the first cell that was played: the results of a single team
+    are of its last generation.
     """
     first = [count - played for count, played in zip(shape, payoff.capture_rate.shape, strict=True)]
     return {
@@ -103,20 +88,10 @@ def plain_payoff(payoff: Payoff, shape: tuple[int, ...]) -> dict[str, Any]:
 
 
 def training_curve(log: Mapping[str, NDArray[Any]], settings: Settings) -> dict[str, Any]:
-    """Return the capture rate over training.
+    """Return the capture rate over training, in lists of equal lengths.
 
-    Parameters
-    ----------
-    log : mapping of str to ndarray
-        Columns of the log.
-    settings : RaceSettings or SingleSettings
-        Settings of the run.
-
-    Returns
-    -------
-    dict
-        Lists of equal lengths: ``capture_rate``, ``generation`` and ``learner`` (0 the pursuers, 1
-        the evaders, 2 both); ``epochs`` of a point, and ``window``, the points of a moving average.
+    The learner is 0 for the pursuers, 1 for the evaders and 2 for both. A point is the mean of so
+    many ``epochs``; ``window`` has the points of a moving average.
     """
     learner = (log["team"] == "evader").astype(int)
     both = isinstance(settings, RaceSettings) and settings.schedule == HALL_OF_FAME
@@ -167,3 +142,183 @@ def _shown(value: Any) -> str:
     if value is None:
         return "default"
     return json.dumps(value)
+
+
+# ---- What the analysis says ----------------------------------------------------------------------
+
+BOARDS = 12
+"""The most checkerboards on a page: the strongest ones."""
+
+
+def findings(payoff: Payoff) -> dict[str, Any]:
+    """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
+    matrix, rates = payoff.capture_rate, payoff.capture_rates
+    judgement = analysis.judge(rates, per_episode=True)
+    summary = analysis.summarize(matrix)
+    return {
+        "headline": analysis.headline(judgement),
+        "window": judgement.window,
+        "table": [list(row) for row in analysis.judgement_table(judgement)],
+        "reasons": analysis.explain(judgement).splitlines(),
+        "description": analysis.describe(summary).splitlines(),
+        "noise": _noise(payoff, summary.last_half),
+        "generalization": _generalization(payoff),
+        "lags": plain_values(analysis.lag_profile(matrix)),
+        "ciao": _ciao(payoff),
+        "ratings": _ratings(payoff),
+        "checkerboards": plain_values(
+            analysis.strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
+        ),
+        "margin": MARGIN,
+    }
+
+
+def _noise(payoff: Payoff, late: analysis.PartSummary) -> dict[str, Any]:
+    """Return transitive share and checkerboards of the last half, and what noise alone gives."""
+    rates = payoff.capture_rates[late.first_pursuers :, late.first_evaders :]
+    # A single episode of each cell does not show its noise.
+    noise = analysis.noise_reference(rates, margin=MARGIN) if rates.shape[2] >= 2 else None
+    return {
+        "transitive_share": late.transitive_share,
+        "transitive_share_noise": noise and plain_values(noise.transitive_share),
+        "checkerboard_share": late.checkerboard_share,
+        "checkerboard_share_noise": noise and plain_values(noise.checkerboards),
+    }
+
+
+def _generalization(payoff: Payoff) -> dict[str, Any]:
+    """Return the mean score of each generation, with intervals where episodes allow them."""
+    means = analysis.generalization(payoff.capture_rate)
+    curves: dict[str, Any] = {
+        team: {"mean": plain_values(getattr(means, team)), "low": None, "high": None}
+        for team in ("pursuers", "evaders")
+    }
+    if payoff.capture_rates.shape[2] >= 2:
+        bands = analysis.generalization_over_episodes(payoff.capture_rates)
+        for team, band in zip(curves, bands, strict=True):
+            curves[team] |= {"low": plain_values(band.low), "high": plain_values(band.high)}
+    return curves
+
+
+def _ciao(payoff: Payoff) -> dict[str, Any]:
+    # The triangles are the two halves of the payoff, which the page has.
+    both = analysis.ciao(payoff.capture_rate)
+    return {
+        team: {
+            "by_age": plain_values(triangle.by_age),
+            "fading": plain_values(triangle.fading),
+            "stripes": triangle.stripes,
+            "period": triangle.period,
+        }
+        for team, triangle in both._asdict().items()
+    }
+
+
+def _ratings(payoff: Payoff) -> dict[str, Any]:
+    ratings = analysis.elo(payoff.capture_rate)
+    return {
+        "pursuers": plain_values(ratings.pursuers * analysis.ELO_POINTS),
+        "evaders": plain_values(ratings.evaders * analysis.ELO_POINTS),
+        "offset": ratings.offset * analysis.ELO_POINTS,
+    }
+
+
+def too_few_episodes(payoff: Payoff) -> str:
+    """Return what a small number of episodes means for the judgement; empty if they are enough."""
+    episodes = payoff.capture_rates.shape[2]
+    if episodes >= FEWEST_EPISODES:
+        return ""
+    return (
+        f"Each cell has {episodes} episode{'' if episodes == 1 else 's'}; it takes at least "
+        f"{FEWEST_EPISODES} to tell all conditions from noise."
+    )
+
+
+# ---- Teams ---------------------------------------------------------------------------------------
+
+MOST_BYTES = 48 * 2**20
+"""Genomes of a page, in bytes; base64 adds a third. A default race has 2.9 MB."""
+
+
+class Archives(NamedTuple):
+    """The teams of the runs of a page, as plain values that name their genomes in the blobs.
+
+    A blob holds float32 in little-endian order, generation after generation. Every `step`
+    generations have a genome on the page.
+    """
+
+    teams: tuple[dict[Team, dict[str, Any]], ...]
+    blobs: dict[str, bytes]
+    step: int
+
+
+def archives_of(runs: Sequence[SavedRun], most: int = MOST_BYTES) -> Archives:
+    """Return the teams of runs, with the genomes of as many generations as fit into so many bytes.
+
+    The first and the last generation of each team are always there.
+    """
+    step = 1
+    # The step is the same for all runs, so that linked generations exist everywhere.
+    while _size(runs, step) > most and step < _longest(runs):
+        step += 1
+    blobs: dict[str, bytes] = {}
+    teams = tuple(
+        {team: _plain_team(run.teams[team], f"genomes-{n}-{team}", step, blobs) for team in TEAMS}
+        for n, run in enumerate(runs)
+    )
+    return Archives(teams, blobs, step)
+
+
+def kept_generations(count: int, step: int) -> list[int]:
+    """Return every generation by a step, and the last one."""
+    return sorted({*range(0, count, step), count - 1})
+
+
+def _size(runs: Sequence[SavedRun], step: int) -> int:
+    return sum(
+        len(kept_generations(len(team.genomes), step)) * team.genomes[0].nbytes
+        for team in _learned(runs)
+    )
+
+
+def _longest(runs: Sequence[SavedRun]) -> int:
+    return max(len(team.genomes) for team in _learned(runs))
+
+
+def _learned(runs: Sequence[SavedRun]) -> list[Population]:
+    """Return the archives of all runs; teams that are scripts have none."""
+    return [team for run in runs for team in run.teams.values() if isinstance(team, Population)]
+
+
+def generations_of(team: TeamPolicy) -> int:
+    """Return the number of generations in an archive; 1 for a script."""
+    return 1 if isinstance(team, str) else len(team.genomes)
+
+
+def _plain_team(
+    team: TeamPolicy, identifier: str, step: int, blobs: dict[str, bytes]
+) -> dict[str, Any]:
+    """Return a team as plain values, and add its genomes to the blobs."""
+    if isinstance(team, str):
+        return {"script": team, "network": None, "generations": 1, "kept": [0], "genomes": ""}
+    kept = kept_generations(len(team.genomes), step)
+    blobs[identifier] = np.ascontiguousarray(team.genomes[kept], dtype="<f4").tobytes()
+    return {
+        "script": None,
+        "network": plain_network(team.network),
+        "generations": len(team.genomes),
+        "kept": kept,
+        "genomes": identifier,
+    }
+
+
+def plain_network(network: Network) -> dict[str, Any]:
+    """Return the shape of a network as plain values."""
+    return {
+        "hidden": list(network.hidden),
+        "activation": network.activation,
+        "fov": network.fov,
+        "n_actions": network.n_actions,
+        "sampled": network.sampled,
+        "genome_size": network.genome_size,
+    }

@@ -15,11 +15,9 @@ from typing import Any
 
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
 from matrixworld.episodes import replay
-from matrixworld.explorer.archives import archives_of
-from matrixworld.explorer.frame import frame, mime_bundle
-from matrixworld.explorer.page import render_page, without_engine, write_page
+from matrixworld.explorer.page import mime_bundle, render_page, without_engine, write_page
 from matrixworld.explorer.playground import Playground, page_data
-from matrixworld.explorer.run_data import run_data
+from matrixworld.explorer.run_data import archives_of, run_data
 from matrixworld.version import __version__
 
 PAGE = "explorer.html"
@@ -48,10 +46,6 @@ class Explorer:
 
     def __repr__(self) -> str:
         return f"<Explorer: {self.path}>"
-
-    def _repr_html_(self) -> str:
-        """Return a frame that shows the page, for notebooks."""
-        return frame(self.path.read_text(encoding="utf-8"), self.path.name)
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """Return the frame, and the picture for places that show no frame."""

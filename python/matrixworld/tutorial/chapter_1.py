@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from matrixworld.explorer.gallery import drawn_world
+from matrixworld.explorer.scenes import drawn_world
 from matrixworld.tutorial.boards import Cell, actions_to, pack, random_pack
 from matrixworld.tutorial.checks import FormError, Kind, actions, function, value
 from matrixworld.tutorial.course import Exercise, Prediction

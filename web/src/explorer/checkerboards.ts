@@ -11,8 +11,8 @@ import { viridisText } from "./colormap.ts";
 import { isKept } from "./data.ts";
 import type { Checkerboard, Run } from "./data.ts";
 import { rate } from "./format.ts";
-import { card } from "./panels.ts";
-import type { Panel } from "./panels.ts";
+import { card } from "./panel.ts";
+import type { Panel } from "./panel.ts";
 import { playedMatch } from "./play.ts";
 import type { Store } from "./store.ts";
 

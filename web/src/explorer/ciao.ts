@@ -4,8 +4,8 @@ import { html, svg } from "../page/dom.ts";
 import { viridis } from "./colormap.ts";
 import type { Run, Team } from "./data.ts";
 import { rate } from "./format.ts";
-import { card } from "./panels.ts";
-import type { Panel } from "./panels.ts";
+import { card } from "./panel.ts";
+import type { Panel } from "./panel.ts";
 import type { Store } from "./store.ts";
 
 const OTHER: Readonly<Record<Team, Team>> = { pursuer: "evader", evader: "pursuer" };

@@ -3,8 +3,8 @@
 import { chart, frame, legend, line, mark } from "./chart.ts";
 import type { Run, Team } from "./data.ts";
 import { rate, thousands } from "./format.ts";
-import { card } from "./panels.ts";
-import type { Panel } from "./panels.ts";
+import { card } from "./panel.ts";
+import type { Panel } from "./panel.ts";
 import type { Store } from "./store.ts";
 
 const LEARNERS = ["of-pursuers", "of-evaders", "of-both"] as const;

@@ -3,8 +3,8 @@
 import { html } from "../page/dom.ts";
 import type { Findings, Run } from "./data.ts";
 import { percent, rate } from "./format.ts";
-import { card } from "./panels.ts";
-import type { Panel } from "./panels.ts";
+import { card } from "./panel.ts";
+import type { Panel } from "./panel.ts";
 
 const SIGNS: Readonly<Record<string, string>> = { present: "●", absent: "○", "cannot tell": "?" };
 

@@ -3,8 +3,8 @@
 import { html } from "../page/dom.ts";
 import type { HeldOut, Interval, Run } from "./data.ts";
 import { interval } from "./format.ts";
-import { card } from "./panels.ts";
-import type { Panel } from "./panels.ts";
+import { card } from "./panel.ts";
+import type { Panel } from "./panel.ts";
 
 export function heldOutPanel(run: Run): Panel | null {
   const scores = [run.held_out?.pursuers, run.held_out?.evaders].filter((each) => each !== null && each !== undefined);

@@ -8,20 +8,9 @@ import { lagPanel, ratingPanel, trainingPanel } from "./curves.ts";
 import type { Run } from "./data.ts";
 import { diagnosisPanel } from "./diagnosis.ts";
 import { heldOutPanel } from "./held_out.ts";
+import type { Panel } from "./panel.ts";
 import { settingsPanel } from "./settings.ts";
 import type { Store } from "./store.ts";
-
-/** A panel of one run; `update` shows what is selected or under the pointer. */
-export interface Panel {
-  readonly element: HTMLElement;
-  update?(): void;
-}
-
-/** Return a card with a title and a line that says how to read it. */
-export function card(title: string, hint: string, ...content: (Node | null)[]): HTMLElement {
-  return html("section", { class: "card panel", "aria-label": title },
-    html("header", {}, html("h2", {}, title), html("p", { class: "small muted" }, hint)), ...content);
-}
 
 /** Return the panels of the selected run; those of the others are made when they are first shown. */
 export function panels(runs: readonly Run[], store: Store, engine: () => Engine | null): HTMLElement {

@@ -2,8 +2,8 @@
 
 import { html } from "../page/dom.ts";
 import type { Run, Setting } from "./data.ts";
-import { card } from "./panels.ts";
-import type { Panel } from "./panels.ts";
+import { card } from "./panel.ts";
+import type { Panel } from "./panel.ts";
 
 export function settingsPanel(run: Run): Panel {
   const changed = run.settings.filter((setting) => setting.changed);
