@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
-import io
 import json
-import re
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,7 +12,6 @@ import matrixworld as mw
 from rows import config_of, random_actions
 
 NAMES = ["D", "SB", "SDB", "TO", "swarm-S"]
-PAGE = Path(__file__).parents[2] / "docs" / "safety.md"
 
 
 def rows_of(config: mw.WorldConfig, number: int) -> np.ndarray:
@@ -297,14 +292,3 @@ def test_refused() -> None:
 
 
 # ---- The page ------------------------------------------------------------------------------------
-
-
-def test_the_page_shows_what_its_examples_print() -> None:
-    page = PAGE.read_text(encoding="utf-8")
-    examples = re.findall(r"^```python\n(.*?)^```\n\n```text\n(.*?)^```$", page, re.M | re.S)
-    assert len(examples) == 2
-    for code, shown in examples:
-        out = io.StringIO()
-        with contextlib.redirect_stdout(out):
-            exec(compile(code, str(PAGE), "exec"), {})
-        assert out.getvalue().strip() == shown.strip()

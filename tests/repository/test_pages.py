@@ -1,175 +1,417 @@
-"""The pages of the variants: their tables are true, and the files on disk are up to date."""
+"""Pages: their examples run and print what is shown, their links lead somewhere, names exist."""
 
 from __future__ import annotations
 
-import importlib.util
-import pickle
+import ast
+import inspect
+import json
 import re
+import subprocess
 import sys
-from importlib import import_module
+from collections import Counter
+from collections.abc import Sequence
+from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import NamedTuple
 
-import pettingzoo
+import click
+import numpy as np
 import pytest
-from PIL import Image
 
 import matrixworld as mw
-from matrixworld import envs
-from matrixworld.coevolution import RaceSettings
-from matrixworld.envs import INFO_KEYS, OPTIONS, RENDER_MODES
-from matrixworld.envs.variant_texts import VARIANT_TEXTS
+from matrixworld import analysis, plots
+from matrixworld._util.reading import DEPTH, LIMITS, UNPACKED
+from matrixworld.cli import main
+from matrixworld.cli.figures import OF_GAME, OF_RACE
+from matrixworld.coevolution import SCHEDULES, RaceSettings, start
+from matrixworld.coevolution.opponents import SAMPLERS
+from matrixworld.coevolution.settings import ALL_SCHEDULES
+from matrixworld.coevolution.storage.run_log import COLUMNS
+from matrixworld.envs import INFO_KEYS, Status
+from matrixworld.tutorial import Exercise, exercises
+from tiny_race import tiny_race
 
-DOCS = Path(__file__).parents[2] / "docs"
-OUTCOMES = {"DISAPPEAR": "disappears", "REACH": "reaches the cell", "BOUNCE": "bounces back"}
-MOVES = {
-    "SIMULTANEOUS": "all at once",
-    "SWARM_TURNS": "team by team",
-    "AGENT_TURNS": "one after the other",
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+NUMBER = r"-?\d+\.?\d*"
+RATE = r"0\.\d+ \(0\.\d+ to 0\.\d+\)"
+
+
+def read(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def page_id(page: Path) -> str:
+    return str(page.relative_to(ROOT))
+
+
+# Examples
+
+FENCE = re.compile(r"^```python\n(.*?)^```$(?:\n\n```text\n(.*?)^```$)?", re.M | re.S)
+RUN = {
+    "README.md": None,
+    "docs/README.md": None,
+    "docs/analysis.md": None,
+    "docs/coevolution.md": (
+        r"specialist-specialist 0\..*", r"generalist-generalist 0\..*",
+        r"\{'hall': \d, 'archive': \d\}", "True", r"\[0, 1, 2\]",
+    ),
+    "docs/figures.md": None,
+    "docs/integrations.md": None,
+    "docs/opponents.md": (RATE, RATE, r"\[(.|\n)*"),
+    "docs/safety.md": None,
+}  # fmt: skip
+"""Pages whose examples run, one after the other, and patterns of lines that are not shown."""
+ELSEWHERE = {
+    "docs/class.md": "tests/classroom/test_class_page.py",
+    "docs/cluster.md": "needs a cluster; tests/cluster/test_cluster.py",
+    "docs/explorer.md": "needs a run; tests/explorer/test_explore.py",
+    "docs/files.md": "one line for a run of the reader's",
+    "docs/held_out.md": "needs a run; tests/coevolution/evaluation",
+    "docs/how_to_add.md": "tests/repository/test_how_to_add.py",
+    "docs/playground.md": "tests/explorer/test_links.py",
 }
-CAPTURES = {
-    "OCCUPATION": "a pursuer reaches it",
-    "SURROUND": "pursuers, obstacles or the border are on its four sides",
-}
+CLIENTS = sorted((DOCS / "clients").glob("*.md"))
 
 
-def module_of(variant: str) -> Any:
-    return import_module(f"matrixworld.envs.pursuit_evasion_{variant.lower()}_v0")
+class Example(NamedTuple):
+    """Python code of a page, and the text below it that it prints."""
+
+    code: str
+    shown: str
 
 
-def table(text: str) -> dict[str, str]:
-    """The rows of two cells."""
-    rows = re.findall(r"^\| (.+?) \| (.+) \|$", text, re.MULTILINE)
-    return {key: value.replace("`", "") for key, value in rows}
+def examples_of(page: str) -> list[Example]:
+    return [Example(*found) for found in FENCE.findall(read(page))]
 
 
-def test_every_variant_has_a_text() -> None:
-    missing = [variant for variant in mw.VARIANTS if variant not in VARIANT_TEXTS]
-    assert not missing, f"matrixworld/envs/variant_texts.py: add an entry for {missing}"
-    assert set(VARIANT_TEXTS) <= set(mw.VARIANTS)
+def missing_modules(code: str) -> list[str]:
+    """Return modules that code imports and that are not installed."""
+    statements = list(ast.walk(ast.parse(code)))
+    names = [a.name for each in statements if isinstance(each, ast.Import) for a in each.names]
+    names += [each.module or "" for each in statements if isinstance(each, ast.ImportFrom)]
+    return [name for name in names if find_spec(name.partition(".")[0]) is None]
 
 
-@pytest.mark.parametrize("variant", mw.VARIANTS)
-def test_the_table_of_an_environment(variant: str) -> None:
-    module = module_of(variant)
-    env = module.parallel_env()
-    env.reset(seed=0)
-    name = env.metadata["name"]
-    assert module.__name__ == f"matrixworld.envs.{name}"
-    stated = table(module.__doc__)
-    pursuers, evaders = env.config.n_pursuers, env.config.n_evaders
-    first = env.possible_agents[0]
-    expected = {
-        "Import": f"from matrixworld.envs import {name}",
-        "Make": f'pettingzoo.make("parallel", "matrixworld/{name}")',
-        "Actions": "Discrete",
-        "Number of agents": str(len(env.possible_agents)),
-        "Agents": f"pursuer_0 ... pursuer_{pursuers - 1}, evader_0 ... evader_{evaders - 1}",
-        "Action Shape": str(env.action_space(first).shape),
-        "Action Values": str(env.action_space(first)),
-        "Observation Shape": str(env.observation_space(first).shape),
-        "State Shape": str(env.state_space.shape),
-    }
-    assert expected.items() <= stated.items()
+def run_python(parts: Sequence[str], directory: Path, *options: str) -> list[str]:
+    """Return what each part of a program prints."""
+    mark = "-- the next example --"
+    # With `-c` worker processes do not run the program themselves.
+    program = f"\nprint({mark!r})\n".join(parts)
+    command = [sys.executable, *options, "-c", program]
+    done = subprocess.run(command, cwd=directory, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout.split(f"{mark}\n")
 
 
-@pytest.mark.parametrize("variant", mw.VARIANTS)
-def test_the_rules_of_an_environment(variant: str) -> None:
-    rules, stated = mw.VARIANTS[variant], table(module_of(variant).__doc__)
-    assert module_of(variant).parallel_env().config.rules == rules
-    assert stated["agents move"] == MOVES[rules.interaction.name]
-    obstacle = stated["an agent that runs into an obstacle or the border"]
-    assert obstacle == OUTCOMES[rules.obstacle.name]
-    assert stated["an agent that collides with a teammate"] == OUTCOMES[rules.teammate.name]
-    assert stated["an evader that collides with a pursuer"] == OUTCOMES[rules.evader.name]
-    assert stated["a pursuer that collides with an evader"] == OUTCOMES[rules.pursuer.name]
-    assert stated["an evader is captured when"] == CAPTURES[rules.capture.name]
-    if rules.capture is mw.Capture.SURROUND:
-        removed = rules.captured_disappear
-    else:
-        removed = rules.evader is mw.Outcome.DISAPPEAR
-    assert (stated["a captured evader"] == "disappears") == removed
+def check_same(printed: str, shown: str) -> None:
+    """Compare text exactly and numbers nearly: another SciPy may resample differently."""
+    assert re.sub(NUMBER, "#", printed.strip()) == re.sub(NUMBER, "#", shown.strip())
+    ours, theirs = ([*map(float, re.findall(NUMBER, text))] for text in (printed, shown))
+    assert ours == pytest.approx(theirs, abs=0.01)
 
 
-@pytest.mark.parametrize("variant", mw.VARIANTS)
-def test_each_module_can_be_imported_in_every_way(variant: str) -> None:
-    module = module_of(variant)
-    name = module.__name__.rpartition(".")[2]
-    assert getattr(envs, name) is module
-    assert importlib.util.find_spec(module.__name__) is not None
-    assert sorted(module.__all__) == ["env", "parallel_env", "raw_env", "vector_env"]
-    for maker in (module.env, module.raw_env, module.parallel_env):
-        assert pickle.loads(pickle.dumps(maker)) is maker  # noqa: S301
-    assert module.raw_env(rows=20).config.rules == mw.VARIANTS[variant]
+def test_every_page_with_examples_is_tested() -> None:
+    pages = {page_id(page) for page in [ROOT / "README.md", *DOCS.glob("*.md")]}
+    assert {page for page in pages if "```python\n" in read(page)} <= {*RUN, *ELSEWHERE}
 
 
-@pytest.mark.parametrize("variant", mw.VARIANTS)
-def test_pettingzoo_makes_it(variant: str) -> None:
-    name = f"matrixworld/pursuit_evasion_{variant.lower()}_v0"
-    parallel = pettingzoo.make("parallel", name, max_cycles=3, rows=20)
-    assert (parallel.config.max_steps, parallel.config.rows) == (3, 20)
-    assert parallel.config.rules == mw.VARIANTS[variant]
-    assert pettingzoo.make("aec", name).unwrapped.config.rules == mw.VARIANTS[variant]
-
-
-def test_what_all_variants_share() -> None:
-    text = envs.__doc__ or ""
-    arrays = re.findall(r"^ *(\w+) +\(", mw.array_specs.__doc__ or "", re.MULTILINE)
-    assert set(INFO_KEYS) <= {*re.findall(r"``(\w+)``", text), *arrays}
-    assert all(option in text for option in OPTIONS)
-    assert all(f'``"{mode}"``' in text for mode in RENDER_MODES)
-    rewards = mw.Rewards()
-    for name in ("capture", "neighbor", "collide", "step"):
-        pursuer, evader = (getattr(rewards, f"{team}_{name}") for team in ("pursuer", "evader"))
-        assert f"| {name} | {pursuer:+g} | {evader:+g} |" in text
-
-
-@pytest.fixture(scope="module")
-def make_pages() -> Any:
-    spec = importlib.util.spec_from_file_location("make_pages", DOCS / "make_pages.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["make_pages"] = module  # dataclasses look their module up
-    spec.loader.exec_module(module)
-    return module
-
-
-@pytest.mark.parametrize("variant", mw.VARIANTS)
-def test_pages_are_up_to_date(make_pages: Any, variant: str) -> None:
-    file = DOCS / "variants" / f"{variant.lower()}.md"
-    assert file.exists(), f"{file.name} is missing: run python docs/make_pages.py"
-    assert file.read_text(encoding="utf-8") == make_pages.page(variant), (
-        f"{file.name} is out of date: run python docs/make_pages.py"
-    )
-    with Image.open(file.with_suffix(".png")) as picture:
-        assert picture.size == (504, 410)
-
-
-def test_the_chosen_moments_are_in_their_games(make_pages: Any) -> None:
-    assert set(make_pages.MOMENTS) <= set(mw.VARIANTS)
-    for variant, moment in make_pages.MOMENTS.items():
-        assert moment.step <= moment.episode(variant).length
-
-
-def test_the_list_of_games_links_to_every_page() -> None:
-    text = (DOCS / "README.md").read_text(encoding="utf-8")
-    linked = set(re.findall(r"\]\(variants/(\w+)\.md\)", text))
-    missing = [variant for variant in mw.VARIANTS if variant.lower() not in linked]
-    assert not missing, f"docs/README.md, The nine games: add {missing} to the table"
+@pytest.mark.parametrize("page", RUN)
+def test_examples_run_and_print_what_is_shown(page: str, tmp_path: Path) -> None:
+    # The warnings of other libraries are not ours.
+    strict = () if page == "docs/integrations.md" else ("-W", "error")
+    missing = {example: missing_modules(example.code) for example in examples_of(page)}
+    examples = [example for example, modules in missing.items() if not modules]
+    told = run_python([example.code for example in examples], tmp_path, *strict)
+    for printed, example in zip(told, examples, strict=True):
+        if example.shown:
+            check_same(printed, example.shown)
+    if patterns := RUN[page]:
+        assert re.fullmatch("\n".join(patterns), "".join(told).strip())
+    # `.ci/run` installs torch and onnx and runs this again.
+    if absent := sorted({name for modules in missing.values() for name in modules}):
+        pytest.skip(f"without {', '.join(absent)}; the other examples have run")
 
 
 def test_rules_of_one_s_own_go_wherever_a_variant_goes() -> None:
-    text = (DOCS / "README.md").read_text(encoding="utf-8")
-    names: dict[str, Any] = {}
-    exec("\n".join(re.findall(r"^```python\n(.*?)^```$", text, re.M | re.S)), names)
-    rules = names["rules"]
-    assert names["world"].config.rules == names["env"].config.rules == rules
-    assert names["episode"].length > 0
-    assert RaceSettings(variant=rules).rules == rules
+    names: dict[str, mw.Rules] = {}
+    exec("".join(example.code for example in examples_of("docs/README.md")), names)
+    assert RaceSettings(variant=names["rules"]).rules == names["rules"]
 
 
-def test_links_between_pages() -> None:
-    for file in [DOCS / "README.md", *(DOCS / "variants").glob("*.md")]:
-        for target in re.findall(r"\]\(([^)#]+)\)", file.read_text(encoding="utf-8")):
-            assert (file.parent / target).exists(), f"{file.name}: {target}"
+@pytest.mark.parametrize("page", CLIENTS, ids=lambda page: page.stem)
+def test_learners_of_other_libraries_run_with_few_steps(page: Path, tmp_path: Path) -> None:
+    assert f"](clients/{page.name}" in read("docs/integrations.md")
+    for example in examples_of(page_id(page)):
+        for module in missing_modules(example.code):
+            pytest.importorskip(module, exc_type=ImportError)
+        # One or two updates of the learner.
+        short, count = re.subn(r"^STEPS = [\d_]+", "STEPS = 8_192", example.code, flags=re.M)
+        assert count == 1
+        (printed,) = run_python([short], tmp_path)
+        for moment in ("before", "after"):
+            assert re.search(rf"^{moment} {RATE}$", printed, re.M), printed
+
+
+# Commands
+
+WITH_COMMANDS = [
+    *(ROOT / name for name in ("README.md", "CONTRIBUTING.md")),
+    # The recipes of how_to_add.md add names of their own, and another test follows them.
+    *sorted({*DOCS.glob("*.md")} - {DOCS / "how_to_add.md"}),
+    *sorted((ROOT / "evolution").glob("*.md")),
+    *sorted((ROOT / "tutorials").glob("*.ipynb")),
+]
+COMMAND = re.compile(r"matrixworld (?P<name>[a-z]+)(?P<rest>(?: [^\s`|\"\\]+)*)")
+
+
+def shown_commands(page: Path) -> list[tuple[str, list[str]]]:
+    """Return the commands of a page: their name and their options."""
+    found = COMMAND.finditer(page.read_text(encoding="utf-8"))
+    return [
+        (match["name"], re.findall(r"(?<!\S)--[a-z-]+", match["rest"]))
+        for match in found
+        if match["name"] in main.commands
+    ]
+
+
+def visible_options(command: click.Command) -> set[str]:
+    options = (param for param in command.params if isinstance(param, click.Option))
+    shown = (option for option in options if not option.hidden)
+    return {"--help", *(name for each in shown for name in (*each.opts, *each.secondary_opts))}
+
+
+@pytest.mark.parametrize("page", WITH_COMMANDS, ids=page_id)
+def test_options_that_a_page_shows_exist(page: Path) -> None:
+    for name, options in shown_commands(page):
+        assert set(options) <= visible_options(main.commands[name]), name
+
+
+def test_options_are_found() -> None:
+    commands = [each for page in WITH_COMMANDS for each in shown_commands(page)]
+    assert {"--champion", "--against"} <= {option for _, given in commands for option in given}
+
+
+# Links
+
+ANCHOR = re.compile(r'<a id="([^"]+)"></a>')
+ALL_PAGES = sorted({*DOCS.rglob("*.md"), *ROOT.glob("*.md"), *ROOT.glob("*/README.md")})
+
+
+def anchors(page: Path) -> set[str]:
+    """Return the anchors of a page: headings as GitHub names them, and explicit ones."""
+    text = page.read_text(encoding="utf-8")
+    headings = re.findall(r"^#+ (.+)$", text, re.M)
+    names = (re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings)
+    return {*names, *ANCHOR.findall(text)}
+
+
+@pytest.mark.parametrize("page", ALL_PAGES, ids=page_id)
+def test_links_lead_somewhere(page: Path) -> None:
+    text = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
+    for link in re.findall(r"\]\(([^)\s]+)\)", text):
+        file, _, anchor = link.partition("#")
+        target = page.parent / file if file else page
+        if "://" not in link:
+            assert target.exists(), link
+            assert not anchor or target.suffix != ".md" or anchor in anchors(target), link
+
+
+# The glossary
+
+GLOSSARY = read("docs/glossary.md")
+TABLES = re.findall(r"(?:^\|.*\|\n)+", GLOSSARY, re.M)
+SURVEY = """
+    co-evolution cooperative-co-evolution competitive-co-evolution intra-population
+    inter-population symmetric asymmetric intraspecific interspecific individual population
+    fitness self-play adaptation counter-adaptation arms-race endings-of-an-arms-race extinction
+    equilibrium cycling curriculum-learning automatic-curriculum-learning autocurriculum
+    carrying-capacity policy-cycle adversarial-learning alternating-learning minimax
+    adversarial-policy zero-sum-game specialist generalist generalisation baseline
+    stochastic-game turn-taking-game vertex-conflict edge-conflict capture-rate
+"""
+"""Terms of the paper's survey and experiments."""
+
+
+def repeated(names: Sequence[str]) -> list[str]:
+    return [name for name, count in Counter(names).items() if count > 1]
+
+
+def test_the_glossary_has_one_entry_for_each_term() -> None:
+    ids = ANCHOR.findall(GLOSSARY)
+    assert repeated(ids) == []
+    assert set(SURVEY.split()) <= set(ids)
+    entries = [line for table in TABLES for line in table.splitlines()[2:]]
+    assert repeated([ANCHOR.sub("", entry).split("|")[1].strip() for entry in entries]) == []
+
+
+def test_every_entry_of_the_glossary_has_an_anchor_and_all_cells() -> None:
+    for table in TABLES:
+        heading, _, *entries = table.splitlines()
+        for entry in entries:
+            assert ANCHOR.match(entry, pos=2), entry
+            cells = entry.strip("|").split("|")
+            assert len(cells) == heading.count("|") - 1, entry
+            assert all(cell.strip() for cell in cells), entry
+
+
+# Names in tables
+
+
+def test_the_readme_has_the_rules_of_each_variant() -> None:
+    moves = {
+        mw.Interaction.SIMULTANEOUS: "all at once",
+        mw.Interaction.SWARM_TURNS: "team by team",
+        mw.Interaction.AGENT_TURNS: "one at a time",
+    }
+    letters = {mw.Outcome.DISAPPEAR: "D", mw.Outcome.REACH: "R", mw.Outcome.BOUNCE: "B"}
+    captures = {mw.Capture.OCCUPATION: "occupation", mw.Capture.SURROUND: "surrounding"}
+    for name, rules in mw.VARIANTS.items():
+        cells = [
+            name,
+            moves[rules.interaction],
+            letters[rules.obstacle],
+            letters[rules.teammate],
+            f"{letters[rules.evader]}, {letters[rules.pursuer]}",
+            captures[rules.capture],
+            "disappear" if rules.removes_captured else "stay",
+        ]
+        row = f"| {' | '.join(cells)} |\n"
+        assert row in read("README.md"), f"README.md, The games: add the row {row}"
+
+
+def test_names_of_measures() -> None:
+    table = read("docs/analysis.md").split("| question |")[1].split("\n\n")[0]
+    named = re.findall(r"`(\w+)`", table)
+    assert len(named) > 15
+    assert set(named) <= set(analysis.__all__)
+
+
+def test_the_table_of_experiments_names_every_selection() -> None:
+    table = read("docs/coevolution.md").split("| experiment | settings |")[1].split("\n\n")[0]
+    values = set(re.findall(r'"([\w-]+)"', table))
+    assert values == {*SAMPLERS, *ALL_SCHEDULES, "competitive"} - {"latest", "round-robin"}
+    named = set(re.findall(r"`(\w+)=", table))
+    assert named <= set(RaceSettings.__dataclass_fields__)
+    assert len(named) > 8
+
+
+def test_the_table_of_figures_names_them_and_their_functions() -> None:
+    page = read("docs/figures.md")
+    rows = re.findall(r"^\| [^|]+ \| `(matrixworld plot[^|]+)` \| (.+) \|$", page, re.M)
+    named = {name for command, _ in rows for name in re.findall(r"--figure (\w+)", command)}
+    # The lag profile is not in the paper.
+    assert named == {*OF_GAME, *OF_RACE} - {"lag_profile"}
+    functions = [name for _, cell in rows for name in re.findall(r"`(\w+)`", cell)]
+    assert set(functions) <= set(plots.__all__)
+    pictures = re.findall(r"!\[[^]]+\]\(([^)]+)\)", page)
+    assert {Path(each).stem for each in pictures} == set(OF_GAME)
+
+
+def test_the_exercises_that_the_teachers_page_names_exist() -> None:
+    named = re.findall(r"\b[1-9]\.[a-z1-9]\b", read("docs/teachers.md"))
+    assert named
+    for name in named:
+        chapter, _, item = name.partition(".")
+        assert isinstance(exercises(int(chapter))[name], Exercise) is item.isdigit(), name
+
+
+# The page for users of the published code
+
+MIGRATION = read("docs/migration.md")
+
+
+def test_names_of_the_package_that_replace_others() -> None:
+    named = set(re.findall(r"`?mw\.(\w+(?:\.\w+)?)", MIGRATION))
+    assert len(named) > 12
+    for name in named:
+        place = mw
+        for part in name.split("."):
+            place = getattr(place, part)
+
+
+def test_infos_and_status_that_replace_others() -> None:
+    infos = MIGRATION.split("## Infos")[1].split("## Experiments")[0]
+    told = [row.strip("|").split("|") for row in infos.splitlines() if row.startswith("| ")][1:]
+    keys = {key for row in told for key in re.findall(r"`(\w+)`", row[1])}
+    assert keys <= set(INFO_KEYS)
+    # Every key of today; outputs that are added later have no counterpart in the published code.
+    assert len(keys) == 14
+    assert not keys & {"cost", "evader_survival_rate", "pursuer_survival_rate"}
+    fields = {name for row in told for name in re.findall(r"`(\w+)[`\[]", row[2])}
+    assert fields <= set(Status.__dataclass_fields__)
+
+
+def test_options_and_arguments_that_replace_others() -> None:
+    ours = {row.split("|")[2] for row in MIGRATION.splitlines() if row.count("|") == 3}
+    told = {flag for cell in ours for flag in re.findall(r"--[a-z][a-z-]+", cell)}
+    assert len(told) > 8
+    assert told <= visible_options(main.commands["evolve"])
+    assert all(schedule in MIGRATION for schedule in SCHEDULES)
+    named = {"rows", "cols", "n_pursuers", "n_evaders", "fov", "diagonal", "max_steps", "obstacles"}
+    assert named <= set(inspect.signature(mw.WorldConfig).parameters)
+    assert all(f"`{name}" in MIGRATION or f" {name}" in MIGRATION for name in named)
+    for name in re.findall(r"`((?:pursuer|evader)_(?:capture|neighbor|collide|step))", MIGRATION):
+        assert name in mw.Rewards.__dataclass_fields__
+    assert "267,405" in MIGRATION
+    assert mw.Network.for_config(mw.WorldConfig("O"), (400, 300)).genome_size == 267_405
+
+
+# The page on files
+
+FILES = read("docs/files.md")
+
+
+def named(heading: str) -> dict[str, str]:
+    """Names in the first column of a section's table, and what stands in the second column."""
+    section = FILES.split(f"{heading}\n")[1].split("\n#")[0]
+    found = {}
+    for line in re.findall(r"^\| (`.+)$", section, re.M):
+        names, second = line.split(" | ")[:2]
+        found |= dict.fromkeys(re.findall(r"`([^`]+)`", names), second)
+    return found
+
+
+def check_arrays(file: Path, heading: str, *, parts: bool = False) -> None:
+    """Compare names, numbers of axes and dtypes with the table of a section."""
+    stated = named(heading)
+    with np.load(file) as arrays:
+        names = {name for name in arrays.files if not (parts and "." in name)}
+        assert names == {name for name in stated if "." not in name}
+        for name in names:
+            shape, dtype = stated[name].rsplit(" ", 1)
+            axes = [axis for axis in shape.strip("()").split(",") if axis]
+            assert arrays[name].ndim == len(axes), name
+            found = arrays[name].dtype
+            assert dtype == ("str" if found.kind == "U" else found.name), name
+        if parts:
+            teams = {name.split(".")[0] for name in arrays.files if "." in name}
+            assert {f"{team}.*" for team in teams} <= set(stated)
+
+
+def test_the_files_of_a_run(tmp_path: Path) -> None:
+    assert named("### `log.csv`") == {name: kind.__name__ for name, kind in COLUMNS.items()}
+    run = tmp_path / "run"
+    start(tiny_race(), run, threads=1).run()
+    genomes = np.load(run / "pursuers.npy")
+    assert genomes.ndim == 2
+    assert f"(G, genes) and (H, genes) {genomes.dtype}" in FILES
+    check_arrays(run / "checkpoint.npz", "### `checkpoint.npz`", parts=True)
+    check_arrays(run / "payoff.npz", "### `payoff.npz`")
+    summary = json.loads((run / "summary.json").read_bytes())
+    assert set(summary) == set(named("### `summary.json` of a race"))
+    stated = named("## A run directory")
+    made = {path.name for path in run.iterdir() if not path.name.startswith(".")}
+    assert {name for name in made if ".previous" not in name} <= set(stated)
+
+
+def test_the_limits_of_files() -> None:
+    rows = re.findall(r"^\| (\w+) \| ([\d,]+) \|", FILES.split("## Files by others\n")[1], re.M)
+    assert {kind: int(most.replace(",", "")) for kind, most in rows} == LIMITS
+    assert f"at most {UNPACKED:,} bytes" in FILES
+    assert f"nested {DEPTH} levels deep" in FILES
+
+
+def test_a_recorded_episode(tmp_path: Path) -> None:
+    mw.record("O", "chaser", "fleer", seed=0).save(tmp_path / "episode.npz")
+    check_arrays(tmp_path / "episode.npz", "## A recorded episode")

@@ -4,20 +4,29 @@ from __future__ import annotations
 
 import copy
 import copyreg
+import importlib
+import inspect
 import pickle
+import pkgutil
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from functools import partial
 from pathlib import Path
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from examples import examples, parts_of, public_classes, same
-from matrixworld.coevolution import Candidates, resume, start
-from tiny_race import results, tiny_race
+from made_up_episode import made_up_episode
+from matrixworld import analysis, classroom, cluster, coevolution, explorer, plots, toys, tutorial
+from matrixworld.coevolution import Candidates, learners, opponents, resume, runs, start
+from matrixworld.episodes import replay
+from tiny_race import TINY, results, tiny_race, tiny_single
 
 INTERFACE = "an interface or a base class, which has no instances"
 NOT_COPIED = {
@@ -30,6 +39,7 @@ NOT_COPIED = {
     "Batch": "its buffers belong to the caller",
     "VectorEnv": "it holds a batch",
     "AgentVectorEnv": "it holds a `VectorEnv`",
+    "Exercise": "its check is a closure",
     "ClusterExecutor": "it holds connections",
     "LocalExecutor": "it holds processes",
     "ProgressBar": "it holds a terminal",
@@ -63,6 +73,242 @@ def loaded(data: bytes) -> Any:
 
 def pickled(value: Any) -> Any:
     return loaded(pickle.dumps(value))
+
+
+# Instances of the public classes
+
+SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3, "fov": 3, "max_steps": 8}
+
+
+def public_packages() -> list[ModuleType]:
+    """Return `matrixworld` and all packages and modules below it that have an ``__all__``."""
+    found = pkgutil.walk_packages(mw.__path__, "matrixworld.")
+    names = [each.name for each in found if not each.name.endswith(("_core", "__main__"))]
+    modules = [mw, *map(importlib.import_module, names)]
+    return [each for each in modules if hasattr(each, "__all__")]
+
+
+def public_classes() -> dict[str, type]:
+    """Return every class that a package exports, by its name."""
+    exported = [getattr(module, name) for module in public_packages() for name in module.__all__]
+    classes = [each for each in exported if inspect.isclass(each)]
+    return {each.__name__: each for each in classes if each.__module__.startswith("matrixworld")}
+
+
+def parts_of(value: Any) -> Iterator[Any]:
+    """Yield an object and everything that it holds."""
+    yield value
+    if isinstance(value, Mapping):
+        held = [*value.keys(), *value.values()]
+    elif isinstance(value, list | tuple | set):
+        held = list(value)
+    elif is_dataclass(value):
+        held = [getattr(value, item.name) for item in fields(value)]
+    else:
+        held = []
+    for each in held:
+        yield from parts_of(each)
+
+
+def same(one: Any, other: Any) -> bool:
+    """Whether two objects have the same type and the same content, bit for bit."""
+    if type(one) is not type(other):
+        return False
+    if isinstance(one, np.ndarray):
+        same_kind = one.dtype == other.dtype and one.shape == other.shape
+        return same_kind and one.tobytes() == other.tobytes()
+    if isinstance(one, partial):
+        return same((one.func, one.args, one.keywords), (other.func, other.args, other.keywords))
+    if isinstance(one, Enum | type) or inspect.isroutine(one):
+        return bool(one == other)
+    if isinstance(one, np.random.Generator):
+        return same(one.bit_generator.state, other.bit_generator.state)
+    if isinstance(one, Mapping):
+        return one.keys() == other.keys() and all(same(one[key], other[key]) for key in one)
+    if isinstance(one, list | tuple):
+        return len(one) == len(other) and all(map(same, one, other))
+    if isinstance(one, float):
+        return one.hex() == other.hex()
+    content = state_of(one)
+    return one == other if content is None else same(content, state_of(other))
+
+
+def state_of(value: Any) -> Any:
+    """Return what pickle keeps of an object, or None for values that are compared as a whole."""
+    ours = type(value).__module__.startswith("matrixworld")
+    kept = value.__reduce_ex__(4) if ours or hasattr(value, "__dict__") else None
+    return [part for part in kept if not callable(part)] if isinstance(kept, tuple) else None
+
+
+def examples(directory: Path) -> Iterator[Any]:
+    """Yield objects that hold an instance of each public class, before and after their use.
+
+    An object may be yielded several times, and changes between.
+    """
+    groups = (
+        _of_worlds(),
+        _of_analysis(),
+        _of_plots(),
+        _of_toys(),
+        _of_learning(),
+        _of_tutorial(),
+    )
+    for group in (*groups, _of_runs(directory), _of_jobs(directory), _of_classes(directory)):
+        yield from group
+
+
+def _of_worlds() -> Iterator[Any]:
+    config = mw.WorldConfig("SB", **SMALL, obstacles=0.1)
+    fresh = mw.Network.for_config(config, (4,))
+    yield from (config, fresh, mw.Rules(), mw.Rewards(pursuer_collide=(-1, -2, -3)))
+    yield from (mw.Action.EAST, mw.Autoreset.SAME_STEP, mw.Outcome.REACH, mw.Capture.SURROUND)
+    yield from (mw.Interaction.AGENT_TURNS, *mw.Blame.__members__.values())
+    used = mw.Network.for_config(config, (4,))
+    team = mw.Population(np.zeros((2, used.genome_size), np.float32), used)
+    matches = mw.Matches.of([0, 1], 0, 7)
+    statistics = mw.rollout(config, team, "fleer", matches, episodes=2)
+    yield from (mw.Population(np.ones((1, fresh.genome_size), np.float32), fresh), used, team)
+    yield from (matches, statistics, ("chaser", team))
+    world = mw.World(config)
+    yield world
+    world.step([mw.Action.EAST] * 5, explain=True)
+    played = mw.record(config, "chaser", "fleer", seed=1)
+    yield from (world.conflicts, world, mw.Recorder(world), played, made_up_episode())
+    yield from (replay.animation(played), replay.scene(played))
+    # Conflicts exist only where agents collide.
+    crowd = mw.World("B", rows=2, cols=2, n_pursuers=2, n_evaders=2)
+    crowd.step([mw.Action.EAST] * 4, explain=True)
+    yield from (crowd.conflicts, explorer.Playground(crowd), explorer.Explorer(Path("page.html")))
+    monitor = mw.SafetyMonitor()
+    yield monitor
+    monitor.add_statistics(statistics)
+    yield from (monitor, monitor.summary())
+    env = mw.parallel_env(config)
+    env.reset(seed=1)
+    yield env
+    env.step(dict.fromkeys(env.agents, 1))
+    monitor = mw.SafetyMonitor()
+    monitor.observe(env.status)
+    aec = mw.aec_env(config)
+    aec.reset(seed=1)
+    yield from (env, env.status, monitor, aec.unwrapped)
+
+
+def _of_analysis() -> Iterator[Any]:
+    rng = np.random.default_rng(0)
+    scores = (rng.random((8, 8, 6)) < 0.5).astype(float)
+    payoff = scores.mean(axis=2)
+    functions = "alpha_rank analyze checkerboards ciao elo forgetting generalization lag_profile"
+    functions += " local_progress multi_elo nash_averaging summarize two_way_parts"
+    yield from (getattr(analysis, name)(payoff) for name in functions.split())
+    yield from (analysis.analyze([payoff, payoff**2]), analysis.analyze_run(payoff, scores))
+    yield analysis.judge(scores, per_episode=True)
+    yield analysis.read_payoffs(scores, per_episode=True)
+    yield analysis.dominance_tournament(scores)
+    yield analysis.noise_reference(scores, margin=0.1, simulations=5)
+    yield analysis.undecided_opponents(scores[0])
+    yield analysis.disengagements(np.ones((9, 2)))
+    yield analysis.strength_gain(payoff[0], payoff[0])
+    yield analysis.exploitability(payoff, np.full(8, 1 / 8), np.full(8, 1 / 8))
+    yield analysis.response_gain(scores[0, 0], scores[1, 1], budget=9)
+    yield from (analysis.band_over_runs(payoff), analysis.MEASURES)
+    yield analysis.strongest_checkerboards(payoff, count=1)
+    yield from (analysis.race_bands([payoff, payoff**2]), analysis.performance_profile(payoff))
+
+
+def _of_plots() -> Iterator[Any]:
+    yield from (plots.SITUATIONS, plots.resolve(plots.SITUATIONS[0], mw.Outcome.BOUNCE))
+
+
+def _of_tutorial() -> Iterator[Any]:
+    yield from (tutorial.check("1.a", "c"), tutorial.hint("1.1"), tutorial.exercises(1)["1.a"])
+
+
+def _of_toys() -> Iterator[Any]:
+    history = toys.numbers_game("focusing", seed=0, generations=3)
+    yield from (history, toys.GAMES, toys.synthetic_race("pure race", 8, seed=0))
+
+
+def _of_learning() -> Iterator[Any]:
+    rng = np.random.default_rng(0)
+    start = np.zeros(12, np.float32)
+    table = coevolution.NoiseTable(12, rng, sigma=0.1)
+    yield from (table, coevolution.Adam(12), coevolution.Momentum(12))
+    for learner in (
+        coevolution.EvolutionStrategy(start, table, samples=4),
+        coevolution.GeneticAlgorithm(np.zeros((4, 12)), table),
+        coevolution.CmaEs(start, samples=4, sigma=0.1),
+    ):
+        yield learner
+        asked = learner.ask(rng)
+        yield learner
+        learner.tell(np.arange(len(asked)))
+        yield learner
+    candidates = coevolution.Candidates(np.zeros((2, 12), np.float32))
+    for number, individual in enumerate(candidates):
+        individual.fitness.values = (float(number),)
+    yield candidates
+    yield learners.LEARNERS
+    yield from (coevolution.SCHEDULES, coevolution.SINGLE_DEFAULTS)
+    yield [sampler(2, 3) for sampler in opponents.SAMPLERS.values()]
+    yield from (opponents.MaxSolve(3), opponents.IPCA(), opponents.LAPCA(3))
+    yield opponents.Generalist(np.zeros(3, np.intp), sample_size=3)
+
+
+def _of_runs(directory: Path) -> Iterator[Any]:
+    yield from (tiny_race(), tiny_single(), coevolution.TrainingSettings(**TINY))
+    yield tiny_race(obstacles=("......",) * 6)
+    for name, settings in (
+        ("single", tiny_single()),
+        ("joint", tiny_race(schedule=coevolution.HALL_OF_FAME)),
+        ("race", tiny_race()),
+    ):
+        run = coevolution.start(settings, directory / name, threads=1)
+        yield run
+        yield from (run.run(), run)
+    yield from (run.training, run.matchmaking)
+    yield runs.Matchup(0, np.arange(2), np.ones((3, 2), np.uint64))
+    saved = coevolution.open_run(directory / "race")
+    yield saved
+    yield saved.policy("pursuer", -1, seed=0)
+    yield from (saved.payoff(), saved, saved.files, coevolution.score(saved, episodes=2))
+    yield coevolution.best_response(saved, "pursuer", 100, directory / "response", eval_episodes=5)
+    yield from (
+        coevolution.NoEffectError("sigma", "sigma: expected no value"),
+        coevolution.DamagedFileError(Path("payoff.npz"), "cut or altered"),
+        coevolution.PluginError("learner mine:Learner: ask: ValueError: no"),
+        coevolution.OtherVersionError("another version"),
+        coevolution.LockedError("locked"),
+        coevolution.DisengagementWarning("disengaged"),
+    )
+
+
+def _of_classes(directory: Path) -> Iterator[Any]:
+    submissions = directory / "class"
+    submissions.mkdir(parents=True)
+    network = mw.Network((2,), fov=5)
+    policy = mw.NetworkPolicy(network, network.initial(np.random.default_rng(0)))
+    classroom.save_genome(submissions / "ann.npz", "evader", policy)
+    (submissions / "bo.npz").write_bytes(b"")
+    config = mw.WorldConfig("O", rows=6, cols=6, n_pursuers=1, n_evaders=1, fov=5, max_steps=3)
+    result = classroom.play_class(submissions, config, episodes=2, threads=1)
+    assert result.refusals
+    yield from (result, classroom.standings(result, "evader"), classroom.Limits())
+
+
+def _of_jobs(directory: Path) -> Iterator[Any]:
+    yield coevolution.many.job_of([tiny_race(), tiny_race(seed=1)])
+    running = {"seed-0": coevolution.RunProgress("generation 1", 1, 9, 0)}
+    yield coevolution.JobProgress(running, 1, 0, 2, 10, 18, 0)
+    yield coevolution.many.StopMark(directory, "token")
+    failed = {Path("seed-0"): OSError("full")}
+    yield coevolution.FailedRunsError(failed, [coevolution.open_run(directory / "race")])
+    yield from (coevolution.StoppedError("stopped"), coevolution.WorkerDiedError("died"))
+    yield cluster.Probe(cluster.Traits("1.0", "c0de", "42", "2.0", "OpenBLAS"), sign=directory)
+    yield from (cluster.ClusterLostError("lost"), cluster.UnfitWorkerError("unfit"))
+
+
+# Copies of them
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -122,6 +122,11 @@ def test_links_of_notebooks_lead_somewhere(path: Path) -> None:
             assert anchor in anchors(target), link
 
 
+def test_the_page_of_the_course_has_a_row_for_each_notebook() -> None:
+    text = (TUTORIALS / "README.md").read_text("utf-8")
+    assert [text.count(f"({path.name})") for path in NOTEBOOKS] == [1] * len(NOTEBOOKS)
+
+
 def anchors(path: Path) -> set[str]:
     """Return the anchors of a page: headings as GitHub names them, and explicit ones."""
     text = path.read_text("utf-8")

@@ -1,0 +1,291 @@
+"""What is installed and what it says: distribution, docstrings, and includes of the C++ tree."""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+import inspect
+import re
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+import pytest
+from numpydoc.docscrape import FunctionDoc
+
+import matrixworld
+from matrixworld.version import DISTRIBUTION, __version__, install_hint
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+ROOT = Path(__file__).parents[2]
+
+# Distribution
+
+PROJECT: dict[str, Any] = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+HEAVY = ["click", "deap", "matplotlib", "scipy", "threadpoolctl", "tqdm"]
+# The distribution `matrixworld` of the package index is another project.
+OTHER_PROJECT = re.compile(
+    r"pip install [^&;|`\n]*(?<![\w./-])matrixworld(?![\w./-])"
+    r"|\b(requires|version)\([\"']matrixworld[\"']\)"
+)
+
+
+@pytest.fixture
+def installed() -> metadata.Distribution:
+    """The package as it is installed; absent where the tests import it from a folder."""
+    try:
+        return metadata.distribution(DISTRIBUTION)
+    except metadata.PackageNotFoundError:
+        pytest.skip(f"{DISTRIBUTION} is not installed")
+
+
+def texts() -> list[Path]:
+    """Files of the repository that tell a reader or a tool what to install."""
+    folders = [".ci", ".github", "benchmarks", "docs", "evolution", "python", "tests", "tutorials"]
+    inside = [path for folder in folders for path in (ROOT / folder).rglob("*")]
+    return [
+        path
+        for path in [*ROOT.iterdir(), *inside]
+        if path.suffix in {".ipynb", ".md", ".py", ".toml", ".yaml", ".yml"} or path.name == "run"
+        if path.is_file()
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "wrong"),
+    [
+        ("pip install matrixworld", True),
+        ("pip install 'matrixworld[video]'", True),
+        ('requires("matrixworld")', True),
+        ("pip install 'matrixworld-pursuit[video]'", False),
+        ("pip install . && .venv/bin/matrixworld evolve", False),
+        ("`pip install .`, then `matrixworld evolve`", False),
+    ],
+)
+def test_the_name_of_the_other_project_is_found(text: str, wrong: bool) -> None:
+    assert bool(OTHER_PROJECT.search(text)) == wrong
+
+
+def test_no_file_installs_the_other_project() -> None:
+    found = [
+        f"{path.relative_to(ROOT)}: {match[0]}"
+        for path in texts()
+        if path != Path(__file__)
+        for match in OTHER_PROJECT.finditer(path.read_text(encoding="utf-8"))
+    ]
+    assert found == [], f"expected {DISTRIBUTION}"
+
+
+def test_the_package_knows_the_name_and_the_extras_of_its_distribution() -> None:
+    assert PROJECT["project"]["name"] == DISTRIBUTION
+    assert install_hint("video") == "pip install 'matrixworld-pursuit[video]'"
+    source = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "python").rglob("*.py"))
+    named = set(re.findall(r"install_hint\(['\"](\w+)['\"]\)", source))
+    assert named
+    assert named <= set(PROJECT["project"]["optional-dependencies"])
+
+
+def test_the_version_has_one_source() -> None:
+    assert "version" in PROJECT["project"]["dynamic"]
+    source = PROJECT["tool"]["scikit-build"]["metadata"]["version"]["input"]
+    assert f'\n__version__ = "{__version__}"\n' in (ROOT / source).read_text(encoding="utf-8")
+    citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    assert re.findall(r"^version: (.+)$", citation, re.MULTILINE) == [__version__]
+
+
+def test_the_installed_version_is_the_one_of_the_package(
+    installed: metadata.Distribution,
+) -> None:
+    assert installed.version == __version__
+
+
+def test_licences_of_compiled_in_code_are_installed(installed: metadata.Distribution) -> None:
+    assert installed.metadata["License-Expression"] == "MIT AND BSD-3-Clause AND MPL-2.0"
+    assert installed.metadata.get_all("License-File") == [
+        "LICENSE",
+        "licenses/eigen.txt",
+        "licenses/pybind11.txt",
+    ]
+    texts = {
+        path.name: path.read_text() for path in installed.files or [] if "licenses" in str(path)
+    }
+    assert "MIT License" in texts["LICENSE"]
+    assert "Mozilla Public License Version 2.0" in texts["eigen.txt"]
+    assert "Wenzel Jakob" in texts["pybind11.txt"]
+
+
+def test_links_on_the_page_of_the_index_are_absolute(installed: metadata.Distribution) -> None:
+    page = str(installed.metadata["Description"])
+    assert page.startswith("# matrixworld")
+    links = re.findall(r"\]\(([^)]*)\)", page)
+    assert links
+    assert [link for link in links if not link.startswith("https://")] == []
+
+
+@pytest.mark.parametrize("module", ["matrixworld", "matrixworld.envs"])
+def test_environments_load_no_part_that_they_do_not_need(module: str) -> None:
+    code = f"import sys, {module}; print(*sorted(sys.modules.keys() & {HEAVY}))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == []
+
+
+# Docstrings
+
+PACKAGE = Path(matrixworld.__file__).parent
+WITH_EXAMPLES = sorted(
+    ".".join(("matrixworld", *file.relative_to(PACKAGE).with_suffix("").parts))
+    for file in PACKAGE.rglob("*.py")
+    if ">>> " in file.read_text(encoding="utf-8")
+)
+
+
+@pytest.mark.parametrize("name", WITH_EXAMPLES)
+def test_examples_in_docstrings_print_what_they_show(name: str) -> None:
+    result = doctest.testmod(importlib.import_module(name.removesuffix(".__init__")))
+    assert result.attempted > 0
+    assert result.failed == 0
+
+
+PUBLIC = (
+    "matrixworld",
+    "matrixworld.analysis",
+    "matrixworld.coevolution",
+    "matrixworld.coevolution.opponents",
+    "matrixworld.envs",
+    "matrixworld.plots",
+    "matrixworld.episodes.replay",
+    "matrixworld.toys",
+)
+SECTIONS = ("Parameters", "Other Parameters", "Attributes")
+
+
+def public_objects() -> Iterator[Any]:
+    """Yield each public function and class once, with its name as the id of a test."""
+    seen: set[int] = set()
+    for module_name in PUBLIC:
+        module = importlib.import_module(module_name)
+        names = getattr(module, "__all__", [n for n in vars(module) if not n.startswith("_")])
+        for name in names:
+            found = getattr(module, name)
+            ours = getattr(found, "__module__", "").startswith("matrixworld")
+            if callable(found) and ours and id(found) not in seen and not is_enum(found):
+                seen.add(id(found))
+                yield pytest.param(found, id=f"{module_name.removeprefix('matrixworld.')}.{name}")
+
+
+def is_enum(found: object) -> bool:
+    """Whether something is an enumeration, whose members document themselves."""
+    return hasattr(found, "__members__")
+
+
+def parameters_of(found: Callable[..., Any]) -> set[str]:
+    """Return the names of the parameters that a caller gives."""
+    if inspect.isclass(found) and issubclass(found, Exception):
+        return set()
+    if getattr(found, "_is_protocol", False):
+        return set()
+    return set(inspect.signature(found).parameters) - {"self", "args", "kwargs"}
+
+
+def documented_by(found: Callable[..., Any]) -> set[str]:
+    """Return the parameters and attributes that one docstring describes."""
+    doc = FunctionDoc(found, doc=inspect.getdoc(found))
+    return {
+        name.strip().lstrip("*")
+        for section in SECTIONS
+        for entry in doc[section]
+        for name in entry.name.split(",")
+    }
+
+
+@pytest.mark.parametrize("found", list(public_objects()))
+def test_all_parameters_are_documented(found: Callable[..., Any]) -> None:
+    # A class may leave the parameters that it inherits to its base class.
+    classes = inspect.getmro(found) if inspect.isclass(found) else (found,)
+    ours = [each for each in classes if each.__module__.startswith(("matrixworld", __name__))]
+    documented = set().union(*map(documented_by, ours))
+    assert parameters_of(found) <= documented
+
+
+def test_a_missing_parameter_is_found() -> None:
+    def half(number: int, other: int) -> int:
+        """Return half a number.
+
+        Parameters
+        ----------
+        number : int
+            The number.
+        """
+        return number // 2 + other
+
+    with pytest.raises(AssertionError):
+        test_all_parameters_are_documented(half)
+
+
+# Includes
+
+CPP = ROOT / "cpp"
+# Which rooms the files of a room may include, besides their own.
+ALLOWED = {
+    "grid": set(),
+    "kernels": {"grid"},
+    "game": {"grid"},
+    "observe": {"grid", "kernels", "game"},
+    "play": {"grid", "kernels", "game", "observe"},
+    "bindings": {"grid", "kernels", "game", "observe", "play"},
+    "tests": {"grid", "kernels", "game", "observe", "play"},
+}
+INCLUDE = re.compile(r'^#include "(?:(\w+)/)?([\w.]+)"', re.MULTILINE)
+
+
+def includes(file: Path) -> list[tuple[str, str]]:
+    """Return (room, header) of every quoted include; without a room it is the file's own."""
+    own = file.relative_to(CPP).parts[0]
+    return [(room or own, header) for room, header in INCLUDE.findall(file.read_text())]
+
+
+def test_every_folder_is_a_room_of_the_table() -> None:
+    """A new folder below cpp/ needs a row that says what it may include."""
+    assert {path.name for path in CPP.iterdir() if path.is_dir()} == set(ALLOWED)
+
+
+@pytest.mark.parametrize("room", ALLOWED)
+def test_includes_run_one_way(room: str) -> None:
+    """grid <- game <- observe <- play <- bindings, with kernels beside game."""
+    wrong = [
+        f"cpp/{file.relative_to(CPP)} includes {other}/{header}: "
+        f"expected {room} to include {sorted(ALLOWED[room]) or 'no other room'}"
+        for file in sorted((CPP / room).glob("*.[ch]pp"))
+        for other, header in includes(file)
+        if other != room and other not in ALLOWED[room]
+    ]
+    assert not wrong, "\n".join(wrong)
+
+
+def test_included_files_exist() -> None:
+    """The pattern reads the includes, and each names a file of the tree."""
+    named = {
+        CPP / room / header for file in CPP.rglob("*.[ch]pp") for room, header in includes(file)
+    }
+    assert len(named) > 20
+    assert {str(path) for path in named if not path.exists()} == set()
+
+
+def test_kernels_include_plain_data_only() -> None:
+    """Inline functions in kernels.cpp could replace those of the base instruction set."""
+    headers = {
+        f"{room}/{header}"
+        for file in (CPP / "kernels").iterdir()
+        for room, header in includes(file)
+        if room != "kernels"
+    }
+    assert headers == {"grid/positions.hpp"}
+    assert includes(CPP / "grid" / "positions.hpp") == []
+    assert "inline" not in re.sub(r"//.*", "", (CPP / "grid" / "positions.hpp").read_text())

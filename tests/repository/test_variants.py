@@ -1,0 +1,158 @@
+"""The pages of the variants: their tables are true, and the files on disk are up to date."""
+
+from __future__ import annotations
+
+import importlib.util
+import pickle
+import re
+import sys
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import pettingzoo
+import pytest
+from PIL import Image
+
+import matrixworld as mw
+from matrixworld import envs
+from matrixworld.envs import INFO_KEYS, OPTIONS, RENDER_MODES
+from matrixworld.envs.variant_texts import VARIANT_TEXTS
+
+DOCS = Path(__file__).parents[2] / "docs"
+OUTCOMES = {"DISAPPEAR": "disappears", "REACH": "reaches the cell", "BOUNCE": "bounces back"}
+MOVES = {
+    "SIMULTANEOUS": "all at once",
+    "SWARM_TURNS": "team by team",
+    "AGENT_TURNS": "one after the other",
+}
+CAPTURES = {
+    "OCCUPATION": "a pursuer reaches it",
+    "SURROUND": "pursuers, obstacles or the border are on its four sides",
+}
+
+
+def module_of(variant: str) -> Any:
+    return import_module(f"matrixworld.envs.pursuit_evasion_{variant.lower()}_v0")
+
+
+def table(text: str) -> dict[str, str]:
+    """The rows of two cells."""
+    rows = re.findall(r"^\| (.+?) \| (.+) \|$", text, re.MULTILINE)
+    return {key: value.replace("`", "") for key, value in rows}
+
+
+def test_every_variant_has_a_text() -> None:
+    missing = [variant for variant in mw.VARIANTS if variant not in VARIANT_TEXTS]
+    assert not missing, f"matrixworld/envs/variant_texts.py: add an entry for {missing}"
+    assert set(VARIANT_TEXTS) <= set(mw.VARIANTS)
+
+
+@pytest.mark.parametrize("variant", mw.VARIANTS)
+def test_the_table_of_an_environment(variant: str) -> None:
+    module = module_of(variant)
+    env = module.parallel_env()
+    env.reset(seed=0)
+    name = env.metadata["name"]
+    assert module.__name__ == f"matrixworld.envs.{name}"
+    stated = table(module.__doc__)
+    pursuers, evaders = env.config.n_pursuers, env.config.n_evaders
+    first = env.possible_agents[0]
+    expected = {
+        "Import": f"from matrixworld.envs import {name}",
+        "Make": f'pettingzoo.make("parallel", "matrixworld/{name}")',
+        "Actions": "Discrete",
+        "Number of agents": str(len(env.possible_agents)),
+        "Agents": f"pursuer_0 ... pursuer_{pursuers - 1}, evader_0 ... evader_{evaders - 1}",
+        "Action Shape": str(env.action_space(first).shape),
+        "Action Values": str(env.action_space(first)),
+        "Observation Shape": str(env.observation_space(first).shape),
+        "State Shape": str(env.state_space.shape),
+    }
+    assert expected.items() <= stated.items()
+
+
+@pytest.mark.parametrize("variant", mw.VARIANTS)
+def test_the_rules_of_an_environment(variant: str) -> None:
+    rules, stated = mw.VARIANTS[variant], table(module_of(variant).__doc__)
+    assert module_of(variant).parallel_env().config.rules == rules
+    assert stated["agents move"] == MOVES[rules.interaction.name]
+    obstacle = stated["an agent that runs into an obstacle or the border"]
+    assert obstacle == OUTCOMES[rules.obstacle.name]
+    assert stated["an agent that collides with a teammate"] == OUTCOMES[rules.teammate.name]
+    assert stated["an evader that collides with a pursuer"] == OUTCOMES[rules.evader.name]
+    assert stated["a pursuer that collides with an evader"] == OUTCOMES[rules.pursuer.name]
+    assert stated["an evader is captured when"] == CAPTURES[rules.capture.name]
+    if rules.capture is mw.Capture.SURROUND:
+        removed = rules.captured_disappear
+    else:
+        removed = rules.evader is mw.Outcome.DISAPPEAR
+    assert (stated["a captured evader"] == "disappears") == removed
+
+
+@pytest.mark.parametrize("variant", mw.VARIANTS)
+def test_each_module_can_be_imported_in_every_way(variant: str) -> None:
+    module = module_of(variant)
+    name = module.__name__.rpartition(".")[2]
+    assert getattr(envs, name) is module
+    assert importlib.util.find_spec(module.__name__) is not None
+    assert sorted(module.__all__) == ["env", "parallel_env", "raw_env", "vector_env"]
+    for maker in (module.env, module.raw_env, module.parallel_env):
+        assert pickle.loads(pickle.dumps(maker)) is maker  # noqa: S301
+    assert module.raw_env(rows=20).config.rules == mw.VARIANTS[variant]
+
+
+@pytest.mark.parametrize("variant", mw.VARIANTS)
+def test_pettingzoo_makes_it(variant: str) -> None:
+    name = f"matrixworld/pursuit_evasion_{variant.lower()}_v0"
+    parallel = pettingzoo.make("parallel", name, max_cycles=3, rows=20)
+    assert (parallel.config.max_steps, parallel.config.rows) == (3, 20)
+    assert parallel.config.rules == mw.VARIANTS[variant]
+    assert pettingzoo.make("aec", name).unwrapped.config.rules == mw.VARIANTS[variant]
+
+
+def test_what_all_variants_share() -> None:
+    text = envs.__doc__ or ""
+    arrays = re.findall(r"^ *(\w+) +\(", mw.array_specs.__doc__ or "", re.MULTILINE)
+    assert set(INFO_KEYS) <= {*re.findall(r"``(\w+)``", text), *arrays}
+    assert all(option in text for option in OPTIONS)
+    assert all(f'``"{mode}"``' in text for mode in RENDER_MODES)
+    rewards = mw.Rewards()
+    for name in ("capture", "neighbor", "collide", "step"):
+        pursuer, evader = (getattr(rewards, f"{team}_{name}") for team in ("pursuer", "evader"))
+        assert f"| {name} | {pursuer:+g} | {evader:+g} |" in text
+
+
+@pytest.fixture(scope="module")
+def make_pages() -> Any:
+    spec = importlib.util.spec_from_file_location("make_pages", DOCS / "make_pages.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["make_pages"] = module  # dataclasses look their module up
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize("variant", mw.VARIANTS)
+def test_pages_are_up_to_date(make_pages: Any, variant: str) -> None:
+    file = DOCS / "variants" / f"{variant.lower()}.md"
+    assert file.exists(), f"{file.name} is missing: run python docs/make_pages.py"
+    assert file.read_text(encoding="utf-8") == make_pages.page(variant), (
+        f"{file.name} is out of date: run python docs/make_pages.py"
+    )
+    with Image.open(file.with_suffix(".png")) as picture:
+        assert picture.size == (504, 410)
+
+
+def test_the_chosen_moments_are_in_their_games(make_pages: Any) -> None:
+    assert set(make_pages.MOMENTS) <= set(mw.VARIANTS)
+    for variant, moment in make_pages.MOMENTS.items():
+        assert moment.step <= moment.episode(variant).length
+
+
+def test_the_list_of_games_links_to_every_page() -> None:
+    text = (DOCS / "README.md").read_text(encoding="utf-8")
+    linked = set(re.findall(r"\]\(variants/(\w+)\.md\)", text))
+    missing = [variant for variant in mw.VARIANTS if variant.lower() not in linked]
+    assert not missing, f"docs/README.md, The nine games: add {missing} to the table"
