@@ -108,7 +108,7 @@ def test_status_keeps_the_index_of_an_agent(name: str) -> None:
             break
         env.step(named(env, row))
         world.step(row)
-        for field in env.status.__dataclass_fields__:
+        for field in vars(env.status):
             np.testing.assert_array_equal(getattr(env.status, field), world.read(field)[field])
     assert env.status.alive.shape == (config.n_agents,)
     assert not env.agents

@@ -27,7 +27,7 @@ from matrixworld.coevolution import SCHEDULES, RaceSettings, start
 from matrixworld.coevolution.opponents import SAMPLERS
 from matrixworld.coevolution.settings import ALL_SCHEDULES
 from matrixworld.coevolution.storage.run_log import COLUMNS
-from matrixworld.envs import INFO_KEYS, Status
+from matrixworld.envs import INFO_KEYS
 from matrixworld.tutorial import Exercise, exercises
 from tiny_race import tiny_race
 
@@ -339,7 +339,8 @@ def test_infos_and_status_that_replace_others() -> None:
     assert len(keys) == 14
     assert not keys & {"cost", "evader_survival_rate", "pursuer_survival_rate"}
     fields = {name for row in told for name in re.findall(r"`(\w+)[`\[]", row[2])}
-    assert fields <= set(Status.__dataclass_fields__)
+    status = mw.parallel_env("O", rows=4, cols=4, n_pursuers=1, n_evaders=1).status
+    assert fields <= set(vars(status))
 
 
 def test_options_and_arguments_that_replace_others() -> None:

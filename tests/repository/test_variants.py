@@ -17,7 +17,7 @@ from PIL import Image
 import matrixworld as mw
 from matrixworld import envs
 from matrixworld.envs import INFO_KEYS, OPTIONS, RENDER_MODES
-from matrixworld.envs.variant_texts import VARIANT_TEXTS
+from matrixworld.envs.variants import VARIANT_TEXTS
 
 DOCS = Path(__file__).parents[2] / "docs"
 OUTCOMES = {"DISAPPEAR": "disappears", "REACH": "reaches the cell", "BOUNCE": "bounces back"}
@@ -44,7 +44,7 @@ def table(text: str) -> dict[str, str]:
 
 def test_every_variant_has_a_text() -> None:
     missing = [variant for variant in mw.VARIANTS if variant not in VARIANT_TEXTS]
-    assert not missing, f"matrixworld/envs/variant_texts.py: add an entry for {missing}"
+    assert not missing, f"matrixworld/envs/variants.py: add an entry for {missing}"
     assert set(VARIANT_TEXTS) <= set(mw.VARIANTS)
 
 

@@ -41,28 +41,10 @@ def shown(value: object) -> str:
 
 
 def check_integer(name: str, value: Any, low: int = -INT_MAX, high: int = INT_MAX) -> int:
-    """Return an integer argument as an int.
+    """Return an integer argument as an int; `low` and `high` are the legal limits.
 
-    Parameters
-    ----------
-    name : str
-        Name of the argument in messages.
-    value : object
-        The argument: an int or anything that Python takes for an index, but no bool.
-    low, high : int, optional
-        The smallest and the largest legal value. The default limits are those of the engine.
-
-    Returns
-    -------
-    int
-        The value.
-
-    Raises
-    ------
-    TypeError
-        If the value is not an integer.
-    ValueError
-        If it lies outside `low` to `high`.
+    Anything that Python takes for an index is an integer, but no bool. The default limits are those
+    of the engine.
     """
     if isinstance(value, bool | np.bool_):
         raise TypeError(f"{name}: expected an integer, got {shown(value)}")
@@ -78,10 +60,7 @@ def check_integer(name: str, value: Any, low: int = -INT_MAX, high: int = INT_MA
 
 
 def check_real(name: str, value: Any) -> float:
-    """Return a real argument as a float.
-
-    Raises TypeError for anything else and for a bool, ValueError for a number that no float holds.
-    """
+    """Return a real argument, but no bool, as a float."""
     if isinstance(value, bool) or not isinstance(value, Real):
         raise TypeError(f"{name}: expected a number, got {shown(value)}")
     try:
@@ -93,31 +72,7 @@ def check_real(name: str, value: Any) -> float:
 def check_number(
     name: str, value: Any, *, least: float, most: float = np.inf, positive: bool = False
 ) -> float:
-    """Return a real argument as a float.
-
-    Parameters
-    ----------
-    name : str
-        Name of the argument in messages.
-    value : object
-        The argument: a real number, but no bool.
-    least, most : float, optional
-        The smallest and the largest legal value. Infinity is never legal.
-    positive : bool, optional
-        Whether 0 is refused.
-
-    Returns
-    -------
-    float
-        The value.
-
-    Raises
-    ------
-    TypeError
-        If the value is not a number.
-    ValueError
-        If it is not finite or lies outside the limits.
-    """
+    """Return a real argument within limits as a float; infinity and NaN are never legal."""
     number = check_real(name, value)
     # NaN compares as False with everything.
     if not least <= number <= most or number == np.inf or (positive and number == 0.0):
@@ -159,14 +114,7 @@ def check_choice(name: str, value: Any, choices: Iterable[str]) -> None:
 def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[..., Any]) -> None:
     """Raise TypeError for a keyword argument that is unknown, and name the nearest one.
 
-    Parameters
-    ----------
-    given : iterable of str
-        Keyword arguments beyond the parameters of `of`.
-    known : iterable of str
-        Those that are legal.
-    of : callable
-        The function or class that was called; messages name its own parameters, too.
+    `of` is what was called; messages name its own parameters, too.
     """
     legal = set(known)
     for name in given:
@@ -182,10 +130,7 @@ def check_keywords(given: Iterable[str], known: Iterable[str], of: Callable[...,
 
 
 def check_threads(threads: int | None) -> int:
-    """Return the number of threads for the engine; None becomes `usable_cores`.
-
-    Raises ValueError outside 1 to 1024 and TypeError for a value that is not an integer.
-    """
+    """Return the number of threads for the engine; None becomes `usable_cores`."""
     return usable_cores() if threads is None else check_integer("threads", threads, 1, MOST_THREADS)
 
 
@@ -217,12 +162,8 @@ def control_group_cores(
 ) -> float:
     """Return how many cores' time the control groups of this process allow, `MOST_THREADS` at most.
 
-    Parameters
-    ----------
-    own_groups : Path, optional
-        The file that names the group of this process.
-    groups : Path, optional
-        The directory of all groups, one below the other; each may limit those below it.
+    The file `own_groups` names the group of this process. `groups` is the directory of all groups,
+    one below the other; each may limit those below it.
     """
     own = re.search(r"^0::/(.*)$", _text(own_groups), re.MULTILINE)  # the line of version 2
     group = groups / own[1] if own else groups
@@ -243,29 +184,7 @@ def _text(file: Path) -> str:
 
 
 def check_naturals(name: str, given: ArrayLike, dtype: type[np.integer[Any]]) -> NDArray[Any]:
-    """Return integers from 0 to the largest of a dtype as an array of that dtype.
-
-    Parameters
-    ----------
-    name : str
-        Name of the argument in messages.
-    given : array_like of int
-        The argument.
-    dtype : type
-        A NumPy integer type.
-
-    Returns
-    -------
-    ndarray of `dtype`
-        A copy, of the same shape.
-
-    Raises
-    ------
-    TypeError
-        If an element is not an integer.
-    ValueError
-        If an element is negative or too large for `dtype`.
-    """
+    """Return integers from 0 to the largest of a dtype as a new array of that dtype."""
     array = np.asarray(given)
     if array.dtype == dtype and array.dtype.kind == "u":
         return array.astype(dtype)

@@ -63,23 +63,9 @@ class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[m
     def step(self, action: Any) -> None:
         """Choose the action of `agent_selection`; the last choice of a turn plays the turn.
 
-        Parameters
-        ----------
-        action : int or None
-            The action; None for an agent that has terminated or is truncated.
-
-        Raises
-        ------
-        RuntimeError
-            If the episode has ended.
-        ValueError
-            If the action is out of range.
-        TypeError
-            If the action is not an integer.
-
-        Notes
-        -----
-        If an action is refused, nothing has changed.
+        The action of an agent that has terminated or is truncated is None. If an action is refused
+        (ValueError out of range, TypeError if it is no integer), nothing has changed. RuntimeError
+        if the episode has ended.
         """
         if not self.agents:
             raise RuntimeError("the episode has ended, or never began: call reset()")

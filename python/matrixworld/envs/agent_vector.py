@@ -125,27 +125,10 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
         seed: int | ArrayLike | None = None,
         options: Mapping[str, Any] | None = None,
     ) -> tuple[NDArray[Any], dict[str, Any]]:
-        """Start an episode in every world, or in some.
+        """Start an episode in every world, or in some, and return observations and infos.
 
-        Parameters
-        ----------
-        seed : int or array_like of int, shape (W,), optional
-            Seeds of the worlds, as `VectorEnv.reset` takes them.
-        options : mapping, optional
-            As for `VectorEnv.reset`, but ``reset_mask`` has the shape (W * n,), with the same value
-            for all agents of a world.
-
-        Returns
-        -------
-        observations : ndarray, shape (W * n, ...)
-            What each agent sees.
-        infos : dict
-            See `AgentVectorEnv`.
-
-        Raises
-        ------
-        ValueError, TypeError
-            As `VectorEnv.reset` does, and for a mask that cuts a world.
+        As `VectorEnv.reset`, with seeds of the worlds, but ``reset_mask`` has the shape (W * n,),
+        with the same value for all agents of a world.
         """
         given = dict(options or {})
         if given.get("reset_mask") is not None:
@@ -169,30 +152,10 @@ class AgentVectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]
     def step(
         self, actions: ArrayLike
     ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], dict[str, Any]]:
-        """Play one round in every world.
+        """Play one round in every world with an action of each sub-environment, (W * n,).
 
-        Parameters
-        ----------
-        actions : array_like of int, shape (W * n,)
-            An action of each sub-environment; see `Action`.
-
-        Returns
-        -------
-        observations : ndarray, shape (W * n, ...)
-            What each agent sees.
-        rewards : ndarray of float32, shape (W * n,)
-            Rewards of the step.
-        terminations, truncations : ndarray of bool, shape (W * n,)
-            Ends of the worlds' episodes; see `AgentVectorEnv`.
-        infos : dict
-            See `AgentVectorEnv`.
-
-        Raises
-        ------
-        RuntimeError
-            Before the first reset.
-        ValueError, TypeError
-            As `Batch.step` does.
+        Returns observations (W * n, ...), rewards, terminations, truncations, all (W * n,), and
+        infos; see `AgentVectorEnv`. Raises as `VectorEnv.step` does.
         """
         worlds = self.worlds
         worlds._play(self._all_actions(actions))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,14 @@ from matrixworld.envs.opponents import Opponents, built_in_team, set_opponents
 from matrixworld.episodes.display import Drawing
 from matrixworld.episodes.episode import Episode
 from matrixworld.play import Plays
-from matrixworld.world.arrays import WORLD_FIELDS, OutputField, action_masks, check_maskable
+from matrixworld.world.arrays import (
+    WORLD_FIELDS,
+    OutputField,
+    WorldArrays,
+    action_masks,
+    check_maskable,
+    python_value,
+)
 from matrixworld.world.config import WorldConfig, WorldSettings
 from matrixworld.world.rules import COLLISION_KINDS, VARIANTS, Rules
 from matrixworld.world.world import World
@@ -66,72 +72,21 @@ INFO_KEYS = (
 """The keys of every agent's info, at every step."""
 
 
-@dataclass(frozen=True, eq=False)
-class Status:
-    """Results of the last step for all A agents, of which E are evaders, as fresh arrays.
+class Status(WorldArrays):
+    """Results of the last step for all agents at once, as fresh arrays: see `array_specs`.
 
-    Pursuers come before evaders. An agent keeps its index when others are gone. Arrays of
-    `matrixworld.array_specs` that are added to the engine are attributes, too.
+    Pursuers come before evaders. An agent keeps its index when others are gone. `World.reset`
+    accepts `seed` and `episode`.
 
     Parameters
     ----------
-    positions : ndarray of int32, shape (A, 2)
-        Row and column; (-1, -1) for an agent that is gone.
-    alive : ndarray of bool, shape (A,)
-        Whether the agent is alive.
-    captured, ever_captured : ndarray of bool, shape (E,)
-        Whether the evader is captured at this moment, and at any time in this episode.
-    captors : ndarray of int32, shape (E,)
-        Number of pursuers with part in a capture of this step.
-    involved, fault : ndarray of bool, shape (A, 3)
-        Whether the agent was in a collision with an obstacle, a teammate, an adversary, and at
-        fault in it.
-    cost : ndarray of float32, shape (A,)
-        Number of kinds of collision in which the agent is at fault.
-    rewards : ndarray of float32, shape (A,)
-        Rewards of the step.
-    terminations, truncations : ndarray of bool, shape (A,)
-        Whether the agent has terminated, and whether its episode was cut.
-    capture_rate, ever_capture_rate : ndarray of float32, shape ()
-        Shares of the evaders.
-    survival_rate : ndarray of float32, shape (2,)
-        Shares of the pursuers and of the evaders that are alive.
-    seed, episode : ndarray of uint64, shape ()
-        The present episode; `World.reset` accepts both.
-    steps : ndarray of int32, shape ()
-        Rounds played in the episode.
-    terminated, truncated : ndarray of bool, shape ()
-        Whether the world has terminated, and whether it reached ``max_steps``.
+    world : World
+        The world.
     """
 
-    positions: NDArray[np.int32]
-    alive: NDArray[np.bool_]
-    captured: NDArray[np.bool_]
-    ever_captured: NDArray[np.bool_]
-    captors: NDArray[np.int32]
-    involved: NDArray[np.bool_]
-    fault: NDArray[np.bool_]
-    cost: NDArray[np.float32]
-    rewards: NDArray[np.float32]
-    terminations: NDArray[np.bool_]
-    truncations: NDArray[np.bool_]
-    capture_rate: NDArray[np.float32]
-    ever_capture_rate: NDArray[np.float32]
-    survival_rate: NDArray[np.float32]
-    seed: NDArray[np.uint64]
-    episode: NDArray[np.uint64]
-    steps: NDArray[np.int32]
-    terminated: NDArray[np.bool_]
-    truncated: NDArray[np.bool_]
-
-    @classmethod
-    def of(cls, world: World) -> Status:
-        """Return the status of a world after its last step."""
-        declared = cls.__dataclass_fields__
-        arrays = world.read(*declared, *(output.name for output in _INFO_FIELDS))
-        status = cls(**{name: arrays[name] for name in declared})
-        vars(status).update(arrays)  # infos may have outputs that are not declared above
-        return status
+    def __init__(self, world: World) -> None:
+        arrays = world.read(*(WORLD_FIELDS.keys() - {"views", "state"}))
+        vars(self).update({name: python_value(array) for name, array in arrays.items()})
 
     def add_collisions(self, earlier: Status) -> None:
         """Add the collisions and captors of an earlier round, for a report of several rounds."""
@@ -152,15 +107,15 @@ class Status:
         return [dict(zip(INFO_KEYS, row, strict=True)) for row in zip(*columns, strict=True)]
 
 
-def _columns(output: OutputField, array: NDArray[Any], n_agents: int) -> list[list[Any]]:
+def _columns(output: OutputField, value: Any, n_agents: int) -> list[list[Any]]:
     """Return, for each info key of an output, the values of all agents."""
     if output.axes == ("agents", "kinds"):
-        return list(array.T.tolist())
+        return list(value.T.tolist())
     if output.axes[:1] == ("agents",):
-        return [array.tolist()]
+        return [value.tolist()]
     if output.axes[:1] == ("evaders",):  # a pursuer has the zero of the dtype
-        return [[array.dtype.type(0).item()] * (n_agents - len(array)) + array.tolist()]
-    return [[value] * n_agents for value in array.reshape(-1).tolist()]
+        return [[value.dtype.type(0).item()] * (n_agents - len(value)) + value.tolist()]
+    return [[each] * n_agents for each in np.ravel(value).tolist()]
 
 
 class MatrixWorldBase:
@@ -290,7 +245,7 @@ class MatrixWorldBase:
     @property
     def status(self) -> Status:
         """The last step for all agents at once, in arrays in which an agent keeps its index."""
-        return Status.of(self.world)
+        return Status(self.world)
 
     def _infos(self, status: Status, views: NDArray[np.uint8]) -> list[dict[str, Any]]:
         """Return the info of each agent, in which `views` are what the agents see now."""
@@ -343,19 +298,9 @@ class MatrixWorldBase:
         return None if self._built_in is None else int(self._built_in.chosen[0])
 
     def render(self) -> NDArray[np.uint8] | str | None:
-        """Draw the present moment.
+        """Draw the present moment: pixels (height, width, 3) uint8 or a text; None for "human".
 
-        Returns
-        -------
-        ndarray of uint8, shape (height, width, 3), or str or None
-            As the render mode says; None for "human".
-
-        Raises
-        ------
-        ValueError
-            If the environment has no render mode.
-        RuntimeError
-            Before the first reset.
+        ValueError if the environment has no render mode, RuntimeError before the first reset.
         """
         if self.render_mode is None or self._drawing is None:
             raise ValueError(

@@ -32,7 +32,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
     def reset(
         self, seed: int | None = None, options: Mapping[str, Any] | None = None
     ) -> tuple[dict[str, View], dict[str, dict[str, Any]]]:
-        """Start an episode.
+        """Start an episode, and return observations and infos by the name of the agent.
 
         Parameters
         ----------
@@ -44,11 +44,6 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
             (cells, shape (n, 2)), ``obstacles`` (a map), ``episode`` (a number). With a built-in
             team also ``opponents``: what plays for it from now on. Other keys are ignored with a
             warning.
-
-        Returns
-        -------
-        observations, infos : dict
-            By the name of the agent. Observations are uint8 of shape (3, fov, fov).
 
         Raises
         ------
@@ -85,16 +80,11 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         Raises
         ------
         RuntimeError
-            If there are actions although the episode has ended.
-        ValueError
-            If an action is missing or out of range, or an agent is unknown.
-        TypeError
-            If an action is not an integer.
-
-        Notes
-        -----
-        If an action is refused, nothing has changed. A step without actions in an ended episode
-        returns five empty dicts, because wrappers of PettingZoo rely on it.
+            If there are actions although the episode has ended. A step without actions then returns
+            five empty dicts, because wrappers of PettingZoo rely on it.
+        ValueError, TypeError
+            If an action is missing, out of range or no integer, or an agent is unknown. Nothing has
+            changed then.
         """
         if not self.agents:
             if actions or not self._seeded:
@@ -106,7 +96,7 @@ class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type
         self.world.step(committed)
         if self._drawing is not None:
             self._drawing.note(self._actions)
-        status, views = Status.of(self.world), self.world.views()
+        status, views = Status(self.world), self.world.views()
         observations = self._by_agent(acting, views)
         rewards = self._by_agent(acting, status.rewards.tolist())
         terminations = self._by_agent(acting, status.terminations.tolist())

@@ -281,7 +281,7 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         seed: int | ArrayLike | None = None,
         options: Mapping[str, Any] | None = None,
     ) -> tuple[NDArray[Any], dict[str, Any]]:
-        """Start an episode in every world, or in some.
+        """Start an episode in every world, or in some, and return observations and infos.
 
         Parameters
         ----------
@@ -290,16 +290,8 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
             episode; worlds that never had a seed draw one from the operating system.
         options : mapping, optional
             Any of `OPTIONS`: ``reset_mask``, bool, shape (W,), the worlds to reset; ``episode``,
-            the number of the seed's episode; ``pursuers`` and ``evaders``, positions, shape (n, 2)
-            or (W, n, 2); ``obstacles``, a map for these episodes. With a built-in team also
-            ``opponents``: what plays for it in episodes that begin from now on.
-
-        Returns
-        -------
-        observations : ndarray
-            What each agent sees.
-        infos : dict
-            See `VectorEnv`.
+            ``pursuers``, ``evaders`` and ``obstacles`` as for `Batch.reset`. With a built-in team
+            also ``opponents``: what plays for it in episodes that begin from now on.
 
         Raises
         ------
@@ -345,23 +337,15 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
 
         Returns
         -------
-        observations : ndarray
-            What each agent sees.
-        rewards : ndarray of float32, shape (W, A)
-            Rewards of the step.
-        terminations, truncations : ndarray of bool, shape (W, A)
-            Whether agents have terminated; whether their world was truncated.
-        infos : dict
-            See `VectorEnv`.
+        observations, rewards, terminations, truncations, infos : ndarray and dict
+            The attributes of the same names, or copies of them; see `VectorEnv`.
 
         Raises
         ------
-        RuntimeError
-            Before the first reset.
+        RuntimeError, gymnasium.error.ClosedEnvironmentError
+            Before the first reset, and after `close`.
         ValueError, TypeError
             As `Batch.step` does.
-        gymnasium.error.ClosedEnvironmentError
-            After `close`.
         """
         self._play(actions)
         return self._returned(

@@ -238,13 +238,8 @@ class Episode:
     def load(cls, path: str | os.PathLike[str]) -> Episode:
         """Read an episode that `save` wrote.
 
-        Raises
-        ------
-        OSError
-            If the file cannot be read.
-        DamagedFileError
-            A ValueError: if the file is cut, altered, not an episode, or beyond the limits in
-            `matrixworld._util.reading`. The message names the file.
+        Raises OSError if the file cannot be read, and DamagedFileError, a ValueError that names the
+        file, if it is cut, altered or not an episode.
         """
         path = Path(path)
         entries = read_npz(path)

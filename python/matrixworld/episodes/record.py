@@ -62,21 +62,9 @@ class Recorder:
         self._keep(*MOMENT_ARRAYS)
 
     def note(self, actions: ArrayLike) -> None:
-        """Record the round that was just played.
+        """Record the round that was just played, with its actions (A,).
 
-        Parameters
-        ----------
-        actions : array_like of int, shape (A,)
-            The actions of that round.
-
-        Raises
-        ------
-        ValueError
-            For another shape.
-        TypeError
-            If the actions are not integers.
-        RuntimeError
-            If a round was left out, or the world was reset without `begin`.
+        RuntimeError if a round was left out, or the world was reset without `begin`.
         """
         row = integers("actions", actions)
         if row.shape != (self.world.config.n_agents,):
@@ -103,18 +91,7 @@ class Recorder:
         return self._last(len(self._kept["actions"]))
 
     def scene(self, *, trail: int = 6) -> Scene:
-        """Return a drawing of the present moment.
-
-        Parameters
-        ----------
-        trail : int, optional
-            Number of past steps that the agents' trails show. The default is 6.
-
-        Returns
-        -------
-        Scene
-            The present moment with trails, and marks for captures and collisions of the last steps.
-        """
+        """Return a drawing of the present moment with trails of `trail` steps."""
         steps = len(self._kept["actions"])
         # A picture shows few steps; a copy of the whole recording for each would cost its length.
         window = self._last(min(steps, max(trail, MARK_STEPS)))
@@ -173,22 +150,13 @@ def record_actions(
         A configuration, rules, or the name of a variant.
     actions : array_like of int, shape (T, A)
         The actions, one row for each round. Rows after the end of the episode are ignored.
-    seed, episode : int, optional
-        The episode, as `World.reset` takes it. The defaults are 0.
-    pursuers, evaders : array_like of int, shape (n, 2), optional
-        First positions (row, column). The default is random positions.
-    obstacles : MapLike, optional
-        A map instead of the configuration's.
+    seed, episode, pursuers, evaders, obstacles : optional
+        The episode, as `World.reset` takes it. The default is episode 0 of seed 0.
 
     Returns
     -------
     Episode
         The recorded episode.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As `World.reset` and `World.step` do.
     """
     world = World(config)
     world.reset(seed, episode=episode, pursuers=pursuers, evaders=evaders, obstacles=obstacles)

@@ -4,54 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import SEED_MAX, check_integer, check_naturals
 from matrixworld.analysis.rate_intervals import rate_intervals
+from matrixworld.episodes.episode import Episode
+from matrixworld.play.rollout import EpisodeStatistics
+from matrixworld.world.arrays import WorldArrays
 from matrixworld.world.rules import COLLISION_KINDS
 
 TEAMS = ("pursuers", "evaders")
 _COLUMNS = "{:10}{:11}{:24}{:24}{:>7}{:>8}{:>7}{:>9}"
-
-
-class StatisticsArrays(Protocol):
-    """The part of `EpisodeStatistics` that is read here."""
-
-    collisions: NDArray[np.int32]
-    faults: NDArray[np.int32]
-    agent_steps: NDArray[np.int64]
-    capture_rate: NDArray[np.float32]
-
-
-class StepStatus(Protocol):
-    """The part of an environment's ``status`` that is read here."""
-
-    alive: NDArray[np.bool_]
-    captured: NDArray[np.bool_]
-    involved: NDArray[np.bool_]
-    fault: NDArray[np.bool_]
-    capture_rate: NDArray[np.float32]
-    seed: NDArray[np.uint64]
-    episode: NDArray[np.uint64]
-    steps: NDArray[np.int32]
-    terminated: NDArray[np.bool_]
-    truncated: NDArray[np.bool_]
-
-
-class RecordedEpisode(Protocol):
-    """The part of a recorded `Episode` that is read here."""
-
-    alive: NDArray[np.bool_]
-    involved: NDArray[np.bool_]
-    fault: NDArray[np.bool_]
-    n_pursuers: int
-
-    @property
-    def capture_rate(self) -> float:
-        """Share of the evaders that count as captured at the end."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -192,11 +158,9 @@ class SafetyMonitor:
 
         Raises
         ------
-        TypeError
-            If a count is not an integer.
-        ValueError
-            If a count is negative, the shapes do not fit, or not faults <= collisions <=
-            agent_steps. No episode is collected then.
+        ValueError, TypeError
+            If a count is negative or no integer, the shapes do not fit, or not faults <= collisions
+            <= agent_steps. No episode is collected then.
         """
         rates = np.array(capture_rate, np.float64)
         if not ((rates >= 0) & (rates <= 1)).all():
@@ -211,7 +175,7 @@ class SafetyMonitor:
         self._agent_steps.append(steps.reshape(-1, 2))
         self._capture_rates.append(rates.reshape(-1))
 
-    def add_statistics(self, statistics: StatisticsArrays) -> None:
+    def add_statistics(self, statistics: EpisodeStatistics) -> None:
         """Collect all episodes of a `rollout`."""
         self.add(
             statistics.collisions,
@@ -227,7 +191,7 @@ class SafetyMonitor:
             names = ("collisions", "faults", "agent_steps", "capture_rate")
             self.add(*(statistics[name][ended] for name in names))
 
-    def add_episode(self, episode: RecordedEpisode) -> None:
+    def add_episode(self, episode: Episode) -> None:
         """Collect a recorded episode."""
         n = episode.n_pursuers
         self.add(
@@ -237,21 +201,12 @@ class SafetyMonitor:
             episode.capture_rate,
         )
 
-    def observe(self, status: StepStatus) -> None:
-        """Follow an environment; call it after every step.
+    def observe(self, status: WorldArrays) -> None:
+        """Follow an environment by its ``env.status``; call it after every step.
 
-        An episode is collected when it ends, and forgotten if a reset comes before its end.
-
-        Parameters
-        ----------
-        status : Status
-            ``env.status``. One of the same round as the last call adds nothing, so this works
-            after every step of an AEC environment as well.
-
-        Raises
-        ------
-        ValueError
-            If a step was left out.
+        An episode is collected when it ends, and forgotten if a reset comes before its end. A
+        status of the same round as the last one adds nothing, so this works after every step of an
+        AEC environment as well. ValueError if a step was left out.
         """
         current, steps = self._current, int(status.steps)
         # Another seed or number, or fewer steps than before, means another episode.
@@ -276,25 +231,7 @@ class SafetyMonitor:
         return both
 
     def summary(self, *, seed: int = 0) -> SafetySummary:
-        """Summarize all episodes so far.
-
-        Parameters
-        ----------
-        seed : int, optional
-            Seed of the bootstrap. The default is 0.
-
-        Returns
-        -------
-        SafetySummary
-            Rates, intervals and shares.
-
-        Raises
-        ------
-        ValueError
-            If no episode was collected, or the seed is out of range.
-        TypeError
-            If the seed is not an integer.
-        """
+        """Summarize all episodes so far; `seed` is that of the bootstrap of intervals."""
         seed = check_integer("seed", seed, 0, SEED_MAX)
         if not self.episodes:
             raise ValueError("safety: expected at least one whole episode, got none")
@@ -320,7 +257,7 @@ class SafetyMonitor:
 class _Current:
     """Counts of the episode that an environment is in, or has just ended."""
 
-    def __init__(self, status: StepStatus) -> None:
+    def __init__(self, status: WorldArrays) -> None:
         self.which = _which(status)
         self.n_pursuers = len(status.alive) - len(status.captured)
         self.steps = 0
@@ -329,7 +266,7 @@ class _Current:
         self.involved = np.zeros(status.involved.shape, np.int64)
         self.fault = np.zeros(status.fault.shape, np.int64)
 
-    def follow(self, status: StepStatus) -> None:
+    def follow(self, status: WorldArrays) -> None:
         self.steps += 1
         self.agent_steps += self.alive  # as the step began
         self.involved += status.involved
@@ -341,7 +278,7 @@ class _Current:
         return _by_team(self.involved, n), _by_team(self.fault, n), _by_team(self.agent_steps, n)
 
 
-def _which(status: StepStatus) -> tuple[int, int]:
+def _which(status: WorldArrays) -> tuple[int, int]:
     return int(status.seed), int(status.episode)
 
 

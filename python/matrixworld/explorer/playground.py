@@ -19,7 +19,7 @@ from inspect import cleandoc
 from pathlib import Path
 from typing import Any
 
-from matrixworld.envs.variant_texts import VARIANT_TEXTS
+from matrixworld.envs.variants import VARIANT_TEXTS
 from matrixworld.episodes.render import png
 from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, fitting_cell
 from matrixworld.explorer.page import mime_bundle, render_page, write_page

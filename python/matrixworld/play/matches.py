@@ -37,24 +37,10 @@ def ask(
 ) -> None:
     """Write the actions that a function chooses for some agents of W worlds.
 
-    Parameters
-    ----------
-    policy : callable
-        The function.
-    views : ndarray, shape (W, A, 3, fov, fov)
-        What the agents see.
-    asked : ndarray of bool, shape (W, A)
-        The agents that act; all are alive and of one team. If there are none, the function is not
-        called.
-    actions : ndarray of int64, shape (W, A)
-        Where to write. Entries of other agents stay as they are.
-    n_actions : int
-        Number of legal actions.
-
-    Raises
-    ------
-    ValueError, TypeError
-        If the function returns something else than one legal action for each agent.
+    `views` (W, A, 3, fov, fov) are what the agents see, `asked` (W, A) those that act: living
+    agents of one team. Entries of other agents in `actions` (W, A) stay as they are. The function
+    is not called for nobody. ValueError or TypeError if it returns something else than one legal
+    action for each agent.
     """
     if not asked.any():
         return

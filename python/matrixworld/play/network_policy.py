@@ -116,25 +116,9 @@ class NetworkPolicy:
         return f"NetworkPolicy({self.network!r})"
 
     def __call__(self, observations: ArrayLike) -> Any:
-        """Return actions for observations.
+        """Return actions for observations: an int for one, int64 of the leading axes for several.
 
-        Parameters
-        ----------
-        observations : array_like of int or float
-            One observation, shape (3, fov, fov) or flattened, or any number of them, with further
-            axes in front.
-
-        Returns
-        -------
-        int, or ndarray of int64
-            The action; for several observations an array with the axes in front.
-
-        Raises
-        ------
-        ValueError
-            If the shape is another.
-        TypeError
-            If the observations are not numbers.
+        An observation is (3, fov, fov) or flattened; further axes may stand in front of it.
         """
         views, leading = self._views(observations)
         units = self._rng.random(len(views), np.float32)

@@ -42,6 +42,40 @@ WORLD_FIELDS = {row[0]: OutputField(*row) for row in _core.world_fields()}
 BATCH_FIELDS = {row[0]: OutputField(*row) for row in _core.batch_fields()}
 
 
+class WorldArrays:
+    """What `array_specs` lists but ``views`` and ``state``, as attributes.
+
+    What has the shape () is a number of Python. There are A agents, pursuers first, of which E are
+    evaders; axes of 3 are the kinds of collision.
+    """
+
+    seed: int
+    episode: int
+    steps: int
+    terminated: bool
+    truncated: bool
+    capture_rate: float
+    ever_capture_rate: float
+    survival_rate: NDArray[np.float32]  # (2,): of pursuers and of evaders
+    positions: NDArray[np.int32]  # (A, 2)
+    last_positions: NDArray[np.int32]  # (A, 2)
+    alive: NDArray[np.bool_]  # (A,)
+    captured: NDArray[np.bool_]  # (E,)
+    ever_captured: NDArray[np.bool_]  # (E,)
+    captors: NDArray[np.int32]  # (E,)
+    involved: NDArray[np.bool_]  # (A, 3), by kind of collision
+    fault: NDArray[np.bool_]  # (A, 3)
+    cost: NDArray[np.float32]  # (A,)
+    rewards: NDArray[np.float32]  # (A,)
+    terminations: NDArray[np.bool_]  # (A,)
+    truncations: NDArray[np.bool_]  # (A,)
+
+
+def python_value(array: NDArray[Any]) -> Any:
+    """Return an array, or its number if it has no axes."""
+    return array if array.ndim else array.item()
+
+
 def array_specs(config: WorldConfig) -> Specs:
     """Return shape and dtype of every array that a world can write.
 

@@ -136,25 +136,12 @@ class Batch:
             An int s gives world w the seed s + w. World w then plays as a `World` does after
             ``reset(seed of w, episode=episode)``. Without a seed each world starts its own seed's
             next episode.
-        episode : int, optional
-            The number of the seeds' episode. The default is 0; without a seed it must be left out.
         mask : array_like of bool, shape (W,), optional
             The worlds to reset. The default is all.
         pursuers, evaders : array_like of int, shape (n, 2) or (W, n, 2), optional
-            First positions (row, column), the same in every world or for each world. The default is
-            random positions.
-        obstacles : MapLike, optional
-            A map for this episode, as `read_map` takes it, instead of the configuration's.
-
-        Returns
-        -------
-        dict of str to ndarray
-            The buffers.
-
-        Raises
-        ------
-        ValueError, TypeError
-            As `World.reset` does; then no world has changed.
+            Start cells, the same in every world or for each world. By default they are drawn.
+        episode, obstacles : optional
+            As for `World.reset`, which also says what is refused; then no world has changed.
         """
         if seed is None and episode != 0:
             raise ValueError(f"episode: expected a seed with it, got episode {episode} alone")
@@ -178,25 +165,10 @@ class Batch:
         return np.ascontiguousarray(check_naturals("seeds", seed, np.uint64))
 
     def step(self, actions: ArrayLike) -> dict[str, NDArray[Any]]:
-        """Play one round in every world and return the buffers.
+        """Play one round in every world with actions (W, A), and return the buffers.
 
-        Parameters
-        ----------
-        actions : array_like of int, shape (W, A)
-            See `Action`. Actions of gone agents and in ended worlds are ignored.
-
-        Returns
-        -------
-        dict of str to ndarray
-            The buffers.
-
-        Raises
-        ------
-        ValueError
-            For another shape, and for an illegal action; the message names world and agent. Then no
-            world has changed.
-        TypeError
-            If the actions are not integers.
+        Actions of gone agents and in ended worlds are ignored. If one is refused (ValueError names
+        its world and agent, TypeError what is no integer), no world has changed.
         """
         self._core.step(integers("actions", actions))
         return self.buffers
@@ -211,7 +183,7 @@ class Batch:
         """Write the actions that policies choose at this moment for agents of one team.
 
         A policy uses the random numbers that it has in a rollout for the same seed, episode, step
-        and agent. The worlds stay as they are.
+        and agent. The worlds stay as they are, and if something does not fit them, so do `actions`.
 
         Parameters
         ----------
@@ -225,11 +197,6 @@ class Batch:
         actions : ndarray of int64, shape (W, A)
             Where to write. Entries of gone agents, of other agents and of ended worlds stay as they
             are.
-
-        Raises
-        ------
-        ValueError, TypeError
-            If a policy or an array does not fit the worlds; then nothing was written.
         """
         teams = [
             policy if policy is None else check_team("policies", policy) for policy in policies

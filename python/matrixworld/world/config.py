@@ -36,10 +36,7 @@ _TEAM_SIZES = {Capture.OCCUPATION: (8, 30), Capture.SURROUND: (20, 5)}
 
 
 class WorldSettings(TypedDict, total=False):
-    """Keyword arguments that set or change fields of a `WorldConfig`, for type checkers.
-
-    Functions that make worlds and environments accept them.
-    """
+    """Keyword arguments that set or change fields of a `WorldConfig`, for type checkers."""
 
     rows: int | None
     cols: int | None

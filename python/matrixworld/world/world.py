@@ -15,9 +15,11 @@ from matrixworld.episodes.render import Scene
 from matrixworld.world.arrays import (
     CHANNEL,
     WORLD_FIELDS,
+    WorldArrays,
     array_specs,
     integers,
     positions_of,
+    python_value,
     workspace_bytes,
 )
 from matrixworld.world.config import WorldConfig, WorldSettings
@@ -27,7 +29,7 @@ from matrixworld.world.policy import TeamPolicy, check_agents, check_team
 from matrixworld.world.rules import Rules
 
 
-class World:
+class World(WorldArrays):
     """One world of pursuers and evaders on a grid.
 
     A new world is in its first episode of seed 0. `step` plays one round; `reset` starts another
@@ -91,28 +93,6 @@ class World:
     config: WorldConfig
     keeps_conflicts: bool
 
-    # Read by `__getattr__`. A = n_pursuers + n_evaders agents, E evaders.
-    seed: int
-    episode: int
-    steps: int
-    terminated: bool
-    truncated: bool
-    capture_rate: float
-    ever_capture_rate: float
-    survival_rate: NDArray[np.float32]  # (2,): of pursuers and of evaders
-    positions: NDArray[np.int32]  # (A, 2)
-    last_positions: NDArray[np.int32]  # (A, 2)
-    alive: NDArray[np.bool_]  # (A,)
-    captured: NDArray[np.bool_]  # (E,)
-    ever_captured: NDArray[np.bool_]  # (E,)
-    captors: NDArray[np.int32]  # (E,)
-    involved: NDArray[np.bool_]  # (A, 3), by kind of collision
-    fault: NDArray[np.bool_]  # (A, 3)
-    cost: NDArray[np.float32]  # (A,)
-    rewards: NDArray[np.float32]  # (A,)
-    terminations: NDArray[np.bool_]  # (A,)
-    truncations: NDArray[np.bool_]  # (A,)
-
     def __init__(
         self, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
     ) -> None:
@@ -133,9 +113,7 @@ class World:
         evaders: ArrayLike | None = None,
         obstacles: MapLike | None = None,
     ) -> None:
-        """Start an episode.
-
-        The same seed and episode number give the same start, on every machine.
+        """Start an episode. The same seed and number give the same start, on every machine.
 
         Parameters
         ----------
@@ -151,15 +129,10 @@ class World:
 
         Raises
         ------
-        ValueError
+        ValueError, TypeError
             If start cells overlap, lie outside the grid or on an obstacle, or have a wrong number;
-            if a map has another size or no room for the agents; if a number is out of range.
-        TypeError
-            If a number is not an integer.
-
-        Notes
-        -----
-        If an argument is refused, the world stays as it was.
+            if a map has another size or no room for the agents; if a number is no integer or out
+            of range. The world then stays as it was.
         """
         if seed is None:
             # Numbers of episodes wrap around, so that a world never runs out of them.
@@ -182,7 +155,7 @@ class World:
         self._explained = False
 
     def step(self, actions: ArrayLike, *, explain: bool = False) -> NDArray[np.float32]:
-        """Play one round.
+        """Play one round and return the rewards, float32 of shape (A,).
 
         Parameters
         ----------
@@ -192,19 +165,12 @@ class World:
         explain : bool, optional
             Whether to keep the list of `conflicts`. The default is False.
 
-        Returns
-        -------
-        ndarray of float32, shape (A,)
-            The rewards.
-
         Raises
         ------
         RuntimeError
             If the episode has ended, or a round is being played turn by turn.
-        ValueError
-            If the shape is another, or the action of a living agent is out of range.
-        TypeError
-            If the actions are not integers.
+        ValueError, TypeError
+            If the shape is another, or an action of a living agent is out of range or no integer.
         """
         self._require_open()
         if self.turn:
@@ -217,28 +183,13 @@ class World:
         return self.rewards
 
     def play_turn(self, actions: ArrayLike, *, explain: bool = False) -> NDArray[np.float32]:
-        """Play the next turn of a round.
+        """Play the next turn of a round and return the rewards of the round so far.
 
-        The round is over after its last turn; then `steps` grows. Captors, involvement, fault and
-        rewards accumulate over a round. If the world terminates in the middle of a round, the
-        remaining turns have to be played as well, but nothing happens in them.
-
-        Parameters
-        ----------
-        actions : array_like of int, shape (A,)
-            Only the actions of the living `actors` are read.
-        explain : bool, optional
-            Whether to keep the list of `conflicts`; pass it in every turn of the round.
-
-        Returns
-        -------
-        ndarray of float32, shape (A,)
-            The rewards of the round so far.
-
-        Raises
-        ------
-        RuntimeError, ValueError, TypeError
-            As `step` does.
+        Only the actions of the living `actors` are read; otherwise the arguments are those of
+        `step`, with `explain` in every turn of the round. The round is over after its last turn;
+        then `steps` grows. Captors, involvement, fault and rewards accumulate over a round. If the
+        world terminates in the middle of a round, the remaining turns have to be played as well,
+        but nothing happens in them.
         """
         if not self.turn:
             self._require_open()
@@ -252,23 +203,10 @@ class World:
     def decide(self, policy: TeamPolicy, agents: range, actions: NDArray[np.int64]) -> None:
         """Write the actions that a policy chooses at this moment for agents of one team.
 
-        The policy uses the random numbers that it has in a rollout for the same seed, episode, step
-        and agent. The world stays as it is.
-
-        Parameters
-        ----------
-        policy : Population or str
-            A population of one genome, or the name of a script.
-        agents : range
-            The agents that act; all are of one team.
-        actions : ndarray of int64, shape (A,)
-            Where to write. Entries of gone agents and of other agents stay as they are; in an ended
-            episode all do.
-
-        Raises
-        ------
-        ValueError, TypeError
-            If the policy or an array does not fit the world.
+        The policy, a population of one genome or the name of a script, uses the random numbers that
+        it has in a rollout for the same seed, episode, step and agent. The world stays as it is.
+        Entries of `actions`, int64 of shape (A,), of gone agents and of agents that are not in
+        `agents` stay as they are; in an ended episode all do.
         """
         self._core.decide(check_team("policy", policy), *check_agents(agents), actions)
 
@@ -298,17 +236,9 @@ class World:
         return [conflict_of(numbers, self.config.n_pursuers) for numbers in table]
 
     def conflict_table(self) -> NDArray[np.int32]:
-        """Return the conflicts of the last step as numbers.
+        """Return the conflicts of the last step, int32 of shape (n, 10); see `CONFLICT_COLUMNS`.
 
-        Returns
-        -------
-        ndarray of int32, shape (n, 10)
-            A row for each conflict; `CONFLICT_COLUMNS` names the columns.
-
-        Raises
-        ------
-        RuntimeError
-            Unless the step had ``explain=True``.
+        RuntimeError unless the step had ``explain=True``.
         """
         if not self._explained:
             raise RuntimeError("no list of conflicts was kept: play the step with explain=True")
@@ -333,8 +263,7 @@ class World:
             """Return an array of `array_specs`, or its number if it has no axes."""
             if name not in WORLD_FIELDS:
                 raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
-            array = self.read(name)[name]
-            return array if array.ndim else array.item()
+            return python_value(self.read(name)[name])
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *WORLD_FIELDS]
@@ -358,19 +287,9 @@ class World:
         return self.read("state")["state"]
 
     def scene(self, title: str = "") -> Scene:
-        """Return this moment for `matrixworld.episodes.render`; a notebook shows it as a picture.
+        """Return this moment for `matrixworld.render`; a notebook shows it as a picture.
 
-        Collisions of the last step are marked.
-
-        Parameters
-        ----------
-        title : str, optional
-            A line of text above the drawing.
-
-        Returns
-        -------
-        Scene
-            The arrays to draw.
+        Collisions of the last step are marked. `title` is a line of text above the drawing.
         """
         return Scene(
             positions=self.last_positions,
