@@ -10,8 +10,7 @@ import numpy as np
 
 from matrixworld.explorer.scenes import drawn_world
 from matrixworld.tutorial.boards import Cell, actions_to, pack, random_pack
-from matrixworld.tutorial.checks import FormError, Kind, actions, function, value
-from matrixworld.tutorial.course import Exercise, Prediction
+from matrixworld.tutorial.checks import Check, FormError, Kind, actions, function, value
 from matrixworld.world.rules import VARIANTS, Action, Capture, Interaction, Outcome, Rules
 
 # 1.1: a way through a maze.
@@ -121,71 +120,9 @@ in_conflict = function(
 )
 
 
-EXERCISES: dict[str, Exercise | Prediction] = {
-    "1.1": Exercise(
-        value(actions(SHORTEST), _mistake_in_way),
-        "No way is shorter: the evader is 3 rows and 4 columns away.",
-        (
-            "Rows grow to the south and columns to the east. Draw the way on paper first.",
-            "The obstacles leave only one way of this length. It begins in the first row.",
-            "Two steps to the east, two to the south, and so on.",
-        ),
-    ),
-    "1.a": Prediction(
-        "c",
-        "Under these rules teammates that want the same cell bounce back: both stay. No agent "
-        "comes first, and the number of an agent gives it no right.",
-    ),
-    "1.b": Prediction(
-        "a",
-        "All agents move at the same moment. When pursuer 0 arrives, pursuer 1 has left.",
-    ),
-    "1.2": Exercise(
-        value(actions(len(ROOM)), _mistake_in_room),
-        "Each agent enters the cell that the next one leaves. Such a cycle is no conflict, just "
-        "as a queue is none.",
-        (
-            "A cell is free at the moment of arrival if its agent leaves it. It need not be empty "
-            "before.",
-            "If two of them swap, they meet on the border between their cells. Which other way is "
-            "there to exchange places among four?",
-            "Let them walk around like the hands of a clock.",
-        ),
-    ),
-    "1.c": Prediction(
-        "b",
-        "The outcome of the evader is to bounce back: it keeps the cell on which it stands, and "
-        "the pursuer is stopped. Under such rules pursuers have to surround an evader.",
-    ),
-    "1.d": Prediction(
-        "c",
-        "Where all move at once, the evader is gone when the pursuer arrives. Where agents take "
-        "turns, the pursuer arrives while the evader still has to wait for its turn.",
-        options=("a", "b", "c", "d"),
-    ),
-    "1.e": Prediction(
-        "c",
-        "All chasers run after the same nearest evader, so they meet each other on its heels, and "
-        "now a meeting costs both their lives.",
-    ),
-    "1.3": Exercise(
-        _mistake_in_rules,
-        "Seven fields are a whole game. You can play it: mw.World(answer, rows=8, cols=8).",
-        (
-            "help(mw.Rules) lists the seven fields; a field that you leave out keeps its default.",
-            "There are four fields for outcomes: obstacle, teammate, evader, pursuer.",
-            "mw.Interaction.SWARM_TURNS lets the teams take turns; mw.Capture.SURROUND is the "
-            "capture by surrounding.",
-        ),
-    ),
-    "1.4": Exercise(
-        in_conflict,
-        "It agrees with the engine in all situations: these are the vertex and edge conflicts.",
-        (
-            "Compare every agent with every other one: two loops, and two questions inside.",
-            "First question: do both have the same target? The target of an agent that stays is "
-            "its own cell.",
-            "Second question: does each of the two have the other's cell as its target?",
-        ),
-    ),
+CHECKS: dict[str, Check] = {
+    "1.1": value(actions(SHORTEST), _mistake_in_way),
+    "1.2": value(actions(len(ROOM)), _mistake_in_room),
+    "1.3": _mistake_in_rules,
+    "1.4": in_conflict,
 }

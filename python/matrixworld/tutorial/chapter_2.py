@@ -10,6 +10,7 @@ from matrixworld.explorer.scenes import drawn_world
 from matrixworld.tutorial.boards import Cell, actions_to, pack, random_pack
 from matrixworld.tutorial.checks import (
     WHOLE,
+    Check,
     FormError,
     Kind,
     actions,
@@ -18,7 +19,6 @@ from matrixworld.tutorial.checks import (
     numbers,
     value,
 )
-from matrixworld.tutorial.course import Exercise, Prediction
 from matrixworld.world.rules import Action
 
 # 2.1: one other action.
@@ -145,73 +145,9 @@ resolver = function(
 )
 
 
-EXERCISES: dict[str, Exercise | Prediction] = {
-    "2.a": Prediction(
-        "b",
-        "Pursuer 1 meets pursuer 2 and bounces. Then it stands in the way of pursuer 0.",
-        options=("a", "b"),
-    ),
-    "2.b": Prediction(
-        "c",
-        "The first one stays, so the cell behind it does not become free, and so on to the last.",
-    ),
-    "2.1": Exercise(
-        value(actions(len(JAM_ACTIONS)), _mistake_in_jam),
-        "Pursuer 0 follows as soon as pursuer 1 can leave its cell.",
-        (
-            "Pursuer 0 depends on pursuer 1 alone. On which agent does pursuer 1 depend?",
-            "Either pursuer 2 gives way, or pursuer 1 leaves in another direction.",
-        ),
-    ),
-    "2.c": Prediction(
-        "b",
-        "Teammates share the responsibility: the one that stood there could have given way.",
-    ),
-    "2.2": Exercise(
-        value(numbers("a list of 5 numbers", 5), _mistake_in_rewards),
-        "Two penalties for teammates, one for the wall, and one capture, which costs nobody a "
-        "penalty.",
-        (
-            "Begin with -0.05 for everyone, and then look at each conflict.",
-            "Under -O two teammates may share a cell. They are at fault all the same.",
-            "The captured evader is gone after the step, and no other two adversaries are beside "
-            "each other.",
-        ),
-    ),
-    "2.3": Exercise(
-        at_least_steps,
-        "202 steps cost 10.10. An episode may last 500 steps, so an evader that only counts "
-        "rewards had better be caught. `mw.Rewards.published()` pays evaders +0.05 per step "
-        "instead, as the published code of the paper does.",
-        (
-            "Write both totals down: one is a single number, the other depends on the steps.",
-            "For which whole n is -0.05 n smaller than -10.05?",
-        ),
-    ),
-    "2.d": Prediction(
-        "c",
-        "Where the front one is moved first, each cell is free in time. Where the last one is "
-        "moved first, it finds its next cell still occupied.",
-    ),
-    "2.e": Prediction(
-        "c",
-        "A single pair that depends on the order is enough to change the result of a step, and "
-        "among 30 agents there is nearly always one.",
-    ),
-    "2.f": Prediction(
-        "b",
-        "A random order favours no agent in the long run, but each single step still depends on "
-        "the order. The numbers were replaced by dice.",
-    ),
-    "2.4": Exercise(
-        resolver,
-        "It agrees with the engine in all situations. Nowhere did you ask which agent comes first.",
-        (
-            "An agent that bounces is an agent whose target is its own cell. Then look at the "
-            "situation anew.",
-            "Repeat: find all agents in conflict, and set the targets of all of them to their own "
-            "cells. When can you stop?",
-            "Stop when nothing changes any more. Then the targets are the new cells.",
-        ),
-    ),
+CHECKS: dict[str, Check] = {
+    "2.1": value(actions(len(JAM_ACTIONS)), _mistake_in_jam),
+    "2.2": value(numbers("a list of 5 numbers", 5), _mistake_in_rewards),
+    "2.3": at_least_steps,
+    "2.4": resolver,
 }

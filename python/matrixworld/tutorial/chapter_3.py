@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from matrixworld._util.checks import shown
-from matrixworld.tutorial.checks import NUMBER, function
-from matrixworld.tutorial.course import Exercise, Prediction
+from matrixworld.tutorial.checks import NUMBER, Check, function
 from matrixworld.world.policy import Network
 
 genome_size = function(
@@ -138,57 +137,9 @@ def _wrong_candidates(candidates: Any) -> str | None:
     return None
 
 
-EXERCISES: dict[str, Exercise | Prediction] = {
-    "3.1": Exercise(
-        genome_size,
-        "Each layer has inputs times outputs weights, and one bias for each output. Most genes are "
-        "in the first layer, because a view has many cells.",
-        (
-            "Look at the shapes that the cell above prints.",
-            "A view has three layers, so the first layer has 3 * side * side inputs.",
-            "Add (inputs + 1) * outputs of both layers; the 1 is the bias.",
-        ),
-    ),
-    "3.a": Prediction(
-        "c",
-        "Python looks up what each small step means whenever it is done; the compiler did "
-        "it once. Evolution plays tens of thousands of matches, so the ratio decides what can be "
-        "tried.",
-    ),
-    "3.2": Exercise(
-        matches_needed,
-        "The standard error is spread / sqrt(n), so n = (spread / error)**2, rounded up. Ten times "
-        "less error costs a hundred times as many matches.",
-        (
-            "The standard error of a mean of n matches is spread / sqrt(n).",
-            "Solve spread / sqrt(n) = error for n.",
-            "Round up with math.ceil: the number of matches is whole.",
-        ),
-    ),
-    "3.b": Prediction(
-        "c",
-        "The logbook shows the luckiest of thousands of scores. In new matches the luck is gone.",
-    ),
-    "3.c": Prediction(
-        "b",
-        "Nothing in their fitness speaks against it: a genome whose ten evaders hide together in "
-        "four lucky matches scores more than one whose evaders are found one by one.",
-    ),
-    "3.3": Exercise(
-        overlap,
-        "Agents minus different cells: on each cell all but the first are counted.",
-        (
-            "On a cell with n agents, n - 1 are counted.",
-            "A set holds each cell once: len(set(cells)).",
-        ),
-    ),
-    "3.4": Exercise(
-        _learner,
-        "It improves a genome from scores alone, without knowing what they measure.",
-        (
-            "ask: the genome plus sigma times normal numbers, as float32; keep these candidates.",
-            "tell: np.argmax(fitness) says which candidate becomes the genome.",
-            "Let the mean of the best few candidates become the genome: it suffers less from luck.",
-        ),
-    ),
+CHECKS: dict[str, Check] = {
+    "3.1": genome_size,
+    "3.2": matches_needed,
+    "3.3": overlap,
+    "3.4": _learner,
 }

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld.toys import GAMES
-from matrixworld.tutorial.checks import NUMBER, array, function, numbers, value
-from matrixworld.tutorial.course import Exercise, Prediction
+from matrixworld.tutorial.checks import NUMBER, Check, array, function, numbers, value
 
 
 def _two_races(answer: Any) -> str | None:
@@ -130,54 +129,9 @@ held_out = function(
 )
 
 
-EXERCISES: dict[str, Exercise | Prediction] = {
-    "4.a": Prediction(
-        "b",
-        "Every hand beats one of the three hands, loses against one, and draws with one. Thirty "
-        "victories in turn have led nowhere.",
-    ),
-    "4.b": Prediction(
-        "d",
-        "All three curves stay around one half. Both sides are in the same game, so what one side "
-        "gains, the other gains as well.",
-        options=("a", "b", "c", "d"),
-    ),
-    "4.1": Exercise(
-        _two_races,
-        "The same diagonal, and all that differs is off the diagonal, where generations meet that "
-        "never meet while the race goes on.",
-        (
-            "Below the diagonal, later pursuers meet earlier evaders. What if they are better?",
-            "Let a cell depend on the lag g - h only: 0.5 + 0.1 * (g - h).",
-            "`worse` is `better` with its rows and columns exchanged: `better.T`.",
-        ),
-    ),
-    "4.2": Exercise(
-        ancestors,
-        "A row of the matrix, up to the diagonal and without it.",
-        (
-            "The pursuers of generation g are row g.",
-            "payoff[g, :g] are the columns 0 to g - 1 of this row.",
-        ),
-    ),
-    "4.3": Exercise(
-        best,
-        "Good pursuers have rows with a high mean, good evaders columns with a low mean.",
-        (
-            "payoff.mean(axis=1) has one number for each generation of pursuers.",
-            "The matrix holds what pursuers gain. Evaders want it low: argmin.",
-        ),
-    ),
-    "4.4": Exercise(
-        held_out,
-        "Everybody meets the same opponents, so the shares of different races can be compared.",
-        (
-            "Make all pairs first: each individual m times, and the opponents n times over.",
-            "np.repeat(individuals, m, axis=0) and np.tile(opponents, (n, 1)) fit together.",
-        ),
-    ),
-    "4.c": Prediction(
-        "c",
-        "They have learned to escape. The diagonal hid it, because the pursuers have learned, too.",
-    ),
+CHECKS: dict[str, Check] = {
+    "4.1": _two_races,
+    "4.2": ancestors,
+    "4.3": best,
+    "4.4": held_out,
 }

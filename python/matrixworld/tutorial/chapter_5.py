@@ -9,8 +9,8 @@ import numpy as np
 from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
 from matrixworld.toys import play_episodes, synthetic_race
-from matrixworld.tutorial.checks import WHOLE, choices, function, numbers, tried, value
-from matrixworld.tutorial.course import Exercise, Prediction, kept
+from matrixworld.tutorial.checks import WHOLE, Check, choices, function, numbers, tried, value
+from matrixworld.tutorial.course import kept
 
 ENDINGS = {"A": "one side only", "B": "cycle", "C": "arms race", "D": "equilibrium"}
 """What happens in the four races of the first exercise."""
@@ -136,63 +136,9 @@ def _rule(answer: Any) -> str | None:
     )
 
 
-EXERCISES: dict[str, Exercise | Prediction] = {
-    "5.1": Exercise(
-        endings,
-        "A race that goes on has two rising curves; all endings miss at least one of them. Watch "
-        "the lag profile, too: only in the cycle it does not rise from left to right.",
-        (
-            "Begin with the generalization curves: in which races do both rise until the end?",
-            "In one race both curves rise first and are level later. In another one they are level "
-            "from the start, and the matrix has stripes.",
-            "In the remaining race one curve rises, and the other is level from the start.",
-        ),
-    ),
-    "5.2": Exercise(
-        opponent,
-        "The evaders learn after the pursuers, so k + 1 generations of pursuers exist already, the "
-        "untrained generation 0 included: i mod (k + 1).",
-        (
-            "Write down for k = 2 which pursuers are in the archive: 0, 1, ... up to which?",
-            "`i % n` goes through 0, 1, ..., n - 1 and begins again. Which n is it here?",
-        ),
-    ),
-    "5.a": Prediction(
-        "c",
-        "Specialists learn to beat the evaders in front of them. Five generations later a part of "
-        "this skill is lost again, although they have learned for four generations more. In eight "
-        "of the ten seeds the difference is plain; in the other two there is none.",
-    ),
-    "5.3": Exercise(
-        _interval,
-        "The whole interval is above 0: generalists keep what they have learned and add to it.",
-        (
-            "`analysis.lag_profile(matrix)` has `lags` and `means`; lag 0 is in the middle.",
-            "Make a list of ten differences, one for each matrix in "
-            "`payoffs['generalist-generalist']`.",
-            "`analysis.interval_over_runs(differences)` has `low` and `high`.",
-        ),
-    ),
-    "5.b": Prediction(
-        "a",
-        "'Cannot tell' is not 'absent'. Each race alone shows a rise with a wide interval; ten "
-        "rises in the same direction have a narrow one.",
-    ),
-    "5.c": Prediction(
-        "c",
-        "Without any change each team's last generation is better than its first one in about half "
-        "of the races, by luck. Both are in about a quarter of them.",
-    ),
-    "5.4": Exercise(
-        tried(_rule),
-        "It is hardly fooled by races without a race in them, and it finds most of the others. "
-        "Such rates, counted on races whose truth is known, are what a verdict is worth.",
-        (
-            "First make two curves: `analysis.generalization(scores.mean(axis=2))` has `pursuers` "
-            "and `evaders`.",
-            "One generation is a matter of luck. Compare means of several, or use all of them.",
-            "How well does a straight line describe each curve? `np.corrcoef(np.arange(len(curve)),"
-            " curve)[0, 1]` is near 1 if it rises steadily. Both curves must.",
-        ),
-    ),
+CHECKS: dict[str, Check] = {
+    "5.1": endings,
+    "5.2": opponent,
+    "5.3": _interval,
+    "5.4": tried(_rule),
 }

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
-from matrixworld.tutorial.checks import NUMBER, array, function, tried, value
-from matrixworld.tutorial.course import Exercise, Prediction
+from matrixworld.tutorial.checks import NUMBER, Check, array, function, tried, value
 
 ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
 WELL = np.array(
@@ -124,69 +123,9 @@ def _bad_opponents(found: Any, available: int) -> str:
     return ""
 
 
-EXERCISES: dict[str, Exercise | Prediction] = {
-    "6.1": Exercise(
-        count,
-        "Rock-paper-scissors has 3 of 9 possible ones: each pair of hands is a checkerboard with "
-        "one pair of opponents. `analysis.checkerboards` counts the same.",
-        (
-            "`itertools.combinations(range(n), 2)` gives all pairs of numbers below n, each once.",
-            "For rows a, b and columns x, y look at the four wins [a, x], [a, y], [b, x], [b, y].",
-            "It is one if [a, x] equals [b, y], [a, y] equals [b, x], and the two are different.",
-        ),
-    ),
-    "6.2": Exercise(
-        share,
-        "The strengths are row means and column means without the mean of all, so the rest has "
-        "the sum 0 in all rows and columns.",
-        (
-            "With `keepdims=True` the row means are a column that NumPy subtracts from each row.",
-            "rest = matrix - row means - column means + mean of all cells",
-        ),
-    ),
-    "6.a": Prediction(
-        "b",
-        "A sum of strengths is a plane, and wins that are clear are a staircase, which no plane "
-        "follows. So a share below 1 is no proof of a circle.",
-    ),
-    "6.b": Prediction(
-        "c",
-        "One match is a coin toss with a bias. Noise belongs to no generation, so it all goes into "
-        "the rest, which then is larger than the strengths.",
-    ),
-    "6.c": Prediction(
-        "c",
-        "With strong selection only the direction counts: who beats whom. Each hand is soon "
-        "replaced by the one that beats it, whatever the stakes are. The Nash mixture weighs the "
-        "stakes: paper has less to fear now, and therefore rock has more.",
-    ),
-    "6.3": Exercise(
-        value(array("four rows of four numbers", 4, 4), _well),
-        "Now the well, paper and scissors form the circle. In the Nash mixture rock has no weight: "
-        "the well does all that rock does, and beats rock. alpha-Rank still visits it.",
-        (
-            "The row of a hand holds its payoff against rock, paper, scissors, well.",
-            "Fill the row of the well first. Its column is one minus the row.",
-        ),
-    ),
-    "6.d": Prediction(
-        "b",
-        "The specialists' hands go round whatever the stakes are, so their average never changes. "
-        "Answers to many hands of the past, or to their Nash mixture, follow the stakes.",
-    ),
-    "6.4": Exercise(
-        tried(_hall_of_fame),
-        "This is `opponents.HallOfFame(newest=1, sampled=4)`. With a class around it (see "
-        "docs/coevolution.md) races use it by name.",
-        (
-            "The older ones are the numbers 0 to available - 2.",
-            "`rng.choice(n, size, replace=False)` draws `size` different numbers below n.",
-            "How many older ones are there if `available` is 1, 2 or 3? `min` helps.",
-        ),
-    ),
-    "6.e": Prediction(
-        "a",
-        "Not to go round is one thing, to be strong another one. In these short races the "
-        "specialists' evaders escape most often, although their races show forgetting.",
-    ),
+CHECKS: dict[str, Check] = {
+    "6.1": count,
+    "6.2": share,
+    "6.3": value(array("four rows of four numbers", 4, 4), _well),
+    "6.4": tried(_hall_of_fame),
 }

@@ -11,8 +11,7 @@ from matrixworld import analysis
 from matrixworld.coevolution.fitness import competitive_sharing, reduced_virulence
 from matrixworld.coevolution.types import FloatArray
 from matrixworld.toys import hosts_and_parasites, play_episodes, synthetic_race
-from matrixworld.tutorial.checks import NUMBER, array, function, number, tried, value
-from matrixworld.tutorial.course import Exercise, Prediction
+from matrixworld.tutorial.checks import NUMBER, Check, array, function, number, tried, value
 
 # ---- Races to judge ------------------------------------------------------------------------------
 
@@ -218,76 +217,10 @@ def _fitness(answer: Any) -> str | None:
     )
 
 
-EXERCISES: dict[str, Exercise | Prediction] = {
-    "7.a": Prediction(
-        "near 50",
-        "Every host loses every match. All hosts have the same fitness, so the fittest of five is "
-        "a random one, and mutation alone moves the bits.",
-        options=("near 50", "near 75", "above 90"),
-    ),
-    "7.b": Prediction(
-        "the restrained ones",
-        "Greedy parasites lose their opponents, and with them every reason to improve. Restrained "
-        "ones keep opponents that climb, and have to climb with them.",
-        options=("the greedy ones", "the restrained ones", "equally many"),
-    ),
-    "7.1": Exercise(
-        restraint,
-        "The fitness is largest where the share of wins is v, and lower for a parasite that wins "
-        "more than that.",
-        (
-            "Compute x first: the wins divided by the largest of them.",
-            "The formula has x / v twice. Give it a name.",
-            "For the last case: if wins.max() is 0, return an array of zeros.",
-        ),
-    ),
-    "7.2": Exercise(
-        threshold,
-        "f(0.8) = f(1) gives 1.6 v - 0.64 = 2 v - 1, so v = 0.9. Selection only compares fitness, "
-        "so with five matches every v above 0.9 is the same as v = 1.",
-        (
-            "Write the fitness of x = 0.8 and that of x = 1, and set them equal.",
-            "Multiply both sides by v squared. What remains is linear in v.",
-        ),
-    ),
-    "7.c": Prediction(
-        "about 10 %",
-        "It has 1 of 172 wins. A rare skill is lost before anything can be built on it.",
-        options=("about 10 %", "about 50 %", "about 90 %"),
-    ),
-    "7.3": Exercise(
-        sharing,
-        "Each opponent is worth one point in total, however many beat it.",
-        (
-            "How many individuals beat each opponent? Sum the columns: wins.sum(axis=0).",
-            "Divide each column by that number, then sum each row.",
-            "Leave out the columns whose sum is 0: wins[:, wins.sum(axis=0) > 0].",
-        ),
-    ),
-    "7.d": Prediction(
-        "5 or more",
-        "A remedy works against its own cause. These evaders do not lack a fitness that tells them "
-        "apart. They lack time.",
-        options=("0 or 1", "2 to 4", "5 or more"),
-    ),
-    "7.4": Exercise(
-        fooled,
-        "Of 1000 races 50 are disengaged, which gives 45 right alarms, and 950 are not, which "
-        "gives 237 or 238 false ones. Five of six alarms are false, although the rule looks good.",
-        (
-            "Imagine 1000 races. How many of them are disengaged?",
-            "How many of these raise an alarm? How many of the others?",
-            "Divide the false alarms by all alarms.",
-        ),
-    ),
-    "7.5": Exercise(
-        tried(_fitness),
-        "Your parasites keep their hosts in the race. Any fitness that does not reward winning "
-        "every match can do it, if it still tells parasites apart.",
-        (
-            "The largest fitness should not belong to the parasite with the most wins.",
-            "Choose a share of the most wins that you like, and let the distance to it count.",
-            "np.minimum(wins, 4) does not reward the fifth win. Is that enough?",
-        ),
-    ),
+CHECKS: dict[str, Check] = {
+    "7.1": restraint,
+    "7.2": threshold,
+    "7.3": sharing,
+    "7.4": fooled,
+    "7.5": tried(_fitness),
 }

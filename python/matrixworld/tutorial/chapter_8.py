@@ -10,8 +10,16 @@ import numpy as np
 
 from matrixworld import analysis
 from matrixworld.coevolution.types import FloatArray
-from matrixworld.tutorial.checks import WHOLE, array, choices, function, numbers, one_of, value
-from matrixworld.tutorial.course import Exercise, Prediction
+from matrixworld.tutorial.checks import (
+    WHOLE,
+    Check,
+    array,
+    choices,
+    function,
+    numbers,
+    one_of,
+    value,
+)
 
 # ---- A curriculum that chooses itself ------------------------------------------------------------
 
@@ -157,69 +165,12 @@ verdict = function(
 )
 
 
-EXERCISES: dict[str, Exercise | Prediction] = {
-    "8.1": Exercise(
-        next_stage,
-        "The pupils decide when they go on, and they get an easier task when they fail.",
-        (
-            "Two conditions change the stage by one.",
-            "min(max(stage, 0), 3) keeps a number between 0 and 3.",
-        ),
+CHECKS: dict[str, Check] = {
+    "8.1": next_stage,
+    "8.2": value(
+        numbers("a pair of numbers: (matches of the evaders, epochs of a stage)", 2), _budget
     ),
-    "8.a": Prediction(
-        "hardest only",
-        "They practised it all the time. The evaders that came to hunters last had a quarter of "
-        "the epochs for them, and what they had learned from walkers and chasers helped little.",
-        options=("easy to hard", "hard to easy", "hardest only", "random only"),
-    ),
-    "8.b": Prediction(
-        "less often",
-        "Fleers are hardly ever caught, so chasing them teaches something else than chasing "
-        "walkers, and the old skill is not rewarded any more.",
-        options=("more often", "as often", "less often"),
-    ),
-    "8.2": Exercise(
-        value(
-            numbers("a pair of numbers: (matches of the evaders, epochs of a stage)", 2), _budget
-        ),
-        "The evaders learn in 1000 epochs of 32 matches; four stages have 250 epochs each.",
-        (
-            "In each generation the evaders learn for 50 epochs.",
-            "In each epoch each of 32 candidates plays one match.",
-        ),
-    ),
-    "8.3": Exercise(
-        strangers,
-        "What is left are opponents that no team of the row has met.",
-        (
-            "np.diag(rates) are the numbers to leave out.",
-            "Subtract them from the sums of the rows. How many numbers are left in each row?",
-        ),
-    ),
-    "8.c": Prediction(
-        "it depends on the examiner",
-        "Each school prepares for opponents that resemble its teachers.",
-        options=(
-            "easy to hard, with every examiner",
-            "co-evolution, with every examiner",
-            "it depends on the examiner",
-        ),
-    ),
-    "8.4": Exercise(
-        fitting_words,
-        "The questions are always the same: who learns, who sets the tasks, and do they compete?",
-        (
-            "First ask who learns. If only one side does, it is no co-evolution.",
-            "If all learn, ask whether they are rivals. If only one does, ask who made the plan.",
-        ),
-    ),
-    "8.5": Exercise(
-        verdict,
-        "If the whole interval is on one side of 0, the sign is known. Pairs take out the luck "
-        "that both have in common.",
-        (
-            "analysis.difference_of_runs(one, other, paired=True) has the ends low and high.",
-            "Better if low is above 0, worse if high is below 0.",
-        ),
-    ),
+    "8.3": strangers,
+    "8.4": fitting_words,
+    "8.5": verdict,
 }

@@ -18,8 +18,7 @@ from matrixworld._util.checks import check_floats
 from matrixworld.envs.vector import VectorEnv
 from matrixworld.episodes.safety import SafetyMonitor
 from matrixworld.play.rollout import Matches, rollout
-from matrixworld.tutorial.checks import NUMBER, WHOLE, number, numbers, tried, value
-from matrixworld.tutorial.course import Exercise, Prediction
+from matrixworld.tutorial.checks import NUMBER, WHOLE, Check, number, numbers, tried, value
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network, Population
 from matrixworld.world.rules import Rewards
@@ -235,70 +234,11 @@ def _collided(played: MaskedEpisodes) -> str | None:
     return None
 
 
-EXERCISES: dict[str, Exercise | Prediction] = {
-    "9.a": Prediction(
-        "c",
-        "Pursuers in one cell cannot surround anything. Those that avoid each other come from "
-        "different sides, so they are safer and faster.",
+CHECKS: dict[str, Check] = {
+    "9.1": value(
+        numbers(f"six numbers, one for each of {', '.join(WEIGHTS)}", len(WEIGHTS)), _weights
     ),
-    "9.1": Exercise(
-        value(
-            numbers(f"six numbers, one for each of {', '.join(WEIGHTS)}", len(WEIGHTS)), _weights
-        ),
-        "Being careful (`crowd`) and determined (`approach`) have to grow together: what counts is "
-        "how they compare, since the softmax looks at differences of wishes.",
-        (
-            "Begin with [4, 10, -10, -8, -4, 0], and look at both numbers.",
-            "A more negative `crowd` makes it safer. A larger `approach` makes it faster. Change "
-            "both.",
-            "`approach` from 5 to 6, and `crowd` from -5 to -6, are close.",
-        ),
-    ),
-    "9.b": Prediction(
-        "b",
-        "Runs that found a way to capture before they stopped moving became careful, but not safe. "
-        "The others learned that who does not move does not collide.",
-    ),
-    "9.2": Exercise(
-        _penalty,
-        "It is below the paper's 12. At that penalty a learner should prefer to stand still over a "
-        "pack that captures nearly always: the reward says so.",
-        (
-            "Write down both returns, and set them equal.",
-            "gain[0] - penalty * collisions[0] = gain[1] - penalty * collisions[1]. Solve it for "
-            "the penalty.",
-        ),
-    ),
-    "9.3": Exercise(
-        episodes_needed,
-        "0.99^299 is just below 0.05. The rule of thumb 3/n gives 300. To show a rate that is ten "
-        "times smaller takes ten times as many episodes.",
-        (
-            "You look for the smallest n with 0.99^n <= 0.05.",
-            "Take logarithms, or let a loop count: n = 1, 2, 3, ...",
-        ),
-    ),
-    "9.c": Prediction(
-        "b",
-        "No pursuer enters an occupied cell any more. But two pursuers can still enter the same "
-        "free cell at the same moment, and then stay together in it.",
-    ),
-    "9.4": Exercise(
-        tried(_mask),
-        "No pursuer enters an occupied cell, and no two may enter the same free one. So no two can "
-        "meet, whatever they wish.",
-        (
-            "Begin with free_cells. For each move, look at the four cells around its target.",
-            "One of these four is your own cell. The cells with a higher priority are those that "
-            "come before it in the order north, east, south, west of the target.",
-            "For a move (r, c) and a side (a, b), the cell is MIDDLE + r + a, MIDDLE + c + b, and "
-            "teammates are in layer 1. Loop over the sides; stop at (a, b) = (-r, -c), which is "
-            "you; forbid the move where a teammate stands.",
-        ),
-    ),
-    "9.d": Prediction(
-        "b",
-        "These packs had learned to capture with several pursuers in one cell. The mask takes that "
-        "away, and nothing has taught them what to do instead.",
-    ),
+    "9.2": _penalty,
+    "9.3": episodes_needed,
+    "9.4": tried(_mask),
 }

@@ -1,23 +1,29 @@
 """What the notebooks ask for: exercises and hints, results that are kept, the size of experiments.
 
-Each notebook has a module ``chapter_<number>`` with a table ``EXERCISES``. A key such as ``"3.2"``
-names the second exercise of the third notebook, ``"3.b"`` its second prediction.
+``exercises.toml`` has the texts of all exercises, ``chapter_<number>`` the checks of a notebook.
 """
 
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 from textwrap import fill
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from matrixworld._util.checks import check_instance, shown
 from matrixworld._util.files import load_arrays
 from matrixworld._util.reading import Arrays
 from matrixworld.tutorial.checks import Check
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 CHAPTERS = range(1, 10)
 """Numbers of the notebooks."""
@@ -29,6 +35,7 @@ NO_PREDICTION = (
     "predict first see more."
 )
 
+TEXTS = Path(__file__).with_name("exercises.toml")
 DATA = Path(__file__).parent / "data"
 """Results that take longer than a notebook should; scripts in ``tutorials/make`` make them anew."""
 QUICK = "MATRIXWORLD_QUICK"
@@ -74,10 +81,6 @@ class Prediction:
     outcome: str
     explanation: str
     options: tuple[str, ...] = ("a", "b", "c")
-
-    def __post_init__(self) -> None:
-        if self.outcome not in self.options:
-            raise ValueError(f"outcome: expected one of {self.options}, got {self.outcome!r}")
 
 
 @dataclass(frozen=True, repr=False)
@@ -194,10 +197,28 @@ def exercises(chapter: int) -> Mapping[str, Exercise | Prediction]:
     """
     if chapter not in CHAPTERS:
         raise ValueError(f"chapter: expected {CHAPTERS[0]} to {CHAPTERS[-1]}, got {chapter!r}")
-    table: Mapping[str, Exercise | Prediction] = import_module(
-        f"matrixworld.tutorial.chapter_{chapter}"
-    ).EXERCISES
-    return table
+    checks: Mapping[str, Check] = import_module(f"matrixworld.tutorial.chapter_{chapter}").CHECKS
+    return {
+        name: Prediction(**text) if "outcome" in text else Exercise(checks[name], **text)
+        for name, text in _texts().items()
+        if name.startswith(f"{chapter}.")
+    }
+
+
+@cache
+def _texts() -> dict[str, dict[str, Any]]:
+    """Return the texts of all exercises, whose lines are of any length."""
+    table = tomllib.loads(TEXTS.read_text(encoding="utf-8"))
+    return {
+        name: {field: _joined(text) for field, text in texts.items()}
+        for name, texts in table.items()
+    }
+
+
+def _joined(text: str | list[str]) -> str | tuple[str, ...]:
+    if isinstance(text, list):
+        return tuple(" ".join(each.split()) for each in text)
+    return " ".join(text.split())
 
 
 def _find(name: str) -> Exercise | Prediction:
