@@ -71,7 +71,7 @@ def table(payoffs: Mapping[str, np.ndarray]) -> str:
     lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
     for schedule, of_schedule in payoffs.items():
         judged = analysis.judge(of_schedule, per_episode=True).headline
-        gains = (shown(judged.gains[team]) for team in ("pursuer", "evader"))
+        gains = map(shown, judged["arms race"].estimates.values())
         verdicts = (judged[condition].verdict for condition in analysis.CONDITIONS)
         lines.append(f"| {' | '.join([schedule, *gains, *verdicts])} |")
     return "\n".join(lines)

@@ -67,6 +67,10 @@ MEASURES = {
 }
 
 
+WHOLE = dict.fromkeys(("pursuer_forgetting", "evader_forgetting"), "whole")
+"""Windows of the measures that are not about that of tables."""
+
+
 def kinds(base: RaceSettings) -> dict[str, RaceSettings]:
     """Return the settings of both kinds of race, with the same number of matches."""
     # A match between living opponents counts for both teams, a match against the hall for one.
@@ -78,7 +82,9 @@ def numbers_of(run: SavedRun, threads: int | None) -> Row:
     """Return the numbers of one finished race."""
     matrix, scores = run.payoff().capture_rate, score(run, threads=threads)
     of_matrix = {
-        name: analysis.MEASURES[name].of(matrix) for name in MEASURES if name in analysis.MEASURES
+        name: analysis.MEASURES[name].of(matrix, WHOLE.get(name)).value
+        for name in MEASURES
+        if name in analysis.MEASURES
     }
     return {
         **of_matrix,

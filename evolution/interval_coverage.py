@@ -115,13 +115,19 @@ def linear_weights(measure: analysis.Measure, size: int) -> Matrix:
     for cell in np.ndindex(size, size):
         matrix = np.zeros((size, size))
         matrix[cell] = 1.0
-        weights[cell] = measure.of(matrix)
-    return weights - measure.of(np.zeros((size, size)))
+        weights[cell] = measure.of(matrix, "whole").value
+    return weights - measure.of(np.zeros((size, size)), "whole").value
 
 
-LINEAR = ("capture_rate", "lag_rise", "pursuer_generalization", "pursuer_local_gain",
-          "pursuer_historical_gain", "pursuer_fading")  # fmt: skip
-"""Linear measures; those of the evaders are the same on the swapped matrix."""
+LINEAR = {
+    "capture_rate": (0.0, 1.0),
+    "lag_rise": (-1.0, 1.0),
+    "pursuer_generalization": (0.0, 1.0),
+    "pursuer_local_gain": (-1.0, 1.0),
+    "pursuer_historical_gain": (-1.0, 1.0),
+    "pursuer_fading": (-1.0, 1.0),
+}
+"""Linear measures and their bounds; those of the evaders are the same on the swapped matrix."""
 
 
 def of_matrix(kind: str, scores: str, size: int, episodes: int, weights: Mapping) -> Simulation:
@@ -132,11 +138,11 @@ def of_matrix(kind: str, scores: str, size: int, episodes: int, weights: Mapping
 
     def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
         drawn = SCORES[scores](rates, episodes, rng)
-        share = analysis.measure_over_episodes(MEASURES["transitive_share"], drawn)
+        share = analysis.transitive_share_over_episodes(drawn)
         linear = {
             (name, data): analysis.linear_over_episodes(
                 drawn, lambda m, w=weights[name, size]: float(np.vdot(w, m)),
-                bounds=(MEASURES[name].low, MEASURES[name].high),
+                bounds=LINEAR[name],
             )
             for name in LINEAR
         }  # fmt: skip
@@ -144,7 +150,7 @@ def of_matrix(kind: str, scores: str, size: int, episodes: int, weights: Mapping
 
     truths = {(name, data): float(np.vdot(weights[name, size], rates)) for name in LINEAR}
     # A flat matrix has no variation to take a share of.
-    share = math.nan if kind == "flat" else MEASURES["transitive_share"].of(rates)
+    share = math.nan if kind == "flat" else analysis.transitive_share(rates)
     return Simulation(size, episodes, {("transitive_share", data): share, **truths}, estimates)
 
 

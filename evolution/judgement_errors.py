@@ -72,7 +72,8 @@ def judged(task: Task) -> dict[str, Any]:
             verdict = findings[condition].verdict if findings is not None else "cannot tell"
             found.append([window, condition, truth.holds, round(truth.size, 4), verdict])
         if findings is not None:
-            gains += list(_gains(window, case.gains.get(window, []), findings.gains))
+            estimates = findings["arms race"].estimates
+            gains += list(_gains(window, case.gains.get(window, []), estimates))
     headline = {"headline": judgement.window, "found": found, "gains": gains}
     return task._asdict() | {"setting": case.setting} | headline
 
@@ -81,7 +82,9 @@ def _gains(
     window: str, true: list[float | None], estimates: Any
 ) -> Iterator[tuple[str, str, float, float, float]]:
     """Yield window, team, true change, and the ends of its interval, where both are known."""
-    for (team, estimate), change in zip(estimates.items(), true, strict=False):
+    # A window that is too short has no estimates.
+    for (name, estimate), change in zip(estimates.items(), true, strict=False):
+        team = name.removesuffix("_gain")
         if change is not None and np.isfinite([estimate.low, estimate.high]).all():
             yield window, team, change, float(estimate.low), float(estimate.high)
 

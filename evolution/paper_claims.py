@@ -26,8 +26,7 @@ import numpy as np
 
 from common import script_parser
 from matrixworld import analysis
-from matrixworld.analysis.evidence import CYCLIC, EVADERS_FORGET, PURSUERS_FORGET
-from matrixworld.analysis.verdicts import LEAST_AMPLITUDE
+from matrixworld.analysis.judge import DROPS, LEAST_AMPLITUDE
 from matrixworld.coevolution import Team
 from paper_runs import (
     CANDIDATES,
@@ -54,6 +53,9 @@ AGREEING = 10
 """Seeds with exactly the same number that decide on a claim."""
 
 Numbers = Mapping[str, np.ndarray]
+
+
+AMPLITUDE = "squared_cyclic_amplitude"
 
 
 @dataclass(frozen=True)
@@ -157,7 +159,7 @@ def claims(numbers: Numbers) -> list[Claim]:
 
 
 def _on_progress(races: Mapping[str, Races], numbers: Numbers) -> list[Claim]:
-    gains = races[GENERALISTS].together.windows["whole"].gains
+    gains = races[GENERALISTS].together.windows["whole"]["arms race"].estimates
     last = races[GENERALISTS].scores.shape[1] - 1
     tenth = max(1, last // 3)
     swings = [
@@ -167,7 +169,7 @@ def _on_progress(races: Mapping[str, Races], numbers: Numbers) -> list[Claim]:
     found = [
         Claim(
             f"Generalist {team}s improve over the generations",
-            "gain against all opponents, whole race", gains[team], "above",
+            "gain against all opponents, whole race", gains[f"{team}_gain"], "above",
         )
         for team in ("pursuer", "evader")
     ]  # fmt: skip
@@ -195,11 +197,8 @@ def _on_progress(races: Mapping[str, Races], numbers: Numbers) -> list[Claim]:
 
 
 def _on_cycles(races: Mapping[str, Races]) -> list[Claim]:
-    squares = {race: each.numbers("cycling", CYCLIC) for race, each in races.items()}
-    drops = {
-        race: each.numbers("forgetting", PURSUERS_FORGET, EVADERS_FORGET)
-        for race, each in races.items()
-    }
+    squares = {race: each.numbers("cycling", AMPLITUDE) for race, each in races.items()}
+    drops = {race: each.numbers("forgetting", *DROPS) for race, each in races.items()}
     amplitude = "cyclic amplitude, last half"
     return [
         Claim(
@@ -224,7 +223,7 @@ def _on_cycles(races: Mapping[str, Races]) -> list[Claim]:
 
 def amplitude_of(races: Races) -> analysis.Estimate:
     """Return the cyclic amplitude of all seeds together, in units of the capture rate."""
-    found = races.together.headline["cycling"].estimates[CYCLIC]
+    found = races.together.headline["cycling"].estimates[AMPLITUDE]
     # `judge` has its square, which noise may turn negative.
     value, low, high = (max(0.0, end or 0.0) ** 0.5 for end in (found.value, found.low, found.high))
     return replace(found, value=value, low=low, high=high)

@@ -14,7 +14,6 @@ PAYOFF = np.random.default_rng(0).random((12, 11))
 NETWORK = mw.Network.for_config(mw.WorldConfig("O"))
 RESULTS = {
     "AlphaRank": lambda: analysis.alpha_rank(PAYOFF),
-    "Analysis": lambda: analysis.analyze([PAYOFF, PAYOFF[::-1]]),
     "Judgement": lambda: analysis.judge(PAYOFF),
     "LagProfile": lambda: analysis.lag_profile(PAYOFF),
     "Nash": lambda: analysis.nash_averaging(PAYOFF),

@@ -11,7 +11,20 @@ from scipy import stats
 from interval_ends import ends
 from matrices import circular, logistic
 from matrixworld import analysis
-from matrixworld.analysis.episode_intervals import BIASED, _sums_without_noise
+from matrixworld.analysis.cycles import _sums_without_noise
+from matrixworld.analysis.intervals import BIASED
+from matrixworld.analysis.judge import RULES
+
+DECIDING = {name for names, _ in RULES.values() for name in names} - {"checkerboards"}
+MATRIX_MEASURES = [
+    name for name in analysis.MEASURES if name not in DECIDING and "global" not in name
+    and "rungs" not in name
+]  # fmt: skip
+LINEAR = {
+    "capture_rate", "lag_rise",
+    *(f"{team}_{name}" for team in ("pursuer", "evader")
+      for name in ("generalization", "local_gain", "historical_gain", "fading")),
+}  # fmt: skip
 
 
 @pytest.mark.parametrize(("wins", "episodes"), [(0, 4), (1, 10), (5, 10), (10, 10), (30, 200)])
@@ -20,7 +33,7 @@ def test_win_or_loss_has_the_interval_of_clopper_and_pearson(wins: int, episodes
     expected = stats.binomtest(wins, episodes).proportion_ci(method="exact")
     found = analysis.mean_over_episodes(scores)
     assert ends(found) == pytest.approx(tuple(expected), abs=0.006)
-    assert (found.value, found.over, found.samples) == (wins / episodes, "episodes", episodes)
+    assert (found.value, found.across, found.samples) == (wins / episodes, "episodes", episodes)
 
 
 def test_scores_that_vary_little_have_narrower_intervals() -> None:
@@ -116,19 +129,23 @@ def test_shares_without_an_interval() -> None:
 def test_measures_say_which_interval_they_have() -> None:
     rng = np.random.default_rng(8)
     scores = rng.random((9, 9, 60)) < logistic(9)[:, :, None]
-    for measure in analysis.MEASURES.values():
-        found = analysis.measure_over_episodes(measure, scores)
-        assert (found.low is None) == (measure.noise == "bias"), found
-        assert (found.note == BIASED) == (measure.noise == "bias"), found
+    payoffs = analysis.read_payoffs(scores, per_episode=True)
+    for name in MATRIX_MEASURES:
+        found = analysis.MEASURES[name].of(payoffs, "whole")
+        biased = name not in LINEAR and name != "transitive_share"
+        assert (found.low is None) == (found.note == BIASED) == biased, found
 
 
-@pytest.mark.parametrize("measure", analysis.MEASURES.values(), ids=lambda one: one.name)
-def test_linear_measures_are_linear(measure: analysis.Measure) -> None:
+@pytest.mark.parametrize("name", MATRIX_MEASURES)
+def test_linear_measures_are_linear(name: str) -> None:
     one, other = np.random.default_rng(9).random((2, 9, 9))
-    mixed = measure.of(0.3 * one + 0.7 * other)
-    is_linear = mixed == pytest.approx(0.3 * measure.of(one) + 0.7 * measure.of(other), abs=1e-9)
+    mixed, *parts = (
+        analysis.MEASURES[name].of(matrix, "whole").value
+        for matrix in (0.3 * one + 0.7 * other, one, other)
+    )
+    is_linear = mixed == pytest.approx(0.3 * parts[0] + 0.7 * parts[1], abs=1e-9)
     # Stripes of random matrices are all 0, which is linear by chance.
-    assert is_linear == (measure.noise == "linear") or measure.name.endswith("stripes")
+    assert is_linear == (name in LINEAR) or name.endswith("stripes")
 
 
 def test_episodes_without_variation_have_no_interval() -> None:

@@ -45,12 +45,12 @@ def test_levels_widen_intervals() -> None:
     narrow, wide = (analysis.interval_over_runs(values, level=level) for level in (0.5, 0.99))
     assert ends(wide)[0] < ends(narrow)[0] < values.mean()
     assert narrow.value == pytest.approx(values.mean())
-    assert (narrow.over, narrow.samples, narrow.note) == ("runs", 12, "")
+    assert (narrow.across, narrow.samples, narrow.note) == ("runs", 12, "")
 
 
 def test_a_single_run_has_no_interval_and_says_so() -> None:
     found = analysis.interval_over_runs([0.25])
-    assert (found.value, found.low, found.high, found.over) == (0.25, None, None, "nothing")
+    assert (found.value, found.low, found.high, found.across) == (0.25, None, None, "nothing")
     assert found.note == "a single run has no interval over runs"
     assert str(found) == "0.250"
     assert analysis.difference_of_runs([0.25], [0.1, 0.2]).low is None

@@ -12,8 +12,7 @@ from scipy import stats
 from matrices import additive, circular, logistic, staircase
 from matrixworld import analysis
 from matrixworld.analysis.engagement import one_sidedness
-from matrixworld.analysis.forgetting import mean_forgetting
-from matrixworld.analysis.measurement import Measurement, over_runs
+from matrixworld.analysis.strength import late_forgetting_over_episodes
 
 rates = arrays.arrays(
     np.float64,
@@ -153,7 +152,9 @@ def test_noise_has_no_cyclic_amplitude(chance: np.ndarray, episodes: int) -> Non
     assert np.mean([one.value for one in found]) <= 0.0
     assert sum(one.low > 0.0 for one in found) <= 1
     # What sorting and fitting hide is allowed for.
-    assert np.mean([one.over for one in found]) >= -0.3 * chance.var() - 0.25 * 0.25 / episodes
+    assert (
+        np.mean([one.biased_high for one in found]) >= -0.3 * chance.var() - 0.25 * 0.25 / episodes
+    )
 
 
 @pytest.mark.parametrize("chance", [np.full((12, 12), 0.5), logistic(12, 0.3)])
@@ -212,17 +213,19 @@ def test_held_out_forgetting_by_hand() -> None:
         analysis.held_out_forgetting(one, other.T)
 
 
-def forgotten(chance: np.ndarray, seed: int) -> Measurement:
+def forgotten(chance: np.ndarray, seed: int) -> analysis.Estimate:
     scores = played(chance, 10, seed)
     halves = scores[..., ::2].mean(axis=2), scores[..., 1::2].mean(axis=2)
-    return mean_forgetting(halves, scores.var(axis=2, ddof=1) / 10, slice(15, 31))
+    return late_forgetting_over_episodes(
+        halves, scores.var(axis=2, ddof=1) / 10, slice(0, 31), 0.95
+    )
 
 
 def test_noise_alone_is_not_forgetting() -> None:
     found = [forgotten(np.full((31, 31), 0.5), seed) for seed in range(20)]
-    assert np.mean([one.under for one in found]) == pytest.approx(0.0, abs=0.02)
+    assert np.mean([one.biased_low for one in found]) == pytest.approx(0.0, abs=0.02)
     assert sum(one.low > 0.0 for one in found) <= 2
-    assert all(one.over > 0.2 for one in found)
+    assert all(one.biased_high > 0.2 for one in found)
 
 
 def test_intervals_of_forgetting_contain_the_truth() -> None:
@@ -236,25 +239,32 @@ def test_intervals_of_forgetting_contain_the_truth() -> None:
 
 
 def test_one_sidedness_has_the_interval_of_clopper_and_pearson() -> None:
-    found = one_sidedness(np.full((1, 2), 0.9), 50)
+    found = one_sidedness(np.full((1, 2), 0.9), 50, level=0.95)
     exact = stats.binomtest(90, 100).proportion_ci(0.95, method="exact")
     assert (found.low, found.high) == pytest.approx((exact.low, exact.high))
-    assert one_sidedness(np.full((1, 2), 0.1), 50) == found
+    assert one_sidedness(np.full((1, 2), 0.1), 50, level=0.95) == found
     # Two stretches of one generation share the level.
     wider = stats.binomtest(90, 100).proportion_ci(0.975, method="exact")
-    assert one_sidedness(np.full((2, 2), 0.9), 50).low == pytest.approx(wider.low)
-    assert one_sidedness(np.ones((4, 2)), 10).high == 1.0
+    assert one_sidedness(np.full((2, 2), 0.9), 50, level=0.95).low == pytest.approx(wider.low)
+    assert one_sidedness(np.ones((4, 2)), 10, level=0.95).high == 1.0
 
 
 def test_the_most_one_sided_stretch_counts() -> None:
     won, open_ = (0.99, 0.99), (0.6, 0.4)
-    assert one_sidedness([open_] * 4 + [won] * 4, 100).value == pytest.approx(0.99)
-    assert one_sidedness([won] * 2 + [open_] * 2 + [won] * 2 + [open_] * 2, 100).value < 0.8
+    assert one_sidedness([open_] * 4 + [won] * 4, 100, level=0.95).value == pytest.approx(0.99)
+    assert (
+        one_sidedness([won] * 2 + [open_] * 2 + [won] * 2 + [open_] * 2, 100, level=0.95).value
+        < 0.8
+    )
 
 
-def test_over_runs_uses_values_that_err_to_a_known_side() -> None:
-    runs = [Measurement(0.2, 0.0, 0.5, under=x - 0.1, over=x + 0.1) for x in (0.1, 0.2, 0.3)]
-    found = over_runs(runs, 0.95)
+def test_means_over_runs_rest_on_values_that_err_to_a_known_side() -> None:
+    runs = analysis.read_payoffs(np.zeros((3, 12, 12)))
+    singles = [
+        analysis.Estimate(0.2, 0.0, 0.5, biased_low=x - 0.1, biased_high=x + 0.1)
+        for x in (0.1, 0.2, 0.3)
+    ]
+    of_runs, whole = analysis.MEASURES["one_sidedness"].of_runs, runs.windows["whole"]
     reach = stats.t.ppf(0.975, 2) * 0.1 / 3**0.5
-    assert (found.low, found.high) == pytest.approx((0.1 - reach, 0.3 + reach))
-    assert over_runs(runs[:1], 0.95).low == 0.0
+    assert of_runs(runs, whole, 0.95, singles).ends == pytest.approx((0.1 - reach, 0.3 + reach))
+    assert of_runs(runs, whole, 0.95, singles[:1]).low == 0.0

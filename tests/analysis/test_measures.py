@@ -12,7 +12,8 @@ from hypothesis.extra import numpy as arrays
 
 from matrices import additive, circular, logistic, staircase
 from matrixworld import analysis
-from matrixworld.analysis.summary import MARGIN
+from matrixworld.analysis.cycles import MARGIN
+from matrixworld.analysis.payoffs import check_runs
 
 PENNIES = np.array([[1.0, 0.0], [0.0, 1.0]])
 ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
@@ -59,7 +60,6 @@ def test_bad_matrices_are_refused(bad: object, error: type[Exception], message: 
         analysis.lag_profile,
         analysis.transitive_share,
         analysis.checkerboards,
-        analysis.summarize,
     ):
         with pytest.raises(error, match=message):
             function(bad)
@@ -68,7 +68,7 @@ def test_bad_matrices_are_refused(bad: object, error: type[Exception], message: 
 def test_measures_do_not_change_the_matrix() -> None:
     matrix = circular(13)
     before = matrix.copy()
-    analysis.summarize(matrix)
+    analysis.report(matrix)
     np.testing.assert_array_equal(matrix, before)
 
 
@@ -347,10 +347,10 @@ def test_logits_of_shrunken_rates() -> None:
 
 
 def test_runs_are_stacked() -> None:
-    assert analysis.check_runs(PENNIES).shape == (1, 2, 2)
-    assert analysis.check_runs([PENNIES, PENNIES]).shape == (2, 2, 2)
+    assert check_runs(PENNIES).shape == (1, 2, 2)
+    assert check_runs([PENNIES, PENNIES]).shape == (2, 2, 2)
     with pytest.raises(ValueError, match=r"payoff matrices \(runs, n, m\) .*got shape \(2,\)"):
-        analysis.check_runs([0.1, 0.2])
+        check_runs([0.1, 0.2])
 
 
 @pytest.mark.parametrize("shrinkage", [0.0, 0.5, float("nan")])

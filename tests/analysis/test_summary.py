@@ -1,8 +1,6 @@
-"""Disengagement, the summary of a race and its description in words."""
+"""Disengagement over generations, and within one."""
 
 from __future__ import annotations
-
-import json
 
 import numpy as np
 import pytest
@@ -10,18 +8,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
-from matrices import additive, circular, logistic, staircase
 from matrixworld import analysis
 from matrixworld.analysis import Disengagement
 
 # Rates in sixteenths: their complements are exact.
 sixteenths = st.integers(0, 16).map(lambda n: n / 16)
-big_payoffs = arrays.arrays(
-    np.float64,
-    arrays.array_shapes(min_dims=2, max_dims=2, min_side=2, max_side=14),
-    elements=st.floats(0, 1),
-)
-
 
 WON, LOST, OPEN, HALF_WON = (0.98, 0.99), (0.02, 0.0), (0.7, 0.3), (0.99, 0.5)
 
@@ -128,76 +119,3 @@ def test_bad_generations_are_refused(function: object, bad: object, message: str
         function(bad)  # type: ignore[operator]
     with pytest.raises(ValueError, match=r"level in \[0, 1\], got 2"):
         analysis.undecided_opponents([[0.5]], level=2)
-
-
-# ---- summary and words --------------------------------------------------------------------------
-
-
-def test_a_race_on_a_circle_has_checkerboards_and_no_order() -> None:
-    late = analysis.summarize(circular(31)).last_half
-    assert late.transitive_share is not None
-    assert late.transitive_share < 0.1
-    assert late.quadruples == 120**2
-    assert late.checkerboard_share is not None
-    assert late.checkerboard_share > 0.02
-
-
-def test_steadily_stronger_teams_have_an_order_and_no_checkerboards() -> None:
-    summary = analysis.summarize(logistic(31))
-    assert summary.last_half.checkerboards == 0
-    assert summary.pursuers.best_generation == summary.evaders.best_generation == 30
-    assert summary.pursuers.generalization_last > summary.pursuers.generalization_first
-    assert summary.pursuers.forgetting == summary.evaders.forgetting == 0.0
-
-
-def test_swapping_the_teams_keeps_the_lag_rise() -> None:
-    for matrix in (circular(31), logistic(31), staircase(31)):
-        swapped = analysis.summarize(analysis.swap_teams(matrix))
-        assert swapped.lag_rise == pytest.approx(analysis.summarize(matrix).lag_rise)
-
-
-def test_the_description_quotes_the_numbers() -> None:
-    summary = analysis.summarize(circular(31))
-    text = analysis.describe(summary)
-    late = summary.last_half
-    assert f"{late.checkerboards:,} of 14,400" in text
-    assert f"{late.transitive_share:.2f}" in text
-    assert f"by {summary.swing:.2f}" in text
-    assert "From generation 15 on" in text
-    assert "From generation 8 on" in text
-    assert "Warning" not in text
-
-
-def test_the_description_warns_of_disengagement() -> None:
-    matrix = logistic(31)
-    matrix[20:, :] = 0.99
-    text = analysis.describe(analysis.summarize(matrix))
-    assert "Warning: disengagement in generations 20 to 30: the pursuers win" in text
-
-
-def test_a_short_race_has_fewer_lags() -> None:
-    summary = analysis.summarize(logistic(4))
-    assert summary.lags == (-1, 0, 1)
-    assert summary.lag_cells == (3, 4, 3)
-    assert "0: 0.50, +1: 0.54" in analysis.describe(summary)
-
-
-def test_sides_of_different_length_are_summarized_too() -> None:
-    summary = analysis.summarize(additive(20, 14))
-    assert (summary.pursuers.generations, summary.evaders.generations) == (20, 14)
-    assert "From generation 10 / 7 on" in analysis.describe(summary)
-
-
-def test_one_generation_is_not_a_race() -> None:
-    with pytest.raises(ValueError, match=r"at least 2 x 2 generations, got \(1, 5\)"):
-        analysis.summarize(np.zeros((1, 5)))
-
-
-@given(big_payoffs)
-def test_every_summary_has_json_and_text(matrix: np.ndarray) -> None:
-    summary = analysis.summarize(matrix)
-    plain = summary.to_dict()
-    assert json.loads(json.dumps(plain, allow_nan=False)) == plain
-    assert analysis.Summary.from_dict(plain) == summary
-    assert plain["last_half"]["first_pursuers"] == matrix.shape[0] // 2
-    assert "nan" not in analysis.describe(summary)

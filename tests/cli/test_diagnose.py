@@ -12,7 +12,7 @@ import pytest
 from command_line import judged_in, matrixworld_command, run_together
 from matrices import circular, logistic
 from matrixworld._util.files import load_json
-from matrixworld.analysis import CONDITIONS, describe, judge, summarize
+from matrixworld.analysis import CONDITIONS, MEASURES, describe, judge
 from matrixworld.coevolution import open_run, start
 from tiny_race import StopAt, tiny_race, tiny_single
 
@@ -57,7 +57,7 @@ def test_a_run_is_judged_by_its_episodes(job):
     payoff = open_run(job / "1").payoff()
     expected = judge(payoff.capture_rates, per_episode=True)
     assert judged_in(result.stdout) == {
-        name: finding.verdict for name, finding in expected.headline.findings.items()
+        name: finding.verdict for name, finding in expected.headline.items()
     }
     lines = result.stdout.splitlines()
     head = "1 run, 13 pursuer and 13 evader generations, 4 episodes of each pair"
@@ -74,8 +74,7 @@ def test_reasons_and_numbers_come_after_explain(job):
     said = run_together(matrixworld_command("diagnose", job / "1", "--explain").stdout)
     for name in CONDITIONS:
         assert re.search(rf"{name.capitalize()}: (present|absent|cannot tell), because ", said)
-    summary = summarize(open_run(job / "1").payoff().capture_rate)
-    assert run_together(describe(summary)) in said
+    assert run_together(describe(open_run(job / "1").payoff().capture_rate)) in said
 
 
 def test_runs_that_differ_in_the_seed_only_are_judged_together(job):
@@ -213,14 +212,14 @@ def test_analyze_prints_the_judgement_and_then_all_measures():
     write_files()
     result = matrixworld_command("analyze", "circle.csv", "--episodes", 30, "--json", "found.json")
     assert judged_in(result.stdout)["cycling"] == "present"
-    table, measures = result.stdout.split("\n1 run, 31 pursuer and 31 evader generations\n")
+    table, measures = result.stdout.split("\nA single run (95% interval")
     assert "condition" in table
-    late = summarize(means_of("circle")).last_half
-    assert re.search(rf"transitive share, last half +{late.transitive_share:.3f}", measures)
+    share = MEASURES["transitive_share"].of(means_of("circle")).value
+    assert re.search(rf"\n  last half\n(.*\n)+    transitive share +{share:.3f}", measures)
     assert "because" not in result.stdout
     found = load_json(Path("found.json"))
     assert found["judgement"] == judge(means_of("circle"), episodes=30).to_json()
-    assert found["estimates"]["transitive_share"]["value"] == pytest.approx(late.transitive_share)
+    assert found["measures"]["transitive_share"]["value"] == pytest.approx(share)
 
 
 def test_analyze_takes_runs_of_the_same_settings(job):

@@ -38,7 +38,7 @@ def test_all_commands_come_to_the_same_judgement(run, monkeypatch):
         "analyze": matrixworld_command("analyze", path, "--json", "a.json").stdout,
         "of the payoff's file": matrixworld_command("diagnose", path / "payoff.npz").stdout,
     }
-    verdicts = {name: one.verdict for name, one in expected.headline.findings.items()}
+    verdicts = {name: one.verdict for name, one in expected.headline.items()}
     for command, text in said.items():
         assert judged_in(text) == verdicts, command
         # Numbers, too.

@@ -93,12 +93,15 @@ def test_the_table_has_the_numbers_of_the_runs(job, capsys):
     assert rows["seeds finished"] == ["3 of 4", "3 of 4"]
     for column, name in enumerate(SCHEDULES):
         judgement = analysis.judge(payoffs(job, name), per_episode=True)
-        gain = judgement.headline.gains["evader"]
+        gain = judgement.headline["arms race"].estimates["evader_gain"]
         shown = f"{gain.value:+.2f} ({gain.low:+.2f} to {gain.high:+.2f})"
         assert rows["gain of the evaders"][column] == shown
         means = payoffs(job, name).mean(axis=3)
-        shares = [analysis.summarize(m).last_half.transitive_share for m in means]
-        assert rows["transitive share"][column] == interval(shares, ".2f")
+        share = analysis.MEASURES["transitive_share"].of(means)
+        assert (
+            rows["transitive share"][column]
+            == f"{share.value:.2f} ({share.low:.2f} to {share.high:.2f})"
+        )
         scores = held_out_of(job, name, "pursuers")
         assert rows["held-out, pursuers"][column] == interval(scores.mean(axis=1), ".2f")
         assert rows["training matches"][column] == "96"
@@ -114,7 +117,7 @@ def test_the_strip_has_the_verdict_on_each_seed(job, capsys):
     signs = {"present": "+", "absent": "-", "cannot tell": "?"}
     lines = said.splitlines()[1:8]
     assert lines[0].split() == ["seed", *map(str, ASKED), "together", "(seeds:", "+,", "-,", "?)"]
-    for line, (name, finding) in zip(lines[1:], judgement.headline.findings.items(), strict=True):
+    for line, (name, finding) in zip(lines[1:], judgement.headline.items(), strict=True):
         counts = ", ".join(str(finding.by_run.count(verdict)) for verdict in signs)
         cells = [*(signs[verdict] for verdict in finding.by_run), "."]
         assert line == f"{name:18} {' '.join(cells)}  {finding.verdict} ({counts})"
@@ -232,8 +235,9 @@ def test_analyze_takes_each_group(job):
     result = matrixworld_command("analyze", job, "--json", "found.json")
     assert result.stdout.count("Mean (95% interval over runs; few runs make it wide):") == 2
     found = load_json(Path("found.json"))["analyses"]
-    expected = analysis.analyze(payoffs(job, SCHEDULES[0]), per_episode=True)
-    assert found[str(job / SCHEDULES[0])] == expected.to_json()
+    expected = analysis.read_payoffs(payoffs(job, SCHEDULES[0]), per_episode=True)
+    judgement = {"judgement": analysis.judge(expected).to_json()}
+    assert found[str(job / SCHEDULES[0])] == judgement | analysis.all_results(expected)
 
 
 def test_score_gives_mean_and_interval_over_seeds(job):

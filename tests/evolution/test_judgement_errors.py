@@ -23,26 +23,20 @@ from matrixworld import analysis
 COMMITTED = RESULTS / "judgement"
 
 
-class Findings(dict[str, SimpleNamespace]):
-    """Findings of one window, with gains."""
-
-    gains: dict[str, SimpleNamespace]
-
-
 def opinion(source: np.ndarray, *, per_episode: bool = False, episodes: int | None = None) -> Any:
     """Call all but a cycle present, whatever the matches, and leave out first halves."""
     assert source.ndim in ((3, 4) if per_episode else (2, 3))
     assert not (per_episode and episodes)
     windows = {}
     for window in ("whole", "last half"):
-        windows[window] = Findings(
-            {
-                name: SimpleNamespace(verdict="absent" if name == "cycling" else "present")
-                for name in CONDITIONS
-            }
-        )
         ends = SimpleNamespace(value=0.0, low=-0.001, high=0.001)
-        windows[window].gains = {"pursuer": ends, "evader": ends}
+        windows[window] = {
+            name: SimpleNamespace(
+                verdict="absent" if name == "cycling" else "present",
+                estimates={"pursuer_gain": ends, "evader_gain": ends},
+            )
+            for name in CONDITIONS
+        }
     return SimpleNamespace(windows=windows, window="last half")
 
 

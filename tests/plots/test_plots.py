@@ -354,7 +354,7 @@ def test_the_legend_of_a_comparison_is_inside_the_figure(payoff: np.ndarray, rac
 
 def test_comparison_of_a_race_that_has_not_moved_yet() -> None:
     figure = plots.comparison({"new": np.full((2, 2), 0.5)})
-    assert heads(figure, 1) == [("last half: no variance", "")]
+    assert heads(figure, 1) == [("whole: checkerboards 0.0%", "")]
     saved(figure)
 
 

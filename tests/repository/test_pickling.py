@@ -198,12 +198,13 @@ def _of_analysis() -> Iterator[Any]:
     rng = np.random.default_rng(0)
     scores = (rng.random((8, 8, 6)) < 0.5).astype(float)
     payoff = scores.mean(axis=2)
-    functions = "alpha_rank analyze checkerboards ciao elo forgetting generalization lag_profile"
-    functions += " local_progress multi_elo nash_averaging summarize two_way_parts"
+    functions = "alpha_rank checkerboards ciao elo forgetting generalization lag_profile"
+    functions += " local_progress multi_elo nash_averaging two_way_parts"
     yield from (getattr(analysis, name)(payoff) for name in functions.split())
-    yield from (analysis.analyze([payoff, payoff**2]), analysis.analyze_run(payoff, scores))
+    yield from (analysis.measure_all([payoff, payoff**2]), analysis.all_results(payoff))
     yield analysis.judge(scores, per_episode=True)
-    yield analysis.read_payoffs(scores, per_episode=True)
+    yield (payoffs := analysis.read_payoffs(scores, per_episode=True))
+    yield payoffs.late
     yield analysis.dominance_tournament(scores)
     yield analysis.noise_reference(scores, margin=0.1, simulations=5)
     yield analysis.undecided_opponents(scores[0])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -179,9 +178,9 @@ def test_the_simple_rule_is_fooled_by_one_race_of_four(count: int) -> None:
 
 
 def test_specialists_have_more_checkerboards(scores: dict[str, np.ndarray]) -> None:
-    measure: Callable[[np.ndarray], float] = analysis.MEASURES["checkerboards"].of
+    measure = analysis.MEASURES["checkerboards"].of
     specialists, mixed = (
-        [measure(matrix) for matrix in scores[name].mean(axis=3)] for name in SCHEDULES[:2]
+        [measure(matrix).value for matrix in scores[name].mean(axis=3)] for name in SCHEDULES[:2]
     )
     difference = analysis.difference_of_runs(mixed, specialists)
     assert difference.high is not None

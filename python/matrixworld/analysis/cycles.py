@@ -1,4 +1,9 @@
-"""Transitive and cyclic parts of a payoff matrix, and checkerboards."""
+"""Cycles: what the strength of each generation does not explain, and checkerboards.
+
+A race is *transitive* if its generations can be ordered by strength: sorted by it, capture rates
+never fall along the pursuers and never rise along the evaders. Strength need not grow in the order
+of time, and it may saturate. A checkerboard contradicts every such order.
+"""
 
 from __future__ import annotations
 
@@ -10,9 +15,36 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.analysis.payoff import SHRINKAGE, Mask, Rates, check_payoff, require
-from matrixworld.analysis.payoff import logits as logits_of
+from matrixworld.analysis.intervals import (
+    BIASED,
+    LEVEL,
+    Estimate,
+    check_cells,
+    normal_quantile,
+    t_quantile,
+)
+from matrixworld.analysis.payoffs import (
+    SHRINKAGE,
+    Mask,
+    Rates,
+    check_payoff,
+    check_rates,
+    require,
+)
+from matrixworld.analysis.payoffs import logits as logits_of
 
+EPISODES_TO_SUBTRACT_NOISE = 4
+"""Fewest episodes for the interval of a transitive share: the jackknife leaves out one of them."""
+MARGIN = 0.15
+"""Margin of a checkerboard: an additive matrix with the noise of ten episodes of a default race has
+none above it. It does not tell cycles from noise in general; `judge` does."""
+MOST_GENERATIONS = 40
+"""More generations of a team are thinned out evenly, which keeps a fit below a second."""
+SORTING = 1.5
+"""Share of the noise that sorting hides, in units of (n + m) / (n m). Simulated: 1 to 1.3."""
+ITERATIONS = 200
+"""Most iterations of a fit; 20 to 100 suffice."""
+_CONVERGED = 1e-4  # largest change of a cell in the last iteration
 _ROUNDING = 1e-12  # differences of capture rates below this are floating-point noise
 
 
@@ -198,6 +230,14 @@ def checkerboards(
     return Checkerboards(count, math.comb(rows, 2) * math.comb(columns, 2))
 
 
+def clear_checkerboards(matrix: Rates) -> Checkerboards:
+    """Return the checkerboards that judgement, tables and texts count: with `MARGIN`, no level.
+
+    Races cycle at low capture rates, too, where no cell crosses one half.
+    """
+    return checkerboards(thinned(matrix), margin=MARGIN, level=None)
+
+
 def _prefers(matrix: Rates, margin: float, level: float | None) -> Mask:
     """Return ``[p, a, b]``: p beats a and not b by the margin; bool, shape (n, m, m)."""
     # Two of the four margins compare cells of one row, so they serve all pairs of rows.
@@ -271,3 +311,276 @@ def _strongest_of(matrix: Rates, p: int, q: int) -> Checkerboard:
 def _in_common(one: Checkerboard, other: Checkerboard) -> int:
     pursuers = set(one.pursuers) & set(other.pursuers)
     return len(pursuers) + len(set(one.evaders) & set(other.evaders))
+
+
+def transitive_fit(payoff: ArrayLike) -> Rates:
+    """Return the transitive matrix that is nearest to a payoff matrix.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+
+    Returns
+    -------
+    ndarray of float64, shape (n, m)
+        The least-squares fit among the matrices that never fall along the pursuers and along the
+        evaders, both sorted by their mean capture rate.
+
+    Notes
+    -----
+    Isotonic regression in both directions by Dykstra's alternating projections. Among transitive
+    matrices the mean of a row gives its place in the order.
+
+    References
+    ----------
+    Dykstra and Robertson (1982), "An algorithm for isotonic regression for two or more independent
+    variables", Annals of Statistics 10(3).
+    """
+    matrix = check_payoff(payoff)
+    order = np.ix_(*(np.argsort(matrix.mean(axis=axis), kind="stable") for axis in (1, 0)))
+    fit = np.empty_like(matrix)
+    fit[order] = _monotone(matrix[order])
+    return fit
+
+
+def cyclic_amplitude(payoff: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) -> Estimate:
+    """Return the mean square of what no order of strength explains, without episode noise.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix, at least 3 x 3. More than `MOST_GENERATIONS` generations are thinned out.
+    noise : array_like of float, shape (n, m)
+        Unbiased estimate of the variance of each cell by episode noise.
+    level : float, optional
+        Confidence level, in (0, 1).
+
+    Returns
+    -------
+    Estimate
+        The *squared* amplitude, in units of the capture rate squared: mean squared residual of
+        `transitive_fit` minus the mean noise. It may be negative. `biased_high` and `high` allow
+        for what the fit hides.
+
+    Raises
+    ------
+    ValueError
+        If the shapes differ or the matrix is smaller.
+
+    Notes
+    -----
+    A test of lack of fit against pure error, with an order as the null hypothesis. The residuals of
+    a transitive race contain its noise only, and less than all of it: a cell in a level set of b
+    cells loses 1/b, since the number of level sets is the degrees of freedom of a monotone fit
+    (Meyer and Woodroofe 2000), and sorting by noisy means loses some more. So a transitive race has
+    an expected value of 0 or less. The standard error is that of a sum of independent cells. Where
+    generations hardly differ in strength their order is chance, and with it the small part of a
+    cycle that lies along the order.
+
+    References
+    ----------
+    Robertson, Wright and Dykstra (1988), "Order restricted statistical inference". Meyer and
+    Woodroofe (2000), "On the degrees of freedom in shape-restricted regression", Annals of
+    Statistics 28(4).
+    """
+    matrix, variances = check_payoff(payoff), np.asarray(noise, dtype=np.float64)
+    require(min(matrix.shape) >= 3, "at least 3 x 3 generations", matrix.shape)
+    require(variances.shape == matrix.shape, f"noise of shape {matrix.shape}", variances.shape)
+    matrix, variances = thinned(matrix), thinned(variances)
+    fit = transitive_fit(matrix)
+    excess = (matrix - fit) ** 2 - variances * (1.0 - _leverages(fit))
+    value = float(excess.mean())
+    error = float(np.sqrt((excess**2).sum())) / excess.size
+    reach = normal_quantile(level) * error
+    most = value + SORTING * sum(matrix.shape) / matrix.size * float(variances.mean())
+    return Estimate(value, value - reach, most + reach, "episodes", biased_high=most)
+
+
+class NoiseReference(NamedTuple):
+    """What a transitive race with the same noise has, at most and at least.
+
+    Parameters
+    ----------
+    checkerboards : float
+        Share of checkerboards that such a race exceeds rarely; NaN below 2 x 2 generations.
+    transitive_share : float
+        Transitive share below which such a race lies rarely; NaN if it is constant.
+    """
+
+    checkerboards: float
+    transitive_share: float
+
+
+def noise_reference(
+    scores: ArrayLike, *, margin: float, level: float = LEVEL, simulations: int = 100, rng: int = 0
+) -> NoiseReference:
+    """Simulate how many checkerboards a transitive race has by episode noise alone.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (n, m, episodes)
+        Capture rate of each episode; at least two episodes of each cell.
+    margin : float
+        Margin of a checkerboard, in [0, 1).
+    level : float, optional
+        Share of the simulated races that lie on the usual side, in (0, 1).
+    simulations : int, optional
+        Number of simulated races.
+    rng : int, optional
+        Seed.
+
+    Returns
+    -------
+    NoiseReference
+        Quantiles of the simulated races. They help to read the two numbers; `cyclic_amplitude`
+        decides whether a race cycles.
+
+    Raises
+    ------
+    ValueError
+        If scores have another shape or are outside [0, 1].
+
+    Notes
+    -----
+    Parametric bootstrap: `transitive_fit` of the race plus normal noise with the variance of each
+    cell's mean.
+    """
+    array = check_rates(scores, ndim=3, what="scores (n, m, episodes)")
+    episodes = array.shape[2]
+    require(episodes >= 2, "at least 2 episodes of each cell", episodes)
+    fit = transitive_fit(array.mean(axis=2))
+    error = array.std(axis=2, ddof=1) / np.sqrt(episodes)
+    generator = np.random.default_rng(rng)
+    races = [
+        np.clip(fit + error * generator.standard_normal(fit.shape), 0.0, 1.0)
+        for _ in range(simulations)
+    ]
+    boards = [checkerboards(race, margin=margin, level=None).share for race in races]
+    shares = [transitive_share(race) for race in races]
+    return NoiseReference(
+        float(np.quantile(boards, level)), float(np.quantile(shares, 1.0 - level))
+    )
+
+
+def thinned(matrix: Rates) -> Rates:
+    """Return all generations of each team, or `MOST_GENERATIONS` of them at even distances."""
+    kept = (np.linspace(0, size - 1, min(size, MOST_GENERATIONS)) for size in matrix.shape)
+    return matrix[np.ix_(*(each.round().astype(np.intp) for each in kept))]
+
+
+def _leverages(fit: Rates) -> Rates:
+    """Return for each cell one over the number of cells that share its value."""
+    # Converged values of one level set differ in the last digits only.
+    _, member, counts = np.unique(
+        np.round(fit / (10 * _CONVERGED)), return_inverse=True, return_counts=True
+    )
+    shares: Rates = 1.0 / counts[member.reshape(fit.shape)]
+    return shares
+
+
+def _monotone(matrix: Rates) -> Rates:
+    """Return the least-squares fit that does not fall along rows and columns."""
+    # Dykstra: each projection starts from the last one plus its own correction.
+    fit, along_rows, along_columns = matrix, np.zeros_like(matrix), np.zeros_like(matrix)
+    for _ in range(ITERATIONS):
+        start = fit + along_rows
+        half = _isotonic_rows(start)
+        along_rows = start - half
+        start = half + along_columns
+        after = _isotonic_rows(start.T).T
+        along_columns = start - after
+        change, fit = float(np.abs(after - fit).max()), after
+        if change < _CONVERGED:
+            break
+    return fit
+
+
+def _isotonic_rows(values: Rates) -> Rates:
+    from scipy.optimize import isotonic_regression
+
+    return np.stack([isotonic_regression(row).x for row in values])
+
+
+def transitive_share_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
+    """Return the transitive share without episode noise, with an interval over episodes.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (n, m, episodes)
+        Scores in [0, 1] of independent episodes, at least two of each cell.
+    level : float, optional
+        Confidence level, in (0, 1).
+
+    Returns
+    -------
+    Estimate
+        The share, in [0, 1], that endless episodes would give. It has no interval with fewer than
+        `EPISODES_TO_SUBTRACT_NOISE` episodes, or if the cells do not vary more than episode noise
+        does: then nothing can be said about shares of their variation.
+
+    Raises
+    ------
+    ValueError
+        As `linear_over_episodes`.
+
+    Notes
+    -----
+    The share is ``1 - residual / total``. Both sums of squares are too large by the variance of the
+    noise, because each cell is multiplied by itself. Products of different episodes of a cell have
+    no such bias, and the sums are estimated from these (U statistics). The interval inverts a t
+    test, as Fieller's theorem does for a ratio: it holds all shares r for which
+    ``residual - (1 - r) total`` differs from 0 by at most t standard errors. These come from the
+    jackknife over episodes, which never underestimates a variance on average.
+
+    References
+    ----------
+    Hoeffding (1948), "A class of statistics with asymptotically normal distribution". Fieller
+    (1954), "Some problems in interval estimation". Efron and Stein (1981), "The jackknife estimate
+    of variance".
+    """
+    array = check_cells(scores, level)
+    episodes = array.shape[2]
+    measured = transitive_share(array.mean(axis=2))
+    if episodes < EPISODES_TO_SUBTRACT_NOISE:
+        return Estimate(
+            measured, samples=episodes, note=f"{BIASED} below {EPISODES_TO_SUBTRACT_NOISE} episodes"
+        )
+    ends = _cyclic_share(*_sums_without_noise(array), float(t_quantile(level, episodes - 1)))
+    if ends is None:
+        return Estimate(measured, samples=episodes, note=f"{BIASED}, no variation beyond it")
+    value, low, high = (float(share) for share in np.clip(1.0 - np.array(ends), 0.0, 1.0))
+    return Estimate(value, low, high, "episodes", episodes, "episode noise subtracted")
+
+
+def _sums_without_noise(scores: Rates) -> tuple[Rates, Rates]:
+    """Return residual and total sum of squares, shape (2,), and their covariance, shape (2, 2)."""
+    matrices = np.moveaxis(scores, 2, 0)
+    episodes = len(matrices)
+    total = matrices - matrices.mean(axis=(1, 2), keepdims=True)
+    residual = total - total.mean(axis=1, keepdims=True) - total.mean(axis=2, keepdims=True)
+    parts = np.stack([residual, total]).reshape(2, episodes, -1)
+    products = parts @ parts.transpose(0, 2, 1)
+    # Products of an episode with itself hold the noise, so only those of two episodes count.
+    of_episode = products.sum(axis=2) - np.diagonal(products, axis1=1, axis2=2)
+    everything = of_episode.sum(axis=1)
+    left_out = everything[:, None] - 2.0 * of_episode
+    jackknife = left_out / ((episodes - 1) * (episodes - 2))
+    deviations = jackknife - jackknife.mean(axis=1, keepdims=True)
+    covariance = (episodes - 1) / episodes * deviations @ deviations.T
+    return everything / (episodes * (episodes - 1)), covariance
+
+
+def _cyclic_share(sums: Rates, covariance: Rates, t: float) -> tuple[float, float, float] | None:
+    """Return the share q with its largest and smallest value, or None if the total may be 0.
+
+    The ends solve ``(residual - q total)^2 = t^2 variance(residual - q total)``.
+    """
+    residual, total = sums.tolist()
+    a = total**2 - t**2 * covariance[1, 1]
+    b = residual * total - t**2 * covariance[0, 1]
+    c = residual**2 - t**2 * covariance[0, 0]
+    if total <= 0.0 or a <= 0.0:
+        return None
+    half = math.sqrt(max(0.0, b**2 - a * c))
+    return residual / total, (b + half) / a, (b - half) / a

@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.analysis.measurement import Measurement
-from matrixworld.analysis.payoff import Rates, check_rates, require
+from matrixworld.analysis.intervals import Estimate
+from matrixworld.analysis.payoffs import Rates, check_rates, require
 
 PURSUERS_WIN, EVADERS_WIN = 0.97, 0.03
 """Capture rates above which the pursuers, and below which the evaders have won; races with too few
@@ -121,30 +121,17 @@ def disengagements(
     return tuple(s for s in _stretches(winners, first) if len(s) >= patience)
 
 
-def one_sidedness(rates: ArrayLike, episodes: float, *, level: float = 0.95) -> Measurement:
+def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimate:
     """Return how much of the payoff the winning team gets, where a race is most one-sided.
 
-    Parameters
-    ----------
-    rates : array_like of float, shape (K, 2)
-        Capture rates after both team phases of K generations, as for `disengagements`.
-    episodes : float
-        Effective number of episodes behind each rate: as many wins and losses as have its variance.
-    level : float, optional
-        Confidence level, in (0, 1).
+    The rates (K, 2) are those of both team phases, as for `disengagements`; the number of episodes
+    is effective: as many wins and losses as have the variance of each rate. The number is the mean
+    payoff of the winning team over consecutive generations, half of the K rounded up, for which it
+    is largest; in [1/2, 1].
 
-    Returns
-    -------
-    Measurement
-        Mean payoff of the winning team over consecutive generations, half of the K rounded up, for
-        which it is largest; in [1/2, 1].
-
-    Notes
-    -----
     The interval is that of Clopper and Pearson (1934) for the effective number of episodes (Korn
     and Graubard 1998). Each end is at the level of all stretches together (Bonferroni), so the
-    choice of the stretch does not matter.
-    `under` and `over` are the ends of the interval.
+    choice of the stretch does not matter. The ends are `biased_low` and `biased_high`, too.
     """
     from scipy.special import betaincinv
 
@@ -163,7 +150,7 @@ def one_sidedness(rates: ArrayLike, episodes: float, *, level: float = 0.95) -> 
     )
     best = int(payoffs.argmax())
     low, high = float(lows[best]), float(highs.max())
-    return Measurement(float(payoffs[best]), low, high, under=low, over=high)
+    return Estimate(float(payoffs[best]), low, high, "episodes", biased_low=low, biased_high=high)
 
 
 def fitness_variance(fitness: ArrayLike) -> NDArray[np.float64]:

@@ -1,24 +1,41 @@
-"""Intervals over training runs: Student's t for means, differences and curves."""
+"""Intervals: over training runs, over the episodes of one run, and of collision rates.
+
+Each kind of interval is defined here once: Student's t (means, curves, linear measures), Welch's t
+(differences of runs), Gaffke's (scores in [0, 1]) and the bootstrap-t of a rate.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.short_repr import short_repr
-from matrixworld.analysis.payoff import Rates, require
+from matrixworld.analysis.payoffs import Rates, check_rates, require
 
 LEVEL = 0.95
 """Default confidence level: share of intervals that should contain the true value."""
 FEW_RUNS = 5
 """With fewer runs an interval is wide, since the variation between runs is hardly known."""
 SINGLE_RUN = "a single run has no interval over runs"
+BIASED = "biased by episode noise: no interval"
+"""Note of numbers that noise shifts by an unknown amount, such as maxima of cells."""
+DRAWS = 10_000
+"""Draws of weights for an interval of a mean; the ends vary by about 1 % of the width."""
+EPISODES_FOR_RATES = 20
+"""Fewest episodes for the interval of a collision rate; with less, uneven rates are covered too
+rarely."""
+COLLIDING_FOR_RATES = 5
+"""Fewest episodes with a collision of the kind for an interval of its rate."""
+RESAMPLES_OF_RATES = 1000
 Bounds = tuple[float, float]
 """Smallest and largest possible value."""
 UNBOUNDED: Bounds = (-math.inf, math.inf)
+UNIT: Bounds = (0.0, 1.0)
 
 
 @dataclass(frozen=True)
@@ -29,29 +46,39 @@ class Estimate:
     ----------
     value : float
         The number; NaN if it is not defined.
-    low : float or None
-        Lower end of the interval; None without an interval.
-    high : float or None
-        Upper end of the interval; None without an interval.
-    over : str
+    low, high : float or None, optional
+        Ends of the interval; None without an interval.
+    across : str, optional
         What varies in the interval: ``"runs"``, ``"episodes"`` or ``"nothing"``.
-    samples : int
-        Number of runs, or number of episodes of each cell.
+    samples : int, optional
+        Number of runs, or number of episodes of each cell; 0 if it is unknown.
     note : str, optional
         Why there is no interval, or what to know about it.
+    biased_low, biased_high : float or None, optional
+        Values that are not too high and not too low on average, where the number has a bias of
+        unknown size; None for `value`. Intervals over runs rest on them.
     """
 
     value: float
-    low: float | None
-    high: float | None
-    over: str
-    samples: int
+    low: float | None = None
+    high: float | None = None
+    across: str = "nothing"
+    samples: int = 0
     note: str = ""
+    biased_low: float | None = None
+    biased_high: float | None = None
 
     def __str__(self) -> str:
         if self.low is None or self.high is None:
             return _rounded(self.value)
         return f"{_rounded(self.value)} ({_rounded(self.low)} to {_rounded(self.high)})"
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Ends of the interval; ValueError if there is none."""
+        if self.low is None or self.high is None:
+            raise ValueError(f"expected an estimate with an interval, got {self}: {self.note}")
+        return self.low, self.high
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,12 +140,12 @@ def interval_over_runs(
     ----------
     Student (1908), "The probable error of a mean".
     """
-    array = check_values(values, "values of runs")
+    array = _check_values(values)
     check_level(level)
     mean, runs = float(array.mean()), len(array)
     missing = _no_variation(array)
     if missing:
-        return without_interval(mean, runs, missing)
+        return Estimate(mean, samples=runs, note=missing)
     return Estimate(mean, *t_ends(array, level, bounds), "runs", runs, few_runs(runs))
 
 
@@ -162,7 +189,7 @@ def difference_of_runs(
     Welch (1947), "The generalization of 'Student's' problem when several different population
     variances are involved".
     """
-    first, second = (check_values(each, "values of runs") for each in (one, other))
+    first, second = (_check_values(each) for each in (one, other))
     check_level(level)
     if paired:
         require(len(first) == len(second), f"{len(first)} paired runs", len(second))
@@ -171,13 +198,13 @@ def difference_of_runs(
     missing = _no_variation(first if len(first) == fewest else second)
     # Groups of equal values have an interval if the other group varies.
     if missing and (fewest == 1 or (_no_variation(first) and _no_variation(second))):
-        return without_interval(difference, fewest, missing)
+        return Estimate(difference, samples=fewest, note=missing)
     parts = [float(each.var(ddof=1)) / len(each) for each in (first, second)]
     freedom = sum(parts) ** 2 / sum(
         part**2 / (len(each) - 1) for part, each in zip(parts, (first, second), strict=True)
     )
-    half = t_quantile(level, freedom) * math.sqrt(sum(parts))
-    ends = _clipped(difference, half, bounds)
+    half = float(t_quantile(level, freedom)) * math.sqrt(sum(parts))
+    ends = max(difference - half, bounds[0]), min(difference + half, bounds[1])
     return Estimate(difference, *ends, "runs", fewest, few_runs(fewest))
 
 
@@ -219,27 +246,303 @@ def band_over_runs(curves: ArrayLike, *, level: float = LEVEL, bounds: Bounds = 
     squares = np.where(known, array - mean, 0.0) ** 2
     # No interval where a single run is left: there is nothing to divide by.
     freedom = np.where(counts > 1, counts - 1.0, np.nan)
-    half = t_quantiles(level, freedom) * np.sqrt(squares.sum(axis=0) / freedom / counts)
+    half = t_quantile(level, freedom) * np.sqrt(squares.sum(axis=0) / freedom / counts)
     ends = np.maximum(mean - half, bounds[0]), np.minimum(mean + half, bounds[1])
     return Band(mean, *ends, counts)
 
 
-def t_quantiles(level: float, freedom: Rates) -> Rates:
+# ---- Over the episodes of one run ---------------------------------------------------------------
+
+
+def mean_over_episodes(
+    scores: ArrayLike, *, level: float = LEVEL, rng: np.random.Generator | int = 0
+) -> Estimate:
+    """Return the mean of scores in [0, 1] with an interval that needs no other assumption.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (episodes,)
+        Scores in [0, 1] of independent episodes, at least two.
+    level : float, optional
+        Confidence level, in (0, 1).
+    rng : numpy.random.Generator or int, optional
+        Generator or seed of the drawn weights.
+
+    Returns
+    -------
+    Estimate
+        The mean with its interval, which has a width even if all episodes are equal.
+
+    Raises
+    ------
+    ValueError
+        If the shape is another one, there are fewer than two episodes, scores are outside [0, 1],
+        or the level is outside (0, 1).
+
+    Notes
+    -----
+    The upper end is a quantile of the weighted mean of the scores and one further score of 1, with
+    weights that are uniform on the simplex; the lower end adds a 0. For win or loss this is the
+    interval of Clopper and Pearson (1934). Other scores with the same mean vary less, and their
+    interval is narrower.
+
+    References
+    ----------
+    Gaffke (2005), "Three test statistics for a nonparametric one-sided hypothesis on the mean of a
+    nonnegative variable". Learned-Miller and Thomas (2020), "A new confidence interval for the mean
+    of a bounded random variable".
+    """
+    array = _check_scores(scores, level)
+    low, high = _ends_of_mean(array, level, rng)
+    return Estimate(float(array.mean()), low, high, "episodes", len(array))
+
+
+def difference_over_episodes(
+    one: ArrayLike,
+    other: ArrayLike,
+    *,
+    level: float = LEVEL,
+    rng: np.random.Generator | int = 0,
+) -> Estimate:
+    """Return the difference of two means of scores in [0, 1] with an interval over episodes.
+
+    Parameters
+    ----------
+    one : array_like of float, shape (episodes,)
+        Scores in [0, 1] of independent episodes, at least two.
+    other : array_like of float, shape (other_episodes,)
+        Scores in [0, 1] of other independent episodes, at least two.
+    level : float, optional
+        Confidence level, in (0, 1).
+    rng : numpy.random.Generator or int, optional
+        Generator or seed of the drawn weights.
+
+    Returns
+    -------
+    Estimate
+        Mean of `one` minus mean of `other`.
+
+    Raises
+    ------
+    ValueError
+        As `mean_over_episodes`.
+
+    Notes
+    -----
+    The squared distances of both means from the ends of their own intervals are added, as Newcombe
+    (1998) does for shares. This keeps the asymmetry of the two intervals.
+
+    References
+    ----------
+    Zou and Donner (2008), "Construction of confidence limits about effect measures: a general
+    approach".
+    """
+    first, second = _check_scores(one, level), _check_scores(other, level)
+    means = float(first.mean()), float(second.mean())
+    ends = [_ends_of_mean(each, level, rng) for each in (first, second)]
+    difference = means[0] - means[1]
+    low = difference - math.hypot(means[0] - ends[0][0], ends[1][1] - means[1])
+    high = difference + math.hypot(ends[0][1] - means[0], means[1] - ends[1][0])
+    fewest = min(len(first), len(second))
+    return Estimate(difference, max(low, -1.0), min(high, 1.0), "episodes", fewest)
+
+
+def linear_over_episodes(
+    scores: ArrayLike,
+    measure: Callable[[Rates], float],
+    *,
+    level: float = LEVEL,
+    bounds: Bounds = UNBOUNDED,
+) -> Estimate:
+    """Return a linear measure of the payoff matrix with a t interval over episodes.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (n, m, episodes)
+        Scores in [0, 1] of independent episodes, at least two of each cell.
+    measure : callable
+        Takes a matrix (n, m) and returns a weighted sum of its cells plus a constant, such as a
+        mean or a difference of means.
+    level : float, optional
+        Confidence level, in (0, 1).
+    bounds : tuple of float, optional
+        Smallest and largest possible value; the interval is clipped to them.
+
+    Returns
+    -------
+    Estimate
+        The measure of the mean matrix. It has no interval if it is the same in each episode.
+
+    Raises
+    ------
+    ValueError
+        If the shape is another one, there are fewer than two episodes, scores are outside [0, 1],
+        or the level is outside (0, 1).
+
+    Notes
+    -----
+    Episode e of all cells is one measurement of the whole matrix, independent of other episodes.
+    A linear measure of the mean matrix is the mean of the measures of these matrices, so the t
+    interval of a mean applies. Cells may share the seeds of their episodes.
+    """
+    array = check_cells(scores, level)
+    episodes = array.shape[2]
+    value = float(measure(array.mean(axis=2)))
+    if math.isnan(value):
+        return Estimate(value, samples=episodes, note="not defined for this matrix")
+    each = np.array([measure(array[:, :, e]) for e in range(episodes)])
+    if does_not_vary(each):
+        return Estimate(value, samples=episodes, note="no interval: all episodes are equal")
+    return Estimate(value, *t_ends(each, level, bounds), "episodes", episodes)
+
+
+def generalization_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> tuple[Band, Band]:
+    """Return `generalization` of pursuers and of evaders with t intervals over episodes.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (n, m, episodes)
+        Capture rates in [0, 1] of independent episodes, at least two of each cell.
+    level : float, optional
+        Confidence level of each point, in (0, 1). A whole curve leaves the band more often.
+
+    Returns
+    -------
+    pursuers, evaders : Band
+        Mean payoffs of the n and of the m generations. Where all episodes are equal, the band has
+        no width, which is no certainty.
+
+    Raises
+    ------
+    ValueError
+        As `linear_over_episodes`.
+
+    Notes
+    -----
+    The interval is about other episodes of the same opponents, not about other opponents. As in
+    `linear_over_episodes`, episode e of all cells is one measurement of each mean.
+    """
+    array = check_cells(scores, level)
+    captured, escaped = array.mean(axis=1).T, 1.0 - array.mean(axis=0).T
+    pursuers, evaders = (
+        band_over_runs(each, level=level, bounds=UNIT) for each in (captured, escaped)
+    )
+    return pursuers, evaders
+
+
+def _ends_of_mean(
+    scores: Rates, level: float, rng: np.random.Generator | int
+) -> tuple[float, float]:
+    values, counts = np.unique(scores, return_counts=True)
+    # Weights of equal scores add up: a gamma variable for each value instead of each episode.
+    generator = np.random.default_rng(rng)
+    drawn: Any = generator.standard_gamma(counts, (DRAWS, len(counts)))
+    extra = generator.standard_exponential(DRAWS)
+    known, total = drawn @ values, drawn.sum(axis=1) + extra
+    # The further score is 0 for the lower end and 1 for the upper end.
+    low = np.quantile(known / total, (1.0 - level) / 2.0)
+    high = np.quantile((known + extra) / total, (1.0 + level) / 2.0)
+    return float(low), float(high)
+
+
+def _check_scores(scores: ArrayLike, level: float) -> Rates:
+    array = check_rates(scores, ndim=1, what="scores of episodes")
+    check_level(level)
+    require(len(array) >= 2, "at least 2 episodes", len(array))
+    return array
+
+
+def check_cells(scores: ArrayLike, level: float) -> Rates:
+    """Return scores (n, m, episodes) of at least two episodes, or raise a ValueError."""
+    array = check_rates(scores, ndim=3, what="scores (n, m, episodes)")
+    check_level(level)
+    require(array.shape[2] >= 2, "at least 2 episodes a cell", array.shape[2])
+    return array
+
+
+# ---- Of collision rates -------------------------------------------------------------------------
+
+
+def rate_intervals(
+    counts: NDArray[np.int64], agent_steps: NDArray[np.int64], seed: int = 0
+) -> NDArray[np.float64]:
+    """Return bootstrap-t intervals of rates per 1000 agent-steps.
+
+    Counts have the shape (episodes, ..., 2, 3): agent-steps in collision by team and kind;
+    agent-steps have the shape (episodes, 2). The ends have the shape (..., 2, 3, 2), and are NaN
+    with fewer than `EPISODES_FOR_RATES` episodes, or fewer than `COLLIDING_FOR_RATES` with a count
+    above 0.
+
+    Episodes are resampled. Each resample gives the distance of its rate from the rate of all
+    episodes in standard errors of a ratio; quantiles of this distance replace those of Student's
+    t. This covers skewed counts better than quantiles of the resampled rates
+    (Hall 1988, "Theoretical comparison of bootstrap confidence intervals").
+    """
+    n, rng = len(counts), np.random.default_rng(seed)
+    c = counts.reshape(n, -1).astype(float)
+    s = np.broadcast_to(_by_kind(agent_steps, counts.ndim), counts.shape).reshape(n, -1)
+    data = np.concatenate([c, s, c * c, c * s, s * s], axis=1)
+    draws = (np.bincount(rng.integers(n, size=n), minlength=n) for _ in range(RESAMPLES_OF_RATES))
+    # One draw is how often each episode occurs in a resample: a product sums the whole resample.
+    sums = np.stack([data.sum(axis=0), *(times @ data for times in draws)])
+    ends = _ends(*_rates_and_errors(sums.reshape(len(sums), 5, -1)))
+    ends[:, ((c > 0).sum(axis=0) < COLLIDING_FOR_RATES) | (n < EPISODES_FOR_RATES)] = np.nan
+    return np.asarray(1000 * ends.T.reshape(*counts.shape[1:], 2))
+
+
+def _by_kind(agent_steps: NDArray[np.int64], ndim: int) -> NDArray[np.float64]:
+    """Return agent-steps (episodes, 2) with axes of length 1 for all other axes of the counts."""
+    shape = (len(agent_steps), *(1,) * (ndim - 3), 2, 1)
+    return agent_steps.reshape(shape).astype(float)
+
+
+def _rates_and_errors(sums: NDArray[np.float64]) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return ratios c / s, shape (k, rates), and their standard errors up to a constant factor."""
+    c, s, cc, cs, ss = np.moveaxis(sums, 1, 0)
+    s = np.maximum(s, 1.0)  # a team without agent-steps has no collisions either
+    rates = c / s
+    return rates, np.sqrt(np.maximum(cc - 2 * rates * cs + rates**2 * ss, 0.0)) / s
+
+
+def _ends(rates: NDArray[Any], errors: NDArray[Any]) -> NDArray[np.float64]:
+    """Return the ends of the intervals, shape (2, rates); row 0 is the data, others resamples."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        # A resample of equal episodes is infinitely many standard errors away, if it differs.
+        t = (rates[1:] - rates[0]) / errors[1:]
+        t[np.isnan(t)] = 0.0
+        # Without interpolation, which has no result between two infinities.
+        ends = (
+            rates[0]
+            - np.quantile(t, ((1 + LEVEL) / 2, (1 - LEVEL) / 2), axis=0, method="nearest")
+            * errors[0]
+        )
+    return np.asarray(np.clip(ends, 0.0, 1.0))
+
+
+# ---- Parts of intervals --------------------------------------------------------------------------
+
+
+def t_quantile(level: float, freedom: float | Rates) -> Rates:
     """Return half the width of two-sided t intervals in standard errors; NaN stays NaN."""
     from scipy.special import stdtrit
 
     return np.asarray(stdtrit(freedom, (1.0 + level) / 2.0), dtype=np.float64)
 
 
-def t_quantile(level: float, freedom: float) -> float:
-    """Return half the width of a two-sided t interval in standard errors."""
-    return float(t_quantiles(level, np.asarray(freedom)))
+def normal_quantile(level: float) -> float:
+    """Return half the width of a two-sided normal interval in standard errors."""
+    from scipy.special import ndtri
+
+    return float(ndtri((1.0 + level) / 2.0))
 
 
-def t_ends(values: Rates, level: float, bounds: Bounds) -> tuple[float, float]:
+def t_ends(values: ArrayLike, level: float, bounds: Bounds = UNBOUNDED) -> tuple[float, float]:
     """Return the ends of the t interval of a mean, clipped to the bounds."""
-    half = t_quantile(level, len(values) - 1) * float(values.std(ddof=1)) / math.sqrt(len(values))
-    return _clipped(float(values.mean()), half, bounds)
+    array = np.asarray(values, dtype=np.float64)
+    error = float(np.std(array, ddof=1)) / math.sqrt(len(array))
+    half = float(t_quantile(level, len(array) - 1)) * error
+    mean = float(array.mean())
+    return max(mean - half, bounds[0]), min(mean + half, bounds[1])
 
 
 def does_not_vary(values: Rates) -> bool:
@@ -247,23 +550,14 @@ def does_not_vary(values: Rates) -> bool:
     return float(np.ptp(values)) <= 1e-12 * max(1.0, float(np.abs(values).max()))
 
 
-def without_interval(value: float, samples: int, note: str) -> Estimate:
-    """Return an estimate that has no interval, with the reason."""
-    return Estimate(value, None, None, "nothing", samples, note)
-
-
-def check_values(values: ArrayLike, what: str) -> Rates:
-    """Return finite values, shape (k,), as float64, or raise a ValueError."""
-    array = np.asarray(values, dtype=np.float64)
-    require(array.ndim == 1 and array.size > 0, f"{what} of shape (k,), k >= 1", array.shape)
-    bad = array[~np.isfinite(array)]
-    require(not len(bad), f"finite {what}", bad[:1])
-    return array
-
-
 def check_level(level: float) -> None:
     """Raise a ValueError unless the level lies in (0, 1)."""
     require(0.0 < level < 1.0, "a level in (0, 1)", level)
+
+
+def few_runs(runs: int) -> str:
+    """Return what to know about the interval of few runs; empty for others."""
+    return f"{runs} runs only: the interval is wide" if runs < FEW_RUNS else ""
 
 
 def _no_variation(values: Rates) -> str:
@@ -273,13 +567,12 @@ def _no_variation(values: Rates) -> str:
     return f"no interval: all {len(values)} runs are equal" if does_not_vary(values) else ""
 
 
-def few_runs(runs: int) -> str:
-    """Return what to know about the interval of few runs; empty for others."""
-    return f"{runs} runs only: the interval is wide" if runs < FEW_RUNS else ""
-
-
-def _clipped(value: float, half: float, bounds: Bounds) -> tuple[float, float]:
-    return max(value - half, bounds[0]), min(value + half, bounds[1])
+def _check_values(values: ArrayLike) -> Rates:
+    array = np.asarray(values, dtype=np.float64)
+    require(array.ndim == 1 and array.size > 0, "values of runs of shape (k,), k >= 1", array.shape)
+    bad = array[~np.isfinite(array)]
+    require(not len(bad), "finite values of runs", bad[:1])
+    return array
 
 
 def _rounded(value: float) -> str:

@@ -1,39 +1,85 @@
-"""Named measures of a payoff matrix, for comparison between runs."""
+"""The measures of a race: one table, which the judgement, reports and tables of commands read.
+
+A measure is a row of `MEASURES`: a name, words, and a function of the payoffs of one run or several
+and of a window of the race, which returns an `Estimate`.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any, Literal
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
-from numpy.typing import ArrayLike
+import numpy as np
 
-from matrixworld.analysis.ciao import ciao
-from matrixworld.analysis.cycles import checkerboards, transitive_share
-from matrixworld.analysis.episode_intervals import (
-    BIASED,
-    linear_over_episodes,
+from matrixworld.analysis.cycles import (
+    clear_checkerboards,
+    cyclic_amplitude,
+    transitive_share,
     transitive_share_over_episodes,
 )
-from matrixworld.analysis.forgetting import forgetting
-from matrixworld.analysis.generalization import (
-    generalization,
-    historical_progress,
-    local_progress,
+from matrixworld.analysis.engagement import one_sidedness
+from matrixworld.analysis.games import game_value
+from matrixworld.analysis.intervals import (
+    BIASED,
+    LEVEL,
+    UNIT,
+    Bounds,
+    Estimate,
+    check_level,
+    interval_over_runs,
+    linear_over_episodes,
+    t_ends,
 )
-from matrixworld.analysis.intervals import LEVEL, Estimate, without_interval
-from matrixworld.analysis.lags import lag_rise, swing
-from matrixworld.analysis.nash import game_value
-from matrixworld.analysis.payoff import Rates, check_rates, last_half
-from matrixworld.analysis.summary import MARGIN
+from matrixworld.analysis.payoffs import (
+    EPISODES_TO_JUDGE,
+    GENERATIONS_TO_JUDGE,
+    Payoffs,
+    Rates,
+    Source,
+    Window,
+    read_payoffs,
+    require,
+    swap_teams,
+)
+from matrixworld.analysis.progress import (
+    ciao,
+    dominance_tournament,
+    generalization,
+    global_progress,
+    historical_progress,
+    lag_rise,
+    local_progress,
+    swing,
+    team_phase_rates,
+)
+from matrixworld.analysis.ratings import elo, log_loss, multi_elo
+from matrixworld.analysis.strength import (
+    late_forgetting,
+    late_forgetting_over_episodes,
+    strength_change,
+    strength_gain,
+)
 
-Noise = Literal["linear", "transitive share", "bias"]
-"""Effects of episode noise on a measure."""
+TOO_SHORT = f"it takes at least {GENERATIONS_TO_JUDGE} generations of each team"
+NO_EPISODES = (
+    f"it takes the number of episodes of each pair, at least {EPISODES_TO_JUDGE}, to tell it from "
+    "noise"
+)
+
+Number = Callable[[Rates], float]
+"""A number of the payoff matrix of a window, of at least 2 x 2 generations."""
+OfRun = Callable[[Payoffs, Window, float], Estimate]
+"""An estimate of one run in a window, with an interval over episodes if they are known."""
+OfRuns = Callable[[Payoffs, Window, float, Sequence[Estimate]], Estimate]
+"""An estimate of several runs, with an interval over runs, from the payoffs or from the estimates
+of the single runs."""
 
 
 @dataclass(frozen=True)
 class Measure:
-    """A named number of a matrix of at least 2 x 2 generations.
+    """A named number of a race.
 
     Parameters
     ----------
@@ -41,148 +87,424 @@ class Measure:
         Key in `MEASURES`.
     label : str
         Name in words, for tables.
-    low : float
-        Smallest possible value.
-    high : float
-        Largest possible value.
-    of : callable
-        Takes a matrix (n, m) and returns the number; NaN where it is not defined.
-    noise : {"linear", "transitive share", "bias"}
-        What episode noise does to the number, which decides about the interval over episodes. A
-        linear number is not shifted. Noise can be subtracted from a transitive share. All other
-        numbers are biased and have no such interval.
+    of_run, of_runs : callable
+        How it is estimated from one run and from several; use `of`.
+    late : bool, optional
+        Whether tables show it in the window that headlines speak of, and not of the whole race.
+    form : str, optional
+        How it is printed, as in an f-string.
+    squared : bool, optional
+        Whether it is a square, whose root is printed.
     """
 
     name: str
     label: str
-    low: float
-    high: float
-    of: Callable[[Rates], float]
-    noise: Noise
+    of_run: OfRun
+    of_runs: OfRuns
+    late: bool = False
+    form: str = ".3f"
+    squared: bool = False
+
+    def of(self, source: Source, window: str | None = None, *, level: float = LEVEL) -> Estimate:
+        """Return the number of one run or several in a window.
+
+        Parameters
+        ----------
+        source : array_like, path, list of paths or Payoffs
+            Payoffs; see `read_payoffs`.
+        window : str, optional
+            ``"whole"``, ``"first half"`` or ``"last half"``. The default is that of tables.
+        level : float, optional
+            Confidence level, in (0, 1).
+
+        Returns
+        -------
+        Estimate
+            Of several runs the mean with an interval over runs; of a single run the number with an
+            interval over its episodes, if they are known and their noise allows one. NaN where the
+            payoffs do not hold what it takes; the note says what.
+        """
+        payoffs = read_payoffs(source)
+        check_level(level)
+        part = self.window_in(payoffs) if window is None else _window(payoffs, window)
+        if part.generations < 2:
+            return Estimate(math.nan, note="it takes at least 2 generations of each team")
+        if len(payoffs) == 1:
+            return self.of_run(payoffs, part, level)
+        return self.of_runs(payoffs, part, level, ())
+
+    def window_in(self, payoffs: Payoffs) -> Window:
+        """Return the window in which tables show the number."""
+        return payoffs.late if self.late else payoffs.windows["whole"]
+
+    def shown(self, estimate: Estimate) -> str:
+        """Return an estimate as text, with its interval in brackets."""
+        if math.isnan(estimate.value):
+            return "not known"
+        ends = (estimate.value, estimate.low, estimate.high)
+        value, low, high = (None if end is None else self._printed(end) for end in ends)
+        return f"{value}" if low is None or high is None else f"{value} ({low} to {high})"
+
+    def _printed(self, number: float) -> str:
+        # Noise is subtracted from a square, so it may be negative.
+        return format(max(0.0, number) ** 0.5 if self.squared else number, self.form)
 
     def __reduce__(self) -> str | tuple[Any, ...]:
-        """Pickle a row of `MEASURES` by its name, because its function may be a lambda."""
-        if MEASURES.get(self.name) is self:
-            return _row_named, (self.name,)
-        return super().__reduce__()
+        """Pickle a row of `MEASURES` by its name, because its functions may be closures."""
+        return (_row, (self.name,)) if MEASURES.get(self.name) is self else super().__reduce__()
 
 
-# Early generations have few ancestors, so they have little to forget.
-def _late_forgetting(drops: Rates) -> float:
-    return float(drops[len(drops) // 2 :].mean())
-
-
-# Without a level: races cycle at low capture rates, too, where no cell crosses one half.
-def _checkerboard_share(matrix: Rates) -> float:
-    return checkerboards(last_half(matrix), margin=MARGIN, level=None).share
-
-
-def _row_named(name: str) -> Measure:
+def _row(name: str) -> Measure:
     return MEASURES[name]
 
 
-Row = tuple[str, str, float, float, Callable[[Rates], float], Noise]
+def _window(payoffs: Payoffs, name: str) -> Window:
+    windows = payoffs.windows
+    require(name in windows, f"one of the windows {', '.join(windows)}", name)
+    return windows[name]
 
 
-def _measures(*rows: Row) -> dict[str, Measure]:
-    return {row[0]: Measure(*row) for row in rows}
-
-
-MEASURES = _measures(
-    ("capture_rate", "mean capture rate", 0, 1, lambda m: float(m.mean()), "linear"),
-    (
-        "transitive_share", "transitive share, last half", 0, 1,
-        lambda m: transitive_share(last_half(m)), "transitive share",
-    ),
-    (
-        "transitive_share_logits", "transitive share on logits, last half", 0, 1,
-        lambda m: transitive_share(last_half(m), logits=True), "bias",
-    ),
-    ("checkerboards", "checkerboard share, last half", 0, 1, _checkerboard_share, "bias"),
-    ("swing", "swing between team phases", 0, 1, swing, "bias"),
-    ("lag_rise", "gain of later over earlier pursuers", -1, 1, lag_rise, "linear"),
-    (
-        "pursuer_generalization", "last pursuers against all evaders, capture", 0, 1,
-        lambda m: float(generalization(m).pursuers[-1]), "linear",
-    ),
-    (
-        "evader_generalization", "last evaders against all pursuers, escape", 0, 1,
-        lambda m: float(generalization(m).evaders[-1]), "linear",
-    ),
-    (
-        "pursuer_forgetting", "forgetting of the pursuers, last half", 0, 1,
-        lambda m: _late_forgetting(forgetting(m).pursuers), "bias",
-    ),
-    (
-        "evader_forgetting", "forgetting of the evaders, last half", 0, 1,
-        lambda m: _late_forgetting(forgetting(m).evaders), "bias",
-    ),
-    (
-        "pursuer_local_gain", "local progress of the pursuers per generation", -1, 1,
-        lambda m: local_progress(m).pursuers.mean_gain, "linear",
-    ),
-    (
-        "evader_local_gain", "local progress of the evaders per generation", -1, 1,
-        lambda m: local_progress(m).evaders.mean_gain, "linear",
-    ),
-    (
-        "pursuer_historical_gain", "historical progress of the pursuers per generation", -1, 1,
-        lambda m: historical_progress(m).pursuers.mean_gain, "linear",
-    ),
-    (
-        "evader_historical_gain", "historical progress of the evaders per generation", -1, 1,
-        lambda m: historical_progress(m).evaders.mean_gain, "linear",
-    ),
-    (
-        "pursuer_fading", "CIAO, fading of the pursuers", -1, 1,
-        lambda m: ciao(m).pursuers.fading, "linear",
-    ),
-    (
-        "evader_fading", "CIAO, fading of the evaders", -1, 1,
-        lambda m: ciao(m).evaders.fading, "linear",
-    ),
-    (
-        "pursuer_stripes", "CIAO, stripes of the pursuers", 0, 1,
-        lambda m: ciao(m).pursuers.stripes, "bias",
-    ),
-    (
-        "evader_stripes", "CIAO, stripes of the evaders", 0, 1,
-        lambda m: ciao(m).evaders.stripes, "bias",
-    ),
-    ("game_value", "capture rate in the Nash equilibrium", 0, 1, game_value, "bias"),
-)  # fmt: skip
-"""All measures by name, in the order in which `analyze` prints them."""
-
-
-def measure_over_episodes(measure: Measure, scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
-    """Return a measure of one run with the interval over episodes that its noise allows.
+def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[str, Estimate]:
+    """Return all measures of one run or several, each in the window in which tables show it.
 
     Parameters
     ----------
-    measure : Measure
-        One of `MEASURES`.
-    scores : array_like of float, shape (n, m, episodes)
-        Capture rates of independent episodes, at least two of each cell.
+    source : array_like, path, list of paths or Payoffs
+        Payoffs of at least 2 x 2 generations.
     level : float, optional
-        Confidence level, in (0, 1).
+        Confidence level of the intervals, in (0, 1).
+    **known
+        Other arguments of `read_payoffs`.
 
     Returns
     -------
-    Estimate
-        See `linear_over_episodes` and `transitive_share_over_episodes`. Other measures have a note
-        instead of an interval.
+    dict of str to Estimate
+        By the names in `MEASURES`; see `Measure.of`.
 
     Raises
     ------
-    ValueError
-        If the shape is another one, there are fewer than two episodes, or scores are outside
-        [0, 1].
+    ValueError, TypeError, FileNotFoundError
+        As `read_payoffs`, and if the matrix is smaller or the level is outside (0, 1).
     """
-    array = check_rates(scores, ndim=3, what="scores (n, m, episodes)")
-    if measure.noise == "linear":
-        bounds = (measure.low, measure.high)
-        return linear_over_episodes(array, measure.of, level=level, bounds=bounds)
-    if measure.noise == "transitive share":
-        rows, columns = (size // 2 for size in array.shape[:2])
-        return transitive_share_over_episodes(array[rows:, columns:], level=level)
-    return without_interval(float(measure.of(array.mean(axis=2))), array.shape[2], BIASED)
+    payoffs = read_payoffs(source, **known)
+    require(min(payoffs.shape) >= 2, "at least 2 x 2 generations", payoffs.shape)
+    return {name: measure.of(payoffs, level=level) for name, measure in MEASURES.items()}
+
+
+# ---- Numbers of the matrix of a window -----------------------------------------------------------
+
+
+def _linear(number: Number, bounds: Bounds = UNIT) -> tuple[OfRun, OfRuns]:
+    """Return how a sum of cells is estimated, which episode noise does not shift."""
+
+    def over_episodes(scores: Rates, level: float) -> Estimate:
+        return linear_over_episodes(scores, number, level=level, bounds=bounds)
+
+    return _of_matrix(number, bounds, over_episodes)
+
+
+def _biased(number: Number, bounds: Bounds = UNIT) -> tuple[OfRun, OfRuns]:
+    """Return how a number is estimated that noise shifts by an unknown amount."""
+
+    def over_episodes(scores: Rates, level: float) -> Estimate:
+        return Estimate(number(scores.mean(axis=2)), samples=scores.shape[2], note=BIASED)
+
+    return _of_matrix(number, bounds, over_episodes)
+
+
+def _of_matrix(
+    number: Number, bounds: Bounds, over_episodes: Callable[[Rates, float], Estimate]
+) -> tuple[OfRun, OfRuns]:
+    def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+        # A single episode shows no variation.
+        if payoffs.scores is not None and payoffs.scores.shape[3] >= 2:
+            return over_episodes(payoffs.scores[0][window.cells], level)
+        return of_runs(payoffs, window, level)
+
+    def of_runs(
+        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate] = ()
+    ) -> Estimate:
+        values = (number(matrix[window.cells]) for matrix in payoffs.matrices)
+        return _over_runs(values, level, bounds)
+
+    return of_run, of_runs
+
+
+def _over_runs(values: Iterable[float], level: float, bounds: Bounds) -> Estimate:
+    """Return the estimate over the runs for which a number is defined."""
+    known = [value for value in map(float, values) if math.isfinite(value)]
+    if not known:
+        return Estimate(math.nan, note="not defined for any run")
+    return interval_over_runs(known, level=level, bounds=bounds)
+
+
+# ---- Numbers of a whole run ----------------------------------------------------------------------
+
+
+def _dominant(team: str) -> tuple[OfRun, OfRuns]:
+    """Return how the number of dominant generations of a team is estimated."""
+
+    def of_runs(
+        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate] = ()
+    ) -> Estimate:
+        if payoffs.scores is None or payoffs.scores.shape[3] < 2:
+            return Estimate(math.nan, note="it takes at least 2 single episodes of each pair")
+        parts = (scores[window.cells] for scores in payoffs.scores)
+        lengths = (len(getattr(dominance_tournament(part), team)) for part in parts)
+        return _over_runs(lengths, level, (0.0, math.inf))
+
+    return of_runs, of_runs
+
+
+def _global(team: str) -> tuple[OfRun, OfRuns]:
+    """Return how the progress of a team against opponents of other runs is estimated."""
+
+    def of_runs(
+        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate] = ()
+    ) -> Estimate:
+        if payoffs.cross is None:
+            return Estimate(math.nan, note="it takes cross tests between runs")
+        pursuers, evaders = window.cells
+        progress = getattr(global_progress(payoffs.cross[..., pursuers, evaders]), team)
+        return _over_runs(progress.gains.mean(axis=1), level, (-1.0, 1.0))
+
+    return of_runs, of_runs
+
+
+# ---- Numbers that decide on conditions -----------------------------------------------------------
+
+
+def _deciding(of_run: OfRun, together: OfRun | None = None) -> tuple[OfRun, OfRuns]:
+    """Return how a number of the judgement is estimated, for windows that are long enough.
+
+    The mean over several runs has the lower end of Student's t interval of the values
+    `biased_low`, and the upper end of that of the values `biased_high`. It contains the interval
+    of all runs `together`, if that is given.
+    """
+
+    def of_one(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+        if window.generations < GENERATIONS_TO_JUDGE:
+            return Estimate(math.nan, note=TOO_SHORT)
+        found = of_run(payoffs, window, level)
+        return found if found.low is None else replace(found, samples=payoffs.episodes or 0)
+
+    def of_runs(
+        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate] = ()
+    ) -> Estimate:
+        found = singles or [of_one(run, window, level) for run in payoffs.runs]
+        if len(found) == 1 or math.isnan(found[0].value):
+            return found[0]
+        low, _ = t_ends([_or(one.biased_low, one.value) for one in found], level)
+        _, high = t_ends([_or(one.biased_high, one.value) for one in found], level)
+        if together is not None:
+            course = together(payoffs, window, level).ends
+            low, high = min(low, course[0]), max(high, course[1])
+        return Estimate(float(np.mean([one.value for one in found])), low, high, "runs", len(found))
+
+    return of_one, of_runs
+
+
+def _or(number: float | None, default: float) -> float:
+    return default if number is None else number
+
+
+def _course(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]:
+    """Return mean payoffs (k,) of a team against all opponents, and their noise; mean over runs."""
+    pursuers = team == "pursuers"
+    axis, generations = (1, window.cells[0]) if pursuers else (0, window.cells[1])
+    means, noise = (
+        [each.mean(axis=axis)[generations] for each in of_runs]
+        for of_runs in (payoffs.matrices, payoffs.noise)
+    )
+    scores = [each if pursuers else 1.0 - each for each in means]
+    opponents = payoffs.matrices.shape[1 + axis]
+    variance = np.mean([each / opponents for each in noise], axis=0) / len(payoffs)
+    return np.mean(scores, axis=0), variance
+
+
+def _gain(team: str) -> tuple[OfRun, OfRuns]:
+    def of_course(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+        return strength_gain(*_course(payoffs, window, team), level=level)
+
+    # A jump in the same generation of all runs is no trend: their mean course has to be one.
+    return _deciding(of_course, together=of_course)
+
+
+def _change(team: str) -> tuple[OfRun, OfRuns]:
+    def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+        return strength_change(*_course(payoffs, window, team), level=level)
+
+    return _deciding(of_run)
+
+
+def _one_sidedness(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+    if not payoffs.shows_noise:
+        return Estimate(math.nan, note=NO_EPISODES)
+    # Later generations of the longer side have no opponent of their own generation.
+    start, stop = min(window.pursuers, window.evaders, key=lambda span: span[1])
+    # Row k - 1 of the team phase rates belongs to generation k; generation 0 has none.
+    current = team_phase_rates(payoffs.matrices[0])[max(0, start - 1) : stop - 1]
+    return one_sidedness(current, _effective_episodes(payoffs, window), level=level)
+
+
+def _effective_episodes(payoffs: Payoffs, window: Window) -> float:
+    """Return how many wins and losses of each cell would have the noise of its episodes."""
+    episodes, rates = payoffs.episodes or 0, payoffs.matrices[0][window.cells]
+    wins_and_losses = float((rates * (1.0 - rates)).sum()) / (episodes - 1)
+    noise = float(payoffs.noise[0][window.cells].sum())
+    # Episodes without variation show none of their noise.
+    return episodes * max(1.0, wins_and_losses / noise if noise else 1.0)
+
+
+def _cyclic(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+    if not payoffs.shows_noise:
+        return Estimate(math.nan, note=NO_EPISODES)
+    matrix, noise = payoffs.matrices[0][window.cells], payoffs.noise[0][window.cells]
+    found = cyclic_amplitude(matrix, noise, level=level)
+    if payoffs.scores is not None:
+        return found
+    # The noise of means is known up to a bound, and may be 0: all of the rest may be a cycle.
+    most = cyclic_amplitude(matrix, np.zeros_like(noise), level=level)
+    return replace(found, high=most.high, biased_high=most.biased_high)
+
+
+def _forgetting(team: str) -> tuple[OfRun, OfRuns]:
+    """Return how late forgetting is estimated: without bias where single episodes are known."""
+    rows = int(team == "evaders")
+
+    def sides(matrix: Rates) -> Rates:
+        return swap_teams(matrix) if rows else matrix
+
+    def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+        scores, generations = payoffs.scores, window.cells[rows]
+        if scores is None or not payoffs.shows_noise:
+            return of_means(payoffs, window, level)
+        # Episodes without a partner are left out, so that both halves are equally noisy.
+        even = scores.shape[3] // 2 * 2
+        one, other = (sides(scores[0, ..., start:even:2].mean(axis=2)) for start in (0, 1))
+        noise = payoffs.noise[0].T if rows else payoffs.noise[0]
+        return late_forgetting_over_episodes((one, other), noise, generations, level)
+
+    def of_means(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+        each = (late_forgetting(sides(m), window.cells[rows]) for m in payoffs.matrices)
+        found = _over_runs(each, level, UNIT)
+        return found if len(payoffs) > 1 else replace(found, note=BIASED)
+
+    _, over_runs = _deciding(of_run)
+
+    def of_runs(
+        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate] = ()
+    ) -> Estimate:
+        held_out = payoffs.scores is not None and payoffs.shows_noise
+        if held_out and window.generations >= GENERATIONS_TO_JUDGE:
+            return over_runs(payoffs, window, level, singles)
+        return of_means(payoffs, window, level)
+
+    return of_run, of_runs
+
+
+def _share_over_episodes(scores: Rates, level: float) -> Estimate:
+    return transitive_share_over_episodes(scores, level=level)
+
+
+GAIN: Bounds = (-1.0, 1.0)
+"""Bounds of a difference of two rates."""
+
+
+def _table(*rows: Measure) -> dict[str, Measure]:
+    return {row.name: row for row in rows}
+
+
+MEASURES = _table(
+    # What the judgement rests on, in its window.
+    Measure("one_sidedness", "payoff of the winning team", *_deciding(_one_sidedness), late=True),
+    Measure("pursuer_gain", "gain of the pursuers", *_gain("pursuers"), late=True, form="+.3f"),
+    Measure("evader_gain", "gain of the evaders", *_gain("evaders"), late=True, form="+.3f"),
+    Measure(
+        "pursuer_change", "change of the pursuers", *_change("pursuers"), late=True, form="+.3f"
+    ),
+    Measure("evader_change", "change of the evaders", *_change("evaders"), late=True, form="+.3f"),
+    Measure(
+        "squared_cyclic_amplitude", "cyclic amplitude", *_deciding(_cyclic), late=True, squared=True
+    ),
+    Measure(
+        "checkerboards", "checkerboards", *_biased(lambda m: clear_checkerboards(m).share),
+        late=True, form=".1%",
+    ),
+    Measure(
+        "pursuer_forgetting", "forgetting of the pursuers", *_forgetting("pursuers"), late=True
+    ),
+    Measure("evader_forgetting", "forgetting of the evaders", *_forgetting("evaders"), late=True),
+    # Early generations mix untrained and trained teams.
+    Measure(
+        "transitive_share", "transitive share",
+        *_of_matrix(transitive_share, UNIT, _share_over_episodes), late=True,
+    ),
+    Measure(
+        "transitive_share_logits", "transitive share on logits",
+        *_biased(lambda m: transitive_share(m, logits=True)), late=True,
+    ),
+    # Of the whole race.
+    Measure("capture_rate", "mean capture rate", *_linear(lambda m: float(m.mean()))),
+    Measure("swing", "swing between team phases", *_biased(swing)),
+    Measure("lag_rise", "gain of later over earlier pursuers", *_linear(lag_rise, GAIN)),
+    Measure(
+        "pursuer_generalization", "last pursuers against all evaders, capture",
+        *_linear(lambda m: float(generalization(m).pursuers[-1])),
+    ),
+    Measure(
+        "evader_generalization", "last evaders against all pursuers, escape",
+        *_linear(lambda m: float(generalization(m).evaders[-1])),
+    ),
+    Measure(
+        "pursuer_local_gain", "local progress of the pursuers per generation",
+        *_linear(lambda m: local_progress(m).pursuers.mean_gain, GAIN),
+    ),
+    Measure(
+        "evader_local_gain", "local progress of the evaders per generation",
+        *_linear(lambda m: local_progress(m).evaders.mean_gain, GAIN),
+    ),
+    Measure(
+        "pursuer_historical_gain", "historical progress of the pursuers per generation",
+        *_linear(lambda m: historical_progress(m).pursuers.mean_gain, GAIN),
+    ),
+    Measure(
+        "evader_historical_gain", "historical progress of the evaders per generation",
+        *_linear(lambda m: historical_progress(m).evaders.mean_gain, GAIN),
+    ),
+    Measure(
+        "pursuer_global_gain", "global progress of the pursuers per generation",
+        *_global("pursuers"),
+    ),
+    Measure(
+        "evader_global_gain", "global progress of the evaders per generation", *_global("evaders")
+    ),
+    Measure(
+        "pursuer_fading", "CIAO, fading of the pursuers",
+        *_linear(lambda m: ciao(m).pursuers.fading, GAIN),
+    ),
+    Measure(
+        "evader_fading", "CIAO, fading of the evaders",
+        *_linear(lambda m: ciao(m).evaders.fading, GAIN),
+    ),
+    Measure(
+        "pursuer_stripes", "CIAO, stripes of the pursuers",
+        *_biased(lambda m: ciao(m).pursuers.stripes),
+    ),
+    Measure(
+        "evader_stripes", "CIAO, stripes of the evaders",
+        *_biased(lambda m: ciao(m).evaders.stripes),
+    ),
+    Measure("pursuer_rungs", "dominant pursuer generations", *_dominant("pursuers"), form=".1f"),
+    Measure("evader_rungs", "dominant evader generations", *_dominant("evaders"), form=".1f"),
+    Measure("game_value", "capture rate in the Nash equilibrium", *_biased(game_value)),
+    Measure(
+        "elo_log_loss", "log loss of Elo, nats",
+        *_biased(lambda m: log_loss(m, elo(m).predict()), (0.0, math.inf)),
+    ),
+    Measure(
+        "multi_elo_log_loss", "log loss of Elo with one cycle, nats",
+        *_biased(lambda m: log_loss(m, multi_elo(m).predict()), (0.0, math.inf)),
+    ),
+)  # fmt: skip
+"""All measures by name, in the order of tables."""

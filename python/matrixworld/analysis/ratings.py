@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld._util.short_repr import short_repr
-from matrixworld.analysis.payoff import SHRINKAGE, Rates, check_payoff, logits, require, shrink
+from matrixworld.analysis.payoffs import SHRINKAGE, Rates, check_payoff, logits, require, shrink
 
 ELO_POINTS = 400.0 / math.log(10.0)
 """Points of the chess scale for one unit of these ratings, a natural logit."""

@@ -1,17 +1,23 @@
-"""How much a team's strength changes over some generations, with an interval.
+"""Strength of a team over a window: its change, its trend, and forgetting, with intervals.
 
-Two questions have two intervals. `strength_change`: how much did the strength change, given the
-noise of the episodes? `strength_gain`: is there a trend, given that strength also fluctuates from
-generation to generation? A random walk ends somewhere: it has a change, and no trend.
+Two questions about strength have two intervals. `strength_change`: how much did it change, given
+the noise of the episodes? `strength_gain`: is there a trend, given that strength also fluctuates
+from generation to generation? A random walk ends somewhere: it has a change, and no trend.
 """
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from matrixworld.analysis.measurement import Measurement
-from matrixworld.analysis.payoff import Rates, require
+from matrixworld.analysis.intervals import LEVEL, Estimate, normal_quantile, t_quantile
+from matrixworld.analysis.payoffs import (
+    Rates,
+    TeamCurves,
+    check_payoff,
+    require,
+    swap_teams,
+)
 
 GRID = 40
 """Values of each standard deviation over which the posterior is summed."""
@@ -22,7 +28,7 @@ _NEGLIGIBLE = 1e-8  # weight of a point of the grid that is left out
 _LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a width
 
 
-def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = 0.95) -> Measurement:
+def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) -> Estimate:
     """Return how much the strength of a team changes from its first to its last generation.
 
     Parameters
@@ -37,7 +43,7 @@ def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = 0.95) -
 
     Returns
     -------
-    Measurement
+    Estimate
         ``k - 1`` times the drift, with an equal-tailed credible interval.
 
     Raises
@@ -75,10 +81,10 @@ def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = 0.95) -
     )
     # A mean score lies in [0, 1], so it cannot change by more than 1.
     low, middle, high = np.clip([low, middle, high], -1.0, 1.0).tolist()
-    return Measurement(middle, low, high)
+    return Estimate(middle, low, high, "episodes")
 
 
-def strength_change(scores: ArrayLike, noise: ArrayLike, *, level: float = 0.95) -> Measurement:
+def strength_change(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) -> Estimate:
     """Return the linear change of a team's strength from its first to its last generation.
 
     Parameters
@@ -90,7 +96,7 @@ def strength_change(scores: ArrayLike, noise: ArrayLike, *, level: float = 0.95)
 
     Returns
     -------
-    Measurement
+    Estimate
         ``k - 1`` times the slope of the least-squares line. The interval is normal with the known
         noise. If all noise is 0, which means unknown, it is Student's t interval with the scatter
         about the line.
@@ -100,8 +106,6 @@ def strength_change(scores: ArrayLike, noise: ArrayLike, *, level: float = 0.95)
     ValueError
         As for `strength_gain`.
     """
-    from scipy.special import stdtrit
-
     y, variances = _checked(scores, noise)
     steps = len(y) - 1
     places = np.arange(len(y)) - steps / 2.0
@@ -112,8 +116,8 @@ def strength_change(scores: ArrayLike, noise: ArrayLike, *, level: float = 0.95)
         residuals = y - y.mean() - places * (places @ y) / (places**2).sum()
         variances = np.full(len(y), (residuals**2).sum() / freedom)
     value = float(weights @ y)
-    reach = float(stdtrit(freedom, (1.0 + level) / 2.0) * np.sqrt(weights**2 @ variances))
-    return Measurement(value, value - reach, value + reach)
+    reach = float(t_quantile(level, freedom) * np.sqrt(weights**2 @ variances))
+    return Estimate(value, value - reach, value + reach, "episodes")
 
 
 def _checked(scores: ArrayLike, noise: ArrayLike) -> tuple[Rates, Rates]:
@@ -153,3 +157,136 @@ def _quantile(probability: float, means: Rates, deviations: Rates, weights: Rate
     reach = 12.0 * float(deviations.max())
     ends = float(means.min()) - reach, float(means.max()) + reach
     return float(brentq(lambda x: weights @ ndtr((x - means) / deviations) - probability, *ends))
+
+
+# ---- Forgetting ----------------------------------------------------------------------------------
+
+
+def forgetting(payoff: ArrayLike) -> TeamCurves:
+    """Return how far each generation falls below the best of its ancestors, over all opponents.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+
+    Returns
+    -------
+    TeamCurves
+        Mean drop of each generation, in [0, 1]. It is 0 where no generation lost a payoff that an
+        earlier one had.
+
+    Notes
+    -----
+    For pursuers of generation g: mean over h of ``max(M[:g + 1, h]) - M[g, h]``; for evaders the
+    same on ``1 - M``. The maximum of many noisy cells is too high by chance, so a few hundredths
+    mean nothing; `held_out_forgetting` has no such bias.
+
+    References
+    ----------
+    Chaudhry et al. (2018), "Riemannian walk for incremental learning", where forgetting is measured
+    at the end of training only.
+    """
+    matrix = check_payoff(payoff)
+    return held_out_forgetting(matrix, matrix)
+
+
+def held_out_forgetting(one: ArrayLike, other: ArrayLike) -> TeamCurves:
+    """Return forgetting without selection bias: best ancestors are chosen in other episodes.
+
+    Parameters
+    ----------
+    one : array_like of float, shape (n, m)
+        Capture rates of all pairs in one set of episodes.
+    other : array_like of float, shape (n, m)
+        Capture rates of the same pairs in other episodes.
+
+    Returns
+    -------
+    TeamCurves
+        Drop of each generation below the best ancestor, mean over opponents.
+
+    Raises
+    ------
+    ValueError
+        If the shapes differ, or these are not payoff matrices.
+
+    Notes
+    -----
+    For each opponent one set of episodes chooses the best ancestor, and the other set measures how
+    far a generation falls below it; then the sets change roles, and the mean is taken. Pure noise
+    gives 0 on average, and noise that hides the best ancestor makes the value too low. `forgetting`
+    chooses and measures in the same episodes, so its value is too high. The same matrix twice gives
+    `forgetting`.
+    """
+    first, second = check_payoff(one), check_payoff(other)
+    require(first.shape == second.shape, f"two matrices of shape {first.shape}", second.shape)
+    pairs = ((first, second), (swap_teams(first), swap_teams(second)))
+    # Each set of episodes chooses once and measures once, so that no episode is wasted.
+    pursuers, evaders = ((_drops(a, b) + _drops(b, a)) / 2.0 for a, b in pairs)
+    return TeamCurves(pursuers, evaders)
+
+
+def late_forgetting(payoff: Rates, generations: slice) -> float:
+    """Return the mean `forgetting` of the row team over the later half of some generations.
+
+    Early generations have few ancestors, so they have little to forget.
+    """
+    return float(_drops(payoff, payoff)[_later_half(generations)].mean())
+
+
+def late_forgetting_over_episodes(
+    halves: tuple[Rates, Rates], noise: Rates, generations: slice, level: float
+) -> Estimate:
+    """Return `late_forgetting` without selection bias, with an interval over episodes.
+
+    The halves (n, m) are payoffs of the row team in two independent sets of episodes of equal size,
+    the noise (n, m) is the variance of the mean of both. The number is `held_out_forgetting`, which
+    is not too high on average; `biased_high` is `late_forgetting`, which is not too low on average.
+    The interval reaches from below the first to above the second.
+    """
+    (first, second), late = halves, _later_half(generations)
+    value = float(((_drops(first, second) + _drops(second, first)) / 2.0)[late].mean())
+    both = (first + second) / 2.0
+    naive = late_forgetting(both, generations)
+    reach = normal_quantile(level)
+    # The two directions share episodes; the mean of their errors holds for any correlation.
+    errors = [_error(chooses, 2.0 * noise, late) for chooses in (first, second)]
+    low = value - reach * float(np.mean(errors))
+    high = naive + reach * _error(both, noise, late)
+    # No generation can fall below ancestors by less than 0; noise can make the estimate negative.
+    return Estimate(
+        max(0.0, value), low, max(high, value), "episodes", biased_low=value, biased_high=naive
+    )
+
+
+def _later_half(generations: slice) -> slice:
+    return slice((generations.start + generations.stop) // 2, generations.stop)
+
+
+def _drops(chooses: Rates, measures: Rates) -> Rates:
+    """Return the drop of each row below the best row so far, mean over columns; shape (n,)."""
+    heights = np.take_along_axis(measures, _best_so_far(chooses), axis=0)
+    drops: Rates = (heights - measures).mean(axis=1)
+    return drops
+
+
+def _best_so_far(scores: Rates) -> NDArray[np.intp]:
+    """Return for each cell the row of the best cell of its column so far; of equals the first."""
+    rows = np.arange(len(scores))[:, np.newaxis]
+    best = np.maximum.accumulate(scores, axis=0)
+    # A new best is above all before it; the row number of the last new best is carried on.
+    before = np.vstack([np.full((1, scores.shape[1]), -np.inf), best[:-1]])
+    best_row: NDArray[np.intp] = np.maximum.accumulate(np.where(scores > before, rows, 0), axis=0)
+    return best_row
+
+
+def _error(chooses: Rates, variance: Rates, generations: slice) -> float:
+    """Return the standard error of the mean drop, given which ancestors were chosen."""
+    # The mean drop is a sum of cells with these weights: + for the best ancestor, - for the row.
+    weights = np.zeros_like(chooses)
+    chosen = _best_so_far(chooses)[generations]
+    columns = np.broadcast_to(np.arange(chooses.shape[1]), chosen.shape)
+    np.add.at(weights, (chosen, columns), 1.0)
+    weights[generations] -= 1.0
+    return float(np.sqrt((weights**2 * variance).sum()) / chosen.size)

@@ -172,7 +172,7 @@ def advice(judgement: Judgement, settings: RaceSettings | None) -> list[str]:
     list of str
         Options with their values and a reason; nothing that the race does already.
     """
-    present = judgement.headline.present
+    present = judgement.present()
     if settings is None:
         return list(dict.fromkeys(GENERAL[name] for name in present))
     return [row.line(settings) for row in ADVICE if row.helps(settings, present)]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from matrixworld.analysis import Analysis, Payoffs, analyze
+from matrixworld.analysis import Payoffs, all_results, measure_table
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import TERMS
 from matrixworld.cli.judgements import counts, print_head, print_judgement
@@ -42,31 +42,26 @@ def analyze_command(
         # The directories of a job of several seeds say which runs belong together.
         seeds = of_several_seeds(races)
         groups = groups_of(races, episodes) if seeds else [one_group(races, episodes)]
-        found = {group.name: _analysis(group.payoffs) for group in groups}
         for group in groups:
-            _print(group, found[group.name])
+            _check(group.payoffs)
+            _print(group)
         click.echo(f"\n{TERMS}")
-        plain = {name: each.to_json() for name, each in found.items()}
+        plain = {
+            group.name: {"judgement": group.judgement.to_json(), **all_results(group.payoffs)}
+            for group in groups
+        }
         alone = len(plain) == 1
         write_json(json_file, next(iter(plain.values())) if alone else {"analyses": plain})
 
 
-def _print(group: Group, found: Analysis) -> None:
-    print_head(f"{group.name}: {counts(found.judgement)}")
-    print_judgement(found.judgement)
+def _print(group: Group) -> None:
+    print_head(f"{group.name}: {counts(group.judgement)}")
+    print_judgement(group.judgement)
     print_missing(group)
-    click.echo(f"\n{_measures(found)}")
+    click.echo(f"\n{measure_table(group.payoffs)}")
 
 
-def _measures(found: Analysis) -> str:
-    """Return the table of measures; the judgement, its last part, has been printed."""
-    return str(found).partition("\nJudgement:")[0]
-
-
-def _analysis(payoffs: Payoffs) -> Analysis:
-    if min(payoffs.matrices.shape[1:]) < 2:
-        shape = payoffs.matrices.shape[1:]
-        raise click.UsageError(f"expected at least 2 x 2 generations, got {shape[0]} x {shape[1]}")
-    if payoffs.scores is None:
-        return analyze(payoffs.matrices, episodes=payoffs.episodes)
-    return analyze(payoffs.scores, per_episode=True)
+def _check(payoffs: Payoffs) -> None:
+    if min(payoffs.shape) < 2:
+        n, m = payoffs.shape
+        raise click.UsageError(f"expected at least 2 x 2 generations, got {n} x {m}")

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from matrixworld.analysis import describe, explain, summarize
+from matrixworld.analysis import describe, explain
 from matrixworld.cli.advice import advice
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import TERMS, print_wrapped
@@ -86,4 +86,4 @@ def _print(group: Group, explained: bool) -> None:
 def _print_numbers(group: Group) -> None:
     """Print the headline numbers of a single run; those of several runs differ."""
     if len(group.payoffs.matrices) == 1 and min(group.payoffs.matrices.shape[1:]) > 1:
-        print_wrapped(describe(summarize(group.payoffs.matrices[0])))
+        print_wrapped(describe(group.payoffs.matrices[0]))

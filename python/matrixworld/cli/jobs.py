@@ -12,7 +12,7 @@ from typing import Any
 
 import click
 
-from matrixworld.analysis import Judgement, Summary, judge, summarize
+from matrixworld.analysis import Judgement, judge
 from matrixworld.cli.arguments import find_runs, place_in_job, resume_command
 from matrixworld.cli.console import note
 from matrixworld.cli.job_progress import job_progress
@@ -64,11 +64,6 @@ class Result:
     def numbers(self) -> dict[str, Any]:
         """The content of summary.json."""
         return self.files.summary()
-
-    @cached_property
-    def summary(self) -> Summary:
-        """The headline numbers of a race's payoff matrix."""
-        return summarize(self.payoff.capture_rate)
 
     @cached_property
     def judgement(self) -> Judgement:

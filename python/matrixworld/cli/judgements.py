@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import click
 
 from matrixworld.analysis import Judgement, judgement_table
-from matrixworld.analysis.evidence import FEWEST_EPISODES, FEWEST_GENERATIONS
+from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE
 from matrixworld.cli.console import print_table, print_wrapped
 
 Row = tuple[str, str, str, str]
@@ -20,14 +20,14 @@ LIMITS: tuple[tuple[Callable[[Judgement], bool], str], ...] = (
         'some conditions have the verdict "cannot tell". Give the number with --episodes.',
     ),
     (
-        lambda judgement: judgement.episodes is not None and judgement.episodes < FEWEST_EPISODES,
-        f"It takes at least {FEWEST_EPISODES} episodes of each cell to tell all conditions from "
+        lambda judgement: judgement.episodes is not None and judgement.episodes < EPISODES_TO_JUDGE,
+        f"It takes at least {EPISODES_TO_JUDGE} episodes of each cell to tell all conditions from "
         "noise; matrixworld tournament RUN --episodes NUMBER plays more.",
     ),
     (
-        lambda judgement: judgement.windows["last half"].window.generations < FEWEST_GENERATIONS,
-        f"It takes at least {FEWEST_GENERATIONS} generations of each team to judge a race, and "
-        f"{2 * FEWEST_GENERATIONS} to judge its halves.",
+        lambda judgement: judgement.window == "whole",
+        f"It takes at least {GENERATIONS_TO_JUDGE} generations of each team to judge a race, and "
+        f"{2 * GENERATIONS_TO_JUDGE} to judge its halves.",
     ),
 )
 """What limits a judgement: how to see it, and what to say of it."""

@@ -12,8 +12,7 @@ import click
 import numpy as np
 
 from matrixworld._util.reading import DamagedFileError
-from matrixworld.analysis import Judgement, Payoffs, read_payoffs
-from matrixworld.analysis.judgement import judge_payoffs
+from matrixworld.analysis import Judgement, Payoffs, judge, read_payoffs
 from matrixworld.cli.arguments import all_of, find_runs
 from matrixworld.cli.jobs import Result
 from matrixworld.cli.run_groups import (
@@ -63,7 +62,7 @@ class Group:
     @cached_property
     def judgement(self) -> Judgement:
         """The judgement of all of them together."""
-        return judge_payoffs(self.payoffs)
+        return judge(self.payoffs)
 
 
 def _is_payoff_file(path: Path) -> bool:

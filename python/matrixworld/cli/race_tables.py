@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from matrixworld.analysis import Estimate, headline, noise_reference
-from matrixworld.analysis.summary import MARGIN
+from matrixworld.analysis import MEASURES, Estimate, headline, noise_reference, read_payoffs
+from matrixworld.analysis.cycles import MARGIN
 from matrixworld.cli.console import print_table, print_wrapped
 from matrixworld.coevolution.types import TEAMS, Team
 
@@ -49,9 +50,12 @@ ROWS = (
 
 
 def _column(name: str, race: Result, scores: Scores) -> tuple[str, ...]:
-    late = race.summary.last_half
-    share, boards = _number(late.transitive_share, ".2f"), _number(late.checkerboard_share, ".1%")
-    rates = race.payoff.capture_rates[late.first_pursuers :, late.first_evaders :]
+    payoffs = read_payoffs(race.payoff.capture_rate)
+    share, boards = (
+        _number(MEASURES[name].of(payoffs).value, form)
+        for name, form in (("transitive_share", ".2f"), ("checkerboards", ".1%"))
+    )
+    rates = race.payoff.capture_rates[payoffs.late.cells]
     # A single episode of each cell does not show its noise.
     if rates.shape[2] >= 2:
         noise = noise_reference(rates, margin=MARGIN)
@@ -69,7 +73,7 @@ def _column(name: str, race: Result, scores: Scores) -> tuple[str, ...]:
 
 def _gain(judgement: Judgement, team: Team) -> str:
     # A window that is too short has no gains.
-    gain: Estimate | None = judgement.headline.gains.get(team)
+    gain: Estimate | None = judgement.headline["arms race"].estimates.get(f"{team}_gain")
     return "-" if gain is None else _interval(gain.value, gain.low, gain.high, "+.2f")
 
 
@@ -84,8 +88,8 @@ def _interval(value: float, low: float | None, high: float | None, form: str) ->
     return f"{value:{form}} ({low:{form}} to {high:{form}})"
 
 
-def _number(value: float | None, form: str) -> str:
-    return "-" if value is None else format(value, form)
+def _number(value: float, form: str) -> str:
+    return "-" if math.isnan(value) else format(value, form)
 
 
 def print_claims(races: Mapping[str, Result]) -> None:
@@ -105,7 +109,7 @@ def _found(judgement: Judgement) -> str:
     verdict = f"{judgement.headline[CONDITION].verdict} ({judgement.window})"
     others = [
         name
-        for name, part in judgement.windows.items()
-        if name != judgement.window and CONDITION in part.present
+        for name in judgement.windows
+        if name != judgement.window and CONDITION in judgement.present(name)
     ]
     return "; ".join([verdict, *(f"present ({name})" for name in others)])

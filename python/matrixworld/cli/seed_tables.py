@@ -21,7 +21,7 @@ from matrixworld.analysis import (
     interquartile_mean,
     interval_over_runs,
 )
-from matrixworld.analysis.verdicts import ABSENT, CANNOT_TELL, PRESENT
+from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.cli.console import WIDEST, print_table, print_wrapped
 from matrixworld.cli.held_out import Scores
 from matrixworld.cli.race_groups import Group
@@ -68,17 +68,18 @@ class SeedMeasure:
 def _gain(team: Team) -> SeedMeasure:
     # Of `judge`: the interval on which the verdicts rest.
     return SeedMeasure(
-        f"gain of the {team}s", "+.2f", lambda group, _: group.judgement.headline.gains.get(team)
+        f"gain of the {team}s",
+        "+.2f",
+        lambda group, _: group.judgement.headline["arms race"].estimates.get(f"{team}_gain"),
     )
 
 
 def _measure(label: str, name: str, form: str) -> SeedMeasure:
-    one = MEASURES[name]
-    return SeedMeasure(
-        label,
-        form,
-        lambda group, _: _over_seeds([one.of(matrix) for matrix in group.payoffs.matrices], RATE),
-    )
+    def of(group: Group, scores: Mapping[Path, Scores]) -> Estimate | None:
+        found = MEASURES[name].of(group.payoffs.matrices)
+        return None if math.isnan(found.value) else found
+
+    return SeedMeasure(label, form, of)
 
 
 def _held_out(team: Team) -> tuple[SeedMeasure, SeedMeasure]:
@@ -169,7 +170,7 @@ def shown(estimate: Estimate | None, form: str) -> str:
     """Return an estimate over seeds; an interval over episodes is not shown beside others."""
     if estimate is None:
         return "-"
-    if estimate.over != "runs" or estimate.low is None or estimate.high is None:
+    if estimate.across != "runs" or estimate.low is None or estimate.high is None:
         return format(estimate.value, form)
     return f"{estimate.value:{form}} ({estimate.low:{form}} to {estimate.high:{form}})"
 
@@ -219,5 +220,5 @@ def verdict_counts(group: Group) -> dict[str, dict[str, Any]]:
             "by_seed": {str(s): v for s, v in zip(group.seeds, finding.by_run, strict=True)},
             **{verdict: finding.by_run.count(verdict) for verdict in SIGNS},
         }
-        for name, finding in group.judgement.headline.findings.items()
+        for name, finding in group.judgement.headline.items()
     }

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from matrixworld._util.files import save_arrays
-from matrixworld.analysis import Generalization, Judgement, generalization, headline, judge
+from matrixworld.analysis import Judgement, TeamCurves, generalization, headline, judge
 from matrixworld.cli.arguments import failures, run_of
 from matrixworld.cli.clusters import cluster_option, on_cluster
 from matrixworld.cli.console import TERMS, progress
@@ -147,7 +147,7 @@ def _title(pursuers: str, evaders: str, judgement: Judgement | None) -> str:
 
 def _print(payoff: Payoff) -> None:
     matrix = payoff.capture_rate
-    scores: Generalization = generalization(matrix)
+    scores: TeamCurves = generalization(matrix)
     click.echo(
         f"{matrix.shape[0]} pursuer generations against {matrix.shape[1]} evader generations, "
         f"{payoff.lengths.size:,} episodes\n"

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import SEED_MAX, check_integer, check_naturals
-from matrixworld.analysis.rate_intervals import rate_intervals
+from matrixworld.analysis.intervals import rate_intervals
 from matrixworld.episodes.episode import Episode
 from matrixworld.play.rollout import EpisodeStatistics
 from matrixworld.world.arrays import WorldArrays
@@ -41,7 +41,7 @@ class SafetySummary:
         Agent-steps involved in a collision, and at fault in one, per 1000.
     involved_interval, fault_interval : ndarray of float64, shape (2, 3, 2)
         Ends of 95% intervals of the rates, by the bootstrap-t over episodes; NaN without an
-        interval, see `matrixworld.analysis.rate_intervals`.
+        interval, see `matrixworld.analysis.intervals.rate_intervals`.
     safe_share : ndarray of float64, shape (2, 3)
         Share of the episodes without an agent at fault.
     safe_episodes : float

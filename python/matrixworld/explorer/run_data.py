@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import analysis
-from matrixworld.analysis.evidence import FEWEST_EPISODES
+from matrixworld.analysis.cycles import MARGIN
+from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.plain_values import plain_values
-from matrixworld.analysis.summary import MARGIN
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -154,14 +154,13 @@ def findings(payoff: Payoff) -> dict[str, Any]:
     """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
     matrix, rates = payoff.capture_rate, payoff.capture_rates
     judgement = analysis.judge(rates, per_episode=True)
-    summary = analysis.summarize(matrix)
     return {
         "headline": analysis.headline(judgement),
         "window": judgement.window,
         "table": [list(row) for row in analysis.judgement_table(judgement)],
         "reasons": analysis.explain(judgement).splitlines(),
-        "description": analysis.describe(summary).splitlines(),
-        "noise": _noise(payoff, summary.last_half),
+        "description": analysis.describe(matrix).splitlines(),
+        "noise": _noise(payoff),
         "generalization": _generalization(payoff),
         "lags": plain_values(analysis.lag_profile(matrix)),
         "ciao": _ciao(payoff),
@@ -173,15 +172,19 @@ def findings(payoff: Payoff) -> dict[str, Any]:
     }
 
 
-def _noise(payoff: Payoff, late: analysis.PartSummary) -> dict[str, Any]:
-    """Return transitive share and checkerboards of the last half, and what noise alone gives."""
-    rates = payoff.capture_rates[late.first_pursuers :, late.first_evaders :]
+def _noise(payoff: Payoff) -> dict[str, Any]:
+    """Return transitive share and checkerboards of late generations, and what noise alone gives."""
+    payoffs = analysis.read_payoffs(payoff.capture_rate)
+    share, boards = (
+        analysis.MEASURES[name].of(payoffs).value for name in ("transitive_share", "checkerboards")
+    )
+    rates = payoff.capture_rates[payoffs.late.cells]
     # A single episode of each cell does not show its noise.
     noise = analysis.noise_reference(rates, margin=MARGIN) if rates.shape[2] >= 2 else None
     return {
-        "transitive_share": late.transitive_share,
+        "transitive_share": plain_values(share),
         "transitive_share_noise": noise and plain_values(noise.transitive_share),
-        "checkerboard_share": late.checkerboard_share,
+        "checkerboard_share": boards,
         "checkerboard_share_noise": noise and plain_values(noise.checkerboards),
     }
 
@@ -226,11 +229,11 @@ def _ratings(payoff: Payoff) -> dict[str, Any]:
 def too_few_episodes(payoff: Payoff) -> str:
     """Return what a small number of episodes means for the judgement; empty if they are enough."""
     episodes = payoff.capture_rates.shape[2]
-    if episodes >= FEWEST_EPISODES:
+    if episodes >= EPISODES_TO_JUDGE:
         return ""
     return (
         f"Each cell has {episodes} episode{'' if episodes == 1 else 's'}; it takes at least "
-        f"{FEWEST_EPISODES} to tell all conditions from noise."
+        f"{EPISODES_TO_JUDGE} to tell all conditions from noise."
     )
 
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
+from matrixworld.analysis.payoffs import check_rates
 from matrixworld.plots.style import (
     DASHES,
     draw_band,
@@ -106,7 +107,7 @@ def _draw_race(
 
 
 def _draw_baseline(axes: Axes, name: str, scores: ArrayLike, color: str, dashes: str) -> None:
-    values = analysis.check_rates(scores, ndim=1, what=f"baseline {name!r}")
+    values = check_rates(scores, ndim=1, what=f"baseline {name!r}")
     level = analysis.interval_over_runs(values, bounds=(0.0, 1.0))
     axes.axhline(level.value, color=color, linestyle=dashes, linewidth=1.3, label=name)
     if level.low is not None and level.high is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import textwrap
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -15,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import analysis
 from matrixworld._util import colors
-from matrixworld.analysis.payoff import Rates
+from matrixworld.analysis.payoffs import Rates, check_rates
 from matrixworld.plots.style import (
     DASHES,
     fitting,
@@ -158,7 +159,7 @@ def comparison(
     """Draw several races side by side, on the same scales.
 
     Each race has its heat map, its lag profile and its generalisation curves, in a column below its
-    name, its judgement and numbers of :func:`matrixworld.analysis.summarize`. At most `COLUMNS`
+    name, its judgement and two of its measures. At most `COLUMNS`
     races are beside each other.
 
     Parameters
@@ -256,7 +257,7 @@ def _write_heads(
     lines = 1 + max(map(len, verdicts.values()))
     for axes, (name, payoff) in zip(heatmaps, payoffs.items(), strict=True):
         axes.set_title(wrapped(name, WIDEST_NAME), fontweight="bold", pad=6 + LINE * lines)
-        _write_above(axes, f"last half: {_numbers(payoff)}", 5, "small")
+        _write_above(axes, _numbers(payoff), 5, "small")
         _write_above(axes, "\n".join(verdicts[name]), 5 + LINE, "medium")
 
 
@@ -268,13 +269,13 @@ def _write_above(axes: Axes, text: str, points: float, size: str) -> None:
 
 
 def _numbers(payoff: ArrayLike) -> str:
-    late = analysis.summarize(payoff).last_half
-    numbers: list[str] = []
-    if late.transitive_share is not None:
-        numbers.append(f"transitive share {late.transitive_share:.2f}")
-    if late.checkerboard_share is not None:
-        numbers.append(f"checkerboards {late.checkerboard_share:.1%}")
-    return ", ".join(numbers) or "no variance"
+    """Return what stands above a heat map, and the window that it is about."""
+    payoffs = analysis.read_payoffs(payoff)
+    share, boards = (
+        analysis.MEASURES[name].of(payoffs).value for name in ("transitive_share", "checkerboards")
+    )
+    numbers = [] if math.isnan(share) else [f"transitive share {share:.2f}"]
+    return f"{payoffs.late.name}: {', '.join([*numbers, f'checkerboards {boards:.1%}'])}"
 
 
 def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
@@ -326,7 +327,7 @@ def _draw_bands(axes: Axes, scores: ArrayLike) -> None:
 
 def _draw_baselines(axes: Axes, baselines: Mapping[str, float], color: str) -> None:
     for index, (name, score) in enumerate(baselines.items()):
-        level = float(analysis.check_rates([score], ndim=1, what=f"baseline {name!r}")[0])
+        level = float(check_rates([score], ndim=1, what=f"baseline {name!r}")[0])
         dashes = DASHES[index % len(DASHES)]
         axes.axhline(level, color=color, linestyle=dashes, linewidth=1.3, label=name)
 

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
+from matrixworld.analysis.payoffs import Rates, check_rates
 from matrixworld.plots.style import (
     DASHES,
     fitting,
@@ -68,7 +69,7 @@ def seed_scores(
         raise ValueError("expected at least one group of runs to draw, got none")
     arrays = {
         group: {
-            team: analysis.check_rates(values, ndim=2, what=f"scores of {group}")
+            team: check_rates(values, ndim=2, what=f"scores of {group}")
             for team, values in of_teams.items()
         }
         for group, of_teams in scores.items()
@@ -85,7 +86,7 @@ def seed_scores(
     return figure
 
 
-def _draw_profiles(axes: Axes, scores: Mapping[str, analysis.payoff.Rates], team: str) -> None:
+def _draw_profiles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
     for (color, style), values in zip(LINES, scores.values(), strict=False):
         profile = analysis.performance_profile(values)
         shares = profile.shares
@@ -104,7 +105,7 @@ def _draw_profiles(axes: Axes, scores: Mapping[str, analysis.payoff.Rates], team
     unit_axis(axes)
 
 
-def _draw_middles(axes: Axes, scores: Mapping[str, analysis.payoff.Rates], team: str) -> None:
+def _draw_middles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
     for row, ((color, _), values) in enumerate(zip(LINES, scores.values(), strict=False)):
         middle = analysis.interquartile_mean(values)
         means = values.mean(axis=1)

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld.analysis import Band, Judgement, RaceBands
-from matrixworld.analysis.payoff import Rates
+from matrixworld.analysis.payoffs import Rates
 from matrixworld.plots.style import (
     DASHES,
     draw_band,

@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld import analysis
 from matrixworld._util import colors
+from matrixworld.analysis.payoffs import check_rates
 from matrixworld.plots.style import (
     DASHES,
     fitting,
@@ -66,7 +66,7 @@ def training_curve(
         If a rate is outside [0, 1], a learner is neither 0 nor 1, the lengths differ, or `window`
         is below 1.
     """
-    values = analysis.check_rates(rates, ndim=1, what="training capture rates")
+    values = check_rates(rates, ndim=1, what="training capture rates")
     shades = _shades(learners, len(values))
     figure = new_figure(8.0, 3.8)
     axes = figure.add_subplot()

@@ -13,7 +13,7 @@ from matplotlib.patches import Patch, Rectangle
 from matrixworld import analysis
 from matrixworld._util import colors
 from matrixworld.analysis import CONDITIONS, Judgement
-from matrixworld.analysis.verdicts import ABSENT, CANNOT_TELL, PRESENT
+from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.plots.style import fitting, legend_below, new_figure
 
 NOT_FINISHED = "not finished"
@@ -82,7 +82,7 @@ def _columns(
     judgement: Judgement, seeds: Sequence[int], missing: Sequence[int]
 ) -> dict[int, dict[str, str]]:
     """Return the verdicts of each seed by condition, in the order of the seeds."""
-    found = judgement.headline.findings
+    found = judgement.headline
     columns = {
         seed: {name: found[name].by_run[run] for name in CONDITIONS}
         for run, seed in enumerate(seeds)

@@ -8,8 +8,9 @@ from typing import Any, ClassVar
 import numpy as np
 
 from matrixworld._util.checks import check_choice
-from matrixworld.analysis import Disengagement, disengagements, judge, summarize
+from matrixworld.analysis import Disengagement, disengagements, judge, measure_all, read_payoffs
 from matrixworld.analysis.engagement import PATIENCE
+from matrixworld.analysis.plain_values import plain_values
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.opponents.registry import ALTERNATING, SCHEDULES, available
 from matrixworld.coevolution.payoff import Payoff
@@ -208,10 +209,11 @@ class Race(Run[RaceSettings]):
         return np.broadcast_to(rates, (finished, 2))
 
     def summary(self, payoff: Payoff) -> dict[str, Any]:
-        """Return counts, stretches of disengagement, numbers and judgement of the payoffs."""
+        """Return counts, stretches of disengagement, measures and judgement of the payoffs."""
+        payoffs = read_payoffs(payoff.capture_rates, per_episode=True)
         return {
             **super().summary(payoff),
             "disengagement": [str(stretch) for stretch in self.disengagements()],
-            "analysis": summarize(payoff.capture_rate).to_dict(),
-            "judgement": judge(payoff.capture_rates, per_episode=True).to_json(),
+            "measures": plain_values(measure_all(payoffs)),
+            "judgement": judge(payoffs).to_json(),
         }

@@ -8,7 +8,7 @@ from scipy import stats
 
 from interval_ends import ends
 from matrixworld import analysis
-from matrixworld.analysis.run_scores import expanded_tail
+from matrixworld.analysis.runs import expanded_tail
 from rliable_numbers import LEVEL, NUMBERS, ONE, OTHER, TASK, THRESHOLDS
 
 

@@ -1,27 +1,32 @@
-"""Scores of several runs against the same opponents: middle, performance profile, comparison."""
+"""Several runs: mean curves, and scores against the same opponents."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_integer
 from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.intervals import (
     LEVEL,
+    UNBOUNDED,
+    UNIT,
     Band,
+    Bounds,
     Estimate,
     band_over_runs,
     check_level,
     difference_of_runs,
     does_not_vary,
     t_quantile,
-    without_interval,
 )
-from matrixworld.analysis.payoff import Rates, require
+from matrixworld.analysis.payoffs import Rates, check_payoff, require
+from matrixworld.analysis.progress import LagProfile, generalization, lag_profile
+from matrixworld.analysis.ratings import ELO_POINTS, elo
 
 RESAMPLES = 2000
 """Bootstrap samples of an interquartile mean; the ends of the interval then vary by some percent of
@@ -126,7 +131,7 @@ def interquartile_mean(
     value, runs = _middle_mean(array), len(array)
     missing = _too_few(runs, level) or _all_equal(array)
     if missing:
-        return without_interval(value, runs, missing)
+        return Estimate(value, samples=runs, note=missing)
     rng = np.random.default_rng(seed)
     drawn = [_middle_mean(array[rng.integers(runs, size=runs)]) for _ in range(resamples)]
     tail = expanded_tail(runs, level)
@@ -175,7 +180,7 @@ def performance_profile(
     require(bool(np.isfinite(places).all()), "finite thresholds", "others")
     require(bool((np.diff(places) > 0.0).all()), "ascending thresholds", "others")
     above = (array[:, :, np.newaxis] > places).mean(axis=1)
-    shares = band_over_runs(above, level=level, bounds=(0.0, 1.0))
+    shares = band_over_runs(above, level=level, bounds=UNIT)
     if _too_few(len(array), level):
         shares = replace(shares, low=None, high=None)
     return PerformanceProfile(places, shares)
@@ -229,16 +234,16 @@ def probability_of_improvement(
     if not missing and does_not_vary(beaten) and does_not_vary(beating):
         missing = SEPARATE
     if missing:
-        return without_interval(value, fewest, missing)
+        return Estimate(value, samples=fewest, note=missing)
     # The difference of the means is `value`, because the second mean is 0.
-    return difference_of_runs(beaten, beating - value, level=level, bounds=(0.0, 1.0))
+    return difference_of_runs(beaten, beating - value, level=level, bounds=UNIT)
 
 
 def expanded_tail(runs: int, level: float) -> float:
     """Return the probability below the lower end of an expanded percentile interval."""
     from scipy.special import ndtr
 
-    return float(ndtr(-math.sqrt(runs / (runs - 1)) * t_quantile(level, runs - 1)))
+    return float(ndtr(-math.sqrt(runs / (runs - 1)) * float(t_quantile(level, runs - 1))))
 
 
 def _middle_mean(scores: Rates) -> float:
@@ -265,3 +270,94 @@ def _all_equal(scores: Rates) -> str:
     if np.ptp(scores, axis=0).max() > 0.0:
         return ""
     return f"no interval: all {len(scores)} runs are equal"
+
+
+# ---- Mean curves ---------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class RaceBands:
+    """Curves of several runs: means with intervals, and the single runs.
+
+    Parameters
+    ----------
+    pursuer_generalization, evader_generalization : Band
+        Mean payoff of each generation against all opponents of the race, in [0, 1]. Shapes (n,) and
+        (m,).
+    pursuer_ratings, evader_ratings : Band
+        Elo rating of each generation in points (`elo`, times `ELO_POINTS`), mean 0 over the
+        generations of a run. Shapes (n,) and (m,).
+    lag_profile : Band
+        Mean capture rate at each of `lags`, shape (n + m - 1,).
+    lags : ndarray of int64, shape (n + m - 1,)
+        Pursuer generation minus evader generation, ascending.
+    """
+
+    pursuer_generalization: Band
+    evader_generalization: Band
+    pursuer_ratings: Band
+    evader_ratings: Band
+    lag_profile: Band
+    lags: NDArray[np.int64]
+
+    __repr__ = short_repr
+
+
+def race_bands(payoffs: Iterable[ArrayLike], *, level: float = LEVEL) -> RaceBands:
+    """Return mean generalization, ratings and lag profile of several runs, with intervals.
+
+    Parameters
+    ----------
+    payoffs : iterable of array_like of float, each of shape (n, m)
+        Payoff matrix of each run. Runs may have different numbers of generations, such as runs that
+        were stopped early: a mean is over the runs that have the generation.
+    level : float, optional
+        Confidence level of each point, in (0, 1).
+
+    Returns
+    -------
+    RaceBands
+        Each `Band` tells the number of runs behind each point. A point of a single run has no
+        interval.
+
+    Raises
+    ------
+    ValueError
+        If there is no run, or a matrix is not as `check_payoff` expects.
+
+    Notes
+    -----
+    Student's t interval at each point, that of rates clipped to [0, 1]; see `band_over_runs`.
+    """
+    matrices = [check_payoff(payoff) for payoff in payoffs]
+    require(bool(matrices), "at least one run", "none")
+    scores = [generalization(matrix) for matrix in matrices]
+    ratings = [elo(matrix) for matrix in matrices]
+    profiles = [lag_profile(matrix) for matrix in matrices]
+    first = min(int(profile.lags[0]) for profile in profiles)
+    aligned = [_from(profile, first) for profile in profiles]
+
+    def band(curves: list[Rates], bounds: Bounds = UNIT) -> Band:
+        return band_over_runs(_padded(curves), level=level, bounds=bounds)
+
+    return RaceBands(
+        band([each.pursuers for each in scores]),
+        band([each.evaders for each in scores]),
+        band([ELO_POINTS * each.pursuers for each in ratings], UNBOUNDED),
+        band([ELO_POINTS * each.evaders for each in ratings], UNBOUNDED),
+        band(aligned),
+        np.arange(first, first + max(map(len, aligned))),
+    )
+
+
+def _from(profile: LagProfile, first: int) -> Rates:
+    """Return the means of a profile, with NaN for lags from `first` to its own first one."""
+    return np.concatenate([np.full(int(profile.lags[0]) - first, np.nan), profile.means])
+
+
+def _padded(curves: Sequence[Rates]) -> Rates:
+    """Return curves of different lengths as the rows of one array, with NaN at their ends."""
+    rows = np.full((len(curves), max(map(len, curves))), np.nan)
+    for row, curve in zip(rows, curves, strict=True):
+        row[: len(curve)] = curve
+    return rows

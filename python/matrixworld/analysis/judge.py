@@ -1,0 +1,365 @@
+"""The judgement of a race: which conditions are present, in which part of it, and how surely.
+
+All commands, figures and pages take their verdicts from `judge`.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from matrixworld._util.short_repr import short_repr
+from matrixworld.analysis.engagement import PURSUERS_WIN
+from matrixworld.analysis.intervals import LEVEL, Estimate, check_level
+from matrixworld.analysis.measures import MEASURES, NO_EPISODES, TOO_SHORT
+from matrixworld.analysis.payoffs import (
+    GENERATIONS_TO_JUDGE,
+    Payoffs,
+    Source,
+    Window,
+    read_payoffs,
+)
+from matrixworld.analysis.plain_values import plain_values
+
+PRESENT, ABSENT, CANNOT_TELL = "present", "absent", "cannot tell"
+
+LEAST_GAIN = 0.05
+"""Stagnation: both teams' strengths change by less than this over the window."""
+LEAST_AMPLITUDE = 0.05
+"""Cycling: capture rates deviate from every order of strength by more than this (root mean
+square)."""
+LEAST_CHECKERBOARDS = 0.01
+"""Cycling: at least this share of checkerboards, so that generations beat each other in a circle
+and do not only forget."""
+LEAST_FORGETTING = 0.05
+"""Forgetting: mean drop below the best ancestors above this."""
+
+HIDDEN = "one team wins nearly all matches, which hides this condition"
+NO_SINGLE_EPISODES = NO_EPISODES.replace("number of episodes", "single episodes")
+ALL_DISENGAGED = "fewer than two of the runs are engaged, and the others hide this condition"
+
+Estimates = Mapping[str, Estimate]
+Findings = Mapping[str, "Finding"]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Verdict on one condition in one window.
+
+    Parameters
+    ----------
+    verdict : str
+        ``"present"``, ``"absent"`` or ``"cannot tell"``.
+    reason : str
+        Reason of the verdict, as a clause after "because".
+    estimates : mapping of str to Estimate, optional
+        The numbers that decide, by their names in `MEASURES`; empty if some are not known.
+    by_run : tuple of str, optional
+        Verdict on each single run.
+    """
+
+    verdict: str
+    reason: str
+    estimates: Estimates = field(default_factory=dict)
+    by_run: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """What happened in a race, or in several with the same settings.
+
+    Parameters
+    ----------
+    runs : int
+        Number of runs.
+    shape : tuple of int
+        Pursuer and evader generations of each run.
+    episodes : int or None
+        Episodes behind each cell; None if unknown.
+    level : float
+        Level of the intervals.
+    window : str
+        Name of the window that headlines speak of: the last half, of short races the whole.
+    windows : mapping of str to mapping of str to Finding
+        Findings on the whole race, its first half and its last half, by condition.
+    """
+
+    runs: int
+    shape: tuple[int, int]
+    episodes: int | None
+    level: float
+    window: str
+    windows: Mapping[str, Findings]
+
+    __repr__ = short_repr
+
+    @property
+    def headline(self) -> Findings:
+        """The findings on the window that headlines speak of."""
+        return self.windows[self.window]
+
+    def present(self, window: str | None = None) -> tuple[str, ...]:
+        """Return the conditions that are present in a window, by default that of headlines."""
+        findings = self.windows[window or self.window]
+        return tuple(name for name, found in findings.items() if found.verdict == PRESENT)
+
+    def to_json(self) -> dict[str, Any]:
+        """Return plain values that JSON can represent."""
+        plain: dict[str, Any] = plain_values(self)
+        return plain
+
+
+def judge(
+    source: Source,
+    *,
+    per_episode: bool = False,
+    episodes: int | None = None,
+    level: float = LEVEL,
+) -> Judgement:
+    """Judge a race, or several with the same settings, from the payoffs of its generations.
+
+    Parameters
+    ----------
+    source : array_like, path, list of paths or Payoffs
+        Payoffs as an array of shape (n, m) or (runs, n, m), a ``.csv`` or ``.npz`` file, or a list
+        of such files, one for each run; see `read_payoffs`.
+    per_episode : bool, optional
+        Whether the last dimension of the array holds the episodes of each cell.
+    episodes : int, optional
+        Number of episodes behind each cell of a matrix of means. Without it only the gains of the
+        teams can be judged. Forgetting takes the single episodes.
+    level : float, optional
+        Level of the intervals, in (0, 1).
+
+    Returns
+    -------
+    Judgement
+        Findings on the whole race, its first half and its last half.
+
+    Raises
+    ------
+    ValueError
+        If a shape, file, value or level is not as described.
+    TypeError
+        If an array does not hold numbers.
+    FileNotFoundError
+        If a file does not exist.
+
+    Notes
+    -----
+    The conditions, in a window of generations; every number has an interval (95 % by default):
+
+    - *disengagement*: one team wins nearly all matches, so neither has anything to learn from. It
+      gets more than 97 % of its payoff in half of the generations (`one_sidedness`). It hides all
+      other conditions.
+    - *arms race*: the strength of both teams increases: both lower ends of `strength_gain` are
+      above 0. Absent if either team does not gain: its `strength_change` over the window is below
+      .05 and not above 0.
+    - *one-sided progress*: one team's strength increases, and the other one does not gain.
+    - *cycling*: no order of strength explains the capture rates. They deviate from the nearest one
+      by more than .05 after subtraction of the episode noise (`cyclic_amplitude`), and at least 1 %
+      of the possible `checkerboards` exist, with a margin of .15.
+    - *forgetting*: a team falls more than .05 below the best of its ancestors, mean over
+      generations and opponents (`held_out_forgetting`).
+    - *stagnation*: no team's strength changes by .05 or more over the window, and the race does not
+      cycle. Both intervals of `strength_change` lie inside the margin: it takes evidence, not its
+      absence.
+
+    A verdict is "cannot tell" if an interval contains the margin. The interval of a single run is
+    about this run: its episodes, and for gains the fluctuation between its generations. Several
+    runs have Student's t interval over runs; a gain must also be a trend of the mean course. Runs
+    that are disengaged are left out of the other conditions.
+
+    How often verdicts are wrong: ``evolution/results/judgement`` of the repository.
+    """
+    payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes)
+    check_level(level)
+    windows = {
+        name: _judge_window(payoffs, window, level) for name, window in payoffs.windows.items()
+    }
+    return Judgement(
+        len(payoffs), payoffs.shape, payoffs.episodes, level, payoffs.late.name, windows
+    )
+
+
+def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:
+    missing = {name: _missing(payoffs, window, name) for name in CONDITIONS}
+    known = (RULES[name][0] for name in CONDITIONS if not missing[name])
+    keys = dict.fromkeys(itertools.chain(*known))
+    singles = [
+        {key: MEASURES[key].of_run(run, window, level) for key in keys} for run in payoffs.runs
+    ]
+    by_run = [_findings(estimates, missing) for estimates in singles]
+    found = by_run[0]
+    if len(payoffs) > 1:
+        found = _findings_together(payoffs, window, level, singles, missing)
+    # Disengagement is judged over all runs, the other conditions over the engaged ones.
+    engaged = [run for run, each in enumerate(by_run) if not _is_disengaged(each)]
+    if not _is_disengaged(found) and len(engaged) < len(by_run):
+        if len(engaged) >= 2:
+            chosen, numbers = payoffs.select(engaged), [singles[run] for run in engaged]
+            others = _findings_together(chosen, window, level, numbers, missing)
+        else:
+            others = {
+                name: replace(each, verdict=CANNOT_TELL, reason=ALL_DISENGAGED)
+                for name, each in found.items()
+            }
+        found = {**others, "disengagement": found["disengagement"]}
+    return {
+        name: replace(each, by_run=tuple(one[name].verdict for one in by_run))
+        for name, each in found.items()
+    }
+
+
+def _missing(payoffs: Payoffs, window: Window, condition: str) -> str:
+    """Return what it would take to know the numbers of a condition; empty if they are known."""
+    if window.generations < GENERATIONS_TO_JUDGE:
+        return TOO_SHORT
+    if condition in ("disengagement", "cycling") and not payoffs.shows_noise:
+        return NO_EPISODES
+    if condition == "forgetting" and (payoffs.scores is None or not payoffs.shows_noise):
+        return NO_SINGLE_EPISODES
+    return ""
+
+
+def _findings_together(
+    payoffs: Payoffs,
+    window: Window,
+    level: float,
+    singles: Sequence[Estimates],
+    missing: Mapping[str, str],
+) -> Findings:
+    """Return the findings on several runs, from the estimates of the single ones."""
+    estimates = {
+        key: MEASURES[key].of_runs(payoffs, window, level, [each[key] for each in singles])
+        for key in singles[0]
+    }
+    return _findings(estimates, missing)
+
+
+def _findings(estimates: Estimates, missing: Mapping[str, str]) -> Findings:
+    """Return the verdict on each condition; later rules may use earlier verdicts."""
+    found: dict[str, Finding] = {}
+    for name, (keys, rule) in RULES.items():
+        if missing[name]:
+            found[name] = Finding(CANNOT_TELL, missing[name])
+            continue
+        hidden = name != "disengagement" and _is_disengaged(found)
+        verdict, reason = (CANNOT_TELL, HIDDEN) if hidden else rule(estimates, found)
+        found[name] = Finding(verdict, reason, {key: estimates[key] for key in keys})
+    return found
+
+
+def _is_disengaged(findings: Findings) -> bool:
+    return findings["disengagement"].verdict == PRESENT
+
+
+# ---- The rules -----------------------------------------------------------------------------------
+
+Decision = tuple[str, str]
+"""Verdict and its reason."""
+
+
+def _against(estimate: Estimate, margin: float, above: str, below: str) -> Decision:
+    """Return present above the margin, absent below it, and "cannot tell" if it is inside."""
+    low, high = estimate.ends
+    if low > margin:
+        return PRESENT, above
+    if high < margin:
+        return ABSENT, below
+    return CANNOT_TELL, "the interval contains the margin"
+
+
+def _disengagement(estimates: Estimates, known: Findings) -> Decision:
+    return _against(
+        estimates["one_sidedness"],
+        PURSUERS_WIN,
+        f"one team gets more than {PURSUERS_WIN:.0%} of its payoff in half of the generations",
+        f"neither team gets {PURSUERS_WIN:.0%} of its payoff in half of the generations",
+    )
+
+
+def _arms_race(estimates: Estimates, known: Findings) -> Decision:
+    if all(low > 0.0 for low, _ in _ends(estimates, *GAINS)):
+        return PRESENT, "both teams become stronger"
+    if any(_does_not_gain(change) for change in _ends(estimates, *CHANGES)):
+        return ABSENT, f"a team does not gain: its change is not above 0, and below {LEAST_GAIN}"
+    return CANNOT_TELL, "the gain of at least one team cannot be told from 0"
+
+
+def _one_sided_progress(estimates: Estimates, known: Findings) -> Decision:
+    gains, changes = _ends(estimates, *GAINS), _ends(estimates, *CHANGES)
+    if known["arms race"].verdict == PRESENT:
+        return ABSENT, "both teams become stronger"
+    if all(_does_not_gain(change) for change in changes):
+        return ABSENT, "neither team gains"
+    for (low, _), other in zip(gains, changes[::-1], strict=True):
+        if low > 0.0 and _does_not_gain(other):
+            return PRESENT, "one team becomes stronger, and the other does not gain"
+    return CANNOT_TELL, "the gain of at least one team is not known well enough"
+
+
+def _cycling(estimates: Estimates, known: Findings) -> Decision:
+    low, high = estimates["squared_cyclic_amplitude"].ends
+    if high < LEAST_AMPLITUDE**2:
+        return ABSENT, "an order of strength and episode noise explain the capture rates"
+    if low <= LEAST_AMPLITUDE**2:
+        return CANNOT_TELL, "the interval contains the margin"
+    if estimates["checkerboards"].value < LEAST_CHECKERBOARDS:
+        return (
+            CANNOT_TELL,
+            "no order of strength explains the capture rates, but checkerboards are rare",
+        )
+    return PRESENT, "neither an order of strength nor episode noise explains the capture rates"
+
+
+def _forgetting(estimates: Estimates, known: Findings) -> Decision:
+    drops = _ends(estimates, *DROPS)
+    if any(low > LEAST_FORGETTING for low, _ in drops):
+        return PRESENT, f"a team falls more than {LEAST_FORGETTING} below its best ancestors"
+    if all(high < LEAST_FORGETTING for _, high in drops):
+        return ABSENT, f"neither team falls {LEAST_FORGETTING} below its best ancestors"
+    return CANNOT_TELL, "the interval contains the margin"
+
+
+def _stagnation(estimates: Estimates, known: Findings) -> Decision:
+    changes = _ends(estimates, *CHANGES)
+    for name in ("arms race", "one-sided progress", "cycling"):
+        if known[name].verdict == PRESENT:
+            return ABSENT, f"{name} is present"
+    if any(low >= LEAST_GAIN or high <= -LEAST_GAIN for low, high in changes):
+        return ABSENT, f"the strength of a team changes by {LEAST_GAIN} or more"
+    if any(low <= -LEAST_GAIN or high >= LEAST_GAIN for low, high in changes):
+        return CANNOT_TELL, f"a change of {LEAST_GAIN} cannot be ruled out"
+    if known["cycling"].verdict == CANNOT_TELL:
+        return CANNOT_TELL, "neither team gains, but the race may cycle"
+    return PRESENT, f"neither team's strength changes by {LEAST_GAIN}, and the race does not cycle"
+
+
+def _does_not_gain(change: tuple[float, float]) -> bool:
+    # A small gain that is told from 0 is no evidence of standstill.
+    low, high = change
+    return low <= 0.0 and high < LEAST_GAIN
+
+
+def _ends(estimates: Estimates, *keys: str) -> list[tuple[float, float]]:
+    return [estimates[key].ends for key in keys]
+
+
+GAINS, CHANGES = ("pursuer_gain", "evader_gain"), ("pursuer_change", "evader_change")
+DROPS = ("pursuer_forgetting", "evader_forgetting")
+
+RULES: Mapping[str, tuple[tuple[str, ...], Callable[[Estimates, Findings], Decision]]] = {
+    "disengagement": (("one_sidedness",), _disengagement),
+    "arms race": (GAINS, _arms_race),
+    "one-sided progress": ((*GAINS, *CHANGES), _one_sided_progress),
+    "cycling": (("squared_cyclic_amplitude", "checkerboards"), _cycling),
+    "forgetting": (DROPS, _forgetting),
+    "stagnation": (CHANGES, _stagnation),
+}
+"""The numbers that decide on each condition, by their names in `MEASURES`, and the rule."""
+
+CONDITIONS = tuple(RULES)
+"""Names of the conditions, in the order in which they are judged."""

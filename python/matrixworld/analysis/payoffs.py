@@ -1,0 +1,585 @@
+"""Payoffs: matrices of capture rates, their checks, and their sources, arrays and files.
+
+A *payoff matrix* M has the shape (n, m): ``M[g, h]`` is the capture rate of the pursuers of
+generation g against the evaders of generation h.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld._util.checks import check_integer
+from matrixworld._util.reading import DamagedFileError, read_npz, read_text
+from matrixworld._util.short_repr import short_repr
+
+Rates = NDArray[np.float64]
+"""Capture rates, or other float64 numbers of the analysis."""
+Mask = NDArray[np.bool_]
+
+SHRINKAGE = 0.01
+"""Default shrinkage towards 1/2 before a logit: 0 and 1 become .01 and .99, logits -4.6 and 4.6."""
+GENERATIONS_TO_JUDGE = 6
+"""Fewest generations of each team in a window that is judged."""
+EPISODES_TO_JUDGE = 4
+"""Fewest episodes of each cell that show their noise: two in each half."""
+
+PER_EPISODE = "capture_rates"
+"""Name of the array of an .npz file that holds all episodes, as in run directories."""
+MEANS = ("capture_rate", "payoff", "payoffs")
+"""Names of arrays that hold payoff matrices; the first one in a file is taken."""
+
+
+class TeamCurves(NamedTuple):
+    """A number of each generation of both teams.
+
+    Parameters
+    ----------
+    pursuers : ndarray of float64, shape (n,)
+        Numbers of the pursuers.
+    evaders : ndarray of float64, shape (m,)
+        Numbers of the evaders.
+    """
+
+    pursuers: Rates
+    evaders: Rates
+
+
+@dataclass(frozen=True)
+class Window:
+    """A part of a race, by generations of each team.
+
+    Parameters
+    ----------
+    name : str
+        ``"whole"``, ``"first half"`` or ``"last half"``.
+    pursuers, evaders : tuple of int
+        First generation of each team, and the one after the last.
+    """
+
+    name: str
+    pursuers: tuple[int, int]
+    evaders: tuple[int, int]
+
+    @property
+    def generations(self) -> int:
+        """Generations of the team that has fewer in the window."""
+        return min(stop - start for start, stop in (self.pursuers, self.evaders))
+
+    @property
+    def cells(self) -> tuple[slice, slice]:
+        """The part of the payoff matrix."""
+        return slice(*self.pursuers), slice(*self.evaders)
+
+
+@dataclass(frozen=True, eq=False)
+class Payoffs:
+    """Payoff matrices of one run or of several independent runs, and their episodes if known.
+
+    Parameters
+    ----------
+    matrices : ndarray of float64, shape (runs, n, m)
+        Payoff matrices.
+    scores : ndarray of float64, shape (runs, n, m, episodes), or None, optional
+        Capture rate of each episode.
+    episodes : int or None, optional
+        Number of episodes behind each cell; None if it is unknown.
+    cross : ndarray of float64, shape (runs, runs, n, m), or None, optional
+        Cross tests, as `global_progress` takes them.
+    """
+
+    matrices: Rates
+    scores: Rates | None = None
+    episodes: int | None = None
+    cross: Rates | None = None
+
+    __repr__ = short_repr
+
+    def __len__(self) -> int:
+        return len(self.matrices)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Pursuer and evader generations of each run."""
+        _, pursuers, evaders = self.matrices.shape
+        return pursuers, evaders
+
+    @cached_property
+    def runs(self) -> list[Payoffs]:
+        """The payoffs of each run alone."""
+        if len(self) == 1:
+            return [self]
+        return [self.select(slice(run, run + 1)) for run in range(len(self))]
+
+    def select(self, runs: slice | list[int]) -> Payoffs:
+        """Return the payoffs of some of the runs, without cross tests."""
+        scores = None if self.scores is None else self.scores[runs]
+        return Payoffs(self.matrices[runs], scores, self.episodes)
+
+    @cached_property
+    def noise(self) -> Rates:
+        """Variance of each cell: an estimate, of means a bound; zeros if it is unknown."""
+        episodes = self.episodes or 0
+        if episodes < 2:
+            return np.zeros_like(self.matrices)
+        if self.scores is not None:
+            sampled: Rates = self.scores.var(axis=3, ddof=1) / episodes
+            return sampled
+        # Scores in [0, 1] vary at most as much as wins and losses with the same mean.
+        return self.matrices * (1.0 - self.matrices) / (episodes - 1)
+
+    @property
+    def shows_noise(self) -> bool:
+        """Whether there are enough episodes of each cell to tell a number from their noise."""
+        return (self.episodes or 0) >= EPISODES_TO_JUDGE
+
+    @property
+    def windows(self) -> Mapping[str, Window]:
+        """Whole race, first half and last half by their names."""
+        n, m = self.shape
+        # Of an odd number of generations the middle one belongs to the last half.
+        windows = (
+            Window("whole", (0, n), (0, m)),
+            Window("first half", (0, n // 2), (0, m // 2)),
+            Window("last half", (n // 2, n), (m // 2, m)),
+        )
+        return {window.name: window for window in windows}
+
+    @property
+    def late(self) -> Window:
+        """The window that headlines and tables speak of: last half, of short races the whole."""
+        half = self.windows["last half"]
+        return half if half.generations >= GENERATIONS_TO_JUDGE else self.windows["whole"]
+
+
+def check_payoff(payoff: ArrayLike) -> Rates:
+    """Return the payoff matrix as a float64 array, or raise an error that says what is wrong.
+
+    Parameters
+    ----------
+    payoff : array_like of real numbers, shape (n, m)
+        Capture rates in [0, 1]. Row g holds the pursuers of generation g, column h the evaders of
+        generation h; n and m are at least 1.
+
+    Returns
+    -------
+    ndarray of float64, shape (n, m)
+        The same values; not a copy if they are float64 already.
+
+    Raises
+    ------
+    ValueError
+        If the array does not have two dimensions, is empty, or has values that are not finite or
+        outside [0, 1].
+    TypeError
+        If the values are not real numbers.
+    """
+    return check_rates(payoff, ndim=2, what="a payoff matrix")
+
+
+def check_rates(values: ArrayLike, *, ndim: int, what: str = "an array of rates") -> Rates:
+    """Return rates in [0, 1] as float64, with `ndim` dimensions of which none is empty.
+
+    Raises ValueError or TypeError, which call the array `what`, as `check_payoff` does.
+    """
+    array = _as_array(values, what)
+    # Booleans count as rates of 0 and 1: single matches are stored this way.
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"expected {what} of real numbers, got dtype {array.dtype}")
+    if array.ndim != ndim or array.size == 0:
+        raise ValueError(
+            f"expected {what} with {ndim} dimension(s), none of them empty, got shape {array.shape}"
+        )
+    # float32 rates are widened: sums over many cells would lose digits.
+    rates = array.astype(np.float64, copy=False)
+    _require_unit_interval(rates, what)
+    return rates
+
+
+def check_runs(payoffs: ArrayLike) -> Rates:
+    """Return payoff matrices (runs, n, m) as float64; one matrix (n, m) is a single run."""
+    # A single matrix is a stack of one run, so callers need no second case.
+    if np.ndim(_as_array(payoffs, "payoff matrices")) == 2:
+        return check_payoff(payoffs)[None]
+    return check_rates(payoffs, ndim=3, what="payoff matrices (runs, n, m)")
+
+
+def last_half(payoff: ArrayLike) -> Rates:
+    """Return rows from ``n // 2`` on and columns from ``m // 2`` on.
+
+    Early generations mix untrained and trained teams, so measures of the whole matrix mislead.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+
+    Returns
+    -------
+    ndarray of float64, shape (n - n // 2, m - m // 2)
+        For 31 generations: generations 15 to 30.
+    """
+    matrix = check_payoff(payoff)
+    # Of an odd number of generations the middle one belongs to the last half.
+    rows, columns = matrix.shape
+    return matrix[rows // 2 :, columns // 2 :]
+
+
+def swap_teams(payoff: ArrayLike) -> Rates:
+    """Return the payoff matrix of the same matches from the evaders' side: ``1 - M.T``.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix of the pursuers.
+
+    Returns
+    -------
+    ndarray of float64, shape (m, n)
+        Escape rates, evaders in rows.
+    """
+    swapped: Rates = 1.0 - check_payoff(payoff).T
+    return swapped
+
+
+def logits(payoff: ArrayLike, *, shrinkage: float = SHRINKAGE) -> Rates:
+    """Return the logits of the capture rates, shrunk towards 1/2.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+    shrinkage : float, optional
+        Shrinkage s, in (0, 1/2).
+
+    Returns
+    -------
+    ndarray of float64, shape (n, m)
+        ``log(x / (1 - x))`` with ``x = s + (1 - 2 s) M``.
+
+    Raises
+    ------
+    ValueError
+        If the shrinkage is outside (0, 1/2).
+
+    Notes
+    -----
+    Shrinking keeps the order of all cells; clipping would make cells near 0 or 1 equal.
+    """
+    x = shrink(check_payoff(payoff), shrinkage)
+    # log1p keeps its digits for rates close to 0.
+    odds: Rates = np.log(x) - np.log1p(-x)
+    return odds
+
+
+def shrink(rates: Rates, shrinkage: float) -> Rates:
+    """Return rates moved towards 1/2, away from 0 and 1."""
+    require(0.0 < shrinkage < 0.5, "a shrinkage in (0, 0.5)", shrinkage)
+    return shrinkage + (1.0 - 2.0 * shrinkage) * rates
+
+
+def require(condition: bool, expected: str, received: object) -> None:
+    """Raise ValueError with the expected and the received value unless the condition holds."""
+    if not condition:
+        raise ValueError(f"expected {expected}, got {received}")
+
+
+def _as_array(values: ArrayLike, what: str) -> NDArray[np.generic]:
+    # NumPy refuses ragged lists with a message about "inhomogeneous shape"; ours says what to
+    # change.
+    try:
+        return np.asarray(values)
+    except ValueError as error:
+        raise ValueError(f"expected {what} with rows of equal length, got: {error}") from error
+
+
+def _require_unit_interval(rates: Rates, what: str) -> None:
+    with np.errstate(invalid="ignore"):
+        # The negated test also finds NaN, which compares as false with everything.
+        bad = np.argwhere(~((rates >= 0.0) & (rates <= 1.0)))
+    if len(bad):
+        where = tuple(int(i) for i in bad[0])
+        raise ValueError(
+            f"expected {what} with finite values in [0, 1], got {rates[where]} at index {where}"
+        )
+
+
+# ---- Sources -------------------------------------------------------------------------------------
+
+Source: TypeAlias = (
+    "ArrayLike | str | os.PathLike[str] | Sequence[str | os.PathLike[str]] | Payoffs"
+)
+"""An array, a file, several files of one run each, or payoffs that have been read."""
+
+
+def read_payoffs(
+    source: Source,
+    *,
+    per_episode: bool = False,
+    episodes: int | None = None,
+    cross: ArrayLike | None = None,
+) -> Payoffs:
+    """Read payoffs from an array, a file or several files.
+
+    Parameters
+    ----------
+    source : array_like, path, list of paths or Payoffs
+        An array of shape (n, m) or (runs, n, m); a ``.csv`` or ``.npz`` file, or a list of such
+        files, one for each run; or payoffs, which are returned as they are.
+    per_episode : bool, optional
+        Whether the last dimension of an array holds the episodes of each cell: shape
+        (n, m, episodes) or (runs, n, m, episodes).
+    episodes : int, optional
+        Number of episodes behind each cell, at least 1, for payoffs that hold means only.
+    cross : array_like of float, shape (runs, runs, n, m), optional
+        Cross tests between these runs, as `global_progress` takes them.
+
+    Returns
+    -------
+    Payoffs
+        The matrices, and the episodes if they are known.
+
+    Raises
+    ------
+    ValueError
+        If a shape or suffix is another one, a file is damaged or beyond the limits in
+        `matrixworld._util.reading` (both as DamagedFileError), rates are outside [0, 1], or
+        `episodes` is below 1 or not the number of episodes that the source holds. The message
+        names the file, and the line of a CSV file.
+    TypeError
+        If an array does not hold numbers, or `episodes` is not an integer.
+    FileNotFoundError
+        If a file does not exist.
+
+    Notes
+    -----
+    A CSV file holds a matrix: line g has the capture rates of pursuers g against evaders 0, 1, ...;
+    a first line that is not numbers is a header, and if its first cell is empty, the first cell of
+    each line is a label. Or it holds one line for each pair: a header with ``pursuer, evader,
+    capture_rate`` in any order, and ``run`` or ``episode`` if there are several. Generations, runs
+    and episodes are whole numbers and are sorted; every combination has one line. Other columns,
+    empty lines and lines that begin with ``#`` are ignored.
+
+    Of several arrays in an .npz file ``capture_rates`` is taken, which holds episodes, or else
+    ``capture_rate``, ``payoff`` or ``payoffs``. Nothing is unpickled.
+    """
+    if isinstance(source, Payoffs):
+        payoffs = source
+    elif isinstance(source, (str, os.PathLike)):
+        payoffs = _read_file(Path(source), per_episode)
+    elif isinstance(source, (list, tuple)) and any(
+        isinstance(each, (str, os.PathLike)) for each in source
+    ):
+        payoffs = _stacked([Path(path) for path in source], per_episode)
+    else:
+        payoffs = _payoffs(source, per_episode)
+    if cross is not None:
+        # Cross tests have to be between the runs that are analysed.
+        expected = (len(payoffs), *payoffs.matrices.shape)
+        require(np.shape(cross) == expected, f"cross tests of shape {expected}", np.shape(cross))
+        payoffs = replace(payoffs, cross=np.asarray(cross))
+    return _counted(payoffs, episodes)
+
+
+def _counted(payoffs: Payoffs, episodes: int | None) -> Payoffs:
+    """Return the payoffs with the number of their episodes, if the user has given it."""
+    if episodes is None:
+        return payoffs
+    check_integer("episodes", episodes, 1)
+    held = payoffs.episodes or episodes
+    require(held == episodes, f"the {held} episodes of each cell that the payoffs hold", episodes)
+    return replace(payoffs, episodes=episodes)
+
+
+def _stacked(paths: list[Path], per_episode: bool) -> Payoffs:
+    runs = [_read_file(path, per_episode) for path in paths]
+    first = runs[0]
+    for path, run in zip(paths, runs, strict=True):
+        if len(run.matrices) != 1:
+            raise ValueError(f"{path}: expected one run a file, got {len(run.matrices)}")
+        # Episodes are part of the shape: a mix of runs with and without them is refused here.
+        if _shape(run) != _shape(first):
+            raise ValueError(
+                f"{path}: expected the shape of {paths[0]}, {_shape(first)}, got {_shape(run)}"
+            )
+    matrices = np.concatenate([run.matrices for run in runs])
+    scores = [run.scores for run in runs if run.scores is not None]
+    # All runs have the same shape, so also the same number of episodes.
+    return Payoffs(matrices, np.concatenate(scores) if scores else None, first.episodes)
+
+
+def _shape(run: Payoffs) -> tuple[int, ...]:
+    return (run.matrices if run.scores is None else run.scores).shape[1:]
+
+
+def _read_file(path: Path, per_episode: bool) -> Payoffs:
+    readers = {".csv": _read_table, ".npz": _read_arrays}
+    reader = readers.get(path.suffix.lower())
+    if reader is None:
+        raise ValueError(f"{path}: expected a .csv or an .npz file, got suffix {path.suffix!r}")
+    values, has_episodes = reader(path)
+    try:
+        return _payoffs(values, per_episode or has_episodes)
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"{path}: {error}") from error
+
+
+def _read_arrays(path: Path) -> tuple[NDArray[Any], bool]:
+    arrays = read_npz(path)
+    name = _chosen(path, list(arrays))
+    return arrays[name], name == PER_EPISODE
+
+
+def _chosen(path: Path, names: list[str]) -> str:
+    # Episodes first: the means follow from them.
+    for name in (PER_EPISODE, *MEANS):
+        if name in names:
+            return name
+    if len(names) == 1:
+        return names[0]
+    expected = ", ".join((PER_EPISODE, *MEANS))
+    raise ValueError(f"{path}: expected one array, or one named {expected}; got {names}")
+
+
+def _payoffs(values: Any, per_episode: bool) -> Payoffs:
+    if not per_episode:
+        return Payoffs(check_runs(values))
+    array = np.asarray(values)
+    if array.ndim == 3:  # a single run
+        array = array[None]
+    what = "scores ([runs,] n, m, episodes)"
+    scores = check_rates(array, ndim=4, what=what)
+    return Payoffs(scores.mean(axis=3), scores, scores.shape[3])
+
+
+# ---- CSV files -----------------------------------------------------------------------------------
+
+Line = tuple[int, list[str]]
+"""Line number in the file, from 1, and cells."""
+
+_LONG = ("pursuer", "evader", "capture_rate")
+_KEYS = ("run", "pursuer", "evader", "episode")
+
+
+def _read_table(path: Path) -> tuple[Rates, bool]:
+    """Return the capture rates of a CSV file, and whether their last dimension is episodes.
+
+    The format is a matrix (a first line that is not numbers is a header; if its first cell is
+    empty, the first cell of each line is a label), or one line for each combination of `_KEYS`, in
+    any order. Generations, runs and episodes may have any whole numbers. Errors name the line.
+    """
+    lines = _lines(path)
+    names = [cell.lower() for cell in lines[0][1]]
+    if set(_LONG) <= set(names):
+        return _long(path, names, lines[1:])
+    return _matrix(path, lines), False
+
+
+def _lines(path: Path) -> list[Line]:
+    # utf-8-sig: spreadsheets write a byte order mark.
+    text = io.StringIO(read_text(path, "CSV", encoding="utf-8-sig"), newline="")
+    try:
+        rows = [(i, [cell.strip() for cell in row]) for i, row in enumerate(csv.reader(text), 1)]
+    except csv.Error as error:
+        raise DamagedFileError(path, f"expected a CSV file of text, got: {error}") from error
+    # Line numbers of the file are kept for error messages.
+    kept = [(i, row) for i, row in rows if any(row) and not row[0].startswith("#")]
+    if not kept:
+        raise ValueError(f"{path}: expected a table of capture rates, got no lines")
+    return kept
+
+
+def _matrix(path: Path, lines: list[Line]) -> Rates:
+    header = lines[0][1]
+    labelled = header[0] == ""
+    # A header is recognised by a cell that is not a number.
+    body = lines if all(_is_number(cell) for cell in header) else lines[1:]
+    if not body:
+        raise ValueError(f"{path}: expected lines of capture rates, got a header only")
+    width = len(body[0][1])
+    for number, row in body:
+        if len(row) != width:
+            raise ValueError(
+                f"{path}, line {number}: expected {width} cells as in the lines before, "
+                f"got {len(row)}"
+            )
+    start = 1 if labelled else 0
+    return np.array([[_number(path, i, cell) for cell in row[start:]] for i, row in body])
+
+
+def _long(path: Path, names: list[str], lines: list[Line]) -> tuple[Rates, bool]:
+    keys = [key for key in _KEYS if key in names]
+    places, place = [names.index(key) for key in keys], names.index("capture_rate")
+    found: dict[tuple[int, ...], float] = {}
+    for number, row in lines:
+        if len(row) != len(names):
+            raise ValueError(
+                f"{path}, line {number}: expected {len(names)} cells as in the header, "
+                f"got {len(row)}"
+            )
+        key = tuple(_whole(path, number, row[i]) for i in places)
+        if key in found:
+            raise ValueError(
+                f"{path}, line {number}: expected {_combination(keys, key)} once, got it twice"
+            )
+        found[key] = _number(path, number, row[place])
+    return _cube(path, keys, found), "episode" in keys
+
+
+def _cube(path: Path, keys: list[str], found: dict[tuple[int, ...], float]) -> Rates:
+    if not found:
+        raise ValueError(f"{path}: expected lines of capture rates, got a header only")
+    # Numbers of generations may start anywhere; their ranks are the indices.
+    axes, inverse = zip(
+        *(np.unique(column, return_inverse=True) for column in np.array(list(found)).T), strict=True
+    )
+    cube = np.full([len(axis) for axis in axes], np.nan)
+    # A mask of its own, so that missing combinations are found without looking for NaN.
+    given = np.zeros(cube.shape, dtype=bool)
+    cube[inverse], given[inverse] = list(found.values()), True
+    missing = np.argwhere(~given)
+    if len(missing):
+        key = tuple(int(axis[i]) for axis, i in zip(axes, missing[0], strict=True))
+        raise ValueError(
+            f"{path}: expected a line for every combination, got none for {_combination(keys, key)}"
+        )
+    return cube
+
+
+def _combination(keys: list[str], key: tuple[int, ...]) -> str:
+    return ", ".join(f"{name} {value}" for name, value in zip(keys, key, strict=True))
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return True
+
+
+def _number(path: Path, line: int, cell: str) -> float:
+    if not _is_number(cell):
+        raise ValueError(f"{path}, line {line}: expected a capture rate, got {cell!r}")
+    # Checked here as well as in `check_rates`, where the line number is not known any more.
+    value = float(cell)
+    if math.isnan(value) or not 0.0 <= value <= 1.0:
+        raise ValueError(f"{path}, line {line}: expected a capture rate in [0, 1], got {cell}")
+    return value
+
+
+def _whole(path: Path, line: int, cell: str) -> int:
+    try:
+        return int(cell)
+    except ValueError:
+        raise ValueError(f"{path}, line {line}: expected a whole number, got {cell!r}") from None

@@ -1,0 +1,689 @@
+"""Progress: against current, past and unknown opponents, and against each lag of opponents."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from matrixworld._util.short_repr import short_repr
+from matrixworld.analysis.payoffs import (
+    Mask,
+    Rates,
+    TeamCurves,
+    check_payoff,
+    check_rates,
+    require,
+    swap_teams,
+)
+
+
+@dataclass(frozen=True, eq=False)
+class TeamProgress:
+    """Payoff of one team against one kind of opponents, over its generations 0 to k - 1.
+
+    Parameters
+    ----------
+    scores : ndarray of float64, shape (..., k)
+        Mean payoff of each generation against its opponents, in [0, 1].
+    gains : ndarray of float64, shape (..., k - 1)
+        Score of generations 1, 2, ... minus the score of the previous generation against the same
+        opponents, in [-1, 1].
+    """
+
+    scores: Rates
+    gains: Rates
+
+    @property
+    def mean_gain(self) -> float:
+        """Mean of the gains; positive for progress of this kind, NaN for a single generation."""
+        return float(self.gains.mean()) if self.gains.size else float("nan")
+
+
+class Progress(NamedTuple):
+    """Progress of both teams, each measured by its own payoff: higher is better.
+
+    Parameters
+    ----------
+    pursuers : TeamProgress
+        Progress of the pursuers, in capture rates.
+    evaders : TeamProgress
+        Progress of the evaders, in escape rates.
+    """
+
+    pursuers: TeamProgress
+    evaders: TeamProgress
+
+
+def generalization(payoff: ArrayLike) -> TeamCurves:
+    """Return the mean payoff of each generation against all opponents of the matrix.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+
+    Returns
+    -------
+    TeamCurves
+        Mean capture rates (row means), and mean escape rates (one minus column means); in [0, 1].
+
+    References
+    ----------
+    Floreano and Nolfi (1997), "Adaptive behavior in competing co-evolving species": the master
+    tournament. Sun et al. (2023), "MatrixWorld", arXiv:2307.14854: the figure of generalization.
+    """
+    matrix = check_payoff(payoff)
+    return TeamCurves(matrix.mean(axis=1), 1.0 - matrix.mean(axis=0))
+
+
+def local_progress(payoff: ArrayLike) -> Progress:
+    """Return progress against current opponents: those of the same generation.
+
+    A race that only cycles has local progress, too: each generation beats the newest opponents and
+    loses to others.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+
+    Returns
+    -------
+    Progress
+        Over the first ``min(n, m)`` generations. Gain of pursuers g: ``M[g, g] - M[g - 1, g]``.
+
+    References
+    ----------
+    Miconi (2009), "Why coevolution doesn't 'work': superiority and progress in coevolution".
+    Simione and Nolfi (2021), "Long-term progress and behavior complexification in competitive
+    coevolution".
+    """
+    # Later generations of the longer team have no opponent of their own generation.
+    matrix = check_payoff(payoff)
+    k = min(matrix.shape)
+    return _both_teams(matrix[:k, :k], np.eye(k, dtype=bool))
+
+
+def historical_progress(payoff: ArrayLike) -> Progress:
+    """Return progress against all opponents so far: those of the same and of earlier generations.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+
+    Returns
+    -------
+    Progress
+        Gain of pursuers g: mean over ``h <= g`` of ``M[g, h] - M[g - 1, h]``; for evaders the same
+        on ``1 - M.T``. Generations of the longer team beyond the end of the shorter one play
+        against all of its generations.
+
+    References
+    ----------
+    Miconi (2009) and Simione and Nolfi (2021), as for `local_progress`.
+    """
+    matrix = check_payoff(payoff)
+    # Square at the longer side, so that the same mask serves the matrix and the swapped one.
+    return _both_teams(matrix, np.tri(max(matrix.shape)) > 0.0)
+
+
+def global_progress(cross: ArrayLike) -> Progress:
+    """Return progress against unknown opponents: all opponents of other independent runs.
+
+    A race can make historical progress without global progress if a team learns the habits of its
+    own opponents only.
+
+    Parameters
+    ----------
+    cross : array_like of float, shape (runs, runs, n, m)
+        Cross tests: capture rates of the pursuers of run r against the evaders of run s. Entries
+        with ``r == s`` are not used and may be NaN.
+
+    Returns
+    -------
+    Progress
+        Scores have the shapes (runs, n) and (runs, m).
+
+    Raises
+    ------
+    ValueError
+        If the shape is another one, there are fewer than two runs, or rates are outside [0, 1].
+
+    References
+    ----------
+    Miconi (2009) and Simione and Nolfi (2021), as for `local_progress`.
+    """
+    array = np.asarray(cross)
+    require(
+        array.ndim == 4 and array.shape[0] == array.shape[1],
+        "cross tests of shape (runs, runs, n, m)",
+        array.shape,
+    )
+    runs = len(array)
+    require(runs >= 2, "cross tests between at least 2 runs", runs)
+    # Opponents of the same run are no unknown opponents: the team has trained against them.
+    others = ~np.eye(runs, dtype=bool)
+    # Only the entries between different runs are checked; the diagonal may be NaN.
+    flat = check_payoff(array[others].reshape(runs * (runs - 1), -1))
+    played = np.zeros(array.shape)
+    played[others] = flat.reshape(-1, *array.shape[2:])
+    # Sum over the other runs (the diagonal holds 0), mean over the generations of their opponents.
+    pursuers = played.sum(axis=1).mean(axis=-1) / (runs - 1)
+    evaders = 1.0 - played.sum(axis=0).mean(axis=-2) / (runs - 1)
+    return Progress(
+        TeamProgress(pursuers, np.diff(pursuers, axis=-1)),
+        TeamProgress(evaders, np.diff(evaders, axis=-1)),
+    )
+
+
+def _both_teams(matrix: Rates, opponents: Mask) -> Progress:
+    """Return progress of both teams; ``opponents[g, h]``: generation g is scored against h."""
+    return Progress(_progress(matrix, opponents), _progress(swap_teams(matrix), opponents))
+
+
+def _progress(matrix: Rates, opponents: Mask) -> TeamProgress:
+    rows, columns = matrix.shape
+    met = opponents[:rows, :columns]
+    weights = met / met.sum(axis=1, keepdims=True)
+    scores = (weights * matrix).sum(axis=1)
+    # Both generations of a difference are weighted by the opponents of the later one.
+    gains = (weights[1:] * np.diff(matrix, axis=0)).sum(axis=1)
+    return TeamProgress(scores, gains)
+
+
+# ---- By the lag between opponents ----------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class LagProfile:
+    """Mean capture rate by lag.
+
+    Parameters
+    ----------
+    lags : ndarray of int64, shape (n + m - 1,)
+        Pursuer generation minus evader generation, ascending from ``-(m - 1)`` to ``n - 1``.
+    means : ndarray of float64, shape (n + m - 1,)
+        Mean over k of ``M[k + lag, k]``.
+    cells : ndarray of int64, shape (n + m - 1,)
+        Number of cells in each mean; few at both ends.
+    """
+
+    lags: NDArray[np.int64]
+    means: Rates
+    cells: NDArray[np.int64]
+
+    __repr__ = short_repr
+
+    def at(self, lag: int) -> float:
+        """Return the mean at one lag, or raise ValueError if the profile does not contain it."""
+        first, last = int(self.lags[0]), int(self.lags[-1])
+        if not first <= lag <= last:
+            raise ValueError(f"expected a lag from {first} to {last}, got {lag}")
+        return float(self.means[lag - first])
+
+
+def lag_profile(payoff: ArrayLike) -> LagProfile:
+    """Return the mean capture rate for every lag between pursuers and evaders.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+
+    Returns
+    -------
+    LagProfile
+        At lag d: pursuers against evaders that are d generations older. Specialists beat the
+        current opponent only, so their profile is flat with a notch at 0. Generalists keep
+        improving against all opponents, so their profile rises.
+    """
+    matrix = check_payoff(payoff)
+    rows, columns = matrix.shape
+    lags = np.arange(1 - columns, rows)
+    # NumPy counts offsets above the diagonal, where evaders are newer: the sign changes.
+    diagonals = [np.diagonal(matrix, offset=-d) for d in lags]
+    means = np.array([diagonal.mean() for diagonal in diagonals])
+    return LagProfile(lags, means, np.array([len(diagonal) for diagonal in diagonals]))
+
+
+def lag_rise(payoff: ArrayLike, lag: int | None = None) -> float:
+    """Return how much better later pursuers do than earlier ones.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+    lag : int, optional
+        Generations between the opponents. The default is a third of the generations (10 of 31).
+
+    Returns
+    -------
+    float
+        Lag profile at ``+lag`` minus lag profile at ``-lag``, in [-1, 1]. Swapping the teams gives
+        the same number.
+
+    Raises
+    ------
+    ValueError
+        Unless ``1 <= lag < min(n, m)``.
+    """
+    matrix = check_payoff(payoff)
+    shortest = min(matrix.shape)
+    lag = default_rise_lag(shortest) if lag is None else lag
+    if not 1 <= lag < shortest:
+        raise ValueError(f"expected a lag from 1 to {shortest - 1}, got {lag}")
+    # Both lags have the same number of cells in a square matrix, so both means are equally noisy.
+    profile = lag_profile(matrix)
+    return profile.at(lag) - profile.at(-lag)
+
+
+# Long enough for strength to grow by more than noise, short enough to leave many cells.
+def default_rise_lag(generations: int) -> int:
+    """Return a third of the generations, rounded down, at least 1."""
+    return max(1, generations // 3)
+
+
+def team_phase_rates(payoff: ArrayLike) -> Rates:
+    """Return the capture rate after each team phase of generations 1, 2, ...
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+
+    Returns
+    -------
+    ndarray of float64, shape (K, 2)
+        With ``K = min(n, m) - 1``. Row ``k - 1`` holds ``M[k, k - 1]``, after the pursuers of
+        generation k have learned, and ``M[k, k]``, after the evaders have learned.
+    """
+    matrix = check_payoff(payoff)
+    # Generation 0 is untrained: no team phase precedes it.
+    k = np.arange(1, min(matrix.shape))
+    return np.stack([matrix[k, k - 1], matrix[k, k]], axis=1)
+
+
+def swing(payoff: ArrayLike, start: int | None = None) -> float:
+    """Return how much the capture rate changes on average in the evaders' team phase.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+    start : int, optional
+        First generation of the mean. The default is a quarter of the generations, rounded up (8 of
+        31), which leaves out the untrained ones.
+
+    Returns
+    -------
+    float
+        Mean of ``abs(M[k, k - 1] - M[k, k])`` over generations ``k >= start``.
+
+    Raises
+    ------
+    ValueError
+        Unless ``1 <= start < min(n, m)``.
+
+    Notes
+    -----
+    Pursuers learn first in a generation, so swapping the teams gives another number.
+    """
+    rates = team_phase_rates(payoff)
+    # Row k - 1 belongs to generation k, hence one more generation than rows.
+    start = default_swing_start(len(rates) + 1) if start is None else start
+    if not 1 <= start <= len(rates):
+        raise ValueError(f"expected a start from 1 to {len(rates)}, got {start}")
+    return float(np.abs(rates[start - 1 :, 0] - rates[start - 1 :, 1]).mean())
+
+
+def default_swing_start(generations: int) -> int:
+    """Return a quarter of the generations, rounded up, at least 1."""
+    return max(1, -(-generations // 4))
+
+
+# ---- CIAO: current individuals against ancestral opponents ---------------------------------------
+
+# Fewest pairs of cells for a correlation; with fewer it is dominated by chance.
+_FEWEST_PAIRS = 6
+
+
+@dataclass(frozen=True, eq=False)
+class Triangle:
+    """One team's half of a CIAO plot, measured by its own payoff: higher is better.
+
+    Parameters
+    ----------
+    payoff : ndarray of float64, shape (n, m)
+        Payoff of generation g of the team against opponents of generation ``h <= g``, in [0, 1];
+        NaN where opponents are newer than the team.
+    by_age : ndarray of float64, shape (n,)
+        Mean payoff by age ``g - h`` of the opponent; age 0 is the current one. NaN where no
+        opponent has that age.
+    fading : float
+        Mean over generations of the payoff against the newer half of the ancestral opponents minus
+        the payoff against the older half, in [-1, 1]. Positive: old opponents are forgotten.
+        Negative: new opponents are harder. NaN with fewer than two generations of opponents.
+    stripes : float
+        Regularity with which wins and losses come back with the age of the opponent: the first peak
+        of the autocorrelation along the rows after it has been negative, in [0, 1]; 0 without such
+        a peak. Noise alone gives up to about .2 on 30 generations.
+    period : int or None
+        Generations between stripes: the lag of that peak; None without one.
+    """
+
+    payoff: Rates
+    by_age: Rates
+    fading: float
+    stripes: float
+    period: int | None
+
+
+class Ciao(NamedTuple):
+    """The CIAO triangles of both teams.
+
+    Parameters
+    ----------
+    pursuers : Triangle
+        Payoff ``M[g, h]`` for ``h <= g``, in an array of shape (n, m).
+    evaders : Triangle
+        Payoff ``1 - M[g, h]`` for ``g <= h``, in an array of shape (m, n), evaders in rows.
+    """
+
+    pursuers: Triangle
+    evaders: Triangle
+
+
+def ciao(payoff: ArrayLike) -> Ciao:
+    """Compare current individuals with ancestral opponents.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+
+    Returns
+    -------
+    Ciao
+        Both triangles contain the diagonal, which is the current opponent. Stripes show cycling.
+        Fading away from the diagonal shows that a team loses to opponents that it once beat. A race
+        in which both teams keep improving shows neither, since old opponents are easy.
+
+    References
+    ----------
+    Cliff and Miller (1995), "Tracking the Red Queen: measurements of adaptive progress in
+    co-evolutionary simulations".
+    """
+    matrix = check_payoff(payoff)
+    return Ciao(_triangle(matrix), _triangle(swap_teams(matrix)))
+
+
+def autocorrelation(payoff: ArrayLike) -> Rates:
+    """Return the correlation of ``M[g, h]`` with ``M[g, h - d]`` in the lower triangle.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+
+    Returns
+    -------
+    ndarray of float64, shape (m // 2,)
+        Entry d is the correlation at lag d; entry 0 is 1 by definition. NaN where fewer than 6
+        pairs of cells are left or they do not vary.
+
+    Notes
+    -----
+    The mean of each row is subtracted, then all rows are pooled. Therefore stripes count wherever
+    they lie in a row.
+    """
+    return _autocorrelation(_lower(check_payoff(payoff)))
+
+
+def _triangle(matrix: Rates) -> Triangle:
+    lower = _lower(matrix)
+    stripes, period = _first_peak(_autocorrelation(lower))
+    return Triangle(lower, _by_age(lower), _fading(lower), stripes, period)
+
+
+def _lower(matrix: Rates) -> Rates:
+    return np.where(np.tri(*matrix.shape) > 0.0, matrix, np.nan)
+
+
+def _by_age(lower: Rates) -> Rates:
+    # If the team has more generations than its opponents, some diagonals may be empty.
+    diagonals = [np.diagonal(lower, offset=-age) for age in range(len(lower))]
+    return np.array([cells.mean() if len(cells) else np.nan for cells in diagonals])
+
+
+def _fading(lower: Rates) -> float:
+    """Return newer minus older half; the middle one of an odd number of opponents is left out."""
+    differences = []
+    for row in lower:
+        known = row[~np.isnan(row)]
+        half = len(known) // 2
+        if half:
+            differences.append(known[-half:].mean() - known[:half].mean())
+    return float(np.mean(differences)) if differences else float("nan")
+
+
+def _autocorrelation(lower: Rates) -> Rates:
+    counts = np.sum(~np.isnan(lower), axis=1, keepdims=True)
+    centered = lower - np.nansum(lower, axis=1, keepdims=True) / counts
+    # Lags up to half of the opponents: beyond them few pairs of cells are left.
+    columns = lower.shape[1]
+    # Row 0 has one cell, which is 0 after centering and carries no information.
+    found = [
+        _correlation(centered[1:, lag:], centered[1:, : columns - lag])
+        for lag in range(columns // 2)
+    ]
+    return np.array(found)
+
+
+def _correlation(one: Rates, other: Rates) -> float:
+    # NaN marks cells outside the triangle; a pair counts if both of its cells lie inside.
+    both = ~(np.isnan(one) | np.isnan(other))
+    x, y = one[both], other[both]
+    if len(x) < _FEWEST_PAIRS or min(np.ptp(x), np.ptp(y)) < 1e-12:
+        return float("nan")
+    return float(np.corrcoef(x, y)[0, 1])
+
+
+def _first_peak(correlations: Rates) -> tuple[float, int | None]:
+    """Return height and lag of the first positive local maximum after the first negative value."""
+    # Neighbouring generations are alike, so the correlation first falls from 1 whatever happens;
+    # only a rise after it has been negative shows that something comes back.
+    below = np.flatnonzero(correlations < 0.0)
+    start = int(below[0]) + 1 if len(below) else len(correlations)
+    for lag in range(start, len(correlations) - 1):
+        before, here, after = correlations[lag - 1 : lag + 2]
+        if here > 0.0 and here > before and here >= after:
+            return min(1.0, float(here)), lag
+    return 0.0, None
+
+
+# ---- Dominance tournament ------------------------------------------------------------------------
+
+SIGNIFICANCE = 0.05
+"""Default level of the one-sided test against each earlier dominant generation."""
+
+_ROUNDING = 1e-12  # differences of mean scores below this are floating-point noise
+
+
+@dataclass(frozen=True)
+class Ladder:
+    """The dominant generations of one team, ascending.
+
+    Parameters
+    ----------
+    generations : tuple of int
+        Generation 0, and every generation that scored significantly higher than all dominant
+        generations before it.
+    p_values : tuple of float
+        For each dominant generation after the first, the largest p-value against an earlier one.
+    """
+
+    generations: tuple[int, ...]
+    p_values: tuple[float, ...]
+
+    def __len__(self) -> int:
+        return len(self.generations)
+
+
+class Dominance(NamedTuple):
+    """The dominant generations of both teams: the more, the more significant steps of progress.
+
+    Parameters
+    ----------
+    pursuers : Ladder
+        Dominant generations of the pursuers.
+    evaders : Ladder
+        Dominant generations of the evaders.
+    """
+
+    pursuers: Ladder
+    evaders: Ladder
+
+
+class _Scores(NamedTuple):
+    """Mean score of each generation over the other team's archive, and its variance; (n,) each."""
+
+    mean: Rates
+    variance: Rates  # of the mean
+    spread: Rates  # sum over cells of squared variance / degrees of freedom (Satterthwaite)
+
+
+def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> Dominance:
+    """Find the generations that beat all dominant generations before them.
+
+    A generation is dominant if its mean score against the whole archive of the other team is
+    significantly higher than that of every earlier dominant generation. Generation 0 is dominant.
+
+    Parameters
+    ----------
+    scores : array_like of float, shape (n, m, episodes)
+        Capture rate of each episode, in [0, 1]; at least two independent episodes of each cell.
+    level : float, optional
+        Significance level of the one-sided test, in (0, 1/2].
+
+    Returns
+    -------
+    Dominance
+        The dominant generations of both teams.
+
+    Raises
+    ------
+    ValueError
+        If the shape is another one, a cell has a single episode, scores are outside [0, 1], or the
+        level is outside (0, 1/2].
+
+    Notes
+    -----
+    The test is Welch's t of the two mean scores. The archive is fixed and only episodes are random,
+    so the variance of a mean score is the sum of ``s_gh^2 / episodes`` over opponents h, divided by
+    ``m^2``. A generation has to pass against *all* dominant ones, which needs no correction for
+    multiple tests. But each new generation is another chance to pass: among k equal generations at
+    most about ``k * level`` are dominant by chance. Where no score varies, every difference is
+    significant.
+
+    References
+    ----------
+    Stanley and Miikkulainen (2002), "The dominance tournament method of monitoring progress in
+    coevolution"; extended here to two teams. Welch (1947) and Satterthwaite (1946) for the degrees
+    of freedom.
+    """
+    array = check_rates(scores, ndim=3, what="scores (n, m, episodes)")
+    episodes = array.shape[2]
+    require(episodes >= 2, "at least 2 episodes a cell", episodes)
+    means, variances = array.mean(axis=2), array.var(axis=2, ddof=1) / episodes
+    return _both_ladders(means, variances, episodes - 1, level)
+
+
+def dominance_of_counts(
+    wins: ArrayLike, episodes: ArrayLike, *, level: float = SIGNIFICANCE
+) -> Dominance:
+    """Find the dominant generations from counts of won episodes.
+
+    Parameters
+    ----------
+    wins : array_like of whole numbers, shape (n, m)
+        Episodes of each cell that the pursuers won.
+    episodes : array_like of whole numbers, shape (n, m) or ()
+        Episodes of each cell, or one number for all cells.
+    level : float, optional
+        Significance level of the one-sided test, in (0, 1/2].
+
+    Returns
+    -------
+    Dominance
+        The dominant generations of both teams, as `dominance_tournament` defines them.
+
+    Raises
+    ------
+    ValueError
+        Unless counts are whole, ``0 <= wins <= episodes`` and ``episodes >= 1``.
+
+    Notes
+    -----
+    The variance of a cell is ``q (1 - q) / episodes`` with ``q = (wins + 1) / (episodes + 2)``, so
+    a cell without losses still has some variance. The test is the normal limit of Welch's t.
+
+    References
+    ----------
+    Agresti and Caffo (2000), "Simple and effective confidence intervals for proportions".
+    """
+    won, played = np.broadcast_arrays(np.asarray(wins, float), np.asarray(episodes, float))
+    whole = np.isfinite(won) & np.isfinite(played) & (won % 1 == 0) & (played % 1 == 0)
+    bad = np.argwhere(~(whole & (played >= 1) & (won >= 0) & (won <= played)))
+    if len(bad):
+        where = tuple(int(i) for i in bad[0])
+        raise ValueError(
+            "expected whole numbers 0 <= wins <= episodes and episodes >= 1, "
+            f"got {won[where]:g} of {played[where]:g} at index {where}"
+        )
+    means = check_payoff(won / played)
+    # One win and one loss are added: otherwise a cell without losses would have no variance.
+    shrunken = (won + 1.0) / (played + 2.0)
+    return _both_ladders(means, shrunken * (1.0 - shrunken) / played, np.inf, level)
+
+
+def _both_ladders(means: Rates, variances: Rates, freedom: float, level: float) -> Dominance:
+    require(0.0 < level <= 0.5, "a level in (0, 0.5]", level)
+    return Dominance(
+        _ladder(_totals(means, variances, freedom), level),
+        _ladder(_totals(1.0 - means.T, variances.T, freedom), level),
+    )
+
+
+def _totals(means: Rates, variances: Rates, freedom: float) -> _Scores:
+    # A score is the mean of m cells, so each cell's variance counts 1 / m^2.
+    parts = variances / means.shape[1] ** 2
+    return _Scores(means.mean(axis=1), parts.sum(axis=1), (parts**2 / freedom).sum(axis=1))
+
+
+def _ladder(scores: _Scores, level: float) -> Ladder:
+    dominant, p_values = [0], []
+    # In the order of time: a generation is compared with the dominant ones before it only.
+    for generation in range(1, len(scores.mean)):
+        p = max(_p_value(scores, generation, earlier) for earlier in dominant)
+        if p < level:
+            dominant.append(generation)
+            p_values.append(p)
+    return Ladder(tuple(dominant), tuple(p_values))
+
+
+def _p_value(scores: _Scores, one: int, other: int) -> float:
+    """Return the p-value of the hypothesis that ``one`` scores no higher than ``other``."""
+    from scipy.special import stdtr
+
+    difference = float(scores.mean[one] - scores.mean[other])
+    variance = float(scores.variance[one] + scores.variance[other])
+    if abs(difference) <= _ROUNDING or variance == 0.0:  # Welch's t is not defined
+        return 0.0 if difference > _ROUNDING else 1.0
+    spread = float(scores.spread[one] + scores.spread[other])
+    # Infinite degrees of freedom make Student's t the normal distribution.
+    freedom = variance**2 / spread if spread > 0.0 else np.inf
+    return float(stdtr(freedom, -difference / np.sqrt(variance)))

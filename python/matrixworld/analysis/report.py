@@ -1,0 +1,405 @@
+"""Judgements and measures in words and tables."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from matrixworld.analysis.cycles import MARGIN, clear_checkerboards, transitive_share
+from matrixworld.analysis.engagement import disengagements
+from matrixworld.analysis.games import alpha_rank, nash_averaging
+from matrixworld.analysis.intervals import FEW_RUNS, LEVEL, SINGLE_RUN, Estimate, few_runs
+from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT, Finding, Judgement, judge
+from matrixworld.analysis.measures import MEASURES, measure_all
+from matrixworld.analysis.payoffs import Payoffs, Rates, Source, check_payoff, read_payoffs, require
+from matrixworld.analysis.plain_values import plain_values
+from matrixworld.analysis.progress import (
+    ciao,
+    default_rise_lag,
+    default_swing_start,
+    dominance_tournament,
+    generalization,
+    global_progress,
+    historical_progress,
+    lag_profile,
+    lag_rise,
+    local_progress,
+    swing,
+    team_phase_rates,
+)
+from matrixworld.analysis.ratings import multi_elo
+from matrixworld.analysis.runs import race_bands
+from matrixworld.analysis.strength import forgetting, late_forgetting
+
+SHORT = {
+    "one_sidedness": "payoff of the winning team",
+    "pursuer_gain": "pursuers",
+    "evader_gain": "evaders",
+    "evader_change": "of the evaders",
+    "pursuer_forgetting": "pursuers",
+    "evader_forgetting": "evaders",
+}
+"""Short names of some numbers in the table of a judgement; the others have their labels."""
+SHOWN = {"one-sided progress": ("pursuer_change", "evader_change")}
+"""Numbers in the rows of some conditions; the others stand in another row already."""
+HEADLINE_LAGS = (-10, -5, -1, 0, 1, 5, 10)
+RANKED_PAIRS = 1024
+"""Most pairs for alpha-Rank here, which keeps it under a second; longer runs are thinned out."""
+BANDS = (
+    "pursuer_generalization", "evader_generalization", "pursuer_ratings", "evader_ratings",
+    "lag_profile",
+)  # fmt: skip
+
+
+# ---- A judgement ---------------------------------------------------------------------------------
+
+
+def headline(judgement: Judgement) -> str:
+    """Return what is present in the window that headlines speak of, in a few words.
+
+    Parameters
+    ----------
+    judgement : Judgement
+        Result of `judge`.
+
+    Returns
+    -------
+    str
+        Such as ``"cycling, forgetting (last half)"``; "cannot tell" if no condition is present and
+        not all are absent.
+    """
+    present = ", ".join(judgement.present())
+    if not present:
+        open_ = any(each.verdict == CANNOT_TELL for each in judgement.headline.values())
+        present = CANNOT_TELL if open_ else "no condition is present"
+    return f"{present} ({judgement.window})"
+
+
+def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
+    """Return the rows of a table: condition, verdict, numbers with intervals, window.
+
+    Parameters
+    ----------
+    judgement : Judgement
+        Result of `judge`.
+
+    Returns
+    -------
+    list of tuple of str
+        The heads; all findings of the headline window; and those of other windows that are present
+        there and not in the headline window.
+    """
+    rows = [("condition", "verdict", f"{judgement.level:.0%} interval", "window")]
+    rows += [_row(name, found, judgement.window) for name, found in judgement.headline.items()]
+    # A wave that is over belongs into the table, too.
+    for window, findings in judgement.windows.items():
+        others = [each for each in judgement.present(window) if each not in judgement.present()]
+        rows += [_row(name, findings[name], window) for name in others]
+    return rows
+
+
+def _row(condition: str, finding: Finding, window: str) -> tuple[str, str, str, str]:
+    numbers = ", ".join(
+        f"{SHORT.get(key, MEASURES[key].label)} {MEASURES[key].shown(estimate)}"
+        for key, estimate in finding.estimates.items()
+        if key in SHOWN.get(condition, finding.estimates)
+    )
+    return condition, finding.verdict, numbers, window
+
+
+def explain(judgement: Judgement) -> str:
+    """Return the findings of the headline window as sentences, one for each condition.
+
+    Parameters
+    ----------
+    judgement : Judgement
+        Result of `judge`.
+
+    Returns
+    -------
+    str
+        One line for each condition: verdict and reason; for several runs how many of them have
+        which verdict on their own.
+    """
+    return "\n".join(
+        f"{name.capitalize()}: {finding.verdict}, because {finding.reason}."
+        f"{_counts(finding.by_run)}"
+        for name, finding in judgement.headline.items()
+    )
+
+
+def _counts(by_run: tuple[str, ...]) -> str:
+    if len(by_run) == 1:
+        return ""
+    counts = ", ".join(
+        f"{by_run.count(verdict)} {verdict}" for verdict in (PRESENT, ABSENT, CANNOT_TELL)
+    )
+    return f" Of the single runs: {counts}."
+
+
+# ---- All measures --------------------------------------------------------------------------------
+
+
+def report(
+    source: Source,
+    *,
+    per_episode: bool = False,
+    episodes: int | None = None,
+    cross: ArrayLike | None = None,
+    level: float = LEVEL,
+) -> str:
+    """Return all measures of one run or several, and the judgement, as text.
+
+    Parameters
+    ----------
+    source : array_like, path, list of paths or Payoffs
+        Payoffs of at least 2 x 2 generations.
+    per_episode, episodes, cross : optional
+        As for `read_payoffs`.
+    level : float, optional
+        Confidence level of the intervals, in (0, 1).
+
+    Returns
+    -------
+    str
+        The tables. Several runs have intervals over runs. A single run has intervals over episodes
+        if they are known.
+
+    Raises
+    ------
+    ValueError, TypeError, FileNotFoundError
+        As `measure_all`.
+    """
+    payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes, cross=cross)
+    table, judgement = measure_table(payoffs, level=level), judge(payoffs, level=level)
+    n, m = payoffs.shape
+    return "\n".join(
+        [
+            f"{len(payoffs)} run{'s' if len(payoffs) > 1 else ''}, {n} pursuer and {m} evader "
+            "generations",
+            table,
+            f"Judgement: {headline(judgement)}",
+            explain(judgement),
+        ]
+    )
+
+
+def measure_table(source: Source, *, level: float = LEVEL) -> str:
+    """Return all measures as lines of text, grouped by the window that they are about.
+
+    Parameters
+    ----------
+    source : array_like, path, list of paths or Payoffs
+        Payoffs of at least 2 x 2 generations.
+    level : float, optional
+        Confidence level of the intervals, in (0, 1).
+
+    Returns
+    -------
+    str
+        The lines. Notes say why a number has no interval.
+    """
+    payoffs = read_payoffs(source)
+    estimates = measure_all(payoffs, level=level)
+    notes = _footnotes(payoffs, estimates)
+    lines, last = [_heading(payoffs, estimates, level)], ""
+    for name, estimate in estimates.items():
+        window = MEASURES[name].window_in(payoffs).name
+        if window != last:
+            lines.append("  whole race" if window == "whole" else f"  {window}")
+            last = window
+        text = f"{MEASURES[name].label:53}{MEASURES[name].shown(estimate)}"
+        lines.append(f"    {text} {notes.get(estimate.note, '')}".rstrip())
+    lines += [f"  {mark} {note}" for note, mark in notes.items()]
+    return "\n".join([*lines, *_dominant(payoffs)])
+
+
+def _heading(payoffs: Payoffs, estimates: Mapping[str, Estimate], level: float) -> str:
+    if len(payoffs) > 1:
+        few = "; few runs make it wide" if len(payoffs) < FEW_RUNS else ""
+        return f"Mean ({level:.0%} interval over runs{few}):"
+    if any(one.across == "episodes" for one in estimates.values()):
+        return (
+            f"A single run ({level:.0%} interval over its episodes, which says nothing about other "
+            "runs):"
+        )
+    return "A single run: no intervals."
+
+
+def _footnotes(payoffs: Payoffs, estimates: Mapping[str, Estimate]) -> dict[str, str]:
+    """Return the notes that the heading does not say, with a mark for each."""
+    said = (SINGLE_RUN, few_runs(len(payoffs)), "")
+    notes = dict.fromkeys(one.note for one in estimates.values() if one.note not in said)
+    return {note: f"[{number}]" for number, note in enumerate(notes, 1)}
+
+
+def _dominant(payoffs: Payoffs) -> list[str]:
+    # Several runs have the mean number of dominant generations among the measures.
+    if len(payoffs) > 1 or payoffs.scores is None or payoffs.scores.shape[3] < 2:
+        return []
+    ladders = dominance_tournament(payoffs.scores[0])
+    return [
+        f"Dominant {team}: generations {', '.join(map(str, ladder.generations))}."
+        for team, ladder in ladders._asdict().items()
+    ]
+
+
+def all_results(source: Source, *, level: float = LEVEL) -> dict[str, Any]:
+    """Return measures and curves as plain values that JSON can represent.
+
+    Parameters
+    ----------
+    source : array_like, path, list of paths or Payoffs
+        Payoffs of at least 2 x 2 generations.
+    level : float, optional
+        Confidence level of the intervals, in (0, 1).
+
+    Returns
+    -------
+    dict
+        ``measures``: those of `measure_all`. ``bands``: the mean curves of `race_bands`. ``runs``:
+        for each run its payoff matrix and the results of `generalization`, `forgetting`,
+        `local_progress`, `historical_progress`, `lag_profile`, `ciao`, `multi_elo` (``ratings``),
+        `nash_averaging` and `alpha_rank`; of episodes also `dominance_tournament`. With cross
+        tests ``global_progress``. Arrays are lists, NaN is None.
+    """
+    payoffs = read_payoffs(source)
+    bands = race_bands(payoffs.matrices, level=level)
+    found: dict[str, Any] = {
+        "level": level,
+        "measures": measure_all(payoffs, level=level),
+        "bands": {name: getattr(bands, name) for name in BANDS},
+        "runs": [_curves(run) for run in payoffs.runs],
+    }
+    if payoffs.cross is not None:
+        found["global_progress"] = global_progress(payoffs.cross)
+    plain: dict[str, Any] = plain_values(found)
+    return plain
+
+
+def _curves(run: Payoffs) -> dict[str, Any]:
+    curves = {name: of(run.matrices[0]) for name, of in CURVES.items()}
+    if run.scores is not None and run.scores.shape[3] >= 2:
+        curves["dominance"] = dominance_tournament(run.scores[0])
+    return {"payoff": run.matrices[0], **curves}
+
+
+def _ranked(matrix: Rates) -> dict[str, Any]:
+    """Return alpha-Rank of all generations, or of every k-th one counted back from the last."""
+    rows, columns = matrix.shape
+    step = 1
+    # The smallest k for which every k-th generation of both teams is few enough pairs.
+    while -(-rows // step) * -(-columns // step) > RANKED_PAIRS:
+        step += 1
+    g, h = (np.arange((size - 1) % step, size, step) for size in matrix.shape)
+    return {"pursuers": g, "evaders": h, "ranks": alpha_rank(matrix[np.ix_(g, h)])}
+
+
+CURVES: Mapping[str, Callable[[Rates], Any]] = {
+    "generalization": generalization,
+    "forgetting": forgetting,
+    "local_progress": local_progress,
+    "historical_progress": historical_progress,
+    "lag_profile": lag_profile,
+    "ciao": ciao,
+    "ratings": multi_elo,
+    "nash": nash_averaging,
+    "alpha_rank": _ranked,
+}
+
+
+# ---- A race in sentences -------------------------------------------------------------------------
+
+
+def describe(payoff: ArrayLike) -> str:
+    """Describe the numbers of a race in plain English.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix of at least 2 x 2 generations; row and column 0 are generation 0.
+
+    Returns
+    -------
+    str
+        One statement on each line. It gives numbers; `judge` tells which of them exceed noise.
+
+    Raises
+    ------
+    ValueError
+        If the matrix is smaller or not a payoff matrix; see `check_payoff`.
+    """
+    matrix = check_payoff(payoff)
+    require(min(matrix.shape) >= 2, "at least 2 x 2 generations", matrix.shape)
+    window = Payoffs(matrix[None]).late
+    first, other = window.pursuers[0], window.evaders[0]
+    # The last half of a matrix that is not square starts at two different generations.
+    when = f"From generation {first if first == other else f'{first} / {other}'} on"
+    late, scores = matrix[window.cells], generalization(matrix)
+    stretches = disengagements(team_phase_rates(matrix))
+    return "\n".join(
+        [
+            f"{when}, {_transitivity(late)}",
+            f"{when}, {_checkerboards(late)}",
+            _swing(matrix),
+            _lags(matrix),
+            _team("Pursuers", "capture", scores.pursuers, matrix),
+            _team("Evaders", "escape", scores.evaders, 1.0 - matrix.T),
+            *(f"Warning: disengagement in {stretch}." for stretch in stretches),
+        ]
+    )
+
+
+def _transitivity(late: Rates) -> str:
+    share = transitive_share(late)
+    if math.isnan(share):
+        return "all capture rates are equal, so there is no variance to explain."
+    return (
+        f"the strength of each generation explains {share:.0%} of the variance of the capture rate "
+        f"(transitive share {share:.2f}; {transitive_share(late, logits=True):.2f} on logits); "
+        "the rest depends on the pairing or is noise."
+    )
+
+
+def _checkerboards(late: Rates) -> str:
+    boards = clear_checkerboards(late)
+    return (
+        f"{boards.count:,} of {boards.possible:,} possible checkerboards ({boards.share:.1%}): "
+        "two pursuer generations and two evader generations, each better against one opponent and "
+        f"worse against the other, by more than {MARGIN}."
+    )
+
+
+def _swing(matrix: Rates) -> str:
+    return (
+        f"From generation {default_swing_start(min(matrix.shape))} on, the capture rate of the "
+        "same pursuers against the evaders of one generation and of the previous one differs by "
+        f"{swing(matrix):.2f} on average."
+    )
+
+
+def _lags(matrix: Rates) -> str:
+    profile = lag_profile(matrix)
+    # A short race does not contain all headline lags.
+    inside = [lag for lag in HEADLINE_LAGS if profile.lags[0] <= lag <= profile.lags[-1]]
+    means = ", ".join(f"{f'{lag:+d}' if lag else 0}: {profile.at(lag):.2f}" for lag in inside)
+    # The lag is a third of the run, so it is 1 in short runs.
+    rise = default_rise_lag(min(matrix.shape))
+    return (
+        f"Capture rate by lag (pursuer minus evader generation): {means}. At a lag of "
+        f"+{rise} generation{'' if rise == 1 else 's'} it differs from a lag of -{rise} by "
+        f"{lag_rise(matrix):+.2f}."
+    )
+
+
+def _team(name: str, score: str, scores: Rates, payoff: Rates) -> str:
+    forgotten = late_forgetting(payoff, slice(0, len(payoff)))
+    return (
+        f"{name}' mean {score} rate against all opponents: {scores[0]:.2f} at generation 0, "
+        f"{scores[-1]:.2f} at generation {len(scores) - 1}, best {scores.max():.2f} at generation "
+        f"{int(scores.argmax())}; forgetting in the last half {forgotten:.2f}."
+    )

@@ -1,0 +1,206 @@
+"""Reports: all measures of one run or several, as text and as JSON; races in sentences."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+from scipy import stats
+
+from matrices import additive, circular, logistic, staircase
+from matrixworld import analysis
+from matrixworld.analysis.cycles import MARGIN
+
+small_payoffs = arrays.arrays(
+    np.float64,
+    arrays.array_shapes(min_dims=2, max_dims=2, min_side=2, max_side=5),
+    elements=st.integers(0, 16).map(lambda n: n / 16),
+)
+noisy = np.random.default_rng(0)
+RUNS = np.stack([noisy.binomial(40, logistic(13)) / 40 for _ in range(6)])
+SCORES = (noisy.random((13, 13, 20)) < logistic(13)[:, :, None]).astype(np.float32)
+
+
+def test_measures_are_those_of_the_single_functions() -> None:
+    matrix = circular(13)
+    found = {name: one.value for name, one in analysis.measure_all(matrix).items()}
+    late = analysis.last_half(matrix)
+    assert found["swing"] == analysis.swing(matrix)
+    assert found["game_value"] == analysis.game_value(matrix)
+    assert found["transitive_share"] == analysis.transitive_share(late)
+    assert found["checkerboards"] == analysis.checkerboards(late, margin=MARGIN, level=None).share
+    assert found["pursuer_stripes"] == analysis.ciao(matrix).pursuers.stripes
+    forgetting = analysis.MEASURES["evader_forgetting"]
+    drops = analysis.forgetting(matrix).evaders
+    assert forgetting.of(matrix, "whole").value == drops[6:].mean()
+    assert forgetting.of(matrix).value == found["evader_forgetting"] == drops[9:].mean()
+    with pytest.raises(ValueError, match="one of the windows whole, first half, last half, got x"):
+        forgetting.of(matrix, "x")
+
+
+def test_the_judgement_and_the_tables_have_the_same_numbers() -> None:
+    for scores in (SCORES, np.stack([SCORES, SCORES[::-1]]), SCORES[:8, :8]):
+        payoffs = analysis.read_payoffs(scores, per_episode=True)
+        found, judgement = analysis.measure_all(payoffs), analysis.judge(payoffs)
+        for finding in judgement.headline.values():
+            assert all(found[name] == one for name, one in finding.estimates.items())
+
+
+def test_a_single_run_has_no_intervals_and_says_so() -> None:
+    found = analysis.measure_all(circular(13))
+    scatter = {"pursuer_gain", "evader_gain", "pursuer_change", "evader_change"}
+    assert all(one.low is None and one.note for name, one in found.items() if name not in scatter)
+    assert analysis.all_results(circular(13))["bands"]["lag_profile"]["low"] is None
+    text = analysis.report(circular(13))
+    assert "1 run, 13 pursuer and 13 evader generations\n" in text
+    assert "Judgement: cannot tell (last half)" in text
+    assert "cyclic amplitude                                     not known " in text
+
+
+def test_several_runs_have_intervals_over_runs() -> None:
+    share = analysis.measure_all(RUNS)["transitive_share"]
+    each = [analysis.transitive_share(analysis.last_half(run)) for run in RUNS]
+    assert share.value == pytest.approx(np.mean(each))
+    half = stats.t.ppf(0.975, 5) * np.std(each, ddof=1) / np.sqrt(6)
+    assert share.ends == pytest.approx((share.value - half, share.value + half))
+    assert (share.across, share.samples) == ("runs", 6)
+    text = analysis.report(RUNS)
+    assert "6 runs, 13 pursuer and 13 evader generations" in text
+    assert "Mean (95% interval over runs):" in text
+    assert f"{share}" in text
+    assert "Of the single runs: " in text
+
+
+def test_episodes_give_intervals_to_a_single_run_and_dominant_generations() -> None:
+    found = analysis.measure_all(SCORES, per_episode=True)
+    assert found["capture_rate"].across == "episodes"
+    rungs = analysis.dominance_tournament(SCORES).pursuers.generations
+    assert found["pursuer_rungs"].value == len(rungs) > 3
+    assert found["checkerboards"].low is None
+    text = analysis.report(SCORES, per_episode=True)
+    assert "interval over its episodes, which says nothing about other runs" in text
+    assert f"Dominant pursuers: generations {', '.join(map(str, rungs))}." in text
+    assert " [1]\n" in text
+    assert "  [1] biased by episode noise: no interval\n  [2] " in text
+
+
+def test_one_run_with_episodes_may_be_a_stack_of_one() -> None:
+    part = SCORES[:4, :4, :5]
+    single, stacked = (
+        analysis.all_results(analysis.read_payoffs(each, per_episode=True))
+        for each in (part, part[None])
+    )
+    assert single == stacked
+
+
+def test_cross_tests_give_global_progress() -> None:
+    cross = np.broadcast_to(RUNS[:2, None], (2, 2, 13, 13))
+    payoffs = analysis.read_payoffs(RUNS[:2], cross=cross)
+    found = analysis.MEASURES["pursuer_global_gain"].of(payoffs)
+    assert found.value == pytest.approx(analysis.global_progress(cross).pursuers.mean_gain)
+    assert "global_progress" in analysis.all_results(payoffs)
+    with pytest.raises(ValueError, match=r"shape \(2, 2, 13, 13\), got \(2, 13, 13\)"):
+        analysis.report(RUNS[:2], cross=RUNS[:2])
+
+
+@pytest.mark.parametrize("matrix", [circular(12), staircase(9), additive(7, 12), np.zeros((2, 3))])
+def test_results_are_json(matrix: np.ndarray) -> None:
+    plain = analysis.all_results(matrix)
+    assert json.loads(json.dumps(plain, allow_nan=False)) == plain
+    assert plain["runs"][0]["payoff"] == matrix.tolist()
+    assert len(plain["runs"][0]["alpha_rank"]["ranks"]["pursuers"]) == len(matrix)
+    assert plain["runs"][0]["nash"]["value"] == analysis.nash_averaging(matrix).value
+    assert plain["measures"]["capture_rate"]["low"] is None
+    assert not re.search(r"\bnan\b", analysis.report(matrix))
+
+
+def test_longer_runs_are_ranked_by_every_kth_generation() -> None:
+    [run] = analysis.all_results(logistic(61))["runs"]
+    assert run["alpha_rank"]["pursuers"] == run["alpha_rank"]["evaders"] == [*range(0, 61, 2)]
+    [uneven] = analysis.all_results(logistic(66)[:, :33])["runs"]
+    assert (uneven["alpha_rank"]["pursuers"][-1], uneven["alpha_rank"]["evaders"][-1]) == (65, 32)
+
+
+def test_equal_runs_have_no_interval() -> None:
+    text = analysis.report(np.stack([RUNS[0]] * 3))
+    assert "Mean (95% interval over runs; few runs make it wide):" in text
+    assert "no interval: all 3 runs are equal\n" in text
+
+
+@settings(max_examples=25)
+@given(small_payoffs)
+def test_any_matrix_is_analysed_and_swapping_the_teams_swaps_the_numbers(
+    matrix: np.ndarray,
+) -> None:
+    numbers, swapped = analysis.measure_all(matrix), analysis.measure_all(1 - matrix.T)
+    for name, one in numbers.items():
+        value = one.value
+        # Pursuers learn first in a generation; equally strong cycles may come in any order.
+        if name in ("swing", "multi_elo_log_loss"):
+            continue
+        team, _, measure = name.partition("_")
+        other = {"pursuer": f"evader_{measure}", "evader": f"pursuer_{measure}"}.get(team, name)
+        expected = 1 - value if name in ("capture_rate", "game_value") else value
+        np.testing.assert_allclose(swapped[other].value, expected, atol=1e-6, err_msg=name)
+
+
+@pytest.mark.parametrize(
+    ("source", "settings", "error", "message"),
+    [
+        (np.zeros((1, 5)), {}, ValueError, r"at least 2 x 2 generations, got \(1, 5\)"),
+        (np.zeros(4), {}, ValueError, r"got shape \(4,\)"),
+        ([], {}, ValueError, r"got shape \(0,\)"),
+        (np.full((3, 3), np.nan), {}, ValueError, "got nan at index"),
+        (np.full((2, 3, 3), 1.25), {}, ValueError, r"got 1.25 at index \(0, 0, 0\)"),
+        ([["a", "b"], ["c", "d"]], {}, TypeError, "real numbers, got dtype <U1"),
+        (np.zeros((3, 3)), {"level": 0.0}, ValueError, r"level in \(0, 1\), got 0.0"),
+        (np.full((3, 3), None), {}, TypeError, "real numbers, got dtype object"),
+    ],
+)
+def test_bad_input_is_refused(
+    source: object, settings: dict[str, float], error: type[Exception], message: str
+) -> None:
+    with pytest.raises(error, match=message):
+        analysis.report(source, **settings)  # type: ignore[arg-type]
+
+
+# ---- A race in sentences -------------------------------------------------------------------------
+
+
+def test_the_description_quotes_the_numbers() -> None:
+    matrix = circular(31)
+    text, late = analysis.describe(matrix), analysis.last_half(matrix)
+    boards = analysis.checkerboards(late, margin=MARGIN, level=None)
+    assert f"{boards.count:,} of 14,400" in text
+    assert f"{analysis.transitive_share(late):.2f}" in text
+    assert f"by {analysis.swing(matrix):.2f}" in text
+    assert "From generation 15 on" in text
+    assert "From generation 8 on" in text
+    assert "Warning" not in text
+
+
+def test_the_description_warns_of_disengagement() -> None:
+    matrix = logistic(31)
+    matrix[20:, :] = 0.99
+    text = analysis.describe(matrix)
+    assert "Warning: disengagement in generations 20 to 30: the pursuers win" in text
+
+
+def test_a_short_race_has_fewer_lags_and_one_window() -> None:
+    text = analysis.describe(logistic(4))
+    assert "generation): -1: 0.46, 0: 0.50, +1: 0.54. At" in text
+    assert text.startswith("From generation 0 on")
+
+
+def test_sides_of_different_length_are_described_too() -> None:
+    assert "From generation 10 / 7 on" in analysis.describe(additive(20, 14))
+
+
+@given(small_payoffs)
+def test_every_matrix_has_a_description(matrix: np.ndarray) -> None:
+    assert "nan" not in analysis.describe(matrix)
