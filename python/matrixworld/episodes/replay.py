@@ -7,16 +7,17 @@ import html
 import io
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any, TextIO, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
+from typing_extensions import Unpack
 
-from matrixworld._util.checks import check_instance, check_integer, check_number
+from matrixworld._util.checks import check_instance, check_integer, check_keywords, check_number
 from matrixworld._util.files import replacing
 from matrixworld.episodes.episode import Episode, scene
 from matrixworld.episodes.render import ansi, rgb
@@ -48,6 +49,16 @@ PIXELS = 480
 """Wanted length of the longer side of its field."""
 FOV = 11
 """Side of a field of view if the episode does not state it."""
+
+
+class Look(TypedDict, total=False):
+    """Keyword arguments of pictures of an episode, for type checkers; see `save`."""
+
+    cell: int | None
+    trail: int
+    fov: int | None
+    viewers: Sequence[int | str]
+    numbers: bool
 
 
 def animate_terminal(
@@ -130,11 +141,7 @@ def save(
     every: int = 1,
     hold: float = 2.0,
     step: int = -1,
-    cell: int | None = None,
-    trail: int = 6,
-    fov: int | None = None,
-    viewers: Sequence[int | str] = (),
-    numbers: bool = False,
+    **look: Unpack[Look],
 ) -> None:
     """Write an episode as an animation, a film, or a picture of one moment.
 
@@ -154,16 +161,12 @@ def save(
         Seconds for which the last frame is shown longer.
     step : int, optional
         The moment of a PNG, as for `scene`.
-    cell : int, optional
-        Pixels per cell. By default the size of the grid decides.
-    trail : int, optional
-        Steps back that the trails of the agents go.
-    fov : int, optional
-        Side of the fields of view in cells. By default that of the episode's world.
-    viewers : sequence of int or str, optional
-        The agents whose fields of view are outlined, by number or name.
-    numbers : bool, optional
-        Whether agents carry their numbers in their teams, as in `render.rgb`.
+    **look
+        ``cell``: pixels per cell; by default the size of the grid decides. ``trail``: steps back
+        that the trails of the agents go, 6 by default. ``fov``: side of the fields of view in
+        cells; by default that of the episode's world. ``viewers``: the agents whose fields of view
+        are outlined, by number or name. ``numbers``: whether agents carry their numbers in their
+        teams, as in `render.rgb`.
 
     Raises
     ------
@@ -181,23 +184,22 @@ def save(
     >>> episode = record(WorldConfig("O", max_steps=100), "chaser", "fleer", seed=1)
     >>> replay.save(episode, "chase.gif")  # doctest: +SKIP
     """
-    check_instance("episode", episode, Episode)
+    check_keywords(look, Look.__annotations__, save)
     check_integer("step", step)
     suffix = Path(path).suffix.lower()
     if suffix not in (".gif", ".mp4", ".png"):
         raise ValueError(f"path: expected a name that ends in .gif, .mp4 or .png, got {path}")
-    draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers, numbers=numbers)
-    times = _times(episode, every)
+    pictures = _Pictures(episode, look)
     if suffix == ".png":
-        picture = Image.fromarray(draw(step))
+        picture = Image.fromarray(pictures.draw(step))
     else:
-        _check_animation(episode, times, cell=cell, numbers=numbers, fps=fps, hold=hold)
+        pictures.check_frames(times := _times(episode, every), fps=fps, hold=hold)
     with replacing(path) as file:
         if suffix == ".png":
             picture.save(file, "PNG")
         else:
             write = write_gif if suffix == ".gif" else write_mp4
-            write(file, draw, times, fps=fps, hold=hold)
+            write(file, pictures.draw, times, fps=fps, hold=hold)
 
 
 @dataclass(frozen=True, repr=False)
@@ -224,15 +226,7 @@ class Animation:
 
 
 def animation(
-    episode: Episode,
-    *,
-    fps: float = 10.0,
-    every: int | None = None,
-    cell: int | None = None,
-    trail: int = 6,
-    fov: int | None = None,
-    viewers: Sequence[int | str] = (),
-    numbers: bool = False,
+    episode: Episode, *, fps: float = 10.0, every: int | None = None, **look: Unpack[Look]
 ) -> Animation:
     """Return an animation that a notebook shows, and stores in itself.
 
@@ -246,10 +240,8 @@ def animation(
         Frames per second, 0.1 to 50.
     every : int, optional
         Steps from one frame to the next. The default shows at most `FRAMES` frames.
-    cell : int, optional
-        Pixels per cell. The default gives about `PIXELS` pixels a side.
-    trail, fov, viewers, numbers : optional
-        As for `save`.
+    **look
+        As for `save`. The default of ``cell`` gives about `PIXELS` pixels a side.
 
     Returns
     -------
@@ -261,30 +253,21 @@ def animation(
     ValueError
         If a value is out of range, or all frames together would have more than 2**34 pixels.
     """
+    check_keywords(look, Look.__annotations__, animation)
     check_instance("episode", episode, Episode)
     # A notebook keeps the animation in its file, so both frames and pixels are limited.
     if every is None:
         every = -(-episode.length // FRAMES) or 1
-    if cell is None:
-        cell = fitting_cell(episode.map.shape, PIXELS, SMALLEST_NUMBERED if numbers else 1)
-    draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers, numbers=numbers)
+    pictures = _Pictures(episode, look, PIXELS)
     times = _times(episode, every)
-    _check_animation(episode, times, cell=cell, numbers=numbers, fps=fps, hold=2.0)
+    pictures.check_frames(times, fps=fps, hold=2.0)
     buffer = io.BytesIO()
-    write_gif(buffer, draw, times, fps=fps, hold=2.0)
+    write_gif(buffer, pictures.draw, times, fps=fps, hold=2.0)
     return Animation(buffer.getvalue())
 
 
 def contact_sheet(
-    episode: Episode,
-    *,
-    rows: int = 2,
-    cols: int = 3,
-    cell: int | None = None,
-    trail: int = 6,
-    fov: int | None = None,
-    viewers: Sequence[int | str] = (),
-    numbers: bool = False,
+    episode: Episode, *, rows: int = 2, cols: int = 3, **look: Unpack[Look]
 ) -> Image.Image:
     """Draw moments of an episode, evenly spread from first to last, as one picture.
 
@@ -294,9 +277,7 @@ def contact_sheet(
         The recording.
     rows, cols : int, optional
         How many moments are below and beside each other.
-    cell : int, optional
-        Pixels per cell. By default the size of the grid decides.
-    trail, fov, viewers, numbers : optional
+    **look
         As for `save`.
 
     Returns
@@ -309,54 +290,39 @@ def contact_sheet(
     ValueError
         If a value is out of range, or the picture would have more than 2**26 pixels.
     """
-    check_instance("episode", episode, Episode)
+    check_keywords(look, Look.__annotations__, contact_sheet)
+    pictures = _Pictures(episode, look)
     count = check_integer("rows", rows, 1) * check_integer("cols", cols, 1)
-    check_pixels("contact sheet", count * _pixels(episode, cell, numbers), MOST_PIXELS)
+    check_pixels("contact sheet", count * pictures.pixels, MOST_PIXELS)
     times = np.linspace(0, episode.length, count).round().astype(int)
-    draw = _drawer(episode, cell=cell, trail=trail, fov=fov, viewers=viewers, numbers=numbers)
-    pictures = [draw(t) for t in times.tolist()]
-    lines = [np.concatenate(pictures[i : i + cols], axis=1) for i in range(0, len(times), cols)]
+    drawn = [pictures.draw(t) for t in times.tolist()]
+    lines = [np.concatenate(drawn[i : i + cols], axis=1) for i in range(0, count, cols)]
     return Image.fromarray(np.concatenate(lines))
 
 
-def _drawer(
-    episode: Episode,
-    *,
-    cell: int | None,
-    trail: int,
-    fov: int | None,
-    viewers: Sequence[int | str],
-    numbers: bool,
-) -> Callable[[int], NDArray[np.uint8]]:
-    """Return a function that draws a moment of the episode."""
-    check_integer("trail", trail, 0)
-    side = int(episode.config.get("fov", FOV)) if fov is None else fov
+class _Pictures:
+    """Pictures of an episode's moments; `field` is the wanted size of a field, in pixels."""
 
-    def draw(time: int) -> NDArray[np.uint8]:
-        return rgb(
-            scene(episode, time, trail=trail), cell=cell, fov=side, viewers=viewers, numbers=numbers
-        )
+    def __init__(self, episode: Episode, look: Look, field: int | None = None) -> None:
+        check_instance("episode", episode, Episode)
+        self._episode = episode
+        self._look: dict[str, Any] = {**look}
+        self._trail = check_integer("trail", self._look.pop("trail", 6), 0)
+        if self._look.get("fov") is None:
+            self._look["fov"] = int(episode.config.get("fov", FOV))
+        least = SMALLEST_NUMBERED if look.get("numbers") else 1
+        shape, cell = episode.map.shape, look.get("cell")
+        if cell is None and field is not None:
+            self._look["cell"] = cell = fitting_cell(shape, field, least)
+        self.pixels: int = Layout.of(shape, cell, least=least).pixels
 
-    return draw
+    def draw(self, time: int) -> NDArray[np.uint8]:
+        return rgb(scene(self._episode, time, trail=self._trail), **self._look)
 
-
-def _check_animation(
-    episode: Episode,
-    times: list[int],
-    *,
-    cell: int | None,
-    numbers: bool,
-    fps: float,
-    hold: float,
-) -> None:
-    """Raise ValueError or TypeError before a file is begun."""
-    check_timing(times, fps=fps, hold=hold)
-    check_pixels("animation", len(times) * _pixels(episode, cell, numbers), MOST_ANIMATED)
-
-
-def _pixels(episode: Episode, cell: int | None, numbers: bool) -> int:
-    least = SMALLEST_NUMBERED if numbers else 1
-    return Layout.of(episode.map.shape, cell, least=least).pixels
+    def check_frames(self, times: list[int], *, fps: float, hold: float) -> None:
+        """Raise ValueError or TypeError before a file is begun."""
+        check_timing(times, fps=fps, hold=hold)
+        check_pixels("animation", len(times) * self.pixels, MOST_ANIMATED)
 
 
 def _times(episode: Episode, every: int) -> list[int]:
