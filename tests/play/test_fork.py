@@ -117,6 +117,7 @@ assert in_child(lambda: np.testing.assert_array_equal(play(env), expected)) == 0
 """)
 
 
+@pytest.mark.slow
 def test_a_child_plays_matches_while_its_parent_does() -> None:
     """The child is forked in the middle of a rollout of another thread."""
     forked("""

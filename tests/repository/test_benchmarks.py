@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
+from importlib import import_module
 from pathlib import Path
-from types import ModuleType
 
 import pytest
 from click.testing import CliRunner
 
+import compare_builds
 import matrixworld as mw
+from cluster_projection import Costs, makespan, table
 
 FOLDER = Path(__file__).parents[2] / "benchmarks"
 SHORT = ["--seconds", "0.001", "--repeats", "1"]
@@ -22,30 +22,17 @@ FEW = {
     "bench_evolve": ["--generations", "1", "--epochs", "2"],
 }
 """Options of each script for a short run."""
-SLOW = ("bench_evolve", "bench_scaling")
-
-
-def load(name: str, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(name, FOLDER / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    monkeypatch.setitem(sys.modules, name, module)  # dataclasses look their module up
-    spec.loader.exec_module(module)
-    return module
 
 
 def test_all_benchmarks_are_tested() -> None:
     assert sorted(FEW) == sorted(path.stem for path in FOLDER.glob("bench_*.py"))
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=pytest.mark.slow if name in SLOW else ()) for name in FEW]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("name", FEW)
 def test_benchmark_runs(name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.syspath_prepend(FOLDER)
     monkeypatch.chdir(tmp_path)
-    module = load(name, monkeypatch)
+    module = import_module(name)
     monkeypatch.setattr(module, "bind", lambda cores: None)
     result = CliRunner().invoke(module.main, FEW[name])
     assert result.exception is None
@@ -55,25 +42,21 @@ def test_benchmark_runs(name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Pa
     assert (tmp_path / "scaling.png").exists() == (name == "bench_scaling")
 
 
-def test_a_build_gives_the_results_of_itself(monkeypatch: pytest.MonkeyPatch) -> None:
-    module = load("compare_builds", monkeypatch)
+def test_a_build_gives_the_results_of_itself() -> None:
     build = str(Path(mw.__file__).parents[1])
     options = ["--rounds", "1", "--seconds", "0.01", "--only", "views, 64 worlds"]
-    result = CliRunner().invoke(module.main, [build, build, *options])
+    result = CliRunner().invoke(compare_builds.main, [build, build, *options])
     assert result.exception is None
     assert result.output.splitlines()[-1].startswith("| step and views, 64 worlds | ")
 
 
-def test_the_projection_of_a_cluster_follows_from_its_costs(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    module = load("cluster_projection", monkeypatch)
-    free = module.Costs(alone=0.0, in_a_row=0.0, first=0.0, race=10.0, bytes=1)
-    assert module.makespan(10, 10.0, 5, free) == 20.0
-    assert module.makespan(11, 10.0, 5, free) == 30.0
+def test_the_projection_of_a_cluster_follows_from_its_costs() -> None:
+    free = Costs(alone=0.0, in_a_row=0.0, first=0.0, race=10.0, bytes=1)
+    assert makespan(10, 10.0, 5, free) == 20.0
+    assert makespan(11, 10.0, 5, free) == 30.0
     # One scheduler hands out one task after the other, to however many workers.
-    slow = module.Costs(alone=0.0, in_a_row=0.01, first=0.0, race=1.0, bytes=1)
-    assert module.makespan(10_000, 1.0, 10_000, slow) == pytest.approx(101.0)
-    measured = module.Costs(alone=0.0065, in_a_row=0.0071, first=0.0, race=119, bytes=4_040_000)
+    slow = Costs(alone=0.0, in_a_row=0.01, first=0.0, race=1.0, bytes=1)
+    assert makespan(10_000, 1.0, 10_000, slow) == pytest.approx(101.0)
+    measured = Costs(alone=0.0065, in_a_row=0.0071, first=0.0, race=119, bytes=4_040_000)
     page = (FOLDER.parent / "docs" / "cluster.md").read_text(encoding="utf-8")
-    assert module.table(measured, (1, 10, 100), 32) in page
+    assert table(measured, (1, 10, 100), 32) in page

@@ -16,14 +16,14 @@ NETWORK = mw.Network.for_config(CONFIG, (4,))
 GENOME = random_genome(NETWORK, 0)
 
 
-def value(name: str, call: Any, says: str) -> Any:
-    """Return a case of a wrong value; ``says`` is ``"expected part | got part"`` of the message."""
-    return pytest.param(call, ValueError, says, id=name)
+def value(call: Any, says: str) -> Any:
+    """Return a case of a wrong value; `says` is ``"expected part | got part"`` of the message."""
+    return pytest.param(call, ValueError, says, id=says)
 
 
-def kind(name: str, call: Any, says: str) -> Any:
+def kind(call: Any, says: str) -> Any:
     """Return a case of a value of a wrong type."""
-    return pytest.param(call, TypeError, says, id=name)
+    return pytest.param(call, TypeError, says, id=says)
 
 
 def table(cases: list[Any]) -> pytest.MarkDecorator:

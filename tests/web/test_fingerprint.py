@@ -7,6 +7,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+import pytest
+
 import matrixworld as mw
 from matrixworld.world.arrays import WORLD_FIELDS
 from node import policy_json, run_node
@@ -37,6 +39,7 @@ def game(number: int, config: mw.WorldConfig, expected: ModuleType) -> dict[str,
     }
 
 
+@pytest.mark.slow
 def test_the_built_engine_has_the_fingerprint_of_the_extension() -> None:
     expected = contract()
     moments = [name for name in expected.ARRAYS if WORLD_FIELDS[name].written == "moment"]
