@@ -30,8 +30,8 @@ from matrixworld.coevolution import (
     RaceSettings,
     RunDirectory,
 )
-from matrixworld.coevolution.runs import team_phase
-from matrixworld.coevolution.runs.training import Training
+from matrixworld.coevolution.runs import run
+from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from parts import Functions, Parts
 from timing import bind, print_table
 
@@ -43,20 +43,19 @@ RESULTS = ("pursuers.npy", "evaders.npy", "payoff.npz", "log.csv")
 PARTS: dict[str, Functions] = {
     "rollouts": [(_core, "rollout")],
     "seeds and matches": [
-        (team_phase, "training_seeds"),
-        (team_phase, "keyed_generator"),
+        (run, "training_seeds"),
+        (run, "keyed_generator"),
         (Matches, "of"),
     ],
     "ask: variation": [(EvolutionStrategy, "ask"), (GeneticAlgorithm, "ask")],
     "tell: selection and update": [(EvolutionStrategy, "tell"), (GeneticAlgorithm, "tell")],
     "validation": [(Population, "__post_init__")],
-    "fitness and log": [(Training, "fitness"), (Training, "record")],
+    "fitness and log": [(TrainingMatches, "fitness"), (TrainingMatches, "record")],
     "checkpoints and disk": [
         (Race, "_save"),
         (Race, "_restore"),
         (RunDirectory, "write_config"),
-        (RunDirectory, "save_payoff"),
-        (RunDirectory, "save_summary"),
+        (RunDirectory, "save_results"),
     ],
     "payoff matrix": [(Race, "evaluate"), (Race, "summary")],
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import copy
 import importlib
 import os
@@ -17,11 +18,10 @@ import pytest
 
 import matrixworld as mw
 from command_line import matrixworld_command
-from matrixworld._util import files, reading
-from matrixworld._util.reading import DamagedFileError
-from matrixworld.coevolution.storage.genome_file import GenomeFile
-from matrixworld.coevolution.storage.run_log import RunLog
-from matrixworld.episodes import episode, replay
+from matrixworld import analysis
+from matrixworld._util import files
+from matrixworld._util.files import DamagedFileError
+from matrixworld.episodes import replay
 
 unix = pytest.mark.skipif(sys.platform == "win32", reason="needs links and permissions")
 
@@ -91,15 +91,6 @@ def test_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
     assert [item.name for item in tmp_path.iterdir()] == ["x.json"]
 
 
-def test_a_file_is_kept_under_another_name_when_it_is_replaced(tmp_path):
-    path, previous = tmp_path / "x", tmp_path / "x.previous"
-    for content in (b"first", b"second", b"third"):
-        with files.replacing(path, keep_as=previous) as file:
-            file.write(content)
-    assert path.read_bytes() == b"third"
-    assert previous.read_bytes() == b"second"
-
-
 def test_an_error_while_writing_leaves_no_file(tmp_path):
     def interrupted():
         with files.replacing(tmp_path / "x") as file:
@@ -123,8 +114,6 @@ WRITERS = {
     "save_json": lambda path: files.save_json(path, {"a": 1}),
     "Episode.save": save_episode,
     "replay.save": lambda path: replay.save(EPISODE, path.with_suffix(".png")),
-    "RunLog": lambda path: RunLog(path).append([]),
-    "GenomeFile": lambda path: GenomeFile(path).append(np.zeros((1, 3), np.float32)),
     "locked": lambda path: files.locked(path).__enter__(),
 }
 SMALL = mw.WorldConfig(rows=4, cols=4, n_pursuers=1, n_evaders=1, max_steps=2)
@@ -238,29 +227,80 @@ def test_only_temporary_files_are_removed(tmp_path):
     assert sorted(os.listdir(tmp_path)) == sorted([*kept, ".directory.tmp"])
 
 
-# Limits:
+# Files that are no files, or damaged:
 
 
-def test_what_is_written_can_be_read(tmp_path, monkeypatch):
-    """Writers refuse what readers would refuse, and leave the old file."""
-    monkeypatch.setitem(reading.LIMITS, "JSON", 2000)
-    monkeypatch.setitem(reading.LIMITS, "npz", 2000)
-    for save, small, large in [
-        (files.save_json, {"a": 1}, {"a": "x" * 2000}),
-        (files.save_arrays, {"a": [1]}, {"a": np.zeros(300)}),
-    ]:
-        save(tmp_path / "x", small)
-        before = (tmp_path / "x").read_bytes()
-        with pytest.raises(ValueError, match=r"x: expected at most 2,000 bytes \(.*\), got "):
-            save(tmp_path / "x", large)
-        assert (tmp_path / "x").read_bytes() == before
+def pickled(path):
+    np.savez(path.with_suffix(".npz"), capture_rates=np.array([{}], dtype=object))
+    path.with_suffix(".npz").replace(path)
 
 
-def test_large_episodes_are_not_compressed(tmp_path, monkeypatch):
-    monkeypatch.setattr(episode, "UNPACKED", 100)
-    monkeypatch.setattr(reading, "UNPACKED", 100)
-    EPISODE.save(tmp_path / "x")
-    assert np.array_equal(mw.Episode.load(tmp_path / "x").positions, EPISODE.positions)
+BAD = {
+    "directory": Path.mkdir,
+    "FIFO": os.mkfifo if sys.platform != "win32" else Path.mkdir,
+    "device": lambda path: path.symlink_to("/dev/zero"),
+    "empty": Path.touch,
+    "text": lambda path: path.write_bytes(b"\xff\xfe\x00{"),
+    "nested": lambda path: path.write_bytes(b'{"a": ' + b"[" * 100_000 + b"]" * 100_000 + b"}"),
+    "zip": lambda path: path.write_bytes(b"PK\x05\x06" + bytes(18)),
+    "pickled": pickled,
+}
+READERS = {
+    "read_map": ("x.map", mw.read_map),
+    "read_json": ("x.json", files.read_json),
+    "read_payoffs of csv": ("x.csv", analysis.read_payoffs),
+    "read_payoffs of npz": ("x.npz", analysis.read_payoffs),
+    "Episode.load": ("x.npz", mw.Episode.load),
+}
+
+
+@unix
+@pytest.mark.parametrize("bad", BAD)
+@pytest.mark.parametrize("reader", READERS)
+def test_a_file_that_cannot_be_read_is_refused_by_its_name_in_one_line(tmp_path, reader, bad):
+    name, read = READERS[reader]
+    BAD[bad](tmp_path / name)
+    with pytest.raises(ValueError, match=f"{name}: ") as refused:
+        read(tmp_path / name)
+    assert len(str(refused.value).splitlines()) == 1
+
+
+@pytest.mark.parametrize("seed", range(100))
+def test_altered_archives_are_refused_or_read(tmp_path, seed):
+    """Random bytes, also in headers and in the directory of the archive."""
+    path, rng = tmp_path / "x.npz", np.random.default_rng(seed)
+    np.savez(path, payoff=np.zeros((3, 3)))
+    content = bytearray(path.read_bytes())
+    for place in rng.integers(len(content), size=rng.integers(1, 4)):
+        content[place] = rng.integers(256)
+    path.write_bytes(bytes(content))
+    with contextlib.suppress(DamagedFileError):
+        files.read_npz(path)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda entries: entries.pop("positions"),
+        lambda entries: entries.update(config=np.array("[" * 100_000)),
+        lambda entries: entries.update(config=np.array("[]")),
+        lambda entries: entries.update(n_pursuers=np.array(np.inf)),
+        lambda entries: entries.update(n_pursuers=np.array([1, 2])),
+        lambda entries: entries.update(positions=entries["positions"] + 100),
+        lambda entries: entries.update(last_positions=entries["last_positions"] - 100),
+        lambda entries: entries.update(map=np.zeros((0, 0), bool)),
+        lambda entries: entries.update(format=np.array("x" * 10**6)),
+    ],
+)
+def test_episodes_that_cannot_be_are_refused(change, tmp_path):
+    EPISODE.save(tmp_path / "x.npz")
+    entries = files.read_npz(tmp_path / "x.npz")
+    change(entries)
+    np.savez(tmp_path / "x.npz", **entries)
+    with pytest.raises(DamagedFileError, match=r"x\.npz: "):
+        mw.Episode.load(tmp_path / "x.npz")
+    said = matrixworld_command("replay", tmp_path / "x.npz", code=1).stderr
+    assert "x.npz: " in said.splitlines()[-1]
 
 
 # Exceptions:

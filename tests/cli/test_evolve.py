@@ -400,9 +400,9 @@ def test_a_real_ctrl_c(tmp_path):
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     run = Path("out") / PLACES[0]
-    log = run / "log.csv"
+    stage = run / "stage-0001.npz"
     deadline = time.monotonic() + 30
-    while not log.exists() and time.monotonic() < deadline:
+    while not stage.exists() and time.monotonic() < deadline:
         time.sleep(0.05)
     os.kill(process.pid, signal.SIGINT)
     _, errors = process.communicate(timeout=30)

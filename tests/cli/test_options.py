@@ -135,7 +135,7 @@ def test_an_existing_output_is_replaced_with_force_only(run, command, output):
 
     matrixworld_command(*command, "--force")
     assert file.read_bytes() != b"precious"
-    for kept in ("config.json", "pursuers.npy", "payoff.npz", "summary.json", "checkpoint.npz"):
+    for kept in ("config.json", "pursuers.npy", "payoff.npz", "summary.json", "stage-0001.npz"):
         assert (run / kept).read_bytes() == before[run / kept]
 
 

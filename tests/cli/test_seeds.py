@@ -155,7 +155,7 @@ LONGER = {**ONE, "generations": 20, "pursuer_epochs": 40, "evader_epochs": 40}
 @posix
 def test_ctrl_c_in_a_terminal_says_how_to_continue_and_leaves_no_process():
     process = process_of("out", "--seeds", "0-2", "--schedule", MAIN_JOB[0], *words(LONGER))
-    wait_for(lambda: len(list(Path("out").glob("*/*/log.csv"))) >= 1)
+    wait_for(lambda: len(list(Path("out").glob("*/*/stage-0001.npz"))) >= 1)
     os.killpg(process.pid, signal.SIGINT)  # a terminal sends it to all processes
     _, errors = process.communicate(timeout=60)
     assert process.returncode == 130
@@ -172,7 +172,7 @@ def test_killed_at_some_moments_and_resumed_ends_the_same(monkeypatch):
     monkeypatch.setattr(seed_report, "report_seeds", lambda *args, **options: None)
     moments = [
         lambda: Path("out/job.json").exists(),
-        lambda: len(list(Path("out").glob("*/*/log.csv"))) >= 1,
+        lambda: len(list(Path("out").glob("*/*/stage-0001.npz"))) >= 1,
         lambda: len(list(Path("out").glob("*/*/summary.json"))) >= 1,
     ]
     shorter = {**LONGER, "generations": 4}

@@ -72,7 +72,7 @@ def in_background(play: Callable[[], Any]) -> Future[Any]:
 
 def have_begun(directory: Path, count: int) -> Callable[[], bool]:
     """Whether so many races have begun to learn."""
-    return lambda: len(list(directory.glob("*/log.csv"))) >= count
+    return lambda: len(list(directory.glob("*/stage-0001.npz"))) >= count
 
 
 def test_races_equal_those_of_one_process(dask: DaskCluster, tmp_path: Path) -> None:

@@ -120,7 +120,7 @@ def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path)
         env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
     )
     try:
-        wait_until(lambda: len(list(out.glob("*/*/log.csv"))) >= 1, "a race")
+        wait_until(lambda: len(list(out.glob("*/*/stage-0001.npz"))) >= 1, "a race")
         os.killpg(process.pid, signal.SIGINT)  # as a terminal does it: to all processes
         _, told = process.communicate(timeout=60)
         wait_until(lambda: not group_lives(process.pid), "end of all processes")

@@ -13,8 +13,7 @@ from matrixworld import coevolution
 from matrixworld.coevolution import NoEffectError
 from matrixworld.coevolution.fitness import collisions, feasible_first
 from matrixworld.coevolution.learners.actor_critic import ActorCritic, Hyperparameters, orthogonal
-from matrixworld.coevolution.runs.experience import experience
-from matrixworld.coevolution.runs.training import Training
+from matrixworld.coevolution.runs.training_matches import TrainingMatches, experience
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.world.policy import Population
 from tiny_race import tiny_single
@@ -48,11 +47,11 @@ def test_a_limit_decides_the_fitness_of_a_run() -> None:
         [settings.network.initial(np.random.default_rng(k), head=2.0) for k in range(8)]
     )
     seeds = np.zeros((8, 1), np.uint64)
-    plain = Training(settings, mw.rollout, 1)
+    plain = TrainingMatches(settings, mw.rollout, 1)
     scores = plain.play_candidates("pursuer", genomes, "random", np.zeros(1, int), seeds)
     rates = collisions(scores, "pursuer")
     limit = float(np.sort(rates)[3:5].mean())
-    limited = Training(replace(settings, cost_limit=limit), mw.rollout, 1)
+    limited = TrainingMatches(replace(settings, cost_limit=limit), mw.rollout, 1)
     found = limited.fitness(scores, "pursuer", lambda values: values[:, None])
     expected = plain.fitness(scores, "pursuer", lambda values: values[:, None])
     within = rates <= limit

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from matrixworld._util.reading import DamagedFileError
+from matrixworld._util.files import DamagedFileError
 from matrixworld.coevolution import start
 from matrixworld.explorer import explore
 from tiny_race import tiny_race
@@ -59,7 +59,7 @@ def test_an_unfinished_run_leaves_no_page(tmp_path: Path) -> None:
 
 def test_a_damaged_run_leaves_no_page(run: Path, tmp_path: Path) -> None:
     shutil.copytree(run, tmp_path / "copy", ignore=shutil.ignore_patterns("explorer.html"))
-    genomes = tmp_path / "copy" / "pursuers.npy"
+    genomes = tmp_path / "copy" / "stage-0001.npz"
     genomes.write_bytes(genomes.read_bytes()[:-80])
     with pytest.raises(DamagedFileError):
         explore(tmp_path / "copy")

@@ -24,7 +24,7 @@ import pytest
 import matrixworld as mw
 from made_up_episode import made_up_episode
 from matrixworld import analysis, classroom, cluster, coevolution, explorer, plots, toys, tutorial
-from matrixworld.coevolution import Candidates, learners, opponents, resume, runs, start
+from matrixworld.coevolution import Candidates, learners, opponents, resume, start
 from matrixworld.episodes import replay
 from tiny_race import TINY, results, tiny_race, tiny_single
 
@@ -44,8 +44,6 @@ NOT_COPIED = {
     "LocalExecutor": "it holds processes",
     "ProgressBar": "it holds a terminal",
     "ProgressBars": "it holds a terminal",
-    "RunLog": "only the run that holds the lock of the directory writes it",
-    "TeamPhase": "it exists while a run learns, and calls the run",
     "VariantModule": "a module",
 }
 """Public classes without a copy, each with the reason."""
@@ -268,7 +266,6 @@ def _of_runs(directory: Path) -> Iterator[Any]:
         yield run
         yield from (run.run(), run)
     yield from (run.training, run.matchmaking)
-    yield runs.Matchup(0, np.arange(2), np.ones((3, 2), np.uint64))
     saved = coevolution.open_run(directory / "race")
     yield saved
     yield saved.policy("pursuer", -1, seed=0)
@@ -377,7 +374,7 @@ def test_rows_of_copied_candidates_are_views_of_their_array() -> None:
     np.testing.assert_array_equal(copies[1].genome, copies.genomes[1])
 
 
-def test_a_copied_run_continues_from_the_last_checkpoint(tmp_path: Path) -> None:
+def test_a_copied_run_continues_from_the_last_stage(tmp_path: Path) -> None:
     straight = start(tiny_race(), tmp_path / "straight", threads=1)
     straight.run()
     pickled(start(tiny_race(), tmp_path / "copied", threads=1)).run()

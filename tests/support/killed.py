@@ -19,7 +19,6 @@ from unittest import mock
 
 from matrixworld import coevolution
 from matrixworld._util import files
-from matrixworld.coevolution.storage import appended_file
 from matrixworld.play.rollout import rollout
 from tiny_race import tiny_race, tiny_single
 
@@ -119,21 +118,21 @@ class HalfWritten:
 
 @contextmanager
 def watched(events: Events) -> Iterator[None]:
-    """Make every operation of this process on files of runs an event."""
-    plain = os.replace, os.fsync, os.truncate
-    os.replace, os.fsync, os.truncate = map(events.before, plain)  # type: ignore[assignment]
-    files.open = appended_file.open = events.open  # type: ignore[attr-defined]
+    """Make every operation of this process on files of runs an event, but for removals."""
+    plain = os.replace, os.fsync
+    os.replace, os.fsync = map(events.before, plain)  # type: ignore[assignment]
+    files.open = events.open  # type: ignore[attr-defined]
     try:
         yield
     finally:
-        os.replace, os.fsync, os.truncate = plain
-        del files.open, appended_file.open  # type: ignore[attr-defined]
+        os.replace, os.fsync = plain
+        del files.open  # type: ignore[attr-defined]
 
 
 def run_until_killed(kind: str, directory: Path, at: int) -> None:
     """As `start_or_resume`, but killed at an event; exit code 0 if there are fewer events."""
     events = Events(at, lambda: os.kill(os.getpid(), signal.SIGKILL))
-    with watched(events):
+    with watched(events), mock.patch.object(os, "unlink", events.before(os.unlink)):
         start_or_resume(kind, directory, play=events.before(rollout))
 
 

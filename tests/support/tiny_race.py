@@ -36,8 +36,8 @@ RESULTS = (
     "log.csv",
     "payoff.npz",
     "summary.json",
-    "checkpoint.npz",
 )
+STAGES = ("stage-*.npz", "checkpoint-*.npz")
 
 
 def tiny_race(**changes: Any) -> RaceSettings:
@@ -56,6 +56,7 @@ def results(directory: Path) -> dict[str, bytes]:
     """Return all files that must be equal for a resumed run and for one that was never stopped."""
     # A team that a script plays has no genomes.
     found = [name for name in RESULTS if (directory / name).exists() or name not in GENOMES]
+    found += [path.name for pattern in STAGES for path in directory.glob(pattern)]
     return {name: (directory / name).read_bytes() for name in found}
 
 

@@ -4,7 +4,7 @@
 a crash the directory holds the old file or the new one, never a part of one. `save_arrays` and
 `save_json` add a SHA-256 of the content and of the owner's name, so that loading refuses a file
 that is cut or altered, that belongs to another run, or that has another file's name. Nothing is
-pickled. Limits of what is read are in `matrixworld._util.reading`.
+pickled or unpickled.
 """
 
 from __future__ import annotations
@@ -14,25 +14,16 @@ import io
 import json
 import os
 import secrets
-import stat
 import sys
+import zipfile
+import zlib
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
-from numpy.typing import ArrayLike
-
-from matrixworld._util.reading import (
-    LIMITS,
-    Arrays,
-    DamagedFileError,
-    kind_of_file,
-    parse_npz,
-    read_content,
-    read_json,
-)
+from numpy.typing import ArrayLike, NDArray
 
 # Both locks fail at once, instead of waiting, if another process holds them.
 if sys.platform == "win32":
@@ -46,6 +37,8 @@ else:
     def _lock(handle: int) -> None:
         fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
+
+Arrays = dict[str, NDArray[Any]]
 
 CHECKSUM = "sha256"
 """Key of the checksum in a JSON object."""
@@ -63,95 +56,174 @@ NO_LINK = getattr(os, "O_NOFOLLOW", 0)
 """Flag to open a file, but not through a symbolic link, where the system has it."""
 PERMISSIONS = 0o777
 """Bits of a file's mode that are its permissions."""
+LONGEST = 1000
+"""Most characters of a message: it may quote what a file holds."""
+
+UNREADABLE = (
+    AttributeError,  # another format of NumPy, up to Python 3.10
+    EOFError,
+    KeyError,
+    MemoryError,  # a header that claims more numbers than the file holds
+    NotImplementedError,  # another version of the zip format
+    OSError,
+    OverflowError,
+    RecursionError,
+    RuntimeError,  # an altered flag of the zip archive
+    TypeError,  # another format of NumPy, from Python 3.11 on
+    ValueError,
+    zipfile.BadZipFile,
+    zlib.error,
+)
+"""What zipfile and NumPy raise while they read a damaged npz file."""
+
+
+class DamagedFileError(ValueError):
+    """A file is cut, altered or not of the expected form.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    problem : str
+        What is wrong with it.
+    """
+
+    def __init__(self, path: Path, problem: str) -> None:
+        # All arguments, so that the error can be pickled: it may come from another process.
+        super().__init__(path, problem)
+        self.path = path
+
+    def __str__(self) -> str:
+        path, problem = self.args
+        return f"{path}: {one_line(problem)}"
 
 
 class LockedError(RuntimeError):
     """Another process holds the lock of a directory."""
 
 
+def one_line(text: object) -> str:
+    """Return text that a file may have supplied as one line of printable characters."""
+    line = "".join(c if c.isprintable() else "?" for c in " ".join(str(text).split()))
+    return line if len(line) <= LONGEST else f"{line[:LONGEST]} ..."
+
+
+# Reading:
+
+
+def read_content(path: Path) -> bytes:
+    """Return the content of a file; DamagedFileError for a directory, FIFO or device."""
+    if path.exists() and not path.is_file():
+        raise DamagedFileError(path, f"expected a regular file, got {_kind_of(path)}")
+    return path.read_bytes()
+
+
+def read_text(path: Path, kind: str, *, encoding: str, errors: str = "strict") -> str:
+    """Return the content of a file; DamagedFileError, which names its kind, if it is no text."""
+    try:
+        return read_content(path).decode(encoding, errors)
+    except UnicodeDecodeError as error:
+        raise DamagedFileError(path, f"expected a {kind} file of text, got: {error}") from error
+
+
+def read_json(path: Path) -> dict[str, Any]:
+    """Return the object in a JSON file; DamagedFileError if there is none."""
+    return parse_json(path, read_content(path))
+
+
+def parse_json(path: Path, text: str | bytes) -> dict[str, Any]:
+    """Return the object in a JSON text that the file `path` holds, as `read_json`."""
+    try:
+        values = json.loads(text)
+    except (RecursionError, ValueError) as error:
+        raise DamagedFileError(path, f"cut or altered, expected JSON ({error})") from error
+    if not isinstance(values, dict):
+        problem = f"altered, expected a JSON object, got a {type(values).__name__}"
+        raise DamagedFileError(path, problem)
+    return values
+
+
+def read_npz(path: Path) -> Arrays:
+    """Return the arrays of an npz file, with a checksum or without; DamagedFileError if damaged."""
+    return _parse_npz(path, read_content(path))
+
+
+def _parse_npz(path: Path, content: bytes) -> Arrays:
+    # From memory: the file may be replaced while it is read.
+    try:
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            return {
+                name.removesuffix(".npy"): np.lib.format.read_array(archive.open(name))
+                for name in archive.namelist()
+            }
+    except UNREADABLE as error:
+        problem = f"cut, altered or not an npz file ({error})"
+        raise DamagedFileError(path, problem) from error
+
+
 # Writing:
 
 
-def check_replaceable(path: Path) -> os.stat_result | None:
-    """Return the status of a regular file, None if there is no file of that name.
+def check_replaceable(path: Path) -> None:
+    """Raise FileExistsError if there is something of this name that is not a regular file.
 
-    Raises
-    ------
-    FileExistsError
-        If the name is that of a directory, symbolic link, FIFO or device. None of them is replaced
-        or written to: in a directory by others a link may point to any file of the user.
+    A directory, symbolic link, FIFO or device is neither replaced nor written to: in a directory by
+    others a link may point to any file of the user.
     """
-    try:
-        status = path.lstat()
-    except FileNotFoundError:
-        return None
-    found = kind_of_file(status.st_mode)
-    if found:
-        raise FileExistsError(f"{path}: expected a file, got {found}")
-    return status
+    if path.is_symlink() or (path.exists() and not path.is_file()):
+        raise FileExistsError(f"{path}: expected a file, got {_kind_of(path)}")
+
+
+def _kind_of(path: Path) -> str:
+    kinds = {
+        "a symbolic link": path.is_symlink(),
+        "a directory": path.is_dir(),
+        "a FIFO": path.is_fifo(),
+        "a socket": path.is_socket(),
+    }
+    return next((kind for kind, found in kinds.items() if found), "a device")
 
 
 @contextmanager
-def naming(path: Path, temporary: Path | None = None) -> Iterator[None]:
-    """Add the file's name to system errors that lack it, such as that of a full disk.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-    temporary : Path, optional
-        Another name of it, which tells the user nothing.
-    """
-    try:
-        yield
-    except OSError as error:
-        # An error without a number has a message of the package, which names the file.
-        if error.errno is not None and error.filename in (None, str(temporary or path)):
-            error.filename, error.filename2 = str(path), None
-        raise
-
-
-@contextmanager
-def replacing(path: str | os.PathLike[str], *, keep_as: Path | None = None) -> Iterator[BinaryIO]:
+def replacing(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
     """Yield a file to write to, which takes its name when it is complete and on the disk.
 
-    Parameters
-    ----------
-    path : path-like
-        Name of the file; an older file of that name is replaced in one step. The new file has its
-        permissions.
-    keep_as : Path, optional
-        New name of the older file. By default it is lost.
-
-    Raises
-    ------
-    FileExistsError
-        If the name is that of a directory, symbolic link, FIFO or device.
+    An older file of that name is replaced in one step; the new file has its permissions.
+    FileExistsError as `check_replaceable`.
     """
     target = Path(path)
-    older = check_replaceable(target)
+    check_replaceable(target)
     # In the same directory, because a rename is atomic within one file system only. The name is
     # random, so that writers do not share it, and nobody can put a link there before.
     temporary = target.with_name(f".{secrets.token_hex(8)}{TEMPORARY}")
-    with naming(target, temporary):
+    with _named(target, temporary):
         # x: a file that must not exist, not even as a link. Its mode is 0o666 without the umask.
         made = open(temporary, "xb")  # noqa: SIM115, closed below, but not removed if it exists
         try:
             with made as file:
-                if older is not None:
-                    os.chmod(temporary, older.st_mode & PERMISSIONS)
+                if target.exists():
+                    os.chmod(temporary, target.stat().st_mode & PERMISSIONS)
                 yield file
                 # The content must be on the disk before the name is: a rename may survive a power
                 # cut that the content does not.
                 file.flush()
                 os.fsync(file.fileno())
-            # After a crash between these two renames there is no `target`, but there is `keep_as`.
-            if keep_as is not None and target.exists():
-                os.replace(target, keep_as)
             os.replace(temporary, target)
         finally:
             temporary.unlink(missing_ok=True)
         _sync_directory(target.parent)
+
+
+@contextmanager
+def _named(path: Path, temporary: Path) -> Iterator[None]:
+    """Add the file's name to system errors that lack it, such as that of a full disk."""
+    try:
+        yield
+    except OSError as error:
+        # An error without a number has a message of the package, which names the file.
+        if error.errno is not None and error.filename in (None, str(temporary)):
+            error.filename, error.filename2 = str(path), None
+        raise
 
 
 def _sync_directory(path: Path) -> None:
@@ -174,35 +246,18 @@ def remove_temporary_files(path: Path) -> None:
     """Remove the incomplete files that killed writers left in a directory."""
     for left in path.iterdir():
         # A directory of such a name is not from this package.
-        if is_temporary(left.name) and not stat.S_ISDIR(left.lstat().st_mode):
+        if is_temporary(left.name) and (left.is_symlink() or not left.is_dir()):
             left.unlink(missing_ok=True)
 
 
-# Arrays:
+# Arrays with a checksum:
 
 
-def save_arrays(
-    path: Path, arrays: Mapping[str, ArrayLike], *, owner: str = "", keep_as: Path | None = None
-) -> None:
+def save_arrays(path: Path, arrays: Mapping[str, ArrayLike], *, owner: str = "") -> None:
     """Write named arrays as an .npz file that carries its checksum.
 
-    Parameters
-    ----------
-    path : Path
-        The file.
-    arrays : mapping of str to array_like
-        Arrays of numbers or text, by name.
-    owner : str, optional
-        Name of the owner, such as a run. Loading requires the same.
-    keep_as : Path, optional
-        As in `replacing`.
-
-    Raises
-    ------
-    TypeError
-        If an array holds objects, which would be pickled.
-    ValueError
-        If the file would be larger than what is read.
+    Loading requires the same owner, such as a run. TypeError if an array holds objects, which would
+    be pickled.
     """
     plain: dict[str, Any] = {name: np.asarray(array) for name, array in arrays.items()}
     for name, array in plain.items():
@@ -210,33 +265,20 @@ def save_arrays(
             raise TypeError(f"{name}: expected numbers or text, got dtype {array.dtype}")
     buffer = io.BytesIO()
     np.savez(buffer, **plain)
-    _check_size(path, "npz", buffer.tell())
-    with replacing(path, keep_as=keep_as) as file:
+    with replacing(path) as file:
         file.write(_sealed(buffer.getvalue(), owner))
 
 
 def load_arrays(path: Path, *, owner: str = "") -> Arrays:
-    """Return the arrays that `save_arrays` wrote for the same owner.
-
-    Raises
-    ------
-    DamagedFileError
-        If the file is cut, altered or of another owner.
-    """
-    content = read_content(path, "npz")
+    """Return the arrays that `save_arrays` wrote for the same owner, or raise DamagedFileError."""
+    content = read_content(path)
     # Checked before NumPy parses anything: an altered byte may still be a readable array.
     body, seal = content[:-SEAL_LENGTH], content[-SEAL_LENGTH:]
     if not seal.startswith(SEAL):
         raise DamagedFileError(path, "cut or altered, its checksum is missing")
     if seal != _seal(body, owner):
         raise DamagedFileError(path, NO_MATCH)
-    return parse_npz(path, content)
-
-
-def _check_size(path: Path, kind: str, size: int) -> None:
-    """Raise ValueError if a file to write would be larger than what is read."""
-    if size > LIMITS[kind]:
-        raise ValueError(f"{path}: expected at most {LIMITS[kind]:,} bytes ({kind}), got {size:,}")
+    return _parse_npz(path, content)
 
 
 def _sealed(archive: bytes, owner: str) -> bytes:
@@ -251,27 +293,19 @@ def _seal(body: bytes, owner: str) -> bytes:
     return SEAL + digest.hexdigest().encode()
 
 
-# JSON:
+# JSON with a checksum:
 
 
 def save_json(path: Path, values: Mapping[str, Any], *, owner: str = "") -> None:
     """Write a JSON object that carries its checksum; `owner` is as in `save_arrays`."""
     # NaN is not JSON: other programs could not read the file.
     text = json.dumps({**values, CHECKSUM: json_digest(values, owner)}, indent=2, allow_nan=False)
-    content = text.encode() + b"\n"
-    _check_size(path, "JSON", len(content))
     with replacing(path) as file:
-        file.write(content)
+        file.write(text.encode() + b"\n")
 
 
 def load_json(path: Path, *, owner: str = "") -> dict[str, Any]:
-    """Return the object that `save_json` wrote for the same owner.
-
-    Raises
-    ------
-    DamagedFileError
-        If the file is cut, altered or of another owner.
-    """
+    """Return the object that `save_json` wrote for the same owner, or raise DamagedFileError."""
     values = read_json(path)
     if values.pop(CHECKSUM, None) != json_digest(values, owner):
         raise DamagedFileError(path, NO_MATCH)
@@ -290,15 +324,8 @@ def json_digest(values: Mapping[str, Any], owner: str = "") -> str:
 
 @contextmanager
 def locked(path: Path) -> Iterator[None]:
-    """Hold the lock file `path` inside the with block.
+    """Hold the lock file `path` inside the with block; LockedError if another process holds it.
 
-    Raises
-    ------
-    LockedError
-        If another process holds it.
-
-    Notes
-    -----
     The system releases the lock when the process ends, even if it is killed.
     """
     check_replaceable(path)

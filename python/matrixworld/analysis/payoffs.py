@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import check_integer
-from matrixworld._util.reading import DamagedFileError, read_npz, read_text
+from matrixworld._util.files import DamagedFileError, read_npz, read_text
 from matrixworld._util.short_repr import short_repr
 
 Rates = NDArray[np.float64]
@@ -352,10 +352,9 @@ def read_payoffs(
     Raises
     ------
     ValueError
-        If a shape or suffix is another one, a file is damaged or beyond the limits in
-        `matrixworld._util.reading` (both as DamagedFileError), rates are outside [0, 1], or
-        `episodes` is below 1 or not the number of episodes that the source holds. The message
-        names the file, and the line of a CSV file.
+        If a shape or suffix is another one, a file is damaged (DamagedFileError), rates are outside
+        [0, 1], or `episodes` is below 1 or not the number of episodes that the source holds. The
+        message names the file, and the line of a CSV file.
     TypeError
         If an array does not hold numbers, or `episodes` is not an integer.
     FileNotFoundError

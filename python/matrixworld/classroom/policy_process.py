@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import matrixworld
-from matrixworld._util.reading import one_line
+from matrixworld._util.files import one_line
 from matrixworld.classroom.policy_server import (
     ACTIONS,
     CODE,

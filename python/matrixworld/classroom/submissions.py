@@ -19,8 +19,7 @@ from typing import Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from matrixworld._util.checks import check_choice
-from matrixworld._util.files import save_arrays
-from matrixworld._util.reading import DamagedFileError, one_line
+from matrixworld._util.files import DamagedFileError, one_line, save_arrays
 from matrixworld.classroom.untrusted import Form, kind_of_file, read_arrays, read_content
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.play import NetworkPolicy

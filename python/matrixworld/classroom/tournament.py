@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_integer, check_threads
-from matrixworld._util.reading import DamagedFileError
+from matrixworld._util.files import DamagedFileError
 from matrixworld.classroom.match import MatchPool, Played
 from matrixworld.classroom.policy_process import RefusedError
 from matrixworld.classroom.policy_server import FUNCTIONS

@@ -19,7 +19,7 @@ from typing import IO, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.reading import DamagedFileError
+from matrixworld._util.files import DamagedFileError
 
 MOST_BYTES = {"genome": 8 * 2**20, "program": 2**18}
 """Most bytes of a file: a default genome has 48 kB, one with the published layers 1 MB."""

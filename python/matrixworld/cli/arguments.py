@@ -10,13 +10,12 @@ from pathlib import Path, PurePath
 
 import click
 
-from matrixworld._util.files import LockedError
+from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld._util.memory import OutOfMemoryError
-from matrixworld._util.reading import DamagedFileError
 from matrixworld.cli.console import command
 from matrixworld.coevolution.many.job import JOB
 from matrixworld.coevolution.opponents.registry import ALTERNATING, HALL_OF_FAME, SCHEDULES
-from matrixworld.coevolution.storage.run_files import OtherVersionError
+from matrixworld.coevolution.storage.run_directory import OtherVersionError
 from matrixworld.coevolution.storage.saved_run import run_directories
 from matrixworld.version import MissingExtraError
 from matrixworld.world.policy import SCRIPTS

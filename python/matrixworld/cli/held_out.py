@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from matrixworld._util.files import json_digest, load_json, save_json
-from matrixworld._util.reading import DamagedFileError
+from matrixworld._util.files import DamagedFileError, json_digest, load_json, save_json
 from matrixworld.cli.console import part_of_job, progress
 from matrixworld.cli.jobs import Result
 from matrixworld.coevolution import open_run, score

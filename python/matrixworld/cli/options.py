@@ -121,11 +121,11 @@ def refuse_existing(*files: Path | None, force: bool) -> None:
                 f"{file}: expected a directory that exists, got {str(file.parent)!r}"
             )
         try:
-            existing = check_replaceable(file)
+            check_replaceable(file)
         except FileExistsError as error:
             # Even with --force: a directory may hold a run, and a link may point to any file.
             raise click.UsageError(str(error)) from error
-        if existing and not force:
+        if file.exists() and not force:
             raise click.UsageError(f"{file}: exists; give --force to replace it")
 
 

@@ -11,7 +11,7 @@ from typing import Any, cast
 import click
 import numpy as np
 
-from matrixworld._util.reading import DamagedFileError
+from matrixworld._util.files import DamagedFileError
 from matrixworld.analysis import Judgement, Payoffs, judge, read_payoffs
 from matrixworld.cli.arguments import all_of, find_runs
 from matrixworld.cli.jobs import Result

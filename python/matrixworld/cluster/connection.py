@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from matrixworld._util.checks import usable_cores
-from matrixworld._util.reading import DamagedFileError, read_json
+from matrixworld._util.files import DamagedFileError, read_json
 from matrixworld.cluster.executor import ClusterExecutor
 from matrixworld.cluster.probe import posted
 from matrixworld.version import install_hint

@@ -38,8 +38,7 @@ package imports only from those below it in the table.
 
 from __future__ import annotations
 
-from matrixworld._util.files import LockedError
-from matrixworld._util.reading import DamagedFileError
+from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.conformance import check_learner, check_sampler
 from matrixworld.coevolution.evaluation.baselines import scores_in_race
@@ -107,8 +106,7 @@ from matrixworld.coevolution.settings.effects import NoEffectError
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSettings
 from matrixworld.coevolution.settings.training import TrainingSettings
-from matrixworld.coevolution.storage.run_directory import RunDirectory
-from matrixworld.coevolution.storage.run_files import OtherVersionError
+from matrixworld.coevolution.storage.run_directory import OtherVersionError, RunDirectory
 from matrixworld.coevolution.storage.saved_run import (
     SavedRun,
     last_generation,

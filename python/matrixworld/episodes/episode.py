@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_instance, check_integer, shown
-from matrixworld._util.files import replacing
-from matrixworld._util.reading import UNPACKED, DamagedFileError, parse_json, read_npz
+from matrixworld._util.files import DamagedFileError, parse_json, read_npz, replacing
 from matrixworld.episodes.render import MARK_STEPS, Scene
 from matrixworld.world.conflicts import (
     COLLISION_KINDS,
@@ -222,11 +221,8 @@ class Episode:
         The file appears complete or not at all, and replaces an older one of this name.
         """
         arrays = {name: getattr(self, name) for name in self._names()}
-        # Readers refuse what expands to more: it may be meant to fill the memory.
-        small = sum(array.nbytes for array in arrays.values()) < UNPACKED // 2
-        write = np.savez_compressed if small else np.savez
         with replacing(path) as file:
-            write(
+            np.savez_compressed(
                 file,
                 format=np.array(FORMAT),
                 n_pursuers=np.array(self.n_pursuers),

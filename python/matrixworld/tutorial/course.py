@@ -16,8 +16,7 @@ from textwrap import fill
 from typing import Any, TypeVar
 
 from matrixworld._util.checks import check_instance, shown
-from matrixworld._util.files import load_arrays
-from matrixworld._util.reading import Arrays
+from matrixworld._util.files import Arrays, load_arrays
 from matrixworld.tutorial.checks import Check
 
 if sys.version_info >= (3, 11):

@@ -10,7 +10,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.reading import read_text
+from matrixworld._util.files import read_text
 
 MapLike: TypeAlias = "NDArray[np.bool_] | Sequence[str] | str | PathLike[str]"
 """An obstacle map in any form that `read_map` takes."""

@@ -263,6 +263,6 @@ def test_the_command_refuses(race, options, code, message):
 def test_a_damaged_run_is_refused(race, tmp_path):
     assert "holds a run" in matrixworld_command("score", tmp_path, code=2).stderr
     coevolution.start(tiny_race(), tmp_path / "run")
-    genomes = tmp_path / "run" / "pursuers.npy"
+    genomes = tmp_path / "run" / "stage-0000.npz"
     genomes.write_bytes(genomes.read_bytes()[:-100])
-    assert "pursuers.npy: cut" in matrixworld_command("score", tmp_path / "run", code=1).stderr
+    assert "stage-0000.npz: cut" in matrixworld_command("score", tmp_path / "run", code=1).stderr

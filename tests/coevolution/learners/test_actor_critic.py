@@ -17,7 +17,7 @@ from matrixworld.coevolution.learners.actor_critic import (
 from matrixworld.coevolution.learners.advantages import advantages
 from matrixworld.coevolution.learners.experience import Experience
 from matrixworld.coevolution.learners.perceptron import orthogonal
-from matrixworld.coevolution.runs.experience import experience
+from matrixworld.coevolution.runs.training_matches import experience
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig

@@ -15,7 +15,7 @@ from matrixworld.coevolution.learners.masked_network import (
     mask_weights,
     masked_network,
 )
-from matrixworld.coevolution.runs.experience import experience
+from matrixworld.coevolution.runs.training_matches import experience
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network, Population

@@ -40,7 +40,7 @@ def test_each_response_is_the_one_of_its_run_alone(job: Path, tmp_path: Path) ->
         alone = best_response(run, "evader", BUDGET, tmp_path / name, threads=1, **CHOSEN)
         assert found[name].gain == alone.gain
         here, there = results(tmp_path / "many" / name), results(tmp_path / name)
-        # The configurations differ in the name of the opponents, checkpoints in their run.
+        # The configurations differ in the name of the opponents, and checksums with them.
         for file in ("pursuers.npy", "evaders.npy"):
             assert here[file] == there[file]
         assert np.array_equal(found[name].after, alone.after)

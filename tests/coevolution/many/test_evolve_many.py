@@ -256,8 +256,7 @@ def test_damaged_and_foreign_runs_are_named_and_the_others_finish(straight, tmp_
     save_job(tmp_path, job)
     cut, foreign, altered, *others = job.runs
     start(job.runs[cut], tmp_path / cut)
-    for name in ("checkpoint", "archive"):
-        (tmp_path / cut / f"{name}.npz").write_bytes(b"PK")
+    (tmp_path / cut / "stage-0000.npz").write_bytes(b"PK")
     finish(tiny_race(seed=77), tmp_path / foreign)
     finish(job.runs[altered], tmp_path / altered)
     (tmp_path / altered / "payoff.npz").write_bytes(b"PK")

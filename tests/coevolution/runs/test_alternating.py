@@ -151,7 +151,7 @@ def test_interrupted_race_ends_as_if_never_stopped(straight, tmp_path, call):
     race = Race(tiny_race(), tmp_path / "run", threads=1, play=StopAt(call))
     with pytest.raises(KeyboardInterrupt):
         race.run()
-    resumed = Race.resume(tmp_path / "run", threads=1)
+    resumed = coevolution.resume(tmp_path / "run", threads=1)
     assert resumed.stage == sum(call >= end for end in (2, 5, 7, 10))
     resumed.run()
     assert results(tmp_path / "run") == results(straight.files.path)
@@ -172,7 +172,7 @@ def test_every_learner_continues_as_if_never_stopped(tmp_path, changes):
 def test_race_stopped_again_and_again(straight, tmp_path):
     Race(tiny_race(), tmp_path / "run")
     for _ in range(4):
-        race = Race.resume(tmp_path / "run", play=StopAt(3))
+        race = coevolution.resume(tmp_path / "run", play=StopAt(3))
         with pytest.raises(KeyboardInterrupt):
             race.run()
     race = coevolution.resume(tmp_path / "run")
@@ -240,16 +240,16 @@ def test_killed_race_ends_as_if_never_stopped(straight, tmp_path):
                 print(file=child.stdin, flush=True)
             assert int(child.stdout.readline()) == last
             with pytest.raises(LockedError, match="another process is running there"):
-                Race.resume(directory)
+                coevolution.resume(directory)
             child.kill()
-    Race.resume(directory).run()
+    coevolution.resume(directory).run()
     assert results(directory) == results(straight.files.path)
 
 
 def test_finished_race_is_not_changed(straight):
     before = results(straight.files.path)
     calls = StopAt(0)
-    payoff = Race.resume(straight.files.path, play=calls).run()
+    payoff = coevolution.resume(straight.files.path, play=calls).run()
     assert np.array_equal(payoff.lengths, straight.payoff().lengths)
     assert results(straight.files.path) == before
 
@@ -258,10 +258,10 @@ def test_damaged_checkpoint_costs_one_team_phase(straight, tmp_path):
     race = Race(tiny_race(), tmp_path / "run", play=StopAt(6))
     with pytest.raises(KeyboardInterrupt):
         race.run()
-    checkpoint = tmp_path / "run" / "checkpoint.npz"
+    checkpoint = tmp_path / "run" / "checkpoint-0002.npz"
     checkpoint.write_bytes(checkpoint.read_bytes()[:1000])
-    with pytest.warns(UserWarning, match=r"checkpoint\.npz: cut"):
-        resumed = Race.resume(tmp_path / "run")
+    with pytest.warns(UserWarning, match=r"checkpoint-0002\.npz: cut"):
+        resumed = coevolution.resume(tmp_path / "run")
     assert resumed.stage == 1
     resumed.run()
     assert results(tmp_path / "run") == results(straight.files.path)

@@ -12,7 +12,13 @@ import pytest
 
 from command_line import matrixworld_command
 from matrixworld.cli import exploit
-from matrixworld.coevolution import SingleSettings, SingleTeam, best_response, open_run, start
+from matrixworld.coevolution import (
+    SingleSettings,
+    best_response,
+    open_run,
+    resume,
+    start,
+)
 from matrixworld.coevolution.runs.best_response import response_settings
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import other
@@ -187,7 +193,7 @@ def test_words_for_a_gain_and_for_none(race, tmp_path):
         (
             ["--champion", "pursuer", "--output", "{race}", "--continue"],
             2,
-            "expected a single run, got 'race'",
+            "holds a race, expected a new directory",
         ),
         (
             ["--champion", "pursuer", "--output", "new", "--continue"],
@@ -203,4 +209,4 @@ def test_the_command_refuses(race, options, code, message):
 
 def test_it_is_a_run_like_any_other(race, tmp_path):
     best_response(open_run(race), "evader", 48, tmp_path / "x", eval_episodes=2)
-    assert SingleTeam.resume(tmp_path / "x").files.finished
+    assert resume(tmp_path / "x").files.finished

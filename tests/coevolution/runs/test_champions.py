@@ -9,6 +9,7 @@ import pytest
 
 from matrixworld import Matches, Population, coevolution, rollout
 from matrixworld.coevolution.fitness import fitness
+from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
@@ -128,7 +129,7 @@ def test_a_genome_is_kept_unless_it_is_worse_against_all_archived_opponents(tmp_
 
 
 def test_a_discarded_generation_leaves_the_learner_as_before(tmp_path, monkeypatch):
-    monkeypatch.setattr("matrixworld.coevolution.runs.alternating.generalizes", lambda *_: False)
+    monkeypatch.setattr(TrainingMatches, "keeps", lambda *_: False)
     for number, settings in enumerate((RUNS["retention in turns"], RUNS["both"])):
         race = coevolution.start(settings, tmp_path / str(number), threads=1)
         before = {team: race.learners[team].state() for team in coevolution.TEAMS}

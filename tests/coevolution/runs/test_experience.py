@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from matrixworld.coevolution.learners.experience import Experience
-from matrixworld.coevolution.runs.experience import experience
+from matrixworld.coevolution.runs.training_matches import experience
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.config import WorldConfig

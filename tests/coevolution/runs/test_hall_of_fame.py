@@ -112,9 +112,9 @@ def test_hall_alone_or_contemporaries_alone(tmp_path):
 def test_wrong_kind_of_run_is_refused(tmp_path):
     with pytest.raises(ValueError, match="schedule: expected one of hall-of-fame"):
         HallOfFameRace(tiny_race(), tmp_path / "run")
-    coevolution.start(hall_of_fame(), tmp_path / "run")
-    with pytest.raises(ValueError, match="expected a race run, got 'hall-of-fame'"):
-        coevolution.Race.resume(tmp_path / "run")
+    with pytest.raises(ValueError, match="schedule: expected one of specialist-specialist"):
+        coevolution.Race(hall_of_fame(), tmp_path / "run")
+    assert not (tmp_path / "run").exists()
 
 
 def test_default_budget_is_that_of_the_other_schedules(tmp_path):

@@ -9,7 +9,7 @@ from matrixworld import Matches, Population, coevolution, rollout
 from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.fitness import mean_over_opponents, shared_fitness
 from matrixworld.coevolution.opponents import SAMPLERS
-from matrixworld.coevolution.runs.team_phase import TeamPhase
+from matrixworld.coevolution.runs.run import TeamPhase
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.settings.effects import ARCHIVES, SIZED
 from tiny_race import StopAt, results, tiny_race

@@ -1,11 +1,14 @@
-"""Run directories: checkpoints, the log, locks, and files that are damaged."""
+"""Run directories: stages, checkpoints, locks, and readers beside a writer."""
 
 from __future__ import annotations
 
-import hashlib
-import os
+import itertools
+import multiprocessing
 import shutil
+import sys
+import time
 import warnings
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,11 +19,24 @@ from matrixworld.coevolution import (
     LockedError,
     OtherVersionError,
     RunDirectory,
+    open_run,
+    start,
 )
-from matrixworld.coevolution.storage.appended_file import Position
-from matrixworld.coevolution.storage.genome_file import HEAD
-from matrixworld.coevolution.storage.run_log import COLUMNS, RunLog, read_log
-from tiny_race import GENOMES
+from matrixworld.coevolution.storage.run_directory import COLUMNS
+from tiny_race import directory_in_memory, tiny_race, tiny_single
+
+SETTINGS = {
+    "race": tiny_race(),
+    "hall-of-fame": tiny_race(schedule="hall-of-fame", contemporaries=1, hall_sample=1),
+    "single": tiny_single(team="evader", learner="ga"),
+}
+
+
+@pytest.fixture
+def tmp_path():
+    """A directory for many files, which are all synced."""
+    with directory_in_memory() as directory:
+        yield directory
 
 
 def row(epoch):
@@ -34,14 +50,25 @@ def archive(generations):
     return {"pursuer": genomes, "evader": -genomes}
 
 
+def save(files_of_run, stage):
+    """Save a stage with one generation and one row of the log."""
+    rows = [row(stage - 1)] if stage else []
+    files_of_run.save(stage, archive(1 + stage), rows, {"matches": stage}, {"state": [stage]})
+
+
+def new_run(path):
+    made = RunDirectory.create(path, "race", {"seed": 1})
+    save(made, 0)
+    made.write_config()
+    return made
+
+
 @pytest.fixture
 def run(tmp_path):
-    """A directory with two checkpoints: two generations, then three, one row of the log each."""
-    made = RunDirectory.create(tmp_path / "run", "race", {"seed": 1})
-    made.save(archive(1), [], {"stage": 0})
-    made.write_config()
-    made.save(archive(2), [row(0)], {"stage": 1})
-    made.save(archive(3), [row(1)], {"stage": 2})
+    """A directory with three stages: the untrained generation and two more."""
+    made = new_run(tmp_path / "run")
+    save(made, 1)
+    save(made, 2)
     return made
 
 
@@ -70,151 +97,109 @@ def test_directory_without_a_run_is_refused(tmp_path):
 def test_other_format_is_refused(run):
     config = run.config()
     files.save_json(run.path / "config.json", {**config, "format": 99, "matrixworld": "9.1"})
-    expected = r"expected format 8, got 99 \(written by matrixworld 9.1"
+    expected = r"expected format 9, got 99 \(written by matrixworld 9.1"
     with pytest.raises(OtherVersionError, match=expected):
         RunDirectory.open(run.path).config()
 
 
-def test_checkpoint_comes_back(run):
-    saved = RunDirectory.open(run.path).restore()
-    assert int(saved.state["stage"]) == 2
-    assert np.array_equal(saved.archive["pursuer"], archive(3)["pursuer"])
+def test_stages_come_back(run):
+    restored = RunDirectory.open(run.path).restore()
+    assert [int(stage["matches"]) for stage in restored.stages] == [0, 1, 2]
+    assert restored.state["state"].tolist() == [2]
+    assert np.array_equal(restored.archive["pursuer"], archive(3)["pursuer"])
     assert np.array_equal(run.archive()["evader"], archive(3)["evader"])
     assert run.log()["epoch"].tolist() == [0, 1]
+    assert run.log()["stage"].tolist() == [1, 2]
     assert run.log()["fitness_best"] == pytest.approx([0.0, 1 / 3])
 
 
 @pytest.mark.parametrize("damage", [cut, alter])
-@pytest.mark.parametrize("name", ["checkpoint.npz", "pursuers.npy", "evaders.npy", "log.csv"])
-def test_the_checkpoint_before_is_used_if_a_file_is_damaged(run, name, damage):
+@pytest.mark.parametrize("name", ["stage-0002.npz", "checkpoint-0002.npz"])
+def test_the_stage_before_is_used_if_the_newest_one_is_damaged(run, name, damage):
     damage(run.path / name)
     reopened = RunDirectory.open(run.path)
-    with pytest.warns(UserWarning, match=f"{name}: (cut|altered)"):
-        saved = reopened.restore()
-    assert int(saved.state["stage"]) == 1
-    assert len(saved.archive["evader"]) == 2
-    assert reopened.log()["epoch"].tolist() == [0]
-    reopened.save(archive(3), [row(1)], {"stage": 2})
-    assert int(RunDirectory.open(run.path).restore().state["stage"]) == 2
+    with pytest.warns(UserWarning, match=f"{name}: (cut|altered).*; continuing from the stage"):
+        restored = reopened.restore()
+    assert restored.state["state"].tolist() == [1]
+    assert len(restored.archive["evader"]) == 2
+    save(reopened, 2)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert len(RunDirectory.open(run.path).restore().stages) == 3
+    assert len(run.archive()["evader"]) == 3
+    assert (run.path / f"{name}.damaged").exists()
 
 
 def test_an_error_is_raised_if_both_checkpoints_are_damaged(run):
-    cut(run.path / "checkpoint.npz")
-    alter(run.path / "checkpoint.previous.npz")
-    with pytest.raises(DamagedFileError, match=r"checkpoint.npz: cut.*checkpoint.previous.npz"):
+    cut(run.path / "checkpoint-0002.npz")
+    alter(run.path / "checkpoint-0001.npz")
+    with pytest.raises(DamagedFileError, match=r"checkpoint-0002.npz: cut.*checkpoint-0001.npz"):
         RunDirectory.open(run.path).restore()
 
 
-@pytest.mark.parametrize("name", GENOMES)
-def test_an_error_is_raised_if_an_early_genome_is_damaged(run, name):
-    """There is one copy of it: neither checkpoint fits."""
-    content = bytearray((run.path / name).read_bytes())
-    content[HEAD] ^= 1
-    (run.path / name).write_bytes(bytes(content))
-    with pytest.raises(DamagedFileError, match=f"{name}: altered"):
-        RunDirectory.open(run.path).restore()
-    assert (run.path / name).read_bytes() == content
+@pytest.mark.parametrize("damage", [cut, alter, Path.unlink])
+def test_an_early_stage_that_is_damaged_is_named(run, damage):
+    """There is one copy of its genomes, and no checkpoint from which it could be played again."""
+    damage(run.path / "stage-0000.npz")
+    names = {path.name for path in run.path.iterdir()}
+    for read in (run.archive, run.log, RunDirectory.open(run.path).restore):
+        with pytest.raises(DamagedFileError, match=r"stage-0000\.npz: (cut|altered|missing)"):
+            read()
+    assert {path.name for path in run.path.iterdir()} == names
 
 
-@pytest.mark.parametrize("name", ["pursuers.npy", "evaders.npy", "log.csv", "checkpoint.npz"])
+@pytest.mark.parametrize("name", ["stage-0000.npz", "stage-0002.npz"])
 def test_readers_refuse_altered_bytes_and_other_lengths(run, name):
-    """Every byte and every length of genomes, some of the other files."""
-    path, step = run.path / name, 1 if name in GENOMES else 11
+    path = run.path / name
     whole = path.read_bytes()
 
     def refused(content):
         path.write_bytes(content)
-        with pytest.raises(DamagedFileError, match=r"\.(npy|csv|npz): "):
-            run.archive(), run.log()
+        with pytest.raises(DamagedFileError, match=rf"{name}: "):
+            run.archive()
 
-    for place in range(0, len(whole), step):
+    for place in range(0, len(whole), 3):
         refused(whole[:place] + bytes([whole[place] ^ (1 << place % 8)]) + whole[place + 1 :])
         refused(whole[:place])
-    for more in (b"\0", b"2", b"4,", whole):
+    for more in (b"\0", b"2", whole):
         refused(whole + more)
     path.write_bytes(whole)
     assert len(run.archive()["evader"]) == 3
 
 
-@pytest.mark.parametrize("name", GENOMES)
-def test_numpy_reads_the_genomes(run, name):
-    sign = 1 if name == "pursuers.npy" else -1
-    expected = archive(3)["pursuer"] * sign
-    assert np.array_equal(np.load(run.path / name), expected)
-    assert np.array_equal(np.load(run.path / name, mmap_mode="r"), expected)
-    plain = run.path / "plain.npy"
-    np.save(plain, expected)
-    assert plain.read_bytes() == (run.path / name).read_bytes()
-
-
-def test_a_team_that_a_script_plays_has_no_file(tmp_path):
+def test_a_team_that_a_script_plays_has_no_genomes(tmp_path):
     run = RunDirectory.create(tmp_path / "run", "single", {"seed": 1})
-    run.save({"pursuer": archive(1)["pursuer"], "evader": []}, [], {"stage": 0})
+    run.save(0, {"pursuer": archive(1)["pursuer"], "evader": []}, [], {}, {})
     run.write_config()
     assert run.archive()["evader"].shape == (0, 0)
+    run.save_results({"capture_rates": np.zeros(1)}, {"stages": 0})
+    assert np.array_equal(np.load(run.path / "pursuers.npy"), archive(1)["pursuer"])
     assert not (run.path / "evaders.npy").exists()
-    shutil.copy(run.path / "pursuers.npy", run.path / "evaders.npy")
-    with pytest.raises(DamagedFileError, match=r"older than evaders\.npy"):
-        run.archive()
 
 
-def test_damaged_genomes_are_not_shown_to_readers(run):
-    alter(run.path / "pursuers.npy")
-    with pytest.raises(DamagedFileError, match=r"pursuers\.npy: altered or from another run"):
-        run.archive()
+def test_a_stage_costs_the_same_in_every_generation(tmp_path):
+    """A stage writes two files of the same size, removes one, and touches no other."""
+    run = new_run(tmp_path / "run")
+    sizes = []
+    for stage in range(1, 60):
+        before = {path: path.stat() for path in run.path.iterdir()}
+        save(run, stage)
+        after = {path: path.stat() for path in run.path.iterdir()}
+        changed = [path for path in after if after[path] != before.get(path)]
+        assert {path.name.split("-")[0] for path in changed} == {"stage", "checkpoint"}
+        assert len(changed) == 2
+        assert len(before.keys() - after.keys()) == (stage > 1)
+        sizes.append(sum(path.stat().st_size for path in changed))
+    assert max(sizes) - min(sizes) < 100  # numbers in the log have one digit or more
 
 
-def test_a_save_costs_the_same_in_every_generation(tmp_path):
-    """Only new genomes are written, not those that are there."""
-    run = RunDirectory.create(tmp_path / "run", "race", {"seed": 1})
-    run.save(archive(1), [], {"stage": 0})
-    run.write_config()
-    sizes, tails = [], []
-    for stage in range(1, 100):
-        before = (run.path / "pursuers.npy").read_bytes()
-        run.save(archive(1 + stage), [row(stage)], {"stage": stage})
-        after = (run.path / "pursuers.npy").read_bytes()
-        assert after[HEAD : len(before)] == before[HEAD:]
-        tails.append(len(after) - len(before))
-        files_of = run.path.glob("*.npz")
-        sizes.append(max(path.stat().st_size for path in files_of))
-    assert set(tails) == {4 * 5}
-    assert len(set(sizes[1:])) == 1
-
-
-@pytest.mark.parametrize("renames", range(1, 3))
-def test_kill_between_two_renames(run, monkeypatch, renames):
-    """A save consists of two renames; after any of them there is an intact checkpoint."""
-    replace, left = os.replace, [renames]
-
-    def killed(source, target):
-        if not left[0]:
-            raise KeyboardInterrupt
-        left[0] -= 1
-        replace(source, target)
-
-    monkeypatch.setattr(os, "replace", killed)
-    if renames < 2:
-        with pytest.raises(KeyboardInterrupt):
-            run.save(archive(4), [row(2)], {"stage": 3})
-    else:
-        run.save(archive(4), [row(2)], {"stage": 3})
-    monkeypatch.setattr(os, "replace", replace)
-    assert len(run.archive()["pursuer"]) == (4 if renames == 2 else 3)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        saved = RunDirectory.open(run.path).restore()
-    stage = int(saved.state["stage"])
-    assert stage == (3 if renames == 2 else 2)
-    assert len(saved.archive["pursuer"]) == stage + 1
-    assert len(run.log()["epoch"]) == stage
-
-
-def test_temporary_files_of_killed_writers_are_removed(run):
-    left = run.path / ".checkpoint.npz.123.tmp"
-    left.write_bytes(b"half")
+def test_temporary_files_and_old_checkpoints_of_killed_writers_are_removed(run):
+    shutil.copy(run.path / "checkpoint-0001.npz", run.path / "checkpoint-0000.npz")
+    (run.path / ".123.tmp").write_bytes(b"half")
     run.restore()
-    assert not left.exists()
+    names = {path.name for path in run.path.glob("*")}
+    assert "checkpoint-0000.npz" not in names
+    assert ".123.tmp" not in names
 
 
 def test_one_writer_at_a_time(run):
@@ -225,21 +210,99 @@ def test_one_writer_at_a_time(run):
         assert run.config()["kind"] == "race"
 
 
-def test_log_is_truncated_to_the_checkpoint(tmp_path):
-    log = RunLog(tmp_path / "log.csv")
-    log.append([row(0), row(1)])
-    position = log.position
-    log.append([row(2)])
-    again = RunLog(tmp_path / "log.csv")
-    again.truncate(position)
-    assert read_log(tmp_path / "log.csv", position)["epoch"].tolist() == [0, 1]
-    again.append([row(2)])
-    assert again.position == log.position
+# Files of several moments beside each other:
 
 
-def test_a_file_that_is_not_a_log_is_refused(tmp_path):
-    path = tmp_path / "log.csv"
-    content = b"generation,team\n1,evader\n"
-    path.write_bytes(content)
-    with pytest.raises(DamagedFileError, match=r"log\.csv: altered, cannot be read as a log"):
-        read_log(path, Position(len(content), hashlib.sha256(content).hexdigest()))
+@pytest.fixture(scope="module", params=SETTINGS)
+def life(request, tmp_path_factory):
+    """Copies of a run: before its first stage, after each stage, and finished."""
+    parent = tmp_path_factory.mktemp(request.param)
+    run = start(SETTINGS[request.param], parent / "run", threads=1)
+    copies = [Path(shutil.copytree(parent / "run", parent / "0"))]
+    save_stage = run.files.save
+
+    def save_and_copy(*args):
+        save_stage(*args)
+        copies.append(Path(shutil.copytree(parent / "run", parent / str(len(copies)))))
+
+    run.files.save = save_and_copy
+    run.run()
+    return [*copies, parent / "run"]
+
+
+def seen(directory):
+    """Return what readers see of a run: its genomes and its log."""
+    run = open_run(directory)
+    log = {name: column.tolist() for name, column in run.files.log().items()}
+    return {team: each.tolist() for team, each in run.files.archive().items()}, log
+
+
+def test_the_copies_at_the_end_hold_what_the_stages_hold(life):
+    *_, before, finished = life
+    assert seen(before) == seen(finished)
+    for team, genomes in open_run(finished).files.archive().items():
+        if len(genomes):
+            assert np.array_equal(np.load(finished / f"{team}s.npy"), genomes)
+        else:
+            assert not (finished / f"{team}s.npy").exists()
+    header, *rows = (finished / "log.csv").read_text().splitlines()
+    assert header == ",".join(COLUMNS)
+    assert len(rows) == len(seen(finished)[1]["epoch"])
+
+
+def test_files_of_an_older_copy_change_nothing(life, tmp_path):
+    """The same run writes the same stage, whenever and how often it plays it."""
+    finished = life[-1]
+    for old in life[:-1]:
+        mixed = Path(shutil.copytree(finished, tmp_path / "mixed"))
+        shutil.copytree(old, mixed, dirs_exist_ok=True)
+        assert seen(mixed) == seen(finished)
+        shutil.rmtree(mixed)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_a_partial_copy_is_refused_or_a_whole_moment(life, tmp_path, count):
+    moments = [seen(copy) for copy in life]
+    for copy in life:
+        names = [path.name for path in copy.glob("*-*.npz")]
+        for missing in itertools.combinations(names, min(count, len(names))):
+            partial = Path(shutil.copytree(copy, tmp_path / "partial"))
+            for name in missing:
+                (partial / name).unlink()
+            try:
+                assert seen(partial) in moments
+            except DamagedFileError as error:
+                assert error.path.name in missing  # noqa: PT017, others are not refused
+            shutil.rmtree(partial)
+
+
+def save_all_the_time(path, made):
+    run = new_run(path)
+    made.set()
+    for stage in itertools.count(1):
+        time.sleep(0.02)  # so that the reader is faster than the run grows
+        save(run, stage)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows does not replace open files")
+def test_a_reader_beside_a_writer_never_fails(tmp_path):
+    context = multiprocessing.get_context("spawn")
+    made = context.Event()
+    writer = context.Process(target=save_all_the_time, args=(tmp_path / "run", made), daemon=True)
+    writer.start()
+    assert made.wait(60)
+    generations = 0
+    try:
+        until = time.monotonic() + 60
+        while generations < 20 and time.monotonic() < until:
+            run = RunDirectory.open(tmp_path / "run")
+            found, log = run.archive(), run.log()
+            assert np.array_equal(found["pursuer"], archive(len(found["pursuer"]))["pursuer"])
+            assert len(found["pursuer"]) == len(found["evader"]) >= generations
+            generations = len(found["pursuer"])
+            assert log["epoch"].tolist() == list(range(len(log["epoch"])))
+            assert len(log["epoch"]) >= generations - 1
+    finally:
+        writer.kill()
+        writer.join()
+    assert generations >= 20

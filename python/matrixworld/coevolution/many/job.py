@@ -14,12 +14,11 @@ from pathlib import Path
 from typing import Any
 
 from matrixworld._util.checks import shown
-from matrixworld._util.files import load_json, save_json
-from matrixworld._util.reading import one_line
+from matrixworld._util.files import load_json, one_line, save_json
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.settings.training import settings_from_json, settings_to_json
-from matrixworld.coevolution.storage.run_files import OtherVersionError
+from matrixworld.coevolution.storage.run_directory import OtherVersionError
 from matrixworld.version import __version__
 from matrixworld.world.policy import SCRIPTS
 

@@ -12,8 +12,7 @@ from matrixworld.coevolution.many.job import settings_from_text
 from matrixworld.coevolution.many.run_progress import RunProgress, clear_progress, write_progress
 from matrixworld.coevolution.many.stop_mark import StopMark
 from matrixworld.coevolution.runs.start import finish
-from matrixworld.coevolution.storage.consistency import COUNTS
-from matrixworld.coevolution.storage.run_files import CONFIG, RunFiles
+from matrixworld.coevolution.storage.run_directory import CONFIG, COUNTS, RunDirectory
 
 LOCK_WAIT = 120.0
 """Seconds for which a locked run directory is waited for. A worker that was declared lost may only
@@ -81,7 +80,7 @@ def run_task(
     return {"name": name, "seconds": time.monotonic() - began, **counts_of(run.files)}
 
 
-def counts_of(files: RunFiles) -> Values:
+def counts_of(files: RunDirectory) -> Values:
     """Return what a finished run has played, and its disengagements in words."""
     numbers = files.summary()
     played = {key: numbers[key] for key in COUNTS}

@@ -1,8 +1,13 @@
-"""An alternating race: the teams learn in turns, against archived opponents of the other team."""
+"""An alternating race: the teams learn in turns, against archived opponents of the other team.
+
+`Race` plays by one of the paper's three schedules or by opponent samplers; `Matchmaking` holds the
+samplers of both teams, and plays the matches in which those with an archive compare candidates.
+"""
 
 from __future__ import annotations
 
 import warnings
+from collections.abc import Mapping
 from typing import Any, ClassVar
 
 import numpy as np
@@ -12,14 +17,38 @@ from matrixworld.analysis import Disengagement, disengagements, judge, measure_a
 from matrixworld.analysis.engagement import PATIENCE
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.coevolution.opponents.registry import ALTERNATING, SCHEDULES, available
+from matrixworld.coevolution.opponents.own import archive_of
+from matrixworld.coevolution.opponents.pareto import PayoffFunction
+from matrixworld.coevolution.opponents.registry import (
+    ALTERNATING,
+    SCHEDULES,
+    available,
+    new_sampler,
+)
+from matrixworld.coevolution.opponents.samplers import OpponentSampler
 from matrixworld.coevolution.payoff import Payoff
-from matrixworld.coevolution.runs.champions import elite_matches, generalizes
-from matrixworld.coevolution.runs.matchmaking import Matchmaking
-from matrixworld.coevolution.runs.run import Run
-from matrixworld.coevolution.runs.team_phase import TeamPhase
+from matrixworld.coevolution.runs.run import Run, TeamPhase
+from matrixworld.coevolution.runs.training_matches import TrainingMatches
+from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.settings.race import RaceSettings
-from matrixworld.coevolution.types import TEAMS, FloatArray, State, Stateful, Team, other
+from matrixworld.coevolution.types import (
+    TEAMS,
+    FloatArray,
+    Genome,
+    Genomes,
+    Members,
+    State,
+    Stateful,
+    Team,
+    other,
+)
+from matrixworld.play.rollout import Matches
+from matrixworld.world.policy import Population
+
+EVEN = 0.5
+"""Capture rate at which neither team wins."""
+DECIMALS = 6
+"""Capture rates are float32: differences beyond this decimal are rounding errors."""
 
 
 class DisengagementWarning(UserWarning):
@@ -55,7 +84,6 @@ class Race(Run[RaceSettings]):
     generation to generation. For other attributes see `Run`.
     """
 
-    kind: ClassVar[str] = "race"
     settings_class: ClassVar[type[Any]] = RaceSettings
     stages_per_generation: ClassVar[int] = 2
 
@@ -109,7 +137,7 @@ class Race(Run[RaceSettings]):
         self.archive[team].append(self.learners[team].genome)
 
     def retain(self, team: Team, generation: int, before: State) -> None:
-        """Undo what a team has learned in a generation if it does not generalize.
+        """Undo what a team has learned in a generation if it got worse against all opponents.
 
         Parameters
         ----------
@@ -129,17 +157,15 @@ class Race(Run[RaceSettings]):
         if not episodes:
             return
         opponents = self.training.population(self.genomes(other(team)))
-        if not generalizes(
-            self.training, team, generation, learner.genome, self.archive[team][-1],
-            opponents, episodes,
-        ):  # fmt: skip
+        previous = self.archive[team][-1]
+        if not self.training.keeps(team, generation, learner.genome, previous, opponents, episodes):
             learner.restore(before)
 
     def training_matches(self) -> int:
         """Return the number of training episodes; with archives, an upper bound of it."""
         return sum(
             self.settings.epochs(team) * self._matches_per_epoch(team, k)
-            + self.champion_matches(self._opponents(k, team), available(team, k))
+            + self.selection_matches(self._opponents(k, team), available(team, k))
             + self.matchmaking.max_admission_matches(team, k, available(team, k))
             for k in range(1, self.settings.generations + 1)
             for team in TEAMS
@@ -153,8 +179,8 @@ class Race(Run[RaceSettings]):
         """Return the opponents of each candidate in an epoch of generation `k`."""
         return min(self.settings.opponents_per_epoch, available(team, k))
 
-    def champion_matches(self, met: int, archived: int) -> int:
-        """Return the episodes at the end of a generation that choose a team's champion.
+    def selection_matches(self, met: int, archived: int) -> int:
+        """Return the episodes at the end of a generation that choose a team's genome.
 
         Parameters
         ----------
@@ -163,10 +189,9 @@ class Race(Run[RaceSettings]):
         archived : int
             Archived opponents.
         """
-        settings = self.settings
         # Retention compares two genomes.
-        retention = 2 * archived * settings.retention_episodes
-        return (elite_matches(settings, met) + retention) * settings.worlds
+        retention = 2 * archived * self.settings.retention_episodes
+        return (self.training.champion_matches(met) + retention) * self.settings.worlds
 
     def total_matches(self) -> int:
         """Return the episodes of the training and of the payoff matrix."""
@@ -217,3 +242,77 @@ class Race(Run[RaceSettings]):
             "measures": plain_values(measure_all(payoffs)),
             "judgement": judge(payoffs).to_json(),
         }
+
+
+class Matchmaking:
+    """The opponent samplers of both teams of a race, and the matches that archives need.
+
+    A team's sampler chooses among the generations of the other team in `archive`, whose lists grow
+    during the race.
+    """
+
+    def __init__(
+        self,
+        settings: RaceSettings,
+        training: TrainingMatches,
+        archive: Mapping[Team, list[Genome]],
+    ) -> None:
+        self.settings: RaceSettings = settings
+        self.training: TrainingMatches = training
+        self.archive: Mapping[Team, list[Genome]] = archive
+        self.samplers: dict[Team, OpponentSampler] = {
+            team: new_sampler(settings, team) for team in TEAMS
+        }
+
+    def admit(self, team: Team, new: range, opponents: range) -> None:
+        """Add the generations of both teams since the last call to a sampler's archive, if any."""
+        sampler = archive_of(self.samplers[team])
+        if sampler is not None:
+            payoff = self._payoff_function(team, graded=sampler.graded)
+            sampler.update(np.array(new), np.array(opponents), payoff)
+
+    def max_admission_matches(self, team: Team, new: int, opponents: int) -> int:
+        """Return an upper bound of the episodes of `admit`, for the generations so far."""
+        sampler = archive_of(self.samplers[team])
+        if sampler is None:
+            return 0
+        pairs = sampler.max_pairs(new, opponents)
+        return pairs * self.settings.archive_episodes * self.settings.worlds
+
+    def _payoff_function(self, team: Team, *, graded: bool) -> PayoffFunction:
+        """Return a function that plays generations (n,) against opponents (m,).
+
+        Its payoffs (n, m) are rates if `graded`, otherwise 1 for a win, 0.5 for a draw and 0.
+        """
+
+        def payoff(candidates: Members, tests: Members) -> FloatArray:
+            generations = {team: candidates, other(team): tests}
+            captured = self._capture_rates(generations["pursuer"], generations["evader"])
+            # Archives are the same for both teams: rows are candidates, and higher is better.
+            rates = captured if team == "pursuer" else 1.0 - captured.T
+            return rates if graded else (1.0 + np.sign(np.round(rates - EVEN, DECIMALS))) / 2.0
+
+        return payoff
+
+    def _capture_rates(self, pursuers: Members, evaders: Members) -> FloatArray:
+        """Return mean capture rates (n, m); the seeds of a pair depend on that pair only."""
+        episodes, seed = self.settings.archive_episodes, self.settings.seed
+        seeds = [
+            training_seeds(seed, int(g), int(h), Phase.ARCHIVE, 0, episodes)
+            for g in pursuers
+            for h in evaders
+        ]
+        # Matches in the order of the seeds: all episodes of a pair, then the next pair.
+        n, m = len(pursuers), len(evaders)
+        g, h = np.repeat(np.arange(n), m * episodes), np.tile(np.arange(m).repeat(episodes), n)
+        scores = self.training.play(
+            self._population("pursuer", pursuers),
+            self._population("evader", evaders),
+            Matches.of(g, h, np.concatenate(seeds)),
+        )
+        rates = scores.capture_rate.mean(axis=1, dtype=np.float64)
+        return np.asarray(rates.reshape(n, m, episodes).mean(axis=2))
+
+    def _population(self, team: Team, generations: Members) -> Population:
+        genomes: Genomes = np.stack([self.archive[team][int(g)] for g in generations])
+        return self.training.population(genomes)

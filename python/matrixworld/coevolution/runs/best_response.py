@@ -15,8 +15,9 @@ from matrixworld.analysis import ResponseGain, response_gain
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.single import SingleTeam
+from matrixworld.coevolution.runs.start import resume
 from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSettings
-from matrixworld.coevolution.storage.run_files import CONFIG
+from matrixworld.coevolution.storage.run_directory import CONFIG
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import FloatArray, Team, other
 from matrixworld.play.rollout import Rollout, rollout
@@ -75,28 +76,9 @@ class BestResponse:
 def response_settings(run: SavedRun, team: Team, matches: int, **changes: Any) -> SingleSettings:
     """Return the settings of a response to the champion of `team` in a run.
 
-    Parameters
-    ----------
-    run : SavedRun
-        The run of the champion.
-    team : {"pursuer", "evader"}
-        Team of the champion.
-    matches : int
-        Budget of the response.
-    **changes
-        Values of any settings except `epochs`.
-
-    Returns
-    -------
-    SingleSettings
-        World, network, evaluation and seed are those of the run, `population` is `POPULATION`,
-        and `epochs` is as large as the budget allows. Training episodes are not longer than
-        evaluation episodes. All other settings have their defaults.
-
-    Raises
-    ------
-    ValueError
-        If the budget is smaller than one epoch, or if a setting is bad.
+    World, network, evaluation and seed are those of the run, and `epochs` is as large as the budget
+    in matches allows: ValueError if it is smaller than one epoch. Training episodes are not longer
+    than evaluation episodes. All other settings have their defaults, or the values in `changes`.
     """
     learner = other(team)
     same = {name: getattr(run.settings, name) for name in (*WORLD, *POLICY, *EVALUATION)}
@@ -119,35 +101,16 @@ def start_response(
 ) -> SingleTeam:
     """Return the run of a response to the champion of `team`: a new one, or one to continue.
 
-    Parameters
-    ----------
-    run : SavedRun
-        The run of the champion.
-    team : {"pursuer", "evader"}
-        Team of the champion.
-    settings : SingleSettings
-        Settings of the response.
-    directory : str or Path
-        Directory of the response.
-    threads, play
-        As in `Run`.
-
-    Returns
-    -------
-    SingleTeam
-        The run.
-
-    Raises
-    ------
-    ValueError
-        If the directory holds a run of other settings or against another champion, or if `team`
-        did not learn in `run`.
+    ValueError if the directory holds a run of other settings or against another champion, or if
+    `team` did not learn in `run`.
     """
     champion = champion_of(run, team)
     path = Path(directory)
     if not (path / CONFIG).is_file():
         return SingleTeam(settings, path, opponents=champion, threads=threads, play=play)
-    response = SingleTeam.resume(path, threads=threads, play=play)
+    response = resume(path, threads=threads, play=play)
+    if not isinstance(response, SingleTeam):
+        raise ValueError(f"{path}: holds a race, expected a new directory")
     _check_same(response, settings, champion, path)
     return response
 
@@ -217,7 +180,8 @@ def best_response(
     Raises
     ------
     ValueError
-        As in `response_settings` and `start_response`.
+        If the budget is smaller than one epoch, a setting is bad, `team` did not learn in `run`, or
+        the directory holds a run of other settings or against another champion.
 
     Notes
     -----

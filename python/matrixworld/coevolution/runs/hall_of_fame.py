@@ -13,10 +13,9 @@ from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import GradientLearner
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.runs.alternating import Race
-from matrixworld.coevolution.runs.champions import crown_elite
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
-from matrixworld.coevolution.storage.run_log import SEVERAL
+from matrixworld.coevolution.storage.run_directory import SEVERAL
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Seeds, Team, other
 from matrixworld.play.rollout import Matches
 from matrixworld.world.policy import Population
@@ -28,12 +27,8 @@ Populations = dict[Team, Genomes]
 class Pairings(NamedTuple):
     """The M matches of one epoch between two populations of n individuals.
 
-    Parameters
-    ----------
-    pursuer, evader : ndarray of int, shape (M,)
-        Who plays; numbers below n are individuals, the others members of the hall of fame.
-    group : ndarray of int, shape (M,)
-        Matches with the same number have the same seed.
+    Players with numbers below n are individuals, the others members of the hall of fame. Matches of
+    the same group have the same seed.
     """
 
     pursuer: Indices
@@ -52,24 +47,9 @@ def pairings(
     Every individual plays against `contemporaries` living opponents (such a match counts for both),
     and against every sampled member of the other team's hall of fame.
 
-    Parameters
-    ----------
-    match_of_candidate : ndarray of int, shape (n,)
-        Numbers 0 .. g-1 of the learner's groups, all of the same size (see `Learner`).
-    contemporaries : int
-        Living opponents of each individual.
-    hall : tuple of int
-        Sampled members of the pursuers' and of the evaders' hall of fame.
-    rng : numpy.random.Generator
-        Source of the permutations.
+    `match_of_candidate` (n,) has the learner's groups (see `Learner`), and `hall` the number of
+    sampled members of the pursuers' and of the evaders' hall of fame.
 
-    Returns
-    -------
-    Pairings
-        The matches, n for each opponent of an individual.
-
-    Notes
-    -----
     Groups meet groups in random order, and their members meet in turn: with as many contemporaries
     as a group has members, every member meets all members of one opposing group. Between mirrored
     samples the strength of the opponents then cancels out, like the luck of the match seed. Where
@@ -96,21 +76,9 @@ def pairings(
 def table_of_individuals(
     own: Indices, opponents: Indices, n: int, values: FloatArray
 ) -> FloatArray:
-    """Return the values of matches as a table of individuals against opponents.
+    """Return the values (M,) of matches as a table (n, m) of individuals against opponents.
 
-    Parameters
-    ----------
-    own, opponents : ndarray of int, shape (M,)
-        Players of each match. In `own`, numbers from n on belong to the hall of fame.
-    n : int
-        Number of individuals.
-    values : ndarray of float64, shape (M,)
-        Value of each match.
-
-    Returns
-    -------
-    ndarray of float64, shape (n, m)
-        Mean over the matches of a pair; NaN for a pair that did not play.
+    It holds the mean over the matches of a pair, and NaN for a pair that did not play.
     """
     # Matches of hall members themselves are not needed: they do not evolve any more.
     living, m = own < n, int(opponents.max()) + 1
@@ -152,7 +120,6 @@ class HallOfFameRace(Race):
     Computation 5(1).
     """
 
-    kind: ClassVar[str] = "hall-of-fame"
     stages_per_generation: ClassVar[int] = 1
 
     def check_settings(self) -> None:
@@ -186,7 +153,7 @@ class HallOfFameRace(Race):
         # Both teams before either archive grows, so that the order of the teams does not matter.
         for team in TEAMS:
             opponents, met = self._met[team]
-            crown_elite(self.training, self.learners[team], team, generation, opponents, met)
+            self.training.choose_champion(self.learners[team], team, generation, opponents, met)
             self.retain(team, generation, before[team])
         for team in TEAMS:
             self.archive[team].append(self.learners[team].genome)
@@ -296,6 +263,6 @@ class HallOfFameRace(Race):
             for team in TEAMS:
                 sampled = min(settings.opponents_per_epoch, k)
                 groups += sampled
-                champions += self.champion_matches(settings.contemporaries + sampled, k)
+                champions += self.selection_matches(settings.contemporaries + sampled, k)
                 admission += self.matchmaking.max_admission_matches(team, k, k)
         return groups * per_group + admission + champions

@@ -1,41 +1,79 @@
-"""A run: stages of learning with a checkpoint after each, then an evaluation.
+"""A run: stages of learning, each saved at its end, and then an evaluation.
 
-Subclasses define what a stage is. Everything that a stage changes (learners, archive, counters,
-log) is saved at its end. A run that is stopped within a stage, even by a power cut, repeats that
-stage when it is resumed, and ends bit for bit as if it had never been stopped.
+This module tells what all kinds of runs share: how a run is made, continued and saved (`Run`), and
+how one team learns for some epochs (`TeamPhase`). What a stage is, each kind of run says itself:
+a phase of one team (`alternating`), a generation of both teams (`hall_of_fame`), or some epochs of
+a team that learns alone (`single`).
+
+Everything that a stage changes (learners, samplers, archive, counters, log) is saved at its end. A
+run that is stopped within a stage, even by a power cut, repeats that stage when it is resumed, and
+ends bit for bit as if it had never been stopped.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
-from typing import Any, ClassVar, Generic, TypeVar
+from typing import Any, ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
+from deap import base
 
 from matrixworld._util.checks import check_threads
+from matrixworld._util.files import DamagedFileError
 from matrixworld._util.memory import check_memory
-from matrixworld._util.reading import DamagedFileError
-from matrixworld.coevolution.learners.learner import Learner
+from matrixworld.coevolution.fitness import win_rates
+from matrixworld.coevolution.learners.learner import GradientLearner, Learner
 from matrixworld.coevolution.learners.registry import new_learner, starting_genomes, untrained
+from matrixworld.coevolution.opponents.samplers import OpponentSampler, Stateless
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Report, silent
-from matrixworld.coevolution.runs.training import Training
+from matrixworld.coevolution.runs.training_matches import TrainingMatches
+from matrixworld.coevolution.seeding import (
+    Purpose,
+    keyed_generator,
+    learning_phase,
+    training_seeds,
+)
 from matrixworld.coevolution.settings.memory import run_memory
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.settings.training import settings_to_json
-from matrixworld.coevolution.storage.run_directory import Checkpoint, RunDirectory
-from matrixworld.coevolution.types import TEAMS, Genome, Genomes, State, Stateful, Team
+from matrixworld.coevolution.storage.run_directory import (
+    SETTINGS_OF_KIND,
+    SEVERAL,
+    Restored,
+    RunDirectory,
+)
+from matrixworld.coevolution.types import (
+    TEAMS,
+    FloatArray,
+    Genome,
+    Genomes,
+    Indices,
+    Seeds,
+    State,
+    Stateful,
+    Team,
+)
 from matrixworld.play.rollout import Rollout, rollout
-from matrixworld.world.policy import Network
+from matrixworld.world.policy import Network, TeamPolicy
 
 AnySettings = TypeVar("AnySettings", RaceSettings, SingleSettings)
-AnyRun = TypeVar("AnyRun", bound="Run[Any]")
 
 
 class Run(ABC, Generic[AnySettings]):
     """A run in a directory; see `Race`, `HallOfFameRace` and `SingleTeam`.
+
+    ::
+
+        learners, archive (generation 0), stage = 0; saved
+        while stage < n_stages:
+            learn(stage); stage += 1; saved
+        payoff = evaluate(); saved
 
     Parameters
     ----------
@@ -56,7 +94,7 @@ class Run(ABC, Generic[AnySettings]):
         Number of finished stages.
     stage_capture_rates : list of float
         Mean capture rate in the second half of each finished stage.
-    training : Training
+    training : TrainingMatches
         Plays the training matches, and counts matches and steps.
 
     Raises
@@ -68,7 +106,6 @@ class Run(ABC, Generic[AnySettings]):
         machine has available (`matrixworld.coevolution.settings.memory.run_memory`).
     """
 
-    kind: ClassVar[str]
     settings_class: ClassVar[type[Any]]
 
     def __init__(
@@ -84,7 +121,7 @@ class Run(ABC, Generic[AnySettings]):
         self.check_settings()
         check_threads(threads)
         check_memory("run", **run_memory(settings))
-        self.training: Training = Training(settings, play, threads)
+        self.training: TrainingMatches = TrainingMatches(settings, play, threads)
         self.network: Network = self.training.network
         self.stage: int = 0
         self.stage_capture_rates: list[float] = []
@@ -103,44 +140,10 @@ class Run(ABC, Generic[AnySettings]):
             with self.files.lock():
                 self._restore()
         else:
+            kind = next(k for k, c in SETTINGS_OF_KIND.items() if isinstance(settings, c))
             config = settings_to_json(self.settings)
-            self.files = RunDirectory.create(directory, self.kind, config, **self.extra_config())
+            self.files = RunDirectory.create(directory, kind, config, **self.extra_config())
             self._write_new()
-
-    @classmethod
-    def resume(
-        cls: type[AnyRun],
-        directory: str | Path,
-        *,
-        threads: int | None = None,
-        play: Rollout = rollout,
-    ) -> AnyRun:
-        """Return the run in a directory, as of its last checkpoint.
-
-        Parameters
-        ----------
-        directory : str or Path
-            The run directory.
-        threads, play
-            As for a new run.
-
-        Returns
-        -------
-        Run
-            Its method `run` continues the training.
-
-        Raises
-        ------
-        ValueError
-            If the run is of another kind or version.
-        LockedError
-            If another process runs it.
-        """
-        files = RunDirectory.open(directory)
-        config = files.config()
-        if config["kind"] != cls.kind:
-            raise ValueError(f"{directory}: expected a {cls.kind} run, got {config['kind']!r}")
-        return cls(files.settings(), files, threads=threads, play=play)
 
     # Each kind of run defines the following methods:
 
@@ -198,7 +201,7 @@ class Run(ABC, Generic[AnySettings]):
     # The following methods are the same for all kinds:
 
     def run(self, report: Report = silent) -> Payoff:
-        """Continue from the last checkpoint to the end; save and return the payoff.
+        """Continue from the last stage to the end; save and return the payoff.
 
         Parameters
         ----------
@@ -225,7 +228,9 @@ class Run(ABC, Generic[AnySettings]):
                 self.learn(self.stage)
                 self._end_stage()
             if not self.files.finished:
-                return self._finish()
+                payoff = self.evaluate()
+                self.files.save_results(payoff.arrays(), self.summary(payoff))
+                return payoff
             self.files.summary()  # only to raise an error if it is damaged
             return self.payoff()
 
@@ -261,13 +266,6 @@ class Run(ABC, Generic[AnySettings]):
         self._save()
         self.warn()
 
-    def _finish(self) -> Payoff:
-        payoff = self.evaluate()
-        # The summary is the last file: a run is finished when it exists.
-        self.files.save_payoff(payoff.arrays())
-        self.files.save_summary(self.summary(payoff))
-        return payoff
-
     def _write_new(self) -> None:
         with self.files.lock():
             self.files.clear()
@@ -276,41 +274,38 @@ class Run(ABC, Generic[AnySettings]):
             self.files.write_config()
 
     def _save(self) -> None:
-        state: dict[str, Any] = {
-            "stage": self.stage,
-            "matches": self.training.matches,
-            "steps": self.training.steps,
-            "agent_steps": self.training.agent_steps,
-            "stage_capture_rates": np.array(self.stage_capture_rates, dtype=np.float64),
+        counters = self.training.counters()
+        if self.stage:
+            counters["capture_rate"] = self.stage_capture_rates[-1]
+        state = {
+            f"{part}.{name}": value
+            for part, stateful in self.stateful_parts().items()
+            for name, value in stateful.state().items()
         }
-        for part, stateful in self.stateful_parts().items():
-            state |= {f"{part}.{name}": value for name, value in stateful.state().items()}
-        self.files.save(self.archive, self.training.rows, state)
+        self.files.save(self.stage, self.archive, self.training.rows, counters, state)
         self.training.rows = []
 
     def _restore(self) -> None:
-        checkpoint = self.files.restore()
+        restored = self.files.restore()
         try:
-            self._take(checkpoint)
+            self._take(restored)
         except DamagedFileError:
             raise
         except (IndexError, KeyError, OverflowError, TypeError, ValueError) as error:
             # Its checksum was correct: it is from other learners, or forged.
             problem = f"expected the state of a run of these settings ({error!r})"
-            raise DamagedFileError(self.files.path / "checkpoint.npz", problem) from error
+            raise DamagedFileError(self.files.path, problem) from error
 
-    def _take(self, checkpoint: Checkpoint) -> None:
-        state = checkpoint.state
-        self.stage = int(state["stage"])
-        self.stage_capture_rates = state["stage_capture_rates"].tolist()
-        for counter in ("matches", "steps", "agent_steps"):
-            setattr(self.training, counter, int(state[counter]))
-        self.training.rows = []
+    def _take(self, restored: Restored) -> None:
+        _, *stages = restored.stages  # stage 0 is before training
+        self.stage = len(stages)
+        self.stage_capture_rates = [float(each["capture_rate"]) for each in stages]
+        self.training.restore(restored.stages[-1])
         for team in TEAMS:
             # In place, because other objects hold these lists.
-            self.archive[team][:] = checkpoint.archive[team]
+            self.archive[team][:] = restored.archive[team]
         for part, stateful in self.stateful_parts().items():
-            stateful.restore(_state_of(part, state))
+            stateful.restore(_state_of(part, restored.state))
 
 
 def _state_of(part: str, state: State) -> State:
@@ -318,3 +313,114 @@ def _state_of(part: str, state: State) -> State:
     # "pursuer.x" belongs to the part "pursuer", "pursuer.sampler.x" to the part "pursuer.sampler".
     keys = (key.rpartition(".") for key in state)
     return {name: state[f"{part}.{name}"] for prefix, _, name in keys if prefix == part}
+
+
+# One team learns:
+
+
+class Matchup(NamedTuple):
+    """An epoch, its opponents (c,), and the match seed (n, c) of each candidate against each."""
+
+    epoch: int
+    opponents: Indices
+    seeds: Seeds
+
+
+@dataclass(frozen=True)
+class TeamPhase:
+    """Epochs in which one team learns a generation, against all available `opponents`.
+
+    The learner is improved in place; the sampler chooses the opponents of each epoch, and
+    `on_epoch` is called after its matches.
+    """
+
+    training: TrainingMatches
+    learner: Learner
+    team: Team
+    generation: int
+    opponents: TeamPolicy
+    sampler: OpponentSampler
+    on_epoch: Callable[[], None]
+
+    def run(self, epochs: range) -> None:
+        """Let the team learn for `epochs`.
+
+        The loop is that of `deap.algorithms.eaGenerateUpdate`, but fitness is an array (n,) of all
+        candidates instead of one object for each, and each epoch has its own random numbers.
+        """
+        toolbox = base.Toolbox()
+        toolbox.register("generate", self.learner.ask)
+        toolbox.register("evaluate", self.evaluate)
+        toolbox.register("update", self.learner.tell)
+        for matchup in self._matchups(epochs):
+            candidates = toolbox.generate(self._generator(Purpose.LEARN, matchup.epoch))
+            fitness = toolbox.evaluate(candidates, matchup)
+            toolbox.update(fitness)
+            met = matchup.opponents
+        self.training.choose_champion(self.learner, self.team, self.generation, self.opponents, met)
+
+    def evaluate(self, candidates: Genomes, matchup: Matchup) -> FloatArray:
+        """Play and log the matches of an epoch; return the fitness (n,) of the candidates."""
+        team, opponents = self.team, matchup.opponents
+        scores = self.training.play_candidates(
+            team, candidates, self.opponents, opponents, matchup.seeds
+        )
+
+        def table(values: FloatArray) -> FloatArray:
+            return values.reshape(matchup.seeds.shape)
+
+        # Win rates, not fitness: samplers expect numbers in [0, 1].
+        if not isinstance(self.sampler, Stateless):
+            self.sampler.tell(opponents, table(win_rates(scores, team)))
+        fitness = self.training.fitness(scores, team, table)
+        self.training.record(
+            scores,
+            fitness,
+            team=team,
+            generation=self.generation,
+            epoch=matchup.epoch,
+            opponent=int(opponents[0]) if len(opponents) == 1 else SEVERAL,
+        )
+        if learner := self._gradient_learner:
+            # The same matches once more, step by step.
+            learner.learn(
+                self.training.experience(
+                    learner, team, self.learner.genome, self.opponents,
+                    np.tile(opponents, len(candidates)), matchup.seeds.ravel(),
+                )
+            )  # fmt: skip
+        self.on_epoch()
+        return fitness
+
+    @cached_property
+    def _gradient_learner(self) -> GradientLearner | None:
+        # Once a phase: to ask a protocol is slow beside an epoch.
+        return self.learner if isinstance(self.learner, GradientLearner) else None
+
+    def _matchups(self, epochs: range) -> Iterable[Matchup]:
+        """Return the matchups of all epochs, in order."""
+        matchups = map(self._matchup, epochs)
+        # A sampler without state can choose for all epochs ahead. Between matches, which fill the
+        # caches with other data, the same work takes several times as long.
+        return list(matchups) if isinstance(self.sampler, Stateless) else matchups
+
+    def _matchup(self, epoch: int) -> Matchup:
+        available = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
+        rng = self._generator(Purpose.OPPONENTS, epoch)
+        opponents = self.sampler.sample(available, epoch, rng)
+        # Candidates of the same match, such as a mirrored pair, differ in nothing but their genes.
+        match = self.learner.match_of_candidate
+        seeds = [self._seeds(int(opponent), epoch)[match] for opponent in opponents]
+        return Matchup(epoch, opponents, np.stack(seeds, axis=1))
+
+    def _seeds(self, opponent: int, epoch: int) -> Seeds:
+        """Return the seeds of an epoch's matches against one opponent."""
+        # Seeds depend on both generations, so that no two phases play the same episodes.
+        own, seed = self.generation, self.training.settings.seed
+        generations = (own, opponent) if self.team == "pursuer" else (opponent, own)
+        count = int(self.learner.match_of_candidate.max()) + 1
+        return training_seeds(seed, *generations, learning_phase(self.team), epoch, count)
+
+    def _generator(self, purpose: Purpose, epoch: int) -> np.random.Generator:
+        key = (TEAMS.index(self.team), self.generation, epoch)
+        return keyed_generator(self.training.settings.seed, purpose, *key)

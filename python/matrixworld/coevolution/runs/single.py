@@ -14,12 +14,10 @@ from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.learners.genetic_algorithm import mutate_gaussian
 from matrixworld.coevolution.opponents.samplers import RoundRobin
 from matrixworld.coevolution.payoff import Payoff
-from matrixworld.coevolution.runs.champions import elite_matches
-from matrixworld.coevolution.runs.run import Run
-from matrixworld.coevolution.runs.team_phase import TeamPhase
+from matrixworld.coevolution.runs.run import Run, TeamPhase
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
 from matrixworld.coevolution.settings.single import SingleSettings
-from matrixworld.coevolution.storage.run_directory import Checkpoint, RunDirectory
+from matrixworld.coevolution.storage.run_directory import Restored, RunDirectory
 from matrixworld.coevolution.storage.saved_run import archive_network, last_generation, script_of
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team, other
 from matrixworld.play.rollout import Rollout, rollout
@@ -69,7 +67,6 @@ class SingleTeam(Run[SingleSettings]):
     were not used in training. For other attributes see `Run`.
     """
 
-    kind: ClassVar[str] = "single"
     settings_class: ClassVar[type[Any]] = SingleSettings
 
     def __init__(
@@ -156,7 +153,8 @@ class SingleTeam(Run[SingleSettings]):
         settings = self.settings
         opponents = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
         # One opponent an epoch.
-        per_run = settings.epochs * settings.population + self.n_stages * elite_matches(settings, 1)
+        champions = self.n_stages * self.training.champion_matches(1)
+        per_run = settings.epochs * settings.population + champions
         return per_run * settings.worlds + opponents * settings.eval_episodes
 
     def evaluate(self) -> Payoff:
@@ -188,8 +186,8 @@ class SingleTeam(Run[SingleSettings]):
             **_episode_summary("length", payoff.lengths, most=self.settings.eval_steps),
         }
 
-    def _take(self, checkpoint: Checkpoint) -> None:
-        super()._take(checkpoint)
+    def _take(self, restored: Restored) -> None:
+        super()._take(restored)
         team = other(self.settings.team)
         if self.archive[team]:
             self.opponents = Population(self.genomes(team), archive_network(self.files, team))
@@ -198,26 +196,10 @@ class SingleTeam(Run[SingleSettings]):
 
 
 def _episode_summary(name: str, episodes: ArrayLike, *, most: float) -> dict[str, float | None]:
-    """Return mean, ends of the interval, and standard deviation of a number over the episodes.
+    """Return mean, ends of its interval, and standard deviation of a number over the episodes.
 
-    Parameters
-    ----------
-    name : str
-        Name of the number, from which the keys are made.
-    episodes : array_like of float
-        The number in each episode, of any shape.
-    most : float
-        Largest possible number; the smallest one is 0.
-
-    Returns
-    -------
-    dict of str to float or None
-        ``name``, ``name_low``, ``name_high`` and ``name_std``. The ends are None if the episodes
-        do not differ, or if there is only one.
-
-    Notes
-    -----
-    Student's t interval of the mean, cut at 0 and at `most`.
+    The ends are those of Student's t interval, cut at 0 and at `most`, the largest possible number.
+    They are None if the episodes do not differ, or if there is only one.
     """
     values = np.asarray(episodes, dtype=np.float64).ravel()
     mean, low, high = float(values.mean()), None, None

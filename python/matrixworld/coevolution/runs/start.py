@@ -13,16 +13,11 @@ from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
-from matrixworld.coevolution.storage.run_directory import RunDirectory
-from matrixworld.coevolution.storage.run_files import CONFIG
+from matrixworld.coevolution.storage.run_directory import CONFIG, RunDirectory
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
 from matrixworld.play.rollout import Rollout, rollout
 
 AnyRun = Race | HallOfFameRace | SingleTeam
-
-KINDS: dict[str, type[Race] | type[HallOfFameRace] | type[SingleTeam]] = {
-    run.kind: run for run in (Race, HallOfFameRace, SingleTeam)
-}
 
 
 def start(
@@ -57,6 +52,16 @@ def start(
     TypeError
         If the settings are of another class.
     """
+    return _made(settings, directory, threads, play)
+
+
+def _made(
+    settings: RaceSettings | SingleSettings,
+    directory: str | Path | RunDirectory,
+    threads: int | None,
+    play: Rollout,
+) -> AnyRun:
+    """Return a run of the kind that the settings define, new or in an existing directory."""
     if isinstance(settings, SingleSettings):
         return SingleTeam(settings, directory, threads=threads, play=play)
     if not isinstance(settings, RaceSettings):
@@ -132,7 +137,7 @@ def finish(
 
 
 def resume(directory: str | Path, *, threads: int | None = None, play: Rollout = rollout) -> AnyRun:
-    """Return the run in a directory, as of its last checkpoint.
+    """Return the run in a directory, as of its last finished stage.
 
     Parameters
     ----------
@@ -151,11 +156,11 @@ def resume(directory: str | Path, *, threads: int | None = None, play: Rollout =
     FileNotFoundError
         If the directory holds no run.
     DamagedFileError
-        If no checkpoint is intact.
+        If no stage is intact that has a checkpoint.
     OtherVersionError
         If the run is of another version of the package.
     LockedError
         If another process runs it.
     """
-    kind = RunDirectory.open(directory).config()["kind"]
-    return KINDS[kind].resume(directory, threads=threads, play=play)
+    files = RunDirectory.open(directory)
+    return _made(files.settings(), files, threads, play)

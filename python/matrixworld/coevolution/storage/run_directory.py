@@ -1,75 +1,127 @@
-"""The files of a run, to write: new runs, checkpoints and the lock.
+"""The files of a run: what each stage adds, what training continues from, and the results.
 
-One process writes to a directory, under its lock. `run_files` lists the files and reads them.
+====================  ==========================================================================
+config.json           format, package version, kind of run, settings
+stage-0007.npz        what stage 7 has added: genomes, rows of the log, counters
+checkpoint-0007.npz   state of learners and opponent samplers after stage 7, for the newest two
+payoff.npz            results of the archives against each other (see `Payoff`)
+summary.json          the most important numbers of the run
+log.csv, *.npy        log and genomes of all stages, for other programs
+====================  ==========================================================================
+
+Stage 0 is the run before training. A stage is saved in this order: its checkpoint, the stage
+itself, and then the checkpoint two stages before is removed. The newest stage therefore has a
+checkpoint, whenever the process is killed, and a stage costs the same however many there are.
+
+A stage file is written under a temporary name, synced and renamed, and never changes. Readers
+beside a writer see whole stages only, and need no lock. All that the package reads carries a
+checksum of its content, its name and config.json, so that a file that is cut, altered or of another
+run is refused. log.csv, pursuers.npy and evaders.npy are copies that nothing here reads. They,
+payoff.npz and summary.json are written when the training has ended; if one of the last two is
+deleted, resuming the run makes all again.
 """
 
 from __future__ import annotations
 
+import csv
+import io
 import os
 import warnings
 from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
+import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.files import (
+    Arrays,
+    DamagedFileError,
     is_temporary,
     json_digest,
+    load_arrays,
+    load_json,
     locked,
+    one_line,
     remove_temporary_files,
+    replacing,
     save_arrays,
     save_json,
 )
-from matrixworld._util.reading import Arrays, DamagedFileError
-from matrixworld.coevolution.storage.appended_file import Position
-from matrixworld.coevolution.storage.consistency import STAGE
-from matrixworld.coevolution.storage.genome_file import GenomeFile
-from matrixworld.coevolution.storage.run_files import (
-    CHECKPOINT,
-    CONFIG,
-    FORMAT,
-    LOCK,
-    LOG,
-    PAYOFF,
-    SUMMARY,
-    Archive,
-    RunFiles,
-    genome_position,
-    genomes_name,
-    log_position,
-)
-from matrixworld.coevolution.storage.run_log import Row, RunLog
+from matrixworld.coevolution.settings.race import RaceSettings
+from matrixworld.coevolution.settings.single import SingleSettings
+from matrixworld.coevolution.settings.training import settings_from_json
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team
 from matrixworld.version import __version__
 
-INCOMPLETE = {LOCK, *map(genomes_name, TEAMS), "checkpoint.npz"}
-"""Files that a process may leave, besides temporary ones, if it is killed while it makes a run."""
+FORMAT = 9
+"""Version of the directory's layout; another one is refused."""
 
-Problems = list[FileNotFoundError | DamagedFileError]
+CONFIG, LOCK, LOG = "config.json", ".lock", "log.csv"
+PAYOFF, SUMMARY = "payoff.npz", "summary.json"
+
+SETTINGS_OF_KIND: dict[str, type[RaceSettings] | type[SingleSettings]] = {
+    "race": RaceSettings,
+    "single": SingleSettings,
+}
+"""Class of the settings of each kind of run."""
+
+COUNTS = (
+    "stages", "training_matches", "training_steps", "training_agent_steps", "evaluation_matches",
+)  # fmt: skip
+"""Entries of the summary, integers, of every kind of run."""
+
+COLUMNS: dict[str, type] = {
+    "stage": int,
+    "generation": int,
+    "team": str,
+    "epoch": int,
+    "opponent": int,
+    "fitness_mean": float,
+    "fitness_std": float,
+    "fitness_best": float,
+    "capture_rate": float,
+    "length": float,
+    "pursuer_faults": float,
+    "evader_faults": float,
+    "matches": int,
+    "steps": int,
+}
+"""Columns of the log, one row per epoch, and their types.
+
+`stage` counts the stages of the run from 1; `opponent` is the opponent's generation (-1: several
+opponents); `fitness_*` are over the candidates of the epoch; `capture_rate`, `length` and
+`*_faults` (agent-steps at fault in a collision) are means over its episodes; `matches` and `steps`
+are the training episodes and world steps played so far in the run. Matches after the last epoch of
+a generation, which choose its champion, count in the row of that epoch.
+"""
+SEVERAL = -1
+"""Value of `opponent` in an epoch with several opponents."""
+
+Row = dict[str, Any]
+Archive = dict[Team, Genomes]
+Counters = dict[str, float]
+"""What a run has counted until the end of a stage, by name."""
 
 
-@dataclass(frozen=True)
-class Checkpoint:
-    """A restored checkpoint.
+class OtherVersionError(ValueError):
+    """A file of a run is complete, but of another version of the package."""
 
-    Parameters
-    ----------
-    archive : dict of str to ndarray of float32, shape (generations, genes)
-        Genomes of each team.
-    state : dict of str to ndarray
-        Arrays that were saved with it.
-    """
 
+class Restored(NamedTuple):
+    """What all stages have added, the genomes in them, and the state from which to go on."""
+
+    stages: list[Arrays]
     archive: Archive
     state: Arrays
 
 
-class RunDirectory(RunFiles):
+class RunDirectory:
     """The files of one run; made by `create` for a new run and by `open` for an existing one.
+
+    One process writes to a directory, under its lock; any number may read it meanwhile.
 
     Parameters
     ----------
@@ -78,10 +130,9 @@ class RunDirectory(RunFiles):
     """
 
     def __init__(self, path: Path) -> None:
-        super().__init__(path)
+        self.path = path
         self._new_config: dict[str, Any] = {}
-        self._log = RunLog(path / LOG)
-        self._grown: dict[Team, GenomeFile] = {team: self._genomes(team) for team in TEAMS}
+        self._saved: dict[Team, int] = dict.fromkeys(TEAMS, 0)  # genomes in the stages so far
 
     @classmethod
     def create(
@@ -116,14 +167,105 @@ class RunDirectory(RunFiles):
             raise FileNotFoundError(f"{path}: holds no run, expected a file {CONFIG}")
         return cls(path)
 
-    @cached_property
-    def _owner(self) -> str:
-        """As in `RunFiles`, also before config.json is written."""
-        return json_digest(self._new_config or self.config())
-
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the path alone: a copy reads from the directory what it needs."""
         return type(self), (self.path,)
+
+    # Configuration:
+
+    def config(self) -> dict[str, Any]:
+        """Return config.json; OtherVersionError if it has another format."""
+        path = self.path / CONFIG
+        config = load_json(path)
+        # Before any other entry is read: another format may not have it.
+        if config.get("format") != FORMAT:
+            raise OtherVersionError(
+                f"{path}: expected format {FORMAT}, got {one_line(config.get('format'))} "
+                f"(written by matrixworld {_version(config)})"
+            )
+        if config.get("kind") not in list(SETTINGS_OF_KIND):
+            raise OtherVersionError(
+                f"{path}: expected a run of kind {', '.join(SETTINGS_OF_KIND)}, got "
+                f"{one_line(config.get('kind'))}"
+            )
+        return config
+
+    def settings(self) -> RaceSettings | SingleSettings:
+        """Return the settings; OtherVersionError if this version cannot read them."""
+        config = self.config()
+        try:
+            return settings_from_json(SETTINGS_OF_KIND[config["kind"]], config["settings"])
+        except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
+            # The checksum was correct, so that the file is not damaged.
+            raise OtherVersionError(
+                f"{self.path / CONFIG}: expected settings of matrixworld "
+                f"{__version__}, got those of {_version(config)}: {one_line(error)}"
+            ) from error
+
+    @cached_property
+    def _owner(self) -> str:
+        """Owner of the files in their checksums: runs of other settings have another one."""
+        return json_digest(self._new_config or self.config())
+
+    def _load(self, name: str) -> Arrays:
+        return load_arrays(self.path / name, owner=f"{self._owner}/{name}")
+
+    def _save(self, name: str, arrays: Mapping[str, Any]) -> None:
+        save_arrays(self.path / name, arrays, owner=f"{self._owner}/{name}")
+
+    # Reading:
+
+    def archive(self) -> Archive:
+        """Return the genomes (generations, genes) float32 of each team in all finished stages.
+
+        Raises
+        ------
+        DamagedFileError
+            If the file of a stage is damaged or missing.
+        """
+        return _archive_of(self._stages())
+
+    def log(self) -> dict[str, NDArray[Any]]:
+        """Return the columns of the log (see `COLUMNS`) as arrays; errors as `archive`."""
+        rows = list(csv.DictReader(io.StringIO(_log_of(self._stages()), newline="")))
+        return {
+            name: np.array([kind(row[name]) for row in rows], dtype=kind)
+            for name, kind in COLUMNS.items()
+        }
+
+    def payoff(self) -> Arrays:
+        """Return the arrays of payoff.npz; FileNotFoundError while the run is not finished."""
+        return self._load(PAYOFF)
+
+    def summary(self) -> dict[str, Any]:
+        """Return summary.json; FileNotFoundError while the run is not finished."""
+        return load_json(self.path / SUMMARY, owner=f"{self._owner}/{SUMMARY}")
+
+    @property
+    def finished(self) -> bool:
+        """Whether the run has its results."""
+        return (self.path / SUMMARY).exists() and (self.path / PAYOFF).exists()
+
+    def _stages(self) -> list[Arrays]:
+        """Return what all finished stages have added; DamagedFileError if one is missing."""
+        # The summary first: beside a writer, all stages that it counts are there afterwards.
+        least = self.summary()["stages"] if (self.path / SUMMARY).exists() else 0
+        return [self._stage(number) for number in range(max(least, self._newest()) + 1)]
+
+    def _stage(self, number: int) -> Arrays:
+        try:
+            return self._load(_name("stage", number))
+        except FileNotFoundError as error:
+            problem = "missing, expected the files of all stages"
+            raise DamagedFileError(self.path / _name("stage", number), problem) from error
+
+    def _newest(self) -> int:
+        return max(self._numbers("stage"), default=0)
+
+    def _numbers(self, kind: str) -> list[int]:
+        """Return the numbers of the files of a kind that are there."""
+        names = [path.stem.removeprefix(f"{kind}-") for path in self.path.glob(f"{kind}-*.npz")]
+        return [int(name) for name in names if name.isdigit()]
 
     # Making a new run:
 
@@ -137,7 +279,7 @@ class RunDirectory(RunFiles):
         """
         found = sorted(item.name for item in self.path.iterdir())
         if LOCK in found:
-            found = [name for name in found if name not in INCOMPLETE and not is_temporary(name)]
+            found = [name for name in found if name not in _INCOMPLETE and not is_temporary(name)]
         if found:
             raise FileExistsError(
                 f"{self.path}: expected a new or empty directory for a new run, found "
@@ -149,7 +291,7 @@ class RunDirectory(RunFiles):
         # Again, because another process may have made a run before this one got the lock.
         self.check_empty()
         remove_temporary_files(self.path)
-        for name in INCOMPLETE - {LOCK}:
+        for name in _INCOMPLETE - {LOCK}:
             (self.path / name).unlink(missing_ok=True)
 
     def lock(self) -> AbstractContextManager[None]:
@@ -160,99 +302,140 @@ class RunDirectory(RunFiles):
         """Write config.json: the last file of a new run, with which the directory holds a run."""
         save_json(self.path / CONFIG, self._new_config)
 
-    # Checkpoints:
+    # Training:
 
     def save(
         self,
+        stage: int,
         archive: Mapping[Team, Genomes | Sequence[Genome]],
         rows: Sequence[Row],
+        counters: Counters,
         state: Mapping[str, Any],
     ) -> None:
-        """Save new genomes, new rows of the log, and a checkpoint.
+        """Save a stage and its checkpoint.
 
         Parameters
         ----------
+        stage : int
+            Its number; stage 0 is the run before training.
         archive : mapping of str to array_like of float32, shape (generations, genes)
-            All genomes of each team. Those that were saved before are not read again.
+            All genomes of each team. Those of earlier stages are not written again.
         rows : sequence of dict
-            Rows of the log since the last checkpoint.
+            Rows of the log of this stage.
+        counters : mapping of str to float
+            What the run has counted until now.
         state : mapping of str to array_like
-            What `restore` has to return; ``stage`` is the number of finished stages.
+            State of learners and samplers, from which the next stage goes on.
         """
-        # In the order that `consistency` explains. The checkpoint is written last: what the other
-        # files hold beyond it is ignored.
-        if rows:
-            self._log.append([{**row, STAGE: state[STAGE]} for row in rows])
-        for team, file in self._grown.items():
-            file.append(archive[team][file.position.genomes :])
-        counted = _counted(self._log.position, self._grown)
-        path, owner = self._file(CHECKPOINT), self._owner_of(CHECKPOINT)
-        save_arrays(path, {**state, **counted}, owner=owner, keep_as=self._previous(CHECKPOINT))
+        new = {f"{team}s": archive[team][self._saved[team] :] for team in TEAMS}
+        genomes = {name: np.asarray(each, np.float32) for name, each in new.items() if len(each)}
+        log = _as_csv([{**row, "stage": stage} for row in rows]).encode()
+        self._save(_name("checkpoint", stage), state)
+        self._save(_name("stage", stage), {**genomes, "log": log, **counters})
+        self._saved = {team: len(archive[team]) for team in TEAMS}
+        (self.path / _name("checkpoint", stage - 2)).unlink(missing_ok=True)
 
-    def restore(self) -> Checkpoint:
-        """Return the newest intact checkpoint, and truncate the log to it.
+    def restore(self) -> Restored:
+        """Return the newest stage that is intact, with all stages before it.
 
         To be called under the lock. A damaged file is reported by a warning and renamed to
-        ``*.damaged``; the file before it is used instead, and becomes the newest.
+        ``*.damaged``; the stage before it is used instead.
 
         Raises
         ------
         DamagedFileError
-            If no checkpoint is intact.
+            If no stage is intact that has a checkpoint.
         """
         remove_temporary_files(self.path)
-        problems: Problems = []
-        for path in self._both(CHECKPOINT):
-            found = self._fitting(path, problems)
-            if found is not None:
-                self._set_aside(problems)
-                self._settle(path, found.state)
-                return found
-        # Each problem once, although a file is tried with both checkpoints.
-        reasons = "; ".join(dict.fromkeys(str(problem) for problem in problems))
-        raise DamagedFileError(self.path, f"no intact checkpoint to continue from: {reasons}")
+        problems: list[DamagedFileError] = []
+        stages = self._intact_stages(problems)
+        while stages:
+            try:
+                state = self._load(_name("checkpoint", len(stages) - 1))
+                break
+            except FileNotFoundError:
+                stages.pop()
+            except DamagedFileError as error:
+                problems.append(error)
+                stages.pop()
+        if not stages:
+            reasons = "; ".join(map(str, problems)) or "expected a file checkpoint-*.npz, got none"
+            raise DamagedFileError(self.path, f"no intact stage to continue from: {reasons}")
+        self._set_aside(problems)
+        for number in self._numbers("checkpoint"):
+            if number < len(stages) - 2:
+                (self.path / _name("checkpoint", number)).unlink()
+        archive = _archive_of(stages)
+        self._saved = {team: len(archive[team]) for team in TEAMS}
+        return Restored(stages, archive, state)
 
-    def _fitting(self, path: Path, problems: Problems) -> Checkpoint | None:
-        """Return a checkpoint if everything that it counts is there."""
+    def _intact_stages(self, problems: list[DamagedFileError]) -> list[Arrays]:
+        """Return the stages before the first that is damaged; add what is wrong to `problems`."""
+        stages: list[Arrays] = []
         try:
-            state = self._load(path, CHECKPOINT)
-            self._log.check(log_position(state))
-            archive = {t: file.read(genome_position(state, t)) for t, file in self._grown.items()}
-        except (FileNotFoundError, DamagedFileError) as error:
+            for number in range(self._newest() + 1):
+                stages.append(self._stage(number))  # noqa: PERF401, those before an error are kept
+        except DamagedFileError as error:
             problems.append(error)
-            return None
-        return Checkpoint(archive, state)
+        return stages
 
-    def _set_aside(self, problems: Problems) -> None:
-        """Rename a damaged checkpoint, so that no save keeps it as the previous one."""
+    def _set_aside(self, problems: Sequence[DamagedFileError]) -> None:
         for problem in problems:
-            if isinstance(problem, DamagedFileError):
-                warnings.warn(f"{problem}; continuing from the checkpoint before it", stacklevel=4)
-                if problem.path == self._file(CHECKPOINT) and problem.path.exists():
-                    os.replace(problem.path, f"{problem.path}.damaged")
+            warnings.warn(f"{problem}; continuing from the stage before it", stacklevel=4)
+            if problem.path.exists():
+                os.replace(problem.path, f"{problem.path}.damaged")
 
-    def _settle(self, chosen: Path, state: Arrays) -> None:
-        """Make a checkpoint the newest one, and remove what other files hold beyond it."""
-        if chosen != self._file(CHECKPOINT):
-            os.replace(chosen, self._file(CHECKPOINT))
-        # The log last: genomes may be more than the checkpoint counts only if the log is longer.
-        for team, file in self._grown.items():
-            file.truncate(genome_position(state, team))
-        self._log.truncate(log_position(state))
-
-    def save_payoff(self, arrays: Mapping[str, NDArray[Any]]) -> None:
-        """Write payoff.npz."""
-        save_arrays(self._file(PAYOFF), arrays, owner=self._owner_of(PAYOFF))
-
-    def save_summary(self, values: Mapping[str, Any]) -> None:
-        """Write summary.json, the last file of a finished run."""
-        save_json(self.path / SUMMARY, values, owner=self._owner_of(SUMMARY))
+    def save_results(self, payoff: Mapping[str, NDArray[Any]], summary: Mapping[str, Any]) -> None:
+        """Write log and genomes for other programs, payoff.npz, and summary.json as the last."""
+        stages = self._stages()
+        with replacing(self.path / LOG) as file:
+            file.write(_log_of(stages).encode())
+        for team, genomes in _archive_of(stages).items():
+            if len(genomes):
+                with replacing(self.path / genomes_name(team)) as file:
+                    np.save(file, genomes)
+        self._save(PAYOFF, payoff)
+        save_json(self.path / SUMMARY, summary, owner=f"{self._owner}/{SUMMARY}")
 
 
-def _counted(log: Position, grown: Mapping[Team, GenomeFile]) -> dict[str, Any]:
-    """Return what a checkpoint states about the files that grow."""
-    counted: dict[str, Any] = {"log_length": log.length, "log_checksum": log.checksum}
-    for team, file in grown.items():
-        genomes, genes, checksum = file.position
-        counted |= {f"{team}s": [genomes, genes], f"{team}s_checksum": checksum}
-    return counted
+def genomes_name(team: Team) -> str:
+    """Return the name of the file with a team's genomes; a team of a script has none."""
+    return f"{team}s.npy"
+
+
+def _name(kind: str, stage: int) -> str:
+    return f"{kind}-{stage:04}.npz"
+
+
+_INCOMPLETE = {LOCK, _name("stage", 0), _name("checkpoint", 0)}
+"""Files that a process may leave, besides temporary ones, if it is killed while it makes a run."""
+
+
+def _archive_of(stages: Sequence[Arrays]) -> Archive:
+    """Return the genomes that stages have added; (0, 0) for a team that a script plays."""
+
+    def genomes(name: str) -> Genomes:
+        added = [stage[name] for stage in stages if name in stage]
+        return np.concatenate(added) if added else np.empty((0, 0), np.float32)
+
+    return {team: genomes(f"{team}s") for team in TEAMS}
+
+
+def _log_of(stages: Sequence[Arrays]) -> str:
+    """Return the log of stages as CSV, with a header."""
+    return ",".join(COLUMNS) + "\n" + "".join(stage["log"].item().decode() for stage in stages)
+
+
+def _as_csv(rows: Sequence[Row]) -> str:
+    text = io.StringIO()
+    # The same line ends on all systems, so that checksums are the same, too.
+    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+    for row in rows:
+        # Nine digits identify every float32.
+        writer.writerow({k: f"{v:.9g}" if isinstance(v, float) else v for k, v in row.items()})
+    return text.getvalue()
+
+
+def _version(config: dict[str, Any]) -> str:
+    """Return the version of the package that wrote a config.json."""
+    return one_line(config.get("matrixworld", "unknown"))

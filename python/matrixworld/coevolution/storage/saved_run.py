@@ -10,13 +10,12 @@ from typing import Any
 import numpy as np
 
 from matrixworld._util.checks import check_choice
-from matrixworld._util.reading import DamagedFileError
+from matrixworld._util.files import DamagedFileError
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
-from matrixworld.coevolution.storage.run_directory import RunDirectory
-from matrixworld.coevolution.storage.run_files import CONFIG, genomes_name
+from matrixworld.coevolution.storage.run_directory import CONFIG, RunDirectory
 from matrixworld.coevolution.types import TEAMS, Genomes, Team
 from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import record
@@ -242,8 +241,7 @@ def open_run(directory: str | Path) -> SavedRun:
             return _population(files, team, archive[team])
         if isinstance(settings, SingleSettings) and settings.team != team:
             return script_of(settings.against)
-        problem = f"expected genomes of {team}s, got none"
-        raise DamagedFileError(files.path / genomes_name(team), problem)
+        raise DamagedFileError(files.path, f"expected genomes of {team}s, got none")
 
     return SavedRun(files, settings, {team: policy(team) for team in TEAMS})
 
@@ -295,4 +293,4 @@ def _population(files: RunDirectory, team: Team, genomes: Genomes) -> Population
     try:
         return Population(genomes, network)
     except (TypeError, ValueError) as error:
-        raise DamagedFileError(files.path / genomes_name(team), str(error)) from error
+        raise DamagedFileError(files.path, f"{team}s: {error}") from error
