@@ -68,8 +68,8 @@ def test_they_are_the_arrays_of_the_worlds(team: str, mode: AutoresetMode, copie
         results = twin.step(whole)
         assert_equal(seen, results[0])
         assert_equal(rewards, results[1])
-        over = (results[4]["terminated"] | results[4]["truncated"])[:, None]
-        assert_equal(terminations, results[2] & over)
+        ended = (results[4]["terminated"] | results[4]["truncated"])[:, None]
+        assert_equal(terminations, results[2] & ended)
         assert_equal(truncations, results[3])
         assert_infos(infos, results[4])
 
@@ -251,30 +251,26 @@ def test_record_video(tmp_path: Path) -> None:
 
 
 def test_refuses() -> None:
-    with pytest.raises(TypeError, match="worlds: expected a matrixworld.VectorEnv, got 'O'"):
+    with pytest.raises(TypeError, match="^worlds: expected a matrixworld.VectorEnv, got 'O'"):
         mw.AgentVectorEnv("O")  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="team: expected one of pursuer, evader, got 'both'"):
+    with pytest.raises(ValueError, match="^team:"):
         mw.AgentVectorEnv(worlds_of(), "both")
     env = mw.AgentVectorEnv(worlds_of())
     with pytest.raises(RuntimeError, match="reset\\(\\) before the first step"):
         env.step(np.zeros(21, int))
     env.reset(seed=1)
     before = env.worlds.infos["positions"].copy()
-    for actions, error, says in (
-        (np.zeros((3, 7), int), ValueError, r"actions: expected shape \(21,\), got \(3, 7\)"),
-        (np.zeros(21), TypeError, "actions: expected integers"),
-        (np.full(21, 5), ValueError, "expected 0 to 4, got 5"),
+    for actions, error in (
+        (np.zeros((3, 7), int), ValueError),
+        (np.zeros(21), TypeError),
+        (np.full(21, 5), ValueError),
     ):
-        with pytest.raises(error, match=says):
+        with pytest.raises(error, match="^actions:"):
             env.step(actions)
-    uneven = np.zeros(21, bool)
-    uneven[8] = True
-    with pytest.raises(
-        ValueError, match="same value for all agents of a world, got both in world 1"
-    ):
-        env.reset(options={"reset_mask": uneven})
-    with pytest.raises(ValueError, match=r"reset_mask: expected shape \(21,\), got \(3,\)"):
-        env.reset(options={"reset_mask": np.ones(3, bool)})
+    uneven = np.arange(21) == 8
+    for mask, says in ((uneven, "same value .* got both in world 1"), (uneven[:3], "shape")):
+        with pytest.raises(ValueError, match=f"^reset_mask: expected .*{says}"):
+            env.reset(options={"reset_mask": mask})
     np.testing.assert_array_equal(env.worlds.infos["positions"], before)
     env.close()
     assert env.worlds.closed

@@ -235,28 +235,20 @@ def test_a_function_gets_the_observations_of_living_agents() -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "error", "message"),
+    ("given", "error", "says"),
     [
-        (
-            {"evaders": "flier"},
-            ValueError,
-            "evaders: expected one of random, .*evolved-2, or a run",
-        ),
+        ({"evaders": "flier"}, ValueError, "evaders: expected one of random, .*, or a run"),
         ({"pursuers": 3}, TypeError, "pursuers: expected the name of a script .* got 3"),
         ({"evaders": []}, ValueError, "evaders: expected at least one opponent, got none"),
         ({"evaders": "fleer", "pursuers": "chaser"}, ValueError, "pursuers, evaders: expected one"),
-        ({"evaders": "evolved-1", "fov": 5}, ValueError, "evaders: expected a network for fov 5"),
-        (
-            {"evaders": "evolved-1", "diagonal": True},
-            ValueError,
-            "fov 11 and 9 actions, got fov 11",
-        ),
+        ({"evaders": "evolved-1", "fov": 5}, ValueError, "evaders: .* fov 5 .* got fov 11"),
+        ({"evaders": "evolved-1", "diagonal": True}, ValueError, "evaders: .* 9 actions, got"),
     ],
 )
 def test_what_cannot_play_is_refused(
-    given: dict[str, Any], error: type[Exception], message: str
+    given: dict[str, Any], error: type[Exception], says: str
 ) -> None:
-    with pytest.raises(error, match=message):
+    with pytest.raises(error, match=f"^{says}"):
         mw.parallel_env("O", **given)
 
 

@@ -168,25 +168,6 @@ def test_copies_continue_independently_and_identically(name: str, copied: Any) -
     assert left.world.episode == env.world.episode - 1
 
 
-def test_environments_are_independent() -> None:
-    rows = random_actions(3, 5, 12, 7)
-    alone = [mw.parallel_env(config_of("O")) for _ in range(2)]
-    together = [mw.parallel_env(config_of("O")) for _ in range(2)]
-    for number, env in enumerate(alone):
-        env.reset(seed=number)
-        for row in rows:
-            if env.agents:
-                env.step(named(env, row))
-    for number, env in enumerate(together):
-        env.reset(seed=number)
-    for row in rows:
-        for env in together:
-            if env.agents:
-                env.step(named(env, row))
-    for one, other in zip(alone, together, strict=True):
-        np.testing.assert_array_equal(one.state(), other.state())
-
-
 # ---- Bad input ---------------------------------------------------------------------------------
 
 

@@ -19,6 +19,8 @@ from rows import config_of, random_actions
 
 MODES = list(AutoresetMode)
 NAME_IN_WORLD = {"step": "steps", "episode_number": "episode"}
+SETTINGS = {"num_envs": 3, "rows": 12, "n_evaders": 2, "autoreset_mode": "SameStep"}
+ENTRY_POINT = "vector_entry_point"
 SKIPPED = {"acted", "final_obs", "_final_obs", "episode", "_episode"}
 
 
@@ -48,11 +50,11 @@ def test_each_world_is_a_single_world(name: str) -> None:
         world.reset(5 + w)
     assert_agrees(env, worlds)
     for actions in random_actions(1, 5, 7, 4, env.config.n_agents):
-        over = [world.terminated or world.truncated for world in worlds]
+        ended = [world.terminated or world.truncated for world in worlds]
         alive = np.array([world.alive for world in worlds])
         env.step(actions)
-        np.testing.assert_array_equal(env.infos["acted"], alive & ~np.array(over)[:, None])
-        if any(over):
+        np.testing.assert_array_equal(env.infos["acted"], alive & ~np.array(ended)[:, None])
+        if any(ended):
             break
         for world, chosen in zip(worlds, actions, strict=True):
             world.step(chosen)
@@ -158,7 +160,10 @@ def test_what_was_returned_stays(mode: AutoresetMode) -> None:
     """Every array of `reset` and `step` is the caller's: later steps do not change it."""
     env = make(state=True, action_mask=True, autoreset_mode=mode)
     returned = [env.reset(seed=0)]
-    returned += [env.step(a) for a in random_actions(2, 5, 9, 4, env.config.n_agents)]
+    for actions in random_actions(2, 5, 9, 4, env.config.n_agents):
+        returned.append(env.step(actions))
+        inside = (env.observations, env.rewards, env.terminations, env.truncations, env.infos)
+        np.testing.assert_equal(returned[-1], inside)
     once = copy.deepcopy(returned)
     kept = [leaf for each in returned for part in each for leaf in leaves(part)]
     inside = [env.actions, env.observations, env.rewards, *leaves(env.infos)]
@@ -169,19 +174,6 @@ def test_what_was_returned_stays(mode: AutoresetMode) -> None:
         for one, other in zip(before, after, strict=True):
             np.testing.assert_equal(one, other)
     assert any(not np.array_equal(one[0], other[0]) for one, other in itertools.pairwise(returned))
-
-
-def test_copies_agree_with_the_arrays() -> None:
-    env = make(autoreset_mode="SameStep")
-    env.reset(seed=2)
-    for actions in random_actions(2, 5, 9, 4, env.config.n_agents):
-        observations, rewards, terminations, truncations, infos = env.step(actions)
-        np.testing.assert_array_equal(observations, env.observations)
-        np.testing.assert_array_equal(rewards, env.rewards)
-        np.testing.assert_array_equal(terminations, env.terminations)
-        np.testing.assert_array_equal(truncations, env.truncations)
-        assert infos.keys() == env.infos.keys()
-        np.testing.assert_equal(infos, env.infos)
 
 
 def test_the_same_arrays_at_every_step_without_copies() -> None:
@@ -327,23 +319,20 @@ def test_a_reset_with_positions_and_map() -> None:
 @pytest.mark.parametrize("variant", mw.VARIANTS)
 def test_make_vec(variant: str) -> None:
     name = f"matrixworld/pursuit_evasion_{variant.lower()}_v0"
-    env = gymnasium.make_vec(name, num_envs=3, rows=12, n_evaders=2, autoreset_mode="SameStep")
+    env = gymnasium.make_vec(name, **SETTINGS)
     assert isinstance(env, mw.VectorEnv)
     assert env.n_worlds == 3
     assert env.config.rules == mw.VARIANTS[variant]
     assert (env.config.rows, env.config.n_evaders) == (12, 2)
     assert env.spec is not None
     assert "kwargs" in env.spec.to_json()
-    again = gymnasium.make_vec(env.spec)
-    np.testing.assert_array_equal(env.reset(seed=5)[0], again.reset(seed=5)[0])
-
-
-def test_make_vec_by_the_module_and_by_the_mode() -> None:
-    name = "matrixworld:matrixworld/pursuit_evasion_o_v0"
-    env = gymnasium.make_vec(name, num_envs=2, vectorization_mode="vector_entry_point")
-    module = mw.envs.pursuit_evasion_o_v0
-    twin = module.vector_env(num_envs=2)
-    np.testing.assert_array_equal(env.reset(seed=5)[0], twin.reset(seed=5)[0])
+    twins = [
+        gymnasium.make_vec(env.spec),
+        gymnasium.make_vec(f"matrixworld:{name}", **SETTINGS, vectorization_mode=ENTRY_POINT),
+        getattr(mw.envs, name.split("/")[1]).vector_env(**SETTINGS),
+    ]
+    for twin in twins:
+        np.testing.assert_array_equal(env.reset(seed=5)[0], twin.reset(seed=5)[0])
 
 
 def test_pictures() -> None:
@@ -384,36 +373,20 @@ def test_environments_are_independent() -> None:
     ("call", "error", "says"),
     [
         (lambda: mw.VectorEnv("O", 0), ValueError, "n_worlds: expected at least 1, got 0"),
-        (
-            lambda: make(dtype=np.float64),
-            ValueError,
-            "dtype: expected uint8 or float32, got float64",
-        ),
-        (lambda: make(flatten=1), TypeError, "flatten: expected True or False, got 1"),
-        (lambda: make(copy=0), TypeError, "copy: expected True or False, got 0"),
-        (lambda: make(action_mask=1), TypeError, "action_mask: expected True or False, got 1"),
-        (
-            lambda: mw.VectorEnv("O", fov=1, action_mask=True),
-            ValueError,
-            "action_mask: expected a fov of at least 3, got 1",
-        ),
+        (lambda: make(dtype=np.float64), ValueError, "dtype: expected uint8 or float32, got"),
+        (lambda: make(flatten=1), TypeError, "flatten:"),
+        (lambda: make(copy=0), TypeError, "copy:"),
+        (lambda: make(action_mask=1), TypeError, "action_mask:"),
+        (lambda: mw.VectorEnv("O", fov=1, action_mask=True), ValueError, "action_mask: .* got 1"),
         (lambda: make(state="yes"), TypeError, "state: expected True or False, got 'yes'"),
-        (
-            lambda: make(autoreset_mode="Never"),
-            ValueError,
-            "NextStep, SameStep, Disabled, got 'Never'",
-        ),
-        (lambda: make(render_mode="human"), ValueError, "None or 'rgb_array', got 'human'"),
-        (lambda: make().step(np.zeros((4, 7), int)), RuntimeError, "reset\\(\\) before the first"),
-        (
-            lambda: make().reset(options={"map": 1}),
-            ValueError,
-            "expected some of .*got \\['map'\\]",
-        ),
-        (lambda: make().reset(seed=-1), ValueError, "seed: expected 0 to .*, got -1"),
+        (lambda: make(autoreset_mode="Never"), ValueError, "autoreset_mode: .* got 'Never'"),
+        (lambda: make(render_mode="human"), ValueError, "render_mode:"),
+        (lambda: make().step(np.zeros((4, 7), int)), RuntimeError, r"call reset\(\) before"),
+        (lambda: make().reset(options={"map": 1}), ValueError, r"options: .* got \['map'\]"),
+        (lambda: make().reset(seed=-1), ValueError, "seed:"),
         (lambda: make().world(4), ValueError, "world: expected 0 to 3, got 4"),
     ],
 )
 def test_refuses(call: Any, error: type[Exception], says: str) -> None:
-    with pytest.raises(error, match=says):
+    with pytest.raises(error, match=f"^{says}"):
         call()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import os
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from made_up_episode import made_up_episode
 from matrixworld.episodes.episode import Episode
 
 EPISODE = made_up_episode()
+MARK = {"format": np.array("matrixworld episode 3")}
 ARRAYS = [
     each.name
     for each in dataclasses.fields(Episode)
@@ -96,49 +98,37 @@ def _loaded(path: Path) -> Episode | str:
         return str(error)
 
 
+@pytest.mark.parametrize(
+    ("entries", "says"),
+    [
+        ({"payoff": np.zeros(3)}, "expected a file marked 'matrixworld episode 3'"),
+        ({**MARK, "map": np.zeros((2, 2), bool)}, r"expected entries .* got \['map'\]"),
+        ({**MARK, "map": np.array([{}], object)}, "cut, .*numbers or text, got dtype object"),
+    ],
+)
+def test_foreign_archives_are_refused(entries: dict[str, Any], says: str, tmp_path: Path) -> None:
+    np.savez(tmp_path / "foreign.npz", **entries)
+    with pytest.raises(ValueError, match=f"foreign.npz: {says}"):
+        Episode.load(tmp_path / "foreign.npz")
+
+
 def test_foreign_files_are_refused(tmp_path: Path) -> None:
-    path = tmp_path / "foreign"
+    path = tmp_path / "foreign.npy"
     path.write_text("Dear Sir")
-    with pytest.raises(ValueError, match="foreign: cut, altered or not an npz file"):
+    with pytest.raises(ValueError, match="foreign.npy: cut, altered or not an npz file"):
         Episode.load(path)
-    with path.open("wb") as file:
-        np.savez(file, payoff=np.zeros(3))
-    with pytest.raises(ValueError, match="foreign: expected a file marked 'matrixworld episode 3'"):
+    np.save(path, np.zeros(3))
+    with pytest.raises(ValueError, match="foreign.npy: cut, altered or not an npz file"):
         Episode.load(path)
-    with path.open("wb") as file:
-        np.save(file, np.zeros(3))
-    with pytest.raises(ValueError, match="foreign: cut, altered or not an npz file"):
-        Episode.load(path)
-    with path.open("wb") as file:
-        np.savez(file, format=np.array("matrixworld episode 3"), map=np.zeros((2, 2), bool))
-    with pytest.raises(
-        ValueError, match=r"foreign: expected entries \['actions', .* got \['map'\]"
-    ):
-        Episode.load(path)
-    with pytest.raises(FileNotFoundError):
-        Episode.load(tmp_path / "missing")
-
-
-def test_objects_are_not_unpickled(tmp_path: Path) -> None:
-    path = tmp_path / "pickled"
-    with path.open("wb") as file:
-        np.savez(file, format=np.array("matrixworld episode 3"), map=np.array([{}], object))
-    with pytest.raises(
-        ValueError,
-        match=r"pickled: cut, altered or not an npz file .*numbers or text, got dtype object",
-    ):
-        Episode.load(path)
-
-
-def test_an_entry_that_does_not_fit_is_refused_by_name(tmp_path: Path) -> None:
-    path = tmp_path / "misfit"
     EPISODE.save(path)
     with np.load(path) as stored:
         entries = {**stored, "alive": stored["alive"][1:]}
     with path.open("wb") as file:
         np.savez(file, **entries)
-    with pytest.raises(ValueError, match=r"misfit: not an episode .*alive: expected shape"):
+    with pytest.raises(ValueError, match=r"foreign.npy: not an episode .*alive: expected shape"):
         Episode.load(path)
+    with pytest.raises(FileNotFoundError):
+        Episode.load(tmp_path / "missing")
 
 
 def test_a_save_that_fails_leaves_the_old_file(tmp_path: Path) -> None:
@@ -178,10 +168,7 @@ def test_conflicts_are_kept_in_files_and_told_by_step(tmp_path: Path) -> None:
         assert each.explain(4) == each.explain(-27)
         assert each.explain(5) == []
     assert explained().explain() == []
-
-
-def test_a_recording_without_conflicts_cannot_explain() -> None:
-    with pytest.raises(ValueError, match="conflict_table: expected a recording with conflicts"):
+    with pytest.raises(ValueError, match="^conflict_table: expected a recording with conflicts"):
         EPISODE.explain(3)
 
 

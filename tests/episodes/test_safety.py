@@ -261,26 +261,32 @@ def test_arrays_are_copied() -> None:
     assert_same(monitor, expected)
 
 
-def zeros(*shape: int) -> np.ndarray:
-    return np.zeros(shape, int)
-
-
-def test_refused() -> None:
+@pytest.mark.parametrize(
+    ("changes", "error", "field"),
+    [
+        ({"faults": np.zeros((2, 3), int)}, ValueError, "faults"),
+        ({"agent_steps": [[1.5, 2]] * 2}, TypeError, "agent_steps"),
+        ({"collisions": np.full((2, 2, 3), -1)}, ValueError, "collisions"),
+        ({"capture_rate": [np.nan, 0]}, ValueError, "capture_rate"),
+        ({"faults": np.full((2, 2, 3), 2)}, ValueError, "safety"),
+        ({"collisions": np.full((2, 2, 3), 3)}, ValueError, "safety"),
+    ],
+)
+def test_refused_counts_are_not_collected(
+    changes: dict[str, Any], error: type[Exception], field: str
+) -> None:
     monitor = mw.SafetyMonitor()
+    counts = np.ones((2, 2, 3), int)
+    fine = {"agent_steps": [[2, 2]] * 2, "capture_rate": np.zeros(2)}
+    with pytest.raises(error, match=f"^{field}: expected"):
+        monitor.add(**{"collisions": counts, "faults": counts, **fine, **changes})
+    assert monitor.episodes == 0
     with pytest.raises(ValueError, match="at least one whole episode, got none"):
         monitor.summary()
-    with pytest.raises(ValueError, match=r"faults: expected shape \(2, 2, 3\), got \(2, 3\)"):
-        monitor.add(zeros(2, 2, 3), zeros(2, 3), zeros(2, 2), np.zeros(2))
-    with pytest.raises(TypeError, match="agent_steps: expected an integer, got 1.5"):
-        monitor.add(zeros(2, 3), zeros(2, 3), [1.5, 2], 0)
-    with pytest.raises(ValueError, match="collisions: expected 0 to .*, got -1 to 0"):
-        monitor.add(zeros(2, 3) - [0, 0, 1], zeros(2, 3), [1, 1], 0)
-    with pytest.raises(ValueError, match="expected shares, 0 to 1, got nan"):
-        monitor.add(zeros(2, 3), zeros(2, 3), [1, 1], np.nan)
-    for collisions, faults in ((1, 2), (3, 1)):
-        with pytest.raises(ValueError, match="expected faults <= collisions <= agent_steps"):
-            monitor.add(zeros(2, 3) + collisions, zeros(2, 3) + faults, [2, 2], 0)
-    assert monitor.episodes == 0
+
+
+def test_a_step_that_was_left_out_is_refused() -> None:
+    monitor = mw.SafetyMonitor()
     env = mw.parallel_env(config_of("R"))
     env.reset(seed=0)
     env.step(dict.fromkeys(env.agents, 0))
@@ -289,6 +295,3 @@ def test_refused() -> None:
         monitor.observe(env.status)
     with pytest.raises(TypeError, match="unsupported operand"):
         monitor + 1
-
-
-# ---- The page ------------------------------------------------------------------------------------
