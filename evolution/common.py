@@ -10,21 +10,20 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
-from tqdm import tqdm
 
 import matrixworld as mw
 from matrixworld.cluster import cluster
 from matrixworld.coevolution import (
     FailedRunsError,
-    JobProgress,
+    ProgressBar,
     RaceSettings,
     SavedRun,
     SingleSettings,
     Team,
     open_run,
 )
-from matrixworld.coevolution.many import job_of
-from matrixworld.coevolution.many.evolve_many import play_job
+from matrixworld.coevolution.jobs.evolve import play_job
+from matrixworld.coevolution.jobs.job import job_of
 
 Settings = RaceSettings | SingleSettings
 
@@ -117,16 +116,14 @@ def finish_all(
     job = job_of(settings)
     with (
         on_cluster(where, root, settings.values()) as executor,
-        tqdm(total=len(job.runs), unit=" runs", disable=None) as bar,
+        ProgressBar() as bar,
     ):
-
-        def report(progress: JobProgress) -> None:
-            bar.update(progress.finished - bar.n)
-
         share = None if executor is not None else threads
-        outcome = play_job(job, root, keep=False, executor=executor, threads=share, report=report)
-    if outcome.failures:
-        raise FailedRunsError({root / name: why for name, why in outcome.failures.items()})
+        _, failures = play_job(
+            job, root, keep=False, executor=executor, threads=share, report=bar.show
+        )
+    if failures:
+        raise FailedRunsError({root / name: why for name, why in failures.items()})
     return {name: open_run(root / name) for name in settings}
 
 

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 import pytest
 from tqdm import tqdm
 
-from matrixworld.cli.console import ProgressLines, progress, warnings_as_notes
-from matrixworld.coevolution import DisengagementWarning, ProgressBar
+from matrixworld.cli.console import warnings_as_notes
+from matrixworld.coevolution import DisengagementWarning, Progress, ProgressBar
 from matrixworld.coevolution.progress import LAYOUT
 
 
@@ -21,9 +21,9 @@ class Terminal(io.StringIO):
 
 
 def test_progress_lines_without_a_terminal():
-    seconds: Iterator[float] = iter([0.0, 2.0, 4.0])
+    seconds: Iterator[float] = iter([0.0, 1.0, 2.0, 3.0, 4.0])
     out = io.StringIO()
-    lines = ProgressLines(out, clock=lambda: next(seconds))
+    lines = ProgressBar(stream=out, clock=lambda: next(seconds))
     for done in (100, 150, 300, 350, 600):
         lines("evaders", done, 1000)
     assert out.getvalue().splitlines() == [
@@ -32,10 +32,30 @@ def test_progress_lines_without_a_terminal():
     ]
 
 
-def test_progress_bar_in_a_terminal():
-    with progress(Terminal()) as report_bar, progress(io.StringIO()) as report_lines:
-        assert isinstance(report_bar, ProgressBar)
-        assert isinstance(report_lines, ProgressLines)
+def test_progress_lines_of_a_job():
+    out = io.StringIO()
+    lines = ProgressBar(stream=out)
+    for done in range(0, 101, 5):
+        runs = {"seed-1": Progress("generation 1", done, 200)}
+        what = "1 of 4 runs, 1 failed" if done > 50 else "1 of 4 runs"
+        lines.show(Progress(what, done, 100, 0, runs))
+    said = out.getvalue().splitlines()
+    assert len(said) == 10
+    first = r" 10%  10 of 100 matches, .* left \(1 of 4 runs, seed-1 5%\)"
+    assert re.fullmatch(first, said[0])
+    assert "(1 of 4 runs, 1 failed, seed-1 50%)" in said[-1]
+
+
+def test_bars_in_a_terminal_have_a_line_for_each_run_in_work():
+    out = Terminal()
+    with ProgressBar(stream=out) as bar:
+        runs = {f"seed-{seed}": Progress("generation 1", 10, 100) for seed in range(2)}
+        bar.show(Progress("0 of 3 runs", 20, 300, 0, runs))
+        del runs["seed-0"]
+        bar.show(Progress("1 of 3 runs", 150, 300, 0, runs))
+    said = out.getvalue()
+    assert "seed-0: generation 1" in said
+    assert re.search(r" 50%\|█{8} {8}\| .* left, .*matches/s, 150 of 300, 1 of 3 runs", said)
 
 
 @pytest.mark.parametrize("columns", [60, 100])

@@ -48,8 +48,8 @@ from matrixworld.coevolution import (
     score,
     start,
 )
-from matrixworld.coevolution.many import watch
-from matrixworld.coevolution.many.watch import Watch
+from matrixworld.coevolution.jobs import evolve as jobs_evolve
+from matrixworld.coevolution.jobs.evolve import JobPlay
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 
@@ -364,7 +364,7 @@ def test_ctrl_c_ends_cleanly_and_resume_ends_the_same(job, undrawn, monkeypatch,
     play = StopAt(calls)
     one = [*words(RACE), "--schedule", MAIN_JOB[2]]
     with monkeypatch.context() as patch:
-        patch.setattr(watch, "finish", partial(finish, play=play))
+        patch.setattr(jobs_evolve, "finish", partial(finish, play=play))
         result = matrixworld_command("evolve", "out", *one, code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
     resumed = matrixworld_command("evolve", "--resume", "out")
@@ -377,7 +377,7 @@ def test_a_job_that_is_stopped_before_its_first_run_is_resumed_whole(job, undraw
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr(Watch, "play", stop)
+        patch.setattr(JobPlay, "by_processes", stop)
         result = matrixworld_command("evolve", "out", *words(JOB), code=130)
     assert "matrixworld evolve --resume out\n" in result.stderr
     assert find_runs(Path("out")) == []

@@ -20,7 +20,7 @@ from matrixworld.cli.run_groups import root_of
 from matrixworld.cli.seed_report import report_seeds
 from matrixworld.cli.seed_tables import print_strip
 from matrixworld.coevolution import open_run, open_runs, score, start
-from matrixworld.coevolution.many.job import job_of, save_job
+from matrixworld.coevolution.jobs.job import job_of, save_job
 from tiny_race import StopAt, tiny_race, tiny_single
 
 SCHEDULES = ("specialist-specialist", "generalist-generalist")

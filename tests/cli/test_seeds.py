@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import signal
 import subprocess
 import sys
@@ -17,10 +16,9 @@ import pytest
 from command_line import MAIN_JOB, RACE, WORLD, matrixworld_command, words
 from matrixworld.cli import seed_report
 from matrixworld.cli.arguments import find_runs
-from matrixworld.cli.job_progress import JobLines
 from matrixworld.cli.seeds import seeds_of
-from matrixworld.coevolution import JobProgress, RunProgress, finish, open_run
-from matrixworld.coevolution.many.job import open_job
+from matrixworld.coevolution import finish, open_run
+from matrixworld.coevolution.jobs.job import open_job
 from tiny_race import results, tiny_race, tiny_single
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
@@ -200,18 +198,6 @@ def test_runs_that_were_put_together_by_hand_are_continued(tmp_path):
     assert Path("mine/0/summary.json").read_bytes() == before
     assert not Path("mine/job.json").exists()
     assert "All files are in mine:" in said
-
-
-def test_progress_as_lines(capsys):
-    lines = JobLines(sys.stderr)
-    for done in range(0, 101, 5):
-        running = {"seed-1": RunProgress("generation 1", done, 200, 0)}
-        lines(JobProgress(running, 1, 1 if done > 50 else 0, 4, done, 100, 0))
-    said = capsys.readouterr().err.splitlines()
-    assert len(said) == 10
-    first = r" 10%  10 of 100 matches, .* left \(1 of 4 runs, seed-1 5%\)"
-    assert re.fullmatch(first, said[0])
-    assert "(1 of 4 runs, 1 failed, seed-1 50%)" in said[-1]
 
 
 def test_the_file_of_a_job_is_plain_json():

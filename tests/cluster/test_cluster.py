@@ -27,7 +27,7 @@ from matrixworld.coevolution import (
     FailedRunsError,
     RaceSettings,
     WorkerDiedError,
-    evolve_many,
+    evolve,
     finish,
     tournament,
 )
@@ -79,7 +79,7 @@ def test_races_equal_those_of_one_process(dask: DaskCluster, tmp_path: Path) -> 
     dask.workers(2)
     settings = races(4)
     with cluster(str(dask.file), directory=tmp_path / "many") as executor:
-        runs = evolve_many(settings, tmp_path / "many", executor=executor)
+        runs = evolve(settings, tmp_path / "many", executor=executor)
     assert [run.files.path.name for run in runs] == list(settings)
     check_equal(tmp_path / "many", settings, tmp_path / "alone")
     assert not list((tmp_path / "many").glob(".*.tmp"))
@@ -115,7 +115,7 @@ def test_a_killed_worker_is_replaced_by_another(dask: DaskCluster, tmp_path: Pat
     first, _ = dask.workers(2)
     settings, place = races(4, **SLOW), tmp_path / "many"
     with cluster(dask.address, directory=place) as executor:
-        played = in_background(lambda: evolve_many(settings, place, executor=executor))
+        played = in_background(lambda: evolve(settings, place, executor=executor))
         wait_until(have_begun(place, 2), "two races")
         dask.kill(first)
         dask.workers(2)
@@ -128,7 +128,7 @@ def test_a_frozen_worker_does_no_harm(dask: DaskCluster, tmp_path: Path) -> None
     first, _ = dask.workers(2)
     settings, place = races(3, **SLOW), tmp_path / "many"
     with cluster(dask.address, directory=place) as executor:
-        played = in_background(lambda: evolve_many(settings, place, executor=executor))
+        played = in_background(lambda: evolve(settings, place, executor=executor))
         wait_until(have_begun(place, 2), "two races")
         first.send_signal(signal.SIGSTOP)
         # It still holds the lock of its race when the scheduler has given it up.
@@ -151,7 +151,7 @@ def test_a_race_that_kills_workers_is_named(dask: DaskCluster, tmp_path: Path) -
         cluster(dask.address, directory=place) as executor,
         pytest.raises(FailedRunsError, match="deadly: 2 workers died") as error,
     ):
-        evolve_many(settings, place, executor=executor)
+        evolve(settings, place, executor=executor)
     [(path, reason)] = error.value.failures.items()
     assert path == place / "deadly"
     assert isinstance(reason, WorkerDiedError)
@@ -164,19 +164,19 @@ def test_interrupted_tasks_stop_and_continue(dask: DaskCluster, tmp_path: Path) 
     dask.workers(2)
     settings, place = races(3, **{**SLOW, "generations": 8}), tmp_path / "many"
 
-    def interrupt(progress: coevolution.JobProgress) -> None:
+    def interrupt(progress: coevolution.Progress) -> None:
         if have_begun(place, 1)():
             raise KeyboardInterrupt
 
     with cluster(dask.address, directory=place) as executor:
         with pytest.raises(KeyboardInterrupt):
-            evolve_many(settings, place, executor=executor, report=interrupt)
+            evolve(settings, place, executor=executor, report=interrupt)
         # Both workers are free again: no task goes on behind the back of its job.
         began = time.monotonic()
         assert executor.submit(operator.add, 1, 2).result() == 3
         assert time.monotonic() - began < 5
         assert len(list(place.glob("*/summary.json"))) < len(settings)
-        evolve_many(settings, place, executor=executor)
+        evolve(settings, place, executor=executor)
     check_equal(place, settings, tmp_path / "alone")
 
 
@@ -184,7 +184,7 @@ def test_a_vanished_cluster_leaves_files_to_continue(tmp_path: Path) -> None:
     settings, place = races(3, **SLOW), tmp_path / "many"
     with dask_cluster(tmp_path / "dask", workers=2) as dask:
         with cluster(dask.address, directory=place) as executor:
-            played = in_background(lambda: evolve_many(settings, place, executor=executor))
+            played = in_background(lambda: evolve(settings, place, executor=executor))
             wait_until(have_begun(place, 2), "two races")
             os.kill(dask.scheduler.pid, signal.SIGKILL)
             with pytest.raises(ClusterLostError, match="the scheduler tcp://.* was lost"):
@@ -193,7 +193,7 @@ def test_a_vanished_cluster_leaves_files_to_continue(tmp_path: Path) -> None:
                 executor.submit(operator.add, 1, 2)
         # Workers without a scheduler end by themselves.
         wait_until(lambda: not dask.left(), "end of all workers")
-    evolve_many(settings, place, threads=1)
+    evolve(settings, place, threads=1)
     check_equal(place, settings, tmp_path / "alone")
 
 

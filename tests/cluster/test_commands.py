@@ -17,7 +17,7 @@ import pytest
 from command_line import RACE, matrixworld_command, run_together, words
 from dask_cluster import DaskCluster, dask_cluster, group_lives, kill_group, wait_until
 from matrixworld.cli import clusters
-from matrixworld.coevolution import RaceSettings, evolve_many, finish, open_run
+from matrixworld.coevolution import RaceSettings, evolve, finish, open_run
 from tiny_race import results, tiny_race
 
 pytest.importorskip("distributed")
@@ -85,7 +85,7 @@ def test_scores_are_the_same(run: Path, dask: DaskCluster, tmp_path: Path) -> No
 
 def test_responses_are_the_same(dask: DaskCluster, tmp_path: Path) -> None:
     job = tmp_path / "job"
-    evolve_many([tiny_race(**SCHEDULE, seed=seed) for seed in (0, 1)], job, threads=1)
+    evolve([tiny_race(**SCHEDULE, seed=seed) for seed in (0, 1)], job, threads=1)
     command = ("exploit", job, "--champion", "evader", "--matches", 100, "--episodes", 5)
     outs = [tmp_path / "alone", tmp_path / "shared"]
     for out, where in zip(outs, ((), ("--cluster", dask.address)), strict=True):

@@ -41,9 +41,7 @@ NOT_COPIED = {
     "AgentVectorEnv": "it holds a `VectorEnv`",
     "Exercise": "its check is a closure",
     "ClusterExecutor": "it holds connections",
-    "LocalExecutor": "it holds processes",
     "ProgressBar": "it holds a terminal",
-    "ProgressBars": "it holds a terminal",
     "VariantModule": "a module",
 }
 """Public classes without a copy, each with the reason."""

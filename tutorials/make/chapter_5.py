@@ -22,7 +22,7 @@ from pathlib import Path
 import numpy as np
 
 from matrixworld._util.files import save_arrays
-from matrixworld.coevolution import SCHEDULES, ProgressBars, RaceSettings, evolve_many
+from matrixworld.coevolution import SCHEDULES, ProgressBar, RaceSettings, evolve
 from matrixworld.tutorial.course import DATA
 
 SEEDS = range(10)
@@ -38,8 +38,8 @@ def played(directory: Path, threads: int | None) -> dict[str, list[np.ndarray]]:
         for name in SCHEDULES
         for seed in SEEDS
     }
-    with ProgressBars() as bars:
-        runs = evolve_many(settings, directory, threads=threads, report=bars)
+    with ProgressBar() as bars:
+        runs = evolve(settings, directory, threads=threads, report=bars.show)
     rates: dict[str, list[np.ndarray]] = {name: [] for name in SCHEDULES}
     for run in runs:
         rates[run.settings.schedule].append(run.payoff().capture_rates)

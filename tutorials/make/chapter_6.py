@@ -34,10 +34,10 @@ from matrixworld import toys
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import (
     TEAMS,
-    ProgressBars,
+    ProgressBar,
     RaceSettings,
     SavedRun,
-    evolve_many,
+    evolve,
     tournament,
 )
 from matrixworld.coevolution.opponents import Uniform
@@ -61,8 +61,8 @@ def races(directory: Path, threads: int | None) -> list[SavedRun]:
         for name in SAMPLERS
         for seed in SEEDS
     }
-    with ProgressBars() as bars:
-        return evolve_many(settings, directory, threads=threads, report=bars)
+    with ProgressBar() as bars:
+        return evolve(settings, directory, threads=threads, report=bars.show)
 
 
 def numbers_of(runs: list[SavedRun]) -> dict[str, np.ndarray]:

@@ -47,16 +47,7 @@ def on_cluster(
 ) -> Iterator[Executor | None]:
     """Yield the executor that ``--cluster`` asks for, or None without it.
 
-    Parameters
-    ----------
-    where : str or None
-        Value of the option.
-    threads : int or None
-        Value of ``--threads``, which must not be given beside it.
-    directory : Path, optional
-        Directory that the work reads and writes.
-    settings : iterable of RaceSettings or SingleSettings, optional
-        Settings of the runs to play.
+    `directory` is what the work reads and writes, `settings` are those of the runs to play.
     """
     if where is None:
         yield None

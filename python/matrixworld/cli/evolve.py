@@ -30,8 +30,8 @@ from matrixworld.coevolution import (
     RunDirectory,
     SingleSettings,
 )
-from matrixworld.coevolution.many.evolve_many import check_job
-from matrixworld.coevolution.many.job import Job
+from matrixworld.coevolution.jobs.evolve import check_job
+from matrixworld.coevolution.jobs.job import Job
 
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b

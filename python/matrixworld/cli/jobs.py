@@ -14,8 +14,7 @@ import click
 
 from matrixworld.analysis import Judgement, judge
 from matrixworld.cli.arguments import find_runs, place_in_job, resume_command
-from matrixworld.cli.console import note
-from matrixworld.cli.job_progress import job_progress
+from matrixworld.cli.console import note, progress
 from matrixworld.coevolution import (
     Payoff,
     PluginError,
@@ -23,8 +22,8 @@ from matrixworld.coevolution import (
     RunDirectory,
     SingleSettings,
 )
-from matrixworld.coevolution.many.evolve_many import BAD_FILES, described, play_job
-from matrixworld.coevolution.many.job import Job, against_name, job_of, open_job
+from matrixworld.coevolution.jobs.evolve import BAD_FILES, described, play_job
+from matrixworld.coevolution.jobs.job import Job, against_name, job_of, open_job
 
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
@@ -34,17 +33,7 @@ Settings = RaceSettings | SingleSettings
 
 @dataclass(frozen=True)
 class Result:
-    """A finished run. The payoff is held, so that figures and report need not read it again.
-
-    Parameters
-    ----------
-    files : RunDirectory
-        The run's directory.
-    settings : RaceSettings or SingleSettings
-        The run's settings.
-    payoff : Payoff
-        The content of payoff.npz.
-    """
+    """A finished run. The payoff is held, so that figures and report need not read it again."""
 
     files: RunDirectory
     settings: Settings
@@ -95,15 +84,7 @@ def default_directory(job: Job) -> Path:
 
 
 def new_job(settings: Sequence[Settings], seeds: Sequence[int] | None) -> Job:
-    """Return the job of runs that options ask for.
-
-    Parameters
-    ----------
-    settings : sequence of RaceSettings or SingleSettings
-        Settings of different schedules, or of a single run.
-    seeds : sequence of int or None
-        The seeds of each, None for the seed of the settings.
-    """
+    """Return the job of runs that options ask for: settings of different schedules, and seeds."""
     # The order in which find_runs finds them, so that --resume prints and draws the same.
     ordered = sorted(settings, key=lambda each: place_in_job(getattr(each, "schedule", "")))
     if seeds is None:
@@ -112,13 +93,7 @@ def new_job(settings: Sequence[Settings], seeds: Sequence[int] | None) -> Job:
 
 
 def found_job(root: Path) -> Job:
-    """Return the job in a directory; a run's directory is a job of one.
-
-    Raises
-    ------
-    click.UsageError
-        If the directory is a part of a job.
-    """
+    """Return the job in a directory; a run's directory is a job of one."""
     job = open_job(root)
     if job is not None:
         return job
@@ -131,33 +106,24 @@ def found_job(root: Path) -> Job:
 
 
 def play_runs(
-    job: Job,
-    root: Path,
-    threads: int | None,
-    executor: Executor | None = None,
-    *,
-    new: bool,
+    job: Job, root: Path, threads: int | None, executor: Executor | None = None, *, new: bool
 ) -> tuple[list[Result], dict[Path, str]]:
-    """Play the runs of a job, and show their progress.
+    """Play the runs of a job; return the finished ones, and why the others failed.
 
-    Returns
-    -------
-    list of Result
-        The finished runs.
-    dict of Path to str
-        Why the other ones failed. The error of a single run is raised.
+    The error of a single run is raised.
     """
-    with job_progress() as report:
-        outcome = play_job(job, root, keep=new, executor=executor, threads=threads, report=report)
-    if len(job.runs) == 1:
-        for error in outcome.failures.values():
+    with progress() as bar:
+        names, errors = play_job(
+            job, root, keep=new, executor=executor, threads=threads, report=bar.show
+        )
+    for error in errors.values():
+        if len(job.runs) == 1:
             raise error  # as it is: one sentence, or the traceback of the user's own code
-    for error in outcome.failures.values():
         if isinstance(error, PluginError):  # the user's own code: the traceback is wanted
             note("".join(traceback.format_exception(error)))
-    failed = {root / n: described(root / n, error) for n, error in outcome.failures.items()}
+    failed = {root / name: described(root / name, error) for name, error in errors.items()}
     results = []
-    for path in (root / name for name in job.runs if name in outcome.finished):
+    for path in (root / name for name in names):
         try:
             results.append(open_result(path))
         except BAD_FILES as error:  # noqa: PERF203, of one run: the others are shown

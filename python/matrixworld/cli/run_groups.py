@@ -14,7 +14,7 @@ import click
 from matrixworld.cli.arguments import SEED, find_runs, run_of
 from matrixworld.cli.console import note
 from matrixworld.cli.jobs import Result, open_result
-from matrixworld.coevolution.many.job import open_job
+from matrixworld.coevolution.jobs.job import open_job
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.run_directory import RunDirectory

@@ -28,7 +28,7 @@ from matrixworld.cli.seed_tables import (
     shown,
     verdict_counts,
 )
-from matrixworld.coevolution.many.job import group_of
+from matrixworld.coevolution.jobs.job import group_of
 from matrixworld.explorer.runs_page import PAGE
 
 if TYPE_CHECKING:

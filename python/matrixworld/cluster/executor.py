@@ -230,7 +230,7 @@ class ClusterExecutor(Executor):
         from distributed import KilledWorker
 
         # Here, because workers import this package to be checked, which should be quick.
-        from matrixworld.coevolution.many import WorkerDiedError
+        from matrixworld.coevolution.jobs.worker import WorkerDiedError
 
         if isinstance(error, KilledWorker):
             work.future.set_exception(

@@ -10,13 +10,13 @@ A race in a few lines::
 
 ``coevolution.resume("my-race").run()`` continues after an interruption.
 ``coevolution.finish(settings, "my-race")`` starts or continues the race, whichever is needed.
-``coevolution.evolve_many([settings, ...], "my-races")`` does so for many, side by side.
+``coevolution.evolve([settings, ...], "my-races")`` does so for many, side by side.
 ``coevolution.open_run("my-race").record(pursuer=30, evader=10)`` plays an episode again.
 
 ====================  ============================================================================
 package or module     contents
 ====================  ============================================================================
-many                  many runs at one call, side by side or on other machines
+jobs                  runs that are asked for together, side by side or on other machines
 runs                  races and other runs: training, checkpoints, evaluation at the end
 evaluation            payoff matrices, and scores against held-out opponents
 storage               run directories, to write and to read
@@ -56,6 +56,9 @@ from matrixworld.coevolution.fitness import (
     fitness,
     reduced_virulence,
 )
+from matrixworld.coevolution.jobs.best_responses import best_responses
+from matrixworld.coevolution.jobs.evolve import FailedRunsError, evolve
+from matrixworld.coevolution.jobs.worker import StoppedError, WorkerDiedError
 from matrixworld.coevolution.learners.cma_es import CmaEs
 from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy, centred_ranks
 from matrixworld.coevolution.learners.genetic_algorithm import (
@@ -74,17 +77,6 @@ from matrixworld.coevolution.learners.toolbox import (
     Individual,
     generate_update_toolbox,
 )
-from matrixworld.coevolution.many import (
-    FailedRunsError,
-    JobProgress,
-    LocalExecutor,
-    ProgressBars,
-    RunProgress,
-    StoppedError,
-    WorkerDiedError,
-    best_responses,
-    evolve_many,
-)
 from matrixworld.coevolution.opponents.registry import (
     ALTERNATING,
     HALL_OF_FAME,
@@ -94,7 +86,7 @@ from matrixworld.coevolution.opponents.registry import (
 )
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.plugin_checks import PluginError
-from matrixworld.coevolution.progress import ProgressBar, Report
+from matrixworld.coevolution.progress import Progress, ProgressBar, Report
 from matrixworld.coevolution.runs.alternating import DisengagementWarning, Race
 from matrixworld.coevolution.runs.best_response import BestResponse, best_response
 from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
@@ -135,9 +127,7 @@ __all__ = [
     "HallOfFameRace",
     "HeldOutScores",
     "Individual",
-    "JobProgress",
     "Learner",
-    "LocalExecutor",
     "LockedError",
     "Momentum",
     "NoEffectError",
@@ -145,15 +135,14 @@ __all__ = [
     "OtherVersionError",
     "Payoff",
     "PluginError",
+    "Progress",
     "ProgressBar",
-    "ProgressBars",
     "Race",
     "RaceSettings",
     "Report",
     "Rollout",
     "Run",
     "RunDirectory",
-    "RunProgress",
     "SavedRun",
     "Schedule",
     "SingleSettings",
@@ -171,7 +160,7 @@ __all__ = [
     "check_sampler",
     "competitive_sharing",
     "evaluation_seed",
-    "evolve_many",
+    "evolve",
     "finish",
     "fitness",
     "generate_update_toolbox",

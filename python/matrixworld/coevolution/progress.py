@@ -1,21 +1,68 @@
-"""Progress of a run; nothing is shown unless a `ProgressBar` is passed as `report`."""
+"""Progress of a run or a job; nothing is shown unless a `ProgressBar` is passed as `report`."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import shutil
+import sys
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from types import TracebackType
+from typing import TextIO
 
 from tqdm import tqdm
 
 SECONDS = 0.5
-"""Minimum time between two updates of the bar, in seconds."""
+"""Minimum time between two updates, in seconds."""
+MOST_RUNS = 16
+"""Most runs in work that are shown."""
+TENTH = 0.1
+"""Share of the work from one line to the next, if there is no terminal."""
+SLOW = 10.0
+"""Rates below it, in units a second, are written with a decimal."""
 
 # What matters most comes first: in a narrow terminal tqdm cuts the line at its right end.
 LAYOUT = "{percentage:3.0f}%|{bar:16}| {remaining} left, {rate_fmt}, {n_fmt} of {total_fmt}, {desc}"
-"""The parts of the bar's line, as tqdm names them; 60 columns show bar, time left and rate."""
+"""The parts of a bar's line, as tqdm names them; 60 columns show bar, time left and rate."""
+
+JOB = ""
+"""Name of the bar of the job, or of the only run."""
 
 Report = Callable[[str, int, int], None]
 """Called often, as ``report(activity, episodes played, total episodes)``."""
+
+
+@dataclass(frozen=True)
+class Progress:
+    """Progress of a run, or of a job of several runs.
+
+    Parameters
+    ----------
+    what : str
+        What the run is doing; of a job, how many runs have ended.
+    done, total : int
+        Episodes played, and all of them. As long as runs of a job have not begun, its `total` is an
+        estimate from the others.
+    before : int, optional
+        Episodes of `done` that were played before this start: they do not count for the rate.
+    runs : mapping of str to Progress, optional
+        The runs of a job that are in work, by name.
+    """
+
+    what: str
+    done: int
+    total: int
+    before: int = 0
+    runs: Mapping[str, Progress] = field(default_factory=dict)
+
+    @property
+    def share(self) -> float:
+        """The part that is done, from 0 to 1."""
+        return self.done / max(self.total, 1)
+
+
+JobReport = Callable[[Progress], None]
+"""Called twice a second while a job is played."""
 
 
 def silent(activity: str, done: int, total: int) -> None:
@@ -23,12 +70,16 @@ def silent(activity: str, done: int, total: int) -> None:
 
 
 class ProgressBar:
-    """A tqdm bar on the terminal, with rate and remaining time.
+    """Rate and time left: bars in a terminal, one for each run in work; else plain lines.
 
     Parameters
     ----------
     unit : str, optional
         Name of the counted items.
+    stream : TextIO, optional
+        Where the progress is shown. The default is standard error.
+    clock : callable, optional
+        Returns the time in seconds, for the rates of plain lines.
 
     Examples
     --------
@@ -36,26 +87,35 @@ class ProgressBar:
 
         with ProgressBar() as bar:
             race.run(bar)
+        with ProgressBar() as bar:
+            evolve(settings, "my-races", report=bar.show)
     """
 
-    def __init__(self, unit: str = "matches") -> None:
-        self._unit = unit
-        self._bar: tqdm[None] | None = None
+    def __init__(
+        self,
+        unit: str = "matches",
+        stream: TextIO | None = None,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._unit, self._stream, self._clock = unit, stream or sys.stderr, clock
+        self._first: int | None = None
+        self._began: float | None = None
+        self._next_share = 0.0
+        self._bars: dict[str, tqdm[None]] = {}
 
     def __call__(self, activity: str, done: int, total: int) -> None:
-        """Show the activity, and that `done` of `total` episodes have been played."""
-        if self._bar is None:
-            self._bar = tqdm(
-                total=total,
-                initial=done,
-                unit=f" {self._unit}",
-                unit_scale=True,
-                mininterval=SECONDS,
-                bar_format=LAYOUT,
-                dynamic_ncols=True,
-            )
-        self._bar.set_description_str(activity, refresh=False)
-        self._bar.update(done - self._bar.n)
+        """Show the activity, and that `done` of `total` items have been done."""
+        # A resumed run begins with episodes played already.
+        self._first = done if self._first is None else self._first
+        self.show(Progress(activity, done, total, self._first))
+
+    def show(self, progress: Progress) -> None:
+        """Show the progress of a run, or of a job with all its runs in work."""
+        # Bars redraw their lines, which makes a log file unreadable.
+        if self._stream.isatty():
+            self._draw(progress)
+        else:
+            self._write(progress)
 
     def __enter__(self) -> ProgressBar:
         return self
@@ -66,5 +126,54 @@ class ProgressBar:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        if self._bar is not None:
-            self._bar.close()
+        # The lowest first: the line of the job stays.
+        for bar in reversed(self._bars.values()):
+            bar.close()
+
+    def _draw(self, progress: Progress) -> None:
+        # The last line stays free, else every update scrolls.
+        most = max(1, min(MOST_RUNS, shutil.get_terminal_size().lines - 3))
+        runs = dict(list(progress.runs.items())[:most])
+        for name in self._bars.keys() - runs.keys() - {JOB}:
+            self._bars.pop(name).close()
+        self._draw_bar(JOB, progress.what, progress)
+        for name, each in runs.items():
+            self._draw_bar(name, f"{name}: {each.what}", each)
+
+    def _draw_bar(self, name: str, what: str, progress: Progress) -> None:
+        if name not in self._bars:
+            self._bars[name] = tqdm(
+                initial=progress.done, leave=name == JOB, file=self._stream, bar_format=LAYOUT,
+                unit=f" {self._unit}", unit_scale=True, mininterval=SECONDS, dynamic_ncols=True,
+            )  # fmt: skip
+        bar = self._bars[name]
+        if name == JOB:
+            bar.initial = progress.before  # more and more runs tell what was played before
+        bar.total, bar.n = progress.total, min(progress.done, progress.total)
+        bar.set_description_str(what, refresh=False)
+        bar.refresh()
+
+    def _write(self, progress: Progress) -> None:
+        """Write a line if another tenth has been done since the last line."""
+        now = self._clock()
+        if self._began is None:
+            self._began, self._next_share = now, progress.share + TENTH
+        # Shares such as 0.1 + 0.1 + 0.1 are inexact: the line at 30% must not wait for 30.01%.
+        if progress.share < self._next_share - 1e-9:
+            return
+        self._next_share = progress.share + TENTH
+        seconds = now - self._began
+        rate = (progress.done - progress.before) / seconds if seconds else 0.0
+        left = tqdm.format_interval((progress.total - progress.done) / rate) if rate else "?"
+        self._stream.write(
+            f"{progress.share:4.0%}  {progress.done:,} of {progress.total:,} {self._unit}, "
+            f"{rate:,.{0 if rate >= SLOW else 1}f} a second, {left} left ({_in_words(progress)})\n"
+        )
+        self._stream.flush()
+
+
+def _in_words(progress: Progress) -> str:
+    """Return what is done, with the runs in work."""
+    runs = [f"{name} {each.share:.0%}" for name, each in progress.runs.items()]
+    more = ["..."] if len(runs) > MOST_RUNS else []
+    return ", ".join([progress.what, *runs[:MOST_RUNS], *more])

@@ -11,7 +11,7 @@ import pytest
 
 from matrixworld._util.files import load_json, save_json
 from matrixworld.coevolution import DamagedFileError, OtherVersionError, RaceSettings
-from matrixworld.coevolution.many.job import (
+from matrixworld.coevolution.jobs.job import (
     JOB,
     Job,
     job_of,

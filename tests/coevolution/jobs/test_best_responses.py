@@ -13,7 +13,7 @@ from matrixworld.analysis import interval_over_runs
 from matrixworld.coevolution import (
     best_response,
     best_responses,
-    evolve_many,
+    evolve,
     open_run,
     start,
 )
@@ -28,7 +28,7 @@ SCHEDULE = "generalist-generalist"
 @pytest.fixture(scope="module")
 def job(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("jobs") / "job"
-    evolve_many([tiny_race(schedule=SCHEDULE, seed=seed) for seed in (0, 1, 2)], path, threads=2)
+    evolve([tiny_race(schedule=SCHEDULE, seed=seed) for seed in (0, 1, 2)], path, threads=2)
     return path
 
 
@@ -82,7 +82,7 @@ def test_the_command_on_a_job_of_seeds(job: Path, tmp_path: Path) -> None:
 
 def test_the_responses_to_a_job_lie_beside_it(tmp_path: Path) -> None:
     settings = [tiny_race(schedule=SCHEDULE, seed=seed) for seed in (0, 1)]
-    evolve_many(settings, tmp_path / "job", threads=2)
+    evolve(settings, tmp_path / "job", threads=2)
     matrixworld_command("exploit", tmp_path / "job", *COMMAND)
     beside = tmp_path / f"job-response-to-pursuers-{BUDGET}x12-seed0"
     assert (beside / SCHEDULE / "seed-1" / "best_response.json").exists()

@@ -7,9 +7,9 @@ from concurrent.futures import Executor
 from pathlib import Path
 from typing import Any
 
-from matrixworld.coevolution.many.evolve_many import evolve_many
-from matrixworld.coevolution.many.run_task import LOCK_WAIT
-from matrixworld.coevolution.many.watch import JobReport, silent
+from matrixworld.coevolution.jobs.evolve import evolve, silent
+from matrixworld.coevolution.jobs.worker import LOCK_WAIT
+from matrixworld.coevolution.progress import JobReport
 from matrixworld.coevolution.runs.best_response import (
     BestResponse,
     best_response,
@@ -46,7 +46,7 @@ def best_responses(
     directory : str or Path
         Directory of all responses; the same call continues what is unfinished in it.
     executor, threads, report, lock_wait
-        As in `evolve_many`.
+        As in `evolve`.
     **changes
         Settings of the responses, such as ``population=128``.
 
@@ -62,9 +62,9 @@ def best_responses(
 
     Notes
     -----
-    Other errors are those of `evolve_many`. The matches that measure the gains are played here.
+    Other errors are those of `evolve`. The matches that measure the gains are played here.
     """
-    evolve_many(
+    evolve(
         settings_of_responses(runs, team, matches, **changes),
         directory,
         executor=executor,

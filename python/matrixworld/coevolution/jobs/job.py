@@ -59,21 +59,14 @@ class Job:
         return found
 
 
-def job_of(settings: Sequence[Settings] | Mapping[str, Settings]) -> Job:
-    """Return the job of these settings, with a name for each run.
+def job_of(settings: Settings | Sequence[Settings] | Mapping[str, Settings]) -> Job:
+    """Return the job of these settings, perhaps by name; without names each run gets one.
 
-    Parameters
-    ----------
-    settings : sequence, or mapping of str, of RaceSettings or SingleSettings
-        The settings, perhaps by name. Without names a race gets ``<schedule>/seed-<n>``, a run of
-        one team ``<team>-against-<opponent>/seed-<n>``.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If there are no settings, two runs have the same name or the same settings, or a name is
-        not the path of a directory.
+    Raises TypeError or ValueError if there are no settings, two runs have the same name or the same
+    settings, or a name is not the path of a directory.
     """
+    if isinstance(settings, (RaceSettings, SingleSettings)):
+        settings = [settings]
     given: Iterable[tuple[str, Any]] = (
         settings.items() if isinstance(settings, Mapping) else map(_named, settings)
     )
@@ -183,12 +176,7 @@ def save_job(directory: Path, job: Job) -> None:
 def open_job(directory: str | Path) -> Job | None:
     """Return the job of a directory, None if it holds no file of a job.
 
-    Raises
-    ------
-    DamagedFileError
-        If the file is cut or altered.
-    OtherVersionError
-        If it is of another version of the package.
+    Raises DamagedFileError or OtherVersionError if the file cannot be read.
     """
     path = Path(directory) / JOB
     if not path.exists():

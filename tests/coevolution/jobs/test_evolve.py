@@ -7,6 +7,7 @@ import threading
 import time
 import warnings
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from contextlib import nullcontext
 
 import pytest
 
@@ -15,22 +16,26 @@ from matrixworld.coevolution import (
     DamagedFileError,
     DisengagementWarning,
     FailedRunsError,
-    LocalExecutor,
     LockedError,
+    Progress,
     StoppedError,
     WorkerDiedError,
-    evolve_many,
+    evolve,
     finish,
     open_run,
     start,
 )
-from matrixworld.coevolution.many import evolve_many as function
-from matrixworld.coevolution.many import run_task as task
-from matrixworld.coevolution.many import watch
-from matrixworld.coevolution.many.evolve_many import shares
-from matrixworld.coevolution.many.job import JOB, job_of, open_job, save_job
-from matrixworld.coevolution.many.run_progress import PROGRESS, RunProgress, write_progress
-from matrixworld.coevolution.many.stop_mark import MARK, StopMark
+from matrixworld.coevolution.jobs import evolve as module
+from matrixworld.coevolution.jobs import worker
+from matrixworld.coevolution.jobs.evolve import check_job, shares
+from matrixworld.coevolution.jobs.job import JOB, job_of, open_job, save_job
+from matrixworld.coevolution.jobs.worker import (
+    PROGRESS,
+    START,
+    check_start,
+    started,
+    write_progress,
+)
 from tiny_race import directory_in_memory, results, tiny_race, tiny_single
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
@@ -101,7 +106,7 @@ def test_files_are_those_of_runs_one_by_one(kind, straight, tmp_path):
         "two threads": lambda: ThreadPoolExecutor(2),
         "last first": lambda: Reversed(len(SETTINGS)),
     }
-    runs = evolve_many(SETTINGS, tmp_path / "job", executor=kinds[kind]())
+    runs = evolve(SETTINGS, tmp_path / "job", executor=kinds[kind]())
     assert [run.settings for run in runs] == SETTINGS
     check_equal(tmp_path / "job", straight)
 
@@ -109,23 +114,22 @@ def test_files_are_those_of_runs_one_by_one(kind, straight, tmp_path):
 @pytest.mark.parametrize("threads", [1, 2])
 def test_worker_processes_give_the_same_files(threads, straight, tmp_path):
     seen = []
-    runs = evolve_many(SETTINGS, tmp_path / "job", threads=threads, report=seen.append)
+    runs = evolve(SETTINGS, tmp_path / "job", threads=threads, report=seen.append)
     assert [run.settings for run in runs] == SETTINGS
     check_equal(tmp_path / "job", straight)
-    assert seen[0].asked == len(SETTINGS)
-    assert (seen[0].finished, seen[-1].finished) == (0, len(SETTINGS))
+    assert (seen[0].what, seen[-1].what) == ("0 of 5 runs", "5 of 5 runs")
     assert seen[-1].done == seen[-1].total
-    assert not seen[-1].running
+    assert not seen[-1].runs
 
 
 def test_finished_runs_are_only_opened(straight, tmp_path):
-    first = evolve_many(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
+    first = evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
 
     class Unused(Executor):
         def submit(self, fn, /, *args, **kwargs):
             raise AssertionError
 
-    again = evolve_many(SETTINGS, tmp_path, executor=Unused())
+    again = evolve(SETTINGS, tmp_path, executor=Unused())
     assert [run.files.path for run in again] == [run.files.path for run in first]
     check_equal(tmp_path, straight)
 
@@ -136,7 +140,7 @@ def test_the_job_knows_all_runs_before_any_begins(tmp_path):
             raise RuntimeError("no workers")
 
     with pytest.raises(RuntimeError, match="no workers"):
-        evolve_many(SETTINGS, tmp_path / "job", executor=Refuses())
+        evolve(SETTINGS, tmp_path / "job", executor=Refuses())
     assert [*open_job(tmp_path / "job").runs.values()] == SETTINGS
     assert {path.name for path in (tmp_path / "job").iterdir()} == {JOB, ".lock"}
 
@@ -148,7 +152,7 @@ def stop_at(share):
     """Return a report that presses Ctrl-C when a run is so far."""
 
     def report(progress):
-        if any(each.share >= share for each in progress.running.values()):
+        if any(each.share >= share for each in progress.runs.values()):
             raise KeyboardInterrupt
 
     return report
@@ -161,18 +165,18 @@ def test_ctrl_c_ends_all_runs_within_a_second_and_the_same_call_continues(kind, 
     stopped = []
 
     def report(progress):
-        if any(each.share > 0.2 for each in progress.running.values()):
+        if any(each.share > 0.2 for each in progress.runs.values()):
             stopped.append(time.monotonic())
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        evolve_many(settings, tmp_path / "job", report=report, **options)
+        evolve(settings, tmp_path / "job", report=report, **options)
     # Half a second to the next look, an epoch, and the end of the workers.
     assert time.monotonic() - stopped[0] < 2.5
     paths = [tmp_path / "job" / name for name in job_of(settings).runs]
     begun = [path for path in paths if (path / "config.json").exists()]
     assert 1 <= len(begun) <= (2 if kind == "threads" else 3)
-    assert not (tmp_path / "job" / MARK).exists()
+    assert not (tmp_path / "job" / START).exists()
     with open_run(begun[0]).files.lock():
         assert 0 < len(open_run(begun[0]).files.archive()["pursuer"]) < 21
     for path in begun[0], tmp_path / "straight":
@@ -181,25 +185,25 @@ def test_ctrl_c_ends_all_runs_within_a_second_and_the_same_call_continues(kind, 
 
 
 def test_a_stop_of_an_earlier_start_does_not_stop_a_later_one(tmp_path):
-    old = StopMark.start(tmp_path)
-    assert old.stands()
-    new = StopMark.start(tmp_path)
-    assert new.stands()
-    assert not old.stands()
-    old.stop()
-    assert new.stands()
-    new.stop()
-    assert not new.stands()
-    with pytest.raises(StoppedError, match="was stopped, or started again"):
-        new.check()
+    with started(tmp_path) as new:
+        with started(tmp_path) as newest:
+            check_start(tmp_path, newest)
+            with pytest.raises(StoppedError, match="was stopped, or started again"):
+                check_start(tmp_path, new)
+        with pytest.raises(StoppedError):
+            check_start(tmp_path, newest)
+        old = new
+        with started(tmp_path) as newest:
+            with pytest.raises(StoppedError):
+                check_start(tmp_path, old)
+            check_start(tmp_path, newest)
 
 
-@pytest.mark.slow
 def test_tasks_that_an_earlier_start_left_behind_end_and_the_later_start_waits(
     tmp_path, monkeypatch
 ):
     """As after the death of a program whose workers are on other machines."""
-    monkeypatch.setattr(watch, "STOP_WAIT", 0.1)  # on fast machines the run would end meanwhile
+    monkeypatch.setattr(module, "STOP_WAIT", 0.1)  # on fast machines the run would end meanwhile
     settings = [tiny_race(seed=1, **LONG)]
     pool = ThreadPoolExecutor(1)
     left: list[Future] = []
@@ -209,15 +213,18 @@ def test_tasks_that_an_earlier_start_left_behind_end_and_the_later_start_waits(
             left.append(pool.submit(fn, *args, **kwargs))
             return left[-1]
 
-    stand = StopMark.stop
-    try:
-        StopMark.stop = lambda self: None
-        with pytest.raises(KeyboardInterrupt):
-            evolve_many(settings, tmp_path / "job", executor=Leaves(), report=stop_at(0.0))
-    finally:
-        StopMark.stop = stand
+    starts = [started(tmp_path / "job")]  # held: nothing ends it
+    monkeypatch.setattr(module, "started", lambda root: nullcontext(starts[0].__enter__()))
+
+    def report(progress):
+        if progress.done:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        evolve(settings, tmp_path / "job", executor=Leaves(), report=report)
     assert left[0].running()
-    [run] = evolve_many(settings, tmp_path / "job", executor=ThreadPoolExecutor(1))
+    monkeypatch.undo()
+    [run] = evolve(settings, tmp_path / "job", executor=ThreadPoolExecutor(1))
     with pytest.raises(StoppedError):
         left[0].result()
     finish(settings[0], tmp_path / "straight", threads=1)
@@ -229,10 +236,10 @@ def test_a_job_is_played_by_one_process_at_a_time(tmp_path):
 
     def report(progress):
         with pytest.raises(LockedError, match="another process is running there"):
-            evolve_many(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
+            evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
         seen.append(progress)
 
-    evolve_many(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1), report=report)
+    evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1), report=report)
     assert seen
 
 
@@ -242,7 +249,7 @@ def test_a_job_is_played_by_one_process_at_a_time(tmp_path):
 def failures_of(settings, directory, **options):
     """Return the failures of a job by name of the run, and the directories of the finished runs."""
     with pytest.raises(FailedRunsError) as raised:
-        evolve_many(settings, directory, **options)
+        evolve(settings, directory, **options)
     error = raised.value
     names = {path.relative_to(directory).as_posix(): each for path, each in error.failures.items()}
     assert str(error).startswith(f"{len(names)} runs failed:\n")
@@ -289,7 +296,7 @@ def test_a_locked_run_is_waited_for_with_a_limit(straight, tmp_path):
     lock = run.files.lock()
     lock.__enter__()
     threading.Timer(1.0, lock.__exit__, (None, None, None)).start()
-    evolve_many(SETTINGS, tmp_path, executor=ThreadPoolExecutor(2))
+    evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(2))
     check_equal(tmp_path, straight)
 
 
@@ -334,7 +341,7 @@ def test_a_vanished_cluster_leaves_files_and_the_same_call_continues(straight, t
 
     failures, finished = failures_of(SETTINGS, tmp_path, executor=Vanishes())
     assert (len(failures), len(finished)) == (3, 2)
-    evolve_many(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
+    evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1))
     check_equal(tmp_path, straight)
 
 
@@ -356,7 +363,7 @@ def test_disengagements_are_warned_of_with_the_name_of_the_run(tmp_path):
             return future
 
     with pytest.warns(DisengagementWarning, match=r"^generalist-generalist/seed-1: "):
-        evolve_many(settings, tmp_path / "job", executor=Silent())
+        evolve(settings, tmp_path / "job", executor=Silent())
 
 
 # Bad input
@@ -379,32 +386,29 @@ BAD = [
 )
 def test_bad_input_is_refused_before_anything_is_written(bad, kind, message, tmp_path):
     with pytest.raises(kind, match=message):
-        evolve_many(**{"settings": SETTINGS, "directory": tmp_path / "job", **bad})
+        evolve(**{"settings": SETTINGS, "directory": tmp_path / "job", **bad})
     assert list(tmp_path.iterdir()) == []
 
 
 def test_memory_is_that_of_the_runs_that_play_at_one_time(tmp_path, monkeypatch):
     monkeypatch.setattr("matrixworld._util.memory.available_memory", lambda: 300_000_000)
-    monkeypatch.setattr(
-        sys.modules[function.__module__], "run_memory", lambda settings: {"all": 10**8}
-    )
-    checked = sys.modules[function.__module__].check_job
-    checked(job_of(SETTINGS), tmp_path, None, 2)
+    monkeypatch.setattr(module, "run_memory", lambda settings: {"all": 10**8})
+    check_job(job_of(SETTINGS), tmp_path, None, 2)
     with pytest.raises(ValueError, match="5 runs at one time: expected to need at most 0.3 GB"):
-        checked(job_of(SETTINGS), tmp_path, None, 3)
-    checked(job_of(SETTINGS), tmp_path, ThreadPoolExecutor(9), None)
+        check_job(job_of(SETTINGS), tmp_path, None, 3)
+    check_job(job_of(SETTINGS), tmp_path, ThreadPoolExecutor(9), None)
 
 
 def test_a_directory_with_something_else_is_refused_and_stays(tmp_path):
     (tmp_path / "mine").touch()
     with pytest.raises(FileExistsError, match="expected a new or empty directory"):
-        evolve_many(SETTINGS, tmp_path)
+        evolve(SETTINGS, tmp_path)
     (tmp_path / "mine").unlink()
-    evolve_many(SETTINGS[:2], tmp_path, executor=ThreadPoolExecutor(1))
+    evolve(SETTINGS[:2], tmp_path, executor=ThreadPoolExecutor(1))
     before = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")}
     for other in (SETTINGS, SETTINGS[:1], [tiny_race(seed=1), tiny_race(seed=2, sigma=0.3)]):
         with pytest.raises(ValueError, match=r"expected the runs in its job\.json, got others: \w"):
-            evolve_many(other, tmp_path)
+            evolve(other, tmp_path)
     assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*")} == before
 
 
@@ -413,39 +417,48 @@ def test_a_directory_with_something_else_is_refused_and_stays(tmp_path):
 
 def test_progress_files_that_are_old_or_broken_do_no_harm(straight, tmp_path):
     save_job(tmp_path, job_of(SETTINGS))
-    write_progress(tmp_path, "generalist-generalist/seed-1", RunProgress("old", 5, 9, 0))
-    write_progress(tmp_path, "unknown", RunProgress("old", 5, 9, 0))
+    write_progress(tmp_path, "generalist-generalist/seed-1", Progress("old", 5, 9))
+    write_progress(tmp_path, "unknown", Progress("old", 5, 9))
     (tmp_path / PROGRESS / "seed-1").write_text("{")
     seen = []
-    evolve_many(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1), report=seen.append)
-    assert not seen[0].running
+    evolve(SETTINGS, tmp_path, executor=ThreadPoolExecutor(1), report=seen.append)
+    assert not seen[0].runs
     check_equal(tmp_path, straight)
 
 
 def test_the_rate_does_not_count_what_was_played_before(tmp_path, monkeypatch):
-    monkeypatch.setattr(watch, "SECONDS", 0.05)
-    monkeypatch.setattr(sys.modules[task.__module__], "LOOK", 0.05)
+    monkeypatch.setattr(module, "SECONDS", 0.05)
+    monkeypatch.setattr(worker, "LOOK", 0.05)
     settings = [tiny_race(seed=seed, **LONG) for seed in range(2)]
     with pytest.raises(KeyboardInterrupt):
-        evolve_many(settings, tmp_path, executor=ThreadPoolExecutor(1), report=stop_at(0.3))
+        evolve(settings, tmp_path, executor=ThreadPoolExecutor(1), report=stop_at(0.3))
     seen = []
 
     def report(progress):
         seen.append(progress)
-        if progress.running:
+        if progress.runs:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        evolve_many(settings, tmp_path, executor=ThreadPoolExecutor(1), report=report)
+        evolve(settings, tmp_path, executor=ThreadPoolExecutor(1), report=report)
     assert seen[-1].before > 0.25 * seen[-1].total / 2
     assert seen[-1].done - seen[-1].before < 0.2 * seen[-1].total
-    assert seen[-1].total == pytest.approx(2 * next(iter(seen[-1].running.values())).total)
+    assert seen[-1].total == pytest.approx(2 * next(iter(seen[-1].runs.values())).total)
 
 
-def test_a_local_executor_may_be_given_and_stays_open(tmp_path):
-    with LocalExecutor(1) as executor:
-        evolve_many(SETTINGS[:1], tmp_path, executor=executor)
-        assert executor.submit(pow, 2, 3).result() == 8
+def test_a_single_run_is_played_in_this_process_with_the_same_files(
+    straight, tmp_path, monkeypatch
+):
+    monkeypatch.setattr(module, "WorkerProcesses", None)
+    seen = []
+    [run] = evolve(SETTINGS[0], tmp_path / "job", report=seen.append)
+    assert run.settings == SETTINGS[0]
+    name = "generalist-generalist/seed-1"
+    assert files_in(tmp_path / "job" / name) == straight[name]
+    assert "pursuers" in seen[0].what  # what the run does: there is no other one
+    assert (seen[-1].what, seen[-1].done) == ("1 of 1 runs", seen[-1].total)
+    evolve(SETTINGS[0], tmp_path / "again", executor=ThreadPoolExecutor(1))
+    assert files_in(tmp_path / "again" / name) == straight[name]
 
 
 @pytest.mark.parametrize(

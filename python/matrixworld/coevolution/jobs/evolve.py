@@ -1,0 +1,414 @@
+"""Play the runs of a job: one in this process, several side by side or by any executor."""
+
+from __future__ import annotations
+
+import warnings
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
+from contextlib import nullcontext
+from dataclasses import replace
+from pathlib import Path
+
+from matrixworld._util.checks import check_instance, check_number, check_threads
+from matrixworld._util.files import is_temporary, locked
+from matrixworld._util.memory import check_memory
+from matrixworld._util.reading import DamagedFileError
+from matrixworld.coevolution.jobs.job import (
+    ITSELF,
+    JOB,
+    Job,
+    Settings,
+    group_of,
+    job_of,
+    open_job,
+    save_job,
+    settings_to_text,
+)
+from matrixworld.coevolution.jobs.worker import (
+    LOCK_WAIT,
+    Played,
+    WorkerDiedError,
+    WorkerProcesses,
+    at_times,
+    played,
+    read_progress,
+    remove_progress,
+    run_task,
+    started,
+    waiting,
+)
+from matrixworld.coevolution.progress import SECONDS, JobReport, Progress
+from matrixworld.coevolution.runs.alternating import DisengagementWarning
+from matrixworld.coevolution.runs.single import check_sources
+from matrixworld.coevolution.runs.start import check_own_code, finish
+from matrixworld.coevolution.settings.memory import run_memory
+from matrixworld.coevolution.settings.single import SingleSettings
+from matrixworld.coevolution.storage.run_directory import RunDirectory
+from matrixworld.coevolution.storage.run_files import CONFIG, LOCK, OtherVersionError
+from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
+
+STOP_WAIT = 3.0
+"""Seconds for which stopped tasks are waited for."""
+TRIES = 3
+"""Worker processes that a run may lose before it fails."""
+BAD_FILES = (DamagedFileError, OtherVersionError, OSError, ValueError)
+"""Errors of a run directory, which concern one run and no other."""
+
+
+class FailedRunsError(RuntimeError):
+    """Some runs of a job have failed; all others are finished.
+
+    Parameters
+    ----------
+    failures : mapping of Path to Exception
+        The error of each failed run, by its directory.
+    finished : list of SavedRun
+        The other runs.
+    """
+
+    def __init__(
+        self, failures: Mapping[Path, BaseException], finished: Sequence[SavedRun] = ()
+    ) -> None:
+        super().__init__(failures, finished)
+        self.failures: dict[Path, BaseException] = dict(failures)
+        self.finished: list[SavedRun] = list(finished)
+
+    def __str__(self) -> str:
+        """Return a line for each failed run."""
+        lines = [f"{path}: {described(path, error)}" for path, error in self.failures.items()]
+        return "\n".join([f"{len(lines)} runs failed:", *lines])
+
+
+def described(path: Path, error: BaseException) -> str:
+    """Return an error of a run in words, without the path if the message begins with it."""
+    text = f"{error}" or type(error).__name__
+    return text.removeprefix(f"{path.absolute()}: ").removeprefix(f"{path}: ")
+
+
+def silent(progress: Progress) -> None:
+    """Report nothing."""
+
+
+def evolve(
+    settings: Settings | Sequence[Settings] | Mapping[str, Settings],
+    directory: str | Path,
+    *,
+    executor: Executor | None = None,
+    threads: int | None = None,
+    report: JobReport = silent,
+    lock_wait: float = LOCK_WAIT,
+) -> list[SavedRun]:
+    """Return the finished runs of these settings: start them, continue them, or only open them.
+
+    Parameters
+    ----------
+    settings : RaceSettings or SingleSettings, or a sequence or mapping of them
+        Settings of each run. In `directory` a race gets the directory ``<schedule>/seed-<n>`` and a
+        run of one team ``<team>-against-<opponent>/seed-<n>``; or give a mapping from names, such
+        as ``sigma-0.1/seed-3``.
+    directory : str or Path
+        A new or empty directory, or that of the same runs, which are continued.
+    executor : concurrent.futures.Executor, optional
+        Plays the runs, one thread each. By default worker processes of this machine, each with as
+        many threads as there are more cores than runs; a single run is played in this process.
+    threads : int, optional
+        Threads in all, without an executor. By default one per usable core.
+    report : callable, optional
+        Called twice a second with a `Progress`, such as `ProgressBar.show`.
+    lock_wait : float, optional
+        Seconds for which a run directory that another process holds is waited for.
+
+    Returns
+    -------
+    list of SavedRun
+        The runs, in the order of the settings.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If settings are bad, two runs have the same name, an executor and `threads` are given, or
+        the directory holds other runs.
+    FileExistsError
+        If the directory holds something else.
+    OutOfMemoryError
+        If the runs that play at one time need more memory than this machine has available.
+    LockedError
+        If another process plays the job.
+    FailedRunsError
+        If runs failed, after all others have ended.
+
+    Notes
+    -----
+    Results do not depend on the executor, on threads, on the order of the runs or on
+    interruptions: each run directory has the same bytes as by `finish`. Everything is checked
+    before anything is written. After Ctrl-C, a crash or a failure, the same call continues.
+
+    An executor carries a function of this package with text and numbers to wherever the directory
+    has the same path: `concurrent.futures`, MPI (``mpi4py.futures.MPIPoolExecutor``), loky and
+    Dask serve. The default one plays a run again, from its checkpoint, if its process dies.
+
+    In a script, call it below ``if __name__ == "__main__":``, as everything that starts processes.
+    """
+    root, job = Path(directory), job_of(settings)
+    check_number("lock_wait", lock_wait, least=0.0)
+    check_directory(root, job)
+    check_job(job, root, executor, threads)
+    names, errors = play_job(
+        job, root, executor=executor, threads=threads, report=report, lock_wait=lock_wait
+    )
+    failures = {root / name: error for name, error in errors.items()}
+    finished = []
+    for path in (root / name for name in names):
+        try:
+            finished.append(open_run(path))
+        except BAD_FILES as error:  # noqa: PERF203, of one run: the others are returned
+            failures[path] = error
+    if failures:
+        cause = next(iter(failures.values())) if len(job.runs) == 1 else None
+        raise FailedRunsError(failures, finished) from cause
+    return finished
+
+
+def check_job(job: Job, root: Path, executor: Executor | None, threads: int | None) -> None:
+    """Raise an error if the unfinished runs of a job cannot be played; nothing is written."""
+    check_threads(threads)
+    if executor is not None:
+        check_instance("executor", executor, Executor)
+        if threads is not None:
+            raise ValueError(f"threads: expected None with an executor, got {threads}")
+    left = {n: each for n, each in job.runs.items() if not _finished(root, n)}
+    # Runs on other machines check the memory there; here one learner is made, to try it.
+    workers = 1 if executor is not None else shares(len(left), threads)[0]
+    needs = [sum(run_memory(each).values()) for each in left.values()]
+    largest = sorted(needs, reverse=True)[:workers]
+    check_memory(f"{workers} runs at one time" if workers > 1 else "run", runs=sum(largest))
+    # Seeds make no difference here, and a job may have a thousand.
+    for each in dict.fromkeys(replace(each, seed=0) for each in left.values()):
+        check_own_code(each)
+    # A run that has begun has its opponents in its own archive.
+    new = [each for name, each in left.items() if not (root / name / CONFIG).exists()]
+    for each in dict.fromkeys(replace(each, seed=0) for each in new):
+        if isinstance(each, SingleSettings):
+            check_sources(each)
+
+
+def check_directory(root: Path, job: Job) -> None:
+    """Raise an error unless a directory is new, empty, or that of the same job."""
+    found = open_job(root)
+    # A cluster's probe is a temporary file, and may be there.
+    if found is None and root.exists() and not all(is_temporary(f.name) for f in root.iterdir()):
+        RunDirectory(root).check_empty()
+    if found is not None and found.runs != job.runs:
+        different = found.runs.items() ^ job.runs.items()
+        names = sorted({name for name, _ in different})
+        raise ValueError(
+            f"{root}: expected the runs in its {JOB}, got others: "
+            f"{', '.join(names[:3])}{' ...' if len(names) > 3 else ''}"
+        )
+
+
+def shares(runs: int, threads: int | None) -> tuple[int, int]:
+    """Return how many runs play at one time, and the threads of each."""
+    cores = check_threads(threads)
+    # A few runs more than cores share them from the beginning: the last one would play alone.
+    workers = max(1, runs if runs < 2 * cores else cores)
+    return workers, max(1, cores // workers)
+
+
+def play_job(
+    job: Job,
+    root: Path,
+    *,
+    keep: bool = True,
+    executor: Executor | None = None,
+    threads: int | None = None,
+    report: JobReport = silent,
+    lock_wait: float = LOCK_WAIT,
+) -> tuple[list[str], dict[str, BaseException]]:
+    """Play what is unfinished of a job that `check_job` has checked.
+
+    `keep` says whether to write the file of the job, if there is none. Returns the names of the
+    finished runs, in the order of the job, and the errors of the others. After Ctrl-C all tasks
+    have ended at a checkpoint.
+    """
+    root.mkdir(parents=True, exist_ok=True)
+    # A run that is a job of its own locks its directory itself.
+    with nullcontext() if ITSELF in job.runs else locked(root / LOCK):
+        if keep:
+            # Again, because another process may have begun a job before this one got the lock.
+            check_directory(root, job)
+            # Before any run begins: what was asked for is known from now on.
+            if open_job(root) is None:
+                save_job(root, job)
+        play = JobPlay(job, root, lock_wait, report)
+        names = play.unfinished()
+        try:
+            if executor is not None and names:
+                play.by_executor(executor, names)
+            elif len(names) == 1:
+                play.here(threads)
+            elif names:
+                play.by_processes(*shares(len(names), threads))
+        finally:
+            remove_progress(root)
+    return [name for name in job.runs if name in play.finished], play.failures
+
+
+class JobPlay:
+    """A job while it is played: what has finished and failed, and the progress of the rest.
+
+    Parameters
+    ----------
+    job, root, lock_wait, report
+        As for `play_job`.
+    """
+
+    def __init__(self, job: Job, root: Path, lock_wait: float, report: JobReport) -> None:
+        self._job, self._root, self._lock_wait, self._report = job, root, lock_wait, report
+        self.finished: dict[str, Played] = {}
+        self.failures: dict[str, BaseException] = {}
+        self._losses: Counter[str] = Counter()
+        for name, settings in job.runs.items():
+            if _finished(root, name):
+                self._open(name, settings)
+        self._totals = {name: int(each["matches"]) for name, each in self.finished.items()}
+        self._before = dict(self._totals)
+
+    def _open(self, name: str, settings: Settings) -> None:
+        files = RunDirectory(self._root / name)
+        try:
+            found = files.settings()
+            if found != settings:
+                raise ValueError(f"{files.path}: expected a run of {settings}, got {found}")
+            self.finished[name] = played(files)
+        except BAD_FILES as error:
+            self.failures[name] = error
+
+    def unfinished(self) -> list[str]:
+        """Return the names of the runs to play: the first one of each group, then the second ones.
+
+        If the job is stopped, the groups have about equally many seeds.
+        """
+        counts: Counter[str] = Counter()
+        order = {}
+        for name in self._job.runs:
+            counts[group_of(name)] += 1
+            order[name] = counts[group_of(name)]
+        return sorted((name for name in order if not self._ended(name)), key=order.__getitem__)
+
+    def _ended(self, name: str) -> bool:
+        return name in self.finished or name in self.failures
+
+    def here(self, threads: int | None) -> None:
+        """Play the only unfinished run in this process.
+
+        A worker process would take half a second to start, and hide where an error came from.
+        """
+        [name] = self.unfinished()
+        path, alone = self._root / name, name == ITSELF
+        report = at_times(lambda progress: self._tell({name: progress}))
+        # Tasks that an earlier start left behind end now.
+        with nullcontext() if alone else started(self._root):
+            try:
+                run = waiting(
+                    lambda: finish(self._job.runs[name], path, threads=threads, report=report),
+                    path,
+                    0.0 if alone else self._lock_wait,
+                )
+                self._finish(name, played(run.files))
+            except Exception as error:  # noqa: BLE001, of the run
+                self.failures[name] = error
+        self._tell({})
+
+    def by_processes(self, workers: int, threads: int) -> None:
+        """Play all unfinished runs, so many at one time; workers that die are replaced."""
+        starts_lost = 0
+        while left := self.unfinished():
+            # A dead worker breaks its pool, with all runs in it. Those that were in work twice are
+            # played alone, which shows whether they kill workers themselves.
+            together = [name for name in left if self._losses[name] < TRIES - 1]
+            names = together or left[:1]
+            try:
+                with WorkerProcesses(min(workers, len(names))) as processes:
+                    self.by_executor(processes, names, threads)
+            except BrokenExecutor as error:
+                in_work = [*self._in_work(read_progress(self._root))]
+                starts_lost = 0 if in_work else starts_lost + 1
+                if starts_lost == TRIES:
+                    problem = f"expected processes that start, lost {TRIES} of them"
+                    raise BrokenExecutor(f"worker processes: {problem}") from error
+                self._losses.update(in_work)
+                for name in in_work:
+                    if self._losses[name] == TRIES:
+                        problem = f"expected one that lives, lost {TRIES}"
+                        self.failures[name] = WorkerDiedError(f"worker process: {problem}")
+
+    def by_executor(self, executor: Executor, names: Sequence[str], threads: int = 1) -> None:
+        """Play these runs by an executor; BrokenExecutor if it can do no task any more."""
+        root, futures = str(self._root.absolute()), dict[Future[Played], str]()
+        try:
+            with started(self._root) as token:
+                for name in names:
+                    text = settings_to_text(self._job.runs[name])
+                    task = (text, root, name, token, threads, self._lock_wait)
+                    futures[executor.submit(run_task, *task)] = name
+                pending = set(futures)
+                while pending:
+                    self._tell(read_progress(self._root))
+                    done, pending = wait(pending, SECONDS, FIRST_COMPLETED)
+                    for future in done:
+                        self._take(futures[future], future)
+        finally:
+            # After Ctrl-C or an error tasks may be left, which end now.
+            wait([future for future in futures if not future.cancel()], STOP_WAIT)
+        self._tell({})
+
+    def _take(self, name: str, future: Future[Played]) -> None:
+        try:
+            self._finish(name, future.result())
+        except BrokenExecutor:  # of the whole job: no task can be done any more
+            raise
+        except Exception as error:  # noqa: BLE001, of one run: the others go on
+            self.failures[name] = error
+            return
+        # The warning of the run itself stayed in its process.
+        if self.finished[name]["disengagement"]:
+            text = f"{name}: {self.finished[name]['disengagement']}"
+            warnings.warn(text, DisengagementWarning, stacklevel=5)
+
+    def _finish(self, name: str, played: Played) -> None:
+        self.finished[name], self._totals[name] = played, int(played["matches"])
+
+    def _in_work(self, told: Mapping[str, Progress]) -> dict[str, Progress]:
+        """Return the progress of runs of this job that have not ended."""
+        return {n: each for n, each in told.items() if n in self._job.runs and not self._ended(n)}
+
+    def _tell(self, told: Mapping[str, Progress]) -> None:
+        """Report the progress of the job, from what runs have told."""
+        work = {name: each for name, each in self._in_work(told).items() if each.total}
+        for name, each in work.items():
+            self._before.setdefault(name, each.before)
+            self._totals[name] = each.total
+        done = sum(self._totals[name] for name in self.finished)
+        done += sum(each.done for each in work.values())
+        total, before = max(sum(self._estimates()), 1), sum(self._before.values())
+        failed = f", {len(self.failures)} failed" if self.failures else ""
+        what = f"{len(self.finished)} of {len(self._job.runs)} runs{failed}"
+        if len(self._job.runs) == 1 and work:
+            what, work = next(iter(work.values())).what, {}
+        self._report(Progress(what, done, total, before, work))
+
+    def _estimates(self) -> list[int]:
+        """Return the episodes of each run: known, or as of the last known run of its group."""
+        known = self._totals
+        by_group = {group_of(name): total for name, total in known.items()}
+        mean = sum(by_group.values()) // max(len(by_group), 1)
+        names = self._job.runs
+        return [known.get(name, by_group.get(group_of(name), mean)) for name in names]
+
+
+def _finished(root: Path, name: str) -> bool:
+    """Return whether nothing has to be done for a run."""
+    # A run that is a job of its own is restored in any case, to tell of any damage.
+    return name != ITSELF and RunDirectory(root / name).finished
