@@ -25,6 +25,7 @@ import matrixworld as mw
 from made_up_episode import made_up_episode
 from matrixworld import analysis, classroom, cluster, coevolution, explorer, plots, toys, tutorial
 from matrixworld.coevolution import Candidates, learners, opponents, resume, start
+from matrixworld.coevolution.jobs.job import job_of
 from matrixworld.episodes import replay
 from tiny_race import TINY, results, tiny_race, tiny_single
 
@@ -293,10 +294,9 @@ def _of_classes(directory: Path) -> Iterator[Any]:
 
 
 def _of_jobs(directory: Path) -> Iterator[Any]:
-    yield coevolution.many.job_of([tiny_race(), tiny_race(seed=1)])
-    running = {"seed-0": coevolution.RunProgress("generation 1", 1, 9, 0)}
-    yield coevolution.JobProgress(running, 1, 0, 2, 10, 18, 0)
-    yield coevolution.many.StopMark(directory, "token")
+    yield job_of([tiny_race(), tiny_race(seed=1)])
+    running = {"seed-0": coevolution.Progress("generation 1", 1, 9, 0)}
+    yield coevolution.Progress("1 of 2 runs", 10, 18, 0, running)
     failed = {Path("seed-0"): OSError("full")}
     yield coevolution.FailedRunsError(failed, [coevolution.open_run(directory / "race")])
     yield from (coevolution.StoppedError("stopped"), coevolution.WorkerDiedError("died"))

@@ -143,8 +143,9 @@ class ProgressBar:
     def _draw_bar(self, name: str, what: str, progress: Progress) -> None:
         if name not in self._bars:
             self._bars[name] = tqdm(
-                initial=progress.done, leave=name == JOB, file=self._stream, bar_format=LAYOUT,
+                desc=what, total=progress.total, initial=progress.done, leave=name == JOB,
                 unit=f" {self._unit}", unit_scale=True, mininterval=SECONDS, dynamic_ncols=True,
+                bar_format=LAYOUT, file=self._stream,
             )  # fmt: skip
         bar = self._bars[name]
         if name == JOB:

@@ -8,9 +8,6 @@ from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from matrixworld._util.checks import check_instance, check_number, check_threads
-from matrixworld._util.files import DamagedFileError, is_temporary, locked
-from matrixworld._util.memory import check_memory
 from matrixworld.coevolution.many.job import (
     ITSELF,
     JOB,
@@ -21,8 +18,12 @@ from matrixworld.coevolution.many.job import (
     save_job,
 )
 from matrixworld.coevolution.many.local_executor import LocalExecutor
-from matrixworld.coevolution.many.run_task import LOCK_WAIT, Values, counts_of
 from matrixworld.coevolution.many.watch import JobReport, Watch, silent
+
+from matrixworld._util.checks import check_instance, check_number, check_threads
+from matrixworld._util.files import DamagedFileError, is_temporary, locked
+from matrixworld._util.memory import check_memory
+from matrixworld.coevolution.many.run_task import LOCK_WAIT, Values, counts_of
 from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.runs.start import check_own_code
 from matrixworld.coevolution.settings.memory import run_memory

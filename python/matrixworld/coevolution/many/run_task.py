@@ -7,10 +7,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
-from matrixworld._util.files import LockedError
 from matrixworld.coevolution.many.job import settings_from_text
 from matrixworld.coevolution.many.run_progress import RunProgress, clear_progress, write_progress
 from matrixworld.coevolution.many.stop_mark import StopMark
+
+from matrixworld._util.files import LockedError
 from matrixworld.coevolution.runs.start import finish
 from matrixworld.coevolution.storage.run_directory import CONFIG, COUNTS, RunDirectory
 
