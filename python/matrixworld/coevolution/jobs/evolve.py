@@ -11,9 +11,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from matrixworld._util.checks import check_instance, check_number, check_threads
-from matrixworld._util.files import is_temporary, locked
+from matrixworld._util.files import DamagedFileError, is_temporary, locked
 from matrixworld._util.memory import check_memory
-from matrixworld._util.reading import DamagedFileError
 from matrixworld.coevolution.jobs.job import (
     ITSELF,
     JOB,
@@ -44,8 +43,12 @@ from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.runs.start import check_own_code, finish
 from matrixworld.coevolution.settings.memory import run_memory
 from matrixworld.coevolution.settings.single import SingleSettings
-from matrixworld.coevolution.storage.run_directory import RunDirectory
-from matrixworld.coevolution.storage.run_files import CONFIG, LOCK, OtherVersionError
+from matrixworld.coevolution.storage.run_directory import (
+    CONFIG,
+    LOCK,
+    OtherVersionError,
+    RunDirectory,
+)
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
 
 STOP_WAIT = 3.0

@@ -33,7 +33,7 @@ from matrixworld.coevolution.jobs.job import settings_from_text
 from matrixworld.coevolution.progress import Progress, Report
 from matrixworld.coevolution.runs.alternating import DisengagementWarning
 from matrixworld.coevolution.runs.start import finish
-from matrixworld.coevolution.storage.run_files import CONFIG, RunFiles
+from matrixworld.coevolution.storage.run_directory import CONFIG, RunDirectory
 
 LOCK_WAIT = 120.0
 """Seconds for which a locked run directory is waited for. A worker that was declared lost may only
@@ -86,7 +86,7 @@ def run_task(
     return played(run.files)
 
 
-def played(files: RunFiles) -> Played:
+def played(files: RunDirectory) -> Played:
     """Return what a finished run tells."""
     numbers = files.summary()
     matches = int(numbers["training_matches"]) + int(numbers["evaluation_matches"])
