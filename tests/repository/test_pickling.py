@@ -264,7 +264,7 @@ def _of_runs(directory: Path) -> Iterator[Any]:
         run = coevolution.start(settings, directory / name, threads=1)
         yield run
         yield from (run.run(), run)
-    yield from (run.training, run.matchmaking)
+    yield run.training
     saved = coevolution.open_run(directory / "race")
     yield saved
     yield saved.policy("pursuer", -1, seed=0)

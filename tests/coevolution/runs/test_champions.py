@@ -152,13 +152,13 @@ def test_the_champion_is_the_best_elite_of_new_matches(tmp_path, monkeypatch):
         lambda again: crowned.append((learner.elite_genomes(), again)) or crown(again),
     )
     met = []
-    sample = race.matchmaking.samplers["evader"].sample
+    sample = race.samplers["evader"].sample
 
     def spy(*args):
         met.append(sample(*args))
         return met[-1]
 
-    object.__setattr__(race.matchmaking.samplers["evader"], "sample", spy)
+    object.__setattr__(race.samplers["evader"], "sample", spy)
     race.run()
     assert len(crowned) == 3
     for generation, (genomes, again) in enumerate(crowned, start=1):

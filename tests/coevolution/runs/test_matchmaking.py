@@ -118,7 +118,7 @@ def test_archives_hold_the_results_of_the_matches(tmp_path, name):
     pursuers, evaders = (Population(race.genomes(t), race.network) for t in coevolution.TEAMS)
     held = 0
     for team in coevolution.TEAMS:
-        archive = race.matchmaking.samplers[team].archive
+        archive = race.samplers[team].archive
         for i, own in enumerate(archive.candidates.astype(int)):
             for j, opponent in enumerate(archive.tests.astype(int)):
                 g, h = (own, opponent) if team == "pursuer" else (opponent, own)
@@ -140,7 +140,7 @@ def test_generalist_learns_from_opponents_that_differ(tmp_path):
     race = coevolution.start(alternating("generalist"), tmp_path / "run")
     race.run()
     for team in coevolution.TEAMS:
-        archive = race.matchmaking.samplers[team].archive
+        archive = race.samplers[team].archive
         assert len(set(archive.tests.tolist())) == len(archive.tests) == 3
         assert set(archive.tests) <= set(range(5))
 
@@ -156,7 +156,7 @@ def test_prioritized_samplers_remember_results(tmp_path):
     rates = state["pursuer.sampler.wins"] / games
     assert ((rates >= 0) & (rates <= 1)).all()
     again = coevolution.resume(tmp_path / "run")
-    assert np.array_equal(again.matchmaking.samplers["pursuer"].win_rates(4), rates)
+    assert np.array_equal(again.samplers["pursuer"].win_rates(4), rates)
 
 
 def test_sharing_by_hand():

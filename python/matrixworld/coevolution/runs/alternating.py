@@ -1,13 +1,12 @@
 """An alternating race: the teams learn in turns, against archived opponents of the other team.
 
-`Race` plays by one of the paper's three schedules or by opponent samplers; `Matchmaking` holds the
-samplers of both teams, and plays the matches in which those with an archive compare candidates.
+The opponents are those of one of the paper's three schedules, or what opponent samplers choose. A
+sampler with an archive compares candidates in matches of their own (`Race.admit`).
 """
 
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping
 from typing import Any, ClassVar
 
 import numpy as np
@@ -28,13 +27,11 @@ from matrixworld.coevolution.opponents.registry import (
 from matrixworld.coevolution.opponents.samplers import OpponentSampler
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.runs.run import Run, TeamPhase
-from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from matrixworld.coevolution.seeding import Phase, training_seeds
 from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.types import (
     TEAMS,
     FloatArray,
-    Genome,
     Genomes,
     Members,
     State,
@@ -75,8 +72,8 @@ class Race(Run[RaceSettings]):
 
     Attributes
     ----------
-    matchmaking : Matchmaking
-        Opponent samplers of both teams.
+    samplers : dict of str to OpponentSampler
+        Opponent sampler of each team, which chooses among the archived generations of the other.
 
     Notes
     -----
@@ -94,15 +91,14 @@ class Race(Run[RaceSettings]):
 
     def set_up(self) -> None:
         """Make the opponent samplers of both teams."""
-        self.matchmaking: Matchmaking = Matchmaking(self.settings, self.training, self.archive)
+        self.samplers: dict[Team, OpponentSampler] = {
+            team: new_sampler(self.settings, team) for team in TEAMS
+        }
 
     def stateful_parts(self) -> dict[str, Stateful]:
         """Return learners and opponent samplers."""
-        samplers = self.matchmaking.samplers.items()
-        return {
-            **super().stateful_parts(),
-            **{f"{team}.sampler": sampler for team, sampler in samplers},
-        }
+        samplers = {f"{team}.sampler": sampler for team, sampler in self.samplers.items()}
+        return {**super().stateful_parts(), **samplers}
 
     @property
     def n_stages(self) -> int:
@@ -119,9 +115,7 @@ class Race(Run[RaceSettings]):
         generation, team = 1 + stage // 2, TEAMS[stage % 2]
         n_opponents = available(team, generation)
         n_before = available(team, generation - 1) if generation > 1 else 0
-        self.matchmaking.admit(
-            team, range(generation - 1, generation), range(n_before, n_opponents)
-        )
+        self.admit(team, range(generation - 1, generation), range(n_before, n_opponents))
         before = self.learners[team].state()
         team_phase = TeamPhase(
             self.training,
@@ -129,7 +123,7 @@ class Race(Run[RaceSettings]):
             team,
             generation,
             opponents=self.training.population(self.genomes(other(team))),
-            sampler=self.matchmaking.samplers[team],
+            sampler=self.samplers[team],
             on_epoch=lambda: self.report(f"generation {generation}: {team}s"),
         )
         team_phase.run(range(self.settings.epochs(team)))
@@ -166,7 +160,7 @@ class Race(Run[RaceSettings]):
         return sum(
             self.settings.epochs(team) * self._matches_per_epoch(team, k)
             + self.selection_matches(self._opponents(k, team), available(team, k))
-            + self.matchmaking.max_admission_matches(team, k, available(team, k))
+            + self.max_admission_matches(team, k, available(team, k))
             for k in range(1, self.settings.generations + 1)
             for team in TEAMS
         )
@@ -243,26 +237,7 @@ class Race(Run[RaceSettings]):
             "judgement": judge(payoffs).to_json(),
         }
 
-
-class Matchmaking:
-    """The opponent samplers of both teams of a race, and the matches that archives need.
-
-    A team's sampler chooses among the generations of the other team in `archive`, whose lists grow
-    during the race.
-    """
-
-    def __init__(
-        self,
-        settings: RaceSettings,
-        training: TrainingMatches,
-        archive: Mapping[Team, list[Genome]],
-    ) -> None:
-        self.settings: RaceSettings = settings
-        self.training: TrainingMatches = training
-        self.archive: Mapping[Team, list[Genome]] = archive
-        self.samplers: dict[Team, OpponentSampler] = {
-            team: new_sampler(settings, team) for team in TEAMS
-        }
+    # Matches in which samplers with an archive compare candidates:
 
     def admit(self, team: Team, new: range, opponents: range) -> None:
         """Add the generations of both teams since the last call to a sampler's archive, if any."""
@@ -306,13 +281,13 @@ class Matchmaking:
         n, m = len(pursuers), len(evaders)
         g, h = np.repeat(np.arange(n), m * episodes), np.tile(np.arange(m).repeat(episodes), n)
         scores = self.training.play(
-            self._population("pursuer", pursuers),
-            self._population("evader", evaders),
+            self._members("pursuer", pursuers),
+            self._members("evader", evaders),
             Matches.of(g, h, np.concatenate(seeds)),
         )
         rates = scores.capture_rate.mean(axis=1, dtype=np.float64)
         return np.asarray(rates.reshape(n, m, episodes).mean(axis=2))
 
-    def _population(self, team: Team, generations: Members) -> Population:
+    def _members(self, team: Team, generations: Members) -> Population:
         genomes: Genomes = np.stack([self.archive[team][int(g)] for g in generations])
         return self.training.population(genomes)

@@ -6,7 +6,6 @@ from functools import partial
 from typing import ClassVar, NamedTuple
 
 import numpy as np
-from deap import base
 
 from matrixworld._util.checks import check_choice
 from matrixworld.coevolution.fitness import win_rates
@@ -139,16 +138,18 @@ class HallOfFameRace(Race):
         generation = 1 + stage
         new = range(generation - 1, generation)
         for team in TEAMS:
-            self.matchmaking.admit(team, new, new)
+            self.admit(team, new, new)
         before = {team: self.learners[team].state() for team in TEAMS}
-        toolbox = base.Toolbox()
-        toolbox.register("generate", self._generate, generation)
-        toolbox.register("evaluate", self._evaluate, generation)
-        toolbox.register("update", self._update)
         for epoch in range(self.settings.joint_epochs):
-            populations = toolbox.generate(epoch)
-            fitness = toolbox.evaluate(epoch, populations)
-            toolbox.update(fitness)
+            populations = {
+                team: self.learners[team].ask(
+                    self._generator(Purpose.LEARN, generation, epoch, team)
+                )
+                for team in TEAMS
+            }
+            fitness = self._evaluate(generation, epoch, populations)
+            for team in TEAMS:
+                self.learners[team].tell(fitness[team])
             self.report(f"generation {generation}: both")
         # Both teams before either archive grows, so that the order of the teams does not matter.
         for team in TEAMS:
@@ -157,13 +158,6 @@ class HallOfFameRace(Race):
             self.retain(team, generation, before[team])
         for team in TEAMS:
             self.archive[team].append(self.learners[team].genome)
-
-    def _generate(self, generation: int, epoch: int) -> Populations:
-        """Return the individuals of both teams in an epoch."""
-        return {
-            team: self.learners[team].ask(self._generator(Purpose.LEARN, generation, epoch, team))
-            for team in TEAMS
-        }
 
     def _evaluate(
         self, generation: int, epoch: int, populations: Populations
@@ -194,9 +188,7 @@ class HallOfFameRace(Race):
             self._met[team] = everyone[other(team)], players[other(team)][fittest]
             if len(sampled[team]):
                 # Columns from n on are the hall of fame.
-                self.matchmaking.samplers[team].tell(
-                    sampled[team], table(win_rates(scores, team))[:, n:]
-                )
+                self.samplers[team].tell(sampled[team], table(win_rates(scores, team))[:, n:])
             self.training.record(
                 scores,
                 fitness[team],
@@ -224,16 +216,11 @@ class HallOfFameRace(Race):
             )  # fmt: skip
             learner.learn(experience)
 
-    def _update(self, fitness: dict[Team, FloatArray]) -> None:
-        """Tell the learners the fitness of their individuals."""
-        for team in TEAMS:
-            self.learners[team].tell(fitness[team])
-
     def _sample_halls(self, epoch: int, rng: np.random.Generator) -> dict[Team, Indices]:
         """Return for each team its opponents from the other team's hall of fame."""
         if not self.settings.hall_sample:
             return {team: np.zeros(0, dtype=np.intp) for team in TEAMS}
-        samplers, size = self.matchmaking.samplers, len(self.archive["pursuer"])
+        samplers, size = self.samplers, len(self.archive["pursuer"])
         return {team: samplers[team].sample(size, epoch, rng) for team in TEAMS}
 
     def _seeds(self, pairs: Pairings, generation: int, epoch: int) -> Seeds:
@@ -264,5 +251,5 @@ class HallOfFameRace(Race):
                 sampled = min(settings.opponents_per_epoch, k)
                 groups += sampled
                 champions += self.selection_matches(settings.contemporaries + sampled, k)
-                admission += self.matchmaking.max_admission_matches(team, k, k)
+                admission += self.max_admission_matches(team, k, k)
         return groups * per_group + admission + champions

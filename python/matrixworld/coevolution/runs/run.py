@@ -20,7 +20,6 @@ from pathlib import Path
 from typing import Any, ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
-from deap import base
 
 from matrixworld._util.checks import check_threads
 from matrixworld._util.files import DamagedFileError
@@ -343,19 +342,10 @@ class TeamPhase:
     on_epoch: Callable[[], None]
 
     def run(self, epochs: range) -> None:
-        """Let the team learn for `epochs`.
-
-        The loop is that of `deap.algorithms.eaGenerateUpdate`, but fitness is an array (n,) of all
-        candidates instead of one object for each, and each epoch has its own random numbers.
-        """
-        toolbox = base.Toolbox()
-        toolbox.register("generate", self.learner.ask)
-        toolbox.register("evaluate", self.evaluate)
-        toolbox.register("update", self.learner.tell)
+        """Let the team learn for `epochs`; each has its own random numbers."""
         for matchup in self._matchups(epochs):
-            candidates = toolbox.generate(self._generator(Purpose.LEARN, matchup.epoch))
-            fitness = toolbox.evaluate(candidates, matchup)
-            toolbox.update(fitness)
+            candidates = self.learner.ask(self._generator(Purpose.LEARN, matchup.epoch))
+            self.learner.tell(self.evaluate(candidates, matchup))
             met = matchup.opponents
         self.training.choose_champion(self.learner, self.team, self.generation, self.opponents, met)
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import ceil, sqrt
+from math import ceil
 from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from matrixworld.analysis.intervals import does_not_vary, t_ends
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.learners.genetic_algorithm import mutate_gaussian
 from matrixworld.coevolution.opponents.samplers import RoundRobin
@@ -202,17 +203,11 @@ def _episode_summary(name: str, episodes: ArrayLike, *, most: float) -> dict[str
     They are None if the episodes do not differ, or if there is only one.
     """
     values = np.asarray(episodes, dtype=np.float64).ravel()
-    mean, low, high = float(values.mean()), None, None
     # Equal episodes say nothing of their spread: the formula would give an interval of width 0.
-    if np.ptp(values) > 0.0:
-        # Here, and not scipy.stats: that takes seconds to import, in every worker process.
-        from scipy.special import stdtrit
-
-        error = float(np.std(values, ddof=1)) / sqrt(len(values))
-        reach = float(stdtrit(len(values) - 1, (1.0 + CONFIDENCE) / 2.0)) * error
-        low, high = np.clip([mean - reach, mean + reach], 0.0, most).tolist()
+    varies = not does_not_vary(values)
+    low, high = t_ends(values, CONFIDENCE, (0.0, most)) if varies else (None, None)
     return {
-        name: mean,
+        name: float(values.mean()),
         f"{name}_low": low,
         f"{name}_high": high,
         f"{name}_std": float(values.std()),
