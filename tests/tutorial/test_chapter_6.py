@@ -1,97 +1,14 @@
-"""Notebook 6: what the replies say to wrong answers, and the numbers of its text."""
+"""Notebook 6: the numbers of its text."""
 
 from __future__ import annotations
-
-from itertools import permutations
 
 import numpy as np
 import pytest
 
 from matrixworld import analysis
 from matrixworld.toys import play_episodes
-from matrixworld.tutorial import check, kept
+from matrixworld.tutorial import kept
 from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS, WELL
-
-
-def says(name: str, answer: object, text: str) -> None:
-    reply = check(name, answer)
-    assert reply.right is False
-    assert text in reply.text
-
-
-def ordered_count(matrix: np.ndarray) -> int:
-    """Count each square four times."""
-    wins = matrix > 0.5
-    return sum(
-        bool(wins[a, x] and wins[b, y] and not wins[a, y] and not wins[b, x])
-        or bool(wins[a, y] and wins[b, x] and not wins[a, x] and not wins[b, y])
-        for a, b in permutations(range(len(matrix)), 2)
-        for x, y in permutations(range(matrix.shape[1]), 2)
-    )
-
-
-def count_of_neighbours(matrix: np.ndarray) -> int:
-    wins = matrix > 0.5
-    a, b, c, d = wins[:-1, :-1], wins[:-1, 1:], wins[1:, :-1], wins[1:, 1:]
-    return int(((a == d) & (b == c) & (a != b)).sum())
-
-
-def test_counts_of_checkerboards() -> None:
-    says("6.1", 3, "Expected a function")
-    says("6.1", lambda matrix: None, "Expected a number")
-    says("6.1", ordered_count, "4 times too many")
-    says("6.1", lambda matrix: 0, "too few")
-    says("6.1", count_of_neighbours, "too few")
-    says("6.1", lambda matrix: analysis.checkerboards(matrix).possible, "too many")
-    assert check("6.1", lambda matrix: analysis.checkerboards(matrix).count).right
-
-
-def test_transitive_shares() -> None:
-    says("6.2", 0.5, "Expected a function")
-    says("6.2", lambda matrix: matrix, "Expected a number")
-    says("6.2", lambda matrix: 1 - analysis.transitive_share(matrix), "share of the rest")
-
-    def twice(matrix: np.ndarray) -> float:
-        rest = matrix - matrix.mean(axis=1)[:, None] - matrix.mean(axis=0)
-        return float(1 - (rest**2).sum() / ((matrix - matrix.mean()) ** 2).sum())
-
-    says("6.2", twice, "twice")
-    says("6.2", lambda matrix: matrix.mean(), "sum 0")
-
-
-def test_the_well() -> None:
-    says("6.3", "well", "Expected four rows")
-    says("6.3", [[1, 2], [3]], "Expected four rows")
-    says("6.3", ROCK_PAPER_SCISSORS, "(3, 3)")
-    wrong = WELL.copy()
-    wrong[3], wrong[:, 3] = (0.0, 1.0, 0.0, 0.5), (1.0, 0.0, 1.0, 0.5)
-    says("6.3", wrong, "3 of the four cells")
-    lost = WELL.copy()
-    lost[3] = 0.0
-    says("6.3", lost, "matrix + matrix.T")
-    says("6.3", WELL[::-1], "plain rock-paper-scissors")
-
-
-def test_halls_of_fame() -> None:
-    def drawn(count: int, *, repeat: bool = False):
-        return lambda available, rng: [
-            available - 1,
-            *rng.choice(max(1, available - 1), size=min(count, available - 1), replace=repeat),
-        ]
-
-    assert check("6.4", drawn(4)).right
-    assert check("6.4", lambda available, rng: np.array(drawn(4)(available, rng))).right
-    says("6.4", 5, "Expected a function")
-    says("6.4", lambda available, rng: available - 1, "expected several whole numbers")
-    says("6.4", lambda available, rng: [available], "go from 0 to")
-    says("6.4", lambda available, rng: [0], "newest one is missing")
-    says("6.4", drawn(4, repeat=True), "twice")
-    says("6.4", drawn(3), "opponents")
-    newest = lambda available, rng: [*range(available)][::-1][:5]  # noqa: E731
-    says("6.4", newest, "never met")
-
-
-# ---- What the text says --------------------------------------------------------------------------
 
 
 def test_a_perfect_order_of_clear_wins_has_two_thirds() -> None:

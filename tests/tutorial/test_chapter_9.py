@@ -1,4 +1,4 @@
-"""Notebook 9: its packs play as the text says, typical mistakes get a sentence that helps."""
+"""Notebook 9: its packs play as the text says, and numbers of the text hold."""
 
 from __future__ import annotations
 
@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.tutorial import check, kept
+from matrixworld.tutorial import kept
 from matrixworld.tutorial.chapter_9 import (
     BRISK,
-    GREEDY,
     WEIGHTS,
     WORLD,
     break_even,
@@ -21,99 +20,6 @@ from matrixworld.tutorial.chapter_9 import (
 )
 
 STEPS = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1)]
-
-
-def free_cells(views: np.ndarray) -> np.ndarray:
-    """Allow moves to cells on which nothing stands."""
-    allowed = np.ones((len(views), 5), bool)
-    for action, (row, col) in enumerate(STEPS[1:], start=1):
-        allowed[:, action] = ~views[:, :, 5 + row, 5 + col].any(axis=1)
-    return allowed
-
-
-def timid(views: np.ndarray) -> np.ndarray:
-    """Allow moves to free cells without any teammate around."""
-    allowed = free_cells(views)
-    for action, target in enumerate(STEPS[1:], start=1):
-        for side in STEPS[1:]:
-            row, col = 5 + np.array(target) + side
-            allowed[:, action] &= views[:, 1, row, col] == 0
-    return allowed
-
-
-def still(views: np.ndarray) -> np.ndarray:
-    """Allow moves on an empty grid only."""
-    allowed = np.ones((len(views), 5), bool)
-    allowed[views.any(axis=(1, 2, 3)), 1:] = False
-    return allowed
-
-
-def no_teammate(views: np.ndarray) -> np.ndarray:
-    """Forget the walls."""
-    allowed = np.ones((len(views), 5), bool)
-    for action, (row, col) in enumerate(STEPS[1:], start=1):
-        allowed[:, action] = views[:, 1, 5 + row, 5 + col] == 0
-    return allowed
-
-
-WRONG: list[tuple[str, Any, str]] = [
-    ("9.1", "greedy", "six numbers"),
-    ("9.1", [6, 20, 0], "six numbers"),
-    ("9.1", [6, 20, 0, 0, 0, float("nan")], "six numbers"),
-    ("9.1", GREEDY, "Both numbers are too large"),
-    ("9.1", [6, 20, -10, -10, -2, 0], "more careful"),
-    ("9.1", [3, 10, -10, -10, -6, 0], "more determined"),
-    ("9.2", 12, "the idle pack is larger"),
-    ("9.2", 5.0, "the brisk pack is larger"),
-    ("9.2", [1.0, 2.0], "one number"),
-    ("9.2", "ten", "one number"),
-    ("9.3", 100, "more than 5%"),
-    ("9.3", 298, "more than 5%"),
-    ("9.3", 1000, "not the smallest"),
-    ("9.3", 298.07, "whole number"),
-    ("9.3", 0, "At least one episode"),
-    ("9.4", True, "function itself"),
-    ("9.4", np.ones((2, 5)), "function itself"),
-    ("9.4", lambda views: np.ones(5, bool), "(n, 5)"),
-    ("9.4", lambda views: np.zeros((len(views), 5), bool), "empty grid"),
-    ("9.4", everything, "walls"),
-    ("9.4", no_teammate, "walls"),
-    ("9.4", free_cells, "collide with teammates"),
-    ("9.4", still, "forbids too much"),
-]
-
-
-@pytest.mark.parametrize(("name", "answer", "part"), WRONG)
-def test_wrong_answers_get_a_sentence(name: str, answer: Any, part: str) -> None:
-    reply = check(name, answer)
-    assert reply.right is False
-    assert part in reply.text
-    assert "Right" not in reply.text
-
-
-def test_replies_do_not_give_answers_away() -> None:
-    assert f"{break_even():.1f}" not in check("9.2", 12).text
-    assert "299" not in check("9.3", 100).text
-
-
-def test_any_convention_that_works_is_right() -> None:
-    def other_order(views: np.ndarray) -> np.ndarray:
-        allowed = free_cells(views)
-        for action, target in enumerate(STEPS[1:], start=1):
-            for side in [(0, 1), (1, 0), (0, -1), (-1, 0)]:
-                if side == (-target[0], -target[1]):
-                    break
-                row, col = 5 + np.array(target) + side
-                allowed[:, action] &= views[:, 1, row, col] == 0
-        return allowed
-
-    assert check("9.4", other_order).right
-    assert check("9.4", timid).right
-
-
-def test_both_signs_of_a_penalty_are_understood() -> None:
-    assert check("9.2", -break_even()).right
-    assert check("9.2", np.float32(break_even())).right
 
 
 def test_the_brisk_pack_captures_and_is_safe_in_most_episodes() -> None:

@@ -65,7 +65,7 @@ def _mistake_in_rules(answer: Any) -> str | None:
         return f"Expected mw.Rules(...), got {type(answer).__name__}."
     names = [field.name for field in fields(Rules)]
     wrong = [name for name in names if getattr(answer, name) != getattr(BUMPER_CARS, name)]
-    return f"Not yet as described: {', '.join(wrong)}." if wrong else None
+    return f"Not as described: {', '.join(wrong)}." if wrong else None
 
 
 # 1.4: conflicts found by the student's own function.

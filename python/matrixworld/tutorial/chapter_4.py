@@ -19,26 +19,26 @@ def _two_races(answer: Any) -> str | None:
     for name, matrix, sign in zip(("better", "worse"), answer, (1.0, -1.0), strict=True):
         mistake = value(array("4 x 4 numbers", 4, 4), partial(_one_race, sign))(matrix)
         if mistake:
-            return f"{name}: {mistake}"
+            return f"{name}: {mistake[0].lower()}{mistake[1:]}"
     return None
 
 
 def _one_race(sign: float, rates: NDArray[np.float64]) -> str | None:
     """Judge a race in which both teams get better (1) or worse (-1)."""
     if not ((rates >= 0) & (rates <= 1)).all():
-        return "expected capture rates between 0 and 1."
+        return "Expected capture rates between 0 and 1."
     if not np.allclose(np.diag(rates), 0.5):
-        return f"expected 0.5 everywhere on the diagonal, got {np.diag(rates).tolist()}."
+        return f"Expected 0.5 everywhere on the diagonal, got {np.diag(rates).tolist()}."
     rows, columns = rates.mean(axis=1), rates.mean(axis=0)
     grow, fall = ("grow", "fall") if sign > 0 else ("fall", "grow")
     if not (sign * np.diff(rows) > 1e-9).all():
         return (
-            f"the means of the rows are {rows.round(3).tolist()}. They are the strengths of the "
+            f"The means of the rows are {rows.round(3).tolist()}. They are the strengths of the "
             f"pursuers, and should {grow} from row to row."
         )
     if not (sign * np.diff(columns) < -1e-9).all():
         return (
-            f"the means of the columns are {columns.round(3).tolist()}. They say how often the "
+            f"The means of the columns are {columns.round(3).tolist()}. They say how often the "
             f"evaders are captured, and should {fall} from column to column."
         )
     return None

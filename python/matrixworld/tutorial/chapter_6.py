@@ -97,30 +97,31 @@ def _hall_of_fame(answer: Callable[..., Any]) -> str | None:
         seen: set[int] = set()
         for _ in range(DRAWS):
             found = answer(available, rng)
-            problem = _bad_opponents(found, available)
+            if not isinstance(found, list | tuple | np.ndarray) or not all(
+                isinstance(each, Integral) and not isinstance(each, bool) for each in found
+            ):
+                return f"Expected several whole numbers, got {found!r}."
+            chosen = [int(each) for each in found]
+            problem = _bad_opponents(chosen, available)
             if problem:
-                return f"With available = {available} it returned {found!r}{problem}."
-            seen.update(map(int, found))
+                return f"With available = {available} it returned {chosen}: {problem}."
+            seen.update(chosen)
         if len(seen) < available:
             return f"With {available} opponents some of them were never met in {DRAWS} epochs."
     return None
 
 
-def _bad_opponents(found: Any, available: int) -> str:
-    """Return what is wrong with one choice of opponents; empty if nothing is."""
-    if not isinstance(found, list | tuple | np.ndarray) or not all(
-        isinstance(each, Integral) and not isinstance(each, bool) for each in found
-    ):
-        return "; expected several whole numbers"
-    if not all(0 <= each < available for each in found):
-        return f"; the numbers go from 0 to {available - 1}"
-    if len(set(found)) < len(found):
-        return ": somebody is there twice"
-    if available - 1 not in found:
-        return ": the newest one is missing"
-    if len(found) != min(NEWEST + OLDER, available):
-        return f", which are {len(found)} opponents"
-    return ""
+def _bad_opponents(chosen: list[int], available: int) -> str | None:
+    """Return what is wrong with one choice of opponents."""
+    if not all(0 <= each < available for each in chosen):
+        return f"the numbers go from 0 to {available - 1}"
+    if len(set(chosen)) < len(chosen):
+        return "somebody is there twice"
+    if available - 1 not in chosen:
+        return "the newest one is missing"
+    if len(chosen) != min(NEWEST + OLDER, available):
+        return f"these are {len(chosen)} opponents"
+    return None
 
 
 CHECKS: dict[str, Check] = {

@@ -193,7 +193,7 @@ episodes_needed = number(
     0,
     kind=WHOLE._replace(name="a whole number of episodes"),
     low=lambda n: (
-        f"A pack with p = 0.01 would pass {n} episodes with a probability of {0.99**n:.1%}. That "
+        f"A pack with p = 0.01 would pass {n} episodes with a probability of {0.99**n:.3%}. That "
         "is more than 5%."
         if n > 0
         else "At least one episode has to be played."

@@ -73,7 +73,7 @@ def one_of(words: Sequence[str]) -> Kind:
 
 def numbers(name: str, count: int) -> Kind:
     """Return the kind of so many finite numbers."""
-    return _several(name, count, _finite, "one entry is no number")
+    return _several(name, count, _finite, "got an entry that is no number")
 
 
 def actions(count: int) -> Kind:
@@ -81,11 +81,11 @@ def actions(count: int) -> Kind:
 
     def read(value: Any) -> Action:
         if not Action.STAY <= index(value) <= Action.WEST:
-            raise FormError("actions are 0 (stay) to 4 (west)")
+            raise FormError("got one that is not 0 (stay) to 4 (west)")
         return Action(index(value))
 
     name = f"a list of {count} actions such as Action.EAST"
-    return _several(name, count, read, "one entry is no action")
+    return _several(name, count, read, "got an entry that is no action")
 
 
 def _finite(value: Any) -> float:

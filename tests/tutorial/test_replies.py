@@ -1,0 +1,596 @@
+"""What the course replies to wrong answers, word for word, and answers that are right, too.
+
+The replies stand in ``__snapshots__``; ``pytest --snapshot-update`` writes them anew. An answer is
+named by its mistake; a reply helps, and does not give the answer away.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from itertools import permutations
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld import Action, analysis
+from matrixworld.coevolution import reduced_virulence
+from matrixworld.tutorial import check, kept
+from matrixworld.tutorial.chapter_1 import BUMPER_CARS
+from matrixworld.tutorial.chapter_2 import JAM_ACTIONS
+from matrixworld.tutorial.chapter_5 import ENDINGS
+from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS, WELL
+from matrixworld.tutorial.chapter_8 import CASES, verdict_on
+from matrixworld.tutorial.chapter_9 import GREEDY, break_even, everything
+
+STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
+
+
+# ---- Functions that students write, with their mistakes ------------------------------------------
+
+
+def conflicts(cells: list, targets: list, *, vertex: bool = True, edge: bool = True) -> set[int]:
+    moves = list(zip(cells, targets, strict=True))
+    return {
+        a
+        for a, (here, there) in enumerate(moves)
+        if (vertex and targets.count(there) > 1)
+        or (edge and here != there and (there, here) in moves)
+    }
+
+
+def without_stayers(cells: list, targets: list) -> set[int]:
+    return {a for a in conflicts(cells, targets) if cells[a] != targets[a]}
+
+
+def all_occupied(cells: list, targets: list) -> set[int]:
+    """Take every target that is occupied for a conflict, also if its agent leaves."""
+    occupied = {a for a, there in enumerate(targets) if there in cells and there != cells[a]}
+    return conflicts(cells, targets) | occupied
+
+
+def careless(cells: list, targets: list) -> list[int]:
+    """Change the arguments."""
+    found = sorted(conflicts(cells, targets))
+    cells.clear()
+    return found
+
+
+def by_index(cells: list, targets: list) -> list:
+    cells = list(cells)
+    for agent, target in enumerate(targets):
+        if target not in cells:
+            cells[agent] = target
+    return cells
+
+
+def without_chains(cells: list, targets: list) -> list:
+    held = conflicts(cells, targets)
+    return [cells[a] if a in held else there for a, there in enumerate(targets)]
+
+
+def one_link_only(cells: list, targets: list) -> list:
+    return without_chains(cells, without_chains(cells, targets))
+
+
+def swaps_pass(cells: list, targets: list) -> list:
+    while True:
+        after = [cells[a] if targets.count(there) > 1 else there for a, there in enumerate(targets)]
+        if after == targets:
+            return after
+        targets = after
+
+
+def at_once(cells: list, targets: list) -> np.ndarray:
+    for _ in cells:
+        targets = without_chains(cells, targets)
+    return np.array(targets)
+
+
+def share_of_living(cells: list, team_size: int) -> float:
+    return (len(cells) - len(set(cells))) / max(1, len(cells))
+
+
+class Climber:
+    """A hill climber."""
+
+    sigma = 0.05
+
+    def __init__(self, genome, rng):
+        self.genome = genome
+
+    def ask(self, rng):
+        noise = rng.standard_normal((20, len(self.genome)), dtype=np.float32)
+        self.candidates = self.genome + np.float32(self.sigma) * noise
+        return self.candidates
+
+    def tell(self, fitness):
+        self.genome = self.candidates[np.argmax(fitness)].copy()
+
+    def tell_the_worst(self, fitness):
+        self.genome = self.candidates[np.argmin(fitness)].copy()
+
+
+def climber(**changes: Any) -> type:
+    return type("Other", (Climber,), changes)
+
+
+def pairs(individuals, opponents):
+    n, m = len(individuals), len(opponents)
+    return np.repeat(individuals, m, axis=0), np.tile(opponents, (n, 1))
+
+
+def gains(schedule: str) -> analysis.Estimate:
+    """Return the interval that exercise 5.3 asks for."""
+    races = kept("paper_races")
+    matrices = (races[schedule] / int(races["evaders"])).mean(axis=3)
+    values = [np.diag(m, -5).mean() - np.diag(m, -1).mean() for m in matrices]
+    return analysis.interval_over_runs(np.array(values))
+
+
+def last_beats_first(scores: np.ndarray) -> bool:
+    curves = analysis.generalization(scores.mean(axis=2))
+    return all(bool(curve[-1] > curve[0]) for curve in curves)
+
+
+def both_rise(scores: np.ndarray) -> np.bool_:
+    curves = analysis.generalization(scores.mean(axis=2))
+    return np.all([curve[-6:].mean() - curve[:6].mean() > 0.05 for curve in curves])
+
+
+def each_square_four_times(matrix: np.ndarray) -> int:
+    wins = matrix > 0.5
+    return sum(
+        bool(wins[a, x] and wins[b, y] and not wins[a, y] and not wins[b, x])
+        or bool(wins[a, y] and wins[b, x] and not wins[a, x] and not wins[b, y])
+        for a, b in permutations(range(len(matrix)), 2)
+        for x, y in permutations(range(matrix.shape[1]), 2)
+    )
+
+
+def neighbours_only(matrix: np.ndarray) -> int:
+    wins = matrix > 0.5
+    a, b, c, d = wins[:-1, :-1], wins[:-1, 1:], wins[1:, :-1], wins[1:, 1:]
+    return int(((a == d) & (b == c) & (a != b)).sum())
+
+
+def mean_twice(matrix: np.ndarray) -> float:
+    rest = matrix - matrix.mean(axis=1)[:, None] - matrix.mean(axis=0)
+    return float(1 - (rest**2).sum() / ((matrix - matrix.mean()) ** 2).sum())
+
+
+def hall(count: int, *, repeat: bool = False) -> Any:
+    return lambda available, rng: [
+        available - 1,
+        *rng.choice(max(1, available - 1), size=min(count, available - 1), replace=repeat),
+    ]
+
+
+def of_wins_only(wins, v):
+    return 2 * wins / v - wins**2 / v**2
+
+
+@np.errstate(invalid="ignore")
+def of_the_largest(wins, v):
+    return of_wins_only(wins / wins.max(), v)
+
+
+@np.errstate(invalid="ignore")
+def shared_without_zeros(wins):
+    return (wins / wins.sum(axis=0)).sum(axis=1)
+
+
+def unpaired(one, other):
+    found = analysis.difference_of_runs(one, other)
+    return "better" if found.low > 0 else "worse" if found.high < 0 else "cannot tell"
+
+
+STEPS = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1)]
+
+
+def free_cells(views: np.ndarray, layers: slice = slice(None)) -> np.ndarray:
+    """Allow moves to cells on which nothing of some layers stands."""
+    allowed = np.ones((len(views), 5), bool)
+    for action, (row, col) in enumerate(STEPS[1:], start=1):
+        allowed[:, action] = ~views[:, layers, 5 + row, 5 + col].any(axis=1)
+    return allowed
+
+
+def with_priority(sides: list[tuple[int, int]], *, for_all: bool = False) -> Any:
+    """Return a mask: no move to a cell with a teammate on an earlier side, or on any side."""
+
+    def mask(views: np.ndarray) -> np.ndarray:
+        allowed = free_cells(views)
+        for action, target in enumerate(STEPS[1:], start=1):
+            for side in sides:
+                if side == (-target[0], -target[1]):
+                    if for_all:
+                        continue
+                    break
+                row, col = 5 + np.array(target) + side
+                allowed[:, action] &= views[:, 1, row, col] == 0
+        return allowed
+
+    return mask
+
+
+def still(views: np.ndarray) -> np.ndarray:
+    """Allow moves on an empty grid only."""
+    allowed = np.ones((len(views), 5), bool)
+    allowed[views.any(axis=(1, 2, 3)), 1:] = False
+    return allowed
+
+
+# ---- Answers -------------------------------------------------------------------------------------
+
+LAGS = 0.1 * (np.arange(4)[:, None] - np.arange(4)[None, :])
+ONE_TEAM = np.array(
+    [[0.5, 0.1, 0.1, 0.1], [0.2, 0.5, 0.2, 0.2], [0.3, 0.3, 0.5, 0.3], [0.4, 0.6, 0.6, 0.5]]
+)
+BELOW_DIAGONAL = np.full((4, 4), 0.5) + np.tril(np.full((4, 4), 0.1), -1)
+LOST = WELL.copy()
+LOST[3] = 0.0
+OTHER_WELL = WELL.copy()
+OTHER_WELL[3], OTHER_WELL[:, 3] = (0.0, 1.0, 0.0, 0.5), (1.0, 0.0, 1.0, 0.5)
+
+WRONG: dict[str, dict[str, Any]] = {
+    "1.1": {
+        "into an obstacle": [SOUTH, SOUTH, SOUTH, EAST, EAST, EAST, EAST],
+        "into the border": [NORTH, EAST, EAST, SOUTH, SOUTH, EAST, EAST],
+        "too short": [EAST, EAST, SOUTH, SOUTH, EAST, EAST, STAY],
+        "too many": [EAST] * 8,
+        "text": "EESSEES",
+        "a number": 7,
+        "no such action": [EAST, EAST, SOUTH, SOUTH, EAST, EAST, 5],
+        "names": ["EAST"] * 7,
+    },
+    "1.2": {
+        "swaps": [EAST, WEST, EAST, WEST],
+        "one cell": [EAST, STAY, NORTH, STAY],
+        "into the border": [WEST, EAST, WEST, EAST],
+        "all stay": [STAY] * 4,
+        "too many": [EAST, SOUTH, NORTH, WEST, STAY],
+        "nothing": None,
+    },
+    "1.3": {
+        "simultaneous": dataclasses.replace(
+            BUMPER_CARS, interaction=mw.Interaction.SIMULTANEOUS
+        ),
+        "agents take turns": dataclasses.replace(
+            BUMPER_CARS, interaction=mw.Interaction.AGENT_TURNS
+        ),
+        "two fields": dataclasses.replace(
+            BUMPER_CARS, pursuer=mw.Outcome.REACH, captured_disappear=True
+        ),
+        "occupation": dataclasses.replace(BUMPER_CARS, capture=mw.Capture.OCCUPATION),
+        "the name of a variant": "SB",
+        "the class": mw.Rules,
+        "nothing": None,
+    },
+    "1.4": {
+        "no edge conflicts": lambda cells, targets: conflicts(cells, targets, edge=False),
+        "no vertex conflicts": lambda cells, targets: conflicts(cells, targets, vertex=False),
+        "without those that stay": without_stayers,
+        "every occupied target": all_occupied,
+        "nobody": lambda cells, targets: set(),
+        "no return": lambda cells, targets: None,
+        "cells": lambda cells, targets: [(0, 1)],
+        "True": lambda cells, targets: True,
+        "the result": {0, 1},
+    },
+    "2.1": {
+        "nothing changed": JAM_ACTIONS,
+        "two changed": [EAST, EAST, STAY, WEST, SOUTH],
+        "pursuer 0 changed": [STAY, EAST, WEST, EAST, SOUTH],
+        "still one cell": [EAST, STAY, WEST, EAST, SOUTH],
+        "a swap": [EAST, WEST, WEST, EAST, SOUTH],
+        "still a chain": [EAST, EAST, WEST, STAY, SOUTH],
+        "too few": [EAST, EAST, STAY],
+        "a dict": {"pursuer_2": STAY},
+    },
+    "2.2": {
+        "no reward of the step": [-12, -12, 10, -10, -12],
+        "no penalty for teammates": [-0.05, -0.05, 9.95, -10.05, -12.05],
+        "a penalty for the capture": [-12.05, -12.05, -2.05, -22.05, -12.05],
+        "a captured evader wins": [-12.05, -12.05, 9.95, 9.95, -12.05],
+        "a neighbour": [-12.05, -12.05, 10.05, -10.05, -12.05],
+        "no capture": [-12.05, -12.05, 9.95, -0.05, -12.05],
+        "two penalties": [-24.05, -12.05, 9.95, -10.05, -12.05],
+        "guesses": [1, 2, 3, 4, 5],
+        "not a number": [float("nan")] * 5,
+        "too few": [1.0] * 4,
+        "text": ["x"] * 5,
+        "one number": -12.05,
+    },
+    "2.3": {
+        "equal": 201,
+        "without the first step": 200,
+        "too few": 100,
+        "too many": 500,
+        "a float": 202.0,
+        "text": "202",
+        "True": True,
+    },
+    "2.4": {
+        "by index": by_index,
+        "no chains": without_chains,
+        "one link of a chain": one_link_only,
+        "swaps pass": swaps_pass,
+        "all stay": lambda cells, targets: cells,
+        "no return": lambda cells, targets: None,
+        "numbers": lambda cells, targets: {0, 1},
+        "one cell": lambda cells, targets: targets[:1],
+        "the result": [(0, 0)],
+    },
+    "3.1": {
+        "no biases": lambda side, hidden, moves: 3 * side**2 * hidden + hidden * moves,
+        "one layer": lambda side, hidden, moves: (side**2 + 1) * hidden + (hidden + 1) * moves,
+        "one right number": lambda side, hidden, moves: 653,
+        "a number": 653,
+        "nothing": None,
+    },
+    "3.2": {
+        "no square": lambda spread, error: spread / error,
+        "rounded down": lambda spread, error: int((spread / error) ** 2),
+        "no return": lambda spread, error: None,
+        "text": "text",
+    },
+    "3.3": {
+        "all on shared cells": lambda cells, n: sum(cells.count(cell) > 1 for cell in cells) / n,
+        "share of the living": share_of_living,
+        "different cells": lambda cells, n: len({*cells}) / n,
+        "a list": [1, 2],
+    },
+    "3.4": {
+        "large steps": climber(sigma=2.0),
+        "never moves": climber(tell=lambda self, fitness: None),
+        "to the worst": climber(tell=Climber.tell_the_worst),
+        "one candidate": climber(ask=lambda self, rng: self.genome),
+        "float64": climber(ask=lambda self, rng: np.zeros((4, 60))),
+        "a list": climber(ask=lambda self, rng: [1.0]),
+        "no ask": climber(ask=None),
+        "no genome": climber(__init__=lambda self, genome, rng: None),
+        "no class": np.zeros(3),
+    },
+    "4.1": {
+        "swapped": (0.5 - LAGS, 0.5 + LAGS),
+        "one team only": (ONE_TEAM, 0.5 - LAGS),
+        "level": [np.full((4, 4), 0.5)] * 2,
+        "another diagonal": [0.6 + LAGS] * 2,
+        "beyond 1": [0.5 + 3 * LAGS] * 2,
+        "too small": [np.full((3, 3), 0.5)] * 2,
+        "text": [[["a"] * 4] * 4] * 2,
+        "one matrix": np.zeros((4, 4)),
+        "two numbers": [1, 2],
+    },
+    "4.2": {
+        "current evaders": lambda payoff, g: payoff[g, : g + 1].mean(),
+        "a column": lambda payoff, g: payoff[:g, g].mean(),
+        "later evaders": lambda payoff, g: payoff[g].mean(),
+        "a square": lambda payoff, g: payoff[:g, :g].mean() + 1,
+        "no mean": lambda payoff, g: payoff[g, :g],
+        "a number": 0.5,
+    },
+    "4.3": {
+        "the most captured": lambda m: (m.mean(axis=1).argmax(), m.mean(axis=0).argmax()),
+        "the other axis": lambda m: (m.mean(axis=0).argmax(), m.mean(axis=1).argmin()),
+        "the last ones": lambda m: (len(m) - 1, m.shape[1] - 1),
+        "beyond the last": lambda m: (len(m), 0),
+        "pursuers only": lambda m: m.mean(axis=1).argmax(),
+        "nothing": None,
+    },
+    "4.4": {
+        "the opponents win": lambda beats, a, b: beats(*pairs(a, b)[::-1]).mean(),
+        "one opponent each": lambda beats, a, b: beats(a[: len(b)], b).mean(),
+        "a sum": lambda beats, a, b: beats(*pairs(a, b)).sum(),
+        "no mean": lambda beats, a, b: beats(*pairs(a, b)),
+        "a guess": lambda beats, a, b: 0.5,
+        "text": "text",
+    },
+    "5.1": {
+        "text": "arms race",
+        "one race": {"A": "cycle"},
+        "no such word": {**ENDINGS, "A": "extinction"},
+        "two swapped": {**ENDINGS, "A": "cycle", "B": "one side only"},
+    },
+    "5.2": {
+        "a number": 3,
+        "rule of the pursuers": lambda k, i: i % k,
+        "the newest": lambda k, i: k,
+        "the first": lambda k, i: 0,
+        "a float": lambda k, i: i / (k + 1),
+        "no return": lambda k, i: None,
+    },
+    "5.3": {
+        "the mean": gains("generalist_generalist").value,
+        "the other sign": [
+            -gains("generalist_generalist").high, -gains("generalist_generalist").low
+        ],
+        "specialists": gains("specialist_specialist"),
+        "too narrow": np.add(gains("generalist_generalist").value, [-0.001, 0.001]),
+        "another one": (0.0, 0.05),
+        "a word": "wide",
+    },
+    "5.4": {
+        "True": True,
+        "a number": lambda scores: 0.7,
+        "always": lambda scores: True,
+        "never": lambda scores: False,
+        "last beats first": last_beats_first,
+        "the diagonal": lambda scores: bool(np.diag(scores.mean(axis=2))[-1] > 0.5),
+    },
+    "6.1": {
+        "a number": 3,
+        "no return": lambda matrix: None,
+        "each four times": each_square_four_times,
+        "none": lambda matrix: 0,
+        "neighbours only": neighbours_only,
+        "all squares": lambda matrix: analysis.checkerboards(matrix).possible,
+    },
+    "6.2": {
+        "a number": 0.5,
+        "a matrix": lambda matrix: matrix,
+        "the rest": lambda matrix: 1 - analysis.transitive_share(matrix),
+        "the mean twice": mean_twice,
+        "the mean": lambda matrix: matrix.mean(),
+    },
+    "6.3": {
+        "text": "well",
+        "ragged": [[1, 2], [3]],
+        "without the well": ROCK_PAPER_SCISSORS,
+        "it beats the other ones": OTHER_WELL,
+        "its column forgotten": LOST,
+        "another order": WELL[::-1],
+    },
+    "6.4": {
+        "a number": 5,
+        "one opponent": lambda available, rng: available - 1,
+        "no such opponent": lambda available, rng: [available],
+        "without the newest": lambda available, rng: [0],
+        "with repetition": hall(4, repeat=True),
+        "too few": hall(3),
+        "never the oldest": lambda available, rng: [*range(available)][::-1][:5],
+    },
+    "7.1": {
+        "a number": 3,
+        "of wins": of_wins_only,
+        "of five matches": lambda wins, v: of_wins_only(wins / 5, v),
+        "without a zero": of_the_largest,
+        "the wins": lambda wins, v: wins,
+        "the sum": lambda wins, v: wins.sum(),
+    },
+    "7.2": {"text": "0.8", "best": 0.8, "below": 0.75, "above": 0.95, "nine": 9},
+    "7.3": {
+        "a list": [1, 2],
+        "the wins": lambda wins: wins.sum(axis=1),
+        "by individual": lambda wins: (wins / wins.sum(axis=1, keepdims=True)).sum(axis=1),
+        "by opponent": lambda wins: wins.sum(axis=0),
+        "divided by zero": shared_without_zeros,
+    },
+    "7.4": {
+        "nothing": None,
+        "a percentage": 84.0,
+        "of the others": 0.25,
+        "the right ones": 0.16,
+        "of equally many": 0.217,
+        "a guess": 0.5,
+    },
+    "7.5": {
+        "a number": 0.75,
+        "the wins": lambda wins: wins,
+        "zeros": lambda wins: 0 * wins,
+        "the most": lambda wins: wins.max(),
+    },
+    "8.1": {
+        "a number": 2,
+        "always up": lambda stage, escaped: stage + 1,
+        "no limits": lambda s, e: s + (e > 0.6) - (e < 0.2),
+        "at the limit": lambda s, e: min(max(s + int(e >= 0.6) - int(e < 0.2), 0), 3),
+        "text": lambda stage, escaped: "hunter",
+    },
+    "8.2": {
+        "one number": 32000,
+        "text": "32000, 250",
+        "nothing": (None, 250),
+        "both teams": (64000, 250),
+        "epochs": (1000, 250),
+        "the whole curriculum": (32000, 1000),
+        "a generation": (32000, 50),
+    },
+    "8.3": {
+        "a number": 0.5,
+        "with the own": lambda rates: rates.mean(axis=1),
+        "the own": np.diag,
+        "divided by 6": lambda r: (r * (1 - np.eye(len(r)))).mean(axis=1),
+        "columns": lambda r: (r.sum(axis=0) - np.diag(r)) / 5,
+        "one mean": lambda rates: rates.mean(),
+    },
+    "8.4": {
+        "text": "autocurriculum",
+        "no such word": {**CASES, "A": "self play"},
+        "one wrong": {**CASES, "D": "autocurriculum"},
+        "another one": {**CASES, "A": "co-evolution"},
+    },
+    "8.5": {
+        "a word": "better",
+        "True": lambda one, other: True,
+        "by the means": lambda one, other: "better" if one.mean() > other.mean() else "worse",
+        "unpaired": unpaired,
+        "swapped": lambda one, other: verdict_on(other, one),
+    },
+    "9.1": {
+        "text": "greedy",
+        "three weights": [6, 20, 0],
+        "not a number": [6, 20, 0, 0, 0, float("nan")],
+        "greedy": GREEDY,
+        "fast": [6, 20, -10, -10, -2, 0],
+        "careful": [3, 10, -10, -10, -6, 0],
+    },
+    "9.2": {"the paper's": 12, "low": 5.0, "two": [1.0, 2.0], "text": "ten"},
+    "9.3": {"few": 100, "one less": 298, "many": 1000, "a float": 298.07, "none": 0},
+    "9.4": {
+        "True": True,
+        "a mask": np.ones((2, 5)),
+        "of one view": lambda views: np.ones(5, bool),
+        "nothing": lambda views: np.zeros((len(views), 5), bool),
+        "everything": everything,
+        "no walls": lambda views: free_cells(views, slice(1, 2)),
+        "free cells": free_cells,
+        "no moves": still,
+    },
+}  # fmt: skip
+
+RIGHT: dict[str, list[Any]] = {
+    "1.1": [np.array([2, 2, 3, 3, 2, 2, 3])],
+    "1.2": [[EAST, SOUTH, NORTH, WEST], [SOUTH, WEST, EAST, NORTH]],
+    "1.4": [careless],
+    "2.3": [np.int64(202)],
+    "2.4": [at_once],
+    "3.3": [lambda cells, n: (len(cells) - len({*cells})) / n],
+    "3.4": [Climber],
+    "4.1": [((0.5 + 0.5 * LAGS).tolist(), (0.5 - LAGS).tolist()), (BELOW_DIAGONAL, 0.5 - LAGS)],
+    "5.3": [gains("generalist_generalist")],
+    "5.4": [both_rise],
+    "6.1": [lambda matrix: analysis.checkerboards(matrix).count],
+    "6.4": [hall(4), lambda available, rng: np.array(hall(4)(available, rng))],
+    "7.5": [
+        lambda wins: np.minimum(wins, 4),
+        lambda wins: -abs(wins - 3),
+        lambda wins: reduced_virulence(wins, 0.6),
+    ],
+    "9.2": [-break_even(), np.float32(break_even())],
+    "9.4": [
+        with_priority([(0, 1), (1, 0), (0, -1), (-1, 0)]),
+        with_priority(STEPS[1:], for_all=True),
+    ],
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_replies_to_wrong_answers(name: str, snapshot: Any) -> None:
+    replies = {mistake: check(name, answer) for mistake, answer in WRONG[name].items()}
+    assert all(reply.right is False for reply in replies.values())
+    told = {
+        mistake: re.fullmatch(r"✗ Not yet\. (.+)  \(hint\('...'\) gives a hint\.\)", reply.text)
+        for mistake, reply in replies.items()
+    }
+    assert {mistake: found and found[1] for mistake, found in told.items()} == snapshot
+
+
+@pytest.mark.parametrize("name", RIGHT)
+def test_other_right_answers(name: str) -> None:
+    for answer in RIGHT[name]:
+        assert check(name, answer).right is True
+
+
+def test_the_errors_of_a_student_s_function_are_shown() -> None:
+    with pytest.raises(ZeroDivisionError):
+        check("1.4", lambda cells, targets: 1 / 0)
+
+
+def test_replies_do_not_give_numbers_away() -> None:
+    answers = {"2.3": "202 ", "7.2": "0.9 ", "9.2": f"{break_even():.1f}", "9.3": "299"}
+    for name, answer in answers.items():
+        assert not any(answer in check(name, wrong).text for wrong in WRONG[name].values())
