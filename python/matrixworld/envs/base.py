@@ -12,10 +12,9 @@ from numpy.typing import NDArray
 from typing_extensions import Unpack
 
 from matrixworld._util.checks import check_bool, check_keywords
-from matrixworld.envs.opponents import Opponents, built_in_team, set_opponents
+from matrixworld.envs.opponents import HasOpponents, Opponents, built_in_team
 from matrixworld.episodes.display import Drawing
 from matrixworld.episodes.episode import Episode
-from matrixworld.play import Plays
 from matrixworld.world.arrays import (
     WORLD_FIELDS,
     OutputField,
@@ -118,7 +117,7 @@ def _columns(output: OutputField, value: Any, n_agents: int) -> list[list[Any]]:
     return [[each] * n_agents for each in np.ravel(value).tolist()]
 
 
-class MatrixWorldBase:
+class MatrixWorldBase(HasOpponents):
     """A world with names of agents, spaces and pictures, as PettingZoo wants them.
 
     Parameters
@@ -197,8 +196,8 @@ class MatrixWorldBase:
         self.world = World(self.config)
         self.render_mode = render_mode
         self.metadata: dict[str, Any] = metadata_of(self.config)
-        self._built_in = built_in_team(self.config, pursuers, evaders)
-        played = range(self.config.n_agents) if self._built_in is None else self._built_in.learners
+        self._team = built_in_team(self.config, pursuers, evaders)
+        played = range(self.config.n_agents) if self._team is None else self._team.learners
         self._names = {agent: self.config.agent_name(agent) for agent in played}
         self._index = {name: agent for agent, name in self._names.items()}
         self.possible_agents = list(self._index)
@@ -257,22 +256,18 @@ class MatrixWorldBase:
 
     def _reset_world(self, seed: int | None, options: Mapping[str, Any] | None) -> None:
         given = dict(options or {})
-        built_in = self._built_in
-        known = OPTIONS if built_in is None else (*OPTIONS, "opponents")
+        known = self._known(OPTIONS)
         for unknown in set(given) - set(known):
             warnings.warn(f"options: expected some of {known}, ignored {unknown!r}", stacklevel=3)
             del given[unknown]
-        opponents = given.pop("opponents", None)
-        if built_in is not None and opponents is not None:
-            opponents = built_in.resolve(opponents)
+        opponents = self._resolved(given)
         if seed is None and not self._seeded:
             # The first episode without a seed is a random one; later ones continue its seed.
             seed = int(np.random.SeedSequence().generate_state(1, np.uint64)[0])
         self.world.reset(seed, **given)
-        if built_in is not None:
-            if opponents is not None:
-                built_in.opponents = opponents
-            built_in.begin(self.world.seed, self.world.episode)
+        if self._team is not None:
+            self._team.opponents = opponents
+            self._team.begin(self.world.seed, self.world.episode)
         self._seeded = True
         self.agents = self.possible_agents[:]
         if self._drawing is not None:
@@ -280,22 +275,13 @@ class MatrixWorldBase:
 
     def _decide(self, actions: NDArray[np.int64], agents: range) -> None:
         """Write the actions of the team that the environment plays itself, if it plays one."""
-        if self._built_in is not None:
-            self._built_in.decide(self.world, agents, actions)
-
-    @property
-    def opponents(self) -> tuple[Plays, ...]:
-        """What can play for the built-in team; episodes that begin draw from it. May be set."""
-        return () if self._built_in is None else self._built_in.opponents
-
-    @opponents.setter
-    def opponents(self, opponents: Opponents) -> None:
-        set_opponents(self._built_in, opponents)
+        if self._team is not None:
+            self._team.decide(self.world, agents, actions)
 
     @property
     def opponent(self) -> int | None:
         """The place in `opponents` of this episode's opponent, when it began; None without one."""
-        return None if self._built_in is None else int(self._built_in.chosen[0])
+        return None if self._team is None else int(self._team.chosen[0])
 
     def render(self) -> NDArray[np.uint8] | str | None:
         """Draw the present moment: pixels (height, width, 3) uint8 or a text; None for "human".

@@ -42,9 +42,10 @@ _PURPOSE = 2**32
 class BuiltInTeam:
     """The team that an environment of W worlds plays itself.
 
-    `agents` are its agents, `learners` those of the other team. `playing` is the opponent of each
-    world's episode; opponents that are set later do not change it. `chosen`, int64 (W,), is its
-    place in `opponents` when the episode began.
+    `agents` are its agents, `learners` those of the other team. `opponents` is what can play for
+    it: scripts, populations of one genome, functions. `playing` is the opponent of each world's
+    episode; opponents that are set later do not change it. `chosen`, int64 (W,), is its place in
+    `opponents` when the episode began.
     """
 
     def __init__(
@@ -53,21 +54,9 @@ class BuiltInTeam:
         teams = range(config.n_pursuers), range(config.n_pursuers, config.n_agents)
         self.agents, self.learners = teams if team == "pursuer" else teams[::-1]
         self._team, self._config = team, config
-        self._opponents = self.resolve(opponents)
+        self.opponents = self.resolve(opponents)
         self.chosen = np.zeros(n_worlds, np.int64)
-        self.playing: list[Plays] = [self._opponents[0]] * n_worlds
-
-    @property
-    def opponents(self) -> tuple[Plays, ...]:
-        """What can play for the team: scripts, populations of one genome, functions.
-
-        Set it to change what episodes that begin from then on draw from.
-        """
-        return self._opponents
-
-    @opponents.setter
-    def opponents(self, opponents: Opponents) -> None:
-        self._opponents = self.resolve(opponents)
+        self.playing: list[Plays] = [self.opponents[0]] * n_worlds
 
     def resolve(self, opponents: Opponents) -> tuple[Plays, ...]:
         """Return opponents in the form that is played; raises as the class does."""
@@ -141,17 +130,12 @@ class BuiltInWorlds:
         self._chosen = np.array(numbers, np.int32)
         self._policies: list[Plays] = list({id(policy): policy for policy in playing}.values())
 
-    def begin(self, worlds: ArrayLike | None, opponents: Opponents | None) -> None:
+    def begin(self, worlds: ArrayLike | None) -> None:
         """Draw opponents after a reset, of all worlds or of those of a mask (W,)."""
-        if opponents is not None:
-            self.team.opponents = opponents
         self._draw(None if worlds is None else np.asarray(worlds))
 
     def actions(self, given: ArrayLike) -> NDArray[np.int64]:
-        """Return the actions of all agents, (W, A), with those of the caller's agents given.
-
-        Raises ValueError for another shape and TypeError if they are not integers.
-        """
+        """Return the actions of all agents, (W, A), with those of the caller's agents given."""
         chosen = integers("actions", given)
         learners = self.team.learners
         expected = (len(self._actions), len(learners))
@@ -208,14 +192,35 @@ def built_in_team(
     return None if evaders is None else BuiltInTeam("evader", evaders, config, n_worlds)
 
 
-def set_opponents(team: BuiltInTeam | None, opponents: Opponents) -> None:
-    """Set the opponents of an environment; raise ValueError if it plays no team itself."""
-    if team is None:
-        raise ValueError(
-            "opponents: expected an environment that plays a team (pursuers= or evaders=), got one "
-            "whose caller plays both"
-        )
-    team.opponents = opponents
+class HasOpponents:
+    """An environment that may play a team itself."""
+
+    _team: BuiltInTeam | None = None
+
+    @property
+    def opponents(self) -> tuple[Plays, ...]:
+        """What can play for the built-in team; episodes that begin draw from it. May be set."""
+        return () if self._team is None else self._team.opponents
+
+    @opponents.setter
+    def opponents(self, opponents: Opponents) -> None:
+        if self._team is None:
+            raise ValueError(
+                "opponents: expected an environment that plays a team (pursuers= or evaders=), got "
+                "one whose caller plays both"
+            )
+        self._team.opponents = self._team.resolve(opponents)
+
+    def _known(self, options: tuple[str, ...]) -> tuple[str, ...]:
+        """Return the options of a reset, which can set opponents if there are any."""
+        return options if self._team is None else (*options, "opponents")
+
+    def _resolved(self, given: dict[str, Any]) -> tuple[Plays, ...]:
+        """Take the opponents out of given options, before a world changes; by default the same."""
+        opponents = given.pop("opponents", None)
+        if self._team is None or opponents is None:
+            return self.opponents
+        return self._team.resolve(opponents)
 
 
 def _several(opponents: Any) -> list[Any]:

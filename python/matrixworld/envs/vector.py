@@ -17,9 +17,8 @@ from typing_extensions import Unpack
 
 from matrixworld._core import Autoreset
 from matrixworld._util.checks import check_bool, check_integer, check_keywords
-from matrixworld.envs.opponents import BuiltInWorlds, Opponents, built_in_team, set_opponents
+from matrixworld.envs.opponents import BuiltInWorlds, HasOpponents, Opponents, built_in_team
 from matrixworld.episodes.render import rgb
-from matrixworld.play import Plays
 from matrixworld.world.arrays import (
     BATCH_FIELDS,
     WORLD_FIELDS,
@@ -62,7 +61,7 @@ _NOT_IN_INFOS = {
 _RENAMED = {"steps": "step", "episode": "episode_number"}
 
 
-class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
+class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     """Vector environment of W worlds with A agents each, pursuers first.
 
     Parameters
@@ -201,9 +200,9 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         self.copy: bool = check_bool("copy", copy)
         if check_bool("action_mask", action_mask):
             check_maskable(self.config)
-        team = built_in_team(self.config, pursuers, evaders, self.num_envs)
+        self._team = built_in_team(self.config, pursuers, evaders, self.num_envs)
         everyone = range(self.config.n_agents)
-        self.agents: range = everyone if team is None else team.learners
+        self.agents: range = everyone if self._team is None else self._team.learners
         left_out = set() if check_bool("state", state) else {"state"}
         if mode is not AutoresetMode.SAME_STEP:
             # In the other modes the observations stay those of the episode's end for one step.
@@ -217,7 +216,9 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
             buffers=kept,
         )
         waits = mode is not AutoresetMode.SAME_STEP
-        self._built_in = None if team is None else BuiltInWorlds(team, self._batch, waits)
+        self._built_in = (
+            None if self._team is None else BuiltInWorlds(self._team, self._batch, waits)
+        )
         mine = _of_agents(kept, self.agents)
         self._views = mine["views"]
         # `reshape` that joins the last axes makes a view, so the batch writes into observations.
@@ -253,15 +254,6 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     def n_worlds(self) -> int:
         """The number of worlds, W; Gymnasium's name is ``num_envs``."""
         return self.num_envs
-
-    @property
-    def opponents(self) -> tuple[Plays, ...]:
-        """What can play for the built-in team; episodes that begin draw from it. May be set."""
-        return () if self._built_in is None else self._built_in.team.opponents
-
-    @opponents.setter
-    def opponents(self, opponents: Opponents) -> None:
-        set_opponents(None if self._built_in is None else self._built_in.team, opponents)
 
     @property
     def np_random_seed(self) -> tuple[int, ...]:  # type: ignore[override]
@@ -306,19 +298,17 @@ class VectorEnv(GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
     def _start(self, seed: int | ArrayLike | None, options: Mapping[str, Any] | None) -> None:
         self._require_open("reset")
         given = dict(options or {})
-        built_in = self._built_in
-        known = OPTIONS if built_in is None else (*OPTIONS, "opponents")
+        known = self._known(OPTIONS)
         unknown = set(given) - set(known)
         if unknown:
             raise ValueError(f"options: expected some of {known}, got {sorted(unknown)}")
         if seed is None and not self._seeded:
             seed = self.infos["seed"]
-        mask, opponents = given.pop("reset_mask", None), given.pop("opponents", None)
-        if built_in is not None and opponents is not None:
-            opponents = built_in.team.resolve(opponents)  # refused before a world has changed
+        mask, opponents = given.pop("reset_mask", None), self._resolved(given)
         self._batch.reset(seed, mask=mask, **given)
-        if built_in is not None:
-            built_in.begin(mask, opponents)
+        if self._built_in is not None:
+            self._built_in.team.opponents = opponents
+            self._built_in.begin(mask)
         self._seeded = True
         if seed is not None:
             self._generators = None

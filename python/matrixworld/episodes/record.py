@@ -17,7 +17,7 @@ from matrixworld.episodes.episode import (
     scene,
 )
 from matrixworld.episodes.render import MARK_STEPS, Scene
-from matrixworld.world.arrays import integers
+from matrixworld.world.arrays import array_specs, integers
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.conflicts import CONFLICT_COLUMNS
 from matrixworld.world.maps import MapLike
@@ -100,20 +100,16 @@ class Recorder:
 
     def _last(self, steps: int) -> Episode:
         """Return the last steps, with one moment more than steps, as an episode."""
-        n_agents = self.world.config.n_agents
-        # `stack` cannot infer shape and dtype from no steps at all.
-        empty: dict[str, NDArray[Any]] = {
-            "actions": np.empty((0, n_agents), np.int8),
-            "rewards": np.empty((0, n_agents), np.float32),
-            "involved": np.empty((0, n_agents, 3), np.bool_),
-            "fault": np.empty((0, n_agents, 3), np.bool_),
+        specs = {
+            **array_specs(self.world.config),
+            "actions": ((self.world.config.n_agents,), np.int8),
         }
-        arrays: dict[str, Any] = {
-            name: np.stack(kept[len(kept) - steps - (name in MOMENT_ARRAYS) :])
-            if steps or name in MOMENT_ARRAYS
-            else empty[name]
-            for name, kept in self._kept.items()
-        }
+        arrays: dict[str, Any] = {}
+        for name, kept in self._kept.items():
+            count = steps + (name in MOMENT_ARRAYS)
+            shape, dtype = specs[name]
+            # An array of no steps at all has a shape, too.
+            arrays[name] = np.array(kept[len(kept) - count :], dtype).reshape(count, *shape)
         return Episode(
             **arrays,
             map=self._map,
