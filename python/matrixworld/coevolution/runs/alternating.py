@@ -133,19 +133,9 @@ class Race(Run[RaceSettings]):
     def retain(self, team: Team, generation: int, before: State) -> None:
         """Undo what a team has learned in a generation if it got worse against all opponents.
 
-        Parameters
-        ----------
-        team : {"pursuer", "evader"}
-            The team.
-        generation : int
-            The generation.
-        before : dict of str to ndarray
-            State of the learner before the generation.
-
-        Notes
-        -----
-        Only with the setting `retention_episodes`. The random numbers of the next generation are
-        others, so a discarded generation is not learned again.
+        Only with the setting `retention_episodes`; `before` is the state of the learner before the
+        generation. The random numbers of the next generation are others, so that a discarded
+        generation is not learned again.
         """
         episodes, learner = self.settings.retention_episodes, self.learners[team]
         if not episodes:
@@ -176,12 +166,7 @@ class Race(Run[RaceSettings]):
     def selection_matches(self, met: int, archived: int) -> int:
         """Return the episodes at the end of a generation that choose a team's genome.
 
-        Parameters
-        ----------
-        met : int
-            Opponents of an individual in an epoch.
-        archived : int
-            Archived opponents.
+        In an epoch an individual meets `met` opponents; `archived` ones are there.
         """
         # Retention compares two genomes.
         retention = 2 * archived * self.settings.retention_episodes

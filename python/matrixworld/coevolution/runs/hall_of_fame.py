@@ -9,7 +9,6 @@ import numpy as np
 
 from matrixworld._util.checks import check_choice
 from matrixworld.coevolution.fitness import win_rates
-from matrixworld.coevolution.learners.learner import GradientLearner
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.runs.alternating import Race
 from matrixworld.coevolution.runs.run import Run
@@ -171,7 +170,10 @@ class HallOfFameRace(Race):
         # Both teams have the same kind of learner, and with it the same groups.
         match = self.learners["pursuer"].match_of_candidate
         pairs = pairings(match, self.settings.contemporaries, hall_sizes, rng)
-        everyone = {t: self._with_hall(populations[t], halls[t]) for t in TEAMS}
+        everyone = {
+            team: self.training.population(np.concatenate([populations[team], halls[team]]))
+            for team in TEAMS
+        }
         seeds = self._seeds(pairs, generation, epoch)
         scores = self.training.play(
             everyone["pursuer"],
@@ -183,7 +185,11 @@ class HallOfFameRace(Race):
         for team in TEAMS:
             table = partial(table_of_individuals, players[team], players[other(team)], n)
             fitness[team] = self.training.fitness(scores, team, table)
-            self._learn(team, everyone, players, seeds)
+            living = players[team] < n
+            self.training.teach(
+                self.learners[team], team, everyone[other(team)],
+                players[other(team)][living], seeds[living],
+            )  # fmt: skip
             fittest = players[team] == np.argmax(fitness[team])
             self._met[team] = everyone[other(team)], players[other(team)][fittest]
             if len(sampled[team]):
@@ -199,23 +205,6 @@ class HallOfFameRace(Race):
             )
         return fitness
 
-    def _learn(
-        self,
-        team: Team,
-        everyone: dict[Team, Population],
-        players: dict[Team, Indices],
-        seeds: Seeds,
-    ) -> None:
-        """Let a learner learn from the transitions of its individuals' matches."""
-        learner = self.learners[team]
-        if isinstance(learner, GradientLearner):
-            living = players[team] < self.settings.population
-            experience = self.training.experience(
-                learner, team, learner.genome, everyone[other(team)],
-                players[other(team)][living], seeds[living],
-            )  # fmt: skip
-            learner.learn(experience)
-
     def _sample_halls(self, epoch: int, rng: np.random.Generator) -> dict[Team, Indices]:
         """Return for each team its opponents from the other team's hall of fame."""
         if not self.settings.hall_sample:
@@ -230,9 +219,6 @@ class HallOfFameRace(Race):
             self.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch, groups
         )
         return seeds[pairs.group]
-
-    def _with_hall(self, living: Genomes, hall: Genomes) -> Population:
-        return self.training.population(np.concatenate([living, hall]))
 
     def _generator(
         self, purpose: Purpose, generation: int, epoch: int, team: Team = "pursuer"

@@ -371,21 +371,16 @@ class TeamPhase:
             epoch=matchup.epoch,
             opponent=int(opponents[0]) if len(opponents) == 1 else SEVERAL,
         )
-        if learner := self._gradient_learner:
-            # The same matches once more, step by step.
-            learner.learn(
-                self.training.experience(
-                    learner, team, self.learner.genome, self.opponents,
-                    np.tile(opponents, len(candidates)), matchup.seeds.ravel(),
-                )
-            )  # fmt: skip
+        if self._by_gradients:
+            chosen = np.tile(opponents, len(candidates))
+            self.training.teach(self.learner, team, self.opponents, chosen, matchup.seeds.ravel())
         self.on_epoch()
         return fitness
 
     @cached_property
-    def _gradient_learner(self) -> GradientLearner | None:
+    def _by_gradients(self) -> bool:
         # Once a phase: to ask a protocol is slow beside an epoch.
-        return self.learner if isinstance(self.learner, GradientLearner) else None
+        return isinstance(self.learner, GradientLearner)
 
     def _matchups(self, epochs: range) -> Iterable[Matchup]:
         """Return the matchups of all epochs, in order."""

@@ -22,7 +22,7 @@ AnyRun = Race | HallOfFameRace | SingleTeam
 
 def start(
     settings: RaceSettings | SingleSettings,
-    directory: str | Path,
+    directory: str | Path | RunDirectory,
     *,
     threads: int | None = None,
     play: Rollout = rollout,
@@ -33,8 +33,8 @@ def start(
     ----------
     settings : RaceSettings or SingleSettings
         Settings of the run.
-    directory : str or Path
-        A new or empty directory.
+    directory : str, Path or RunDirectory
+        A new or empty directory; a `RunDirectory` to continue the run in it.
     threads : int, optional
         Threads that `play` may use. By default all cores. Results do not depend on it.
     play : callable, optional
@@ -52,16 +52,6 @@ def start(
     TypeError
         If the settings are of another class.
     """
-    return _made(settings, directory, threads, play)
-
-
-def _made(
-    settings: RaceSettings | SingleSettings,
-    directory: str | Path | RunDirectory,
-    threads: int | None,
-    play: Rollout,
-) -> AnyRun:
-    """Return a run of the kind that the settings define, new or in an existing directory."""
     if isinstance(settings, SingleSettings):
         return SingleTeam(settings, directory, threads=threads, play=play)
     if not isinstance(settings, RaceSettings):
@@ -163,4 +153,4 @@ def resume(directory: str | Path, *, threads: int | None = None, play: Rollout =
         If another process runs it.
     """
     files = RunDirectory.open(directory)
-    return _made(files.settings(), files, threads, play)
+    return start(files.settings(), files, threads=threads, play=play)

@@ -130,30 +130,24 @@ class TrainingMatches:
             return self.play(learning, opponents, Matches(own, met.ravel(), seeds.ravel()))
         return self.play(opponents, learning, Matches(met.ravel(), own, seeds.ravel()))
 
-    def experience(
+    def teach(
         self,
-        learner: GradientLearner,
+        learner: Learner,
         team: Team,
-        genome: Genome,
         opponents: TeamPolicy,
         chosen: Indices,
         seeds: Seeds,
-    ) -> Experience:
-        """Return what a team experiences in matches that have been played and counted.
+    ) -> None:
+        """Let a learner by gradients learn from matches (M,) that have been played and counted.
 
-        `genome` plays in all of them, against the opponent `chosen` (M,) for each seed (M,).
+        They are played once more, step by step, by its genome against the opponents `chosen` (M,).
         """
-        return experience(
-            self.world,
-            team,
-            self.population(genome),
-            opponents,
-            chosen,
-            seeds,
-            worlds=self.settings.worlds,
-            states=learner.sees_states,
-            threads=self.threads,
-        )
+        if isinstance(learner, GradientLearner):
+            found = experience(
+                self.world, team, self.population(learner.genome), opponents, chosen, seeds,
+                worlds=self.settings.worlds, states=learner.sees_states, threads=self.threads,
+            )  # fmt: skip
+            learner.learn(found)
 
     # Fitness:
 

@@ -4,23 +4,3 @@
 run to look at it. Atomic writes, checksums and locks of single files are in
 `matrixworld._util.files`.
 """
-
-from __future__ import annotations
-
-from matrixworld.coevolution.storage.run_directory import (
-    COLUMNS,
-    SEVERAL,
-    OtherVersionError,
-    RunDirectory,
-)
-from matrixworld.coevolution.storage.saved_run import SavedRun, last_generation, open_run
-
-__all__ = [
-    "COLUMNS",
-    "SEVERAL",
-    "OtherVersionError",
-    "RunDirectory",
-    "SavedRun",
-    "last_generation",
-    "open_run",
-]

@@ -138,19 +138,9 @@ class RunDirectory:
     def create(
         cls, path: str | Path, kind: str, settings: Mapping[str, Any], **more: Any
     ) -> RunDirectory:
-        """Return the directory of a new run, and make it if it does not exist.
+        """Return the directory of a new run, and make it; FileExistsError if it is not empty.
 
-        Parameters
-        ----------
-        path : str or Path
-            The directory.
-        kind, settings, **more
-            Kind of run, settings and other entries of config.json, which `write_config` writes.
-
-        Raises
-        ------
-        FileExistsError
-            If the directory is not empty.
+        Kind of run, settings and `more` are what `write_config` will write.
         """
         files = cls(Path(path))
         head = {"format": FORMAT, "matrixworld": __version__, "kind": kind}
@@ -218,10 +208,7 @@ class RunDirectory:
     def archive(self) -> Archive:
         """Return the genomes (generations, genes) float32 of each team in all finished stages.
 
-        Raises
-        ------
-        DamagedFileError
-            If the file of a stage is damaged or missing.
+        Raises DamagedFileError if the file of a stage is damaged or missing.
         """
         return _archive_of(self._stages())
 
@@ -272,8 +259,6 @@ class RunDirectory:
     def check_empty(self) -> None:
         """Raise FileExistsError if the directory is not empty.
 
-        Notes
-        -----
         Files of a run that was never completely made do not count. Its lock file shows that they
         are from such a run, and they hold no training yet.
         """
@@ -314,18 +299,9 @@ class RunDirectory:
     ) -> None:
         """Save a stage and its checkpoint.
 
-        Parameters
-        ----------
-        stage : int
-            Its number; stage 0 is the run before training.
-        archive : mapping of str to array_like of float32, shape (generations, genes)
-            All genomes of each team. Those of earlier stages are not written again.
-        rows : sequence of dict
-            Rows of the log of this stage.
-        counters : mapping of str to float
-            What the run has counted until now.
-        state : mapping of str to array_like
-            State of learners and samplers, from which the next stage goes on.
+        `archive` holds all genomes of each team, of which those of earlier stages are not written
+        again; `rows` are the rows of the log of this stage; `counters` is what the run has counted
+        until now; `state` is that of learners and samplers, from which the next stage goes on.
         """
         new = {f"{team}s": archive[team][self._saved[team] :] for team in TEAMS}
         genomes = {name: np.asarray(each, np.float32) for name, each in new.items() if len(each)}
@@ -339,12 +315,8 @@ class RunDirectory:
         """Return the newest stage that is intact, with all stages before it.
 
         To be called under the lock. A damaged file is reported by a warning and renamed to
-        ``*.damaged``; the stage before it is used instead.
-
-        Raises
-        ------
-        DamagedFileError
-            If no stage is intact that has a checkpoint.
+        ``*.damaged``; the stage before it is used instead. DamagedFileError if no stage is intact
+        that has a checkpoint.
         """
         remove_temporary_files(self.path)
         problems: list[DamagedFileError] = []

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -25,9 +25,8 @@ from matrixworld.world.policy import SCRIPTS, Network, Population, Script, TeamP
 
 def script_of(name: str) -> Script:
     """Return `name` as the name of a script; ValueError if there is no such script."""
-    if name not in SCRIPTS:
-        raise ValueError(f"script: expected one of {', '.join(SCRIPTS)}, got {name!r}")
-    return name
+    check_choice("script", name, SCRIPTS)
+    return cast(Script, name)
 
 
 def last_generation(directory: str | Path, team: Team) -> Population:
