@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Sequence
-from typing import Any, Protocol, TextIO
+from typing import Any, TextIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,18 +78,20 @@ class Drawing:
         return self.__dict__ | {"_display": None}
 
 
-class Place(Protocol):
-    """A place where scenes are shown one after the other."""
+class Place:
+    """A place where scenes are shown one after the other.
 
-    @property
-    def watched(self) -> bool:
-        """Whether each scene replaces the one before, so that a person needs time to see it."""
+    `watched` is whether each scene replaces the one before, so that a person needs time to see it.
+    """
+
+    watched: bool = True
 
     def show(self, scene: Scene, **look: Any) -> None:
-        """Show a scene. `look` holds keyword arguments of `render.rgb`."""
+        """Show a scene. `look` holds keyword arguments of `render.rgb`; texts ignore it."""
+        raise NotImplementedError
 
     def close(self) -> None:
-        """Remove the place if it would be in the way."""
+        """Remove the place if it would be in the way; by default the last drawing stays."""
 
 
 class Display:
@@ -115,13 +117,11 @@ class Display:
         self._place.close()
 
 
-class Notebook:
+class Notebook(Place):
     """An output of a notebook cell that is redrawn; each cell run later gets its own.
 
     `shell` is the IPython shell, `display` is `IPython.display.display`.
     """
-
-    watched = True
 
     def __init__(self, shell: Any, display: Any) -> None:
         self._shell = shell
@@ -138,11 +138,8 @@ class Notebook:
         self._run = self._shell.execution_count
         self._handle = self._display(data, raw=True, display_id=True)
 
-    def close(self) -> None:
-        """Do nothing: the last picture stays."""
 
-
-class Window:
+class Window(Place):
     """A window of Matplotlib, which the key q closes.
 
     A window closed by its user stays closed. The program goes on, and no longer waits for it.
@@ -154,7 +151,7 @@ class Window:
         self._image: Any = None
 
     @property
-    def watched(self) -> bool:
+    def watched(self) -> bool:  # type: ignore[override]
         """Whether the window is still open."""
         return bool(self._plt.fignum_exists(self._figure.number))
 
@@ -183,10 +180,8 @@ class Window:
         self._plt.close(self._figure)
 
 
-class Terminal:
+class Terminal(Place):
     """Text in a terminal, redrawn in place, with the cursor below it."""
-
-    watched = True
 
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream
@@ -202,11 +197,8 @@ class Terminal:
         self._stream.write(WRAP_ON + "\n")
         self._stream.flush()
 
-    def close(self) -> None:
-        """Do nothing: the last drawing stays."""
 
-
-class Printout:
+class Printout(Place):
     """Plain text, one drawing below the other with a blank line between them."""
 
     watched = False
@@ -217,9 +209,6 @@ class Printout:
     def show(self, scene: Scene, **look: Any) -> None:
         """Print a scene; `look` is for pictures only."""
         self._stream.write(ansi(scene, color="none") + "\n\n")
-
-    def close(self) -> None:
-        """Do nothing: printed text stays."""
 
 
 def _text(stream: TextIO) -> Place:

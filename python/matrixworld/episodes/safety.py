@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.checks import SEED_MAX, check_integer, check_naturals
 from matrixworld.analysis.intervals import rate_intervals
+from matrixworld.analysis.plain_values import plain_values
 from matrixworld.episodes.episode import Episode
 from matrixworld.play.rollout import EpisodeStatistics
 from matrixworld.world.arrays import WorldArrays
@@ -65,9 +66,6 @@ class SafetySummary:
 
     def to_json(self) -> dict[str, Any]:
         """Return the summary as values that JSON can hold; ends of no interval are None."""
-        # Imported here, because worlds do not need the analysis.
-        from matrixworld.analysis.plain_values import plain_values
-
         plain: dict[str, Any] = plain_values(self)
         return plain
 
@@ -126,16 +124,14 @@ class SafetyMonitor:
     """
 
     def __init__(self) -> None:
-        self._collisions: list[NDArray[np.int64]] = []
-        self._faults: list[NDArray[np.int64]] = []
-        self._agent_steps: list[NDArray[np.int64]] = []
-        self._capture_rates: list[NDArray[np.float64]] = []
+        # Collisions (n, 2, 3), faults (n, 2, 3), agent-steps (n, 2) and capture rates (n,).
+        self._parts: list[tuple[NDArray[Any], ...]] = []
         self._current: _Current | None = None
 
     @property
     def episodes(self) -> int:
         """Number of episodes collected so far."""
-        return sum(len(part) for part in self._capture_rates)
+        return sum(len(rates) for *_, rates in self._parts)
 
     def add(
         self,
@@ -170,10 +166,8 @@ class SafetyMonitor:
         steps = _counts("agent_steps", agent_steps, (*rates.shape, 2))
         if (at_fault > involved).any() or (involved > steps[..., np.newaxis]).any():
             raise ValueError("safety: expected faults <= collisions <= agent_steps everywhere")
-        self._collisions.append(involved.reshape(-1, 2, 3))
-        self._faults.append(at_fault.reshape(-1, 2, 3))
-        self._agent_steps.append(steps.reshape(-1, 2))
-        self._capture_rates.append(rates.reshape(-1))
+        by_kind = involved.reshape(-1, 2, 3), at_fault.reshape(-1, 2, 3)
+        self._parts.append((*by_kind, steps.reshape(-1, 2), rates.reshape(-1)))
 
     def add_statistics(self, statistics: EpisodeStatistics) -> None:
         """Collect all episodes of a `rollout`."""
@@ -226,8 +220,7 @@ class SafetyMonitor:
         if not isinstance(other, SafetyMonitor):
             return NotImplemented
         both = SafetyMonitor()
-        for name in ("_collisions", "_faults", "_agent_steps", "_capture_rates"):
-            setattr(both, name, getattr(self, name) + getattr(other, name))
+        both._parts = self._parts + other._parts
         return both
 
     def summary(self, *, seed: int = 0) -> SafetySummary:
@@ -235,13 +228,12 @@ class SafetyMonitor:
         seed = check_integer("seed", seed, 0, SEED_MAX)
         if not self.episodes:
             raise ValueError("safety: expected at least one whole episode, got none")
-        collisions, faults = np.concatenate(self._collisions), np.concatenate(self._faults)
-        steps = np.concatenate(self._agent_steps)
+        collisions, faults, steps, rates = map(np.concatenate, zip(*self._parts, strict=True))
         intervals = rate_intervals(np.stack([collisions, faults], axis=1), steps, seed)
         return SafetySummary(
             episodes=self.episodes,
             agent_steps=steps.sum(axis=0),
-            capture_rate=float(np.concatenate(self._capture_rates).mean()),
+            capture_rate=float(rates.mean()),
             involved_rate=_rate(collisions.sum(axis=0), steps.sum(axis=0)),
             involved_interval=intervals[0],
             fault_rate=_rate(faults.sum(axis=0), steps.sum(axis=0)),
