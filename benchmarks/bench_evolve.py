@@ -74,9 +74,10 @@ def race(settings: RaceSettings, threads: int, parts: Parts) -> dict[str, bytes]
     with TemporaryDirectory() as directory, silence():
         root = Path(directory)
         with parts.timed(OTHER):
-            [result], _ = play_runs(new_job([settings], None), root, threads, new=True)
+            job = new_job([settings], None)
+            [result], _ = play_runs(job, root, threads, new=True)
         with parts.timed(FIGURES):
-            report([result], root)
+            report(job, [result], root, {})
         return {name: (result.path / name).read_bytes() for name in RESULTS}
 
 

@@ -157,7 +157,7 @@ def test_devices_are_refused_by_commands_before_they_play(tmp_path):
         said = matrixworld_command("replay", "O", "--out", f"{out}", "--force", code=2).stderr
         assert "expected a" in said
     (tmp_path / "m.csv").write_text("0.1,0.2\n0.3,0.4\n")
-    command = ("analyze", tmp_path / "m.csv", "--json", "/dev/null", "--force")
+    command = ("judge", tmp_path / "m.csv", "--json", "/dev/null", "--force")
     said = matrixworld_command(*command, code=2).stderr
     assert "/dev/null: expected a file, got a device" in said
 

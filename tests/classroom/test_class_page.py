@@ -15,7 +15,7 @@ from matrixworld.classroom.policy_process import problem_here
 from matrixworld.classroom.policy_server import MODULES
 from matrixworld.classroom.sandbox import ALLOWED
 from matrixworld.classroom.untrusted import MOST_BYTES
-from matrixworld.cli.class_tournament import class_command
+from matrixworld.cli.classroom import play_command
 
 PAGE = (Path(__file__).parents[2] / "docs" / "class.md").read_text(encoding="utf-8")
 PROGRAM, TRIAL = re.findall(r"```python\n(.*?)```", PAGE, re.S)
@@ -45,7 +45,7 @@ def test_the_program_of_the_page_can_be_handed_in(tmp_path: Path) -> None:
 
 def test_limits_and_options_are_those_of_the_command() -> None:
     rows = dict(re.findall(r"^\| `(--[\w-]+)` \| (\d+) \|", PAGE, re.M))
-    options = {param.opts[0]: param.default for param in class_command.params}
+    options = {param.opts[0]: param.default for param in play_command.params}
     assert {name: float(value) for name, value in rows.items()} == {
         name: float(options[name]) for name in ("--seconds", "--wait", "--in-all", "--memory")
     }

@@ -1,4 +1,4 @@
-"""``matrixworld class`` and ``matrixworld export``."""
+"""``matrixworld class`` and ``matrixworld class export``."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def test_a_champion_is_exported_and_plays(tmp_path: Path) -> None:
     folder.mkdir()
     for team in ("pursuer", "evader"):
         target = folder / f"{team}.npz"
-        matrixworld_command("export", run, "--team", team, "-o", target)
+        matrixworld_command("class", "export", run, "--team", team, "-o", target)
         found, population = load_genome(target)
         policy = open_run(run_directories(run)[0]).policy(team)
         assert found == team
@@ -105,11 +105,10 @@ def test_a_champion_is_exported_and_plays(tmp_path: Path) -> None:
         "class", folder, *WORLD, "--fov", population.network.fov, "--episodes", 2
     )
     assert "genome" in result.output
-    refused = matrixworld_command("export", run, "--team", "evader", "-o", target, code=2)
+    again = ["class", "export", run, "--team", "evader"]
+    refused = matrixworld_command(*again, "-o", target, code=2)
     assert "give --force" in refused.output
-    wrong = matrixworld_command(
-        "export", run, "--team", "evader", "--generation", 99, "-o", tmp_path / "a.npz", code=2
-    )
+    wrong = matrixworld_command(*again, "--generation", 99, "-o", tmp_path / "a.npz", code=2)
     assert "--generation: expected a generation from 0 to" in wrong.output
-    other = matrixworld_command("export", run, "--team", "evader", "-o", tmp_path / "a.txt", code=2)
+    other = matrixworld_command(*again, "-o", tmp_path / "a.txt", code=2)
     assert "expected a name that ends in .npz" in other.output

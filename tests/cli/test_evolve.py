@@ -62,9 +62,8 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """Draw no figures, in tests of something else."""
-    monkeypatch.setattr(report, "draw_run", lambda run: [])
-    monkeypatch.setattr(report, "draw_comparison", lambda races, path: path)
-    monkeypatch.setattr(report, "write_explorer", lambda results, page: None)
+    monkeypatch.setattr(report, "draw", lambda planned: None)
+    monkeypatch.setattr(report, "write_explorer", lambda groups, page: None)
 
 
 @pytest.fixture(scope="module")
@@ -211,9 +210,9 @@ def test_the_main_job_writes_figures_and_numbers(job):
     for path in output.rglob("*.png"):
         assert path.read_bytes().startswith(PNG)
     runs = json.loads((output / "summary.json").read_text())["runs"]
-    assert list(runs) == [*MAIN_JOB]
-    for name, numbers in runs.items():
-        run = open_run(output / name / "seed-5")
+    assert list(runs) == PLACES
+    for place, numbers in runs.items():
+        run = open_run(output / place)
         held_out = numbers.pop("held_out")
         assert numbers == run.files.summary()
         scores = score(run)
@@ -261,9 +260,9 @@ def test_held_out_scores_are_those_of_the_command(job):
     }
     for column, name in enumerate(MAIN_JOB):
         matrixworld_command("score", output / PLACES[column], "--json", f"{name}.json")
-        found = json.loads(Path(f"{name}.json").read_text())
+        [found] = json.loads(Path(f"{name}.json").read_text())["groups"].values()
         for team in TEAMS:
-            mean = found[f"{team}s"]["mean"][0]["value"]
+            mean = found[f"{team}s"]["estimates"][0]["mean"]["value"]
             assert printed[f"held-out, {team}s"][column] == f"{mean:.2f}"
 
 
@@ -289,7 +288,7 @@ def test_a_job_reads_and_scores_each_run_once(undrawn, monkeypatch):
 def test_the_commands_that_it_suggests_work(job, copy):
     lines = [line for line in job[1].stdout.splitlines() if line.startswith("  matrixworld ")]
     commands = [shlex.split(line.replace(str(job[0]), str(copy)))[1:] for line in lines]
-    names = ["replay", "replay", "diagnose", "analyze", "score", "tournament", "plot"]
+    names = ["replay", "replay", "judge", "judge", "score", "tournament", "explore"]
     assert [command[0] for command in commands] == names
     for command in commands:
         assert matrixworld_command(*command).stdout
@@ -322,7 +321,7 @@ def test_all_schedules_and_the_hall_of_fame(undrawn):
     schedules = [MAIN_JOB[0], "generalist-specialist", *MAIN_JOB[1:]]
     assert [path.parent.name for path in runs] == schedules
     assert [open_run(path).settings.schedule for path in runs] == schedules
-    matrixworld_command("plot", runs[-1])
+    matrixworld_command("explore", "--figures", runs[-1])
     assert {path.name for path in runs[-1].glob("*.png")} == FIGURES
 
 
@@ -336,9 +335,10 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
     assert results(first) == results(Path("again"))
     numbers = open_run(first).files.summary()
     rate, low, high = (numbers[f"capture_rate{end}"] for end in ("", "_low", "_high"))
-    interval = f"95% interval of the mean {low:.4f} to {high:.4f}; standard deviation of an"
-    assert f"capture rate {rate:.4f} ({interval} episode" in result.stdout
-    assert f"length in steps {numbers['length']:.1f} (" in result.stdout
+    [row] = [line for line in result.stdout.splitlines() if line.startswith("5 ")]
+    deviation = f"standard deviation {numbers['capture_rate_std']:.4f}"
+    shown = [f"{rate:.4f} ({low:.4f} to {high:.4f})", deviation, f"{numbers['length']:.1f}"]
+    assert [part in row for part in shown] == [True, True, True]
     assert (first / "training.png").read_bytes().startswith(PNG)
     matrixworld_command(
         "evolve", "next", "--against", "first", "--start", "hunters", *words(WORLD), code=2
@@ -463,5 +463,5 @@ def test_a_locked_run_and_a_damaged_run_give_an_error_of_one_line(copy):
         refused = matrixworld_command("evolve", "--resume", run.path, code=1)
     assert "another process is running there" in refused.stderr
     (copy / PLACES[0] / "payoff.npz").write_bytes(b"nothing")
-    damaged = matrixworld_command("plot", copy, code=1)
+    damaged = matrixworld_command("explore", "--figures", copy, "--force", code=1)
     assert "payoff.npz: cut or altered" in damaged.stderr

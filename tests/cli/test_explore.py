@@ -11,8 +11,8 @@ import pytest
 
 from command_line import JOB, MAIN_JOB, PLACES, RACE, matrixworld_command, words
 from matrixworld.cli import explore
-from matrixworld.cli.explore import of_each_group
-from matrixworld.cli.jobs import open_result
+from matrixworld.cli.explore import first_seeds
+from matrixworld.cli.groups import groups_of
 from matrixworld.coevolution import start
 from tiny_race import tiny_race
 
@@ -118,8 +118,8 @@ def test_many_seeds_show_some_of_each_group_and_say_so(
     assert sorted(run["name"] for run in data["runs"]) == sorted(shown)
     assert data["note"].startswith("The page shows 4 of 6 runs")
     assert "The page shows 4 of 6 runs" in result.output
-    results = [open_result(tmp_path / name) for name in names]
-    assert of_each_group(results, 6) == results
+    groups = groups_of([tmp_path / name for name in names])
+    assert [run.path.name for run in first_seeds(groups, 6)] == names
 
 
 def test_a_job_of_several_seeds_ends_with_a_page(tmp_path: Path) -> None:

@@ -24,7 +24,7 @@ ARGUMENTS = {
     "score": ["run", "--episodes", "2"],
     "exploit": ["run", "--champion", "pursuer", "--matches", "50", "--episodes", "2"],
     "replay": ["run", "--out", "new.png"],
-    "plot": ["run"],
+    "explore": ["run", "--figures"],
     "bench": [
         "--rows",
         "6",
@@ -41,7 +41,7 @@ ARGUMENTS = {
 """Arguments that make a command valid."""
 LEGAL = {(name, "-1") for name in ("--pursuer", "--evader", "--generation", "--step")}
 """The last generation or step."""
-FILES = {"--json", "--output", "--out"}
+FILES = {"--json", "--out"}
 """Options that take any name of a file that can exist."""
 
 
@@ -49,9 +49,7 @@ def options() -> Iterator[pytest.ParameterSet]:
     """Yield every option that takes a value, of every command above."""
     for name in ARGUMENTS:
         for param in main.commands[name].params:
-            # plot draws no comparison of a single run.
-            skipped = getattr(param, "is_flag", True) or "--comparison" in param.opts
-            if not skipped:
+            if not getattr(param, "is_flag", True):
                 yield pytest.param(name, param.opts[0], id=f"{name}{param.opts[0]}")
 
 

@@ -18,16 +18,15 @@ from matrixworld.coevolution import open_run, start
 from matrixworld.coevolution.settings.training import MOST_SEED
 from tiny_race import tiny_race
 
-DIFFERENT = {"--hidden", "--episodes", "--explain", "--each", "--output"} | {
+DIFFERENT = {"--hidden", "--episodes", "--explain", "--each", "--out"} | {
     *("--rows", "--cols", "--pursuers", "--evaders", "--steps", "--seconds", "--team"),
     "--generation",
 }
 """Options that differ between commands: `evolve` takes one network, `bench` measures several;
-`tournament` plays episodes, `analyze` has to be told how many there were; `diagnose` explains a
-judgement, `replay` the steps of an episode; `diagnose --each` judges each group, `plot --each`
-draws each run; `--output` has another file by default. `class` plays small and short games by
-default, and limits the seconds of programs; `export` has to be told a team, and takes one
-generation."""
+`tournament` plays episodes, `judge` has to be told how many there were; `judge` explains a
+judgement, `replay` the steps of an episode; `--each` judges or draws each run; `--out` has another
+file by default. `class` plays small and short games by default, and limits the seconds of programs;
+`class export` has to be told a team, and takes one generation."""
 
 BENCH = ["--rows", 7, "--cols", 6, "--pursuers", 2, "--evaders", 3, "--fov", 5]
 
@@ -55,9 +54,16 @@ def run(race: Path) -> Path:
 # Declared once
 
 
+def commands() -> dict[str, click.Command]:
+    """Return all commands, those of `class` by their own names."""
+    groups = {name: each for name, each in main.commands.items() if isinstance(each, click.Group)}
+    parts = {name: part for each in groups.values() for name, part in each.commands.items()}
+    return {name: each for name, each in main.commands.items() if name not in groups} | parts
+
+
 def test_options_of_one_name_are_equal_in_all_commands():
     found: dict[str, set[tuple[object, ...]]] = defaultdict(set)
-    for command in main.commands.values():
+    for command in commands().values():
         for option in command.params:
             if isinstance(option, click.Option):
                 meaning = (option.help, repr(option.default), repr(option.type), option.multiple)
@@ -67,19 +73,19 @@ def test_options_of_one_name_are_equal_in_all_commands():
 
 @pytest.mark.parametrize("option", ["--seed", "--episodes", "--steps", "--threads", "--json"])
 def test_shared_options_are_shared(option):
-    commands = [
+    names = [
         name
-        for name, command in main.commands.items()
+        for name, command in commands().items()
         if any(option in param.opts for param in command.params)
     ]
-    assert len(commands) >= 3
+    assert len(names) >= 3
 
 
 def test_every_command_that_names_an_output_file_has_force():
-    for name, command in main.commands.items():
+    for name, command in commands().items():
         flags = {flag for param in command.params for flag in param.opts}
-        if flags & {"--json", "--out", "--comparison"}:
-            assert "--force" in flags, name
+        if flags & {"--json", "--out"}:
+            assert flags & {"--force", "--continue"}, name
 
 
 @pytest.mark.parametrize("seed", [-1, MOST_SEED + 1])
@@ -95,22 +101,21 @@ def test_the_range_of_seeds(command, seed):
 OUTPUTS = {
     "replay": (["replay", "O", "--steps", 5, "--out", "new.png", "--out", "old.npz"], "old.npz"),
     "score": (["score", "run", "--episodes", 2, "--json", "old.json"], "old.json"),
-    "diagnose": (["diagnose", "circle.csv", "--json", "old.json"], "old.json"),
-    "analyze": (["analyze", "circle.csv", "--json", "old.json"], "old.json"),
+    "judge": (["judge", "circle.csv", "--json", "old.json"], "old.json"),
     "tournament": (
-        ["tournament", "run", "--episodes", 2, "--output", "old.npz"],
+        ["tournament", "run", "--episodes", 2, "--out", "old.npz"],
         "old.npz",
     ),
     "tournament's figure": (
-        ["tournament", "run", "--episodes", 2, "--output", "old.npz"],
+        ["tournament", "run", "--episodes", 2, "--out", "old.npz"],
         "old.png",
     ),
     "tournament in the run": (
         ["tournament", "run", "--episodes", 2],
         "run/tournament-2x12-seed0.npz",
     ),
-    "plot": (["plot", "run"], "run/training.png"),
-    "plot's comparison": (["plot", "run", "run2", "--comparison", "old.png"], "old.png"),
+    "figures": (["explore", "--figures", "run"], "run/training.png"),
+    "a figure": (["explore", "run", "--figure", "payoff", "--out", "old.png"], "old.png"),
     "bench": (
         ["bench", *BENCH, "--seconds", 0.01, "--threads", 1, "--hidden", 2, "--json", "old.json"],
         "old.json",
@@ -148,8 +153,8 @@ def test_a_directory_is_never_replaced(run, force):
 
 
 def test_a_payoff_goes_to_an_npz_file(run):
-    said = matrixworld_command("tournament", "run", "--output", "payoff.png", code=2).stderr
-    assert "--output: expected a name that ends in .npz, got payoff.png" in said
+    said = matrixworld_command("tournament", "run", "--out", "payoff.png", code=2).stderr
+    assert "--out: expected a name that ends in .npz, got payoff.png" in said
 
 
 def test_evolve_refuses_a_directory_with_a_run_and_names_resume(run):
@@ -180,7 +185,7 @@ def test_ctrl_c_prints_the_command_that_starts_again(run, monkeypatch, words):
 
 OLD = {
     "--crowding": ["evolve", "new", *words(RACE), "--crowding", "-1"],
-    "--yes": ["tournament", "run", "--yes", "--output", "payoff.png"],
+    "--yes": ["tournament", "run", "--yes", "--out", "payoff.png"],
     "--team": ["exploit", "run", "--team=pursuer", "--matches", 1],
     "--pursuers": ["replay", "run", "--pursuers", "nobody"],
     "--evaders": ["replay", "run", "--evaders=nobody"],

@@ -52,9 +52,8 @@ def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]
     sys.modules.pop("mine", None)
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr(report, "draw_run", lambda run: [])
-    monkeypatch.setattr(report, "draw_comparison", lambda races, path: path)
-    monkeypatch.setattr(report, "write_explorer", lambda results, page: None)
+    monkeypatch.setattr(report, "draw", lambda planned: None)
+    monkeypatch.setattr(report, "write_explorer", lambda groups, page: None)
     yield
     sys.modules.pop("mine", None)
 
@@ -113,9 +112,9 @@ def test_the_settings_are_kept(straight):
 @pytest.mark.parametrize(
     "command",
     [
-        ["diagnose", "run"],
+        ["judge", "run"],
         ["replay", "run", "--out", "match.npz"],
-        ["plot", "run", "--force"],
+        ["explore", "run", "--figures", "--force"],
         ["score", "run", "--episodes", 2],
         ["tournament", "run", "--episodes", 2],
         ["exploit", "run", "--champion", "evader", "--matches", 96],

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from command_line import matrixworld_command
-from matrixworld.cli import playground
+from matrixworld.cli import explore
 from matrixworld.explorer import Playground
 
 
@@ -15,7 +15,7 @@ from matrixworld.explorer import Playground
 def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """Open no browser; return what would have been opened."""
     addresses: list[str] = []
-    monkeypatch.setattr(playground.webbrowser, "open", lambda url: addresses.append(url) or True)
+    monkeypatch.setattr(explore.webbrowser, "open", lambda url: addresses.append(url) or True)
     return addresses
 
 

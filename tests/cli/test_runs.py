@@ -1,4 +1,4 @@
-"""The commands that work on runs: variants, tournament, replay, plot."""
+"""The commands that work on runs: variants, tournament, replay, figures."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ import matrixworld
 from command_line import GIF, MAIN_JOB, PNG, judged_in, matrixworld_command
 from made_up_episode import made_up_episode
 from matrixworld import VARIANTS, Episode, WorldConfig, record
-from matrixworld.cli.figures import ALL, _figures, collisions_per_1000, run_title
-from matrixworld.cli.jobs import open_result
+from matrixworld.cli.figures import collisions_per_1000, planned, run_title
+from matrixworld.cli.groups import groups_of
 from matrixworld.coevolution import evaluation_seed, open_run, start
 from matrixworld.episodes import render, replay
 from matrixworld.play.rollout import Matches, rollout
@@ -77,7 +77,7 @@ def test_cross_play_of_two_runs(job):
     ours, _, theirs = (job / name for name in MAIN_JOB)
     result = matrixworld_command(
         "tournament", ours, theirs, "--episodes", 2, "--steps", 9, "--seed", 3,
-        "--output", "cross.npz",
+        "--out", "cross.npz",
     )  # fmt: skip
     assert not judged_in(result.stdout)
     played = np.load("cross.npz")["capture_rates"]
@@ -87,7 +87,7 @@ def test_cross_play_of_two_runs(job):
         run.teams["pursuer"],
         open_run(theirs).teams["evader"],
         Matches.of(2, 1, np.uint64(evaluation_seed(3, 2, 1))),
-        worlds=2,
+        episodes=2,
     )
     assert np.array_equal(played[2, 1], scores.capture_rate[0])
 
@@ -102,7 +102,7 @@ def test_a_tournament_of_an_unfinished_run():
     race = start(tiny_race(), "begun", threads=1, play=StopAt(3))
     with pytest.raises(KeyboardInterrupt):
         race.run()
-    matrixworld_command("tournament", "begun", "--output", "begun.npz")
+    matrixworld_command("tournament", "begun", "--out", "begun.npz")
     assert np.load("begun.npz")["capture_rates"].shape == (2, 1, 100)
 
 
@@ -199,32 +199,25 @@ def test_replay_refuses(job, options, code, message):
     assert message in matrixworld_command("replay", *args, code=code).stderr
 
 
-def test_plot_draws_all_figures_and_compares(copy):
-    result = matrixworld_command("plot", copy)
+def test_all_figures_are_drawn_and_races_side_by_side(copy):
+    result = matrixworld_command("explore", "--figures", copy)
     figures = [path for name in MAIN_JOB for path in (copy / name).glob("*.png")]
     assert sorted(result.stdout.split()) == sorted(map(str, [*figures, copy / "comparison.png"]))
     assert len(figures) == 5 * len(MAIN_JOB)
     assert all(path.read_bytes().startswith(PNG) for path in figures)
 
 
-def test_plot_draws_the_comparison_to_the_given_file(copy, monkeypatch):
-    monkeypatch.setattr("matrixworld.cli.plot.draw_run", lambda run, selection: [])
-    result = matrixworld_command("plot", *map(copy.joinpath, MAIN_JOB), "--comparison", "both.png")
-    assert result.stdout == "both.png\n"
+def test_races_side_by_side_in_a_file_of_another_name(copy):
+    runs = map(copy.joinpath, MAIN_JOB)
+    options = ["--figure", "comparison", "--out", "both.png"]
+    assert matrixworld_command("explore", *runs, *options).stdout == "both.png\n"
     assert Path("both.png").read_bytes().startswith(PNG)
 
 
-def test_plot_compares_at_least_two_races(copy):
-    one = copy / MAIN_JOB[0]
-    before = {path: path.read_bytes() for path in one.iterdir()}
-    said = matrixworld_command("plot", one, "--comparison", "x.png", "--force", code=2).stderr
-    assert "--comparison: expected at least two races, got 1" in said
-    assert {path: path.read_bytes() for path in one.iterdir()} == before
-
-
-def test_plot_needs_a_finished_run():
+def test_figures_need_a_finished_run():
     start(tiny_race(), "begun")
-    assert "begun: expected a finished run" in matrixworld_command("plot", "begun", code=2).stderr
+    said = matrixworld_command("explore", "--figures", "begun", code=2).stderr
+    assert "begun: expected a finished run" in said
 
 
 def test_collisions_are_counted_per_1000_steps_of_an_agent(job):
@@ -247,12 +240,15 @@ def test_the_package_is_a_command_too():
 
 
 def test_titles_name_the_run_and_its_seed(job):
-    race, renamed = open_result(job / MAIN_JOB[0]), Path("my-race")
+    renamed = Path("my-race")
     shutil.copytree(job / MAIN_JOB[0], renamed)
+    groups = groups_of([renamed])
+    [race] = groups[0].runs
     schedule, seed = race.settings.schedule, race.settings.seed
-    assert run_title(race.path, race.settings) == f"{schedule}, seed {seed}"
+    assert run_title(job / MAIN_JOB[0], race.settings) == f"{schedule}, seed {seed}"
+    assert run_title(Path(f"{schedule}/seed-5"), race.settings) == f"{schedule}, seed {seed}"
     assert run_title(renamed, race.settings) == f"my-race ({schedule}), seed {seed}"
-    for draw in _figures(open_result(renamed), ALL).values():
+    for draw in planned(groups, renamed).values():
         figure = draw()
         title = figure.get_suptitle() or figure.axes[0].get_title()
         assert title.startswith(f"my-race ({schedule}), seed {seed}\n")

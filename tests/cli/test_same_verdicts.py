@@ -10,8 +10,8 @@ from command_line import RACE, judged_in, matrixworld_command, words
 from matrixworld import plots
 from matrixworld._util.files import load_json
 from matrixworld.analysis import headline, judge
-from matrixworld.cli import figures
-from matrixworld.cli.jobs import open_result
+from matrixworld.cli.figures import OF_GROUPS, planned
+from matrixworld.cli.groups import groups_of
 
 LONGER = {**RACE, "generations": 13, "eval_episodes": 5, "schedule": "specialist-specialist"}
 
@@ -24,19 +24,20 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Path, str]:
     return Path("run/specialist-specialist/seed-5"), told
 
 
-def test_all_commands_come_to_the_same_judgement(run, monkeypatch):
+def test_all_commands_come_to_the_same_judgement(run):
     path, evolved = run
-    result = open_result(path)
-    expected = judge(result.payoff.capture_rates, per_episode=True)
+    [group] = groups_of([path])
+    rates = group.runs[0].payoff.capture_rates
+    expected = judge(rates, per_episode=True)
     assert expected.window == "last half"
     same = ["--seed", 5, "--episodes", 5, "--steps", 12]
     said = {
         "evolve": evolved,
         "resume": matrixworld_command("evolve", "--resume", path).stdout,
         "tournament": matrixworld_command("tournament", path, *same).stdout,
-        "diagnose": matrixworld_command("diagnose", path, "--json", "d.json").stdout,
-        "analyze": matrixworld_command("analyze", path, "--json", "a.json").stdout,
-        "of the payoff's file": matrixworld_command("diagnose", path / "payoff.npz").stdout,
+        "judge": matrixworld_command("judge", path, "--json", "d.json").stdout,
+        "judge --all": matrixworld_command("judge", path, "--all", "--json", "a.json").stdout,
+        "of the payoff's file": matrixworld_command("judge", path / "payoff.npz").stdout,
     }
     verdicts = {name: one.verdict for name, one in expected.headline.items()}
     for command, text in said.items():
@@ -46,18 +47,15 @@ def test_all_commands_come_to_the_same_judgement(run, monkeypatch):
         assert all(row in text for row in rows[1:7]), command
 
     plain = expected.to_json()
-    assert load_json(Path("d.json")) == plain
-    assert load_json(Path("a.json"))["judgement"] == plain
-    assert result.numbers["judgement"] == plain
-    assert result.judgement.to_json() == plain
+    [judged] = load_json(Path("d.json"))["groups"].values()
+    [analyzed] = load_json(Path("a.json"))["groups"].values()
+    assert judged == analyzed["judgement"] == plain
+    assert group.runs[0].numbers["judgement"] == plain
+    assert group.judgement.to_json() == plain
 
-    drawn = []
-    monkeypatch.setattr(figures, "save_figure", lambda figure, path: drawn.append(figure) or path)
-    figures.draw_comparison({"a": result, "b": result}, Path("x.png"))
-    assert all(
-        headline(expected) in [text.get_text() for text in axes.texts] for axes in drawn[0].axes[:2]
-    )
-    figures.draw_run(result)
-    titles = {axes.get_title() for figure in drawn for axes in figure.axes}
-    assert f"specialist-specialist, seed 5\n{headline(expected)}" in titles
-    assert plots.comparison({"a": result.payoff.capture_rate}).axes[0].texts[-1].get_text() == ""
+    payoff = planned([group], path)[path / "payoff.png"]().axes[0].get_title()
+    assert payoff == f"specialist-specialist, seed 5\n{headline(expected)}"
+    two = OF_GROUPS["comparison"]({"a": group, "b": group}, {})
+    texts = [[text.get_text() for text in axes.texts] for axes in two.axes[:2]]
+    assert all(headline(expected) in text for text in texts)
+    assert plots.comparison({"a": rates.mean(axis=2)}).axes[0].texts[-1].get_text() == ""

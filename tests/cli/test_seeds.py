@@ -14,7 +14,6 @@ import click
 import pytest
 
 from command_line import MAIN_JOB, RACE, WORLD, matrixworld_command, words
-from matrixworld.cli import seed_report
 from matrixworld.cli.arguments import find_runs
 from matrixworld.cli.seeds import seeds_of
 from matrixworld.coevolution import finish, open_run
@@ -91,10 +90,11 @@ def test_one_team_alone_and_the_default_directory():
 def test_what_is_finished_missing_and_failed_is_reported(monkeypatch):
     seen = {}
 
-    def keep(results, asked, root, failed, threads):
-        seen.update(seeds=[each.settings.seed for each in results], asked=asked, failed=failed)
+    def keep(job, results, root, failed, threads):
+        seeds = [each.settings.seed for each in results]
+        seen.update(seeds=seeds, asked=job.asked(), failed=failed)
 
-    monkeypatch.setattr("matrixworld.cli.evolve.report_seeds", keep)
+    monkeypatch.setattr("matrixworld.cli.evolve.report", keep)
     one = ["--schedule", MAIN_JOB[2], *words(ONE)]
     matrixworld_command("evolve", "out", "--seeds", "0-2", *one)
     runs = find_runs(Path("out"))
@@ -167,7 +167,7 @@ def test_ctrl_c_in_a_terminal_says_how_to_continue_and_leaves_no_process():
 @posix
 def test_killed_at_some_moments_and_resumed_ends_the_same(monkeypatch):
     """After the file of the job, in the first runs, and in the last one."""
-    monkeypatch.setattr(seed_report, "report_seeds", lambda *args, **options: None)
+    monkeypatch.setattr("matrixworld.cli.evolve.report", lambda *args: None)
     moments = [
         lambda: Path("out/job.json").exists(),
         lambda: len(list(Path("out").glob("*/*/stage-0001.npz"))) >= 1,

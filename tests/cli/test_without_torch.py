@@ -59,10 +59,10 @@ def test_learning_is_refused_with_the_command_that_installs_it(
     "arguments",
     [
         ["score", "race", "--episodes", "2"],
-        ["diagnose", "race"],
-        ["explore", "race", "--output", "page.html", "--no-open"],
+        ["judge", "race"],
+        ["explore", "race", "--out", "page.html", "--no-open"],
         ["replay", "race", "--out", "match.gif"],
-        ["export", "race", "--team", "pursuer", "--output", "champion.npz"],
+        ["class", "export", "race", "--team", "pursuer", "--out", "champion.npz"],
         ["exploit", "race", "--champion", "pursuer", "--matches", "96", "--episodes", "2"],
         ["tournament", "race", "--episodes", "2"],
     ],

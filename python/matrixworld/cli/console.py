@@ -15,7 +15,7 @@ from typing import TextIO
 import click
 from tqdm import tqdm
 
-from matrixworld.coevolution.progress import ProgressBar, Report
+from matrixworld.coevolution.progress import ProgressBar
 
 INTERRUPTED = 130
 """Exit code of a program that Ctrl-C has ended: 128 + SIGINT, as shells report it."""
@@ -28,11 +28,6 @@ WIDEST = 100
 def progress(unit: str = "matches") -> ProgressBar:
     """Return what shows progress on standard error: bars in a terminal, else lines."""
     return ProgressBar(unit, sys.stderr)
-
-
-def part_of_job(report: Report, place: str, others: int, whole: int) -> Report:
-    """Return a report of one part of a job, of which other parts have done `others` of `whole`."""
-    return lambda what, done, total: report(place + what, others + done, whole)
 
 
 def note(text: str) -> None:

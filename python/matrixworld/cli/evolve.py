@@ -21,7 +21,6 @@ from matrixworld.cli.options import (
     threads_option,
 )
 from matrixworld.cli.report import report
-from matrixworld.cli.seed_report import report_seeds
 from matrixworld.cli.seeds import seeds_option
 from matrixworld.cli.setting_options import in_options, setting_options, settings_from
 from matrixworld.coevolution import (
@@ -148,11 +147,7 @@ def _play(job: Job, root: Path, threads: int | None, where: str | None, *, new: 
     """Play a job, and report the results; exit code 1 if runs failed."""
     with on_cluster(where, threads, root, job.runs.values()) as executor:
         results, failed = play_runs(job, root, threads, executor, new=new)
-    asked = job.asked()
-    if max(map(len, asked.values())) > 1:
-        report_seeds(results, asked, root, failed, threads)
-    elif results:
-        report(results, root, threads)
+    report(job, results, root, failed, threads)
     if failed:
         lines = "".join(f"\n  {path}: {problem}" for path, problem in failed.items())
         raise click.ClickException(

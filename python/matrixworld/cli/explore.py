@@ -1,88 +1,208 @@
-"""``matrixworld explore``: write the page of finished runs, and open it."""
+"""``matrixworld explore`` and ``playground``: pages and figures of runs and of the game."""
 
 from __future__ import annotations
 
 import webbrowser
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import partial
 from itertools import zip_longest
 from pathlib import Path
 
 import click
 
-from matrixworld.cli.arguments import all_of, failures, find_runs
+from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import note, print_wrapped
-from matrixworld.cli.held_out import kept_scores
-from matrixworld.cli.jobs import Result
-from matrixworld.cli.options import force_option, refuse_existing
-from matrixworld.cli.run_groups import (
-    by_settings,
-    finished_runs,
-    of_several_seeds,
-    root_of,
+from matrixworld.cli.figures import (
+    FORMATS,
+    OF_GAME,
+    OF_GROUPS,
+    OF_RUN,
+    Draw,
+    Selection,
+    baseline_option,
+    draw,
+    format_of,
+    game_figure,
+    open_baselines,
+    planned,
 )
+from matrixworld.cli.groups import Group, Result, groups_of, place_of, runs_argument
+from matrixworld.cli.options import force_option, out_option, refuse_existing
 from matrixworld.coevolution import open_run
 from matrixworld.explorer.page import write_page
-from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, explorer_page, page_file
+from matrixworld.explorer.playground import PAGE as PLAYGROUND
+from matrixworld.explorer.playground import Playground
+from matrixworld.explorer.runs_page import MOST_RUNS, PAGE, explorer_page
+
+open_option = click.option(
+    "--open/--no-open", "opens", default=True, help="open the page in a browser"
+)
 
 
-@click.command("explore")
-@click.argument(
-    "runs",
-    nargs=-1,
-    required=True,
-    metavar="RUN...",
-    callback=all_of(find_runs, "directories that hold runs"),
+def open_page(page: Path) -> None:
+    """Open a page in a browser, or say that there is none."""
+    if not webbrowser.open(page.absolute().as_uri()):
+        note("No browser was found here; open the file in one.")
+
+
+@click.command("explore", short_help="Show runs as a page or as figures.")
+@runs_argument(required=False)
+@out_option(
+    f"the page  [default: {PAGE} in the directory of the job, or in the one that holds all of the "
+    "runs]; with --figure, the file of the figure"
+)
+@open_option
+@click.option("--figures", is_flag=True, help="draw figures, and write no page")
+@click.option(
+    "--figure",
+    type=click.Choice([*dict.fromkeys([*OF_RUN, *OF_GROUPS, *OF_GAME])]),
+    help="only this figure; the last three show the game and need no RUN",
 )
 @click.option(
-    "--output",
-    "-o",
-    type=click.Path(path_type=Path, dir_okay=False),
-    metavar="FILE",
-    help="the page  [default: explorer.html in the run directory, or in the directory that holds "
-    "all of the runs]",
+    "--format",
+    "suffix",
+    type=click.Choice(FORMATS),
+    help="format of the figures; pdf and svg are vector graphics  "
+    "[default: that of --out, else png]",
 )
-@click.option("--open/--no-open", "opens", default=True, help="open the page in a browser")
+@baseline_option
+@click.option("--each", is_flag=True, help="of several seeds, draw the figures of each run, too")
 @force_option
-def explore_command(runs: list[Path], output: Path | None, opens: bool, force: bool) -> None:
-    """Write one page that shows finished runs and plays their matches, and open it.
+def explore_command(
+    runs: list[Path],
+    out: Path | None,
+    opens: bool,
+    figures: bool,
+    figure: str | None,
+    suffix: str | None,
+    baselines: Mapping[str, Path],
+    each: bool,
+    force: bool,
+) -> None:
+    """Write one page that shows runs and plays their matches, and open it; or draw figures.
 
-    The page is a single file that needs no network and no installation. It holds the genomes and
-    the engine: a click on a cell of the payoff matrix plays that very match. RUN is a run
-    directory, or a directory of several; of many runs, the page shows the first seeds of each
-    schedule.
+    RUN is the directory of a job or of a run. The page is a single file that needs no network and
+    no installation. It holds the genomes and the engine: a click on a cell of the payoff matrix
+    plays that very match. Of many runs, the page shows the first seeds of each group.
+
+    With --figures the figures of each run go into its directory. Races of one seed are also drawn
+    side by side; of several seeds all are drawn together, and single runs only with --each.
+
+    Without RUN, --figure draws the game: its rules (the variants as a table), conflicts (what the
+    engine makes of the same moves under each outcome) and interaction (who acts together).
     """
+    given = {"--format": suffix, "--baseline": baselines, "--each": each}
     with failures():
-        results, _ = finished_runs(runs)
-        beside = root_of(results) / PAGE if of_several_seeds(runs) else page_file(runs)
-        page = output or beside
+        if figures or figure:
+            selection = Selection(figure, _format(out, suffix), open_baselines(baselines), each)
+            _draw(runs, selection, out, force)
+            return
+        for option, value in given.items():
+            if value:
+                raise click.UsageError(f"{option}: expected --figures or --figure beside it")
+        if not runs:
+            raise click.UsageError("expected RUN...")
+        groups = groups_of(runs)
+        page = out or place_of(runs) / PAGE
         refuse_existing(page, force=force)
-        write_explorer(results, page)
+        write_explorer(groups, page)
         click.echo(page)
-        if opens and not webbrowser.open(page.absolute().as_uri()):
-            note("No browser was found here; open the file in one.")
+        if opens:
+            open_page(page)
 
 
-def write_explorer(results: Sequence[Result], page: Path) -> None:
+def write_explorer(groups: Sequence[Group], page: Path) -> None:
     """Write the page of finished runs, of the first ones if there are many, and say which."""
-    shown = of_each_group(results, MOST_RUNS)
-    left_out = ""
-    if len(shown) < len(results):
+    shown = first_seeds(groups, MOST_RUNS)
+    count, left_out = sum(len(group.runs) for group in groups), ""
+    if len(shown) < count:
         left_out = (
-            f"The page shows {len(shown)} of {len(results)} runs, the first seeds of each group; "
+            f"The page shows {len(shown)} of {count} runs, the first seeds of each group; "
             "matrixworld explore RUN... makes one of others."
         )
         print_wrapped(left_out)
-    scores = {result.path: kept for result in shown if (kept := kept_scores(result)) is not None}
-    html = explorer_page(
-        [open_run(result.path) for result in shown], held_out=scores, note=left_out
-    )
+    scores = {run.path: run.held_out for run in shown if run.is_race and run.held_out}
+    html = explorer_page([open_run(run.path) for run in shown], held_out=scores, note=left_out)
     write_page(page, html)
 
 
-def of_each_group(results: Sequence[Result], most: int) -> list[Result]:
+def first_seeds(groups: Sequence[Group], most: int) -> list[Result]:
     """Return at most so many runs, in their order: of each group the first seeds, in turn."""
-    if len(results) <= most:
-        return list(results)
-    in_turn = [run for turn in zip_longest(*by_settings(results)) for run in turn if run]
-    chosen = {run.path for run in in_turn[:most]}
-    return [result for result in results if result.path in chosen]
+    turns = zip_longest(*(group.runs for group in groups))
+    chosen = [run for turn in turns for run in turn if run is not None][:most]
+    return [run for group in groups for run in group.runs if run in chosen]
+
+
+# Figures:
+
+
+def _format(out: Path | None, suffix: str | None) -> str:
+    """Return the format of the files; click.UsageError if the options contradict each other."""
+    if out is None:
+        return suffix or "png"
+    found = format_of("--out", out)
+    if suffix not in (None, found):
+        raise click.UsageError(f"--format {suffix}: expected the format of --out {out}")
+    return found
+
+
+def _draw(runs: Sequence[Path], selection: Selection, out: Path | None, force: bool) -> None:
+    if selection.name in OF_GAME:
+        if runs:
+            raise click.UsageError(f"--figure {selection.name}: expected no RUN, got {runs[0]}")
+        file = Path(f"{selection.name}.{selection.suffix}")
+        files: dict[Path, Draw] = {file: partial(game_figure, selection.name)}
+    elif runs:
+        groups = groups_of(runs)
+        _check_races(groups, selection)
+        files = planned(groups, place_of(runs), selection)
+    else:
+        raise click.UsageError(f"expected RUN..., or --figure {' or '.join(OF_GAME)}")
+    if out is not None:
+        if selection.name is None or len(files) != 1:
+            got = f"{len(files)} figures" if selection.name else "no --figure"
+            raise click.UsageError(f"--out: expected one --figure of one run, got {got}")
+        files = dict.fromkeys([out], *files.values())
+    # All files are checked before the first is drawn.
+    refuse_existing(*files, force=force)
+    for file, figure in files.items():
+        draw({file: figure})
+        click.echo(file)
+
+
+def _check_races(groups: Sequence[Group], selection: Selection) -> None:
+    if selection.name in (None, "training"):
+        return
+    for run in [run for group in groups for run in group.runs]:
+        if not run.is_race:
+            raise click.UsageError(
+                f"--figure {selection.name}: expected a race, got a run of one team: {run.path}"
+            )
+    races = sum(len(group.runs) for group in groups)
+    if selection.name == "comparison" and races < 2:
+        raise click.UsageError(f"--figure comparison: expected at least two races, got {races}")
+
+
+# The playground:
+
+
+@click.command("playground", short_help="Play conflicts by hand on a page.")
+@out_option("the page", default=Path(PLAYGROUND), show_default=True)
+@open_option
+@force_option
+def playground_command(out: Path, opens: bool, force: bool) -> None:
+    """Write the playground, one page that plays conflicts by hand, and open it.
+
+    Choose a variant or rules of your own, place agents and obstacles, give each agent a move or a
+    script, and read every conflict of a step in words. The page is a single file that needs no
+    network and no installation; it holds the engine.
+    """
+    with failures():
+        html = Playground().html()
+        # A file that is this very page already need not be replaced.
+        if not (out.is_file() and out.read_bytes() == html.encode()):
+            refuse_existing(out, force=force)
+            write_page(out, html)
+        click.echo(out)
+        if opens:
+            open_page(out)

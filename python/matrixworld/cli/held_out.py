@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from matrixworld._util.files import DamagedFileError, json_digest, load_json, save_json
-from matrixworld.cli.console import part_of_job, progress
-from matrixworld.cli.jobs import Result
-from matrixworld.coevolution import open_run, score
-from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
+from matrixworld.cli.console import progress
+from matrixworld.coevolution import HeldOutScores, RunDirectory, Team, open_run, score
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.version import __version__
+
+if TYPE_CHECKING:
+    from matrixworld.cli.groups import Result
 
 SCORES = "scores.json"
 """File in the run directory."""
@@ -20,54 +21,43 @@ EPISODES = 100
 """Episodes of each pair. They and the seed are the defaults of ``matrixworld score``."""
 SEED = 0
 
-ENDS = ("value", "low", "high")
-
 Scores = dict[str, Any]
 """``HeldOutScores.to_json()`` of the last ``"pursuers"`` and of the last ``"evaders"``."""
 
 
-def held_out_scores(races: Sequence[Result], threads: int | None) -> dict[Path, Scores]:
-    """Return the scores of the last generations of races, and play those that are missing.
+def score_all(paths: Sequence[Path], **options: Any) -> dict[Path, Mapping[Team, HeldOutScores]]:
+    """Score runs one after the other, with one progress for all; options as those of `score`."""
+    found: dict[Path, Mapping[Team, HeldOutScores]] = {}
+    with progress() as report:
+        for number, path in enumerate(paths):
+            # Runs of a job play about equally many matches.
+            def part(what: str, done: int, total: int, number: int = number) -> None:
+                place = f"[{number + 1}/{len(paths)}] " if len(paths) > 1 else ""
+                report(place + what, number * total + done, len(paths) * total)
 
-    Parameters
-    ----------
-    races : sequence of Result
-        Finished races.
-    threads : int or None
-        Threads that play matches; None for all cores.
+            found[path] = score(open_run(path), report=part, **options)
+    return found
 
-    Returns
-    -------
-    dict of Path to dict
-        Scores by run directory. They are those of ``matrixworld score`` without options.
+
+def play_held_out(races: Sequence[Result], threads: int | None) -> None:
+    """Play the scores of the last generations of races that have none, and keep them.
+
+    They are those of ``matrixworld score`` without options.
     """
-    missing = [race for race in races if kept_scores(race) is None]
-    counts = [_matches(race) for race in missing]
-    if missing:
-        with progress() as report:
-            for number, race in enumerate(missing):
-                place = f"[{number + 1}/{len(missing)}] " if len(missing) > 1 else ""
-                part = part_of_job(report, place, sum(counts[:number]), sum(counts))
-                saved = open_run(race.path)
-                found = score(saved, episodes=EPISODES, seed=SEED, threads=threads, report=part)
-                _keep(race, {f"{team}s": each.to_json() for team, each in found.items()})
-    return {race.path: kept_scores(race) or {} for race in races}
+    missing = {race.path: race.files for race in races if kept_scores(race.files) is None}
+    if not missing:
+        return
+    played = score_all([*missing], episodes=EPISODES, seed=SEED, threads=threads)
+    for path, files in missing.items():
+        teams = {f"{team}s": each.to_json() for team, each in played[path].items()}
+        values = {"matrixworld": __version__, "episodes": EPISODES, "seed": SEED, **teams}
+        save_json(path / SCORES, values, owner=_owner(files))
 
 
-def _matches(race: Result) -> int:
-    world = race.settings.world(race.settings.eval_steps)
-    return EPISODES * sum(len(fitting_opponents(team, world)[0]) for team in TEAMS)
-
-
-def _keep(race: Result, scores: Scores) -> None:
-    values = {"matrixworld": __version__, "episodes": EPISODES, "seed": SEED, **scores}
-    save_json(race.path / SCORES, values, owner=_owner(race))
-
-
-def kept_scores(race: Result) -> Scores | None:
+def kept_scores(files: RunDirectory) -> Scores | None:
     """Return the scores in the run directory; None if none are kept there, or other ones."""
     try:
-        kept = load_json(race.path / SCORES, owner=_owner(race))
+        kept = load_json(files.path / SCORES, owner=_owner(files))
     except (FileNotFoundError, DamagedFileError):
         return None
     # Other versions may have other held-out opponents.
@@ -79,13 +69,18 @@ def _holds_means(kept: Scores) -> bool:
     """Return whether scores have what is printed and drawn of them."""
     try:
         teams = [kept[f"{team}s"] for team in TEAMS]
-        found = [mean[end] for each in teams for [mean] in [each["mean"]] for end in ENDS]
-        found += [one["value"] for each in teams for [one] in each["against"].values()]
+        means = [mean for each in teams for [mean] in [each["mean"]]]
+        values = [mean["value"] for mean in means]
+        values += [one["value"] for each in teams for [one] in each["against"].values()]
+        # Without an interval if all episodes ended alike.
+        ends = [mean[end] for mean in means for end in ("low", "high")]
     except (AttributeError, KeyError, TypeError, ValueError):
         return False
-    return all(type(number) is float for number in found)
+    return all(type(number) is float for number in values) and all(
+        end is None or type(end) is float for end in ends
+    )
 
 
-def _owner(race: Result) -> str:
+def _owner(files: RunDirectory) -> str:
     # As the other files of a run: scores of another run are not taken for those of this one.
-    return f"{json_digest(race.files.config())}/{SCORES}"
+    return f"{json_digest(files.config())}/{SCORES}"

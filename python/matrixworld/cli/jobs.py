@@ -5,20 +5,16 @@ from __future__ import annotations
 import traceback
 from collections.abc import Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import click
 
-from matrixworld.analysis import Judgement, judge
 from matrixworld.cli.arguments import find_runs, place_in_job, resume_command
 from matrixworld.cli.console import note, progress
+from matrixworld.cli.groups import Result, Settings, open_result
 from matrixworld.coevolution import (
-    Payoff,
     PluginError,
-    RaceSettings,
     RunDirectory,
     SingleSettings,
 )
@@ -27,49 +23,6 @@ from matrixworld.coevolution.jobs.job import Job, against_name, job_of, open_job
 
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
-
-Settings = RaceSettings | SingleSettings
-
-
-@dataclass(frozen=True)
-class Result:
-    """A finished run. The payoff is held, so that figures and report need not read it again."""
-
-    files: RunDirectory
-    settings: Settings
-    payoff: Payoff
-
-    @property
-    def path(self) -> Path:
-        """The run's directory."""
-        return self.files.path
-
-    @property
-    def is_race(self) -> bool:
-        """Whether both teams evolved."""
-        return not isinstance(self.settings, SingleSettings)
-
-    @cached_property
-    def numbers(self) -> dict[str, Any]:
-        """The content of summary.json."""
-        return self.files.summary()
-
-    @cached_property
-    def judgement(self) -> Judgement:
-        """The judgement of a race, from the payoff that is held."""
-        # Not from summary.json, which another version of the package may have written.
-        return judge(self.payoff.capture_rates, per_episode=True)
-
-
-def open_result(path: Path) -> Result:
-    """Read a finished run; click.UsageError if it is not finished."""
-    files = RunDirectory.open(path)
-    settings = files.settings()
-    if not files.finished:
-        raise click.UsageError(
-            f"{path}: expected a finished run; {resume_command(path)} continues it"
-        )
-    return Result(files, settings, Payoff.from_arrays(files.payoff()))
 
 
 def default_directory(job: Job) -> Path:
@@ -125,7 +78,9 @@ def play_runs(
     results = []
     for path in (root / name for name in names):
         try:
-            results.append(open_result(path))
+            result = open_result(path)
+            _ = result.payoff, result.numbers  # read now: damaged ones are named below
+            results.append(result)
         except BAD_FILES as error:  # noqa: PERF203, of one run: the others are shown
             failed[path] = described(path, error)
     return results, failed

@@ -6,7 +6,7 @@ The options of a run's settings are in `setting_options`.
 from __future__ import annotations
 
 import shlex
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -85,13 +85,14 @@ json_option = click.option(
     metavar="FILE",
     help="write the numbers to this file, too",
 )
-output_option = click.option(
-    "--output",
-    type=click.Path(path_type=Path),
-    metavar="PATH",
-    help="where the result goes  [default: in RUN, named after the options]",
-)
 force_option = click.option("--force", is_flag=True, help="replace files that exist")
+
+
+def out_option(help: str, **attributes: Any) -> Callable[[Any], Any]:
+    """Return the option of the file or directory that a command writes."""
+    return click.option(
+        "--out", "-o", type=click.Path(path_type=Path), metavar="PATH", help=help, **attributes
+    )
 
 
 def option_name(field_name: str) -> str:

@@ -4,127 +4,169 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
 from matrixworld._util.files import save_json
-from matrixworld.cli.arguments import run_name
-from matrixworld.cli.console import TERMS, command
+from matrixworld.analysis import Estimate
+from matrixworld.analysis.plain_values import plain_values
+from matrixworld.cli.console import TERMS, command, print_wrapped
 from matrixworld.cli.explore import write_explorer
-from matrixworld.cli.figures import draw_comparison, draw_run
-from matrixworld.cli.held_out import held_out_scores
-from matrixworld.cli.judgements import counts, print_head, print_judgement
-from matrixworld.cli.race_tables import print_claims, print_comparison
-from matrixworld.coevolution import SingleSettings
+from matrixworld.cli.figures import draw, planned
+from matrixworld.cli.groups import Group, Result, grouped
+from matrixworld.cli.held_out import play_held_out
+from matrixworld.cli.tables import (
+    measured,
+    measured_of_one_team,
+    print_claims,
+    print_comparison,
+    print_head,
+    print_judged,
+    print_missing,
+    print_one_team,
+    verdict_counts,
+)
+from matrixworld.coevolution import RunDirectory, SingleSettings
+from matrixworld.coevolution.jobs.job import Job
 from matrixworld.coevolution.types import other
 from matrixworld.explorer.runs_page import PAGE
 
-if TYPE_CHECKING:
-    from matrixworld.cli.held_out import Scores
-    from matrixworld.cli.jobs import Result
+SUMMARY = "summary.json"
 
 
-def report(results: Sequence[Result], root: Path, threads: int | None = None) -> None:
-    """Score and judge the races among finished runs, draw figures, and print the results.
+def report(
+    job: Job,
+    results: Sequence[Result],
+    root: Path,
+    failed: Mapping[Path, str],
+    threads: int | None = None,
+) -> None:
+    """Score and judge the finished runs of a job, draw figures, and print the results.
 
     Parameters
     ----------
+    job : Job
+        The runs that were asked for.
     results : sequence of Result
-        The runs of one job.
+        Those that are finished.
     root : Path
-        Directory of the job: of its single run, or the parent of several.
+        Directory of the job.
+    failed : mapping of Path to str
+        Why runs failed, by their directories.
     threads : int, optional
         Threads that play matches against held-out opponents. By default all cores.
     """
-    races = {run_name(each.path): each for each in results if each.is_race}
-    scores = held_out_scores(list(races.values()), threads)
+    groups = _groups(job, results, root)
+    finished = [group for group in groups if group.runs]
+    races = [group for group in finished if group.is_race]
+    play_held_out([run for group in races for run in group.runs], threads)
     # Nothing is refused here: figures of an earlier report of the same runs are replaced.
-    drawn = {each.path: draw_run(each) for each in results}
-    for each in results:
-        if not each.is_race:
-            _print_single(each)
-    if len(races) > 1:
-        draw_comparison(races, root / "comparison.png")
-        numbers = {n: {**race.numbers, "held_out": scores[race.path]} for n, race in races.items()}
-        save_json(root / "summary.json", {"runs": numbers})
-    write_explorer(results, root / PAGE)
+    figures = planned(finished, root)
+    draw(figures)
+    if finished:
+        write_explorer(finished, root / PAGE)
+    estimates = {group.name: measured(group) for group in races}
     if races:
-        _print_races(races, scores)
-    _print_files(drawn, root, races=len(races))
-    _print_next(results, root)
+        print_comparison(races, estimates)
+    for group in groups:
+        _print(group)
+    if races:
+        print_claims(races)
+        click.echo(f"\n{TERMS}")
+    for path, problem in failed.items():
+        print_wrapped(f"Failed: {path}: {problem}")
+    problems = {_inside(root, path): problem for path, problem in failed.items()}
+    plain = {group.name: _plain(group, estimates.get(group.name)) for group in groups}
+    runs = {_inside(root, run.path): _plain_run(run) for group in finished for run in group.runs}
+    # The summary of a run that was started by itself lies in the same directory.
+    if root not in [run.path for run in results]:
+        save_json(root / SUMMARY, {"groups": plain, "runs": runs, "failed": problems})
+    _print_files(root, [*figures], runs=[*runs])
+    _print_next(finished, root)
 
 
-def _print_races(races: Mapping[str, Result], scores: Mapping[Path, Scores]) -> None:
-    print_comparison(races, scores)
-    for name, race in races.items():
-        print_head(f"{name}: {counts(race.judgement)}")
-        print_judgement(race.judgement)
-    print_claims(races)
-    click.echo(f"\n{TERMS}")
+def _groups(job: Job, results: Sequence[Result], root: Path) -> list[Group]:
+    """Return the groups of all runs of a job, with names inside its directory."""
+    finished = {run.path: run for run in results}
+    runs = [
+        finished.get(path) or Result(RunDirectory(path), settings, finished=False)
+        for path, settings in ((root / name, each) for name, each in job.runs.items())
+    ]
+    return [group.inside(root) for group in grouped(runs)]
 
 
-def _print_single(run: Result) -> None:
-    settings, numbers = run.settings, run.numbers
-    if isinstance(settings, SingleSettings):
-        click.secho(f"\n{run.path}", bold=True)
-        click.echo(
-            f"  {settings.team}s after {settings.epochs} epochs against {settings.against}, in "
-            f"{numbers['evaluation_matches']} fresh episodes of at most {settings.eval_steps} "
-            f"steps:\n"
-            f"  capture rate {_with_interval(numbers, 'capture_rate', '.4f')}\n"
-            f"  length in steps {_with_interval(numbers, 'length', '.1f')}"
-        )
+def _inside(root: Path, path: Path) -> str:
+    return path.relative_to(root).as_posix()
 
 
-def _with_interval(numbers: Mapping[str, Any], name: str, form: str) -> str:
-    """Return a mean over episodes, its interval and the standard deviation, in words."""
-    mean, low, high, std = (numbers[name + end] for end in ("", "_low", "_high", "_std"))
-    if low is None:
-        return f"{mean:{form}} (in every episode)"
-    return (
-        f"{mean:{form}} (95% interval of the mean {low:{form}} to {high:{form}}; standard "
-        f"deviation of an episode {std:{form}})"
-    )
+def _print(group: Group) -> None:
+    if not group.runs:
+        print_head(f"{group.name}: {group.finished_of_asked()} seeds finished")
+        print_missing(group)
+    elif group.is_race:
+        print_judged(group)
+    else:
+        print_one_team(group)
 
 
-def _print_files(drawn: Mapping[Path, Sequence[Path]], root: Path, *, races: int) -> None:
+def _plain(group: Group, estimates: Mapping[str, Estimate | None] | None) -> dict[str, Any]:
+    """Return a group as plain values: its seeds, numbers and verdicts."""
+    plain: dict[str, Any] = {"finished": list(group.seeds), "missing": list(group.missing)}
+    if not group.runs:
+        return plain
+    if estimates is None:
+        return {**plain, "measures": plain_values(measured_of_one_team(group))}
+    return {
+        **plain,
+        "measures": plain_values(estimates),
+        "verdicts": verdict_counts(group),
+        "judgement": group.judgement.to_json(),
+    }
+
+
+def _plain_run(run: Result) -> dict[str, Any]:
+    return {**run.numbers, **({"held_out": run.held_out} if run.is_race else {})}
+
+
+def _print_files(root: Path, figures: Sequence[Path], runs: Sequence[str]) -> None:
     click.echo(f"\nAll files are in {root}:")
-    click.echo(f"  {PAGE}: open it in a browser; it plays every match of the payoff matrices")
-    if races > 1:
-        click.echo("  comparison.png: the races side by side; summary.json: their numbers")
-    for path, figures in drawn.items():
-        place = "" if path == root else f"{path.relative_to(root)}/: "
-        click.echo(f"  {place}{', '.join(figure.name for figure in figures)}")
-    scores = ", scores.json" if races else ""
-    click.echo(f"  data of each run: payoff.npz, *.npy (genomes), log.csv, summary.json{scores}")
+    if runs:
+        click.echo(f"  {PAGE}: open it in a browser; it plays every match of the payoff matrices")
+    click.echo(f"  {SUMMARY}: the numbers of each run, and of all seeds together")
+    for folder in dict.fromkeys(figure.parent for figure in figures):
+        place = "" if folder == root else f"{_inside(root, folder)}/: "
+        names = ", ".join(figure.name for figure in figures if figure.parent == folder)
+        click.echo(f"  {place}{names}")
+    if runs:
+        data = "payoff.npz, *.npy (genomes), log.csv, summary.json, scores.json (of races)"
+        click.echo(f"  data of each run: {data}")
 
 
-def _print_next(results: Sequence[Result], root: Path) -> None:
+def _print_next(groups: Sequence[Group], root: Path) -> None:
+    if not groups:
+        return
     # The last run: of the default job the generalists, whose late pursuers are worth watching.
-    path, settings = results[-1].path, results[-1].settings
+    last = groups[-1].runs[-1]
+    path, settings = last.path, last.settings
     click.echo("\nWhat to try next:")
     if isinstance(settings, SingleSettings):
-        _print_commands(
+        commands = [
             command("replay", path, "--out match.gif"),
             command("evolve --against", path, f"--team {other(settings.team)}"),
-        )
-        return
-    last = settings.generations
-    match = f"--pursuer {last} --evader {last // 2}"
-    paths = [each.path for each in results]
-    each_run = ["--each"] if len(paths) > 1 else []
-    _print_commands(
-        command("replay", path, match),
-        command("replay", path, match, "--out match.gif"),
-        command("diagnose", root, *each_run, "--explain"),
-        command("analyze", path),
-        command("score", path),
-        command("tournament", *paths[:2]),
-        command("plot", *paths, "--force"),
-    )
-
-
-def _print_commands(*commands: str) -> None:
+        ]
+    else:
+        generation = settings.generations
+        match = f"--pursuer {generation} --evader {generation // 2}"
+        others = [group.runs[-1].path for group in groups[-2:-1] if group.is_race]
+        commands = [
+            command("replay", path, match),
+            command("replay", path, match, "--out match.gif"),
+            command("judge", root, "--explain"),
+            command("judge", root, "--all"),
+            command("score", root),
+            command("tournament", path, *others),
+            command("explore", root, "--figures --each --force"),
+        ]
     for each in commands:
         click.echo(f"  {each}")

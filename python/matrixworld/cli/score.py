@@ -1,17 +1,21 @@
-"""``matrixworld score``: a run's teams against opponents that no run has met."""
+"""``matrixworld score``: teams against opponents that no run has met."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import Executor
-from functools import partial
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import click
+import numpy as np
 
+from matrixworld.analysis import Estimate, fewest_runs, interquartile_mean
+from matrixworld.analysis.plain_values import plain_values
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.clusters import cluster_option, on_cluster
-from matrixworld.cli.console import print_wrapped, progress
+from matrixworld.cli.console import print_wrapped
+from matrixworld.cli.groups import Group, groups_of, runs_argument
+from matrixworld.cli.held_out import score_all
 from matrixworld.cli.options import (
     episodes_option,
     force_option,
@@ -22,16 +26,19 @@ from matrixworld.cli.options import (
     threads_option,
     write_json,
 )
-from matrixworld.cli.run_groups import finished_runs, run_or_seeds
-from matrixworld.cli.seed_scores import LEGEND as SEEDS_LEGEND
-from matrixworld.cli.seed_scores import SCORE, plain_scored, print_scored, scored_groups
-from matrixworld.coevolution import HeldOutScores, Report, SavedRun, Team, open_run, score
+from matrixworld.cli.tables import over_seeds, print_head, print_missing, shown
+from matrixworld.coevolution import HeldOutScores
 
 ALL = "all"
 LAST = -1
+SCORE = {"pursuer": "capture rate", "evader": "escape rate"}
 LEGEND = (
     "In brackets: 95% interval over the episodes. Runs with other seeds may differ by more. In the "
     "mean every opponent has the same weight."
+)
+SEEDS_LEGEND = (
+    "In brackets: 95% interval of the mean over seeds. In the mean every opponent has the same "
+    f"weight. The interval of an interquartile mean takes {fewest_runs()} seeds."
 )
 
 
@@ -45,8 +52,8 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
         raise click.BadParameter(f"expected a generation or {ALL}, got {value!r}") from None
 
 
-@click.command("score")
-@click.argument("runs", metavar="RUN", callback=run_or_seeds)
+@click.command("score", short_help="Play against held-out opponents.")
+@runs_argument()
 @click.option(
     "--generation",
     default=str(LAST),
@@ -63,112 +70,103 @@ def _generation(ctx: click.Context, param: click.Parameter, value: str) -> int |
 @cluster_option
 def score_command(
     runs: list[Path],
-    generation: int | None,
-    episodes: int,
-    steps: int | None,
-    seed: int,
     json_file: Path | None,
     force: bool,
     threads: int | None,
     where: str | None,
+    **options: Any,
 ) -> None:
-    """Score a run's teams against held-out opponents.
+    """Score teams against held-out opponents.
 
     The opponents are scripts of different skill and, in worlds with the default views and actions,
     small networks that come with the package. No run has learnt against them, and with one --seed
-    all runs meet them in the same episodes: runs can be compared. RUN need not be finished. Of a
-    job of several seeds (evolve --seeds) the finished ones are scored: mean and interval over the
-    seeds of each group.
+    all runs meet them in the same episodes: runs can be compared.
+
+    RUN is the directory of a job or of a run. A single run need not be finished. Of runs that
+    differ in their seed only the table shows mean and interval over the seeds.
 
     With --cluster the workers of a Dask cluster play blocks of the matches. It pays with
     --generation all and many episodes. The workers need not see RUN.
     """
     refuse_existing(json_file, force=force)
     with failures(), on_cluster(where, threads) as executor:
-        play = partial(_play, generation, episodes, steps, seed, threads, executor)
-        if len(runs) == 1:
-            [scores] = _play_all(runs, play).values()
-            _print(scores)
-            teams = {f"{team}s": each.to_json() for team, each in scores.items()}
-            write_json(json_file, {"run": str(runs[0]), "seed": seed, **teams})
-            return
-        finished, unfinished = finished_runs(runs)
-        played = _play_all([run.path for run in finished], play)
-        groups = scored_groups(finished, unfinished, played)
+        groups = groups_of(runs, unfinished=True)
+        paths = [run.path for group in groups for run in group.runs]
+        try:
+            played = score_all(paths, threads=threads, executor=executor, **options)
+        except IndexError as error:
+            # The message begins with "generation", which is an option here.
+            raise click.UsageError(f"--{error}") from error
+        plain = {}
         for group in groups:
-            print_scored(group)
+            of_runs = [played[run.path] for run in group.runs]
+            teams = [[scores[team] for scores in of_runs] for team in of_runs[0]]
+            _print(group, teams)
+            plain[group.name] = _plain(group, teams)
+        legend = LEGEND if max(len(group.runs) for group in groups) == 1 else SEEDS_LEGEND
         click.echo()
-        print_wrapped(SEEDS_LEGEND)
-        plain = {group.name: plain_scored(group) for group in groups}
-        write_json(json_file, {"seed": seed, "groups": plain})
+        print_wrapped(legend)
+        matches = sum(scores.matches for teams in played.values() for scores in teams.values())
+        click.echo(f"{matches:,} matches were played.")
+        write_json(json_file, {"seed": options["seed"], "groups": plain})
 
 
-Play = Callable[[SavedRun, Report], dict[Team, HeldOutScores]]
+Scores = Sequence[HeldOutScores]
+"""Scores of one team, of each seed."""
 
 
-def _play_all(paths: Sequence[Path], play: Play) -> dict[Path, dict[Team, HeldOutScores]]:
-    """Score runs one after the other, with one progress for all."""
-    found = {}
-    with progress() as report:
-        for number, path in enumerate(paths):
-            # Runs of a job play about equally many matches.
-            def part(what: str, done: int, total: int, number: int = number) -> None:
-                place = f"[{number + 1}/{len(paths)}] " if len(paths) > 1 else ""
-                report(place + what, number * total + done, len(paths) * total)
-
-            found[path] = play(open_run(path), part)
-    return found
-
-
-def _play(
-    generation: int | None,
-    episodes: int,
-    steps: int | None,
-    seed: int,
-    threads: int | None,
-    executor: Executor | None,
-    saved: SavedRun,
-    report: Report,
-) -> dict[Team, HeldOutScores]:
-    try:
-        return score(
-            saved,
-            generation=generation,
-            episodes=episodes,
-            steps=steps,
-            seed=seed,
-            threads=threads,
-            report=report,
-            executor=executor,
-        )
-    except IndexError as error:
-        # The message begins with "generation", which is an option here.
-        raise click.UsageError(f"--{error}") from error
+def estimates_of(scores: Scores, row: int) -> dict[str, Estimate]:
+    """Return the estimates of one generation against each opponent, and over all of them."""
+    first, opponents = scores[0], scores[0].opponents
+    if len(scores) == 1:
+        # The mean has its own interval: it is narrower than those of its parts.
+        return {**{name: first.against(name, row) for name in opponents}, "mean": first.mean(row)}
+    rates = np.array([each.rates[row].mean(axis=1) for each in scores])
+    against = {name: over_seeds(rates[:, k]) for k, name in enumerate(opponents)}
+    found = {**against, "mean": over_seeds(rates.mean(axis=1))}
+    known = {name: each for name, each in found.items() if each is not None}
+    return {**known, "interquartile mean": interquartile_mean(rates)}
 
 
-def _print(scores: Mapping[Team, HeldOutScores]) -> None:
-    for each in scores.values():
-        (_print_team if len(each.generations) == 1 else _print_curve)(each)
-        if each.left_out:
-            print_wrapped(f"Left out: {each.left_out}.")
-    click.echo()
-    print_wrapped(LEGEND)
-    matches = sum(each.matches for each in scores.values())
-    click.echo(f"{matches:,} matches were played.")
+def _print(group: Group, teams: Sequence[Scores]) -> None:
+    several = f": {group.finished_of_asked()} seeds finished" if group.several else ""
+    print_head(f"{group.name}{several}")
+    for scores in teams:
+        generations, team = scores[0].generations, scores[0].team
+        if len(generations) == 1:
+            click.echo(f"{team}s of generation {generations[0]}: {SCORE[team]}")
+            rows = estimates_of(scores, 0)
+        else:
+            click.echo(f"{team}s by generation: mean {SCORE[team]}")
+            rows = {
+                f"{generation:10}": estimates_of(scores, row)["mean"]
+                for row, generation in enumerate(generations)
+            }
+        width = max(map(len, rows))
+        for name, estimate in rows.items():
+            click.echo(f"  {name:{width}}  {shown(estimate, '.3f')}")
+        if scores[0].left_out:
+            print_wrapped(f"Left out: {scores[0].left_out}.")
+    print_missing(group)
 
 
-def _print_team(scores: HeldOutScores) -> None:
-    [generation] = scores.generations
-    click.secho(f"\n{scores.team}s of generation {generation}: {SCORE[scores.team]}", bold=True)
-    rows = {name: scores.against(name) for name in scores.opponents}
-    # Its own interval: that of a mean is narrower than those of its parts.
-    rows["mean"] = scores.mean()
-    width = max(map(len, rows))
-    for name, estimate in rows.items():
-        click.echo(f"  {name:{width}}  {estimate}")
-
-
-def _print_curve(scores: HeldOutScores) -> None:
-    click.secho(f"\n{scores.team}s by generation: mean {SCORE[scores.team]}", bold=True)
-    for row, generation in enumerate(scores.generations):
-        click.echo(f"  {generation:10}  {scores.mean(row)}")
+def _plain(group: Group, teams: Sequence[Scores]) -> dict[str, Any]:
+    """Return the scores of a group as plain values: by generation, and of each seed."""
+    return {
+        "seeds": list(group.seeds),
+        "missing": list(group.missing),
+        **{
+            f"{scores[0].team}s": {
+                "generations": list(scores[0].generations),
+                "estimates": [
+                    plain_values(estimates_of(scores, row))
+                    for row in range(len(scores[0].generations))
+                ],
+                "by_seed": {
+                    str(seed): each.to_json()
+                    for seed, each in zip(group.seeds, scores, strict=True)
+                },
+            }
+            for scores in teams
+        },
+    }

@@ -11,17 +11,17 @@ from matrixworld.analysis import Judgement, TeamCurves, generalization, headline
 from matrixworld.cli.arguments import failures, run_of
 from matrixworld.cli.clusters import cluster_option, on_cluster
 from matrixworld.cli.console import TERMS, progress
-from matrixworld.cli.figures import run_title, save_figure
-from matrixworld.cli.judgements import counts, print_head, print_judgement
+from matrixworld.cli.figures import draw, run_title
 from matrixworld.cli.options import (
     episodes_option,
     force_option,
-    output_option,
+    out_option,
     refuse_existing,
     seed_option,
     steps_option,
     threads_option,
 )
+from matrixworld.cli.tables import counts, print_head, print_judgement
 from matrixworld.coevolution import Payoff, SavedRun, open_run, tournament
 from matrixworld.world.policy import Population
 
@@ -34,7 +34,7 @@ SUFFIX = ".npz"
 @episodes_option
 @steps_option
 @seed_option
-@output_option
+@out_option("the payoff, .npz  [default: in RUN, named after the options]")
 @force_option
 @threads_option
 @cluster_option
@@ -44,7 +44,7 @@ def tournament_command(
     episodes: int,
     steps: int | None,
     seed: int,
-    output: Path | None,
+    out: Path | None,
     force: bool,
     threads: int | None,
     where: str | None,
@@ -67,7 +67,7 @@ def tournament_command(
         steps = steps or ours.settings.eval_steps
         against = "" if other is None else f"-against-{other.name}"
         name = f"tournament{against}-{episodes}x{steps}-seed{seed}{SUFFIX}"
-        target = _checked(output or run / name, force)
+        target = _checked(out or run / name, force)
         payoff = _play(ours, theirs, episodes, steps, seed, threads, where)
         # Generations of two runs have no common order in time, and are not judged.
         judgement = judge(payoff.capture_rates, per_episode=True) if other is None else None
@@ -84,7 +84,7 @@ def tournament_command(
 def _checked(target: Path, force: bool) -> Path:
     # With another suffix the figure could have the payoff's own name.
     if target.suffix.lower() != SUFFIX:
-        raise click.UsageError(f"--output: expected a name that ends in {SUFFIX}, got {target}")
+        raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {target}")
     refuse_existing(target, _figure(target), force=force)
     return target
 
@@ -136,7 +136,7 @@ def _save(payoff: Payoff, target: Path, title: str) -> None:
     from matrixworld import plots
 
     save_arrays(target, payoff.arrays())
-    save_figure(plots.payoff_heatmap(payoff.capture_rate, title=title), _figure(target))
+    draw({_figure(target): lambda: plots.payoff_heatmap(payoff.capture_rate, title=title)})
 
 
 def _title(pursuers: str, evaders: str, judgement: Judgement | None) -> str:

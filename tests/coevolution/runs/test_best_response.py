@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from pathlib import Path
 from typing import Any
@@ -12,13 +13,9 @@ import pytest
 
 from command_line import matrixworld_command
 from matrixworld.cli import exploit
-from matrixworld.coevolution import (
-    SingleSettings,
-    best_response,
-    open_run,
-    resume,
-    start,
-)
+from matrixworld.coevolution import SingleSettings, best_response, open_run, resume, start
+from matrixworld.coevolution.jobs.best_responses import settings_of_responses
+from matrixworld.coevolution.jobs.job import job_of, save_job
 from matrixworld.coevolution.runs.best_response import response_settings
 from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.types import other
@@ -146,15 +143,16 @@ def test_the_command(race, tmp_path):
     run = Path(shutil.copytree(race, tmp_path / "race"))
     command = ["exploit", run, "--champion", "pursuer", "--matches", 100, "--episodes", 20]
     told = matrixworld_command(*command).stdout
-    made = run / "response-to-pursuers-100x20-seed0"
+    job = tmp_path / "race-response-to-pursuers-100x20-seed0"
+    made = job / "seed-5"
     result = best_response(open_run(run), "pursuer", 100, made, eval_episodes=20, seed=0)
-    assert f"  the evaders of the run  {result.before.mean():.3f}\n" in told
-    assert f"  the response            {result.after.mean():.3f}\n" in told
+    before, after = f"{result.before.mean():.3f}", f"{result.after.mean():.3f}"
+    assert re.search(rf"5 +{before} +{after}  {re.escape(str(result.gain.gain))}\n", told)
     assert "96 matches of evolution and 40 of evaluation" in told
     assert f"matrixworld replay {made}" in told
     before = {path: path.read_bytes() for path in made.iterdir()}
     refused = matrixworld_command(*command, code=2).stderr
-    assert f"{made}: exists; --continue goes on with the response in it" in refused
+    assert f"{job}: exists; --continue goes on with the response in it" in refused
     assert {path: path.read_bytes() for path in made.iterdir()} == before
     assert matrixworld_command(*command, "--continue").stdout == told
     matrixworld_command("replay", made)
@@ -162,14 +160,18 @@ def test_the_command(race, tmp_path):
 
 def test_the_command_goes_on_after_ctrl_c(race, tmp_path, monkeypatch):
     run = Path(shutil.copytree(race, tmp_path / "race"))
-    command = ["exploit", run, "--champion", "evader", "--matches", 200, "--output", tmp_path / "x"]
+    command = ["exploit", run, "--champion", "evader", "--matches", 200, "--out", tmp_path / "x"]
 
     def interrupted(*args: Any, **options: Any) -> Any:
-        return best_response(*args, **options, play=StopAt(2))
+        chosen = {"matches": 200, "eval_episodes": 100, "seed": 0}
+        settings = settings_of_responses({"seed-5": open_run(run)}, "evader", **chosen)
+        (tmp_path / "x").mkdir()
+        save_job(tmp_path / "x", job_of(settings))
+        start(settings["seed-5"], tmp_path / "x" / "seed-5", play=StopAt(2)).run()
 
-    monkeypatch.setattr(exploit, "best_response", interrupted)
+    monkeypatch.setattr(exploit, "best_responses", interrupted)
     stopped = matrixworld_command(*command, code=130)
-    assert f"--continue goes on with the run in {tmp_path / 'x'}." in stopped.stderr
+    assert f"--continue goes on with the runs in {tmp_path / 'x'}." in stopped.stderr
     monkeypatch.undo()
     assert "192 matches of evolution" in matrixworld_command(*command, "--continue").stdout
 
@@ -191,12 +193,12 @@ def test_words_for_a_gain_and_for_none(race, tmp_path):
         ([], 2, "Missing option '--champion'"),
         (["--champion", "pursuer", "--matches", "47"], 2, "expected at least 48 (one epoch)"),
         (
-            ["--champion", "pursuer", "--output", "{race}", "--continue"],
-            2,
-            "holds a race, expected a new directory",
+            ["--champion", "pursuer", "--out", "{race}", "--continue"],
+            1,
+            "expected a new or empty directory for a new run",
         ),
         (
-            ["--champion", "pursuer", "--output", "new", "--continue"],
+            ["--champion", "pursuer", "--out", "new", "--continue"],
             2,
             "--continue: expected a response in new, which holds no run",
         ),

@@ -46,7 +46,7 @@ PREVIOUS = ("checkpoint-0003.npz", "checkpoint-0001.npz")
 @pytest.fixture(autouse=True)
 def no_figures(monkeypatch):
     """Leave out the figures, which are not tested here."""
-    monkeypatch.setattr(report, "draw_run", lambda path: [])
+    monkeypatch.setattr(report, "draw", lambda planned: None)
 
 
 @pytest.fixture

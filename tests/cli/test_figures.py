@@ -1,4 +1,4 @@
-"""``matrixworld plot``: one figure or all, formats, figures of the game, baselines."""
+"""``matrixworld explore --figures``: one figure or all, formats, figures of the game, baselines."""
 
 from __future__ import annotations
 
@@ -9,13 +9,16 @@ import pytest
 
 from command_line import matrixworld_command
 from matrixworld import coevolution
-from matrixworld.cli import figures, seed_figures
 from matrixworld.cli.figures import FORMATS, OF_GAME
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.evaluation.baselines import scores_in_race, trained_team
 from tiny_race import tiny_race, tiny_single
 
 BEGINS = {"png": b"\x89PNG", "pdf": b"%PDF-", "svg": b"<?xml"}
+
+
+def figures_command(*words, code=0):
+    return matrixworld_command("explore", "--figures", *words, code=code)
 
 
 @pytest.fixture(scope="module")
@@ -37,21 +40,19 @@ def drawn(monkeypatch):
 
     def keep(figure, path):
         found[path.name] = figure
-        return path
 
-    monkeypatch.setattr(figures, "save_figure", keep)
-    monkeypatch.setattr(seed_figures, "save_figure", keep)
+    monkeypatch.setattr("matrixworld.plots.save_figure", keep)
     return found
 
 
 @pytest.mark.parametrize("name", OF_GAME)
 def test_a_figure_of_the_game_needs_no_run(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    assert (
-        matrixworld_command("plot", "--figure", name, "--format", "svg").output == f"{name}.svg\n"
-    )
+    assert figures_command("--figure", name, "--format", "svg").output == f"{name}.svg\n"
     assert Path(f"{name}.svg").read_bytes().startswith(BEGINS["svg"])
-    again = matrixworld_command("plot", "--figure", name, "-o", f"{name}.svg", code=2).stderr
+    again = matrixworld_command(
+        "explore", "--figures", "--figure", name, "-o", f"{name}.svg", code=2
+    ).stderr
     assert f"{name}.svg: exists; give --force to replace it" in again
 
 
@@ -59,36 +60,42 @@ def test_a_figure_of_the_game_needs_no_run(name, tmp_path, monkeypatch):
 def test_one_figure_of_a_run(runs, tmp_path, suffix):
     file = tmp_path / f"here.{suffix}"
     race = runs / "job" / "seed-5"
-    said = matrixworld_command("plot", race, "--figure", "collisions", "--output", file)
+    said = matrixworld_command(
+        "explore", "--figures", race, "--figure", "collisions", "--out", file
+    )
     assert said.output == f"{file}\n"
     assert file.read_bytes().startswith(BEGINS[suffix])
     assert not list(race.glob(f"collisions.{suffix}"))
 
 
 def test_all_figures_of_a_run_in_a_format(runs, drawn):
-    matrixworld_command("plot", runs / "job" / "seed-5", "--format", "pdf")
+    figures_command(runs / "job" / "seed-5", "--format", "pdf")
     assert list(drawn) == [
         "training.pdf", "payoff.pdf", "generalization.pdf", "lag_profile.pdf", "collisions.pdf",
     ]  # fmt: skip
-    matrixworld_command("plot", runs / "pursuers", "--figure", "training")
+    figures_command(runs / "pursuers", "--figure", "training")
     assert list(drawn)[-1] == "training.png"
 
 
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ([], "expected RUN..., or --figure rules or conflicts or interaction, which need none"),
+        ([], "expected RUN..., or --figure rules or conflicts or interaction"),
         (["--figure", "payoff"], "expected RUN..., or --figure rules"),
         (["{job}", "--figure", "rules"], "--figure rules: expected no RUN, got "),
-        (["{job}", "--output", "x.svg"], "--output: expected one --figure of one run, got no --fi"),
-        (["{job}", "--figure", "payoff", "-o", "x.svg"], "expected one --figure of one run, got 2"),
+        (["{job}", "--out", "x.svg"], "--out: expected one --figure of one run, got no --fi"),
+        (
+            ["{job}", "--figure", "payoff", "-o", "x.svg"],
+            "of one run, got 2 figures",
+        ),
         (["--figure", "rules", "-o", "x.bmp"], "expected a name that ends in .png, .pdf, .svg, g"),
         (
             ["--figure", "rules", "-o", "x.svg", "--format", "png"],
             "--format png: expected the",
         ),
         (["{pursuers}", "--figure", "payoff"], "expected a race, got a run of one team"),
-        (["{job}", "--comparison", "x.bmp"], "--comparison: x.bmp: expected a name that ends in"),
+        (["{pursuers}", "--figure", "seeds"], "expected a race, got a run of one team"),
+        (["{job}/seed-5", "--figure", "comparison"], "expected at least two races, got 1"),
         (["{job}", "--baseline", "x"], "expected NAME=RUN, got 'x'"),
         (["{job}", "--baseline", "x=a", "--baseline", "x=b"], "expected each name once, got 'x'"),
         (["{job}", "--baseline", "x={job}"], "expected a run of one team, got a race"),
@@ -101,7 +108,7 @@ def test_all_figures_of_a_run_in_a_format(runs, drawn):
 def test_wrong_options(runs, drawn, options, message):
     places = {"root": runs, "job": runs / "job", "pursuers": runs / "pursuers"}
     words = [option.format(**places) for option in options]
-    said = " ".join(matrixworld_command("plot", *words, code=2).stderr.split())
+    said = " ".join(figures_command(*words, code=2).stderr.split())
     assert message in said
     assert not drawn
 
@@ -114,10 +121,10 @@ def mean_score(race, baseline):
     return float(np.mean(scores))
 
 
-def test_baselines_are_drawn_in_the_generalisation_of_a_race(runs, drawn):
+def test_baselines_are_drawn_in_the_generalization_of_a_race(runs, drawn):
     race = runs / "job" / "seed-6"
     matrixworld_command(
-        "plot", race, "--figure", "generalization",
+        "explore", race, "--figure", "generalization",
         "--baseline", f"alone={runs / 'pursuers'}", "--baseline", f"others={runs / 'evaders'}",
     )  # fmt: skip
     (axes,) = drawn["generalization.png"].axes
@@ -131,7 +138,7 @@ def test_baselines_are_drawn_in_the_generalisation_of_a_race(runs, drawn):
 
 def test_baselines_have_intervals_over_seeds(runs, drawn):
     matrixworld_command(
-        "plot", runs / "job", "--figure", "generalization",
+        "explore", runs / "job", "--figure", "generalization",
         "--baseline", f"alone={runs / 'pursuers'}", "--baseline", f"others={runs / 'evaders'}",
     )  # fmt: skip
     assert list(drawn) == ["generalization.png"]
@@ -152,7 +159,9 @@ def test_a_seed_without_its_baseline_is_named(runs, drawn, tmp_path):
     other = tmp_path / "evaders"
     for seed in (5, 7):
         coevolution.finish(tiny_single(team="evader", seed=seed), other / f"seed-{seed}", threads=1)
-    said = matrixworld_command("plot", runs / "job", "--baseline", f"x={other}", code=2).stderr
+    said = matrixworld_command(
+        "explore", "--figures", runs / "job", "--baseline", f"x={other}", code=2
+    ).stderr
     assert "--baseline x: expected one run of seed 6, or one in all, got 0" in " ".join(
         said.split()
     )

@@ -1,4 +1,4 @@
-"""Jobs of several seeds: the report of ``evolve``, and diagnose, analyze, score and plot."""
+"""Groups of seeds: the report of ``evolve``, and what judge, score and explore make of them."""
 
 from __future__ import annotations
 
@@ -14,13 +14,11 @@ from scipy import stats
 from command_line import PNG, judged_in, matrixworld_command, run_together
 from matrixworld import analysis
 from matrixworld._util.files import load_json
-from matrixworld.cli.jobs import open_result
-from matrixworld.cli.race_groups import Group, groups_of
-from matrixworld.cli.run_groups import root_of
-from matrixworld.cli.seed_report import report_seeds
-from matrixworld.cli.seed_tables import print_strip
+from matrixworld.cli.groups import Group, groups_of, open_result, place_of
+from matrixworld.cli.report import report
+from matrixworld.cli.tables import print_strip
 from matrixworld.coevolution import open_run, open_runs, score, start
-from matrixworld.coevolution.jobs.job import job_of, save_job
+from matrixworld.coevolution.jobs.job import job_of, open_job, save_job
 from tiny_race import StopAt, tiny_race, tiny_single
 
 SCHEDULES = ("specialist-specialist", "generalist-generalist")
@@ -47,7 +45,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for name in SCHEDULES:
         for seed in SEEDS:
             start(settings_of(name, seed), root / name / f"seed-{seed}", threads=1).run()
-    report_seeds(*told(root), root, threads=1)
+    report(*told(root), {}, threads=1)
     return root
 
 
@@ -60,7 +58,7 @@ def job(made: Path) -> Path:
 def told(root: Path):
     """Return what `evolve` gives to the report."""
     results = [open_result(root / name / f"seed-{seed}") for name in SCHEDULES for seed in SEEDS]
-    return results, dict.fromkeys(SCHEDULES, ASKED)
+    return open_job(root), results, root
 
 
 def payoffs(root: Path, schedule: str, seeds=SEEDS) -> np.ndarray:
@@ -87,7 +85,7 @@ def interval(values, form: str) -> str:
 
 
 def test_the_table_has_the_numbers_of_the_runs(job, capsys):
-    report_seeds(*told(job), job, threads=1)
+    report(*told(job), {}, threads=1)
     said = capsys.readouterr().out
     rows = {line[:20].strip(): re.split(r"  +", line[22:].strip()) for line in said.splitlines()}
     assert rows["seeds finished"] == ["3 of 4", "3 of 4"]
@@ -111,11 +109,11 @@ def test_the_table_has_the_numbers_of_the_runs(job, capsys):
 
 
 def test_the_strip_has_the_verdict_on_each_seed(job, capsys):
-    report_seeds(*told(job), job, threads=1)
-    said = capsys.readouterr().out.split(f"{SCHEDULES[0]}: 3 of 4 seeds finished")[1]
+    report(*told(job), {}, threads=1)
+    said = capsys.readouterr().out.split(f"\n{SCHEDULES[0]}: 3 runs")[1]
     judgement = analysis.judge(payoffs(job, SCHEDULES[0]), per_episode=True)
     signs = {"present": "+", "absent": "-", "cannot tell": "?"}
-    lines = said.splitlines()[1:8]
+    lines = said[said.index("seed  ") :].splitlines()[:7]
     assert lines[0].split() == ["seed", *map(str, ASKED), "together", "(seeds:", "+,", "-,", "?)"]
     for line, (name, finding) in zip(lines[1:], judgement.headline.items(), strict=True):
         counts = ", ".join(str(finding.by_run.count(verdict)) for verdict in signs)
@@ -145,14 +143,16 @@ def test_summary_json_keeps_each_seed_and_the_aggregate(job):
         assert (job / f"{name}.png").read_bytes().startswith(PNG)
 
 
-def test_a_single_finished_seed_has_no_interval(job, capsys):
-    results, asked = told(job)
+def test_a_single_finished_seed_has_intervals_over_its_episodes(job, capsys):
+    _, [first, *_], _ = told(job)
+    asked = job_of([settings_of(SCHEDULES[0], seed) for seed in ASKED])
     failed = {job / SCHEDULES[0] / "seed-1": "payoff.npz: cut or altered"}
-    report_seeds([results[0]], {SCHEDULES[0]: asked[SCHEDULES[0]]}, job, failed, 1)
+    report(asked, [first], job, failed, 1)
     said = capsys.readouterr().out
-    table = said.split("In brackets:")[0].splitlines()
-    assert "seeds finished        1 of 4" in table
-    assert not any(" to " in line for line in table)
+    mean = first.held_out["pursuers"]["mean"][0]
+    shown = f"{mean['value']:.2f} ({mean['low']:.2f} to {mean['high']:.2f})"
+    assert re.search(rf"held-out, pursuers +{re.escape(shown)}\n", said)
+    assert re.search(r"seeds finished +1 of 4\n", said)
     assert "Not finished: seeds 1, 2, 3." in said
     assert f"Failed: {job / SCHEDULES[0] / 'seed-1'}: payoff.npz: cut or altered" in run_together(
         said
@@ -164,7 +164,7 @@ def test_a_single_finished_seed_has_no_interval(job, capsys):
 
 def test_a_job_of_which_nothing_is_finished_says_so(capsys):
     Path("none").mkdir()
-    report_seeds([], {SCHEDULES[0]: [0, 1]}, Path("none"))
+    report(job_of([settings_of(SCHEDULES[0], seed) for seed in (0, 1)]), [], Path("none"), {})
     said = capsys.readouterr().out
     assert f"{SCHEDULES[0]}: 0 of 2 seeds finished" in said
     assert "Not finished: seeds 0, 1." in said
@@ -177,7 +177,7 @@ def test_races_of_one_generation_are_reported(capsys):
         start(settings, f"short/{settings.schedule}/seed-{seed}", threads=1).run()
     root = Path("short")
     results = [open_result(path) for path in sorted(root.glob("*/seed-*"))]
-    report_seeds(results, {settings.schedule: [0, 1]}, root, threads=1)
+    report(job_of([each.settings for each in results]), results, root, {}, threads=1)
     assert re.search(r"gain of the pursuers  -\n", capsys.readouterr().out)
 
 
@@ -190,11 +190,11 @@ def test_runs_of_several_settings_in_one_directory_are_groups_of_their_own(capsy
     for name, settings in list(runs.items())[:2]:
         start(settings, f"mixed/{name}", threads=1).run()
     results = [open_result(Path("mixed") / name) for name in ("a/short", "a/long")]
-    report_seeds(results, {"a": [5, 5, 9]}, Path("mixed"), threads=1)
+    report(job_of(runs), results, Path("mixed"), {}, threads=1)
     groups = load_json(Path("mixed/summary.json"))["groups"]
-    assert [*groups] == ["a/short", "a/long", "a"]
-    assert [groups[name]["missing"] for name in groups] == [[], [], [9]]
-    assert "a: 0 of 1 seeds finished" in capsys.readouterr().out
+    assert [*groups] == ["a/short", "a/long, a/later"]
+    assert [groups[name]["missing"] for name in groups] == [[], [9]]
+    assert "Not finished: seeds 9." in capsys.readouterr().out
 
 
 def test_seeds_of_one_team_have_their_own_table(capsys):
@@ -202,11 +202,12 @@ def test_seeds_of_one_team_have_their_own_table(capsys):
     for seed in (0, 1, 2):
         start(tiny_single(seed=seed), f"alone/{name}/seed-{seed}", threads=1).run()
         results.append(open_result(Path(f"alone/{name}/seed-{seed}")))
-    report_seeds(results, {name: [0, 1, 2]}, Path("alone"), threads=1)
+    job = job_of([run.settings for run in results])
+    report(job, results, Path("alone"), {}, threads=1)
     said = capsys.readouterr().out
-    assert f"{name}: 3 of 3 seeds finished" in said
+    assert f"{name}, 3 of 3 seeds finished" in said
     rates = [run.numbers["capture_rate"] for run in results]
-    assert re.search(rf"mean +{np.mean(rates):.3f} \(", said)
+    assert re.search(rf"mean +{np.mean(rates):.4f} \(", said)
     summary = load_json(Path("alone/summary.json"))
     assert summary["groups"][name]["measures"]["capture_rate"]["value"] == np.mean(rates)
     said = matrixworld_command("score", "alone", "--episodes", 2, "--threads", 1).stdout
@@ -214,30 +215,24 @@ def test_seeds_of_one_team_have_their_own_table(capsys):
     assert "evaders of generation" not in said
 
 
-def test_diagnose_judges_each_group_with_its_strip(job):
-    result = matrixworld_command("diagnose", job, "--json", "found.json")
-    heads = [line for line in result.stdout.splitlines() if " generations" in line]
+def test_judge_takes_each_group_with_its_strip(job):
+    result = matrixworld_command("judge", job, "--all", "--json", "found.json")
+    heads = [line for line in result.stdout.splitlines() if ": 3 runs, " in line]
     assert [head.split(":")[0] for head in heads] == [str(job / name) for name in SCHEDULES]
     assert result.stdout.count("together (seeds: +, -, ?)") == 2
     assert result.stdout.count("Not finished: seeds 3.") == 2
-    found = load_json(Path("found.json"))["judgements"]
-    for name in SCHEDULES:
-        expected = analysis.judge(payoffs(job, name), per_episode=True)
-        assert found[str(job / name)] == expected.to_json()
-    alone = matrixworld_command("diagnose", job / SCHEDULES[1], "--json", "one.json")
-    assert load_json(Path("one.json")) == found[str(job / SCHEDULES[1])]
-    assert judged_in(alone.stdout) == judged_in(result.stdout.split(str(job / SCHEDULES[1]))[1])
-    one = matrixworld_command("diagnose", job / SCHEDULES[1] / "seed-0").stdout
-    assert "together" not in one
-
-
-def test_analyze_takes_each_group(job):
-    result = matrixworld_command("analyze", job, "--json", "found.json")
     assert result.stdout.count("Mean (95% interval over runs; few runs make it wide):") == 2
-    found = load_json(Path("found.json"))["analyses"]
-    expected = analysis.read_payoffs(payoffs(job, SCHEDULES[0]), per_episode=True)
-    judgement = {"judgement": analysis.judge(expected).to_json()}
-    assert found[str(job / SCHEDULES[0])] == judgement | analysis.all_results(expected)
+    found = load_json(Path("found.json"))["groups"]
+    for name in SCHEDULES:
+        expected = analysis.read_payoffs(payoffs(job, name), per_episode=True)
+        judgement = {"judgement": analysis.judge(expected).to_json()}
+        assert found[str(job / name)] == judgement | analysis.all_results(expected)
+    alone = matrixworld_command("judge", job / SCHEDULES[1], "--json", "one.json")
+    [one] = load_json(Path("one.json"))["groups"].values()
+    assert one == found[str(job / SCHEDULES[1])]["judgement"]
+    assert judged_in(alone.stdout) == judged_in(result.stdout.split(str(job / SCHEDULES[1]))[1])
+    one = matrixworld_command("judge", job / SCHEDULES[1] / "seed-0").stdout
+    assert "together" not in one
 
 
 def test_score_gives_mean_and_interval_over_seeds(job):
@@ -247,7 +242,7 @@ def test_score_gives_mean_and_interval_over_seeds(job):
     assert (found["seeds"], found["missing"]) == ([0, 1, 2], [3])
     runs = open_runs(job / SCHEDULES[0])
     scores = [score(run, episodes=4, threads=1)["pursuer"] for run in runs]
-    [over] = found["pursuers"]["over_seeds"]
+    [over] = found["pursuers"]["estimates"]
     assert over["mean"]["value"] == pytest.approx(np.mean([each.means for each in scores]))
     against = [each.rates[0, 0].mean() for each in scores]
     assert over[scores[0].opponents[0]]["value"] == pytest.approx(np.mean(against))
@@ -257,17 +252,17 @@ def test_score_gives_mean_and_interval_over_seeds(job):
                                 "--force").stdout  # fmt: skip
     assert "pursuers by generation: mean capture rate" in every
     assert len(load_json(Path("found.json"))["groups"][str(job / SCHEDULES[0])]["evaders"]
-               ["over_seeds"]) == 13  # fmt: skip
+               ["estimates"]) == 13  # fmt: skip
 
 
-def test_plot_draws_the_groups_and_single_runs_with_each(job):
+def test_figures_of_the_groups_and_of_single_runs_with_each(job):
     for file in job.glob("*.png"):
         file.unlink()
-    said = matrixworld_command("plot", job).stdout.split()
+    said = matrixworld_command("explore", "--figures", job).stdout.split()
     assert [Path(file).name for file in said] == ["seeds.png", "verdicts.png", "held_out.png"]
     assert not list(job.glob("*/*/*.png"))
-    assert "seeds.png: exists" in matrixworld_command("plot", job, code=2).stderr
-    one = matrixworld_command("plot", job / SCHEDULES[0], "--each").stdout
+    assert "seeds.png: exists" in matrixworld_command("explore", "--figures", job, code=2).stderr
+    one = matrixworld_command("explore", "--figures", job / SCHEDULES[0], "--each").stdout
     assert (job / SCHEDULES[0] / "verdicts.png").read_bytes().startswith(PNG)
     assert (job / SCHEDULES[0] / "seed-2" / "payoff.png").read_bytes().startswith(PNG)
     assert one.count("payoff.png") == 3
@@ -275,11 +270,10 @@ def test_plot_draws_the_groups_and_single_runs_with_each(job):
 
 
 def test_figures_of_a_job_of_one_schedule_go_into_the_directory_of_the_job(job):
-    results, _ = told(job)
-    assert root_of(results) == job.absolute()
-    assert root_of(results[:3]) == (job / SCHEDULES[0]).absolute()
-    save_job(job, job_of([settings_of(SCHEDULES[0], seed) for seed in ASKED]))
-    assert root_of(results[:3]) == job.absolute()
+    paths = [run.path for run in told(job)[1]]
+    assert place_of(paths) == job
+    assert place_of(paths[:3]) == (job / SCHEDULES[0]).absolute()
+    assert place_of(paths[:1]) == paths[0]
 
 
 def test_unfinished_seeds_are_named_and_left_out(job):
@@ -287,19 +281,19 @@ def test_unfinished_seeds_are_named_and_left_out(job):
     race = start(settings_of(SCHEDULES[0], 1), job / SCHEDULES[0] / "seed-1", play=StopAt(2))
     with pytest.raises(KeyboardInterrupt):
         race.run()
-    said = matrixworld_command("diagnose", job / SCHEDULES[0]).stdout
+    said = matrixworld_command("judge", job / SCHEDULES[0]).stdout
     assert "2 runs, 13 pursuer" in said
     assert "Not finished: seeds 1, 3." in said
-    refused = matrixworld_command("diagnose", job / SCHEDULES[0] / "seed-1", code=2).stderr
+    refused = matrixworld_command("judge", job / SCHEDULES[0] / "seed-1", code=2).stderr
     assert "expected a finished run" in refused
 
 
 @pytest.mark.parametrize(
     "command",
     [
-        ("diagnose",),
+        ("judge",),
         ("score", "--episodes", 2),
-        ("plot", "--force"),
+        ("explore", "--figures", "--force"),
         ("exploit", "--champion", "evader", "--matches", 48, "--episodes", 2),
     ],
     ids=lambda command: command[0],
@@ -314,16 +308,20 @@ def test_a_schedule_of_which_no_seed_has_begun_is_named(job, command):
 
 def test_seeds_that_the_user_left_out_are_not_missing(job):
     chosen = [job / SCHEDULES[0] / f"seed-{seed}" for seed in (0, 2)]
-    [group] = groups_of(chosen, None)
+    [group] = groups_of(chosen)
     assert (group.name, group.missing) == (", ".join(map(str, chosen)), ())
 
 
 def test_a_strip_of_many_seeds_is_in_parts(capsys):
     rng = np.random.default_rng(0)
     scores = rng.random((70, 4, 4, 2))
-    payoffs = analysis.Payoffs(scores.mean(axis=3), scores, 2)
-    runs = tuple(SimpleNamespace(settings=SimpleNamespace(seed=seed)) for seed in range(70))
-    print_strip(Group((), payoffs, None, "many", runs))
+    runs = tuple(
+        SimpleNamespace(
+            settings=SimpleNamespace(seed=seed), payoff=SimpleNamespace(capture_rates=rates)
+        )
+        for seed, rates in enumerate(scores)
+    )
+    print_strip(Group((Path("many"),), runs))
     lines = capsys.readouterr().out.splitlines()
     assert max(map(len, lines)) <= 100
     heads = [line.split() for line in lines if line.startswith("seed")]

@@ -1,4 +1,4 @@
-"""``matrixworld diagnose`` and ``matrixworld analyze``: what they judge, print and refuse."""
+"""``matrixworld judge``: what it judges, prints and refuses."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def write_files() -> None:
 
 
 def test_a_run_is_judged_by_its_episodes(job):
-    result = matrixworld_command("diagnose", job / "1", "--json", "found.json")
+    result = matrixworld_command("judge", job / "1", "--json", "found.json")
     payoff = open_run(job / "1").payoff()
     expected = judge(payoff.capture_rates, per_episode=True)
     assert judged_in(result.stdout) == {
@@ -67,11 +67,11 @@ def test_a_run_is_judged_by_its_episodes(job):
     said = run_together(result.stdout)
     assert "because" not in said
     assert said.endswith("Terms are explained in docs/glossary.md. Written: found.json")
-    assert load_json(Path("found.json")) == expected.to_json()
+    assert load_json(Path("found.json"))["groups"] == {str(job / "1"): expected.to_json()}
 
 
 def test_reasons_and_numbers_come_after_explain(job):
-    said = run_together(matrixworld_command("diagnose", job / "1", "--explain").stdout)
+    said = run_together(matrixworld_command("judge", job / "1", "--explain").stdout)
     for name in CONDITIONS:
         assert re.search(rf"{name.capitalize()}: (present|absent|cannot tell), because ", said)
     assert run_together(describe(open_run(job / "1").payoff().capture_rate)) in said
@@ -79,9 +79,10 @@ def test_reasons_and_numbers_come_after_explain(job):
 
 def test_runs_that_differ_in_the_seed_only_are_judged_together(job):
     runs = [job / "1", job / "2"]
-    result = matrixworld_command("diagnose", *runs, "--json", "found.json", "--explain")
+    result = matrixworld_command("judge", *runs, "--json", "found.json", "--explain")
     scores = [open_run(run).payoff().capture_rates for run in runs]
-    assert load_json(Path("found.json")) == judge(np.array(scores), per_episode=True).to_json()
+    [found] = load_json(Path("found.json"))["groups"].values()
+    assert found == judge(np.array(scores), per_episode=True).to_json()
     said = run_together(result.stdout)
     assert "2 runs, 13 pursuer and 13 evader generations, 4 episodes of each pair" in said
     assert "The intervals are about this run." not in said
@@ -89,50 +90,47 @@ def test_runs_that_differ_in_the_seed_only_are_judged_together(job):
     assert "From generation" not in said
 
 
-def test_runs_of_other_settings_are_refused_and_named(job):
-    error = matrixworld_command("diagnose", job, "--json", "found.json", code=2).stderr
-    assert error.endswith(
-        "Error: expected runs that differ in their seed only, got 2 groups (--each judges each of "
-        "them):\n"
-        f"  sigma 0.1, schedule generalist-generalist: {job / '1'}, {job / '2'}\n"
-        f"  sigma 0.2, schedule specialist-specialist: {job / 'other'}\n"
-    )
-    assert not Path("found.json").exists()
-
-
-def test_each_judges_every_group(job):
+def test_runs_of_other_settings_and_files_are_groups_of_their_own(job):
     np.savez("file.npz", payoff=circular(31))
     sources = [job, "file.npz"]
-    result = matrixworld_command("diagnose", *sources, "--each", "--json", "found.json")
+    result = matrixworld_command("judge", *sources, "--json", "found.json")
     names = [f"{job / '1'}, {job / '2'}", f"{job / 'other'}", "file.npz"]
     heads = [line for line in result.stdout.splitlines() if " generations" in line]
     assert [head.split(": ")[0] for head in heads] == names
     assert result.stdout.count("condition ") == 3
-    found = load_json(Path("found.json"))["judgements"]
+    found = load_json(Path("found.json"))["groups"]
     assert list(found) == names
-    alone = matrixworld_command("diagnose", job / "other", "--json", "other.json")
-    assert found[names[1]] == load_json(Path("other.json"))
+    alone = matrixworld_command("judge", job / "other", "--json", "other.json")
+    assert found[names[1]] == load_json(Path("other.json"))["groups"][names[1]]
     table = alone.stdout.partition("condition ")[2].partition("\n\n")[0]
     assert table in result.stdout
 
 
+def test_each_judges_every_run_and_every_file(job):
+    for name in ("a.npz", "b.npz"):
+        np.savez(name, payoff=circular(31))
+    sources = [job / "1", job / "2", "a.npz", "b.npz"]
+    matrixworld_command("judge", *sources, "--each", "--json", "found.json")
+    assert list(load_json(Path("found.json"))["groups"]) == [str(source) for source in sources]
+
+
 def test_the_same_run_twice_is_refused(job):
     shutil.copytree(job / "1", "copy")
-    error = run_together(matrixworld_command("diagnose", job / "1", "copy", code=2).stderr)
+    error = run_together(matrixworld_command("judge", job / "1", "copy", code=2).stderr)
     assert f"expected runs with different seeds, got the same run twice: {job / '1'}, copy" in error
 
 
 def test_files_of_means_need_their_number_of_episodes():
     write_files()
-    unknown = matrixworld_command("diagnose", "circle.csv").stdout
+    unknown = matrixworld_command("judge", "circle.csv").stdout
     assert judged_in(unknown)["cycling"] == judged_in(unknown)["forgetting"] == "cannot tell"
     assert "Give the number with --episodes." in run_together(unknown)
-    known = matrixworld_command("diagnose", "circle.csv", "--episodes", 30).stdout
+    known = matrixworld_command("judge", "circle.csv", "--episodes", 30).stdout
     assert judged_in(known)["cycling"] == "present"
     # Forgetting takes the single episodes.
     assert judged_in(known)["forgetting"] == "cannot tell"
     assert "--episodes" not in known
-    race = matrixworld_command("diagnose", "race.npz", "--episodes", 30).stdout
+    race = matrixworld_command("judge", "race.npz", "--episodes", 30).stdout
     assert judged_in(race)["arms race"] == "present"
     assert judged_in(race)["cycling"] == "absent"
     assert "What to try:\n  more generations" in race
@@ -142,26 +140,27 @@ def test_several_files_are_one_group():
     write_files()
     shutil.copy("race.npz", "again.npz")
     files = ["race.npz", "again.npz"]
-    result = matrixworld_command("diagnose", *files, "--episodes", 30, "--json", "found.json")
+    result = matrixworld_command("judge", *files, "--episodes", 30, "--json", "found.json")
     assert result.stdout.startswith("\nrace.npz, again.npz: 2 runs, 31 pursuer")
     means = np.array([means_of("race")] * 2)
-    assert load_json(Path("found.json")) == judge(means, episodes=30).to_json()
+    [found] = load_json(Path("found.json"))["groups"].values()
+    assert found == judge(means, episodes=30).to_json()
 
 
-@pytest.mark.parametrize("command", ["diagnose", "analyze"])
+@pytest.mark.parametrize("command", [["judge"], ["judge", "--all"]], ids=["judge", "all"])
 def test_another_number_of_episodes_than_the_held_one_is_refused(command, job):
     np.savez("scores.npz", capture_rates=np.full((13, 13, 5), 0.5))
     for source, held in ((job / "1", 4), ("scores.npz", 5)):
-        error = matrixworld_command(command, source, "--episodes", 6, code=2).stderr
-        expected = f"--episodes: expected {held}, which the payoffs hold, or no number, got 6"
+        error = matrixworld_command(*command, source, "--episodes", 6, code=2).stderr
+        expected = f"expected the {held} episodes of each cell that the payoffs hold, got 6"
         assert expected in run_together(error)
-        matrixworld_command(command, source, "--episodes", held)
+        matrixworld_command(*command, source, "--episodes", held)
 
 
-@pytest.mark.parametrize("command", ["diagnose", "analyze"])
+@pytest.mark.parametrize("command", [["judge"], ["judge", "--all"]], ids=["judge", "all"])
 def test_what_cannot_be_judged_is_refused(command, job):
     def refused(*sources: object) -> str:
-        return run_together(matrixworld_command(command, *sources, code=2).stderr)
+        return run_together(matrixworld_command(*command, *sources, code=2).stderr)
 
     Path("empty").mkdir()
     assert "expected run directories, or .csv or .npz files, got 'empty'" in refused("empty")
@@ -170,67 +169,65 @@ def test_what_cannot_be_judged_is_refused(command, job):
     np.save("other.npy", circular(31))
     assert "other.npy" in refused("other.npy")
     np.savez("small.npz", payoff=circular(12))
-    said = refused(job / "1", "small.npz", "--json", "x.json")
-    assert f"settings of a run: {job / '1'} a file of unknown settings: small.npz" in said
     np.savez("large.npz", payoff=circular(14))
     assert "expected the shape of small.npz, (12, 12), got (14, 14)" in refused(
         "small.npz", "large.npz"
     )
     start(tiny_single(), "alone", threads=1).run()
-    assert "alone: expected a race, got a run in which one team evolved" in refused("alone")
+    said = refused("alone", "--json", "x.json")
+    assert "alone: expected a race, got a run in which one team evolved" in said
     assert not Path("x.json").exists()
 
 
-@pytest.mark.parametrize("command", ["diagnose", "analyze"])
+@pytest.mark.parametrize("command", [["judge"], ["judge", "--all"]], ids=["judge", "all"])
 def test_unfinished_and_damaged_runs_are_named(command, job):
     race = start(tiny_race(), "stopped", threads=1, play=StopAt(2))
     with pytest.raises(KeyboardInterrupt):
         race.run()
-    refused = matrixworld_command(command, "stopped", code=2).stderr
+    refused = matrixworld_command(*command, "stopped", code=2).stderr
     assert "expected a finished run; matrixworld evolve --resume stopped" in run_together(refused)
     shutil.copytree(job / "1", "copy")
     content = Path("copy/payoff.npz").read_bytes()
     Path("copy/payoff.npz").write_bytes(content[: len(content) // 2])
-    assert "payoff.npz" in matrixworld_command(command, "copy", code=1).stderr
+    assert "payoff.npz" in matrixworld_command(*command, "copy", code=1).stderr
 
 
-@pytest.mark.parametrize("command", ["diagnose", "analyze"])
+@pytest.mark.parametrize("command", [["judge"], ["judge", "--all"]], ids=["judge", "all"])
 def test_a_race_that_is_too_small_says_what_it_takes(command):
     np.savez("small.npz", capture_rates=np.random.default_rng(0).random((4, 4, 2)))
-    said = run_together(matrixworld_command(command, "small.npz").stdout)
-    assert set(judged_in(matrixworld_command(command, "small.npz").stdout).values()) == {
+    said = run_together(matrixworld_command(*command, "small.npz").stdout)
+    assert set(judged_in(matrixworld_command(*command, "small.npz").stdout).values()) == {
         "cannot tell"
     }
     assert "It takes at least 4 episodes of each cell" in said
     assert "It takes at least 6 generations of each team to judge a race, and 12 to " in said
 
 
-# analyze
+# --all
 
 
-def test_analyze_prints_the_judgement_and_then_all_measures():
+def test_all_measures_come_after_the_judgement():
     write_files()
-    result = matrixworld_command("analyze", "circle.csv", "--episodes", 30, "--json", "found.json")
+    options = ["--episodes", 30, "--all", "--json", "found.json"]
+    result = matrixworld_command("judge", "circle.csv", *options)
     assert judged_in(result.stdout)["cycling"] == "present"
     table, measures = result.stdout.split("\nA single run (95% interval")
     assert "condition" in table
     share = MEASURES["transitive_share"].of(means_of("circle")).value
     assert re.search(rf"\n  last half\n(.*\n)+    transitive share +{share:.3f}", measures)
     assert "because" not in result.stdout
-    found = load_json(Path("found.json"))
+    [found] = load_json(Path("found.json"))["groups"].values()
     assert found["judgement"] == judge(means_of("circle"), episodes=30).to_json()
     assert found["measures"]["transitive_share"]["value"] == pytest.approx(share)
 
 
-def test_analyze_takes_runs_of_the_same_settings(job):
-    result = matrixworld_command("analyze", job / "1", job / "2").stdout
+def test_all_measures_of_runs_of_the_same_settings(job):
+    result = matrixworld_command("judge", "--all", job / "1", job / "2").stdout
     assert "2 runs, 13 pursuer and 13 evader generations, 4 episodes of each pair" in result
     assert "interval over runs" in result
-    error = matrixworld_command("analyze", job, code=2).stderr
-    assert "expected runs that differ in their seed only, got 2 groups:\n" in error
 
 
-def test_analyze_needs_two_generations_of_each_team():
+def test_all_measures_need_two_generations_of_each_team():
     np.savez("one.npz", payoff=np.full((1, 3), 0.5))
-    error = matrixworld_command("analyze", "one.npz", code=2).stderr
-    assert "expected at least 2 x 2 generations, got 1 x 3" in error
+    error = matrixworld_command("judge", "--all", "one.npz", code=2).stderr
+    assert "--all: expected at least 2 x 2 generations, got 1 x 3" in error

@@ -1,8 +1,7 @@
-"""``matrixworld class``: a tournament of policies that students have handed in."""
+"""``matrixworld class``: a tournament of policies that students hand in, and a file for it."""
 
 from __future__ import annotations
 
-import webbrowser
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
@@ -13,20 +12,24 @@ from matrixworld._util.checks import INT_MAX
 from matrixworld.classroom.page import class_json, class_page
 from matrixworld.classroom.sandbox import Limits
 from matrixworld.classroom.standings import Standing, standings
+from matrixworld.classroom.submissions import save_genome
 from matrixworld.classroom.tournament import ClassResult, play_class
-from matrixworld.cli.arguments import failures
+from matrixworld.cli.arguments import failures, run_of
 from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, progress
+from matrixworld.cli.explore import open_option, open_page
 from matrixworld.cli.options import (
     SectionedCommand,
     force_option,
     json_option,
     option_name,
+    out_option,
     refuse_existing,
     seed_option,
     threads_option,
     write_json,
 )
 from matrixworld.cli.setting_options import SettingOption, in_options, world_options
+from matrixworld.coevolution import open_run
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.explorer.page import write_page
 from matrixworld.world.config import WorldConfig
@@ -59,7 +62,25 @@ def _limit(name: str, **attributes: Any) -> Decorator[Any]:
     )
 
 
-@click.command("class", cls=SectionedCommand)
+class ClassCommands(click.Group):
+    """``class DIR`` plays a tournament; what else there is has a name."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Take words that do not begin with the name of a command for those of ``play``."""
+        if args and args[0] not in {*self.commands, *ctx.help_option_names}:
+            args = ["play", *args]
+        return super().parse_args(ctx, args)
+
+
+@click.group("class", cls=ClassCommands, short_help="Play a tournament of students' policies.")
+def class_command() -> None:
+    """Play a tournament of policies that students have handed in, or write one to hand in.
+
+    `matrixworld class DIR` is `matrixworld class play DIR`.
+    """
+
+
+@class_command.command("play", cls=SectionedCommand)
 @click.argument(
     "directory", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path)
 )
@@ -72,14 +93,8 @@ def _limit(name: str, **attributes: Any) -> Decorator[Any]:
     help="episodes of each pair; all pairs play the same starts",
 )
 @seed_option
-@click.option(
-    "--output",
-    "-o",
-    type=click.Path(path_type=Path, dir_okay=False),
-    metavar="FILE",
-    help="the page  [default: DIR.html, beside DIR]",
-)
-@click.option("--open/--no-open", "opens", default=True, help="open the page in a browser")
+@out_option("the page  [default: DIR.html, beside DIR]")
+@open_option
 @json_option
 @force_option
 @threads_option
@@ -100,11 +115,11 @@ def _limit(name: str, **attributes: Any) -> Decorator[Any]:
     section="Limits of programs",
     help="run programs with the rights of your own: only if you have read all of them",
 )
-def class_command(
+def play_command(
     directory: Path,
     episodes: int,
     seed: int,
-    output: Path | None,
+    out: Path | None,
     opens: bool,
     json_file: Path | None,
     force: bool,
@@ -115,13 +130,13 @@ def class_command(
     """Play a class tournament: every pursuer that was handed in against every evader.
 
     DIR holds NAME.py, a program with a function pursue(view, rng) or evade(view, rng) or both, or
-    NAME.npz, a genome that matrixworld export writes. Files may also lie in a directory for each
-    student, DIR/NAME/. Programs run in processes of their own, without files, network or other
+    NAME.npz, a genome that matrixworld class export writes. Files may also lie in a directory for
+    each student, DIR/NAME/. Programs run in processes of their own, without files, network or other
     processes, with limits of time and memory. What breaks a rule is left out, and the page says
     why; docs/class.md tells the rules.
     """
     with failures():
-        page = output or directory.absolute().with_name(f"{directory.absolute().name}.html")
+        page = out or directory.absolute().with_name(f"{directory.absolute().name}.html")
         refuse_existing(page, json_file, force=force)
         config, limits = _checked(options)
         if trust:
@@ -144,8 +159,8 @@ def class_command(
         _print(result, tables)
         click.echo(f"\nWritten: {page}")
         write_json(json_file, class_json(result, tables))
-        if opens and not webbrowser.open(page.absolute().as_uri()):
-            note("No browser was found here; open the file in one.")
+        if opens:
+            open_page(page)
 
 
 def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
@@ -187,3 +202,40 @@ def _print(result: ClassResult, tables: dict[Team, list[Standing]]) -> None:
 
 def _opponents(result: ClassResult, team: Team) -> int:
     return len(result.entries[other(team)])
+
+
+SUFFIX = ".npz"
+
+
+@class_command.command("export")
+@click.argument("run", callback=run_of)
+@click.option(
+    "--team", type=click.Choice(TEAMS), required=True, metavar="TEAM", help="pursuer or evader"
+)
+@click.option(
+    "--generation",
+    type=int,
+    default=-1,
+    metavar="INTEGER",
+    help="the generation; negative numbers count from the end  [default: the last one]",
+)
+@out_option("the file; its name ends in .npz", required=True)
+@force_option
+def export_command(run: Path, team: Team, generation: int, out: Path, force: bool) -> None:
+    """Write a genome of RUN with its network to a file.
+
+    RUN is the directory of a run, or of a job of one. The file holds numbers only, and can be
+    handed in for a tournament.
+    """
+    if out.suffix.lower() != SUFFIX:
+        raise click.UsageError(f"--out: expected a name that ends in {SUFFIX}, got {out}")
+    refuse_existing(out, force=force)
+    with failures():
+        try:
+            policy = open_run(run).policy(team, generation)
+        except IndexError as error:
+            raise click.UsageError(f"--generation: {str(error).partition(': ')[2]}") from error
+        except ValueError as error:
+            raise click.UsageError(f"--{error}") from error
+        save_genome(out, team, policy)
+        click.echo(out)

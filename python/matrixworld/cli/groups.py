@@ -1,0 +1,362 @@
+"""Runs and payoff files in groups: what differs in its seed only is judged and shown together.
+
+A single run is a group of one. A group is judged once; tables, figures and pages read that.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Collection, Iterable, Sequence
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+
+from matrixworld.analysis import (
+    Judgement,
+    NoiseReference,
+    Payoffs,
+    judge,
+    noise_reference,
+    read_payoffs,
+)
+from matrixworld.analysis.cycles import MARGIN
+from matrixworld.cli.arguments import SEED, all_of, find_runs, resume_command
+from matrixworld.cli.console import note
+from matrixworld.cli.held_out import Scores, kept_scores
+from matrixworld.coevolution import Payoff, RaceSettings, RunDirectory, SingleSettings
+from matrixworld.coevolution.jobs.job import JOB, open_job
+
+FILES = (".csv", ".npz")
+
+Settings = RaceSettings | SingleSettings
+
+
+@dataclass(frozen=True)
+class Result:
+    """A run of a job. What its files hold is read once.
+
+    Parameters
+    ----------
+    files : RunDirectory
+        The run's directory.
+    settings : RaceSettings or SingleSettings
+        The run's settings.
+    finished : bool, optional
+        Whether it is finished; else it may not even have begun.
+    """
+
+    files: RunDirectory
+    settings: Settings
+    finished: bool = True
+
+    @property
+    def path(self) -> Path:
+        """The run's directory."""
+        return self.files.path
+
+    @property
+    def is_race(self) -> bool:
+        """Whether both teams evolved."""
+        return not isinstance(self.settings, SingleSettings)
+
+    @cached_property
+    def payoff(self) -> Payoff:
+        """The content of payoff.npz."""
+        return Payoff.from_arrays(self.files.payoff())
+
+    @cached_property
+    def numbers(self) -> dict[str, Any]:
+        """The content of summary.json."""
+        return self.files.summary()
+
+    @cached_property
+    def held_out(self) -> Scores:
+        """Scores of the last generations against held-out opponents; `play_held_out` plays them."""
+        return kept_scores(self.files) or {}
+
+
+def open_result(path: Path) -> Result:
+    """Return the run of a directory, finished or not."""
+    files = RunDirectory.open(path)
+    return Result(files, files.settings(), files.finished)
+
+
+@dataclass(frozen=True)
+class Group:
+    """Finished runs that differ in their seed only, one or many, or payoff files.
+
+    Parameters
+    ----------
+    paths : tuple of Path
+        The directory of all seeds, or those of the runs, or the files.
+    runs : tuple of Result
+        The runs; none for files.
+    missing : tuple of int, optional
+        Seeds of the same job that are not finished.
+    episodes : int, optional
+        Episodes behind each cell of payoffs that do not hold them.
+    """
+
+    paths: tuple[Path, ...]
+    runs: tuple[Result, ...] = ()
+    missing: tuple[int, ...] = ()
+    episodes: int | None = None
+
+    @property
+    def name(self) -> str:
+        """What the group is called: its paths."""
+        return ", ".join(map(str, self.paths))
+
+    def inside(self, root: Path) -> Group:
+        """Return the same group with its paths inside the directory of its job."""
+        return replace(self, paths=tuple(_inside(path, root) for path in self.paths))
+
+    @property
+    def seeds(self) -> tuple[int, ...]:
+        """Seeds of the runs, in their order."""
+        return tuple(run.settings.seed for run in self.runs)
+
+    @property
+    def several(self) -> bool:
+        """Whether several seeds were asked for."""
+        return len(self.runs) + len(self.missing) > 1
+
+    @property
+    def is_race(self) -> bool:
+        """Whether both teams evolved."""
+        return all(run.is_race for run in self.runs)
+
+    @property
+    def settings(self) -> Settings | None:
+        """Settings of the runs, with the seed of the first; None for files."""
+        return self.runs[0].settings if self.runs else None
+
+    @cached_property
+    def payoffs(self) -> Payoffs:
+        """Payoffs of all runs, or of the files."""
+        if not self.runs:
+            # One file may hold several runs, which a list of files may not.
+            source = self.paths[0] if len(self.paths) == 1 else list(self.paths)
+            return read_payoffs(source, episodes=self.episodes)
+        rates = np.stack([run.payoff.capture_rates for run in self.runs])
+        return read_payoffs(rates, per_episode=True, episodes=self.episodes)
+
+    @cached_property
+    def judgement(self) -> Judgement:
+        """The judgement of all of them together."""
+        return judge(self.payoffs)
+
+    @cached_property
+    def noise(self) -> NoiseReference | None:
+        """What an order of strength with the same episode noise has, late in a run."""
+        rates = None if len(self.runs) > 1 else self.payoffs.scores
+        # A single episode of each cell does not show its noise.
+        if rates is None or rates.shape[3] < 2:
+            return None
+        return noise_reference(rates[0][self.payoffs.late.cells], margin=MARGIN)
+
+    @cached_property
+    def singles(self) -> tuple[Group, ...]:
+        """Each run, or each file, as a group of its own."""
+        if self.runs:
+            alone = [Group((run.path,), (run,), episodes=self.episodes) for run in self.runs]
+            return tuple(alone) if self.several else (self,)
+        return tuple(Group((file,), episodes=self.episodes) for file in self.paths)
+
+    def finished_of_asked(self) -> str:
+        """Return how many seeds are finished, such as ``"9 of 10"``."""
+        return f"{len(self.runs)} of {len(self.runs) + len(self.missing)}"
+
+
+# Arguments of commands:
+
+
+def _is_payoff_file(path: Path) -> bool:
+    return path.suffix.lower() in FILES and path.is_file()
+
+
+def _sources(path: Path) -> list[Path]:
+    """Return a payoff file as it is, else the runs that a directory is or holds."""
+    return [path] if _is_payoff_file(path) else find_runs(path)
+
+
+def races_argument(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Add the argument of races: directories of jobs or runs, or payoff files."""
+    expected = f"run directories, or {' or '.join(FILES)} files"
+    return click.argument(
+        "races", nargs=-1, required=True, metavar="RUN|FILE...", callback=all_of(_sources, expected)
+    )(function)
+
+
+def runs_argument(*, required: bool = True) -> Callable[[Any], Any]:
+    """Return the argument of directories of jobs or runs."""
+    return click.argument(
+        "runs",
+        nargs=-1,
+        required=required,
+        metavar="RUN..." if required else "[RUN...]",
+        callback=all_of(find_runs, "directories that hold runs"),
+    )
+
+
+# Groups:
+
+
+def groups_of(
+    paths: Sequence[Path], *, episodes: int | None = None, unfinished: bool = False
+) -> list[Group]:
+    """Return the groups of runs, and one of all payoff files.
+
+    Of several runs those that are not finished are left out, and named.
+
+    Parameters
+    ----------
+    paths : sequence of Path
+        Run directories and payoff files.
+    episodes : int, optional
+        Episodes behind each cell of payoffs that do not hold them.
+    unfinished : bool, optional
+        Whether a single run need not be finished.
+
+    Raises
+    ------
+    click.UsageError
+        If no run is finished, or the same run is given twice.
+    """
+    files = tuple(path for path in paths if _is_payoff_file(path))
+    runs = [open_result(path) for path in paths if path not in files]
+    if unfinished and len(runs) == 1:
+        runs = [Result(runs[0].files, runs[0].settings)]
+    if runs and not any(run.finished for run in runs):
+        raise click.UsageError(
+            f"{runs[0].path}: expected a finished run; {_resume(runs[0].path)} continues it"
+        )
+    groups = grouped([*runs, *_not_begun([run.path for run in runs])], episodes)
+    for group in groups:
+        if not group.runs:
+            note(f"{group.name}: no seed is finished yet, and it is left out")
+    found = [group for group in groups if group.runs]
+    if files:
+        found.append(Group(files, episodes=episodes))
+    return found
+
+
+def _resume(path: Path) -> str:
+    return resume_command(job_above(path) or path)
+
+
+def grouped(runs: Iterable[Result], episodes: int | None = None) -> list[Group]:
+    """Return runs, finished or not, in groups that differ in their seed only."""
+    found: list[tuple[dict[str, Any], list[Result]]] = []
+    for run in runs:
+        values = _resolved(run.settings)
+        for others, members in found:
+            if others == values:
+                members.append(run)
+                break
+        else:
+            found.append((values, [run]))
+    return [_group(members, episodes) for _, members in found]
+
+
+def _group(members: Sequence[Result], episodes: int | None) -> Group:
+    finished = tuple(run for run in members if run.finished)
+    _check_seeds(finished)
+    missing = {run.settings.seed for run in members} - {run.settings.seed for run in finished}
+    return Group(_paths(members), finished, tuple(sorted(missing)), episodes)
+
+
+def _check_seeds(runs: Sequence[Result]) -> None:
+    seeds: dict[int, Path] = {}
+    for run in runs:
+        # Equal settings and seeds give equal runs, which are no independent observations.
+        first = seeds.setdefault(run.settings.seed, run.path)
+        if first != run.path:
+            raise click.UsageError(
+                f"expected runs with different seeds, got the same run twice: {first}, {run.path}"
+            )
+
+
+def _paths(members: Sequence[Result]) -> tuple[Path, ...]:
+    """Return the directory of seeds if all of them are there, else the paths."""
+    folder, paths = members[0].path.parent, {run.path.absolute() for run in members}
+    of_seeds = all(re.fullmatch(SEED, path.name) for path in paths)
+    if of_seeds and {*find_runs(folder.absolute())} <= paths:
+        return (folder,)
+    return tuple(run.path for run in members)
+
+
+def _resolved(settings: Any) -> dict[str, Any]:
+    """Return the fields, but the seed, with the values that a default stands for."""
+    world = settings.world(settings.train_steps)
+    given = {item.name: getattr(settings, item.name) for item in fields(settings)}
+    del given["seed"]
+    return {
+        **given,
+        "kind": type(settings),
+        "variant": settings.rules,
+        "rows": world.rows,
+        "cols": world.cols,
+        "pursuers": world.n_pursuers,
+        "evaders": world.n_evaders,
+        "learner": settings.learner_name,
+        "overlap_penalty": settings.resolved_overlap_penalty,
+    }
+
+
+# Directories of jobs:
+
+
+def _inside(path: Path, root: Path) -> Path:
+    path, folder = path.absolute(), root.absolute()
+    if path == folder:
+        return Path(path.name)
+    return path.relative_to(folder) if path.is_relative_to(folder) else path
+
+
+def job_above(path: Path) -> Path | None:
+    """Return the directory of the job that a run or its group belongs to; None without a job."""
+    for folder in (path.absolute(), *path.absolute().parents[:2]):
+        if (folder / JOB).exists():
+            return folder if path.is_absolute() else Path(os.path.relpath(folder))
+    return None
+
+
+def _not_begun(paths: Collection[Path]) -> list[Result]:
+    """Return the runs that have not begun, of jobs and groups all of whose runs are given.
+
+    Of others the user has left some out.
+    """
+    given = {path.absolute() for path in paths}
+    found: dict[Path, Result] = {}
+    for root in {root for path in paths if (root := job_above(path)) is not None}:
+        job = open_job(root)
+        for name, settings in {} if job is None else job.runs.items():
+            path = root / name
+            folders = (path.parent.absolute(), root.absolute())
+            if path.absolute() not in given and any(_all_in(folder, given) for folder in folders):
+                found[path] = Result(RunDirectory(path), settings, finished=False)
+    return list(found.values())
+
+
+def _all_in(folder: Path, given: Collection[Path]) -> bool:
+    runs = find_runs(folder)
+    return bool(runs) and {*runs} <= {*given}
+
+
+def place_of(paths: Sequence[Path]) -> Path:
+    """Return where files about runs go: the directory of their job, if all of it is given.
+
+    Else it is the directory that holds all of them, or the single run.
+    """
+    root = job_above(paths[0])
+    if root is not None and _all_in(root.absolute(), {path.absolute() for path in paths}):
+        return root
+    if len(paths) == 1:
+        return paths[0]
+    return Path(os.path.commonpath([path.absolute() for path in paths]))

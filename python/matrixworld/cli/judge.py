@@ -1,0 +1,114 @@
+"""``matrixworld judge``: what happened in races, and what to try."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from matrixworld.analysis import all_results, describe, explain, measure_table
+from matrixworld.cli.advice import advice
+from matrixworld.cli.arguments import failures
+from matrixworld.cli.console import TERMS, print_wrapped
+from matrixworld.cli.groups import Group, groups_of, races_argument
+from matrixworld.cli.options import (
+    force_option,
+    json_option,
+    known_episodes_option,
+    refuse_existing,
+    write_json,
+)
+from matrixworld.cli.tables import print_judged
+from matrixworld.coevolution import DamagedFileError, RaceSettings
+
+SINGLE_RUN = "The intervals are about this run. Runs with other seeds may differ."
+
+
+@click.command("judge")
+@races_argument
+@click.option("--all", "everything", is_flag=True, help="all measures, after the judgement")
+@click.option("--each", is_flag=True, help="judge each run and each file by itself")
+@click.option("--explain", "explained", is_flag=True, help="reasons and numbers in sentences, too")
+@known_episodes_option
+@json_option
+@force_option
+def judge_command(
+    races: list[Path],
+    everything: bool,
+    each: bool,
+    explained: bool,
+    episodes: int | None,
+    json_file: Path | None,
+    force: bool,
+) -> None:
+    """Say what happened in races, and what to try.
+
+    Arms race, one-sided progress, cycling, disengagement, forgetting, stagnation: each is present
+    or absent, or the intervals cannot tell. RUN is the directory of a job or of a run. Runs that
+    differ in their seed only are judged together, with the verdict on each seed.
+
+    FILE is a payoff matrix of your own, .csv or .npz: pursuers in rows, evaders in columns, capture
+    rates from 0 to 1; or one line for each pair, run and episode. Several files are judged
+    together, as runs of one race.
+    """
+    refuse_existing(json_file, force=force)
+    with failures():
+        groups = groups_of(races, episodes=episodes)
+        if each:
+            groups = [single for group in groups for single in group.singles]
+        for group in groups:
+            _check(group, everything)
+        for group in groups:
+            _print(group, everything, explained)
+        click.echo(f"\n{TERMS}")
+        write_json(json_file, {"groups": {g.name: _plain(g, everything) for g in groups}})
+
+
+def _check(group: Group, everything: bool) -> None:
+    """Refuse what cannot be judged, before anything is printed."""
+    # The payoff of one team alone is a single cell.
+    for run in group.runs:
+        if not run.is_race:
+            raise click.UsageError(
+                f"{run.path}: expected a race, got a run in which one team evolved"
+            )
+    try:
+        shape = group.payoffs.matrices.shape[1:]
+    except DamagedFileError:
+        # A ValueError, too, but the fault of a file and not of an argument.
+        raise
+    except (TypeError, ValueError) as error:
+        raise click.UsageError(str(error)) from error
+    if everything and min(shape) < 2:
+        raise click.UsageError(
+            f"--all: expected at least 2 x 2 generations, got {shape[0]} x {shape[1]}"
+        )
+
+
+def _print(group: Group, everything: bool, explained: bool) -> None:
+    judgement = group.judgement
+    print_judged(group)
+    if judgement.runs == 1:
+        print_wrapped(SINGLE_RUN)
+    if explained:
+        click.echo()
+        print_wrapped(explain(judgement))
+        matrices = group.payoffs.matrices
+        # The numbers of several runs differ.
+        if len(matrices) == 1 and min(matrices.shape[1:]) > 1:
+            print_wrapped(describe(matrices[0]))
+    if everything:
+        click.echo(f"\n{measure_table(group.payoffs)}")
+    # Races only: `_check` has refused others.
+    settings = group.settings if isinstance(group.settings, RaceSettings) else None
+    lines = advice(judgement, settings)
+    if lines:
+        click.echo("\nWhat to try:")
+        for line in lines:
+            print_wrapped(line)
+
+
+def _plain(group: Group, everything: bool) -> dict[str, Any]:
+    judgement = group.judgement.to_json()
+    return {"judgement": judgement, **all_results(group.payoffs)} if everything else judgement
