@@ -38,7 +38,6 @@ FILES = {
 }  # fmt: skip
 """Files of a finished run, and of a run that was stopped in its third stage."""
 OF_EITHER = [(run, name) for run, names in FILES.items() for name in names]
-LOCKS = [("straight", ".lock"), ("stopped", ".lock")]
 PREVIOUS = ("checkpoint-0003.npz", "checkpoint-0001.npz")
 """The state before the newest one: it is needed only if the newest one is damaged."""
 
@@ -111,73 +110,59 @@ def check_reported_or_repaired(directory, name, straight):
     return code
 
 
-def cuts(content):
-    return [content[: len(content) * part // 4] for part in range(4)] + [content.rstrip()[:-1]]
+def altered(whole, part):
+    place = (len(whole) - 1) * part // 4
+    return whole[:place] + bytes([whole[place] ^ 0x15]) + whole[place + 1 :]
 
 
-def alterations(content):
-    for part in range(5):
-        place = (len(content) - 1) * part // 4
-        yield content[:place] + bytes([content[place] ^ 0x15]) + content[place + 1 :]
-
-
-def replacements(content):
-    return [b"{}", b"null", b"PK\x05\x06" + bytes(18), content + content, content + b"\0"]
+DAMAGE = {
+    "empty": lambda whole: b"",
+    "half": lambda whole: whole[: len(whole) // 2],
+    "last byte cut": lambda whole: whole.rstrip()[:-1],
+    "one byte more": lambda whole: whole + b"\0",
+    "twice": lambda whole: whole + whole,
+    "first byte altered": lambda whole: altered(whole, 0),
+    "middle altered": lambda whole: altered(whole, 2),
+    "another JSON object": lambda whole: b"{}",
+    "archive without arrays": lambda whole: b"PK\x05\x06" + bytes(18),
+}
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")  # of damage, which are part of the output
-@pytest.mark.parametrize("damage", [cuts, alterations, replacements])
+@pytest.mark.parametrize("damage", [*DAMAGE, "deleted", "of another run", "of another name"])
 @pytest.mark.parametrize(("copy", "name"), OF_EITHER, indirect=["copy"])
-def test_damaged_file(copy, straight, name, damage):
-    kept = {path: path.read_bytes() for path in copy.iterdir()}
-    for content in damage(kept[copy / name]):
-        (copy / name).write_bytes(content)
+def test_damage_is_repaired_or_reported(copy, straight, foreign, name, damage):
+    others = [path for path in copy.glob(f"{name[:5]}*.npz") if path.name != name]
+    # Intact files of the right form: of the other run there are only the newest checkpoints.
+    intact = {
+        "of another run": foreign / name.replace("-0001", "-0003").replace("-0002", "-0004"),
+        "of another name": others[0] if others else copy / "stage-0001.npz",
+    }
+    if damage == "deleted":
+        (copy / name).unlink()
+    elif damage in intact:
+        shutil.copy(intact[damage], copy / name)
+    else:
+        (copy / name).write_bytes(DAMAGE[damage]((copy / name).read_bytes()))
+    if name != "config.json":
         code = check_reported_or_repaired(copy, name, straight)
-        if name in PREVIOUS:
-            assert code == 0
-        for path in copy.iterdir():
-            path.unlink()
-        for path, whole in kept.items():
-            path.write_bytes(whole)
-
-
-@pytest.mark.parametrize(("copy", "name"), [*OF_EITHER, *LOCKS], indirect=["copy"])
-def test_deleted_file(copy, straight, name):
-    (copy / name).unlink()
-    if name == "config.json":
+        # A stage can be played again if the one before it has its checkpoint.
+        if name.startswith("stage"):
+            assert code == (name in ("stage-0000.npz", "stage-0001.npz", "stage-0003.npz"))
+    elif damage == "deleted":
         matrixworld_command("evolve", "--resume", copy, code=2)
         again = matrixworld_command("evolve", copy, "--schedule", MAIN_JOB[0], code=2)
         assert "expected a new or empty directory" in again.stderr
     else:
-        code = check_reported_or_repaired(copy, name, straight)
-        # A stage can be played again if the one before it has its checkpoint.
-        assert code == (name in ("stage-0000.npz", "stage-0001.npz", "stage-0003.npz"))
+        # The other files do not belong to the settings of another run.
+        blamed = "stage-0000.npz" if damage == "of another run" else name
+        check_reported_or_repaired(copy, blamed, straight)
 
 
-@pytest.mark.filterwarnings("ignore::UserWarning")
-@pytest.mark.parametrize(("copy", "name"), OF_EITHER, indirect=["copy"])
-def test_file_of_another_run(copy, straight, foreign, name):
-    """The file is intact and of the right form, but of another run."""
-    if (foreign / name).exists():
-        shutil.copy(foreign / name, copy / name)
-    refused = "stage-0000.npz" if name == "config.json" else name
-    check_reported_or_repaired(copy, refused, straight)
-
-
-@pytest.mark.filterwarnings("ignore::UserWarning")
-@pytest.mark.parametrize(
-    ("source", "name"),
-    [
-        ("stage-0001.npz", "stage-0002.npz"),
-        ("stage-0002.npz", "stage-0001.npz"),
-        ("stage-0002.npz", "checkpoint-0002.npz"),
-        ("stage-0001.npz", "payoff.npz"),
-        ("config.json", "summary.json"),
-    ],
-)
-def test_file_under_another_name(copy, straight, source, name):
-    shutil.copy(copy / source, copy / name)
-    check_reported_or_repaired(copy, name, straight)
+@pytest.mark.parametrize("copy", FILES, indirect=True)
+def test_without_a_lock_file_nothing_is_lost(copy, straight):
+    (copy / ".lock").unlink()
+    assert check_reported_or_repaired(copy, ".lock", straight) == 0
 
 
 def test_readers_refuse_damaged_files(straight, foreign, tmp_path):
