@@ -109,30 +109,9 @@ def test_predictions_are_made_before_their_experiments(path: Path) -> None:
         assert last - first >= 2
 
 
-@each_notebook
-def test_links_of_notebooks_lead_somewhere(path: Path) -> None:
-    text = "\n".join(source(cell) for cell in cells(path, "markdown"))
-    links = [link for link in re.findall(r"\]\(([^)\s]+)\)", text) if "://" not in link]
-    assert "../docs/glossary.md" in {link.partition("#")[0] for link in links}
-    for link in links:
-        file, _, anchor = link.partition("#")
-        target = (TUTORIALS / file).resolve() if file else path
-        assert target.exists(), link
-        if anchor and target.suffix == ".md":
-            assert anchor in anchors(target), link
-
-
 def test_the_page_of_the_course_has_a_row_for_each_notebook() -> None:
     text = (TUTORIALS / "README.md").read_text("utf-8")
     assert [text.count(f"({path.name})") for path in NOTEBOOKS] == [1] * len(NOTEBOOKS)
-
-
-def anchors(path: Path) -> set[str]:
-    """Return the anchors of a page: headings as GitHub names them, and explicit ones."""
-    text = path.read_text("utf-8")
-    headings = re.findall(r"^#+ (.+)$", text, re.MULTILINE)
-    names = (re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings)
-    return {*names, *re.findall(r'<a (?:id|name)="([^"]+)"', text)}
 
 
 @each_solution

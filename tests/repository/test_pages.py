@@ -71,6 +71,7 @@ ELSEWHERE = {
     "docs/playground.md": "tests/explorer/test_links.py",
 }
 CLIENTS = sorted((DOCS / "clients").glob("*.md"))
+NOTEBOOKS = sorted((ROOT / "tutorials").glob("[0-9]*.ipynb"))
 
 
 class Example(NamedTuple):
@@ -159,7 +160,7 @@ WITH_COMMANDS = [
     # The recipes of how_to_add.md add names of their own, and another test follows them.
     *sorted({*DOCS.glob("*.md")} - {DOCS / "how_to_add.md"}),
     *sorted((ROOT / "evolution").glob("*.md")),
-    *sorted((ROOT / "tutorials").glob("*.ipynb")),
+    *NOTEBOOKS,
 ]
 COMMAND = re.compile(r"matrixworld (?P<name>[a-z]+)(?P<rest>(?: [^\s`|\"\\]+)*)")
 
@@ -196,23 +197,33 @@ def test_options_are_found() -> None:
 # Links
 
 ANCHOR = re.compile(r'<a id="([^"]+)"></a>')
-ALL_PAGES = sorted({*DOCS.rglob("*.md"), *ROOT.glob("*.md"), *ROOT.glob("*/README.md")})
+ALL_PAGES = sorted({*DOCS.rglob("*.md"), *ROOT.glob("*.md"), *ROOT.glob("*/README.md"), *NOTEBOOKS})
+
+
+def prose(page: Path) -> str:
+    """Return the text of a page or of a notebook, without code."""
+    text = page.read_text(encoding="utf-8")
+    if page.suffix == ".ipynb":
+        cells = [cell for cell in json.loads(text)["cells"] if cell["cell_type"] == "markdown"]
+        text = "\n".join("".join(cell["source"]) for cell in cells)
+    return re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)
 
 
 def anchors(page: Path) -> set[str]:
     """Return the anchors of a page: headings as GitHub names them, and explicit ones."""
-    text = page.read_text(encoding="utf-8")
-    headings = re.findall(r"^#+ (.+)$", text, re.M)
+    headings = re.findall(r"^#+ (.+)$", prose(page), re.M)
     names = (re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings)
-    return {*names, *ANCHOR.findall(text)}
+    return {*names, *ANCHOR.findall(prose(page))}
 
 
 @pytest.mark.parametrize("page", ALL_PAGES, ids=page_id)
 def test_links_lead_somewhere(page: Path) -> None:
-    text = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
-    for link in re.findall(r"\]\(([^)\s]+)\)", text):
+    links = re.findall(r"\]\(([^)\s]+)\)", prose(page))
+    if page in NOTEBOOKS:
+        assert "../docs/glossary.md" in {link.partition("#")[0] for link in links}
+    for link in links:
         file, _, anchor = link.partition("#")
-        target = page.parent / file if file else page
+        target = (page.parent / file).resolve() if file else page
         if "://" not in link:
             assert target.exists(), link
             assert not anchor or target.suffix != ".md" or anchor in anchors(target), link
