@@ -12,6 +12,7 @@ from hypothesis.extra import numpy as arrays
 
 from matrices import logistic, staircase
 from matrixworld import analysis
+from matrixworld.analysis.games import fixation_probability
 
 ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
 payoffs = arrays.arrays(
@@ -93,17 +94,17 @@ def test_fixation_probability_by_its_formula(m: int) -> None:
     for d in (-0.9, -0.1, 0.05, 1.0):
         for alpha in (0.1, 1.0, 3.0):
             expected = (1 - math.exp(-alpha * d)) / (1 - math.exp(-m * alpha * d))
-            found = analysis.fixation_probability(d, alpha=alpha, population=m)
+            found = fixation_probability(d, alpha=alpha, population=m)
             assert float(found) == pytest.approx(expected, rel=1e-12)
 
 
 def test_fixation_probability_has_no_jump_at_zero_and_no_overflow() -> None:
     gains = [0.0, 1e-320, 1e-300, -1e-300, 1e-15, -1e-15]
-    found = analysis.fixation_probability(gains, alpha=1.0, population=50)
+    found = fixation_probability(gains, alpha=1.0, population=50)
     np.testing.assert_allclose(found, 1 / 50, rtol=1e-12)
-    extreme = analysis.fixation_probability([-1.0, 1.0], alpha=1e300, population=50)
+    extreme = fixation_probability([-1.0, 1.0], alpha=1e300, population=50)
     assert extreme.tolist() == [0.0, 1.0]
-    limit = analysis.fixation_probability([[-0.1, 0.0, 0.1]], alpha=math.inf, population=4)
+    limit = fixation_probability([[-0.1, 0.0, 0.1]], alpha=math.inf, population=4)
     assert limit.tolist() == [[0.0, 0.25, 1.0]]
 
 

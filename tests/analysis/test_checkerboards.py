@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from matrices import additive, circular, staircase
-from matrixworld.analysis import checkerboards, strongest_checkerboards
+from matrixworld.analysis import checkerboards
+from matrixworld.analysis.cycles import strongest_checkerboards
 
 
 def margin_of(matrix: np.ndarray, p: int, q: int, a: int, b: int) -> float:

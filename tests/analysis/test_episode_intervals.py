@@ -14,6 +14,7 @@ from matrixworld import analysis
 from matrixworld.analysis.cycles import _sums_without_noise
 from matrixworld.analysis.intervals import BIASED
 from matrixworld.analysis.judge import RULES
+from matrixworld.analysis.progress import lag_rise
 
 DECIDING = {name for names, _ in RULES.values() for name in names} - {"checkerboards"}
 MATRIX_MEASURES = [
@@ -59,8 +60,8 @@ def test_linear_measures_cover_the_noise_free_measure() -> None:
     covered = []
     for _ in range(300):
         scores = rng.random((8, 8, 5)) < truth[:, :, None]
-        low, high = ends(analysis.linear_over_episodes(scores, analysis.lag_rise))
-        covered.append(low <= analysis.lag_rise(truth) <= high)
+        low, high = ends(analysis.linear_over_episodes(scores, lag_rise))
+        covered.append(low <= lag_rise(truth) <= high)
     assert 0.91 < np.mean(covered) < 0.99
 
 

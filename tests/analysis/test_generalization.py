@@ -10,6 +10,8 @@ from hypothesis.extra import numpy as arrays
 
 from matrices import circular, logistic, staircase
 from matrixworld import analysis
+from matrixworld.analysis.payoffs import swap_teams
+from matrixworld.analysis.progress import autocorrelation
 
 payoffs = arrays.arrays(
     np.float64,
@@ -79,7 +81,7 @@ def test_a_team_that_beats_the_newest_opponents_only_fades() -> None:
 
 
 def test_autocorrelation_of_a_matrix_without_variation_is_not_defined() -> None:
-    assert np.isnan(analysis.autocorrelation(np.full((9, 9), 0.5))).all()
+    assert np.isnan(autocorrelation(np.full((9, 9), 0.5))).all()
 
 
 # ---- kinds of progress --------------------------------------------------------------------------
@@ -112,7 +114,7 @@ def test_local_and_historical_progress_agree_with_their_definition(matrix: np.nd
 
 @given(payoffs)
 def test_swapping_the_teams_swaps_ciao_and_progress(matrix: np.ndarray) -> None:
-    swapped = analysis.swap_teams(matrix)
+    swapped = swap_teams(matrix)
     for function in (analysis.local_progress, analysis.historical_progress):
         for one, other in zip(function(matrix), function(swapped)[::-1], strict=True):
             np.testing.assert_array_equal(one.scores, other.scores)

@@ -11,6 +11,7 @@ from scipy import stats
 
 from matrices import additive, circular, logistic, staircase
 from matrixworld import analysis
+from matrixworld.analysis.cycles import transitive_fit
 from matrixworld.analysis.engagement import one_sidedness
 from matrixworld.analysis.strength import late_forgetting_over_episodes
 
@@ -110,7 +111,7 @@ def test_the_transitive_fit_is_the_nearest_monotone_matrix(matrix: np.ndarray, s
     order = np.ix_(
         np.argsort(matrix.mean(1), kind="stable"), np.argsort(matrix.mean(0), kind="stable")
     )
-    values, fit = matrix[order], analysis.transitive_fit(matrix)[order]
+    values, fit = matrix[order], transitive_fit(matrix)[order]
     assert (np.diff(fit, axis=0) >= -1e-3).all()
     assert (np.diff(fit, axis=1) >= -1e-3).all()
     # A projection on a convex cone: no monotone matrix lies on the other side of it.
@@ -124,7 +125,7 @@ def test_transitive_matrices_are_their_own_fit() -> None:
     rng = np.random.default_rng(0)
     for matrix in (additive(9, 6), logistic(12), staircase(7), np.full((5, 5), 0.3)):
         shuffled = matrix[rng.permutation(len(matrix))][:, rng.permutation(matrix.shape[1])]
-        np.testing.assert_allclose(analysis.transitive_fit(shuffled), shuffled, atol=1e-3)
+        np.testing.assert_allclose(transitive_fit(shuffled), shuffled, atol=1e-3)
         assert analysis.cyclic_amplitude(shuffled, np.zeros_like(shuffled)).value < 1e-6
 
 
@@ -207,10 +208,10 @@ def test_held_out_forgetting_by_hand() -> None:
     other = np.array([[0.6], [0.7], [0.1]])
     # `one` chooses row 0 always; measured 0, .6 - .7, .6 - .1. `other` chooses rows 0, 1, 1;
     # measured 0, 0, .2 - .5.
-    found = analysis.held_out_forgetting(one, other).pursuers
+    found = analysis.forgetting(one, other).pursuers
     np.testing.assert_allclose(found, [0.0, (-0.1 + 0.0) / 2, (0.5 - 0.3) / 2])
     with pytest.raises(ValueError, match=r"two matrices of shape \(3, 1\), got \(1, 3\)"):
-        analysis.held_out_forgetting(one, other.T)
+        analysis.forgetting(one, other.T)
 
 
 def forgotten(chance: np.ndarray, seed: int) -> analysis.Estimate:
@@ -264,7 +265,6 @@ def test_means_over_runs_rest_on_values_that_err_to_a_known_side() -> None:
         analysis.Estimate(0.2, 0.0, 0.5, biased_low=x - 0.1, biased_high=x + 0.1)
         for x in (0.1, 0.2, 0.3)
     ]
-    of_runs, whole = analysis.MEASURES["one_sidedness"].of_runs, runs.windows["whole"]
+    estimate, whole = analysis.MEASURES["one_sidedness"].estimate, runs.windows["whole"]
     reach = stats.t.ppf(0.975, 2) * 0.1 / 3**0.5
-    assert of_runs(runs, whole, 0.95, singles).ends == pytest.approx((0.1 - reach, 0.3 + reach))
-    assert of_runs(runs, whole, 0.95, singles[:1]).low == 0.0
+    assert estimate(runs, whole, 0.95, singles).ends == pytest.approx((0.1 - reach, 0.3 + reach))

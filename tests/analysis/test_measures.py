@@ -13,7 +13,8 @@ from hypothesis.extra import numpy as arrays
 from matrices import additive, circular, logistic, staircase
 from matrixworld import analysis
 from matrixworld.analysis.cycles import MARGIN
-from matrixworld.analysis.payoffs import check_runs
+from matrixworld.analysis.payoffs import check_runs, logits, swap_teams
+from matrixworld.analysis.progress import lag_rise, swing
 
 PENNIES = np.array([[1.0, 0.0], [0.0, 1.0]])
 ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
@@ -121,12 +122,12 @@ def test_lag_profile_agrees_with_a_plain_sum(matrix: np.ndarray) -> None:
 def test_lag_rise_compares_a_third_of_the_run_later_with_earlier() -> None:
     matrix = logistic(31)
     expected = 1 / (1 + np.exp(-1.5)) - 1 / (1 + np.exp(1.5))
-    assert analysis.lag_rise(matrix) == pytest.approx(expected)
-    assert analysis.lag_rise(matrix[::-1, ::-1]) == pytest.approx(-expected)
-    assert analysis.lag_rise(matrix, lag=1) == pytest.approx(np.tanh(0.075))
+    assert lag_rise(matrix) == pytest.approx(expected)
+    assert lag_rise(matrix[::-1, ::-1]) == pytest.approx(-expected)
+    assert lag_rise(matrix, lag=1) == pytest.approx(np.tanh(0.075))
     for lag in (0, 31):
         with pytest.raises(ValueError, match=f"lag from 1 to 30, got {lag}"):
-            analysis.lag_rise(matrix, lag)
+            lag_rise(matrix, lag)
 
 
 def test_team_phase_rates_are_next_to_and_on_the_diagonal() -> None:
@@ -139,20 +140,20 @@ def test_swing_is_the_mean_change_in_the_evaders_team_phase() -> None:
     matrix = np.full((9, 9), 0.5)
     answers = np.array([0.9, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7])
     matrix[np.arange(1, 9), np.arange(1, 9)] = answers
-    assert analysis.swing(matrix, start=1) == pytest.approx(np.abs(answers - 0.5).mean())
-    assert analysis.swing(matrix) == pytest.approx(np.abs(answers[2:] - 0.5).mean())  # from 3
-    assert analysis.swing(matrix, start=8) == pytest.approx(0.2)
+    assert swing(matrix, start=1) == pytest.approx(np.abs(answers - 0.5).mean())
+    assert swing(matrix) == pytest.approx(np.abs(answers[2:] - 0.5).mean())  # from 3
+    assert swing(matrix, start=8) == pytest.approx(0.2)
     for start in (0, 9):
         with pytest.raises(ValueError, match=f"start from 1 to 8, got {start}"):
-            analysis.swing(matrix, start)
+            swing(matrix, start)
 
 
 def test_swing_leaves_out_the_first_quarter_of_31_generations() -> None:
     matrix = np.full((31, 31), 0.5)
     matrix[7, 7] = 1.0
-    assert analysis.swing(matrix) == 0.0
+    assert swing(matrix) == 0.0
     matrix[8, 8] = 1.0
-    assert analysis.swing(matrix) == pytest.approx(0.5 / 23)
+    assert swing(matrix) == pytest.approx(0.5 / 23)
 
 
 def test_forgetting_is_the_drop_below_the_best_so_far() -> None:
@@ -269,8 +270,8 @@ def test_an_additive_matrix_with_noise_has_no_checkerboards_at_the_margin(
 
 @given(payoffs, margins)
 def test_swapping_the_teams_swaps_the_results(matrix: np.ndarray, margin: float) -> None:
-    swapped = analysis.swap_teams(matrix)
-    np.testing.assert_array_equal(analysis.swap_teams(swapped), matrix)
+    swapped = swap_teams(matrix)
+    np.testing.assert_array_equal(swap_teams(swapped), matrix)
     for ours, theirs in zip(
         analysis.generalization(matrix), analysis.generalization(swapped)[::-1], strict=True
     ):
@@ -282,10 +283,10 @@ def test_swapping_the_teams_swaps_the_results(matrix: np.ndarray, margin: float)
     np.testing.assert_allclose(
         analysis.lag_profile(swapped).means, 1 - analysis.lag_profile(matrix).means[::-1]
     )
-    for logits in (False, True):
+    for on_logits in (False, True):
         np.testing.assert_allclose(
-            analysis.transitive_share(matrix, logits=logits),
-            analysis.transitive_share(swapped, logits=logits),
+            analysis.transitive_share(matrix, logits=on_logits),
+            analysis.transitive_share(swapped, logits=on_logits),
             atol=1e-9,
         )
     boards = analysis.checkerboards(matrix, margin=margin, level=None)
@@ -342,7 +343,7 @@ def test_the_parts_of_a_matrix_add_up_and_are_orthogonal(matrix: np.ndarray) -> 
 
 def test_logits_of_shrunken_rates() -> None:
     np.testing.assert_allclose(
-        analysis.logits([[0.0, 0.5, 1.0]]), [[-np.log(99), 0.0, np.log(99)]], atol=1e-12
+        logits([[0.0, 0.5, 1.0]]), [[-np.log(99), 0.0, np.log(99)]], atol=1e-12
     )
 
 

@@ -13,6 +13,7 @@ from scipy.optimize import minimize
 
 from matrices import circular, logistic, staircase
 from matrixworld import analysis
+from matrixworld.analysis.games import game_value
 
 PENNIES = np.eye(2)
 ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
@@ -51,7 +52,7 @@ def test_games_worked_out_by_hand(
     assert found.value == pytest.approx(value)
     np.testing.assert_allclose(found.pursuers, pursuers, atol=1e-7)
     np.testing.assert_allclose(found.evaders, evaders, atol=1e-7)
-    assert analysis.game_value(matrix) == pytest.approx(value)  # type: ignore[arg-type]
+    assert game_value(matrix) == pytest.approx(value)  # type: ignore[arg-type]
 
 
 def test_the_best_generation_of_a_transitive_race_has_all_weight() -> None:
@@ -59,7 +60,7 @@ def test_the_best_generation_of_a_transitive_race_has_all_weight() -> None:
     assert found.pursuers.argmax() == found.evaders.argmax() == 30
     assert found.pursuers.max() == pytest.approx(1.0)
     np.testing.assert_allclose(found.pursuer_averages, logistic(31)[:, 30])
-    assert analysis.game_value(staircase(9)) == 1.0
+    assert game_value(staircase(9)) == 1.0
 
 
 @given(payoffs)
@@ -141,7 +142,7 @@ def test_value_against_all_square_subgames() -> None:
                     p[list(rows)] = inverse.sum(axis=0) / inverse.sum()
                     if (p >= -1e-12).all():
                         bounds.append((p @ matrix).min())
-        assert analysis.game_value(matrix) == pytest.approx(max(bounds))
+        assert game_value(matrix) == pytest.approx(max(bounds))
 
 
 @pytest.mark.parametrize("levels", [1, 2, 8, 60])

@@ -82,7 +82,7 @@ def test_elo_rates_rock_paper_scissors_equal() -> None:
     found = analysis.elo(ROCK_PAPER_SCISSORS)
     np.testing.assert_allclose([*found.pursuers, *found.evaders, found.offset], 0, atol=1e-9)
     np.testing.assert_allclose(found.predict(), 0.5)
-    cyclic = analysis.multi_elo(ROCK_PAPER_SCISSORS)
+    cyclic = analysis.elo(ROCK_PAPER_SCISSORS, cycles=1)
     np.testing.assert_allclose(cyclic.predict(), ROCK_PAPER_SCISSORS, atol=1e-9)
 
 
@@ -91,23 +91,21 @@ def test_multi_elo_reproduces_a_known_cycle() -> None:
     turn = 2 * np.pi * (np.arange(9)[:, None] / 9 - np.arange(6) / 6)
     cycle = 0.8 * np.cos(turn)
     matrix = sigmoid(a[:, None] - b + c + cycle)
-    found = analysis.multi_elo(matrix, **EXACT)
+    found = analysis.elo(matrix, cycles=1, **EXACT)
     assert found.u.shape == (9, 2)
     assert found.v.shape == (6, 2)
     # Elo weights cells, so it takes up a little of the cycle, though its row means are 0.
     assert np.abs(found.u @ found.v.T - cycle).max() < 0.35
     assert analysis.log_loss(matrix, found.predict()) < 0.05 * analysis.log_loss(
-        matrix, found.elo.predict()
+        matrix, analysis.elo(matrix, **EXACT).predict()
     )
-    pure = analysis.multi_elo(sigmoid(cycle), **EXACT)
+    pure = analysis.elo(sigmoid(cycle), cycles=1, **EXACT)
     np.testing.assert_allclose(pure.u @ pure.v.T, cycle, atol=1e-6)
 
 
 def test_more_dimensions_fit_better_and_all_of_them_exactly() -> None:
     matrix = np.random.default_rng(5).random((6, 6))
-    losses = [
-        analysis.log_loss(matrix, analysis.multi_elo(matrix, k=k).predict()) for k in range(4)
-    ]
+    losses = [analysis.log_loss(matrix, analysis.elo(matrix, cycles=k).predict()) for k in range(4)]
     assert losses[0] == pytest.approx(
         analysis.log_loss(matrix, analysis.elo(matrix).predict()), abs=1e-12
     )
@@ -140,13 +138,13 @@ def test_log_loss_by_hand() -> None:
         ({"ridge": -1.0}, "ridge of at least 0, got -1.0"),
         ({"ridge": np.inf}, "finite ridge"),
         ({"shrinkage": 0.0}, r"shrinkage in \(0, 0.5\), got 0.0"),
-        ({"k": 2}, r"k from 0 to 1 for a matrix of \(3, 3\), got 2"),
-        ({"k": -1}, "got -1"),
+        ({"cycles": 2}, r"cycles from 0 to 1 for a matrix of \(3, 3\), got 2"),
+        ({"cycles": -1}, "got -1"),
     ],
 )
 def test_bad_settings_are_refused(settings: dict[str, float], message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        analysis.multi_elo(ROCK_PAPER_SCISSORS, **settings)  # type: ignore[arg-type]
+        analysis.elo(ROCK_PAPER_SCISSORS, **settings)  # type: ignore[arg-type]
 
 
 def test_predictions_have_the_shape_of_the_matrix() -> None:

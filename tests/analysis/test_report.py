@@ -15,6 +15,8 @@ from scipy import stats
 from matrices import additive, circular, logistic, staircase
 from matrixworld import analysis
 from matrixworld.analysis.cycles import MARGIN
+from matrixworld.analysis.games import game_value
+from matrixworld.analysis.progress import swing
 
 small_payoffs = arrays.arrays(
     np.float64,
@@ -30,8 +32,8 @@ def test_measures_are_those_of_the_single_functions() -> None:
     matrix = circular(13)
     found = {name: one.value for name, one in analysis.measure_all(matrix).items()}
     late = analysis.last_half(matrix)
-    assert found["swing"] == analysis.swing(matrix)
-    assert found["game_value"] == analysis.game_value(matrix)
+    assert found["swing"] == swing(matrix)
+    assert found["game_value"] == game_value(matrix)
     assert found["transitive_share"] == analysis.transitive_share(late)
     assert found["checkerboards"] == analysis.checkerboards(late, margin=MARGIN, level=None).share
     assert found["pursuer_stripes"] == analysis.ciao(matrix).pursuers.stripes
@@ -178,7 +180,7 @@ def test_the_description_quotes_the_numbers() -> None:
     boards = analysis.checkerboards(late, margin=MARGIN, level=None)
     assert f"{boards.count:,} of 14,400" in text
     assert f"{analysis.transitive_share(late):.2f}" in text
-    assert f"by {analysis.swing(matrix):.2f}" in text
+    assert f"by {swing(matrix):.2f}" in text
     assert "From generation 15 on" in text
     assert "From generation 8 on" in text
     assert "Warning" not in text

@@ -11,7 +11,7 @@ import pytest
 
 import catching_fleers
 import deap_example
-import generalisation
+import generalization
 import matrixworld as mw
 import safe_coevolution
 from evolution_scripts import rows, run_quickly, run_script
@@ -42,9 +42,9 @@ def test_an_unknown_schedule_is_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_generalisation_compares_at_equal_matches_and_reuses_its_runs(tmp_path: Path) -> None:
-    told = quick("generalisation", tmp_path)
-    assert {path.name for path in tmp_path.iterdir()} == {"generalisation.png", "runs"}
+def test_generalization_compares_at_equal_matches_and_reuses_its_runs(tmp_path: Path) -> None:
+    told = quick("generalization", tmp_path)
+    assert {path.name for path in tmp_path.iterdir()} == {"generalization.png", "runs"}
     table = rows(told)
     assert [row[:2] for row in table] == [
         ["pursuers", "in the race"],
@@ -61,7 +61,7 @@ def test_generalisation_compares_at_equal_matches_and_reuses_its_runs(tmp_path: 
         assert 0 <= worst <= mean <= 1
         assert 0 <= worst_strange <= strange <= 1
 
-    runs = tmp_path / "runs" / "generalisation" / "quick-0"
+    runs = tmp_path / "runs" / "generalization" / "quick-0"
     race = coevolution.open_run(runs / "generalist-generalist")
     payoff = race.payoff().capture_rate
     assert float(table[0][3]) == pytest.approx(payoff[-1].mean(), abs=0.005)
@@ -80,14 +80,14 @@ def test_generalisation_compares_at_equal_matches_and_reuses_its_runs(tmp_path: 
 
     written = {path: path.stat().st_mtime_ns for path in runs.rglob("payoff.npz")}
     assert len(written) == 6
-    assert quick("generalisation", tmp_path) == told
+    assert quick("generalization", tmp_path) == told
     assert {path: path.stat().st_mtime_ns for path in written} == written
 
 
-def test_generalisation_refuses_runs_of_other_settings(tmp_path: Path) -> None:
-    coevolution.start(generalisation.QUICK, tmp_path / "race")
+def test_generalization_refuses_runs_of_other_settings(tmp_path: Path) -> None:
+    coevolution.start(generalization.QUICK, tmp_path / "race")
     with pytest.raises(ValueError, match="race: expected a run of"):
-        generalisation.played(generalisation.FULL, tmp_path / "race")
+        generalization.played(generalization.FULL, tmp_path / "race")
 
 
 @pytest.mark.slow

@@ -12,9 +12,8 @@ from matplotlib.text import Text
 
 import matrixworld as mw
 from matrixworld import plots
-from matrixworld.plots import board
-from matrixworld.plots.conflicts import Situation, world_of
-from matrixworld.plots.interaction import PER_TEAM
+from matrixworld.plots.conflicts import MOVES, Situation, world_of
+from matrixworld.plots.rules import PER_TEAM
 from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS
 from reference import ReferenceWorld, records
 
@@ -109,7 +108,7 @@ def test_the_drawing_shows_the_resolution() -> None:
 
 
 def test_moves_are_those_of_the_engine() -> None:
-    for action, (down, right) in board.MOVES.items():
+    for action, (down, right) in MOVES.items():
         world = mw.World(rows=5, cols=5, n_pursuers=1, n_evaders=1)
         world.reset(0, pursuers=[[2, 2]], evaders=[[0, 0]])
         world.step([action, mw.Action.STAY])

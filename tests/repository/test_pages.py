@@ -239,7 +239,7 @@ SURVEY = """
     fitness self-play adaptation counter-adaptation arms-race endings-of-an-arms-race extinction
     equilibrium cycling curriculum-learning automatic-curriculum-learning autocurriculum
     carrying-capacity policy-cycle adversarial-learning alternating-learning minimax
-    adversarial-policy zero-sum-game specialist generalist generalisation baseline
+    adversarial-policy zero-sum-game specialist generalist generalization baseline
     stochastic-game turn-taking-game vertex-conflict edge-conflict capture-rate
 """
 """Terms of the paper's survey and experiments."""

@@ -182,7 +182,7 @@ def _of_analysis() -> Iterator[Any]:
     scores = (rng.random((8, 8, 6)) < 0.5).astype(float)
     payoff = scores.mean(axis=2)
     functions = "alpha_rank checkerboards ciao elo forgetting generalization lag_profile"
-    functions += " local_progress multi_elo nash_averaging two_way_parts"
+    functions += " local_progress nash_averaging two_way_parts"
     yield from (getattr(analysis, name)(payoff) for name in functions.split())
     yield from (analysis.measure_all([payoff, payoff**2]), analysis.all_results(payoff))
     yield analysis.judge(scores, per_episode=True)
@@ -196,7 +196,6 @@ def _of_analysis() -> Iterator[Any]:
     yield analysis.exploitability(payoff, np.full(8, 1 / 8), np.full(8, 1 / 8))
     yield analysis.response_gain(scores[0, 0], scores[1, 1], budget=9)
     yield from (analysis.band_over_runs(payoff), analysis.MEASURES)
-    yield analysis.strongest_checkerboards(payoff, count=1)
     yield from (analysis.race_bands([payoff, payoff**2]), analysis.performance_profile(payoff))
 
 

@@ -13,15 +13,12 @@ because it takes longer to load than the rest of the package.
 from __future__ import annotations
 
 from matrixworld.analysis.cycles import (
-    Checkerboard,
     Checkerboards,
     NoiseReference,
     TwoWayParts,
     checkerboards,
     cyclic_amplitude,
     noise_reference,
-    strongest_checkerboards,
-    transitive_fit,
     transitive_share,
     transitive_share_over_episodes,
     two_way_parts,
@@ -40,8 +37,6 @@ from matrixworld.analysis.games import (
     ResponseGain,
     alpha_rank,
     exploitability,
-    fixation_probability,
-    game_value,
     nash_averaging,
     response_gain,
 )
@@ -64,9 +59,7 @@ from matrixworld.analysis.payoffs import (
     Window,
     check_payoff,
     last_half,
-    logits,
     read_payoffs,
-    swap_teams,
 )
 from matrixworld.analysis.progress import (
     Ciao,
@@ -76,7 +69,6 @@ from matrixworld.analysis.progress import (
     Progress,
     TeamProgress,
     Triangle,
-    autocorrelation,
     ciao,
     dominance_of_counts,
     dominance_tournament,
@@ -84,12 +76,10 @@ from matrixworld.analysis.progress import (
     global_progress,
     historical_progress,
     lag_profile,
-    lag_rise,
     local_progress,
-    swing,
     team_phase_rates,
 )
-from matrixworld.analysis.ratings import ELO_POINTS, Elo, MultiElo, elo, log_loss, multi_elo
+from matrixworld.analysis.ratings import ELO_POINTS, Elo, elo, log_loss
 from matrixworld.analysis.report import (
     all_results,
     describe,
@@ -108,12 +98,7 @@ from matrixworld.analysis.runs import (
     probability_of_improvement,
     race_bands,
 )
-from matrixworld.analysis.strength import (
-    forgetting,
-    held_out_forgetting,
-    strength_change,
-    strength_gain,
-)
+from matrixworld.analysis.strength import forgetting, strength_change, strength_gain
 
 __all__ = [
     "CONDITIONS",
@@ -121,7 +106,6 @@ __all__ = [
     "MEASURES",
     "AlphaRank",
     "Band",
-    "Checkerboard",
     "Checkerboards",
     "Ciao",
     "Disengagement",
@@ -134,7 +118,6 @@ __all__ = [
     "Ladder",
     "LagProfile",
     "Measure",
-    "MultiElo",
     "Nash",
     "NoiseReference",
     "Payoffs",
@@ -150,7 +133,6 @@ __all__ = [
     "Window",
     "all_results",
     "alpha_rank",
-    "autocorrelation",
     "band_over_runs",
     "check_payoff",
     "checkerboards",
@@ -167,30 +149,24 @@ __all__ = [
     "exploitability",
     "fewest_runs",
     "fitness_variance",
-    "fixation_probability",
     "forgetting",
-    "game_value",
     "generalization",
     "generalization_over_episodes",
     "global_progress",
     "headline",
-    "held_out_forgetting",
     "historical_progress",
     "interquartile_mean",
     "interval_over_runs",
     "judge",
     "judgement_table",
     "lag_profile",
-    "lag_rise",
     "last_half",
     "linear_over_episodes",
     "local_progress",
     "log_loss",
-    "logits",
     "mean_over_episodes",
     "measure_all",
     "measure_table",
-    "multi_elo",
     "nash_averaging",
     "noise_reference",
     "performance_profile",
@@ -201,11 +177,7 @@ __all__ = [
     "response_gain",
     "strength_change",
     "strength_gain",
-    "strongest_checkerboards",
-    "swap_teams",
-    "swing",
     "team_phase_rates",
-    "transitive_fit",
     "transitive_share",
     "transitive_share_over_episodes",
     "two_way_parts",

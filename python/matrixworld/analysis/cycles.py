@@ -262,28 +262,11 @@ def _count_from(p: int, matrix: Rates, prefers: Mask, margin: float) -> int:
 def strongest_checkerboards(
     payoff: ArrayLike, *, count: int = 12, margin: float = 0.0
 ) -> tuple[Checkerboard, ...]:
-    """Return checkerboards with large margins that differ from each other.
+    """Return checkerboards with large margins, in descending order, that differ from each other.
 
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-    count : int, optional
-        The most checkerboards, at least 0. The default is 12.
-    margin : float, optional
-        Their margins are above this, in [0, 1).
-
-    Returns
-    -------
-    tuple of Checkerboard
-        In descending order of the margin. No two have more than two generations in common: a strong
-        one has many neighbours that show the same. The largest of many margins is larger than the
-        true one; `noise_reference` says how many checkerboards noise alone makes.
-
-    Raises
-    ------
-    ValueError
-        Unless ``count >= 0`` and ``0 <= margin < 1``.
+    No two have more than two generations in common: a strong one has many neighbours that show the
+    same. The largest of many margins is larger than the true one; `noise_reference` says how many
+    checkerboards noise alone makes.
     """
     matrix = check_payoff(payoff)
     require(count >= 0, "a count of at least 0", count)
@@ -316,26 +299,9 @@ def _in_common(one: Checkerboard, other: Checkerboard) -> int:
 def transitive_fit(payoff: ArrayLike) -> Rates:
     """Return the transitive matrix that is nearest to a payoff matrix.
 
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-
-    Returns
-    -------
-    ndarray of float64, shape (n, m)
-        The least-squares fit among the matrices that never fall along the pursuers and along the
-        evaders, both sorted by their mean capture rate.
-
-    Notes
-    -----
-    Isotonic regression in both directions by Dykstra's alternating projections. Among transitive
-    matrices the mean of a row gives its place in the order.
-
-    References
-    ----------
-    Dykstra and Robertson (1982), "An algorithm for isotonic regression for two or more independent
-    variables", Annals of Statistics 10(3).
+    The least-squares fit among the matrices that never fall along the pursuers and along the
+    evaders, both sorted by their mean capture rate, which gives the place in the order. Isotonic
+    regression in both directions by alternating projections (Dykstra and Robertson 1982).
     """
     matrix = check_payoff(payoff)
     order = np.ix_(*(np.argsort(matrix.mean(axis=axis), kind="stable") for axis in (1, 0)))

@@ -99,18 +99,7 @@ def nash_averaging(payoff: ArrayLike) -> Nash:
 
 
 def game_value(payoff: ArrayLike) -> float:
-    """Return the capture rate of the zero-sum game M under optimal play.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-
-    Returns
-    -------
-    float
-        The same as ``nash_averaging(payoff).value`` but for rounding, from one linear programme.
-    """
+    """Return ``nash_averaging(payoff).value`` from one linear programme."""
     matrix = check_payoff(payoff)
     return float((_optimal(matrix) @ matrix).min())
 
@@ -473,31 +462,10 @@ def alpha_rank(
 def fixation_probability(
     gain: ArrayLike, *, alpha: float = ALPHA, population: int = POPULATION
 ) -> Rates:
-    """Return the probability that one mutant takes over a population.
+    """Return the probability that one mutant with a gain d takes over a population of size m.
 
-    Parameters
-    ----------
-    gain : array_like of float
-        Payoff of the mutant minus payoff of the population, d.
-    alpha : float, optional
-        Selection strength, above 0.
-    population : int, optional
-        Size m of the population, at least 2.
-
-    Returns
-    -------
-    ndarray of float64
-        ``(1 - e^(-alpha d)) / (1 - e^(-m alpha d))``, and ``1 / m`` for d = 0, in the shape of
-        `gain`. With ``alpha = inf``: 1 for gains, ``1 / m`` for d = 0, 0 for losses.
-
-    Raises
-    ------
-    ValueError
-        Unless ``alpha > 0`` and ``population >= 2``.
-
-    References
-    ----------
-    Omidshafiei et al. (2019), as for `alpha_rank`.
+    ``(1 - e^(-alpha d)) / (1 - e^(-m alpha d))``, and ``1 / m`` for d = 0, in the shape of `gain`.
+    With ``alpha = inf``: 1 for gains, ``1 / m`` for d = 0, 0 for losses.
     """
     require(alpha > 0.0, "an alpha above 0", alpha)
     require(population >= 2, "a population of at least 2", population)

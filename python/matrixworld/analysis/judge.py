@@ -162,7 +162,7 @@ def judge(
       by more than .05 after subtraction of the episode noise (`cyclic_amplitude`), and at least 1 %
       of the possible `checkerboards` exist, with a margin of .15.
     - *forgetting*: a team falls more than .05 below the best of its ancestors, mean over
-      generations and opponents (`held_out_forgetting`).
+      generations and opponents (`forgetting` with held-out episodes).
     - *stagnation*: no team's strength changes by .05 or more over the window, and the race does not
       cycle. Both intervals of `strength_change` lie inside the margin: it takes evidence, not its
       absence.
@@ -189,7 +189,8 @@ def _judge_window(payoffs: Payoffs, window: Window, level: float) -> Findings:
     known = (RULES[name][0] for name in CONDITIONS if not missing[name])
     keys = dict.fromkeys(itertools.chain(*known))
     singles = [
-        {key: MEASURES[key].of_run(run, window, level) for key in keys} for run in payoffs.runs
+        {key: MEASURES[key].estimate(run, window, level, ()) for key in keys}
+        for run in payoffs.runs
     ]
     by_run = [_findings(estimates, missing) for estimates in singles]
     found = by_run[0]
@@ -233,7 +234,7 @@ def _findings_together(
 ) -> Findings:
     """Return the findings on several runs, from the estimates of the single ones."""
     estimates = {
-        key: MEASURES[key].of_runs(payoffs, window, level, [each[key] for each in singles])
+        key: MEASURES[key].estimate(payoffs, window, level, [each[key] for each in singles])
         for key in singles[0]
     }
     return _findings(estimates, missing)

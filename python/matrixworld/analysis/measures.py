@@ -44,6 +44,7 @@ from matrixworld.analysis.payoffs import (
     swap_teams,
 )
 from matrixworld.analysis.progress import (
+    Progress,
     ciao,
     dominance_tournament,
     generalization,
@@ -54,7 +55,7 @@ from matrixworld.analysis.progress import (
     swing,
     team_phase_rates,
 )
-from matrixworld.analysis.ratings import elo, log_loss, multi_elo
+from matrixworld.analysis.ratings import elo, log_loss
 from matrixworld.analysis.strength import (
     late_forgetting,
     late_forgetting_over_episodes,
@@ -70,11 +71,10 @@ NO_EPISODES = (
 
 Number = Callable[[Rates], float]
 """A number of the payoff matrix of a window, of at least 2 x 2 generations."""
-OfRun = Callable[[Payoffs, Window, float], Estimate]
-"""An estimate of one run in a window, with an interval over episodes if they are known."""
-OfRuns = Callable[[Payoffs, Window, float, Sequence[Estimate]], Estimate]
-"""An estimate of several runs, with an interval over runs, from the payoffs or from the estimates
-of the single runs."""
+Estimator = Callable[[Payoffs, Window, float, Sequence[Estimate]], Estimate]
+"""Estimates a number of one run, with an interval over episodes if they are known, or of several,
+with an interval over runs: from the payoffs, the window, the level, and the estimates of the single
+runs if these are known already."""
 
 
 @dataclass(frozen=True)
@@ -87,8 +87,8 @@ class Measure:
         Key in `MEASURES`.
     label : str
         Name in words, for tables.
-    of_run, of_runs : callable
-        How it is estimated from one run and from several; use `of`.
+    estimate : callable
+        How it is estimated; use `of`.
     late : bool, optional
         Whether tables show it in the window that headlines speak of, and not of the whole race.
     form : str, optional
@@ -99,8 +99,7 @@ class Measure:
 
     name: str
     label: str
-    of_run: OfRun
-    of_runs: OfRuns
+    estimate: Estimator
     late: bool = False
     form: str = ".3f"
     squared: bool = False
@@ -129,9 +128,7 @@ class Measure:
         part = self.window_in(payoffs) if window is None else _window(payoffs, window)
         if part.generations < 2:
             return Estimate(math.nan, note="it takes at least 2 generations of each team")
-        if len(payoffs) == 1:
-            return self.of_run(payoffs, part, level)
-        return self.of_runs(payoffs, part, level, ())
+        return self.estimate(payoffs, part, level, ())
 
     def window_in(self, payoffs: Payoffs) -> Window:
         """Return the window in which tables show the number."""
@@ -194,7 +191,22 @@ def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[s
 # ---- Numbers of the matrix of a window -----------------------------------------------------------
 
 
-def _linear(number: Number, bounds: Bounds = UNIT) -> tuple[OfRun, OfRuns]:
+def _of_matrix(
+    number: Number, bounds: Bounds, over_episodes: Callable[[Rates, float], Estimate]
+) -> Estimator:
+    def estimate(
+        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate]
+    ) -> Estimate:
+        # A single episode shows no variation.
+        if len(payoffs) == 1 and payoffs.scores is not None and payoffs.scores.shape[3] >= 2:
+            return over_episodes(payoffs.scores[0][window.cells], level)
+        values = (number(matrix[window.cells]) for matrix in payoffs.matrices)
+        return _over_runs(values, level, bounds)
+
+    return estimate
+
+
+def _linear(number: Number, bounds: Bounds = UNIT) -> Estimator:
     """Return how a sum of cells is estimated, which episode noise does not shift."""
 
     def over_episodes(scores: Rates, level: float) -> Estimate:
@@ -203,7 +215,7 @@ def _linear(number: Number, bounds: Bounds = UNIT) -> tuple[OfRun, OfRuns]:
     return _of_matrix(number, bounds, over_episodes)
 
 
-def _biased(number: Number, bounds: Bounds = UNIT) -> tuple[OfRun, OfRuns]:
+def _biased(number: Number, bounds: Bounds = UNIT) -> Estimator:
     """Return how a number is estimated that noise shifts by an unknown amount."""
 
     def over_episodes(scores: Rates, level: float) -> Estimate:
@@ -212,22 +224,8 @@ def _biased(number: Number, bounds: Bounds = UNIT) -> tuple[OfRun, OfRuns]:
     return _of_matrix(number, bounds, over_episodes)
 
 
-def _of_matrix(
-    number: Number, bounds: Bounds, over_episodes: Callable[[Rates, float], Estimate]
-) -> tuple[OfRun, OfRuns]:
-    def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-        # A single episode shows no variation.
-        if payoffs.scores is not None and payoffs.scores.shape[3] >= 2:
-            return over_episodes(payoffs.scores[0][window.cells], level)
-        return of_runs(payoffs, window, level)
-
-    def of_runs(
-        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate] = ()
-    ) -> Estimate:
-        values = (number(matrix[window.cells]) for matrix in payoffs.matrices)
-        return _over_runs(values, level, bounds)
-
-    return of_run, of_runs
+def _transitive_share_over_episodes(scores: Rates, level: float) -> Estimate:
+    return transitive_share_over_episodes(scores, level=level)
 
 
 def _over_runs(values: Iterable[float], level: float, bounds: Bounds) -> Estimate:
@@ -238,14 +236,14 @@ def _over_runs(values: Iterable[float], level: float, bounds: Bounds) -> Estimat
     return interval_over_runs(known, level=level, bounds=bounds)
 
 
-# ---- Numbers of a whole run ----------------------------------------------------------------------
+# ---- Numbers that take single episodes, or tests between runs ------------------------------------
 
 
-def _dominant(team: str) -> tuple[OfRun, OfRuns]:
+def _dominant(team: str) -> Estimator:
     """Return how the number of dominant generations of a team is estimated."""
 
-    def of_runs(
-        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate] = ()
+    def estimate(
+        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate]
     ) -> Estimate:
         if payoffs.scores is None or payoffs.scores.shape[3] < 2:
             return Estimate(math.nan, note="it takes at least 2 single episodes of each pair")
@@ -253,28 +251,30 @@ def _dominant(team: str) -> tuple[OfRun, OfRuns]:
         lengths = (len(getattr(dominance_tournament(part), team)) for part in parts)
         return _over_runs(lengths, level, (0.0, math.inf))
 
-    return of_runs, of_runs
+    return estimate
 
 
-def _global(team: str) -> tuple[OfRun, OfRuns]:
+def _global(team: str) -> Estimator:
     """Return how the progress of a team against opponents of other runs is estimated."""
 
-    def of_runs(
-        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate] = ()
+    def estimate(
+        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate]
     ) -> Estimate:
         if payoffs.cross is None:
             return Estimate(math.nan, note="it takes cross tests between runs")
         pursuers, evaders = window.cells
         progress = getattr(global_progress(payoffs.cross[..., pursuers, evaders]), team)
-        return _over_runs(progress.gains.mean(axis=1), level, (-1.0, 1.0))
+        return _over_runs(progress.gains.mean(axis=1), level, GAIN)
 
-    return of_runs, of_runs
+    return estimate
 
 
 # ---- Numbers that decide on conditions -----------------------------------------------------------
 
+OfRun = Callable[[Payoffs, Window, float], Estimate]
 
-def _deciding(of_run: OfRun, together: OfRun | None = None) -> tuple[OfRun, OfRuns]:
+
+def _deciding(of_run: OfRun, together: OfRun | None = None) -> Estimator:
     """Return how a number of the judgement is estimated, for windows that are long enough.
 
     The mean over several runs has the lower end of Student's t interval of the values
@@ -282,17 +282,15 @@ def _deciding(of_run: OfRun, together: OfRun | None = None) -> tuple[OfRun, OfRu
     of all runs `together`, if that is given.
     """
 
-    def of_one(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+    def estimate(
+        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate]
+    ) -> Estimate:
         if window.generations < GENERATIONS_TO_JUDGE:
             return Estimate(math.nan, note=TOO_SHORT)
-        found = of_run(payoffs, window, level)
-        return found if found.low is None else replace(found, samples=payoffs.episodes or 0)
-
-    def of_runs(
-        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate] = ()
-    ) -> Estimate:
-        found = singles or [of_one(run, window, level) for run in payoffs.runs]
-        if len(found) == 1 or math.isnan(found[0].value):
+        if len(payoffs) == 1:
+            return replace(of_run(payoffs, window, level), samples=payoffs.episodes or 0)
+        found = singles or [estimate(run, window, level, ()) for run in payoffs.runs]
+        if math.isnan(found[0].value):
             return found[0]
         low, _ = t_ends([_or(one.biased_low, one.value) for one in found], level)
         _, high = t_ends([_or(one.biased_high, one.value) for one in found], level)
@@ -301,7 +299,7 @@ def _deciding(of_run: OfRun, together: OfRun | None = None) -> tuple[OfRun, OfRu
             low, high = min(low, course[0]), max(high, course[1])
         return Estimate(float(np.mean([one.value for one in found])), low, high, "runs", len(found))
 
-    return of_one, of_runs
+    return estimate
 
 
 def _or(number: float | None, default: float) -> float:
@@ -322,7 +320,7 @@ def _course(payoffs: Payoffs, window: Window, team: str) -> tuple[Rates, Rates]:
     return np.mean(scores, axis=0), variance
 
 
-def _gain(team: str) -> tuple[OfRun, OfRuns]:
+def _gain(team: str) -> Estimator:
     def of_course(payoffs: Payoffs, window: Window, level: float) -> Estimate:
         return strength_gain(*_course(payoffs, window, team), level=level)
 
@@ -330,7 +328,7 @@ def _gain(team: str) -> tuple[OfRun, OfRuns]:
     return _deciding(of_course, together=of_course)
 
 
-def _change(team: str) -> tuple[OfRun, OfRuns]:
+def _change(team: str) -> Estimator:
     def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
         return strength_change(*_course(payoffs, window, team), level=level)
 
@@ -368,7 +366,7 @@ def _cyclic(payoffs: Payoffs, window: Window, level: float) -> Estimate:
     return replace(found, high=most.high, biased_high=most.biased_high)
 
 
-def _forgetting(team: str) -> tuple[OfRun, OfRuns]:
+def _forgetting(team: str) -> Estimator:
     """Return how late forgetting is estimated: without bias where single episodes are known."""
     rows = int(team == "evaders")
 
@@ -376,135 +374,105 @@ def _forgetting(team: str) -> tuple[OfRun, OfRuns]:
         return swap_teams(matrix) if rows else matrix
 
     def of_run(payoffs: Payoffs, window: Window, level: float) -> Estimate:
-        scores, generations = payoffs.scores, window.cells[rows]
-        if scores is None or not payoffs.shows_noise:
-            return of_means(payoffs, window, level)
+        assert payoffs.scores is not None
         # Episodes without a partner are left out, so that both halves are equally noisy.
-        even = scores.shape[3] // 2 * 2
-        one, other = (sides(scores[0, ..., start:even:2].mean(axis=2)) for start in (0, 1))
+        scores, even = payoffs.scores[0], payoffs.scores.shape[3] // 2 * 2
+        one, other = (sides(scores[..., start:even:2].mean(axis=2)) for start in (0, 1))
         noise = payoffs.noise[0].T if rows else payoffs.noise[0]
-        return late_forgetting_over_episodes((one, other), noise, generations, level)
+        return late_forgetting_over_episodes((one, other), noise, window.cells[rows], level)
 
-    def of_means(payoffs: Payoffs, window: Window, level: float) -> Estimate:
+    held_out = _deciding(of_run)
+
+    def estimate(
+        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate]
+    ) -> Estimate:
+        long_enough = window.generations >= GENERATIONS_TO_JUDGE
+        if payoffs.scores is not None and payoffs.shows_noise and long_enough:
+            return held_out(payoffs, window, level, singles)
         each = (late_forgetting(sides(m), window.cells[rows]) for m in payoffs.matrices)
         found = _over_runs(each, level, UNIT)
         return found if len(payoffs) > 1 else replace(found, note=BIASED)
 
-    _, over_runs = _deciding(of_run)
-
-    def of_runs(
-        payoffs: Payoffs, window: Window, level: float, singles: Sequence[Estimate] = ()
-    ) -> Estimate:
-        held_out = payoffs.scores is not None and payoffs.shows_noise
-        if held_out and window.generations >= GENERATIONS_TO_JUDGE:
-            return over_runs(payoffs, window, level, singles)
-        return of_means(payoffs, window, level)
-
-    return of_run, of_runs
-
-
-def _share_over_episodes(scores: Rates, level: float) -> Estimate:
-    return transitive_share_over_episodes(scores, level=level)
+    return estimate
 
 
 GAIN: Bounds = (-1.0, 1.0)
 """Bounds of a difference of two rates."""
 
 
-def _table(*rows: Measure) -> dict[str, Measure]:
-    return {row.name: row for row in rows}
+def _of_teams(
+    name: str, label: str, estimator: Callable[[str], Estimator], **look: Any
+) -> list[Measure]:
+    """Return the rows of a measure that each team has."""
+    return [
+        Measure(f"{team}_{name}", label.format(team=team), estimator(f"{team}s"), **look)
+        for team in ("pursuer", "evader")
+    ]
 
 
-MEASURES = _table(
+def _mean_gain(progress: Callable[[Rates], Progress]) -> Callable[[str], Estimator]:
+    return lambda team: _linear(lambda m: getattr(progress(m), team).mean_gain, GAIN)
+
+
+def _log_loss(cycles: int) -> Estimator:
+    bounds = (0.0, math.inf)
+    return _biased(lambda m: log_loss(m, elo(m, cycles=cycles).predict()), bounds)
+
+
+ROWS = (
     # What the judgement rests on, in its window.
-    Measure("one_sidedness", "payoff of the winning team", *_deciding(_one_sidedness), late=True),
-    Measure("pursuer_gain", "gain of the pursuers", *_gain("pursuers"), late=True, form="+.3f"),
-    Measure("evader_gain", "gain of the evaders", *_gain("evaders"), late=True, form="+.3f"),
+    Measure("one_sidedness", "payoff of the winning team", _deciding(_one_sidedness), late=True),
+    *_of_teams("gain", "gain of the {team}s", _gain, late=True, form="+.3f"),
+    *_of_teams("change", "change of the {team}s", _change, late=True, form="+.3f"),
     Measure(
-        "pursuer_change", "change of the pursuers", *_change("pursuers"), late=True, form="+.3f"
-    ),
-    Measure("evader_change", "change of the evaders", *_change("evaders"), late=True, form="+.3f"),
-    Measure(
-        "squared_cyclic_amplitude", "cyclic amplitude", *_deciding(_cyclic), late=True, squared=True
+        "squared_cyclic_amplitude", "cyclic amplitude", _deciding(_cyclic), late=True, squared=True
     ),
     Measure(
-        "checkerboards", "checkerboards", *_biased(lambda m: clear_checkerboards(m).share),
+        "checkerboards", "checkerboards", _biased(lambda m: clear_checkerboards(m).share),
         late=True, form=".1%",
     ),
-    Measure(
-        "pursuer_forgetting", "forgetting of the pursuers", *_forgetting("pursuers"), late=True
-    ),
-    Measure("evader_forgetting", "forgetting of the evaders", *_forgetting("evaders"), late=True),
+    *_of_teams("forgetting", "forgetting of the {team}s", _forgetting, late=True),
     # Early generations mix untrained and trained teams.
     Measure(
         "transitive_share", "transitive share",
-        *_of_matrix(transitive_share, UNIT, _share_over_episodes), late=True,
+        _of_matrix(transitive_share, UNIT, _transitive_share_over_episodes), late=True,
     ),
     Measure(
         "transitive_share_logits", "transitive share on logits",
-        *_biased(lambda m: transitive_share(m, logits=True)), late=True,
+        _biased(lambda m: transitive_share(m, logits=True)), late=True,
     ),
     # Of the whole race.
-    Measure("capture_rate", "mean capture rate", *_linear(lambda m: float(m.mean()))),
-    Measure("swing", "swing between team phases", *_biased(swing)),
-    Measure("lag_rise", "gain of later over earlier pursuers", *_linear(lag_rise, GAIN)),
+    Measure("capture_rate", "mean capture rate", _linear(lambda m: float(m.mean()))),
+    Measure("swing", "swing between team phases", _biased(swing)),
+    Measure("lag_rise", "gain of later over earlier pursuers", _linear(lag_rise, GAIN)),
     Measure(
         "pursuer_generalization", "last pursuers against all evaders, capture",
-        *_linear(lambda m: float(generalization(m).pursuers[-1])),
+        _linear(lambda m: float(generalization(m).pursuers[-1])),
     ),
     Measure(
         "evader_generalization", "last evaders against all pursuers, escape",
-        *_linear(lambda m: float(generalization(m).evaders[-1])),
+        _linear(lambda m: float(generalization(m).evaders[-1])),
     ),
-    Measure(
-        "pursuer_local_gain", "local progress of the pursuers per generation",
-        *_linear(lambda m: local_progress(m).pursuers.mean_gain, GAIN),
+    *_of_teams(
+        "local_gain", "local progress of the {team}s per generation", _mean_gain(local_progress)
     ),
-    Measure(
-        "evader_local_gain", "local progress of the evaders per generation",
-        *_linear(lambda m: local_progress(m).evaders.mean_gain, GAIN),
+    *_of_teams(
+        "historical_gain", "historical progress of the {team}s per generation",
+        _mean_gain(historical_progress),
     ),
-    Measure(
-        "pursuer_historical_gain", "historical progress of the pursuers per generation",
-        *_linear(lambda m: historical_progress(m).pursuers.mean_gain, GAIN),
+    *_of_teams("global_gain", "global progress of the {team}s per generation", _global),
+    *_of_teams(
+        "fading", "CIAO, fading of the {team}s",
+        lambda team: _linear(lambda m: getattr(ciao(m), team).fading, GAIN),
     ),
-    Measure(
-        "evader_historical_gain", "historical progress of the evaders per generation",
-        *_linear(lambda m: historical_progress(m).evaders.mean_gain, GAIN),
+    *_of_teams(
+        "stripes", "CIAO, stripes of the {team}s",
+        lambda team: _biased(lambda m: getattr(ciao(m), team).stripes),
     ),
-    Measure(
-        "pursuer_global_gain", "global progress of the pursuers per generation",
-        *_global("pursuers"),
-    ),
-    Measure(
-        "evader_global_gain", "global progress of the evaders per generation", *_global("evaders")
-    ),
-    Measure(
-        "pursuer_fading", "CIAO, fading of the pursuers",
-        *_linear(lambda m: ciao(m).pursuers.fading, GAIN),
-    ),
-    Measure(
-        "evader_fading", "CIAO, fading of the evaders",
-        *_linear(lambda m: ciao(m).evaders.fading, GAIN),
-    ),
-    Measure(
-        "pursuer_stripes", "CIAO, stripes of the pursuers",
-        *_biased(lambda m: ciao(m).pursuers.stripes),
-    ),
-    Measure(
-        "evader_stripes", "CIAO, stripes of the evaders",
-        *_biased(lambda m: ciao(m).evaders.stripes),
-    ),
-    Measure("pursuer_rungs", "dominant pursuer generations", *_dominant("pursuers"), form=".1f"),
-    Measure("evader_rungs", "dominant evader generations", *_dominant("evaders"), form=".1f"),
-    Measure("game_value", "capture rate in the Nash equilibrium", *_biased(game_value)),
-    Measure(
-        "elo_log_loss", "log loss of Elo, nats",
-        *_biased(lambda m: log_loss(m, elo(m).predict()), (0.0, math.inf)),
-    ),
-    Measure(
-        "multi_elo_log_loss", "log loss of Elo with one cycle, nats",
-        *_biased(lambda m: log_loss(m, multi_elo(m).predict()), (0.0, math.inf)),
-    ),
+    *_of_teams("rungs", "dominant {team} generations", _dominant, form=".1f"),
+    Measure("game_value", "capture rate in the Nash equilibrium", _biased(game_value)),
+    Measure("elo_log_loss", "log loss of Elo, nats", _log_loss(cycles=0)),
+    Measure("multi_elo_log_loss", "log loss of Elo with one cycle, nats", _log_loss(cycles=1)),
 )  # fmt: skip
+MEASURES = {row.name: row for row in ROWS}
 """All measures by name, in the order of tables."""

@@ -236,44 +236,14 @@ def last_half(payoff: ArrayLike) -> Rates:
 
 
 def swap_teams(payoff: ArrayLike) -> Rates:
-    """Return the payoff matrix of the same matches from the evaders' side: ``1 - M.T``.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Payoff matrix of the pursuers.
-
-    Returns
-    -------
-    ndarray of float64, shape (m, n)
-        Escape rates, evaders in rows.
-    """
+    """Return the payoff matrix of the same matches from the evaders' side: ``1 - M.T``."""
     swapped: Rates = 1.0 - check_payoff(payoff).T
     return swapped
 
 
 def logits(payoff: ArrayLike, *, shrinkage: float = SHRINKAGE) -> Rates:
-    """Return the logits of the capture rates, shrunk towards 1/2.
+    """Return the logits ``log(x / (1 - x))`` of ``x = s + (1 - 2 s) M``, with the shrinkage s.
 
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-    shrinkage : float, optional
-        Shrinkage s, in (0, 1/2).
-
-    Returns
-    -------
-    ndarray of float64, shape (n, m)
-        ``log(x / (1 - x))`` with ``x = s + (1 - 2 s) M``.
-
-    Raises
-    ------
-    ValueError
-        If the shrinkage is outside (0, 1/2).
-
-    Notes
-    -----
     Shrinking keeps the order of all cells; clipping would make cells near 0 or 1 equal.
     """
     x = shrink(check_payoff(payoff), shrinkage)

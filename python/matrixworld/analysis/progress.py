@@ -251,25 +251,10 @@ def lag_profile(payoff: ArrayLike) -> LagProfile:
 
 
 def lag_rise(payoff: ArrayLike, lag: int | None = None) -> float:
-    """Return how much better later pursuers do than earlier ones.
+    """Return how much better later pursuers do than earlier ones, in [-1, 1].
 
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-    lag : int, optional
-        Generations between the opponents. The default is a third of the generations (10 of 31).
-
-    Returns
-    -------
-    float
-        Lag profile at ``+lag`` minus lag profile at ``-lag``, in [-1, 1]. Swapping the teams gives
-        the same number.
-
-    Raises
-    ------
-    ValueError
-        Unless ``1 <= lag < min(n, m)``.
+    Lag profile at ``+lag`` minus lag profile at ``-lag``; the lag is a third of the generations
+    unless it is given. Swapping the teams gives the same number.
     """
     matrix = check_payoff(payoff)
     shortest = min(matrix.shape)
@@ -310,27 +295,9 @@ def team_phase_rates(payoff: ArrayLike) -> Rates:
 def swing(payoff: ArrayLike, start: int | None = None) -> float:
     """Return how much the capture rate changes on average in the evaders' team phase.
 
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-    start : int, optional
-        First generation of the mean. The default is a quarter of the generations, rounded up (8 of
-        31), which leaves out the untrained ones.
-
-    Returns
-    -------
-    float
-        Mean of ``abs(M[k, k - 1] - M[k, k])`` over generations ``k >= start``.
-
-    Raises
-    ------
-    ValueError
-        Unless ``1 <= start < min(n, m)``.
-
-    Notes
-    -----
-    Pursuers learn first in a generation, so swapping the teams gives another number.
+    Mean of ``abs(M[k, k - 1] - M[k, k])`` over generations ``k >= start``; the default start, a
+    quarter of the generations, leaves out the untrained ones. Pursuers learn first in a generation,
+    so swapping the teams gives another number.
     """
     rates = team_phase_rates(payoff)
     # Row k - 1 belongs to generation k, hence one more generation than rows.
@@ -422,23 +389,10 @@ def ciao(payoff: ArrayLike) -> Ciao:
 
 
 def autocorrelation(payoff: ArrayLike) -> Rates:
-    """Return the correlation of ``M[g, h]`` with ``M[g, h - d]`` in the lower triangle.
+    """Return the correlation of ``M[g, h]`` with ``M[g, h - d]`` in the lower triangle, by d.
 
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-
-    Returns
-    -------
-    ndarray of float64, shape (m // 2,)
-        Entry d is the correlation at lag d; entry 0 is 1 by definition. NaN where fewer than 6
-        pairs of cells are left or they do not vary.
-
-    Notes
-    -----
-    The mean of each row is subtracted, then all rows are pooled. Therefore stripes count wherever
-    they lie in a row.
+    The mean of each row is subtracted, then all rows are pooled: stripes count wherever they lie in
+    a row. NaN where fewer than 6 pairs of cells are left or they do not vary.
     """
     return _autocorrelation(_lower(check_payoff(payoff)))
 

@@ -1,9 +1,9 @@
-"""Ratings: Elo, one number for each generation, and multidimensional Elo, which can fit cycles."""
+"""Ratings: Elo, one number for each generation, and cycles beside it (multidimensional Elo)."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,53 +22,29 @@ _TOLERANCE = 1e-9  # of the gradient, a sum of differences of rates
 
 @dataclass(frozen=True, eq=False)
 class Elo:
-    """Ratings with ``logit P(capture) = pursuers[g] - evaders[h] + offset``, in natural logits.
+    """Ratings: ``logit P(capture) = pursuers[g] - evaders[h] + offset + u[g] . v[h]``.
 
     Parameters
     ----------
     pursuers : ndarray of float64, shape (n,)
-        Ratings of the pursuers, sum 0; higher captures more. Times `ELO_POINTS`: points as in
-        chess.
+        Ratings of the pursuers in natural logits, sum 0; higher captures more. Times `ELO_POINTS`:
+        points as in chess.
     evaders : ndarray of float64, shape (m,)
         Ratings of the evaders, sum 0; higher escapes more.
     offset : float
         Advantage of the pursuers in the game itself.
     shrinkage : float
         Shrinkage of the rates before the fit.
+    u : ndarray of float64, shape (n, 2 cycles)
+        Style of each pursuer generation, strongest dimension first.
+    v : ndarray of float64, shape (m, 2 cycles)
+        Weakness of each evader generation against these styles.
     """
 
     pursuers: Rates
     evaders: Rates
     offset: float
     shrinkage: float
-
-    __repr__ = short_repr
-
-    @property
-    def logits(self) -> Rates:
-        """Logits of the shrunken rates; shape (n, m)."""
-        return self.pursuers[:, None] - self.evaders + self.offset
-
-    def predict(self) -> Rates:
-        """Return predicted capture rates in [0, 1], shape (n, m)."""
-        return _rates(self.logits, self.shrinkage)
-
-
-@dataclass(frozen=True, eq=False)
-class MultiElo:
-    """Elo plus cycles: ``logit P(capture) = pursuers[g] - evaders[h] + offset + u[g] . v[h]``.
-
-    Parameters
-    ----------
-    elo : Elo
-        The part that one number for each generation explains.
-    u : ndarray of float64, shape (n, 2 k)
-        Style of each pursuer generation, strongest dimension first.
-    v : ndarray of float64, shape (m, 2 k)
-        Weakness of each evader generation against these styles.
-    """
-
-    elo: Elo
     u: Rates
     v: Rates
 
@@ -77,21 +53,27 @@ class MultiElo:
     @property
     def logits(self) -> Rates:
         """Logits of the shrunken rates; shape (n, m)."""
-        values: Rates = self.elo.logits + self.u @ self.v.T
-        return values
+        ratings: Rates = self.pursuers[:, None] - self.evaders + self.offset
+        return ratings + self.u @ self.v.T if self.u.size else ratings
 
     def predict(self) -> Rates:
         """Return predicted capture rates in [0, 1], shape (n, m)."""
-        return _rates(self.logits, self.elo.shrinkage)
+        rates = (_sigmoid(self.logits) - self.shrinkage) / (1.0 - 2.0 * self.shrinkage)
+        return np.clip(rates, 0.0, 1.0)
 
 
-def elo(payoff: ArrayLike, *, ridge: float = RIDGE, shrinkage: float = SHRINKAGE) -> Elo:
-    """Fit Elo ratings of both teams to a payoff matrix.
+def elo(
+    payoff: ArrayLike, *, cycles: int = 0, ridge: float = RIDGE, shrinkage: float = SHRINKAGE
+) -> Elo:
+    """Fit Elo ratings of both teams to a payoff matrix, and cycles beside them (mElo).
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
         Payoff matrix M.
+    cycles : int, optional
+        Number of cycles k, ``0 <= 2 k <= min(n, m)``. Rock-paper-scissors needs one; with
+        ``2 k = min(n, m)`` every cell is reproduced.
     ridge : float, optional
         Weight of the squared ratings, finite and at least 0.
     shrinkage : float, optional
@@ -101,7 +83,7 @@ def elo(payoff: ArrayLike, *, ridge: float = RIDGE, shrinkage: float = SHRINKAGE
     Returns
     -------
     Elo
-        The ratings.
+        The ratings, which are the same with and without cycles.
 
     Raises
     ------
@@ -112,71 +94,35 @@ def elo(payoff: ArrayLike, *, ridge: float = RIDGE, shrinkage: float = SHRINKAGE
     -----
     The fit minimises the cross entropy of P with ``x = s + (1 - 2 s) M``, summed over cells, plus
     ``ridge / 2`` times the sum of the squared ratings. All matches enter at once, so their order
-    does not matter, and there is one solution.
+    does not matter, and there is one solution. The residual of the ratings on the logits is
+    approximated by its 2 k largest singular values, each divided evenly between u and v.
 
     References
     ----------
     Elo (1978), "The rating of chessplayers, past and present". Balduzzi et al. (2018),
-    "Re-evaluating evaluation": the batch form.
+    "Re-evaluating evaluation": the batch form, and mElo. Eckart and Young (1936), "The
+    approximation of one matrix by another of lower rank".
     """
     require(0.0 <= ridge < math.inf, "a finite ridge of at least 0", ridge)
+    values = logits(payoff, shrinkage=shrinkage)
+    rows, columns = values.shape
+    most = min(values.shape) // 2
+    require(0 <= cycles <= most, f"cycles from 0 to {most} for a matrix of {values.shape}", cycles)
     rates = shrink(check_payoff(payoff), shrinkage)
-    rows, columns = rates.shape
     # a: pursuers, b: evaders, in natural logits.
     a, b, offset = np.split(_fit(rates, ridge), [rows, rows + columns])
     # Ratings are defined up to a constant, so they are centred and the offset absorbs the means.
     shift = float(offset[0]) + float(a.mean()) - float(b.mean())
-    return Elo(a - a.mean(), b - b.mean(), shift, shrinkage)
-
-
-def multi_elo(
-    payoff: ArrayLike, *, k: int = 1, ridge: float = RIDGE, shrinkage: float = SHRINKAGE
-) -> MultiElo:
-    """Fit multidimensional Elo (mElo) with 2 k dimensions to a payoff matrix of two teams.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-    k : int, optional
-        Number of cycles, ``0 <= 2 k <= min(n, m)``. Rock-paper-scissors needs k = 1; with
-        ``2 k = min(n, m)`` every cell is reproduced.
-    ridge : float, optional
-        As for `elo`.
-    shrinkage : float, optional
-        As for `elo`.
-
-    Returns
-    -------
-    MultiElo
-        The Elo ratings, and the dimensions beside them.
-
-    Raises
-    ------
-    ValueError
-        If a parameter is out of its range.
-
-    Notes
-    -----
-    The residual of `elo` on the logits is approximated by its 2 k largest singular values, each
-    divided evenly between u and v.
-
-    References
-    ----------
-    Balduzzi et al. (2018), "Re-evaluating evaluation". Eckart and Young (1936), "The approximation
-    of one matrix by another of lower rank".
-    """
-    values = logits(payoff, shrinkage=shrinkage)
-    most = min(values.shape) // 2
-    require(0 <= k <= most, f"k from 0 to {most} for a matrix of {values.shape}", k)
-    # The cycles are fitted to the residual of Elo, so the ratings mean the same with and without.
-    ratings = elo(payoff, ridge=ridge, shrinkage=shrinkage)
+    none = np.empty((rows, 0)), np.empty((columns, 0))
+    ratings = Elo(a - a.mean(), b - b.mean(), shift, shrinkage, *none)
+    if cycles == 0:
+        return ratings
     left, sizes, right = np.linalg.svd(values - ratings.logits, full_matrices=False)
-    kept = slice(0, 2 * k)
+    kept = slice(0, 2 * cycles)
     # The sign of a singular pair is arbitrary: make the largest entry of each column of u positive.
     largest = np.take_along_axis(left, np.abs(left).argmax(axis=0)[None], axis=0)
     scale = np.where(largest < 0.0, -1.0, 1.0) * np.sqrt(sizes)
-    return MultiElo(ratings, (left * scale)[:, kept], (right.T * scale)[:, kept])
+    return replace(ratings, u=(left * scale)[:, kept], v=(right.T * scale)[:, kept])
 
 
 def log_loss(payoff: ArrayLike, predicted: ArrayLike) -> float:
@@ -251,9 +197,3 @@ def _loss(parameters: Rates, rates: Rates, ridge: float) -> tuple[float, Rates, 
 def _sigmoid(x: Rates) -> Rates:
     p: Rates = np.exp(-np.logaddexp(0.0, -x))  # does not overflow for large |x|
     return p
-
-
-def _rates(values: Rates, shrinkage: float) -> Rates:
-    """Return the capture rates that have these shrunken logits."""
-    rates: Rates = np.clip((_sigmoid(values) - shrinkage) / (1.0 - 2.0 * shrinkage), 0.0, 1.0)
-    return rates

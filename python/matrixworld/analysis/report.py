@@ -31,7 +31,7 @@ from matrixworld.analysis.progress import (
     swing,
     team_phase_rates,
 )
-from matrixworld.analysis.ratings import multi_elo
+from matrixworld.analysis.ratings import elo
 from matrixworld.analysis.runs import race_bands
 from matrixworld.analysis.strength import forgetting, late_forgetting
 
@@ -263,9 +263,9 @@ def all_results(source: Source, *, level: float = LEVEL) -> dict[str, Any]:
     dict
         ``measures``: those of `measure_all`. ``bands``: the mean curves of `race_bands`. ``runs``:
         for each run its payoff matrix and the results of `generalization`, `forgetting`,
-        `local_progress`, `historical_progress`, `lag_profile`, `ciao`, `multi_elo` (``ratings``),
-        `nash_averaging` and `alpha_rank`; of episodes also `dominance_tournament`. With cross
-        tests ``global_progress``. Arrays are lists, NaN is None.
+        `local_progress`, `historical_progress`, `lag_profile`, `ciao`, `elo` with one cycle
+        (``ratings``), `nash_averaging` and `alpha_rank`; of episodes also `dominance_tournament`.
+        With cross tests ``global_progress``. Arrays are lists, NaN is None.
     """
     payoffs = read_payoffs(source)
     bands = race_bands(payoffs.matrices, level=level)
@@ -306,7 +306,7 @@ CURVES: Mapping[str, Callable[[Rates], Any]] = {
     "historical_progress": historical_progress,
     "lag_profile": lag_profile,
     "ciao": ciao,
-    "ratings": multi_elo,
+    "ratings": lambda matrix: elo(matrix, cycles=1),
     "nash": nash_averaging,
     "alpha_rank": _ranked,
 }

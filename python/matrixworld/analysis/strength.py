@@ -162,49 +162,21 @@ def _quantile(probability: float, means: Rates, deviations: Rates, weights: Rate
 # ---- Forgetting ----------------------------------------------------------------------------------
 
 
-def forgetting(payoff: ArrayLike) -> TeamCurves:
+def forgetting(payoff: ArrayLike, held_out: ArrayLike | None = None) -> TeamCurves:
     """Return how far each generation falls below the best of its ancestors, over all opponents.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix.
+        Payoff matrix M.
+    held_out : array_like of float, shape (n, m), optional
+        Capture rates of the same pairs in other episodes.
 
     Returns
     -------
     TeamCurves
         Mean drop of each generation, in [0, 1]. It is 0 where no generation lost a payoff that an
         earlier one had.
-
-    Notes
-    -----
-    For pursuers of generation g: mean over h of ``max(M[:g + 1, h]) - M[g, h]``; for evaders the
-    same on ``1 - M``. The maximum of many noisy cells is too high by chance, so a few hundredths
-    mean nothing; `held_out_forgetting` has no such bias.
-
-    References
-    ----------
-    Chaudhry et al. (2018), "Riemannian walk for incremental learning", where forgetting is measured
-    at the end of training only.
-    """
-    matrix = check_payoff(payoff)
-    return held_out_forgetting(matrix, matrix)
-
-
-def held_out_forgetting(one: ArrayLike, other: ArrayLike) -> TeamCurves:
-    """Return forgetting without selection bias: best ancestors are chosen in other episodes.
-
-    Parameters
-    ----------
-    one : array_like of float, shape (n, m)
-        Capture rates of all pairs in one set of episodes.
-    other : array_like of float, shape (n, m)
-        Capture rates of the same pairs in other episodes.
-
-    Returns
-    -------
-    TeamCurves
-        Drop of each generation below the best ancestor, mean over opponents.
 
     Raises
     ------
@@ -213,18 +185,24 @@ def held_out_forgetting(one: ArrayLike, other: ArrayLike) -> TeamCurves:
 
     Notes
     -----
-    For each opponent one set of episodes chooses the best ancestor, and the other set measures how
-    far a generation falls below it; then the sets change roles, and the mean is taken. Pure noise
-    gives 0 on average, and noise that hides the best ancestor makes the value too low. `forgetting`
-    chooses and measures in the same episodes, so its value is too high. The same matrix twice gives
-    `forgetting`.
+    For pursuers of generation g: mean over h of ``max(M[:g + 1, h]) - M[g, h]``; for evaders the
+    same on ``1 - M``. The maximum of many noisy cells is too high by chance, so a few hundredths
+    mean nothing. With held-out episodes there is no such bias: one set chooses the best ancestor
+    and the other one measures how far a generation falls below it; then the sets change roles, and
+    the mean is taken. Pure noise then gives 0 on average, and noise that hides the best ancestor
+    makes the value too low.
+
+    References
+    ----------
+    Chaudhry et al. (2018), "Riemannian walk for incremental learning", where forgetting is measured
+    at the end of training only.
     """
-    first, second = check_payoff(one), check_payoff(other)
+    first = check_payoff(payoff)
+    second = first if held_out is None else check_payoff(held_out)
     require(first.shape == second.shape, f"two matrices of shape {first.shape}", second.shape)
     pairs = ((first, second), (swap_teams(first), swap_teams(second)))
     # Each set of episodes chooses once and measures once, so that no episode is wasted.
-    pursuers, evaders = ((_drops(a, b) + _drops(b, a)) / 2.0 for a, b in pairs)
-    return TeamCurves(pursuers, evaders)
+    return TeamCurves(*((_drops(a, b) + _drops(b, a)) / 2.0 for a, b in pairs))
 
 
 def late_forgetting(payoff: Rates, generations: slice) -> float:
@@ -241,9 +219,9 @@ def late_forgetting_over_episodes(
     """Return `late_forgetting` without selection bias, with an interval over episodes.
 
     The halves (n, m) are payoffs of the row team in two independent sets of episodes of equal size,
-    the noise (n, m) is the variance of the mean of both. The number is `held_out_forgetting`, which
-    is not too high on average; `biased_high` is `late_forgetting`, which is not too low on average.
-    The interval reaches from below the first to above the second.
+    the noise (n, m) is the variance of the mean of both. The number is that of `forgetting` with
+    held-out episodes, which is not too high on average; `biased_high` is `late_forgetting`, which
+    is not too low on average. The interval reaches from below the first to above the second.
     """
     (first, second), late = halves, _later_half(generations)
     value = float(((_drops(first, second) + _drops(second, first)) / 2.0)[late].mean())

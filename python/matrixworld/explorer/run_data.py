@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import analysis
-from matrixworld.analysis.cycles import MARGIN
+from matrixworld.analysis.cycles import MARGIN, strongest_checkerboards
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
@@ -165,9 +165,7 @@ def findings(payoff: Payoff) -> dict[str, Any]:
         "lags": plain_values(analysis.lag_profile(matrix)),
         "ciao": _ciao(payoff),
         "ratings": _ratings(payoff),
-        "checkerboards": plain_values(
-            analysis.strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)
-        ),
+        "checkerboards": plain_values(strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)),
         "margin": MARGIN,
     }
 

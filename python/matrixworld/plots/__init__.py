@@ -3,8 +3,6 @@
 They need no display and do not touch the state of ``pyplot``. Save a figure with
 ``plots.save_figure(figure, path)``, as pixels or as vector graphics, or show it as the last
 expression of a notebook cell after ``%matplotlib inline``.
-
-=========================  ================================================================
 """
 
 from __future__ import annotations
@@ -17,25 +15,20 @@ from matrixworld.plots.conflicts import (
     conflict_outcomes,
     resolve,
 )
-from matrixworld.plots.generalization import generalization_over_seeds
-from matrixworld.plots.interaction import interaction_models, turns_of
+from matrixworld.plots.generalization import generalization_curves, generalization_over_seeds
 from matrixworld.plots.payoffs import (
     COLORMAP,
     FEWEST_CELLS,
+    ciao_triangles,
     comparison,
-    generalization_curves,
     lag_profile_curve,
     payoff_heatmap,
 )
-from matrixworld.plots.rules_table import rules_table
-from matrixworld.plots.runs import run_curves, run_dots
-from matrixworld.plots.saving import FORMATS, format_of, save_figure
-from matrixworld.plots.seed_scores import seed_scores
-from matrixworld.plots.seeds import seed_bands
-from matrixworld.plots.style import DPI
+from matrixworld.plots.rules import interaction_models, rules_table, turns_of
+from matrixworld.plots.runs import run_curves, run_dots, seed_scores
+from matrixworld.plots.seeds import seed_bands, verdict_strip
+from matrixworld.plots.style import DPI, FORMATS, format_of, save_figure
 from matrixworld.plots.training import collision_rates, training_curve
-from matrixworld.plots.triangles import ciao_triangles
-from matrixworld.plots.verdicts import verdict_strip
 
 __all__ = [
     "COLORMAP",

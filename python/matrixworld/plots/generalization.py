@@ -1,8 +1,9 @@
-"""Figure of generalisation over seeds, beside teams that were trained in another way."""
+"""Figures of generalization: mean scores against all opponents, of one run and over seeds."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -11,9 +12,10 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
-from matrixworld.analysis.payoffs import check_rates
+from matrixworld.analysis.payoffs import Rates, check_rates
 from matrixworld.plots.style import (
     DASHES,
+    check_some,
     draw_band,
     fitting,
     legend_below,
@@ -30,12 +32,57 @@ NAME = 28
 """Characters of a line of a race's name."""
 
 
+def generalization_curves(
+    payoff: ArrayLike,
+    *,
+    per_episode: bool = False,
+    pursuer_baselines: Mapping[str, float] | None = None,
+    evader_baselines: Mapping[str, float] | None = None,
+    title: str = "Generalization: mean score against all opponents",
+) -> Figure:
+    """Draw the mean score of each generation against all opponents.
+
+    The score of pursuers is the capture rate, that of evaders is 1 minus the capture rate.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m) or (n, m, episodes)
+        Capture rate of each pursuer generation against each evader generation.
+    per_episode : bool, optional
+        Whether the capture rates are those of single episodes. If there are several of each pair,
+        a band shows the 95% interval over episodes of each score. The default is False.
+    pursuer_baselines, evader_baselines : mapping of str to float, optional
+        Mean scores in [0, 1] of teams that were trained in another way, against the same opponents.
+        Each is drawn as a level line with its name.
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError
+        If a baseline is outside [0, 1], or as :func:`matrixworld.analysis.check_payoff` does.
+    """
+    figure = new_figure(6.4, 4.2)
+    axes = figure.add_subplot()
+    draw_generalization(axes, payoff, per_episode)
+    for team, baselines in enumerate((pursuer_baselines or {}, evader_baselines or {})):
+        _draw_levels(axes, baselines, colors.TEAMS[team])
+    axes.set_title(fitting(figure, title))
+    legend_below(figure, *axes.get_legend_handles_labels())
+    return figure
+
+
 def generalization_over_seeds(
     payoffs: Mapping[str, Iterable[ArrayLike]],
     *,
     pursuer_baselines: Baselines | None = None,
     evader_baselines: Baselines | None = None,
-    title: str = "Generalisation: mean score against all opponents",
+    title: str = "Generalization: mean score against all opponents",
 ) -> Figure:
     """Draw the mean score of each generation against all opponents, with intervals over seeds.
 
@@ -64,8 +111,7 @@ def generalization_over_seeds(
         If there is no race, a baseline is of none of them or outside [0, 1], or as
         :func:`matrixworld.analysis.race_bands` does.
     """
-    if not payoffs:
-        raise ValueError("expected at least one race to draw, got none")
+    check_some(payoffs, "race")
     baselines = (pursuer_baselines or {}, evader_baselines or {})
     for name in [name for team in baselines for name in team if name not in payoffs]:
         raise ValueError(f"baselines: expected names of {', '.join(payoffs)}, got {name!r}")
@@ -112,3 +158,45 @@ def _draw_baseline(axes: Axes, name: str, scores: ArrayLike, color: str, dashes:
     axes.axhline(level.value, color=color, linestyle=dashes, linewidth=1.3, label=name)
     if level.low is not None and level.high is not None:
         axes.axhspan(level.low, level.high, color=color, alpha=0.1, linewidth=0)
+
+
+def mean_of(payoff: ArrayLike, per_episode: bool) -> Rates:
+    """Return the checked payoff matrix of a race, from capture rates of its episodes if given."""
+    if not per_episode:
+        return analysis.check_payoff(payoff)
+    # In float64: the sum of many float32 rates would round.
+    return analysis.check_payoff(np.asarray(payoff).mean(axis=2, dtype=np.float64))
+
+
+def draw_generalization(axes: Axes, payoff: ArrayLike, per_episode: bool) -> None:
+    """Draw the mean scores of both teams, with bands over episodes if they are known."""
+    scores = analysis.generalization(mean_of(payoff, per_episode))
+    labels = ("pursuers: capture rate", "evaders: 1 - capture rate")
+    for curve, label, color in zip(scores, labels, colors.TEAMS, strict=True):
+        axes.plot(curve, color=color, label=label, linewidth=1.5)
+    if per_episode:
+        _draw_bands(axes, payoff)
+    axes.set(xlabel="generation", ylabel="mean score")
+    axes.xaxis.set_major_locator(whole_numbers(6))
+    axes.margins(x=0.02)
+    unit_axis(axes)
+
+
+def _draw_bands(axes: Axes, scores: ArrayLike) -> None:
+    if np.shape(scores)[2] < 2:
+        return
+    look: dict[str, Any] = {"alpha": 0.3, "linewidth": 0}
+    bands = analysis.generalization_over_episodes(scores)
+    for band, color in zip(bands, colors.TEAMS, strict=True):
+        low, high = np.asarray(band.low), np.asarray(band.high)
+        axes.fill_between(np.arange(len(band.mean)), low, high, color=color, **look)
+    # An empty band for the legend, whose entry is of both teams.
+    label = "95% interval over episodes"
+    axes.fill_between([], [], [], color=colors.MUTED, label=label, **look)
+
+
+def _draw_levels(axes: Axes, baselines: Mapping[str, float], color: str) -> None:
+    for index, (name, score) in enumerate(baselines.items()):
+        level = float(check_rates([score], ndim=1, what=f"baseline {name!r}")[0])
+        dashes = DASHES[index % len(DASHES)]
+        axes.axhline(level, color=color, linestyle=dashes, linewidth=1.3, label=name)

@@ -1,4 +1,4 @@
-"""Figures of payoff matrices: every pursuer generation against every evader generation."""
+"""Figures of payoff matrices: heat maps, lag profiles, CIAO plots, and races side by side."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import analysis
 from matrixworld._util import colors
-from matrixworld.analysis.payoffs import Rates, check_rates
+from matrixworld.analysis.payoffs import Rates
+from matrixworld.plots.generalization import draw_generalization, mean_of
 from matrixworld.plots.style import (
-    DASHES,
+    check_some,
     fitting,
     legend_below,
     new_figure,
@@ -74,51 +75,6 @@ def payoff_heatmap(payoff: ArrayLike, *, title: str = "Capture rate, all against
     return figure
 
 
-def generalization_curves(
-    payoff: ArrayLike,
-    *,
-    per_episode: bool = False,
-    pursuer_baselines: Mapping[str, float] | None = None,
-    evader_baselines: Mapping[str, float] | None = None,
-    title: str = "Generalisation: mean score against all opponents",
-) -> Figure:
-    """Draw the mean score of each generation against all opponents.
-
-    The score of pursuers is the capture rate, that of evaders is 1 minus the capture rate.
-
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m) or (n, m, episodes)
-        Capture rate of each pursuer generation against each evader generation.
-    per_episode : bool, optional
-        Whether the capture rates are those of single episodes. If there are several of each pair,
-        a band shows the 95% interval over episodes of each score. The default is False.
-    pursuer_baselines, evader_baselines : mapping of str to float, optional
-        Mean scores in [0, 1] of teams that were trained in another way, against the same opponents.
-        Each is drawn as a level line with its name.
-    title : str, optional
-        Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-
-    Raises
-    ------
-    ValueError
-        If a baseline is outside [0, 1], or as :func:`matrixworld.analysis.check_payoff` does.
-    """
-    figure = new_figure(6.4, 4.2)
-    axes = figure.add_subplot()
-    _draw_generalization(axes, payoff, per_episode)
-    for team, baselines in enumerate((pursuer_baselines or {}, evader_baselines or {})):
-        _draw_baselines(axes, baselines, colors.TEAMS[team])
-    axes.set_title(fitting(figure, title))
-    legend_below(figure, *axes.get_legend_handles_labels())
-    return figure
-
-
 def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figure:
     """Draw the lag profile: the mean over k of ``payoff[k + d, k]`` for each lag d.
 
@@ -149,6 +105,70 @@ def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figur
     return figure
 
 
+def ciao_triangles(
+    payoff: ArrayLike,
+    *,
+    names: tuple[str, str] = ("pursuers", "evaders"),
+    title: str = "Current individuals against ancestral opponents",
+) -> Figure:
+    """Draw the CIAO plots of both teams.
+
+    Light cells are wins of the team. The upper edge of a triangle is the current opponent; the
+    further down, the older the opponent.
+
+    Parameters
+    ----------
+    payoff : array_like of float, shape (n, m)
+        Payoff matrix.
+    names : tuple of str, optional
+        Names of the teams: that of the rows, then that of the columns.
+    title : str, optional
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As :func:`matrixworld.analysis.check_payoff` does.
+
+    References
+    ----------
+    Cliff and Miller (1995), "Tracking the Red Queen: measurements of adaptive progress in
+    co-evolutionary simulations".
+    """
+    triangles = analysis.ciao(payoff)
+    figure = new_figure(7.4, 3.8)
+    panels = figure.subplots(1, 2)
+    for axes, triangle, name, other, color in zip(
+        panels, triangles, names, names[::-1], colors.TEAMS, strict=True
+    ):
+        image = axes.imshow(
+            triangle.payoff.T,
+            origin="lower",
+            vmin=0,
+            vmax=1,
+            cmap=COLORMAP,
+            aspect="auto",
+            interpolation="nearest",
+        )
+        axes.set_title(f"wins of {name}", color=color)
+        _label_triangle(axes, f"generation of {name}", f"generation of {other}")
+    figure.colorbar(image, ax=list(panels), label="payoff (0 loses, 1 wins)", shrink=0.9)
+    figure.suptitle(fitting(figure, title))
+    return figure
+
+
+def _label_triangle(axes: Axes, along: str, upwards: str) -> None:
+    axes.set(xlabel=along, ylabel=upwards)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(whole_numbers(6))
+    axes.spines[["top", "right"]].set_visible(False)
+
+
 def comparison(
     payoffs: Mapping[str, ArrayLike],
     judgements: Mapping[str, analysis.Judgement] | None = None,
@@ -158,7 +178,7 @@ def comparison(
 ) -> Figure:
     """Draw several races side by side, on the same scales.
 
-    Each race has its heat map, its lag profile and its generalisation curves, in a column below its
+    Each race has its heat map, its lag profile and its generalization curves, in a column below its
     name, its judgement and two of its measures. At most `COLUMNS`
     races are beside each other.
 
@@ -184,8 +204,7 @@ def comparison(
     ValueError
         If there are no races, or as :func:`matrixworld.analysis.check_payoff` does.
     """
-    if not payoffs:
-        raise ValueError("expected at least one race to draw, got none")
+    check_some(payoffs, "race")
     lines = -(-len(payoffs) // COLUMNS)
     columns = -(-len(payoffs) // lines)  # rows of equal length: 5 races are 3 and 2
     figure = new_figure(1.2 + 4.0 * columns, 0.6 + 9.4 * lines)
@@ -197,7 +216,7 @@ def comparison(
     for axes in np.concatenate(panels[len(payoffs) :] or [np.empty(0, object)]):
         axes.remove()
     panels = panels[: len(payoffs)]
-    means = {name: _mean(payoff, per_episode) for name, payoff in payoffs.items()}
+    means = {name: mean_of(payoff, per_episode) for name, payoff in payoffs.items()}
     _write_heads([column[0] for column in panels], means, judgements or {})
     _share_legends(figure, panels, columns)
     if title:
@@ -207,14 +226,6 @@ def comparison(
     if layout is not None:
         layout.execute(figure)
     return figure
-
-
-def _mean(payoff: ArrayLike, per_episode: bool) -> Rates:
-    """Return the checked payoff matrix of a race, from capture rates of its episodes if given."""
-    if not per_episode:
-        return analysis.check_payoff(payoff)
-    # In float64: the sum of many float32 rates would round.
-    return analysis.check_payoff(np.asarray(payoff).mean(axis=2, dtype=np.float64))
 
 
 def _share_legends(figure: Figure, panels: Sequence[NDArray[np.object_]], columns: int) -> None:
@@ -233,11 +244,11 @@ def _share_legends(figure: Figure, panels: Sequence[NDArray[np.object_]], column
 
 
 def _draw_race(column: NDArray[np.object_], payoff: ArrayLike, per_episode: bool) -> None:
-    matrix = _mean(payoff, per_episode)
+    matrix = mean_of(payoff, per_episode)
     _draw_heatmap(column[0], matrix)
     _draw_lag_profile(column[1], matrix)
-    _draw_generalization(column[2], payoff, per_episode)
-    for axes, title in zip(column[1:], ("lag profile", "generalisation"), strict=True):
+    draw_generalization(column[2], payoff, per_episode)
+    for axes, title in zip(column[1:], ("lag profile", "generalization"), strict=True):
         axes.set_title(title, size="medium")
 
 
@@ -297,39 +308,6 @@ def _enclose_diagonal(axes: Axes, cells: int) -> None:
     outline = [Stroke(linewidth=1.9 * width, foreground=colors.INK), Normal()]
     for x, y in ((early, late), (late, early)):
         axes.plot(x, y, color=colors.PAPER, linewidth=width, path_effects=outline)
-
-
-def _draw_generalization(axes: Axes, payoff: ArrayLike, per_episode: bool) -> None:
-    scores = analysis.generalization(_mean(payoff, per_episode))
-    labels = ("pursuers: capture rate", "evaders: 1 - capture rate")
-    for curve, label, color in zip(scores, labels, colors.TEAMS, strict=True):
-        axes.plot(curve, color=color, label=label, linewidth=1.5)
-    if per_episode:
-        _draw_bands(axes, payoff)
-    axes.set(xlabel="generation", ylabel="mean score")
-    axes.xaxis.set_major_locator(whole_numbers(6))
-    axes.margins(x=0.02)
-    unit_axis(axes)
-
-
-def _draw_bands(axes: Axes, scores: ArrayLike) -> None:
-    if np.shape(scores)[2] < 2:
-        return
-    look: dict[str, Any] = {"alpha": 0.3, "linewidth": 0}
-    bands = analysis.generalization_over_episodes(scores)
-    for band, color in zip(bands, colors.TEAMS, strict=True):
-        low, high = np.asarray(band.low), np.asarray(band.high)
-        axes.fill_between(np.arange(len(band.mean)), low, high, color=color, **look)
-    # An empty band for the legend, whose entry is of both teams.
-    label = "95% interval over episodes"
-    axes.fill_between([], [], [], color=colors.MUTED, label=label, **look)
-
-
-def _draw_baselines(axes: Axes, baselines: Mapping[str, float], color: str) -> None:
-    for index, (name, score) in enumerate(baselines.items()):
-        level = float(check_rates([score], ndim=1, what=f"baseline {name!r}")[0])
-        dashes = DASHES[index % len(DASHES)]
-        axes.axhline(level, color=color, linestyle=dashes, linewidth=1.3, label=name)
 
 
 def _draw_lag_profile(axes: Axes, payoff: ArrayLike) -> None:

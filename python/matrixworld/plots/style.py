@@ -1,10 +1,13 @@
-"""The look that all figures share: size, legend, axes."""
+"""What all figures share: size, title, legend, axes, and files: pixels or vector graphics."""
 
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
 
+import matplotlib as mpl
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -14,6 +17,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
 from matrixworld._util import colors
+from matrixworld._util.files import replacing
 from matrixworld.analysis import Band
 
 DPI = 150
@@ -24,6 +28,14 @@ TITLE_CHARACTERS = 9
 
 DASHES = ("--", ":", "-.")
 """Line styles beside the solid one."""
+LINES: tuple[tuple[str, Any], ...] = tuple(
+    (color, style)
+    for style in ("-", *DASHES)
+    for color in (colors.BLUE, colors.VERMILLION, colors.GREEN, colors.PURPLE, colors.ORANGE)
+)
+"""Colour and dashes of each group of runs, in their order."""
+MOST_LINES = 10
+"""With more runs the single ones are not drawn: their lines would hide the band."""
 
 
 def new_figure(width: float, height: float) -> Figure:
@@ -41,6 +53,12 @@ def wrapped(text: str, width: int) -> str:
 def fitting(figure: Figure, title: str) -> str:
     """Return a title in as many lines as it needs in a figure."""
     return wrapped(title, int(TITLE_CHARACTERS * figure.get_figwidth()))
+
+
+def check_some(groups: Mapping[str, object], what: str = "group of runs") -> None:
+    """Raise ValueError if there is nothing to draw."""
+    if not groups:
+        raise ValueError(f"expected at least one {what} to draw, got none")
 
 
 def legend_below(
@@ -76,3 +94,65 @@ def draw_band(
     axes.plot(places, band.mean, color=color, linestyle=line, linewidth=1.7, label=label or None)
     if band.low is not None and band.high is not None:
         axes.fill_between(places, band.low, band.high, color=color, alpha=0.22, linewidth=0)
+
+
+# ---- Files ---------------------------------------------------------------------------------------
+
+FORMATS = ("png", "pdf", "svg")
+"""Formats of figures, which are the suffixes of their files; pdf and svg are vector graphics."""
+
+# TrueType fonts: journals refuse the other kind that Matplotlib writes. No date and no random names
+# of parts, so that files under version control change with the figure only.
+_LOOK: dict[Any, Any] = {"pdf.fonttype": 42, "svg.hashsalt": "matrixworld"}
+_NO_DATE: dict[str, dict[str, Any]] = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}
+
+
+def format_of(path: Path) -> str:
+    """Return the format of a figure's file by its suffix.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Returns
+    -------
+    str
+        One of `FORMATS`.
+
+    Raises
+    ------
+    ValueError
+        If the suffix is another one.
+    """
+    suffix = path.suffix.lower().removeprefix(".")
+    if suffix not in FORMATS:
+        expected = ", ".join(f".{each}" for each in FORMATS)
+        raise ValueError(f"{path}: expected a name that ends in {expected}, got {path.name!r}")
+    return suffix
+
+
+def save_figure(figure: Figure, path: Path) -> Path:
+    """Write a figure, complete or not at all, in the format of the file's suffix.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        The figure.
+    path : Path
+        The file: ``.png``, ``.pdf`` or ``.svg``. An older file is replaced.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ValueError
+        If the file has another suffix.
+    """
+    kind = format_of(path)
+    with mpl.rc_context(_LOOK), replacing(path) as file:
+        figure.savefig(file, format=kind, metadata=_NO_DATE.get(kind))
+    return path

@@ -49,7 +49,7 @@ def scores_in_race(
     References
     ----------
     Sun et al. (2023), "MatrixWorld", arXiv:2307.14854: the baselines of its figure on
-    generalisation.
+    generalization.
     """
     check_choice("team", team, TEAMS)
     settings = race.settings

@@ -1,7 +1,7 @@
 """Do co-evolved teams generalise better? A race and three baselines, at equal matches.
 
-    python evolution/generalisation.py             some minutes; can be interrupted
-    python evolution/generalisation.py --quick     a small world, some seconds
+    python evolution/generalization.py             some minutes; can be interrupted
+    python evolution/generalization.py --quick     a small world, some seconds
 
 There are three baselines beside a race: pursuers that learn against random evaders, evaders that
 learn against random pursuers, and evaders that learn against random pursuers for half of their
@@ -13,7 +13,7 @@ second race with the next seed provides opponents that are new to all teams.
 
 Method: the comparison of Sun et al. (2023), "MatrixWorld", arXiv:2307.14854.
 
-Look at the mean score, which is the generalisation, and at the worst score, which is what remains
+Look at the mean score, which is the generalization, and at the worst score, which is what remains
 against the most difficult opponent. Compare both with the score against the training opponents: it
 shows how much a baseline loses against new ones. A single race depends on its seed: try another
 ``--seed``, or ``paper_claims.py``, which runs ten seeds.
@@ -159,8 +159,8 @@ def main() -> None:
     parser.add_argument(
         "--schedule", choices=coevolution.SCHEDULES, default="generalist-generalist"
     )
-    parser.add_argument("--runs", type=Path, default=Path("runs/generalisation"))
-    parser.add_argument("--figure", default="generalisation.png", help="file to draw to")
+    parser.add_argument("--runs", type=Path, default=Path("runs/generalization"))
+    parser.add_argument("--figure", default="generalization.png", help="file to draw to")
     args = parser.parse_args()
     race = replace(QUICK if args.quick else FULL, schedule=args.schedule, seed=args.seed)
     # Quick and full runs, and different seeds, never share a directory.
@@ -180,7 +180,7 @@ def main() -> None:
         for team, standing in found.items()
     }
     payoff = runs[race.schedule].payoff().capture_rate
-    title = f"Generalisation: {race.schedule}, and baselines"
+    title = f"Generalization: {race.schedule}, and baselines"
     plots.generalization_curves(payoff, **lines, title=title).savefig(args.figure)
     print(f"Drawn: {args.figure}. Runs: {root}")
 
