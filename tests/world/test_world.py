@@ -7,12 +7,13 @@ import json
 import warnings
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, get_type_hints
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
+from matrixworld.world.arrays import WorldArrays
 from rows import config_of, random_actions
 
 ARRAYS = [name for name, (shape, _) in mw.array_specs(mw.WorldConfig()).items() if shape]
@@ -183,10 +184,17 @@ def test_attributes_are_copies() -> None:
 
 def test_arrays_are_as_specified() -> None:
     world = mw.World(config_of("SB", diagonal=True))
-    for name, (shape, dtype) in mw.array_specs(world.config).items():
-        value = np.asarray(read(world, name))
-        assert value.shape == shape
-        assert value.dtype == dtype or not shape
+    specs, declared = mw.array_specs(world.config), get_type_hints(WorldArrays)
+    assert set(declared) == set(specs) - {"views", "state"}
+    assert set(specs) <= set(dir(world))
+    for name, (shape, dtype) in specs.items():
+        value = read(world, name)
+        if shape:
+            assert (value.shape, value.dtype) == (shape, dtype)
+        else:
+            assert type(value) is declared[name]
+    with pytest.raises(AttributeError, match="'World' object has no attribute 'position'"):
+        world.position  # noqa: B018
 
 
 def test_conflicts_are_kept_only_with_explain() -> None:
