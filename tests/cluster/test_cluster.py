@@ -123,6 +123,20 @@ def test_a_killed_worker_is_replaced_by_another(dask: DaskCluster, tmp_path: Pat
     check_equal(place, settings, tmp_path / "alone")
 
 
+def test_work_goes_on_when_all_workers_were_lost_and_another_joins(dask: DaskCluster) -> None:
+    [only] = dask.workers(1)
+    told: list[str] = []
+    with cluster(dask.address, tell=told.append) as executor:
+        asked = [executor.submit(time.sleep, 0.5) for _ in range(3)]
+        wait_until(asked[0].running, "begin of the work")
+        dask.kill(only)
+        wait_until(lambda: len(told) == 1, "sentence for the user")
+        assert not asked[-1].done()
+        dask.workers(1)
+        assert [each.result(timeout=60) for each in asked] == [None] * 3
+    assert told[0].startswith("No worker is left at the scheduler tcp://")
+
+
 @pytest.mark.slow
 def test_a_frozen_worker_does_no_harm(dask: DaskCluster, tmp_path: Path) -> None:
     first, _ = dask.workers(2)

@@ -10,7 +10,7 @@ import pytest
 import matrixworld as mw
 from killed import CONTEXT, start_server
 from matrixworld.cluster import probe
-from matrixworld.cluster.probe import Probe, Traits, posted
+from matrixworld.cluster.probe import Probe, posted, traits_here
 
 
 def answer(asked: Probe) -> str:
@@ -37,12 +37,12 @@ def test_a_process_like_this_one_is_fit(tmp_path: Path) -> None:
     ],
 )
 def test_other_traits_are_named(trait: str, problem: str) -> None:
-    traits = replace(Traits.here(), **{trait: "other"})
+    traits = {**traits_here(), trait: "other"}
     assert Probe(traits).problem().startswith(problem)
 
 
 def test_processors_matter_only_where_results_depend_on_them() -> None:
-    traits = replace(Traits.here(), algebra="openblas 0.3.7 Z80")
+    traits = {**traits_here(), "algebra": "openblas 0.3.7 Z80"}
     assert Probe(traits).problem() == ""
     assert "CMA-ES" in Probe(traits, like_processors=True).problem()
 

@@ -40,7 +40,6 @@ NOT_COPIED = {
     "VectorEnv": "it holds a batch",
     "AgentVectorEnv": "it holds a `VectorEnv`",
     "Exercise": "its check is a closure",
-    "ClusterExecutor": "it holds connections",
     "ProgressBar": "it holds a terminal",
     "VariantModule": "a module",
 }
@@ -285,7 +284,6 @@ def _of_jobs(directory: Path) -> Iterator[Any]:
     failed = {Path("seed-0"): OSError("full")}
     yield coevolution.FailedRunsError(failed, [coevolution.open_run(directory / "race")])
     yield from (coevolution.StoppedError("stopped"), coevolution.WorkerDiedError("died"))
-    yield cluster.Probe(cluster.Traits("1.0", "c0de", "42", "2.0", "OpenBLAS"), sign=directory)
     yield from (cluster.ClusterLostError("lost"), cluster.UnfitWorkerError("unfit"))
 
 

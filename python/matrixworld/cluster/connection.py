@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import asyncio
 import logging
-import signal
 import warnings
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager
-from multiprocessing import resource_tracker
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +15,7 @@ from matrixworld._util.checks import usable_cores
 from matrixworld._util.files import DamagedFileError, read_json
 from matrixworld.cluster.executor import ClusterExecutor
 from matrixworld.cluster.probe import posted
+from matrixworld.coevolution.jobs.worker import without_interrupts
 from matrixworld.version import install_hint
 
 AUTO = "auto"
@@ -70,7 +69,7 @@ def cluster(
         probe = stack.enter_context(posted(directory, like_processors=like_processors))
         executor = ClusterExecutor(client, probe, tell=tell)
         stack.callback(executor.close)
-        executor.check_workers()
+        executor.start()
         yield executor
 
 
@@ -97,7 +96,7 @@ def _connected(where: str) -> Iterator[Any]:
     local: Any = LocalCluster
     with ExitStack() as stack:
         if where == AUTO:
-            with _without_interrupts():
+            with without_interrupts():
                 address: Any = stack.enter_context(local(**_local()))
         else:
             address = where if "://" in where else _address_in(Path(where))
@@ -139,24 +138,6 @@ def _check_answer(address: str) -> None:
             raise OSError(
                 f"{address}: expected a Dask scheduler, got no answer within {CONNECT_SECONDS} s"
             ) from None
-
-
-@contextmanager
-def _without_interrupts() -> Iterator[None]:
-    """Block Ctrl-C for the processes that are started, now or later by threads that are.
-
-    A terminal sends it to all processes. Only this one must act: it tells the others to stop.
-    """
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    # Started later, it would unblock Ctrl-C in the thread that starts it.
-    resource_tracker.ensure_running()
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager

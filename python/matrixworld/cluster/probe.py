@@ -36,43 +36,22 @@ DIFFERENT = {
     "numpy": "another version of NumPy",
     "algebra": "another processor or linear algebra, which CMA-ES and PyTorch round differently",
 }
-"""What is wrong if a trait differs, by the field of `Traits`."""
+"""What is wrong if a trait differs."""
 
 
-@dataclass(frozen=True)
-class Traits:
-    """What results depend on, besides settings and seeds.
-
-    Parameters
-    ----------
-    version : str
-        Version of the package.
-    code : str
-        Digest of the package's Python files: versions between two releases have one number.
-    engine : str
-        Digest of episodes that the engine plays.
-    numpy : str
-        Version of NumPy.
-    algebra : str
-        Libraries of linear algebra and the processors that they compute for.
-    """
-
-    version: str
-    code: str
-    engine: str
-    numpy: str
-    algebra: str
-
-    @classmethod
-    def here(cls) -> Traits:
-        """Return the traits of this process."""
-        return cls(
-            __version__, code_fingerprint(), engine_fingerprint(), np.__version__, linear_algebra()
-        )
+def traits_here() -> dict[str, str]:
+    """Return what results of this process depend on, besides settings and seeds."""
+    return {
+        "version": __version__,
+        "code": code_fingerprint(),
+        "engine": engine_fingerprint(),
+        "numpy": np.__version__,
+        "algebra": linear_algebra(),
+    }
 
 
 def code_fingerprint() -> str:
-    """Return a digest, 8 hexadecimal digits, of the package's Python files."""
+    """Return a digest of the package's Python files: versions between releases have one number."""
     root = Path(matrixworld.__file__).parent
     digest = hashlib.sha256()
     for file in sorted(root.rglob("*.py")):
@@ -81,13 +60,7 @@ def code_fingerprint() -> str:
 
 
 def engine_fingerprint() -> str:
-    """Return a digest, 8 hexadecimal digits, of a few short episodes in the engine.
-
-    Notes
-    -----
-    It takes some milliseconds. A much larger set of episodes is that of
-    ``tests/contract/test_fingerprint.py``.
-    """
+    """Return a digest of a few short episodes in the engine, which take some milliseconds."""
     digest = hashlib.sha256()
     for variant in ("O", "SB", "TO"):
         config = WorldConfig(variant, rows=12, cols=12, obstacles=0.1, max_steps=30)
@@ -120,30 +93,21 @@ def linear_algebra() -> str:
 
 @dataclass(frozen=True)
 class Probe:
-    """What another process must have to share work.
+    """What another process must have to share work."""
 
-    Parameters
-    ----------
-    traits : Traits
-        Traits of the process that hands out work.
-    like_processors : bool
-        Whether the linear algebra must be the same, too.
-    sign : Path, optional
-        A locked file in the directory that both must see; None if the work needs no files.
-    token : str, optional
-        Content of that file.
-    """
-
-    traits: Traits
+    traits: dict[str, str]
     like_processors: bool = False
+    """Whether the linear algebra must be the same, too."""
     sign: Path | None = None
+    """A locked file in the directory that both must see; None if the work needs no files."""
     token: str = ""
+    """Content of that file."""
 
     def problem(self) -> str:
         """Return why this process cannot share the work, or an empty string."""
-        here = Traits.here()
+        here = traits_here()
         for name, different in DIFFERENT.items():
-            expected, found = getattr(self.traits, name), getattr(here, name)
+            expected, found = self.traits[name], here[name]
             if found != expected and (self.like_processors or name != "algebra"):
                 return f"it has {different} (expected {expected}, got {found})"
         return "" if self.sign is None else self._problem_of_files(self.sign)
@@ -168,19 +132,10 @@ class Probe:
 def posted(directory: Path | None, *, like_processors: bool = False) -> Iterator[Probe]:
     """Yield a probe for work on files in a directory; None if the work needs no files.
 
-    Parameters
-    ----------
-    directory : Path or None
-        The directory; it is made if it does not exist, and removed again if it stays empty.
-    like_processors : bool, optional
-        Whether the linear algebra must be the same, too.
-
-    Yields
-    ------
-    Probe
-        It can be checked as long as the block lasts: it needs a file that is removed at the end.
+    The directory is made if it does not exist, and removed again if it stays empty. The probe can
+    be checked as long as the block lasts: it needs a file that is removed at the end.
     """
-    traits = Traits.here()
+    traits = traits_here()
     if directory is None:
         yield Probe(traits, like_processors)
         return
