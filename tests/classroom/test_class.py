@@ -17,6 +17,7 @@ from class_submissions import (
     HARMLESS_ATTACKS,
     REFUSED_PROGRAMS,
     honest_programs,
+    problem_here,
     processes_of_programs,
     write_genomes,
     write_hostile_files,
@@ -24,7 +25,7 @@ from class_submissions import (
 )
 from matrixworld import Matches, WorldConfig, match_seed, record_actions, rollout
 from matrixworld.classroom import ClassResult, Limits, play_class, standings
-from matrixworld.classroom.policy_process import CAN_FORK, PolicyServer, problem_here
+from matrixworld.classroom.policy_process import CAN_FORK, PolicyServer
 from matrixworld.classroom.tournament import SCRIPTS
 from matrixworld.coevolution.types import TEAMS
 

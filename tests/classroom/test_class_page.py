@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from class_submissions import problem_here
 from matrixworld import WorldConfig
 from matrixworld.classroom import play_class
-from matrixworld.classroom.policy_process import problem_here
 from matrixworld.classroom.policy_server import MODULES
 from matrixworld.classroom.sandbox import ALLOWED
 from matrixworld.classroom.untrusted import MOST_BYTES

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import json
-import re
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from browser import DESKTOP, PHONE, Browser, browser
+from browser import DESKTOP, PHONE, Browser, browser, data_of
 from class_submissions import write_genomes
 from matrixworld import WorldConfig
 from matrixworld.classroom import ClassResult, class_page, play_class, standings
@@ -41,13 +38,6 @@ def page(played: tuple[ClassResult, Tables], tmp_path_factory: pytest.TempPathFa
     file = tmp_path_factory.mktemp("page") / "class.html"
     write_page(file, class_page(*played, title=f"class {HOSTILE}"))
     return file
-
-
-def data_of(html: str) -> dict[str, Any]:
-    found = re.search(r'id="data">(.*?)</script>', html)
-    assert found
-    data: dict[str, Any] = json.loads(found[1])
-    return data
 
 
 @pytest.mark.parametrize("size", [DESKTOP, PHONE])
@@ -108,14 +98,14 @@ def test_a_page_without_room_keeps_the_best_and_worst_matches(
 ) -> None:
     result, tables = played
     whole = sum(-(-actions.size // 3) for actions in result.recordings.values())
-    html = class_page(result, tables, title="small", most=whole // 2)
-    steps = data_of(html)["steps"]
+    page = tmp_path / "small.html"
+    write_page(page, class_page(result, tables, title="small", most=whole // 2))
+    steps = data_of(page)["steps"]
     first = tables["pursuer"][0]
     assert steps[first.number][first.best] == len(result.recordings[first.number, first.best])
     missing = [(g, h) for g, row in enumerate(steps) for h, n in enumerate(row) if n < 0]
     assert missing
-    write_page(tmp_path / "small.html", html)
-    browser.open(tmp_path / "small.html", DESKTOP)
+    browser.open(page, DESKTOP)
     for g, h in [missing[0], (first.number, first.best)]:
         cell = f"document.querySelector('rect[data-pair=\"{g} {h}\"]')"
         x, y = browser.js(f"(box => [box.x + 2, box.y + 2])({cell}.getBoundingClientRect())")

@@ -8,10 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from class_submissions import honest_programs, write_genomes, write_programs
+from class_submissions import honest_programs, problem_here, write_genomes, write_programs
 from command_line import RACE, matrixworld_command, run_together, words
 from matrixworld.classroom import load_genome
-from matrixworld.classroom.policy_process import problem_here
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.storage.saved_run import run_directories
 

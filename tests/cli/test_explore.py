@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import json
-import re
 from pathlib import Path
-from typing import Any
 
 import pytest
 
+from browser import data_of
 from command_line import JOB, MAIN_JOB, PLACES, RACE, matrixworld_command, words
 from matrixworld.cli import explore
 from matrixworld.cli.explore import first_seeds
@@ -30,13 +29,6 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
     """A tiny main job and what evolve printed."""
     output = tmp_path_factory.mktemp("job") / "main job"
     return output, matrixworld_command("evolve", output, *words(JOB), "--threads", 1).output
-
-
-def data_of(page: Path) -> dict[str, Any]:
-    found = re.search(r'id="data">(.*?)</script>', page.read_text(encoding="utf-8"))
-    assert found
-    data: dict[str, Any] = json.loads(found[1])
-    return data
 
 
 def test_evolve_ends_with_a_page_of_all_its_races(job: tuple[Path, str]) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from browser import DESKTOP, PHONE, Browser
+from browser import DESKTOP, PHONE, READY, Browser
 from matrixworld import World
 from matrixworld.coevolution import SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -285,7 +285,7 @@ def test_a_step_opens_in_the_playground(browser: Browser, page: Path, job: Job) 
     browser.press("g")
     browser.driver.switch_to.window(browser.driver.window_handles[-1])
     try:
-        browser.wait("document.body.dataset.ready === 'true'")
+        browser.wait(READY)
         scene = browser.js(
             "(({pursuers, evaders, next}) => ({cells: [...pursuers, ...evaders].map((a) => a.cell),"
             " next}))(window.playground.scene)"

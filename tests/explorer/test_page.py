@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from matrixworld.explorer.page import BUILT, KINDS, render_page
+from matrixworld.explorer.page import BUILT, SUFFIXES, render_page
 
 PAGES = ("explorer", "playground", "class")
 WEB = Path(__file__).parents[2] / "web"
@@ -30,9 +30,9 @@ def source_digest() -> str:
 
 
 @pytest.mark.parametrize("page", PAGES)
-@pytest.mark.parametrize("kind", KINDS)
-def test_built_files_are_of_the_present_sources(page: str, kind: str) -> None:
-    first_line = (BUILT / f"{page}.{kind}").read_text(encoding="utf-8").partition("\n")[0]
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_built_files_are_of_the_present_sources(page: str, suffix: str) -> None:
+    first_line = (BUILT / f"{page}.{suffix}").read_text(encoding="utf-8").partition("\n")[0]
     assert f"sources {source_digest()} */" in first_line, "run npm ci && npm run build in web/"
 
 

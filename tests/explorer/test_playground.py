@@ -235,8 +235,7 @@ def test_bad_links_are_told_and_change_nothing(
 
 def test_a_page_opened_by_a_bad_link_begins_with_the_first_example(page: PlaygroundPage) -> None:
     page.browser.js("location.hash = 'rules=X'")
-    page.browser.driver.refresh()
-    page.browser.wait("document.body.dataset.ready === 'true'")
+    page.browser.reload()
     assert "This link holds no scene. rules: expected D, R, B, " in page.message()
     assert page.browser.js("playground.example.title") == GALLERY[0].title
 
@@ -244,8 +243,7 @@ def test_a_page_opened_by_a_bad_link_begins_with_the_first_example(page: Playgro
 def test_a_reload_shows_the_same_scene(page: PlaygroundPage) -> None:
     page.browser.press(DOWN, ENTER, "5")
     before = page.scene(), cells(page)
-    page.browser.driver.refresh()
-    page.browser.wait("document.body.dataset.ready === 'true'")
+    page.browser.reload()
     assert (page.scene(), cells(page)) == before
 
 
@@ -274,8 +272,7 @@ def test_nothing_is_cut_off_and_nothing_jumps(page: PlaygroundPage, size: tuple[
 
 def test_pages_without_motion_show_steps_at_once(page: PlaygroundPage) -> None:
     page.browser.prefer(prefers_reduced_motion="reduce")
-    page.browser.driver.refresh()
-    page.browser.wait("document.body.dataset.ready === 'true'")
+    page.browser.reload()
     page.browser.press(ENTER)
     assert page.browser.js("playground.player.time") == 1
     page.browser.prefer()

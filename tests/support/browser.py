@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -18,6 +20,16 @@ NAMES = ("chromium", "chromium-browser", "google-chrome")
 DRIVERS = ("chromedriver",)
 DESKTOP, LAPTOP, PHONE = (1920, 1080), (1280, 800), (390, 844)
 """Sizes of windows: width and height in CSS pixels."""
+READY = "document.body.dataset.ready === 'true'"
+"""What the script of a page says when it is ready."""
+
+
+def data_of(page: Path) -> dict[str, Any]:
+    """Return the data that a page holds."""
+    found = re.search(r'id="data">(.*?)</script>', page.read_text(encoding="utf-8"))
+    assert found
+    data: dict[str, Any] = json.loads(found[1])
+    return data
 
 
 class Browser:
@@ -30,7 +42,12 @@ class Browser:
         """Open a file and wait until its script says that it is ready."""
         self.resize(*size)
         self.driver.get(page.absolute().as_uri())
-        self.wait("document.body.dataset.ready === 'true'")
+        self.wait(READY)
+
+    def reload(self) -> None:
+        """Load the page again, with its address."""
+        self.driver.refresh()
+        self.wait(READY)
 
     def resize(self, width: int, height: int) -> None:
         """Set the size of the page. Windows cannot be narrower than 500 pixels; pages can."""

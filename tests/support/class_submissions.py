@@ -10,7 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
-from matrixworld.classroom import save_genome
+from matrixworld.classroom import Limits, save_genome
+from matrixworld.classroom.policy_process import CAN_FORK, NO_FORK, PolicyServer
 from matrixworld.play import NetworkPolicy
 from matrixworld.world.policy import Network
 
@@ -246,6 +247,17 @@ def write_genomes(directory: Path, count: int) -> None:
     for n in range(count):
         policy = NetworkPolicy(network, network.initial(np.random.default_rng(n)))
         save_genome(directory / f"genome {n:02}.npz", ("pursuer", "evader")[n % 2], policy)
+
+
+def problem_here() -> str:
+    """Return why programs cannot play on this system; empty if they can."""
+    if not CAN_FORK:
+        return NO_FORK
+    server = PolicyServer(Limits())
+    try:
+        return server.ready()
+    finally:
+        server.close()
 
 
 def processes_of_programs() -> list[int]:

@@ -140,17 +140,6 @@ class PolicyServer:
         self._process.wait()
 
 
-def problem_here() -> str:
-    """Return why programs cannot play on this system; empty if they can."""
-    if not CAN_FORK:
-        return NO_FORK
-    server = PolicyServer(Limits())
-    try:
-        return server.ready()
-    finally:
-        server.close()
-
-
 def _environment() -> dict[str, str]:
     """Return the environment of a server: nothing of the user's."""
     kept = {name: os.environ[name] for name in ("LD_LIBRARY_PATH",) if name in os.environ}

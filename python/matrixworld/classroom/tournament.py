@@ -30,7 +30,7 @@ from matrixworld.classroom.submissions import (
     without_path,
     without_rivals,
 )
-from matrixworld.coevolution.progress import Report
+from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play import check_fits
 from matrixworld.play.rollout import match_seed
@@ -78,10 +78,6 @@ class ClassResult:
     recordings: dict[tuple[int, int], NDArray[np.uint8]] = field(repr=False)
 
 
-def _silent(what: str, done: int, total: int) -> None:
-    """Report nothing."""
-
-
 def play_class(
     directory: Path,
     config: WorldConfig,
@@ -91,7 +87,7 @@ def play_class(
     limits: Limits | None = None,
     trust: bool = False,
     threads: int | None = None,
-    progress: Callable[[str], AbstractContextManager[Report]] = lambda unit: nullcontext(_silent),
+    progress: Callable[[str], AbstractContextManager[Report]] = lambda unit: nullcontext(silent),
 ) -> ClassResult:
     """Play the tournament of a directory of submissions.
 

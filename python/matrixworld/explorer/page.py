@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from markupsafe import Markup
 
 BUILT = Path(__file__).parent / "built"
-KINDS = ("js", "css")
+SUFFIXES = ("js", "css")
 ENGINE = "engine"
 """Name of the script that holds the engine as WebAssembly, which all pages share."""
 
@@ -51,7 +51,7 @@ def render_page(
     """
     scripts = {name: _inline(name, "js") for name in (ENGINE, page)}
     style = _inline(page, "css")
-    more_scripts, more_styles = ([_inline(name, kind) for name in opens] for kind in KINDS)
+    more_scripts, more_styles = ([_inline(name, suffix) for name in opens] for suffix in SUFFIXES)
     return (
         _environment()
         .get_template(f"{page}.html")
@@ -91,13 +91,13 @@ def _environment() -> Environment:
     return environment
 
 
-def _inline(page: str, kind: str) -> Markup:
+def _inline(page: str, suffix: str) -> Markup:
     """Return a built file as it stands in a page."""
     from markupsafe import Markup
 
     # The first line names the sources of all pages: a page changes only with its own.
-    text = (BUILT / f"{page}.{kind}").read_text(encoding="utf-8").partition("\n")[2]
-    found = [markup for markup in _ENDS[kind] if markup in text.lower()]
+    text = (BUILT / f"{page}.{suffix}").read_text(encoding="utf-8").partition("\n")[2]
+    found = [markup for markup in _ENDS[suffix] if markup in text.lower()]
     if found:
         raise ValueError(f"built file: expected no {found[0]!r}, which would end its element")
     return Markup(text)  # not escaped: browsers read scripts and style sheets as they are

@@ -44,6 +44,8 @@ export class EpisodeStrip {
     const next = cell?.rates.findIndex((_, episode) => !played.has(keyOf(selected, episode))) ?? -1;
     if (next < 0 || next >= MOST) return;
     this.#waiting = whenIdle(() => {
+      // Another match is selected by now: `show` begins with its cell, if the page holds its genomes.
+      if (this.#store.selected !== selected) return;
       // Pictures of a match that moves come first.
       if (!this.#player.playing) {
         played.set(keyOf(selected, next), resultOf(playedMatch(engine, run, { ...selected, episode: next, seed: null })));

@@ -1,4 +1,4 @@
-/* built from web/ by "npm run build"; sources c598e94441bbb90c5434127ae7aebf00f69b4753eda9a2ee9a13bd8e1af7b85c */
+/* built from web/ by "npm run build"; sources 2b4ccfb6a6c7c1b53e116d958427d6354ef0511f8113a5250c4372fee446cbf9 */
 "use strict";(()=>{var Mt={SIMULTANEOUS:0,SWARM_TURNS:1,AGENT_TURNS:2},ee={DISAPPEAR:0,REACH:1,BOUNCE:2},Et={OCCUPATION:0,SURROUND:1},At={FAULT:0,INVOLVED:1};var Ct=["obstacle","teammate","adversary"],Ye=["vertex","edge","chain"],Tt=["turn","kind","form","first","second","row","col","at_fault","held","doomed"],Xe=["p\
 ursuer_{number}","evader_{number}"],_t={obstacle:"{first} ran into the obstacle or border at {cell}",vertex:"{first} and {second} both headed for {cell}",edge:"\
 {first} and {second} meant to swap, {first} to {cell}",chain:"{first} headed for {cell}, where {second} had to stay"},te={"both held":"both bounce","both doomed":"\
@@ -220,17 +220,17 @@ a=[1,2,5,10].map(c=>c*s).find(c=>c>=o)??10*s;r&&(a=Math.max(1,Math.round(a)));le
 0,l-i+1)},(c,u)=>(i+u)*a)}function N(e,t,{pursuer:n,evader:r,episode:o,seed:s}){let a=t.seeds[n][r];return e.match(t.world,ie(t,"pursuer",n),ie(t,"evader",r),BigInt(s??a),o)}var Fn=40,he=new Map,fe=({run:e,pursuer:t,evader:n},r)=>`${e} ${t} ${n} ${r}`,Fe=class{element;#e;#r;#s=d("div",{class:"episodes",role:"group","aria-label":"Epi\
 sodes of this cell"});#a=d("p",{class:"check small numbers","aria-live":"polite"});#n=0;constructor(t,n){[this.#e,this.#r]=[t,n],this.element=d("div",{class:"st\
 rip-of-episodes"},this.#s,this.#a)}show(t,n,r){let{selected:o}=this.#e;o.seed===null&&he.set(fe(o,o.episode),Hn(r)),this.#o(n),_o(this.#n),this.#t(t,n)}#t(t,n){
-let{selected:r}=this.#e,s=se(n,r.pursuer,r.evader)?.rates.findIndex((a,i)=>!he.has(fe(r,i)))??-1;s<0||s>=Fn||(this.#n=To(()=>{this.#r.playing||(he.set(fe(r,s),Hn(
-N(t,n,{...r,episode:s,seed:null}))),this.#o(n)),this.#t(t,n)}))}#o(t){let{selected:n}=this.#e,r=se(t,n.pursuer,n.evader);if(!r){this.#s.replaceChildren(),this.#a.
-textContent="The evaluation played no episodes of this pair.";return}let o=Math.min(Fn,r.rates.length);this.#s.replaceChildren(...r.rates.slice(0,o).map((c,u)=>this.#c(
-c,u)));let s=r.rates.slice(0,o).map((c,u)=>he.get(fe(n,u))),a=s.filter(c=>c!==void 0),i=s.flatMap((c,u)=>c&&(Math.abs(c.rate-r.rates[u])>1e-6||c.length!==r.lengths[u])?
-[u+1]:[]),l=a.reduce((c,u)=>c+u.rate,0)/a.length;this.#a.dataset.equal=String(!i.length&&a.length===r.rates.length),this.#a.textContent=i.length?`Episode ${i.join(
-", ")} differs from the evaluation.`:a.length<r.rates.length?`Played here: ${a.length} of ${r.rates.length} episodes, all as in the evaluation.`:`Played here: a\
-ll ${a.length} episodes, mean capture rate ${A(l,3)}. The cell says ${A(r.rate,3)}.`}#c(t,n){let{selected:r}=this.#e,o=d("span",{class:"bar"});return o.style.height=
-`${Math.round(100*t)}%`,d("button",{type:"button",class:"episode",title:`Episode ${n+1}: capture rate ${A(t)}`,"aria-label":`Episode ${n+1}, capture rate ${A(t)}`,
-"aria-pressed":String(n===r.episode&&r.seed===null),"data-played":he.has(fe(r,n)),onclick:()=>this.#e.select({episode:n,seed:null})},o,d("span",{class:"count"},
-n+1))}},Hn=e=>({rate:e.statistics.capture_rate,length:e.length}),To=e=>"requestIdleCallback"in window?requestIdleCallback(e,{timeout:1e3}):setTimeout(e,100),_o=e=>"\
-cancelIdleCallback"in window?cancelIdleCallback(e):clearTimeout(e);var ge=(e,t)=>e<t?`pursuer_${e}`:`evader_${e-t}`,gt=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var Bn=0,Wn=1,Ro=2,ko=176;function Gn(e,t,n,r){let o=devicePixelRatio||1,s=Ie(e);e.width=e.height=ko*o;let a=e.getContext("2d");if(!a)return;let{fov:i}=t,l=e.width/
+let{selected:r}=this.#e,s=se(n,r.pursuer,r.evader)?.rates.findIndex((a,i)=>!he.has(fe(r,i)))??-1;s<0||s>=Fn||(this.#n=To(()=>{this.#e.selected===r&&(this.#r.playing||
+(he.set(fe(r,s),Hn(N(t,n,{...r,episode:s,seed:null}))),this.#o(n)),this.#t(t,n))}))}#o(t){let{selected:n}=this.#e,r=se(t,n.pursuer,n.evader);if(!r){this.#s.replaceChildren(),
+this.#a.textContent="The evaluation played no episodes of this pair.";return}let o=Math.min(Fn,r.rates.length);this.#s.replaceChildren(...r.rates.slice(0,o).map(
+(c,u)=>this.#c(c,u)));let s=r.rates.slice(0,o).map((c,u)=>he.get(fe(n,u))),a=s.filter(c=>c!==void 0),i=s.flatMap((c,u)=>c&&(Math.abs(c.rate-r.rates[u])>1e-6||c.
+length!==r.lengths[u])?[u+1]:[]),l=a.reduce((c,u)=>c+u.rate,0)/a.length;this.#a.dataset.equal=String(!i.length&&a.length===r.rates.length),this.#a.textContent=i.
+length?`Episode ${i.join(", ")} differs from the evaluation.`:a.length<r.rates.length?`Played here: ${a.length} of ${r.rates.length} episodes, all as in the eva\
+luation.`:`Played here: all ${a.length} episodes, mean capture rate ${A(l,3)}. The cell says ${A(r.rate,3)}.`}#c(t,n){let{selected:r}=this.#e,o=d("span",{class:"\
+bar"});return o.style.height=`${Math.round(100*t)}%`,d("button",{type:"button",class:"episode",title:`Episode ${n+1}: capture rate ${A(t)}`,"aria-label":`Episod\
+e ${n+1}, capture rate ${A(t)}`,"aria-pressed":String(n===r.episode&&r.seed===null),"data-played":he.has(fe(r,n)),onclick:()=>this.#e.select({episode:n,seed:null})},
+o,d("span",{class:"count"},n+1))}},Hn=e=>({rate:e.statistics.capture_rate,length:e.length}),To=e=>"requestIdleCallback"in window?requestIdleCallback(e,{timeout:1e3}):
+setTimeout(e,100),_o=e=>"cancelIdleCallback"in window?cancelIdleCallback(e):clearTimeout(e);var ge=(e,t)=>e<t?`pursuer_${e}`:`evader_${e-t}`,gt=["stay","north","east","south","west","northeast","southeast","southwest","northwest"];var Bn=0,Wn=1,Ro=2,ko=176;function Gn(e,t,n,r){let o=devicePixelRatio||1,s=Ie(e);e.width=e.height=ko*o;let a=e.getContext("2d");if(!a)return;let{fov:i}=t,l=e.width/
 i;a.fillStyle=s.paper,a.fillRect(0,0,e.width,e.height);for(let u=0;n&&u<i*i;u++){let[m,p]=[(u%i+.5)*l,(Math.floor(u/i)+.5)*l],f=h=>!!n[h*i*i+u];f(Ro)&&(a.fillStyle=
 s.obstacle,a.fillRect(m-l/2,p-l/2,l,l));let g=f(Bn)&&f(Wn)?l*.18:0;f(Bn)&&jn(a,B,m+g,p+g,l*.74,s.evader),f(Wn)&&jn(a,Le,m-g,p-g,l*.86,s.pursuer)}a.strokeStyle=r<
 t.n_pursuers?s.pursuer:s.evader,a.lineWidth=2*o;let c=Math.floor(i/2)*l;a.strokeRect(c,c,l,l)}function jn(e,t,n,r,o,s){t(e,n,r,o),e.fillStyle=s,e.fill()}var He=class{element;#e;#r=d("canvas",{class:"seen",role:"img"});#s=d("h3");#a=d("p",{class:"small muted"});#n=d("div",{class:"answers"});#t=null;#o=null;#c=null;#d=null;#i=null;#u=0;constructor(t){
