@@ -68,7 +68,7 @@ def test_without_dask_the_extra_is_named(
 def test_a_tournament_is_the_same(run: Path, dask: DaskCluster, tmp_path: Path) -> None:
     files = [tmp_path / "alone.npz", tmp_path / "shared.npz"]
     for file, where in zip(files, ((), ("--cluster", dask.file)), strict=True):
-        matrixworld_command("tournament", run, "--episodes", 4, "--output", file, *where)
+        matrixworld_command("tournament", run, "--episodes", 4, "--out", file, *where)
     with np.load(files[0]) as alone, np.load(files[1]) as shared:
         assert alone.files == shared.files
         for name in alone.files:
@@ -89,16 +89,16 @@ def test_responses_are_the_same(dask: DaskCluster, tmp_path: Path) -> None:
     command = ("exploit", job, "--champion", "evader", "--matches", 100, "--episodes", 5)
     outs = [tmp_path / "alone", tmp_path / "shared"]
     for out, where in zip(outs, ((), ("--cluster", dask.address)), strict=True):
-        matrixworld_command(*command, "--output", out, *where)
+        matrixworld_command(*command, "--out", out, *where)
     for seed in (0, 1):
         alone, shared = (results(out / SCHEDULE["schedule"] / f"seed-{seed}") for out in outs)
         assert alone == shared
 
 
 def test_one_response_takes_no_cluster(run: Path, tmp_path: Path) -> None:
-    command = ("exploit", run, "--champion", "evader", "--output", tmp_path / "out")
+    command = ("exploit", run, "--champion", "evader", "--out", tmp_path / "out")
     done = matrixworld_command(*command, "--cluster", "auto", code=2)
-    assert "--cluster: expected a job of several seeds, got one run" in run_together(done.output)
+    assert "--cluster: expected several runs, got one" in run_together(done.output)
     assert not (tmp_path / "out").exists()
 
 

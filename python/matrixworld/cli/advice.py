@@ -1,8 +1,4 @@
-"""What to try next, from what is present in a race and from its settings.
-
-A row says for which conditions and settings it applies, and which settings it changes. A value may
-be a function of the settings, such as twice the present one.
-"""
+"""What to try next, from what is present in a race and from its settings."""
 
 from __future__ import annotations
 
@@ -20,18 +16,9 @@ Value = Callable[[RaceSettings], Any]
 
 @dataclass(frozen=True)
 class Advice:
-    """A change of settings that may help.
+    """A change of settings that may help if any of the conditions is present.
 
-    Parameters
-    ----------
-    conditions : tuple of str
-        Conditions, any of which has to be present.
-    applies : callable
-        Whether it applies to a race of these settings.
-    changes : mapping of str to object
-        New values of settings, or functions that return them from the present settings.
-    why : str
-        What the change does.
+    A new value may be a function of the settings, such as twice the present one.
     """
 
     conditions: tuple[str, ...]
@@ -158,19 +145,9 @@ GENERAL = {
 
 
 def advice(judgement: Judgement, settings: RaceSettings | None) -> list[str]:
-    """Return what to try next, a line each.
+    """Return what to try next, a line each: options with their values, and a reason.
 
-    Parameters
-    ----------
-    judgement : Judgement
-        The judgement of a race; its headline window counts.
-    settings : RaceSettings or None
-        The settings of that race; None if they are not known.
-
-    Returns
-    -------
-    list of str
-        Options with their values and a reason; nothing that the race does already.
+    Nothing is advised that the race does already. Its settings are None if they are not known.
     """
     present = judgement.present()
     if settings is None:

@@ -46,18 +46,9 @@ Draw = Callable[[], "Figure"]
 
 @dataclass(frozen=True)
 class Selection:
-    """Which figures of groups of runs are drawn, and how.
+    """Which figures are drawn (all, or the one of this name), and in which format.
 
-    Parameters
-    ----------
-    name : str, optional
-        Name of the only figure. By default all are drawn.
-    suffix : str, optional
-        Format of the files.
-    baselines : mapping of str to list of SavedRun, optional
-        Other teams for the figure of generalization, by name.
-    each : bool, optional
-        Whether the figures of each run are drawn beside those of several seeds.
+    `each`: those of each run, too, beside those of several seeds.
     """
 
     name: str | None = None

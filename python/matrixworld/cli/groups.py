@@ -38,17 +38,7 @@ Settings = RaceSettings | SingleSettings
 
 @dataclass(frozen=True)
 class Result:
-    """A run of a job. What its files hold is read once.
-
-    Parameters
-    ----------
-    files : RunDirectory
-        The run's directory.
-    settings : RaceSettings or SingleSettings
-        The run's settings.
-    finished : bool, optional
-        Whether it is finished; else it may not even have begun.
-    """
+    """A run of a job, which may not even have begun. What its files hold is read once."""
 
     files: RunDirectory
     settings: Settings
@@ -88,18 +78,11 @@ def open_result(path: Path) -> Result:
 
 @dataclass(frozen=True)
 class Group:
-    """Finished runs that differ in their seed only, one or many, or payoff files.
+    """Finished runs that differ in their seed only, one or many; or payoff files, without runs.
 
-    Parameters
-    ----------
-    paths : tuple of Path
-        The directory of all seeds, or those of the runs, or the files.
-    runs : tuple of Result
-        The runs; none for files.
-    missing : tuple of int, optional
-        Seeds of the same job that are not finished.
-    episodes : int, optional
-        Episodes behind each cell of payoffs that do not hold them.
+    `paths` name it: the directory of all seeds, or those of the runs, or the files. `missing` are
+    seeds of the same job that are not finished. `episodes` are those behind each cell of payoffs
+    that do not hold them.
     """
 
     paths: tuple[Path, ...]
@@ -210,23 +193,10 @@ def runs_argument(*, required: bool = True) -> Callable[[Any], Any]:
 def groups_of(
     paths: Sequence[Path], *, episodes: int | None = None, unfinished: bool = False
 ) -> list[Group]:
-    """Return the groups of runs, and one of all payoff files.
+    """Return the groups of run directories, and one of all payoff files.
 
-    Of several runs those that are not finished are left out, and named.
-
-    Parameters
-    ----------
-    paths : sequence of Path
-        Run directories and payoff files.
-    episodes : int, optional
-        Episodes behind each cell of payoffs that do not hold them.
-    unfinished : bool, optional
-        Whether a single run need not be finished.
-
-    Raises
-    ------
-    click.UsageError
-        If no run is finished, or the same run is given twice.
+    Of several runs those that are not finished are left out, and named. With `unfinished` a single
+    one need not be finished.
     """
     files = tuple(path for path in paths if _is_payoff_file(path))
     runs = [open_result(path) for path in paths if path not in files]

@@ -44,18 +44,7 @@ def report(
 ) -> None:
     """Score and judge the finished runs of a job, draw figures, and print the results.
 
-    Parameters
-    ----------
-    job : Job
-        The runs that were asked for.
-    results : sequence of Result
-        Those that are finished.
-    root : Path
-        Directory of the job.
-    failed : mapping of Path to str
-        Why runs failed, by their directories.
-    threads : int, optional
-        Threads that play matches against held-out opponents. By default all cores.
+    `failed` says why the other runs of the job failed, by their directories.
     """
     groups = _groups(job, results, root)
     finished = [group for group in groups if group.runs]

@@ -175,18 +175,10 @@ def verdict_counts(group: Group) -> dict[str, dict[str, Any]]:
 
 @dataclass(frozen=True)
 class Row:
-    """A row of the table of groups.
+    """A row of the table of groups: its name, how numbers are printed, and the number of a group.
 
-    Parameters
-    ----------
-    label, form : str
-        Its name, and how numbers are printed, as in an f-string.
-    of : callable
-        Takes a group of finished races; returns the estimate, or None if it is not defined.
-    noise : str, optional
-        Entry of `NoiseReference` that is printed beside the number of a single run.
-    of_seeds : bool, optional
-        Whether the row is shown only where several seeds were asked for.
+    `noise` is the entry of `NoiseReference` that stands beside the number of a single run. Rows
+    `of_seeds` are shown only where several seeds were asked for.
     """
 
     label: str

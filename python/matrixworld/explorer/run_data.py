@@ -36,11 +36,16 @@ WINDOWS, LONGEST = 4, 100
 """As in the figures: windows of the moving average in a team phase, and in a run of one team."""
 
 
-def run_data(name: str, run: SavedRun, held_out: Mapping[str, Any] | None = None) -> dict[str, Any]:
+def run_data(
+    name: str,
+    run: SavedRun,
+    held_out: Mapping[str, Any] | None = None,
+    judgement: analysis.Judgement | None = None,
+) -> dict[str, Any]:
     """Return what a page shows of a finished run, without its teams.
 
     `held_out` has ``HeldOutScores.to_json()`` of the last ``"pursuers"`` and of the last
-    ``"evaders"``.
+    ``"evaders"``. A race without `judgement` is judged here.
     """
     settings, payoff = run.settings, run.payoff()
     shape = tuple(generations_of(run.teams[team]) for team in TEAMS)
@@ -60,7 +65,7 @@ def run_data(name: str, run: SavedRun, held_out: Mapping[str, Any] | None = None
             [str(evaluation_seed(settings.seed, g, h)) for h in range(shape[1])]
             for g in range(shape[0])
         ],
-        "findings": findings(payoff) if race else None,
+        "findings": findings(payoff, judgement) if race else None,
         "limits": too_few_episodes(payoff) if race else "",
         "held_out": held_out and {f"{team}s": held_out.get(f"{team}s") for team in TEAMS},
     }
@@ -150,10 +155,10 @@ BOARDS = 12
 """The most checkerboards on a page: the strongest ones."""
 
 
-def findings(payoff: Payoff) -> dict[str, Any]:
+def findings(payoff: Payoff, judgement: analysis.Judgement | None = None) -> dict[str, Any]:
     """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
-    matrix, rates = payoff.capture_rate, payoff.capture_rates
-    judgement = analysis.judge(rates, per_episode=True)
+    matrix = payoff.capture_rate
+    judgement = judgement or analysis.judge(payoff.capture_rates, per_episode=True)
     return {
         "headline": analysis.headline(judgement),
         "window": judgement.window,

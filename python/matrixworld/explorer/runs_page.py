@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from matrixworld.analysis import Judgement
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
 from matrixworld.episodes import replay
 from matrixworld.explorer.page import mime_bundle, render_page, without_engine, write_page
@@ -108,6 +109,7 @@ def explorer_page(
     runs: Sequence[SavedRun],
     *,
     held_out: Mapping[Path, Mapping[str, Any]] | None = None,
+    judgements: Mapping[Path, Judgement] | None = None,
     note: str = "",
 ) -> str:
     """Return the page of finished runs as HTML.
@@ -118,6 +120,8 @@ def explorer_page(
         The runs, in the order of the page.
     held_out : mapping of Path to mapping, optional
         Scores against held-out opponents by run directory; see `run_data.run_data`.
+    judgements : mapping of Path to Judgement, optional
+        Judgements that are known, by run directory; other races are judged here.
     note : str, optional
         What the page does not show, such as further runs of the job.
 
@@ -135,8 +139,12 @@ def explorer_page(
     common = Path(os.path.commonpath(paths))
     names = [_name(path, common) for path in paths]
     archives = archives_of(runs)
+    scores, known = held_out or {}, judgements or {}
     plain = [
-        {**run_data(name, run, (held_out or {}).get(run.files.path)), "teams": teams}
+        {
+            **run_data(name, run, scores.get(run.files.path), known.get(run.files.path)),
+            "teams": teams,
+        }
         for name, run, teams in zip(names, runs, archives.teams, strict=True)
     ]
     title = names[0] if len(names) == 1 else common.name
