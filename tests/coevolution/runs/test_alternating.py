@@ -195,11 +195,6 @@ def test_progress_is_reported_when_asked(tmp_path, capfd):
     assert re.search(r"100%.+\(tournament\)", capfd.readouterr().err)
 
 
-def test_new_race_requires_an_empty_directory(straight):
-    with pytest.raises(FileExistsError, match="expected a new or empty directory"):
-        Race(tiny_race(), straight.files.path)
-
-
 def test_bad_settings_leave_no_trace(tmp_path):
     with pytest.raises(ValueError, match="schedule: expected one of"):
         Race(tiny_race(schedule="hall-of-fame"), tmp_path / "run")

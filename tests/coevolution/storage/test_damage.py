@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import io
 import os
 import shutil
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import killed
@@ -216,30 +214,6 @@ def test_another_version_s_files(copy, change, message):
         assert "Error: " in result.stderr
         assert "config.json" in result.stderr or "islands" in result.stderr
     assert all(path.read_bytes() == content for path, content in before.items())
-
-
-class Trap:
-    """An object that makes a directory if it is unpickled."""
-
-    def __reduce__(self):
-        return os.mkdir, ("sprung",)
-
-
-@pytest.mark.filterwarnings("ignore::UserWarning")
-@pytest.mark.parametrize("sealed", [False, True])
-@pytest.mark.parametrize("name", ["stage-0004.npz", "checkpoint-0004.npz", "payoff.npz"])
-def test_pickled_objects_are_not_loaded(straight, tmp_path, monkeypatch, name, sealed):
-    monkeypatch.chdir(tmp_path)
-    copy = Path(shutil.copytree(straight, tmp_path / "run"))
-    buffer = io.BytesIO()
-    np.savez(buffer, pursuers=np.array([Trap()], dtype=object))
-    owner = f"{RunDirectory.open(copy)._owner}/{name}"
-    content = files._sealed(buffer.getvalue(), owner) if sealed else buffer.getvalue()
-    (copy / name).write_bytes(content)
-    with pytest.raises(DamagedFileError, match=f"{name}: "):
-        files.load_arrays(copy / name, owner=owner)
-    check_reported_or_repaired(copy, name, straight)
-    assert not (tmp_path / "sprung").exists()
 
 
 # Directories that are incomplete or cannot be written to:

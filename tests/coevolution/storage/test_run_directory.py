@@ -13,11 +13,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from matrixworld._util import files
 from matrixworld.coevolution import (
     DamagedFileError,
     LockedError,
-    OtherVersionError,
     RunDirectory,
     open_run,
     start,
@@ -92,14 +90,6 @@ def test_new_run_wants_an_empty_directory(tmp_path):
 def test_directory_without_a_run_is_refused(tmp_path):
     with pytest.raises(FileNotFoundError, match=r"holds no run, expected a file config.json"):
         RunDirectory.open(tmp_path)
-
-
-def test_other_format_is_refused(run):
-    config = run.config()
-    files.save_json(run.path / "config.json", {**config, "format": 99, "matrixworld": "9.1"})
-    expected = r"expected format 9, got 99 \(written by matrixworld 9.1"
-    with pytest.raises(OtherVersionError, match=expected):
-        RunDirectory.open(run.path).config()
 
 
 def test_stages_come_back(run):

@@ -14,12 +14,14 @@ from matrixworld.coevolution.runs.alternating import Race
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.storage.run_directory import SEVERAL
-from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Seeds, Team, other
+from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Team, other
 from matrixworld.play.rollout import Matches
 from matrixworld.world.policy import Population
 
 Populations = dict[Team, Genomes]
 """Genomes (n, genes) float32 of each team."""
+Met = tuple[Population, Indices]
+"""The possible opponents of an individual, and those that it has met."""
 
 
 class Pairings(NamedTuple):
@@ -126,12 +128,6 @@ class HallOfFameRace(Race):
         Run.check_settings(self)
         check_choice("schedule", self.settings.schedule, [HALL_OF_FAME])
 
-    def set_up(self) -> None:
-        """Make the opponent samplers, and room for the opponents of the fittest individuals."""
-        super().set_up()
-        # Each team's possible opponents in the last epoch, and those that its fittest has met.
-        self._met: dict[Team, tuple[Population, Indices]] = {}
-
     def learn(self, stage: int) -> None:
         """Let both teams evolve for the epochs of a generation, and archive their champions."""
         generation = 1 + stage
@@ -146,22 +142,24 @@ class HallOfFameRace(Race):
                 )
                 for team in TEAMS
             }
-            fitness = self._evaluate(generation, epoch, populations)
+            fitness, met = self._evaluate(generation, epoch, populations)
             for team in TEAMS:
                 self.learners[team].tell(fitness[team])
             self.report(f"generation {generation}: both")
         # Both teams before either archive grows, so that the order of the teams does not matter.
         for team in TEAMS:
-            opponents, met = self._met[team]
-            self.training.choose_champion(self.learners[team], team, generation, opponents, met)
+            self.training.choose_champion(self.learners[team], team, generation, *met[team])
             self.retain(team, generation, before[team])
         for team in TEAMS:
             self.archive[team].append(self.learners[team].genome)
 
     def _evaluate(
         self, generation: int, epoch: int, populations: Populations
-    ) -> dict[Team, FloatArray]:
-        """Play and log the matches of an epoch; return the fitness (n,) of each team."""
+    ) -> tuple[dict[Team, FloatArray], dict[Team, Met]]:
+        """Play and log the matches of an epoch.
+
+        Returns the fitness (n,) of each team, and whom its fittest individual has met.
+        """
         rng = self._generator(Purpose.OPPONENTS, generation, epoch)
         sampled = self._sample_halls(epoch, rng)
         halls = {team: self.genomes(team)[sampled[other(team)]] for team in TEAMS}
@@ -174,7 +172,10 @@ class HallOfFameRace(Race):
             team: self.training.population(np.concatenate([populations[team], halls[team]]))
             for team in TEAMS
         }
-        seeds = self._seeds(pairs, generation, epoch)
+        seeds = training_seeds(
+            self.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch,
+            int(pairs.group.max()) + 1,
+        )[pairs.group]  # fmt: skip
         scores = self.training.play(
             everyone["pursuer"],
             everyone["evader"],
@@ -182,6 +183,7 @@ class HallOfFameRace(Race):
         )
         players: dict[Team, Indices] = {"pursuer": pairs.pursuer, "evader": pairs.evader}
         fitness: dict[Team, FloatArray] = {}
+        met: dict[Team, Met] = {}
         for team in TEAMS:
             table = partial(table_of_individuals, players[team], players[other(team)], n)
             fitness[team] = self.training.fitness(scores, team, table)
@@ -191,7 +193,7 @@ class HallOfFameRace(Race):
                 players[other(team)][living], seeds[living],
             )  # fmt: skip
             fittest = players[team] == np.argmax(fitness[team])
-            self._met[team] = everyone[other(team)], players[other(team)][fittest]
+            met[team] = everyone[other(team)], players[other(team)][fittest]
             if len(sampled[team]):
                 # Columns from n on are the hall of fame.
                 self.samplers[team].tell(sampled[team], table(win_rates(scores, team))[:, n:])
@@ -203,7 +205,7 @@ class HallOfFameRace(Race):
                 epoch=epoch,
                 opponent=SEVERAL,
             )
-        return fitness
+        return fitness, met
 
     def _sample_halls(self, epoch: int, rng: np.random.Generator) -> dict[Team, Indices]:
         """Return for each team its opponents from the other team's hall of fame."""
@@ -211,14 +213,6 @@ class HallOfFameRace(Race):
             return {team: np.zeros(0, dtype=np.intp) for team in TEAMS}
         samplers, size = self.samplers, len(self.archive["pursuer"])
         return {team: samplers[team].sample(size, epoch, rng) for team in TEAMS}
-
-    def _seeds(self, pairs: Pairings, generation: int, epoch: int) -> Seeds:
-        """Return the seed of each match of an epoch, (M,)."""
-        groups = int(pairs.group.max()) + 1
-        seeds = training_seeds(
-            self.settings.seed, generation, generation, Phase.BOTH_LEARN, epoch, groups
-        )
-        return seeds[pairs.group]
 
     def _generator(
         self, purpose: Purpose, generation: int, epoch: int, team: Team = "pursuer"

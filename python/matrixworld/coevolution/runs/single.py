@@ -22,21 +22,12 @@ from matrixworld.coevolution.storage.run_directory import Restored, RunDirectory
 from matrixworld.coevolution.storage.saved_run import archive_network, last_generation, script_of
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team, other
 from matrixworld.play.rollout import Rollout, rollout
-from matrixworld.world.policy import SCRIPTS, Network, Population, TeamPolicy
+from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
 
 GIVEN = "given as genomes"
 """Value of the settings `against` and `start` if these were given as arrays."""
 CONFIDENCE = 0.95
 """Probability with which an interval of the summary covers the true mean."""
-
-
-def check_opponents(network: Network, expected: Network) -> None:
-    """Raise ValueError unless opponents have the same field of view and the same actions."""
-    if (network.fov, network.n_actions) != (expected.fov, expected.n_actions):
-        raise ValueError(
-            f"opponents: expected genomes for fov {expected.fov} and {expected.n_actions} "
-            f"actions, got fov {network.fov} and {network.n_actions} actions"
-        )
 
 
 class SingleTeam(Run[SingleSettings]):
@@ -225,7 +216,12 @@ def _opponents(settings: SingleSettings, given: Population | None) -> TeamPolicy
     if given is None and settings.against in SCRIPTS:
         return script_of(settings.against)
     population = given or last_generation(settings.against, other(settings.team))
-    check_opponents(population.network, settings.network)
+    found, expected = population.network, settings.network
+    if (found.fov, found.n_actions) != (expected.fov, expected.n_actions):
+        raise ValueError(
+            f"opponents: expected genomes for fov {expected.fov} and {expected.n_actions} "
+            f"actions, got fov {found.fov} and {found.n_actions} actions"
+        )
     return population
 
 
