@@ -66,8 +66,8 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
 
     Parameters
     ----------
-    config : WorldConfig, Rules or str, optional
-        A configuration, rules, or the name of a variant. The default is "O".
+    config, threads, **changes
+        As for `Batch`.
     n_worlds : int, optional
         W. The default is 1.
     copy : bool, optional
@@ -92,17 +92,11 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
     action_mask : bool, optional
         Whether ``infos["action_mask"]`` marks the moves that run into neither an obstacle nor the
         border; needs a `fov` of at least 3. The default is False.
-    threads : int, optional
-        Threads that share the worlds of a step. The default is one for each core that the process
-        may use. No result depends on it.
     render_mode : {None, "rgb_array"}, optional
         What `render` returns. The default is None.
     pursuers, evaders : Opponents, optional
-        What plays for one of the teams, if the environment plays it itself; see
-        `matrixworld.envs.opponents`. Each episode draws one of several. All arrays of agents are then
-        those of the other team, and A is its number of agents. By default the caller plays both.
-    **changes
-        Fields of the configuration to change.
+        What plays for one of the teams, as for `parallel_env`. All arrays of agents are then those
+        of the other team, and A is its number of agents. By default the caller plays both.
 
     Attributes
     ----------

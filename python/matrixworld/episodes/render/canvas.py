@@ -152,10 +152,6 @@ def _thick_ring(draw: ImageDraw.ImageDraw, size: int) -> None:
     draw.ellipse((0, 0, size - 1, size - 1), outline=255, width=max(1, round(size * 0.2)))
 
 
-def _square(draw: ImageDraw.ImageDraw, size: int) -> None:
-    draw.rounded_rectangle((0, 0, size - 1, size - 1), radius=size * 0.12, fill=255)
-
-
 def _triangle(draw: ImageDraw.ImageDraw, size: int) -> None:
     """Draw it pointing up, with round corners and its centre of mass near the middle."""
     radius = size * 0.09
@@ -204,7 +200,6 @@ _SHAPES: dict[str, Callable[[ImageDraw.ImageDraw, int], None]] = {
     "disc": _disc,
     "ring": _ring,
     "thick ring": _thick_ring,
-    "square": _square,
     "triangle": _triangle,
     "cross": _cross,
     "burst": _burst,
