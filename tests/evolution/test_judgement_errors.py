@@ -218,8 +218,7 @@ def test_upper_bounds_of_rates(count: int, of: int) -> None:
     assert tables.upper_bound(of, of) == 1.0
 
 
-def test_committed_errors_follow_from_committed_counts() -> None:
-    assert follows(COMMITTED)
+def test_the_published_counts_are_of_all_conditions_and_small() -> None:
     counts = tables.read_counts(COMMITTED / "counts.csv")
     assert {row["condition"] for row in counts} == set(CONDITIONS)
     assert not list(COMMITTED.glob("*.jsonl"))

@@ -1,18 +1,82 @@
-"""Scripts in evolution/ that measure over many runs: their counts, comparisons and files."""
+"""Scripts in evolution/ that measure over many runs: their runs, verdicts, tables and files."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+import actor_critic_baselines as baselines
+import actor_critic_races as races
 import hall_of_fame
+import interval_coverage as coverage
+import judgement_tables
+import matrixworld as mw
 import paper_claims
-from evolution_scripts import RESULTS, read, run_quickly
+import safe_learning
+from evolution_scripts import DOCS, RESULTS, read, run_quickly, run_script
+from matrixworld.analysis import MEASURES, interval_over_runs, read_payoffs
+from matrixworld.analysis.judge import RULES
 from matrixworld.coevolution import open_run
+
+# What is published follows from the numbers beside it
+
+NUMBER = r"-?\d+\.\d+"
+TABLES: dict[str, Callable[[Path], str]] = {
+    "actor_critic/baselines.md": lambda at: baselines.table(
+        baselines.FULL, dict(np.load(at / "baselines.npz"))
+    ),
+    "actor_critic/races.md": lambda at: races.table(dict(np.load(at / "races.npz"))),
+    "coverage/coverage.md": lambda at: coverage.table(coverage.read_counts(at / "coverage.csv")),
+    "hall_of_fame/comparison.md": lambda at: hall_of_fame.table(
+        hall_of_fame.read_races(at / "races.csv")
+    ),
+    "judgement/errors.md": judgement_tables.report_of,
+    "safe_learning/table.md": lambda at: safe_learning.table(dict(np.load(at / "numbers.npz"))),
+}
+"""Published tables, and how they are made from the other files of their directory."""
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_a_published_table_follows_from_published_numbers(name: str) -> None:
+    assert TABLES[name]((RESULTS / name).parent).strip() == read(RESULTS / name).strip()
+
+
+@pytest.mark.slow
+def test_published_claims_follow_from_published_numbers() -> None:
+    file = RESULTS / "paper_claims" / "claims.md"
+    told = paper_claims.tables(dict(np.load(file.with_name("numbers.npz"))))
+    published = read(file).strip()
+    # Another SciPy may resample differently: text and verdicts stay, numbers change a little.
+    assert re.sub(NUMBER, "#", told) == re.sub(NUMBER, "#", published)
+    values, expected = ([*map(float, re.findall(NUMBER, text))] for text in (told, published))
+    assert values == pytest.approx(expected, rel=0.05, abs=0.01)
+
+
+@pytest.mark.parametrize("name", ["baselines", "races"])
+def test_the_page_on_actor_critic_shows_the_published_tables(name: str) -> None:
+    assert read(RESULTS / "actor_critic" / f"{name}.md") in read(DOCS / "actor_critic.md")
+
+
+def test_the_page_on_safe_learning_shows_the_published_numbers() -> None:
+    page = read(DOCS / "safe_learning.md")
+    table = read(RESULTS / "safe_learning/table.md")
+
+    def rows(text: str) -> list[list[str]]:
+        lines = [line for line in text.splitlines() if line.startswith(("| grad", "| evol"))]
+        return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
+
+    in_s, in_sb = (rows(part) for part in table.split("| -SB |"))
+    expected = [[*one[:3], *other[1:3]] for one, other in zip(in_s, in_sb, strict=True)]
+    assert [row[0] for row in in_s] == [row[0] for row in in_sb]
+    assert rows(page) == expected
+
+
+# Halls of fame, archives, held-out opponents
 
 
 @pytest.mark.slow
@@ -31,14 +95,10 @@ def test_hall_of_fame_compares_two_kinds_of_race(tmp_path: Path) -> None:
     assert run_quickly("hall_of_fame", tmp_path) == printed
 
 
-def test_committed_comparison_follows_from_committed_races() -> None:
-    results = RESULTS / "hall_of_fame"
-    found = hall_of_fame.read_races(results / "races.csv")
+def test_both_kinds_of_published_races_have_the_same_seeds() -> None:
+    found = hall_of_fame.read_races(RESULTS / "hall_of_fame" / "races.csv")
     seeds = [[row["seed"] for row in rows] for rows in found.values()]
     assert seeds[0] == seeds[1] == list(range(len(seeds[0])))
-    assert hall_of_fame.table(found) + "\n" == (results / "comparison.md").read_text(
-        encoding="utf-8"
-    )
 
 
 @pytest.mark.parametrize(
@@ -67,6 +127,22 @@ def test_archives_are_compared_at_one_budget(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: Path) -> None:
+    evolve = partial(run_quickly, "evolve_held_out", tmp_path)
+    assert "O done\nSB done\nWritten: held_out.npz" in evolve()
+    evolve("--processes", "2", "--output", "again.npz")
+    assert (tmp_path / "held_out.npz").read_bytes() == (tmp_path / "again.npz").read_bytes()
+    lines = evolve("--table", "held_out.npz").splitlines()
+    assert "| pursuers | O | SB |" in lines
+    rows = [line.split(" | ") for line in lines if line.startswith("| evolved-")]
+    assert len(rows) == 4
+    assert all(len(row) == 3 for row in rows)
+
+
+# Claims of the paper
+
+
+@pytest.mark.slow
 def test_paper_claims_prints_intervals_and_writes_numbers(tmp_path: Path) -> None:
     printed = run_quickly("paper_claims", tmp_path)
     table = read(tmp_path / "paper_claims/claims.md")
@@ -81,21 +157,6 @@ def test_paper_claims_prints_intervals_and_writes_numbers(tmp_path: Path) -> Non
         assert numbers["phases specialist-specialist"].shape == (2, 9, 2)
         assert numbers["cross-play of evaders"].shape == (5, 2, 3, 2, 7)
         assert numbers["held-out of pursuers"].shape == (4, 2)
-
-
-NUMBER = r"-?\d+\.\d+"
-
-
-@pytest.mark.slow
-def test_committed_claims_follow_from_committed_numbers() -> None:
-    results = RESULTS / "paper_claims"
-    with np.load(results / "numbers.npz") as numbers:
-        told = paper_claims.tables(numbers)
-    committed = read(results / "claims.md").strip()
-    # Another SciPy may resample differently: text and verdicts stay, numbers change a little.
-    assert re.sub(NUMBER, "#", told) == re.sub(NUMBER, "#", committed)
-    values, expected = ([*map(float, re.findall(NUMBER, text))] for text in (told, committed))
-    assert values == pytest.approx(expected, rel=0.05, abs=0.01)
 
 
 @pytest.mark.parametrize(
@@ -118,14 +179,197 @@ def test_verdict_on_a_claim(values: list[float], side: str, verdict: str) -> Non
     assert paper_claims.Claim("it is so", "a number", estimate, side).verdict == verdict
 
 
+# Coverage of intervals
+
+COVERAGE = RESULTS / "coverage" / "coverage.csv"
+SCORES = read_payoffs(np.random.default_rng(0).random((14, 14, 9)), per_episode=True)
+
+
+def test_normal_runs_are_covered_in_93_to_97_percent() -> None:
+    counts = coverage.read_counts(COVERAGE)
+    assert all(0 <= row.covered <= row.given <= row.repetitions == 400 for row in counts)
+    for interval in ("mean of runs", "difference of runs"):
+        rows = [row for row in counts if (row.interval, row.data) == (interval, "normal")]
+        assert [row.samples for row in rows] == [2, 3, 5, 10, 20]
+        covered, given = (sum(getattr(row, name) for row in rows) for name in ("covered", "given"))
+        assert 0.93 < covered / given < 0.97
+
+
+def test_intervals_over_episodes_cover_at_least_90_percent() -> None:
+    counts = coverage.read_counts(COVERAGE)
+    published = {row.interval for row in counts}
+    # The measures of the evaders are those of the pursuers on the swapped matrix.
+    decided = {name for names, _ in RULES.values() for name in names}
+    unbiased = {
+        name
+        for name, one in MEASURES.items()
+        if name not in decided and one.of(SCORES).across == "episodes"
+    }
+    assert {name.replace("evader", "pursuer") for name in unbiased} <= published
+    for row in counts:
+        # A flat matrix has no true transitive share, and hardly ever gets an interval.
+        if (row.interval, row.data.split(",")[0]) == ("transitive_share", "flat"):
+            assert row.given <= 0.1 * row.repetitions, row
+        elif row.interval in unbiased and row.given >= 100:
+            assert row.covered >= 0.9 * row.given, row
+
+
+def test_aggregates_over_runs_are_withheld_below_six_and_cover_from_ten_on() -> None:
+    counts = coverage.read_counts(COVERAGE)
+    for interval in ("interquartile mean", "performance profile", "probability of improvement"):
+        rows = [row for row in counts if row.interval == interval]
+        assert {row.samples for row in rows} == {3, 5, 6, 10, 20}
+        assert len({row.data.split(", profile")[0] for row in rows}) == 4
+        assert not any(row.given for row in rows if row.samples < 6)
+        assert all(row.covered >= 0.9 * row.given for row in rows if row.samples >= 10)
+        assert all(row.given >= 0.85 * row.repetitions for row in rows if row.samples >= 6)
+
+
 @pytest.mark.slow
-def test_held_out_opponents_are_the_same_for_any_number_of_processes(tmp_path: Path) -> None:
-    evolve = partial(run_quickly, "evolve_held_out", tmp_path)
-    assert "O done\nSB done\nWritten: held_out.npz" in evolve()
-    evolve("--processes", "2", "--output", "again.npz")
-    assert (tmp_path / "held_out.npz").read_bytes() == (tmp_path / "again.npz").read_bytes()
-    lines = evolve("--table", "held_out.npz").splitlines()
-    assert "| pursuers | O | SB |" in lines
-    rows = [line.split(" | ") for line in lines if line.startswith("| evolved-")]
-    assert len(rows) == 4
-    assert all(len(row) == 3 for row in rows)
+def test_the_script_writes_counts_and_their_table(tmp_path: Path) -> None:
+    printed = run_quickly("interval_coverage", tmp_path)
+    counts = coverage.read_counts(tmp_path / "coverage/coverage.csv")
+    assert printed.startswith(coverage.table(counts))
+    assert read(tmp_path / "coverage/coverage.md") == coverage.table(counts) + "\n"
+    assert {row.repetitions for row in counts} == {20}
+    assert min(row.given for row in counts if row.interval == "mean of episodes") == 20
+
+
+def test_a_table_lists_the_worst_case_and_exceptions() -> None:
+    counts = [
+        coverage.Count("mean", "even", 0, 5, 200, 200, 190),
+        coverage.Count("mean", "odd", 8, 5, 200, 100, 80),
+        coverage.Count("mean", "rare", 0, 5, 200, 10, 0),
+    ]
+    lines = coverage.table(counts).splitlines()
+    assert lines[2] == "| mean | 5 | 52% | 87.1% | 80.0% | odd, 8 x 8 |"
+    assert lines[-1] == "- mean, odd, 8 x 8: 80.0% at 5"
+    assert "- " not in coverage.table(counts[:1]).split("Exceptions")[1]
+
+
+# Policy gradients
+
+
+def test_baselines_play_each_game_with_each_learner_and_continue(tmp_path: Path) -> None:
+    pytest.importorskip("torch")
+    told = run_quickly("actor_critic_baselines", tmp_path, "--processes", "1")
+    results = tmp_path / "actor_critic"
+    assert told.startswith(read(results / "baselines.md"))
+    numbers = np.load(results / "baselines.npz")
+    assert numbers["captures"].shape == (4, 3, 2, 4)
+    root = tmp_path / "runs" / "actor_critic" / "quick"
+    for game, seed in (
+        ("pursuers-against-random-evaders", 0),
+        ("evaders-against-random-pursuers", 1),
+    ):
+        run = open_run(root / game / "actor-critic" / str(seed))
+        at = 0 if seed == 0 else 2, 0, seed
+        np.testing.assert_array_equal(numbers["captures"][at], run.payoff().capture_rates[-1, -1])
+    # Taught evaders start from those of their own learner, and all meet the same pursuers.
+    for learner in ("actor-critic", "evolution-equal-time"):
+        taught = open_run(root / "evaders-against-those-pursuers" / learner / "1")
+        begun = open_run(root / "evaders-against-random-pursuers" / learner / "1")
+        rivals = open_run(root / "pursuers-against-random-evaders" / "actor-critic" / "1")
+        genomes, pursuers = taught.teams["evader"].genomes, rivals.teams["pursuer"].genomes
+        np.testing.assert_array_equal(genomes[0], begun.teams["evader"].genomes[-1])
+        np.testing.assert_array_equal(taught.teams["pursuer"].genomes, pursuers[-1:])
+
+    # A run without its time is played anew; the others are only read.
+    lost = root / "pursuers-against-static-evaders" / "actor-critic" / "0"
+    lost.with_suffix(".seconds").unlink()
+    kept = {path: path.stat().st_mtime_ns for path in root.rglob("summary.json")}
+    again = run_quickly("actor_critic_baselines", tmp_path, "--processes", "1")
+    changed = [path for path, time in kept.items() if path.stat().st_mtime_ns != time]
+    assert changed == [lost / "summary.json"]
+    assert again.count("\n") == told.count("\n")
+
+
+@pytest.mark.parametrize(
+    ("team", "values", "verdict"),
+    [
+        ("pursuer", [0.9, 0.91, 0.92], "reached"),
+        ("pursuer", [0.5, 0.51, 0.52], "not reached"),
+        ("pursuer", [0.5, 0.95, 0.99], "undecided"),
+        ("pursuer", [0.9, 0.9, 0.9], "reached"),
+        ("evader", [0.1, 0.11, 0.12], "reached"),
+        ("evader", [0.97, 0.98, 0.99], "not reached"),
+    ],
+)
+def test_verdicts_on_a_published_game(team: str, values: list[float], verdict: str) -> None:
+    # The published interval is 0.8 +- 2.262 * 0.1 / sqrt(10) = 0.8 +- 0.072.
+    game = baselines.Game("a game", team, "random", 0.8, 0.1)
+    assert game.verdict(interval_over_runs(values, bounds=(0.0, 1.0))) == verdict
+
+
+def test_actor_critic_races_are_judged_by_schedule(tmp_path: Path) -> None:
+    pytest.importorskip("torch")
+    told = run_quickly("actor_critic_races", tmp_path, "--threads", "1")
+    assert told.startswith(read(tmp_path / "actor_critic" / "races.md"))
+    for schedule in ("specialist-specialist", "generalist-specialist", "generalist-generalist"):
+        assert f"| {schedule} | " in told
+    assert len(list((tmp_path / "runs").rglob("summary.json"))) == 3 * 2
+    assert run_quickly("actor_critic_races", tmp_path, "--threads", "1") == told
+
+
+def test_the_hours_of_the_published_size_are_projected(tmp_path: Path) -> None:
+    pytest.importorskip("torch")
+    done = run_script("actor_critic_races", tmp_path, "--quick", "--project")
+    assert "hours of training" in done.stdout, done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+# Safe learning
+
+
+def test_safe_learning_compares_methods_at_equal_agent_steps(tmp_path: Path) -> None:
+    pytest.importorskip("torch")
+    printed = run_quickly("safe_learning", tmp_path)
+    results = tmp_path / "safe_learning"
+    assert {path.name for path in results.iterdir()} == {
+        "table.md", "numbers.npz", "training.png", "methods.png",
+    }  # fmt: skip
+    table = read(results / "table.md")
+    assert printed.startswith(table)
+    rows = [line for line in table.splitlines() if line.startswith(("| gradients", "| evolution"))]
+    assert len(rows) == 8 + 5 + 5
+    for row in rows:
+        cells = [cell.strip() for cell in row.strip("|").split("|")]
+        if "mask" in cells[0]:
+            assert cells[3] == "0.0"  # no collision with an obstacle
+        if "occupied" in cells[0]:
+            assert cells[5] == "0.0"  # nor with an evader that moves in other cells
+    with np.load(results / "numbers.npz") as numbers:
+        name = "SB gradients: mask of occupied cells"
+        assert numbers[f"{name} / fault"].shape == (2, 3, 3)
+        assert not numbers[f"{name} / fault"][..., 0].any()
+        steps = numbers[f"{name} / agent-steps"]
+        captures = numbers[f"{name} / capture rate"]
+    # The numbers are those of the runs.
+    run = open_run(tmp_path / "runs/safe_learning/SB-gradients-mask-of-occupied-cells/1")
+    assert steps[1, -1] == 3 * run.files.log()["steps"][-1]
+    settings, own = run.settings, run.teams["pursuer"]
+    last = mw.Population(own.genomes[-1:], own.network)
+    world = settings.world(settings.eval_steps)
+    matches = mw.Matches.of(0, 0, 10**6)
+    played = mw.rollout(world, last, "random", matches, episodes=5)
+    assert captures[1, -1] == pytest.approx(played.capture_rate.mean())
+    assert run_quickly("safe_learning", tmp_path) == printed
+
+
+def test_methods_are_compared_at_the_last_generation_within_the_budget() -> None:
+    steps = {"S a": [[0, 50, 100], [0, 40, 90]], "S b": [[0, 70, 95], [0, 60, 120]]}
+    numbers = {}
+    for name, of_seeds in steps.items():
+        numbers[f"{name} / agent-steps"] = np.array(of_seeds)
+        numbers[f"{name} / collisions"] = np.array(of_seeds) / 10
+        numbers[f"{name} / capture rate"] = np.arange(6).reshape(2, 3) / 10
+        numbers[f"{name} / fault"] = np.arange(18.0).reshape(2, 3, 3)
+    found = safe_learning.judged(numbers, "S a", budget=90)
+    np.testing.assert_allclose(found["capture rate"], [0.1, 0.5])
+    np.testing.assert_allclose(found["all"], [3 + 4 + 5, 15 + 16 + 17])
+    np.testing.assert_allclose(found["teammate"], [4, 16])
+    np.testing.assert_allclose(found["training"], [100, 100])
+    np.testing.assert_allclose(found["agent-steps"], [50e-6, 90e-6])
+    np.testing.assert_allclose(
+        safe_learning.judged(numbers, "S b", budget=95)["capture rate"], [0.2, 0.4]
+    )
