@@ -133,7 +133,7 @@ def of_scores(name: str, runs: int) -> Simulation:
     def estimates(rng: np.random.Generator) -> dict[Case, Estimate]:
         scores, other = scores_of(name, runs, rng), better_scores(runs, rng)
         seed = int(rng.integers(2**31))
-        shares = analysis.performance_profile(scores, PROFILE_THRESHOLDS).shares
+        shares = analysis.performance_profile(scores, PROFILE_THRESHOLDS)
         return {
             ("interquartile mean", name): analysis.interquartile_mean(scores, seed=seed),
             **{

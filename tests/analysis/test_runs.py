@@ -16,7 +16,7 @@ def test_values_are_those_of_rliable() -> None:
     found = [analysis.interquartile_mean(each).value for each in (ONE, OTHER, TASK)]
     np.testing.assert_allclose(found, NUMBERS["iqm"])
     profile = analysis.performance_profile(ONE, THRESHOLDS)
-    np.testing.assert_allclose(profile.shares.mean, NUMBERS["profile"])
+    np.testing.assert_allclose(profile.mean, NUMBERS["profile"])
     better = analysis.probability_of_improvement(ONE, OTHER).value
     assert better == pytest.approx(NUMBERS["improvement"])
     assert analysis.probability_of_improvement(OTHER, ONE).value == pytest.approx(
@@ -62,7 +62,7 @@ def test_few_runs_have_no_interval() -> None:
     ):
         assert (found.low, found.high) == (None, None)
         assert (found.note, found.samples) == ("no interval below 6 runs", 5)
-    shares = analysis.performance_profile(ONE[:5]).shares
+    shares = analysis.performance_profile(ONE[:5])
     assert (shares.low, shares.high) == (None, None)
     assert analysis.interquartile_mean(ONE[:6]).low is not None
     assert analysis.interquartile_mean(ONE[:5], level=0.9).low is not None
@@ -77,14 +77,14 @@ def test_a_profile_is_the_mean_over_runs_of_their_shares() -> None:
     profile = analysis.performance_profile(ONE, THRESHOLDS)
     for k, threshold in enumerate(THRESHOLDS):
         shares = [np.mean([score > threshold for score in run]) for run in ONE]
-        assert profile.shares.mean[k] == pytest.approx(np.mean(shares))
+        assert profile.mean[k] == pytest.approx(np.mean(shares))
         expected = analysis.interval_over_runs(shares, bounds=(0.0, 1.0))
         if expected.low is not None:
-            assert profile.shares.low is not None
-            assert profile.shares.high is not None
-            got = profile.shares.low[k], profile.shares.high[k]
+            assert profile.low is not None
+            assert profile.high is not None
+            got = profile.low[k], profile.high[k]
             assert got == pytest.approx((expected.low, expected.high))
-    assert len(analysis.performance_profile(ONE).thresholds) == 101
+    assert len(analysis.performance_profile(ONE).places) == 101
 
 
 def test_the_probability_of_improvement_has_the_interval_of_brunner_and_munzel() -> None:

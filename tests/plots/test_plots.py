@@ -387,7 +387,7 @@ def test_generalization_over_seeds_shows_means_and_intervals(payoff: np.ndarray)
     one, two = figure.axes
     bands = analysis.race_bands(seeds)
     for line, band in zip(
-        one.lines, (bands.pursuer_generalization, bands.evader_generalization), strict=False
+        one.lines, (bands["pursuer_generalization"], bands["evader_generalization"]), strict=False
     ):
         np.testing.assert_allclose(line.get_ydata(), band.mean)
     level = analysis.interval_over_runs(scores, bounds=(0, 1))

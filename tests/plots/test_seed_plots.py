@@ -41,9 +41,9 @@ def test_bands_show_means_and_intervals_over_seeds() -> None:
     scores, other, strength, _, lags, _ = figure.axes
     bands = analysis.race_bands(MATRICES[:4])
     for axes, expected in (
-        (scores, (bands.pursuer_generalization, bands.evader_generalization)),
-        (strength, (bands.pursuer_ratings, bands.evader_ratings)),
-        (lags, (bands.lag_profile,)),
+        (scores, (bands["pursuer_generalization"], bands["evader_generalization"])),
+        (strength, (bands["pursuer_ratings"], bands["evader_ratings"])),
+        (lags, (bands["lag_profile"],)),
     ):
         for drawn, band, filled in zip(thick(axes), expected, axes.collections, strict=True):
             np.testing.assert_allclose(drawn, band.mean)
@@ -143,7 +143,7 @@ def test_scores_show_profiles_and_interquartile_means() -> None:
     figure = plots.seed_scores(scores)
     profiles, middles, _, evaders = figure.axes
     for line, of_group in zip(profiles.lines, scores.values(), strict=True):
-        expected = analysis.performance_profile(of_group["pursuer"]).shares.mean
+        expected = analysis.performance_profile(of_group["pursuer"]).mean
         np.testing.assert_allclose(line.get_ydata(), expected)
     # Seven seeds have a band and an interval, three have neither.
     assert len(profiles.collections) == 1

@@ -90,8 +90,6 @@ from matrixworld.analysis.report import (
     report,
 )
 from matrixworld.analysis.runs import (
-    PerformanceProfile,
-    RaceBands,
     fewest_runs,
     interquartile_mean,
     performance_profile,
@@ -121,9 +119,7 @@ __all__ = [
     "Nash",
     "NoiseReference",
     "Payoffs",
-    "PerformanceProfile",
     "Progress",
-    "RaceBands",
     "ResponseGain",
     "TeamCurves",
     "TeamProgress",

@@ -121,7 +121,7 @@ def transitive_share(
     logits : bool, optional
         Decompose the logits of the shrunken rates instead of the rates.
     shrinkage : float, optional
-        Shrinkage before the logits, in (0, 1/2); see `matrixworld.analysis.logits`.
+        Shrinkage before the logits, in (0, 1/2).
 
     Returns
     -------

@@ -83,24 +83,27 @@ class Estimate:
 
 @dataclass(frozen=True, eq=False)
 class Band:
-    """A mean curve with its pointwise interval over runs.
+    """A mean curve with its pointwise interval.
 
     Parameters
     ----------
+    places : ndarray of int64 or float64, shape (k,)
+        Where the points lie, such as generations.
     mean : ndarray of float64, shape (k,)
-        Mean over runs.
+        Mean over runs or episodes.
     low : ndarray of float64, shape (k,), or None
         Lower ends; None for a single run.
     high : ndarray of float64, shape (k,), or None
         Upper ends; None for a single run.
-    runs : ndarray of int64, shape (k,), or None
-        Number of runs behind each point; None for a band over episodes.
+    runs : ndarray of int64, shape (k,)
+        Number of runs behind each point; of episodes in a band over episodes.
     """
 
+    places: NDArray[Any]
     mean: Rates
     low: Rates | None
     high: Rates | None
-    runs: NDArray[np.int64] | None = None
+    runs: NDArray[np.int64]
 
     __repr__ = short_repr
 
@@ -208,13 +211,21 @@ def difference_of_runs(
     return Estimate(difference, *ends, "runs", fewest, few_runs(fewest))
 
 
-def band_over_runs(curves: ArrayLike, *, level: float = LEVEL, bounds: Bounds = UNBOUNDED) -> Band:
+def band_over_runs(
+    curves: ArrayLike,
+    *,
+    places: ArrayLike | None = None,
+    level: float = LEVEL,
+    bounds: Bounds = UNBOUNDED,
+) -> Band:
     """Return the mean curve over training runs with Student's t interval at each point.
 
     Parameters
     ----------
     curves : array_like of float, shape (runs, k)
         One curve for each run; NaN where a run has no value. Every point needs a run.
+    places : array_like of float, shape (k,), optional
+        Where the points lie. The default is 0, 1, ...
     level : float, optional
         Confidence level of each point, in (0, 1). A whole curve leaves the band more often.
     bounds : tuple of float, optional
@@ -240,15 +251,16 @@ def band_over_runs(curves: ArrayLike, *, level: float = LEVEL, bounds: Bounds = 
     counts = known.sum(axis=0)
     require(bool(counts.all()), "a run with a value at each point", "points without one")
     check_level(level)
+    at = np.arange(array.shape[1]) if places is None else np.asarray(places)
     mean = np.nansum(array, axis=0) / counts
     if len(array) == 1:
-        return Band(mean, None, None, counts)
+        return Band(at, mean, None, None, counts)
     squares = np.where(known, array - mean, 0.0) ** 2
     # No interval where a single run is left: there is nothing to divide by.
     freedom = np.where(counts > 1, counts - 1.0, np.nan)
     half = t_quantile(level, freedom) * np.sqrt(squares.sum(axis=0) / freedom / counts)
     ends = np.maximum(mean - half, bounds[0]), np.minimum(mean + half, bounds[1])
-    return Band(mean, *ends, counts)
+    return Band(at, mean, *ends, counts)
 
 
 # ---- Over the episodes of one run ---------------------------------------------------------------

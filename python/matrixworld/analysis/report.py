@@ -49,10 +49,6 @@ SHOWN = {"one-sided progress": ("pursuer_change", "evader_change")}
 HEADLINE_LAGS = (-10, -5, -1, 0, 1, 5, 10)
 RANKED_PAIRS = 1024
 """Most pairs for alpha-Rank here, which keeps it under a second; longer runs are thinned out."""
-BANDS = (
-    "pursuer_generalization", "evader_generalization", "pursuer_ratings", "evader_ratings",
-    "lag_profile",
-)  # fmt: skip
 
 
 # ---- A judgement ---------------------------------------------------------------------------------
@@ -268,11 +264,10 @@ def all_results(source: Source, *, level: float = LEVEL) -> dict[str, Any]:
         With cross tests ``global_progress``. Arrays are lists, NaN is None.
     """
     payoffs = read_payoffs(source)
-    bands = race_bands(payoffs.matrices, level=level)
     found: dict[str, Any] = {
         "level": level,
         "measures": measure_all(payoffs, level=level),
-        "bands": {name: getattr(bands, name) for name in BANDS},
+        "bands": race_bands(payoffs.matrices, level=level),
         "runs": [_curves(run) for run in payoffs.runs],
     }
     if payoffs.cross is not None:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from matrixworld._util.checks import check_integer
-from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.intervals import (
     LEVEL,
     UNBOUNDED,
@@ -25,7 +24,7 @@ from matrixworld.analysis.intervals import (
     t_quantile,
 )
 from matrixworld.analysis.payoffs import Rates, check_payoff, require
-from matrixworld.analysis.progress import LagProfile, generalization, lag_profile
+from matrixworld.analysis.progress import generalization, lag_profile
 from matrixworld.analysis.ratings import ELO_POINTS, elo
 
 RESAMPLES = 2000
@@ -35,25 +34,6 @@ THRESHOLDS = np.linspace(0.0, 1.0, 101)
 """Default thresholds of a performance profile, for scores that are rates."""
 TRIMMED = 0.25  # share of the scores that an interquartile mean leaves out at each end
 SEPARATE = "no interval: the scores of the two groups do not overlap"
-
-
-@dataclass(frozen=True, eq=False)
-class PerformanceProfile:
-    """Share of scores above each threshold.
-
-    Parameters
-    ----------
-    thresholds : ndarray of float64, shape (k,)
-        The thresholds.
-    shares : Band
-        Share of the scores of all runs and opponents above each threshold, with its pointwise
-        interval over runs.
-    """
-
-    thresholds: Rates
-    shares: Band
-
-    __repr__ = short_repr
 
 
 def fewest_runs(level: float = LEVEL) -> int:
@@ -141,7 +121,7 @@ def interquartile_mean(
 
 def performance_profile(
     scores: ArrayLike, thresholds: ArrayLike = THRESHOLDS, *, level: float = LEVEL
-) -> PerformanceProfile:
+) -> Band:
     """Return the share of scores above each threshold, with its pointwise interval over runs.
 
     Parameters
@@ -155,8 +135,9 @@ def performance_profile(
 
     Returns
     -------
-    PerformanceProfile
-        The shares of all runs and opponents. There is no interval below `fewest_runs`.
+    Band
+        The shares of all runs and opponents, at the thresholds. There is no interval below
+        `fewest_runs`.
 
     Raises
     ------
@@ -180,10 +161,8 @@ def performance_profile(
     require(bool(np.isfinite(places).all()), "finite thresholds", "others")
     require(bool((np.diff(places) > 0.0).all()), "ascending thresholds", "others")
     above = (array[:, :, np.newaxis] > places).mean(axis=1)
-    shares = band_over_runs(above, level=level, bounds=UNIT)
-    if _too_few(len(array), level):
-        shares = replace(shares, low=None, high=None)
-    return PerformanceProfile(places, shares)
+    shares = band_over_runs(above, places=places, level=level, bounds=UNIT)
+    return replace(shares, low=None, high=None) if _too_few(len(array), level) else shares
 
 
 def probability_of_improvement(
@@ -275,35 +254,7 @@ def _all_equal(scores: Rates) -> str:
 # ---- Mean curves ---------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, eq=False)
-class RaceBands:
-    """Curves of several runs: means with intervals, and the single runs.
-
-    Parameters
-    ----------
-    pursuer_generalization, evader_generalization : Band
-        Mean payoff of each generation against all opponents of the race, in [0, 1]. Shapes (n,) and
-        (m,).
-    pursuer_ratings, evader_ratings : Band
-        Elo rating of each generation in points (`elo`, times `ELO_POINTS`), mean 0 over the
-        generations of a run. Shapes (n,) and (m,).
-    lag_profile : Band
-        Mean capture rate at each of `lags`, shape (n + m - 1,).
-    lags : ndarray of int64, shape (n + m - 1,)
-        Pursuer generation minus evader generation, ascending.
-    """
-
-    pursuer_generalization: Band
-    evader_generalization: Band
-    pursuer_ratings: Band
-    evader_ratings: Band
-    lag_profile: Band
-    lags: NDArray[np.int64]
-
-    __repr__ = short_repr
-
-
-def race_bands(payoffs: Iterable[ArrayLike], *, level: float = LEVEL) -> RaceBands:
+def race_bands(payoffs: Iterable[ArrayLike], *, level: float = LEVEL) -> dict[str, Band]:
     """Return mean generalization, ratings and lag profile of several runs, with intervals.
 
     Parameters
@@ -316,48 +267,38 @@ def race_bands(payoffs: Iterable[ArrayLike], *, level: float = LEVEL) -> RaceBan
 
     Returns
     -------
-    RaceBands
-        Each `Band` tells the number of runs behind each point. A point of a single run has no
-        interval.
+    dict of str to Band
+        ``pursuer_generalization`` and ``evader_generalization``: mean payoff of each generation
+        against all opponents of the race, in [0, 1]. ``pursuer_ratings`` and ``evader_ratings``:
+        Elo rating of each generation in points, mean 0 over the generations of a run.
+        ``lag_profile``: mean capture rate at each lag, pursuer minus evader generation. A point of
+        a single run has no interval.
 
     Raises
     ------
     ValueError
         If there is no run, or a matrix is not as `check_payoff` expects.
-
-    Notes
-    -----
-    Student's t interval at each point, that of rates clipped to [0, 1]; see `band_over_runs`.
     """
     matrices = [check_payoff(payoff) for payoff in payoffs]
     require(bool(matrices), "at least one run", "none")
-    scores = [generalization(matrix) for matrix in matrices]
-    ratings = [elo(matrix) for matrix in matrices]
+    found: dict[str, Band] = {}
+    for team in ("pursuer", "evader"):
+        scores = [getattr(generalization(matrix), f"{team}s") for matrix in matrices]
+        ratings = [ELO_POINTS * getattr(elo(matrix), f"{team}s") for matrix in matrices]
+        found[f"{team}_generalization"] = _band(scores, level, UNIT)
+        found[f"{team}_ratings"] = _band(ratings, level, UNBOUNDED)
     profiles = [lag_profile(matrix) for matrix in matrices]
     first = min(int(profile.lags[0]) for profile in profiles)
-    aligned = [_from(profile, first) for profile in profiles]
-
-    def band(curves: list[Rates], bounds: Bounds = UNIT) -> Band:
-        return band_over_runs(_padded(curves), level=level, bounds=bounds)
-
-    return RaceBands(
-        band([each.pursuers for each in scores]),
-        band([each.evaders for each in scores]),
-        band([ELO_POINTS * each.pursuers for each in ratings], UNBOUNDED),
-        band([ELO_POINTS * each.evaders for each in ratings], UNBOUNDED),
-        band(aligned),
-        np.arange(first, first + max(map(len, aligned))),
-    )
+    # Runs of fewer evader generations begin at a later lag.
+    before = [np.full(int(profile.lags[0]) - first, np.nan) for profile in profiles]
+    means = [np.concatenate([gap, each.means]) for gap, each in zip(before, profiles, strict=True)]
+    return {**found, "lag_profile": _band(means, level, UNIT, first)}
 
 
-def _from(profile: LagProfile, first: int) -> Rates:
-    """Return the means of a profile, with NaN for lags from `first` to its own first one."""
-    return np.concatenate([np.full(int(profile.lags[0]) - first, np.nan), profile.means])
-
-
-def _padded(curves: Sequence[Rates]) -> Rates:
-    """Return curves of different lengths as the rows of one array, with NaN at their ends."""
+def _band(curves: Sequence[Rates], level: float, bounds: Bounds, first: int = 0) -> Band:
+    """Return the band of curves of different lengths, which begin at the same place."""
     rows = np.full((len(curves), max(map(len, curves))), np.nan)
     for row, curve in zip(rows, curves, strict=True):
         row[: len(curve)] = curve
-    return rows
+    places = np.arange(first, first + rows.shape[1])
+    return band_over_runs(rows, places=places, level=level, bounds=bounds)

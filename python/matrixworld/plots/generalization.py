@@ -135,10 +135,10 @@ def _draw_race(
     axes: Axes, matrices: list[ArrayLike], baselines: list[Mapping[str, ArrayLike]]
 ) -> None:
     bands = analysis.race_bands(matrices)
-    teams = (bands.pursuer_generalization, bands.evader_generalization)
+    teams = (bands["pursuer_generalization"], bands["evader_generalization"])
     labels = ("pursuers: capture rate", "evaders: 1 - capture rate")
     for band, color, label in zip(teams, colors.TEAMS, labels, strict=True):
-        draw_band(axes, np.arange(len(band.mean)), band, color, "-", label=label)
+        draw_band(axes, band, color, "-", label=label)
     for color, team in zip(colors.TEAMS, baselines, strict=True):
         for index, (name, scores) in enumerate(team.items()):
             _draw_baseline(axes, name, scores, color, DASHES[index % len(DASHES)])

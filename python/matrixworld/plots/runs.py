@@ -135,13 +135,12 @@ def run_curves(
     axes = figure.add_subplot()
     for index, (name, curves) in enumerate(groups.items()):
         color, style = LINES[index % len(LINES)]
-        band = analysis.band_over_runs(curves)
-        where = np.arange(len(band.mean)) if places is None else np.asarray(places)
+        band = analysis.band_over_runs(curves, places=places)
         if len(np.asarray(curves)) <= MOST_LINES:
             # Smooth edges of many thin lines would make the picture several times as large.
             look: dict[str, Any] = {"alpha": 0.35, "linewidth": 0.6, "antialiased": False}
-            axes.plot(where, np.asarray(curves).T, color=color, **look)
-        draw_band(axes, where, band, color, style, label=name)
+            axes.plot(band.places, np.asarray(curves).T, color=color, **look)
+        draw_band(axes, band, color, style, label=name)
     if min(len(np.asarray(curves)) for curves in groups.values()) <= MOST_LINES:
         axes.plot([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6, label="single run")
     axes.fill_between([], [], [], color=colors.MUTED, alpha=0.3, linewidth=0, label="95% interval")
@@ -213,15 +212,14 @@ def seed_scores(
 
 def _draw_profiles(axes: Axes, scores: Mapping[str, Rates], team: str) -> None:
     for (color, style), values in zip(LINES, scores.values(), strict=False):
-        profile = analysis.performance_profile(values)
-        shares = profile.shares
+        shares = analysis.performance_profile(values)
         axes.step(
-            profile.thresholds, shares.mean, color=color, linestyle=style, linewidth=1.6,
+            shares.places, shares.mean, color=color, linestyle=style, linewidth=1.6,
             where="post",
         )  # fmt: skip
         if shares.low is not None and shares.high is not None:
             axes.fill_between(
-                profile.thresholds, shares.low, shares.high, color=color, alpha=0.15, linewidth=0,
+                shares.places, shares.low, shares.high, color=color, alpha=0.15, linewidth=0,
                 step="post",
             )  # fmt: skip
     axes.set(xlabel=f"threshold of the {SCORES[team]}", ylabel="share of scores above it")

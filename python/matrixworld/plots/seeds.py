@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
-from matrixworld.analysis import CONDITIONS, Band, Judgement, RaceBands
+from matrixworld.analysis import CONDITIONS, Band, Judgement
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.analysis.payoffs import Rates
 from matrixworld.plots.style import (
@@ -100,11 +100,12 @@ def _draw_group(column: Sequence[Axes], matrices: Sequence[Rates]) -> tuple[floa
     scores, strength, lags = column
     _draw_teams(
         scores,
-        (bands.pursuer_generalization, bands.evader_generalization),
+        (bands["pursuer_generalization"], bands["evader_generalization"]),
         [analysis.generalization(matrix) for matrix in singles],
     )
-    _draw_teams(strength, (bands.pursuer_ratings, bands.evader_ratings), map(_points, singles))
-    _draw_lags(lags, bands, singles)
+    ratings = bands["pursuer_ratings"], bands["evader_ratings"]
+    _draw_teams(strength, ratings, map(_points, singles))
+    _draw_lags(lags, bands["lag_profile"], singles)
     for axes in column:
         axes.xaxis.set_major_locator(whole_numbers(5))
         axes.margins(x=0.02)
@@ -127,15 +128,15 @@ def _draw_teams(
         for curve, color in zip(curves, colors.TEAMS, strict=True):
             axes.plot(curve, color=color, alpha=0.35, linewidth=0.6)
     for band, color, style in zip(bands, colors.TEAMS, ("-", DASHES[0]), strict=True):
-        draw_band(axes, np.arange(len(band.mean)), band, color, style)
+        draw_band(axes, band, color, style)
     axes.set_xlabel("generation")
 
 
-def _draw_lags(axes: Axes, bands: RaceBands, singles: Sequence[Rates]) -> None:
+def _draw_lags(axes: Axes, band: Band, singles: Sequence[Rates]) -> None:
     for matrix in singles:
         profile = analysis.lag_profile(matrix)
         axes.plot(profile.lags, profile.means, color=colors.INK, alpha=0.25, linewidth=0.6)
-    draw_band(axes, bands.lags, bands.lag_profile, colors.INK, "-")
+    draw_band(axes, band, colors.INK, "-")
     axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
     axes.set_xlabel("lag: pursuer minus\nevader generation")
 

@@ -14,7 +14,6 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
-from numpy.typing import ArrayLike
 
 from matrixworld._util import colors
 from matrixworld._util.files import replacing
@@ -87,13 +86,12 @@ def whole_numbers(at_most: int) -> MaxNLocator:
     return MaxNLocator(nbins=at_most, steps=[1, 2, 5, 10], integer=True)
 
 
-def draw_band(
-    axes: Axes, places: ArrayLike, band: Band, color: str, line: str, *, label: str = ""
-) -> None:
+def draw_band(axes: Axes, band: Band, color: str, line: str, *, label: str = "") -> None:
     """Draw a mean curve, and its interval as a band if it has one."""
-    axes.plot(places, band.mean, color=color, linestyle=line, linewidth=1.7, label=label or None)
+    look: dict[str, Any] = {"color": color, "linestyle": line, "linewidth": 1.7}
+    axes.plot(band.places, band.mean, label=label or None, **look)
     if band.low is not None and band.high is not None:
-        axes.fill_between(places, band.low, band.high, color=color, alpha=0.22, linewidth=0)
+        axes.fill_between(band.places, band.low, band.high, color=color, alpha=0.22, linewidth=0)
 
 
 # ---- Files ---------------------------------------------------------------------------------------
