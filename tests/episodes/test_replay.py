@@ -11,6 +11,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import imageio_ffmpeg
 import numpy as np
@@ -207,22 +208,27 @@ def test_an_episode_that_stands_still_is_a_gif_too(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("options", "message"),
+    "options",
     [
-        ({"fps": 0}, "fps: expected 0.1 to 50 a second, got 0"),
-        ({"fps": 60}, "fps: expected 0.1 to 50 a second, got 60"),
-        ({"every": 0}, "every: expected at least 1, got 0"),
-        ({"hold": -1}, "hold: expected 0 to 600 seconds, got -1"),
-        ({"cell": 0}, "cell: expected 1 to"),
-        ({"fov": 2, "viewers": [0]}, "fov: expected an odd number"),
+        {"fps": 0},
+        {"fps": 60},
+        {"every": 0},
+        {"hold": -1},
+        {"cell": 0},
+        {"fov": 2, "viewers": [0]},
+        {"viewers": ["evader_7"]},
     ],
 )
-def test_a_refused_gif_leaves_no_file(
-    tmp_path: Path, options: dict[str, float], message: str
-) -> None:
-    with pytest.raises(ValueError, match=message):
-        save(EPISODE, tmp_path / "no.gif", **options)  # type: ignore[arg-type]
+def test_what_is_refused_leaves_no_file(tmp_path: Path, options: dict[str, Any]) -> None:
+    field = f"^{next(iter(options))}: expected"
+    with pytest.raises(ValueError, match=field):
+        save(EPISODE, tmp_path / "no.gif", **options)
+    with pytest.raises(TypeError, match=f"keywords: .* got {next(iter(options))}s; did you mean"):
+        save(EPISODE, tmp_path / "no.gif", **{f"{next(iter(options))}s": 1})  # type: ignore[arg-type]
     assert os.listdir(tmp_path) == []
+    if options.keys() & {"fps", "every"} and options != {"fps": 60}:
+        with pytest.raises(ValueError, match=field):
+            animate_terminal(EPISODE, io.StringIO(), **options)
 
 
 # -- films, pictures, notebooks ------------------------------------------------------------------
@@ -232,16 +238,8 @@ def test_a_film_shows_every_step(tmp_path: Path) -> None:
     path = tmp_path / "episode.mp4"
     save(EPISODE, path, fps=8, hold=1.5, cell=14)
     height, width, _ = render.rgb(scene(EPISODE, 0), cell=14).shape
-    decode = [
-        imageio_ffmpeg.get_ffmpeg_exe(),
-        "-i",
-        path,
-        "-f",
-        "rawvideo",
-        "-pix_fmt",
-        "rgb24",
-        "-",
-    ]
+    ffmpeg = imageio_ffmpeg.get_ffmpeg_exe()
+    decode = [ffmpeg, "-i", path, *("-f", "rawvideo", "-pix_fmt", "rgb24"), "-"]
     decoded = subprocess.run(decode, capture_output=True, check=True)
     report = decoded.stderr.decode()
     for fact in ("Video: h264", "yuv420p(tv, bt709", f" {width}x{height}", " 8 fps"):
@@ -321,11 +319,9 @@ def test_a_field_of_view_is_as_large_as_the_world_says(tmp_path: Path) -> None:
     assert own == five != seven
 
 
-def test_save_refuses(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match=r"ends in .gif, .mp4 or .png, got episode.avi"):
+def test_save_refuses_another_kind_of_file_and_moment(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"^path: .* ends in .gif, .mp4 or .png, got episode.avi"):
         save(EPISODE, "episode.avi")
-    with pytest.raises(ValueError, match="a name such as pursuer_0, got 'evader_7'"):
-        save(EPISODE, tmp_path / "no.png", viewers=["evader_7"])
     with pytest.raises(IndexError):
         save(EPISODE, tmp_path / "no.png", step=31)
     assert os.listdir(tmp_path) == []
@@ -469,12 +465,3 @@ def test_which_colours_a_stream_may_have() -> None:
     assert term.color_mode(io.StringIO(), {"COLORTERM": "truecolor"}) == "none"
     terminal.encoding = "ascii"
     assert term.color_mode(terminal, {}) == "none"
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [({"fps": 0}, "fps: expected a number"), ({"every": 0}, "every")],
-)
-def test_animate_refuses(options: dict[str, int], message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        animate_terminal(EPISODE, io.StringIO(), **options)  # type: ignore[arg-type]
