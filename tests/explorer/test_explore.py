@@ -1,19 +1,31 @@
-"""`explore`, for notebooks and scripts."""
+"""Pages in notebooks and scripts: `explore`, frames, and pictures where no frame can be shown."""
 
 from __future__ import annotations
 
+import base64
 import html
+import io
 import re
+import runpy
 import shutil
 import sys
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
+from PIL import Image
 
+import matrixworld as mw
 from matrixworld._util.files import DamagedFileError
 from matrixworld.coevolution import start
-from matrixworld.explorer import explore
+from matrixworld.episodes.render import rgb
+from matrixworld.episodes.render.canvas import SMALLEST_NUMBERED, fitting_cell
+from matrixworld.explorer import Explorer, Playground, explore
+from matrixworld.explorer.playground import PIXELS
 from tiny_race import tiny_race
+
+REPOSITORY = Path(__file__).parents[2]
 
 
 @pytest.fixture(scope="module")
@@ -74,3 +86,53 @@ def test_reading_a_run_imports_no_code_of_its_learner(
     monkeypatch.delitem(sys.modules, "own_code")
     explore(tmp_path / "run")
     assert "own_code" not in sys.modules
+
+
+def picture(bundle: dict[str, str]) -> np.ndarray:
+    """Return the pixels of the picture in an output."""
+    with Image.open(io.BytesIO(base64.b64decode(bundle["image/png"]))) as image:
+        assert image.format == "PNG"
+        return np.asarray(image.convert("RGB"))
+
+
+def test_the_picture_of_a_playground_is_the_scene_of_its_world() -> None:
+    world = mw.World("SB", rows=3, cols=5, n_pursuers=2, n_evaders=1)
+    world.reset(0, pursuers=[[0, 0], [0, 2]], evaders=[[2, 4]])
+    before = world.scene()
+    playground = Playground(world)
+    world.step([mw.Action.SOUTH] * 3)
+    bundle = playground._repr_mimebundle_()
+    assert "<iframe srcdoc=" in bundle["text/html"]
+    drawn = picture(bundle)
+    cell = fitting_cell((3, 5), PIXELS, SMALLEST_NUMBERED)
+    assert np.array_equal(drawn, rgb(before, cell=cell, numbers=True))
+    assert not np.array_equal(drawn, rgb(world.scene(), cell=cell, numbers=True))
+
+
+@pytest.mark.parametrize("side", [1, 2, 64])
+def test_pictures_of_small_and_large_worlds(side: int) -> None:
+    world = mw.World("O", rows=side, cols=max(2, side), n_pursuers=1, n_evaders=1)
+    assert 100 < max(picture(Playground(world)._repr_mimebundle_()).shape) < 2000
+
+
+def test_a_playground_without_a_world_shows_the_first_example() -> None:
+    assert picture(Playground()._repr_mimebundle_()).size
+
+
+def test_a_notebook_that_is_kept_shows_the_picture_and_no_frame() -> None:
+    """The formatter of a notebook, and then the script that runs and keeps the notebooks."""
+    formatters = pytest.importorskip("IPython.core.formatters")
+    drop_frame = runpy.run_path(str(REPOSITORY / "tutorials" / "run.py"))["drop_frame"]
+    data, metadata = formatters.DisplayFormatter().format(Playground())
+    assert {"text/html", "image/png", "text/plain"} == data.keys()
+    output: dict[str, Any] = {"data": data, "metadata": metadata}
+    drop_frame(output)
+    assert output["data"].keys() == {"image/png", "text/plain"}
+
+
+def test_the_picture_of_an_explorer_is_a_match_of_the_run(run: Path, tmp_path: Path) -> None:
+    page = explore(run, file=tmp_path / "page.html")
+    bundle = page._repr_mimebundle_()
+    height, width, _ = picture(bundle).shape
+    assert width > 2 * height
+    assert Explorer(page.path)._repr_mimebundle_().keys() == {"text/html"}

@@ -87,34 +87,26 @@ class MaskedEpisodes(NamedTuple):
     captured: NDArray[np.bool_]  # whether the evader was surrounded
 
 
-def play_masked(
-    weights: ArrayLike,
-    mask: Mask,
-    *,
-    episodes: int = 100,
-    seed: int = 0,
-    config: WorldConfig = WORLD,
-    evaders: str = "random",
-) -> MaskedEpisodes:
-    """Play a pack that never chooses an action that a mask forbids.
+def play_masked(weights: ArrayLike, mask: Mask, *, episodes: int, seed: int = 0) -> MaskedEpisodes:
+    """Play a pack in `WORLD` that never chooses an action that a mask forbids.
 
     The mask takes the views of n pursuers, (n, 3, fov, fov), and returns for each action whether it
     is allowed, (n, 5). A pursuer that is allowed nothing stays.
     """
-    (genome,), network = (own := pack(weights)).genomes, own.network
-    envs = VectorEnv(config, n_worlds=episodes, evaders=evaders, autoreset_mode="Disabled")
+    population = pack(weights)
+    envs = VectorEnv(WORLD, n_worlds=episodes, evaders="random", autoreset_mode="Disabled")
     views, _ = envs.reset(seed=seed)
     rng, safety = np.random.default_rng(seed), SafetyMonitor()
     steps, captured = np.zeros(episodes, np.int64), np.zeros(episodes, bool)
     running = np.ones(episodes, bool)
     while running.any():
-        actions = np.zeros((episodes, config.n_pursuers), np.int64)
+        actions = np.zeros((episodes, WORLD.n_pursuers), np.int64)
         seen = views[running].reshape(-1, *views.shape[2:])
-        wishes = network.logits(genome, seen)
+        wishes = population.network.logits(population.genomes[0], seen)
         wishes[~_allowed(mask, seen)] = -np.inf
         # The largest of wishes with Gumbel noise is a draw with their softmax.
         chosen = (wishes + rng.gumbel(size=wishes.shape)).argmax(axis=1)
-        actions[running] = chosen.reshape(-1, config.n_pursuers)
+        actions[running] = chosen.reshape(-1, WORLD.n_pursuers)
         views, *_, infos = envs.step(actions)
         safety.add_infos(infos)
         ended = running & infos["_episode"]
