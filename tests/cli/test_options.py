@@ -71,6 +71,11 @@ def test_options_of_one_name_are_equal_in_all_commands():
     assert {name for name, meanings in found.items() if len(meanings) > 1} == DIFFERENT
 
 
+def test_summaries_fit_into_the_list_of_commands():
+    summaries = {name: each.get_short_help_str(200) for name, each in main.commands.items()}
+    assert {name: text for name, text in summaries.items() if len(text) > 45} == {}
+
+
 @pytest.mark.parametrize("option", ["--seed", "--episodes", "--steps", "--threads", "--json"])
 def test_shared_options_are_shared(option):
     names = [

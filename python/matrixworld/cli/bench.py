@@ -296,7 +296,7 @@ def _seconds(ctx: click.Context, param: click.Parameter, value: float) -> float:
     return value
 
 
-@click.command("bench", cls=SectionedCommand)
+@click.command("bench", cls=SectionedCommand, short_help="Measure how fast this machine plays.")
 @click.argument("variant", default="O", callback=_variant)
 @click.option(
     "--hidden",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 import click
 
@@ -41,15 +41,11 @@ SIZE = 16
 SIZE_DEFAULT = f"[default: {SIZE}, or that of the map]"
 
 
-AnyFunction = TypeVar("AnyFunction", bound=Callable[..., Any])
-Decorator = Callable[[AnyFunction], AnyFunction]
-
-
-def _world(*names: str, **attributes: Any) -> Decorator[Any]:
+def _world(*names: str, **attributes: Any) -> Callable[[Any], Any]:
     return click.option(*names, cls=SettingOption, section="World", show_default=True, **attributes)
 
 
-def _limit(name: str, **attributes: Any) -> Decorator[Any]:
+def _limit(name: str, **attributes: Any) -> Callable[[Any], Any]:
     default = getattr(DEFAULTS, name.removeprefix("--").replace("-", "_"))
     return click.option(
         name,

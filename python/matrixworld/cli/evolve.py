@@ -44,7 +44,9 @@ Examples:
 """
 
 
-@click.command("evolve", cls=SectionedCommand, epilog=EXAMPLES)
+@click.command(
+    "evolve", cls=SectionedCommand, epilog=EXAMPLES, short_help="Start races, or continue them."
+)
 @click.argument("output", required=False, type=click.Path(path_type=Path, file_okay=False))
 @click.option(
     "--resume",

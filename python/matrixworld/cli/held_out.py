@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from matrixworld._util.files import DamagedFileError, json_digest, load_json, save_json
 from matrixworld.cli.console import progress
 from matrixworld.coevolution import HeldOutScores, RunDirectory, Team, open_run, score
-from matrixworld.coevolution.types import TEAMS
 from matrixworld.version import __version__
 
 if TYPE_CHECKING:
@@ -62,23 +61,7 @@ def kept_scores(files: RunDirectory) -> Scores | None:
         return None
     # Other versions may have other held-out opponents.
     played = kept.get("matrixworld"), kept.get("episodes"), kept.get("seed")
-    return kept if played == (__version__, EPISODES, SEED) and _holds_means(kept) else None
-
-
-def _holds_means(kept: Scores) -> bool:
-    """Return whether scores have what is printed and drawn of them."""
-    try:
-        teams = [kept[f"{team}s"] for team in TEAMS]
-        means = [mean for each in teams for [mean] in [each["mean"]]]
-        values = [mean["value"] for mean in means]
-        values += [one["value"] for each in teams for [one] in each["against"].values()]
-        # Without an interval if all episodes ended alike.
-        ends = [mean[end] for mean in means for end in ("low", "high")]
-    except (AttributeError, KeyError, TypeError, ValueError):
-        return False
-    return all(type(number) is float for number in values) and all(
-        end is None or type(end) is float for end in ends
-    )
+    return kept if played == (__version__, EPISODES, SEED) else None
 
 
 def _owner(files: RunDirectory) -> str:

@@ -75,7 +75,12 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
         ) from None
 
 
-@click.command("replay", cls=SectionedCommand, epilog=EXAMPLES)
+@click.command(
+    "replay",
+    cls=SectionedCommand,
+    epilog=EXAMPLES,
+    short_help="Watch an episode, or write it to files.",
+)
 @click.argument("source", metavar="RUN|FILE|VARIANT", callback=_source)
 @click.option(
     "--pursuer",
@@ -99,6 +104,7 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
 @steps_option
 @click.option(
     "--out",
+    "-o",
     type=click.Path(path_type=Path),
     multiple=True,
     callback=_out,

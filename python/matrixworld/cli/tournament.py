@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from matrixworld._util.files import save_arrays
-from matrixworld.analysis import Judgement, TeamCurves, generalization, headline, judge
+from matrixworld.analysis import generalization, headline, judge
 from matrixworld.cli.arguments import failures, run_of
 from matrixworld.cli.clusters import cluster_option, on_cluster
 from matrixworld.cli.console import TERMS, progress
@@ -71,8 +71,9 @@ def tournament_command(
         payoff = _play(ours, theirs, episodes, steps, seed, threads, where)
         # Generations of two runs have no common order in time, and are not judged.
         judgement = judge(payoff.capture_rates, per_episode=True) if other is None else None
-        names = run_title(run, ours.settings), run_title(other or run, theirs.settings)
-        _save(payoff, target, _title(*names, judgement))
+        name, rival = run_title(run, ours.settings), run_title(other or run, theirs.settings)
+        shown = f"against evaders of {rival}" if judgement is None else headline(judgement)
+        _save(payoff, target, f"{'pursuers of ' if other else ''}{name}\n{shown}")
     _print(payoff)
     if judgement is not None:
         print_head(counts(judgement))
@@ -139,15 +140,9 @@ def _save(payoff: Payoff, target: Path, title: str) -> None:
     draw({_figure(target): lambda: plots.payoff_heatmap(payoff.capture_rate, title=title)})
 
 
-def _title(pursuers: str, evaders: str, judgement: Judgement | None) -> str:
-    if judgement is None:
-        return f"pursuers of {pursuers}\nagainst evaders of {evaders}"
-    return f"{pursuers}\n{headline(judgement)}"
-
-
 def _print(payoff: Payoff) -> None:
     matrix = payoff.capture_rate
-    scores: TeamCurves = generalization(matrix)
+    scores = generalization(matrix)
     click.echo(
         f"{matrix.shape[0]} pursuer generations against {matrix.shape[1]} evader generations, "
         f"{payoff.lengths.size:,} episodes\n"

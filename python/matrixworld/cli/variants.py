@@ -26,7 +26,7 @@ the border on all four sides capture an evader.
 Other rules can be made in Python: matrixworld.Rules(...)."""
 
 
-@click.command("variants")
+@click.command("variants", short_help="Print the rules of the nine variants.")
 def variants_command() -> None:
     """Print the nine variants of the game as a table of rules."""
     rows = [HEADS, *(_row(name, rules) for name, rules in VARIANTS.items())]
