@@ -228,30 +228,6 @@ def test_the_main_job_has_equal_training_matches(tmp_path):
     assert max(matches.values()) <= 1.01 * min(matches.values()), matches
 
 
-def test_the_main_job_prints_its_results(job):
-    output, result = job
-    heads, present, *rows = result.stdout.splitlines()[1:9]
-    assert heads.split() == [*MAIN_JOB]
-    assert re.split("  +", present) == ["present", *["cannot tell (whole)"] * 3]
-    assert [row[:20].rstrip() for row in rows] == [
-        "gain of the pursuers", "gain of the evaders", "transitive share", "checkerboards",
-        "held-out, pursuers", "held-out, evaders",
-    ]  # fmt: skip
-    counts = "1 run, 3 pursuer and 3 evader generations, 3 episodes of each pair"
-    for name in MAIN_JOB:
-        assert f"\n{name}: {counts}\ncondition " in result.stdout
-    assert [line.split() for line in result.stdout.splitlines() if "cycling " in line][-2:] == [
-        [MAIN_JOB[0], *["cycling", "present", "cycling", "cannot", "tell", "(whole)"]],
-        [MAIN_JOB[2], *["cycling", "absent", "cycling", "cannot", "tell", "(whole)"]],
-    ]
-    assert "Terms are explained in docs/glossary.md." in result.stdout
-    assert f"All files are in {output}:" in result.stdout
-    assert f"matrixworld replay '{output}/{PLACES[2]}' --pursuer 2" in result.stdout
-    assert "(3 of 3 runs)" in result.stderr
-    assert "[1/3] pursuers against held-out opponents" in result.stderr
-    assert "left" in result.stderr
-
-
 def test_held_out_scores_are_those_of_the_command(job):
     output, result = job
     printed = {

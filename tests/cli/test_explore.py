@@ -1,4 +1,4 @@
-"""``matrixworld explore``, and the page at the end of ``evolve``."""
+"""``matrixworld explore`` and ``playground``, and the page at the end of ``evolve``."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from matrixworld.cli import explore
 from matrixworld.cli.explore import first_seeds
 from matrixworld.cli.groups import groups_of
 from matrixworld.coevolution import start
+from matrixworld.explorer import Playground
 from tiny_race import tiny_race
 
 
@@ -126,3 +127,39 @@ def test_a_job_of_several_seeds_ends_with_a_page(tmp_path: Path) -> None:
     assert data["title"] == "hall-of-fame"
     result = matrixworld_command("explore", root, "--no-open", code=2)
     assert f"{root / 'explorer.html'}: exists" in result.output
+
+
+# The playground
+
+
+def test_the_playground_is_written_and_opened(
+    tmp_path: Path, opened: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = matrixworld_command("playground")
+    page = tmp_path / "playground.html"
+    assert page.read_text(encoding="utf-8") == Playground().html()
+    assert result.output == "playground.html\n"
+    assert opened == [page.as_uri()]
+
+
+def test_the_same_playground_is_opened_again(tmp_path: Path, opened: list[str]) -> None:
+    page = tmp_path / "page.html"
+    for _ in range(2):
+        matrixworld_command("playground", "-o", page, "--no-open")
+    assert opened == []
+
+
+def test_another_file_than_a_playground_is_kept(tmp_path: Path, opened: list[str]) -> None:
+    page = tmp_path / "page.html"
+    page.write_text("mine")
+    result = matrixworld_command("playground", "-o", page, code=2)
+    assert "exists; give --force to replace it" in result.output
+    assert (page.read_text(), opened) == ("mine", [])
+    matrixworld_command("playground", "-o", page, "--force")
+    assert page.read_text(encoding="utf-8") == Playground().html()
+
+
+def test_a_directory_that_is_missing_is_named(tmp_path: Path) -> None:
+    result = matrixworld_command("playground", "-o", tmp_path / "no" / "page.html", code=2)
+    assert "expected a directory that exists" in result.output

@@ -1,0 +1,62 @@
+"""What commands print, as a whole: numbers are masked, which other tests compare."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from syrupy.assertion import SnapshotAssertion
+
+from command_line import JOB, MAIN_JOB, RACE, WORLD, matrixworld_command, words
+
+ONE = ["--schedule", MAIN_JOB[2]]
+SEEDS = [*ONE, "--seeds", "5-7", *words({n: v for n, v in RACE.items() if n != "seed"})]
+ALONE = ["--against", "random", "--epochs", 3, *words(WORLD)]
+JOBS = {"main": words(JOB), "seeds": SEEDS, "alone": ALONE}
+
+
+def masked(text: str) -> str:
+    """Return a text with a sign for each number, and without the widths of columns."""
+    numbers = re.sub(r"(?<![\w-])[+-]?\d[\d,]*(\.\d+)?%?", "#", text)
+    return "\n".join(re.sub(r"(?<=\S) +", " ", line) for line in numbers.splitlines())
+
+
+@pytest.fixture(scope="module")
+def printed(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """What `evolve` prints of some jobs; they lie in the working directory of the module."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(tmp_path_factory.mktemp("jobs"))
+        outputs = {
+            name: matrixworld_command("evolve", name, *options, "--threads", 1).stdout
+            for name, options in JOBS.items()
+        }
+        return outputs | {"directory": str(Path.cwd())}
+
+
+@pytest.mark.parametrize("job", JOBS)
+def test_evolve(printed: dict[str, str], snapshot: SnapshotAssertion, job: str) -> None:
+    assert masked(printed[job]) == snapshot
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["judge", "seeds", "--explain"],
+        ["score", f"main/{MAIN_JOB[0]}", "--episodes", 4],
+        ["score", "seeds", "--episodes", 4],
+        ["score", "alone", "--episodes", 4, "--generation", "all"],
+        ["tournament", f"main/{MAIN_JOB[0]}", "--episodes", 4, "--force"],
+        ["exploit", "seeds", "--champion", "evader", "--matches", 96, "--episodes", 4],
+        ["explore", "seeds", "--figures", "--force"],
+    ],
+    ids=lambda command: " ".join(map(str, command[:3])),
+)
+def test_commands(
+    printed: dict[str, str],
+    snapshot: SnapshotAssertion,
+    monkeypatch: pytest.MonkeyPatch,
+    command: list[object],
+) -> None:
+    monkeypatch.chdir(printed["directory"])
+    assert masked(matrixworld_command(*command).stdout) == snapshot
