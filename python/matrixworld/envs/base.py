@@ -256,11 +256,11 @@ class MatrixWorldBase(HasOpponents):
 
     def _reset_world(self, seed: int | None, options: Mapping[str, Any] | None) -> None:
         given = dict(options or {})
-        known = self._known(OPTIONS)
+        known = self._known_options(OPTIONS)
         for unknown in set(given) - set(known):
             warnings.warn(f"options: expected some of {known}, ignored {unknown!r}", stacklevel=3)
             del given[unknown]
-        opponents = self._resolved(given)
+        opponents = self._take_opponents(given)
         if seed is None and not self._seeded:
             # The first episode without a seed is a random one; later ones continue its seed.
             seed = int(np.random.SeedSequence().generate_state(1, np.uint64)[0])

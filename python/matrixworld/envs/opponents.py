@@ -211,11 +211,11 @@ class HasOpponents:
             )
         self._team.opponents = self._team.resolve(opponents)
 
-    def _known(self, options: tuple[str, ...]) -> tuple[str, ...]:
+    def _known_options(self, options: tuple[str, ...]) -> tuple[str, ...]:
         """Return the options of a reset, which can set opponents if there are any."""
         return options if self._team is None else (*options, "opponents")
 
-    def _resolved(self, given: dict[str, Any]) -> tuple[Plays, ...]:
+    def _take_opponents(self, given: dict[str, Any]) -> tuple[Plays, ...]:
         """Take the opponents out of given options, before a world changes; by default the same."""
         opponents = given.pop("opponents", None)
         if self._team is None or opponents is None:

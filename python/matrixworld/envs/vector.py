@@ -292,13 +292,13 @@ class VectorEnv(HasOpponents, GymnasiumVectorEnv[NDArray[Any], NDArray[Any], NDA
     def _start(self, seed: int | ArrayLike | None, options: Mapping[str, Any] | None) -> None:
         self._require_open("reset")
         given = dict(options or {})
-        known = self._known(OPTIONS)
+        known = self._known_options(OPTIONS)
         unknown = set(given) - set(known)
         if unknown:
             raise ValueError(f"options: expected some of {known}, got {sorted(unknown)}")
         if seed is None and not self._seeded:
             seed = self.infos["seed"]
-        mask, opponents = given.pop("reset_mask", None), self._resolved(given)
+        mask, opponents = given.pop("reset_mask", None), self._take_opponents(given)
         self._batch.reset(seed, mask=mask, **given)
         if self._built_in is not None:
             self._built_in.team.opponents = opponents
