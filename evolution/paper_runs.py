@@ -24,7 +24,7 @@ from matrixworld.coevolution import (
     resume,
     tournament,
 )
-from matrixworld.coevolution.evaluation.held_out_scores import score_population
+from matrixworld.coevolution.evaluation.scores import score_population
 from matrixworld.coevolution.types import other
 
 SPECIALISTS, GENERALISTS = "specialist-specialist", "generalist-generalist"

@@ -11,7 +11,7 @@ from command_line import matrixworld_command
 from matrixworld import coevolution
 from matrixworld.cli.figures import FORMATS, OF_GAME
 from matrixworld.coevolution import open_run
-from matrixworld.coevolution.evaluation.baselines import scores_in_race, trained_team
+from matrixworld.coevolution.evaluation.scores import scores_in_race, trained_team
 from tiny_race import tiny_race, tiny_single
 
 BEGINS = {"png": b"\x89PNG", "pdf": b"%PDF-", "svg": b"<?xml"}

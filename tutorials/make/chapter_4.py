@@ -23,7 +23,7 @@ import matrixworld as mw
 from matrixworld import coevolution
 from matrixworld._util.files import save_arrays
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun
-from matrixworld.coevolution.evaluation.held_out_scores import score_population
+from matrixworld.coevolution.evaluation.scores import score_population
 from matrixworld.tutorial.course import DATA
 
 SEEDS = range(10)

@@ -22,7 +22,7 @@ from matrixworld.cli.groups import Group, Result, Settings
 from matrixworld.cli.held_out import play_held_out
 from matrixworld.cli.tables import held_out
 from matrixworld.coevolution import SavedRun, SingleSettings, open_run, open_runs
-from matrixworld.coevolution.evaluation.baselines import scores_in_race, trained_team
+from matrixworld.coevolution.evaluation.scores import scores_in_race, trained_team
 from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.settings.race import RaceSettings

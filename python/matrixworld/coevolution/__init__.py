@@ -41,14 +41,14 @@ from __future__ import annotations
 from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld.coevolution import opponents
 from matrixworld.coevolution.conformance import check_learner, check_sampler
-from matrixworld.coevolution.evaluation.baselines import scores_in_race
-from matrixworld.coevolution.evaluation.held_out_opponents import held_out
-from matrixworld.coevolution.evaluation.held_out_scores import (
+from matrixworld.coevolution.evaluation.held_out import held_out
+from matrixworld.coevolution.evaluation.scores import (
     HeldOutScores,
     score,
+    score_policy,
     score_population,
+    scores_in_race,
 )
-from matrixworld.coevolution.evaluation.policy_scores import score_policy
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import (
     FITNESS,

@@ -14,10 +14,10 @@ import matrixworld as mw
 from command_line import matrixworld_command
 from matrixworld import coevolution
 from matrixworld.coevolution import TEAMS, held_out, open_run, score, score_population, start
-from matrixworld.coevolution.evaluation.held_out_opponents import (
+from matrixworld.coevolution.evaluation.held_out import (
     NETWORK,
-    fitting_opponents,
     held_out_genomes,
+    opponents_of,
 )
 from matrixworld.coevolution.types import other
 from tiny_race import StopAt, tiny_race, tiny_single
@@ -72,11 +72,9 @@ def test_the_sets_of_two_variants_are_different():
 def test_a_variant_without_shipped_genomes_has_scripts_only(monkeypatch):
     row = replace(mw.VARIANTS["SB"], interaction=mw.Interaction.SWARM_TURNS)
     monkeypatch.setattr("matrixworld.world.rules.VARIANTS", {**mw.VARIANTS, "X": row})
-    monkeypatch.setattr(
-        "matrixworld.coevolution.evaluation.held_out_opponents.VARIANTS", {"X": row}
-    )
+    monkeypatch.setattr("matrixworld.coevolution.evaluation.held_out.VARIANTS", {"X": row})
     assert list(held_out("pursuer", "X")) == [*SCRIPTED["pursuer"], "surrounder"]
-    opponents, left_out = fitting_opponents("evader", mw.WorldConfig("X"))
+    opponents, left_out = opponents_of("evader", mw.WorldConfig("X"))
     assert list(opponents) == [*SCRIPTED["pursuer"], "surrounder"]
     assert left_out == "no evolved opponents: none are shipped for variant X"
 

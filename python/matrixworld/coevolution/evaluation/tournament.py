@@ -120,17 +120,7 @@ def tournament(
 def play_parts(
     parts: Iterable[tuple[Key, Pairs]], executor: Executor, threads: int
 ) -> Iterator[tuple[Key, EpisodeStatistics]]:
-    """Yield the keys and the statistics of pairs in the order in which an executor ends them.
-
-    Parameters
-    ----------
-    parts : iterable of (key, Pairs)
-        Pairs that are played together, each with a key of any type.
-    executor : Executor
-        Plays them.
-    threads : int
-        Threads of each part.
-    """
+    """Yield the keys and the statistics of pairs in the order in which an executor ends them."""
     futures = {executor.submit(play_pairs, pairs, threads): key for key, pairs in parts}
     try:
         for future in as_completed(futures):
@@ -144,20 +134,13 @@ def play_parts(
 
 @dataclass(frozen=True)
 class Pairs:
-    """Every one of some pursuers against every one of some evaders.
-
-    Parameters
-    ----------
-    config, pursuers, evaders, episodes, play
-        As for `tournament`.
-    seeds : ndarray of uint64, shape (G, H)
-        Seed of each pair.
-    """
+    """Every one of some pursuers against every one of some evaders, as for `tournament`."""
 
     config: WorldConfig
     pursuers: TeamPolicy
     evaders: TeamPolicy
     seeds: Seeds
+    """Shape (G, H)."""
     episodes: int
     play: Rollout
 
@@ -180,20 +163,7 @@ class Pairs:
 
 
 def play_pairs(pairs: Pairs, threads: int | None) -> EpisodeStatistics:
-    """Play G * H matches, row by row, wherever this is called.
-
-    Parameters
-    ----------
-    pairs : Pairs
-        What is played.
-    threads : int or None
-        Threads that play.
-
-    Returns
-    -------
-    EpisodeStatistics
-        Of G * H matches.
-    """
+    """Play G * H matches, row by row, wherever this is called."""
     rows, columns = np.indices(pairs.seeds.shape)
     matches = Matches.of(rows.ravel(), columns.ravel(), pairs.seeds.ravel())
     return pairs.play(

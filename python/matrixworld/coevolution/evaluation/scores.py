@@ -1,4 +1,4 @@
-"""Scores of a run's teams against held-out opponents (see `held_out`)."""
+"""Scores against held-out opponents: of genomes, of the teams of a run, of any policy."""
 
 from __future__ import annotations
 
@@ -11,26 +11,35 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from matrixworld._util.checks import check_instance, check_integer, check_threads
+from matrixworld._util.checks import (
+    SEED_MAX,
+    check_choice,
+    check_instance,
+    check_integer,
+    check_threads,
+)
 from matrixworld._util.memory import EPISODE_BYTES, check_memory
 from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis import Estimate, mean_over_episodes
-from matrixworld.coevolution.evaluation.held_out_opponents import fitting_opponents
+from matrixworld.coevolution.evaluation.held_out import opponents_of
 from matrixworld.coevolution.evaluation.tournament import (
     BLOCK_SECONDS,
     Block,
     Pairs,
     play_pairs,
     play_parts,
+    tournament,
 )
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.seeding import Phase
 from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.saved_run import SavedRun
-from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.play.rollout import EpisodeStatistics, Rollout, match_seed, rollout
+from matrixworld.coevolution.types import TEAMS, Team, other
+from matrixworld.play import Callback, NetworkPolicy, Plays, capture_rates
+from matrixworld.play.rollout import EpisodeStatistics, Matches, Rollout, match_seed, rollout
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
+from matrixworld.world.rules import Rules
 
 RATE = 8
 """Bytes of a float64."""
@@ -168,7 +177,7 @@ def score_population(
     check_integer("episodes", episodes, 2)
     check_threads(threads)
     if opponents is None:
-        opponents, left_out = fitting_opponents(team, config)
+        opponents, left_out = opponents_of(team, config)
     count = len(population.genomes)
     # Rates of the opponents so far, and the statistics of one more.
     check_memory("scores", rates=count * episodes * (EPISODE_BYTES + 2 * RATE * len(opponents)))
@@ -343,9 +352,193 @@ def _chosen(run: SavedRun, team: Team, generation: int | None) -> tuple[Populati
 
 def _unseen(run: SavedRun, team: Team, world: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
     """Return the opponents that the run did not train against, and which are left out."""
-    opponents, left_out = fitting_opponents(team, world)
+    opponents, left_out = opponents_of(team, world)
     seen = run.settings.against if isinstance(run.settings, SingleSettings) else None
     if seen not in opponents:
         return opponents, left_out
     unseen = {name: each for name, each in opponents.items() if name != seen}
     return unseen, "; ".join(filter(None, [f"not {seen}: the run trained against it", left_out]))
+
+
+# Policies that learned elsewhere, and teams that learned in another way:
+
+
+def score_policy(
+    policy: Callback | NetworkPolicy | Population,
+    team: Team,
+    config: WorldConfig | Rules | str = "O",
+    *,
+    opponents: Mapping[str, Plays] | None = None,
+    episodes: int = 100,
+    seed: int = 0,
+    threads: int | None = None,
+    report: Report = silent,
+) -> HeldOutScores:
+    """Play a policy of one team against every held-out opponent, as ``matrixworld score`` does.
+
+    Parameters
+    ----------
+    policy : callable, NetworkPolicy or Population of one
+        A function from observations, uint8 (n, 3, fov, fov), of n living agents of the team to
+        their actions, integers (n,). The agents may be of several episodes. A network is played
+        inside the engine.
+    team : {"pursuer", "evader"}
+        Team that it plays for.
+    config : WorldConfig, Rules or str, optional
+        The world. The default is "O".
+    opponents : mapping of str to policy, optional
+        N opponents by name. By default the held-out opponents of the world's rules that fit its
+        views and actions.
+    episodes : int, optional
+        Episodes against each opponent, at least 2. The default is 100.
+    seed : int, optional
+        Seed of the episodes. The default is 0.
+    threads : int, optional
+        Threads of the engine. By default all cores. Results do not depend on it.
+    report : callable, optional
+        Called with the progress, as in `Run.run`.
+
+    Returns
+    -------
+    HeldOutScores
+        Scores of one policy, as generation 0, against N opponents.
+
+    Raises
+    ------
+    ValueError, TypeError
+        If there are fewer than 2 episodes, and if the policy returns something else than a legal
+        action for each observation.
+
+    Notes
+    -----
+    The opponents, the episodes and the random numbers of scripts are those of `score`: with the
+    same world, seed and number of episodes, scores of policies and of runs can be compared. A
+    function that chooses what a genome would choose gets the scores of the genome.
+
+    All episodes against an opponent are played side by side. Where the rules take turns, they are
+    played turn by turn in Python, which is slower.
+
+    Examples
+    --------
+    >>> import matrixworld as mw
+    >>> config = mw.WorldConfig("O", rows=8, cols=8, n_pursuers=3, n_evaders=3, max_steps=20)
+    >>> scores = mw.score_policy(lambda seen: [1] * len(seen), "pursuer", config, episodes=4)
+    >>> scores.opponents
+    ('random', 'still', 'clumsy-fleer', 'fleer', 'dodger', 'evolved-1', 'evolved-2')
+    """
+    config = WorldConfig.of(config)
+    check_choice("team", team, TEAMS)
+    check_integer("episodes", episodes, 2)
+    check_integer("seed", seed, 0, SEED_MAX)
+    left_out = ""
+    if opponents is None:
+        opponents, left_out = opponents_of(team, config)
+    mine = _plays(policy)
+    theirs = {name: _plays(opponent) for name, opponent in opponents.items()}
+    if not theirs:
+        raise ValueError("opponents: expected at least one, got none")
+    for opponent in theirs.values():
+        if isinstance(opponent, str):
+            check_choice("opponents", opponent, SCRIPTS)
+    columns: list[NDArray[np.float64]] = []
+    for number, opponent in enumerate(theirs.values()):
+        match = held_out_seed(seed, team, number)
+        sides = (mine, opponent) if team == "pursuer" else (opponent, mine)
+        captured = _captured(config, *sides, seed=match, episodes=episodes, threads=threads)
+        columns.append(captured if team == "pursuer" else 1.0 - captured)
+        report(f"{team}s against held-out opponents", len(columns), len(opponents))
+    return HeldOutScores(team, (0,), tuple(opponents), np.stack(columns)[None], left_out)
+
+
+def _captured(
+    config: WorldConfig,
+    pursuers: Plays,
+    evaders: Plays,
+    *,
+    seed: int,
+    episodes: int,
+    threads: int | None,
+) -> NDArray[np.float64]:
+    """Return the capture rate of each episode of a match, played by the engine if it can."""
+    if callable(pursuers) or callable(evaders):
+        return capture_rates(config, pursuers, evaders, seed=seed, episodes=episodes)
+    match = Matches.of(0, 0, np.uint64(seed))
+    scores = rollout(config, pursuers, evaders, match, episodes=episodes, threads=threads)
+    return np.asarray(scores.capture_rate[0], np.float64)
+
+
+def _plays(policy: Plays | NetworkPolicy) -> Plays:
+    """Return a policy in the form that is played."""
+    if isinstance(policy, NetworkPolicy):
+        return policy.population()
+    if isinstance(policy, Population) and len(policy.genomes) != 1:
+        raise ValueError(f"policy: expected a single genome, got {len(policy.genomes)}")
+    if callable(policy) or isinstance(policy, Population | str):
+        return policy
+    raise TypeError(f"policy: expected a function, a NetworkPolicy or a Population, got {policy!r}")
+
+
+def scores_in_race(
+    race: SavedRun,
+    team: Team,
+    policy: TeamPolicy,
+    *,
+    episodes: int | None = None,
+    threads: int | None = None,
+) -> NDArray[np.float64]:
+    """Return the scores of a policy against each generation of a race's other team.
+
+    Parameters
+    ----------
+    race : SavedRun
+        A race.
+    team : {"pursuer", "evader"}
+        The team that the policy plays.
+    policy : Population or str
+        A population of one genome, or the name of a script.
+    episodes : int, optional
+        Episodes of each pair. By default as in the evaluation of the race.
+    threads : int, optional
+        Threads that play. By default all cores.
+
+    Returns
+    -------
+    ndarray of float64, shape (generations,)
+        Mean scores in [0, 1]: the capture rate for pursuers, 1 minus the capture rate for evaders.
+
+    Raises
+    ------
+    ValueError
+        If there is no such team, or the run is not a race.
+
+    References
+    ----------
+    Sun et al. (2023), "MatrixWorld", arXiv:2307.14854: the baselines of its figure on
+    generalization.
+    """
+    check_choice("team", team, TEAMS)
+    settings = race.settings
+    if isinstance(settings, SingleSettings):
+        raise ValueError(f"race: expected a race, got a run of one team: {race.files.path}")
+    rivals = race.teams[other(team)]
+    sides = (policy, rivals) if team == "pursuer" else (rivals, policy)
+    payoff = tournament(
+        settings.world(settings.eval_steps),
+        *sides,
+        seed=settings.seed,
+        episodes=episodes or settings.eval_episodes,
+        threads=threads,
+    )
+    # A row or a column of generations.
+    rates = payoff.capture_rate.ravel()
+    return rates if team == "pursuer" else 1 - rates
+
+
+def trained_team(run: SavedRun) -> tuple[Team, Population]:
+    """Return the team that learned in a run of one team, and its last genome."""
+    if not isinstance(run.settings, SingleSettings):
+        raise ValueError(f"{run.files.path}: expected a run of one team, got a race")
+    team = run.settings.team
+    policy = run.teams[team]
+    assert isinstance(policy, Population)  # the team that learned has genomes
+    return team, Population(policy.genomes[-1:], policy.network)

@@ -28,25 +28,7 @@ ESCAPERS: tuple[Script, ...] = ("random", "still", "clumsy-fleer", "fleer", "dod
 
 
 def held_out_scripts(team: Team, variant: Rules | str) -> tuple[Script, ...]:
-    """Return the scripts of a team that make sense under the rules of a variant.
-
-    Parameters
-    ----------
-    team : {"pursuer", "evader"}
-        Team that the scripts play for.
-    variant : Rules or str
-        The variant.
-
-    Returns
-    -------
-    tuple of str
-        Names of scripts.
-
-    Raises
-    ------
-    ValueError
-        If there is no such team or variant.
-    """
+    """Return the scripts of a team that make sense under the rules of a variant."""
     rules = rules_of(variant)
     if team not in TEAMS:
         raise ValueError(f"team: expected one of {', '.join(TEAMS)}, got {team!r}")
@@ -56,20 +38,10 @@ def held_out_scripts(team: Team, variant: Rules | str) -> tuple[Script, ...]:
 
 
 def held_out_genomes(team: Team, variant: Rules | str) -> Genomes:
-    """Return the evolved genomes of a team that come with the package.
+    """Return the genomes of `NETWORK` (n, genes) of a team that come with the package.
 
-    Parameters
-    ----------
-    team : {"pursuer", "evader"}
-        Team that the genomes play for.
-    variant : Rules or str
-        The variant.
-
-    Returns
-    -------
-    ndarray of float32, shape (n, genes)
-        Genomes of `NETWORK`, from ``evolution/evolve_held_out.py``, rounded to float16. None
-        (n = 0) for rules that are not one of `VARIANTS`, and for a variant without shipped ones.
+    They are from ``evolution/evolve_held_out.py``, rounded to float16; none (n = 0) for other rules
+    than those of `VARIANTS`, and for a variant without shipped ones.
     """
     genomes = _shipped().get(f"{_variant_name(rules_of(variant))}.{team}s")
     if genomes is None:
@@ -115,23 +87,8 @@ def _variant_name(rules: Rules) -> str | None:
     return next((name for name, row in VARIANTS.items() if row == rules), None)
 
 
-def fitting_opponents(team: Team, config: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
-    """Return the held-out opponents of a team that fit a world.
-
-    Parameters
-    ----------
-    team : {"pursuer", "evader"}
-        The team that is scored, not that of the opponents.
-    config : WorldConfig
-        The world.
-
-    Returns
-    -------
-    opponents : dict of str to Population or str
-        Opponents by name.
-    left_out : str
-        Which opponents are left out, and why; empty if none is.
-    """
+def opponents_of(team: Team, config: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
+    """Return the held-out opponents of a team that fit a world, and in words which do not."""
     every = held_out(other(team), config.rules)
     fitting = {name: each for name, each in every.items() if _fits(each, config)}
     name = _variant_name(config.rules)
