@@ -217,16 +217,16 @@ def test_the_command_prints_and_writes_the_scores(race, tmp_path):
     file = tmp_path / "scores.json"
     output = matrixworld_command("score", race, "--episodes", 5, "--json", file).stdout
     scores = score(open_run(race), episodes=5)
-    written = json.loads(file.read_text())
+    [written] = json.loads(file.read_text())["groups"].values()
     for team, found in scores.items():
         assert f"\n{team}s of generation 2: " in output
         width = max(map(len, found.opponents))
         for name in found.opponents:
             assert f"  {name:{width}}  {found.against(name)}\n" in output
         assert f"  {'mean':{width}}  {found.mean()}\n" in output
-        assert written[f"{team}s"] == found.to_json()
-        [written_mean] = written[f"{team}s"]["mean"]
-        assert written_mean["value"] == pytest.approx(found.rates.mean())
+        [of_seed] = written[f"{team}s"]["by_seed"].values()
+        assert of_seed == found.to_json()
+        assert of_seed["mean"][0]["value"] == pytest.approx(found.rates.mean())
     assert f"\n{5 * (7 + 6)} matches were played.\n" in output
     assert "Left out" not in output
 
@@ -259,7 +259,7 @@ def test_the_command_refuses(race, options, code, message):
 
 
 def test_a_damaged_run_is_refused(race, tmp_path):
-    assert "holds a run" in matrixworld_command("score", tmp_path, code=2).stderr
+    assert "that hold runs" in matrixworld_command("score", tmp_path, code=2).stderr
     coevolution.start(tiny_race(), tmp_path / "run")
     genomes = tmp_path / "run" / "stage-0000.npz"
     genomes.write_bytes(genomes.read_bytes()[:-100])

@@ -21,7 +21,7 @@ import time
 import warnings
 from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection
 from multiprocessing.connection import wait as wait_for_end
@@ -238,7 +238,8 @@ class WorkerProcesses(ProcessPoolExecutor):
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = True) -> None:
         """End the workers at once, whatever they do: files are safe at any moment."""
         self._lifeline.close()
-        super().shutdown(wait, cancel_futures=cancel_futures)
+        with suppress(RuntimeError):  # its own thread could not be started, either
+            super().shutdown(wait, cancel_futures=cancel_futures)
         self._ends.close()
 
 
