@@ -60,7 +60,7 @@ def test_a_policy_of_a_run_has_the_scores_that_the_command_prints(tmp_path: Path
         assert scores["against"] == printed["against"]
         # Its own random numbers give other actions, with the same probabilities.
         drawn = mw.score_policy(policy.__call__, team, world, episodes=40, seed=6).mean()
-        [mean] = printed[f"{team}s"]["mean"]
+        [mean] = printed["mean"]
         assert drawn.low < mean["high"]
         assert mean["low"] < drawn.high
         assert drawn.value != mean["value"]
