@@ -9,7 +9,7 @@ import os
 import re
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, fields, replace
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
@@ -303,13 +303,14 @@ def _not_begun(paths: Collection[Path]) -> list[Result]:
     Of others the user has left some out.
     """
     given = {path.absolute() for path in paths}
+    whole = cache(lambda folder: _all_in(folder, given))
     found: dict[Path, Result] = {}
     for root in {root for path in paths if (root := job_above(path)) is not None}:
         job = open_job(root)
         for name, settings in {} if job is None else job.runs.items():
             path = root / name
             folders = (path.parent.absolute(), root.absolute())
-            if path.absolute() not in given and any(_all_in(folder, given) for folder in folders):
+            if path.absolute() not in given and any(map(whole, folders)):
                 found[path] = Result(RunDirectory(path), settings, finished=False)
     return list(found.values())
 
