@@ -312,7 +312,10 @@ def test_comparison_claims_nothing_without_a_judgement(
     assert [verdict for _, verdict in heads(figure, 2)] == ["", "arms race (last half)"]
 
 
-@pytest.mark.parametrize("races", [1, 3, pytest.param(5, marks=pytest.mark.slow)])
+SLOW_RACES = [pytest.param(races, marks=pytest.mark.slow) for races in (3, 5)]
+
+
+@pytest.mark.parametrize("races", [1, *SLOW_RACES])
 def test_the_names_of_compared_races_are_inside_the_figure(cycle: np.ndarray, races: int) -> None:
     judgement = judged(cycle)
     names = [str(race) for race in range(races)]
@@ -341,7 +344,7 @@ def test_many_compared_races_are_in_rows(payoff: np.ndarray) -> None:
     assert 0 <= legend.get_window_extent().x0 < legend.get_window_extent().x1 <= figure.bbox.width
 
 
-@pytest.mark.parametrize("races", [1, 2, 3, pytest.param(5, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("races", [1, 2, *SLOW_RACES])
 def test_the_legend_of_a_comparison_is_inside_the_figure(payoff: np.ndarray, races: int) -> None:
     scores = dict.fromkeys(map(str, range(races)), episodes_of(payoff))
     figure = plots.comparison(scores, per_episode=True)

@@ -48,6 +48,14 @@ def seconds_of(kind, directory):
     return time.monotonic() - began
 
 
+def quickly(quick, kinds):
+    """Return the parameter `kind`, of which one is tested quickly; the others take long."""
+    return pytest.mark.parametrize(
+        "kind",
+        [pytest.param(kind, marks=() if kind == quick else pytest.mark.slow) for kind in kinds],
+    )
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", RUNS)
 def test_killed_at_random(kind, tmp_path):
@@ -81,7 +89,7 @@ def check_readable(directory):
         files.log()
 
 
-@pytest.mark.parametrize("kind", SHORT_RUNS)
+@quickly("short single", SHORT_RUNS)
 def test_killed_at_every_write_and_every_match(kind, tmp_path):
     """Each event is tried, so that none depends on being hit at random."""
     for at in count():
@@ -98,7 +106,7 @@ def test_killed_at_every_write_and_every_match(kind, tmp_path):
     assert at > 25
 
 
-@pytest.mark.parametrize("kind", RUNS)
+@quickly("single", RUNS)
 def test_killed_again_and_again_at_the_next_write(kind, tmp_path):
     """Each process gets at most one event further than the one before: one run, killed often."""
     directory = tmp_path / "run"
