@@ -41,7 +41,7 @@ def test_measures_are_those_of_the_single_functions() -> None:
     drops = analysis.forgetting(matrix).evaders
     assert forgetting.of(matrix, "whole").value == drops[6:].mean()
     assert forgetting.of(matrix).value == found["evader_forgetting"] == drops[9:].mean()
-    with pytest.raises(ValueError, match="one of the windows whole, first half, last half, got x"):
+    with pytest.raises(ValueError, match="^window: expected one of whole, first half, last half"):
         forgetting.of(matrix, "x")
 
 

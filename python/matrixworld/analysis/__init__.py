@@ -5,6 +5,10 @@ of the pursuers of generation g against the evaders of generation h. The payoff 
 ``1 - M``. NumPy and SciPy are the only dependencies. Functions import SciPy when they need it,
 because it takes longer to load than the rest of the package.
 
+Arguments that are not as a docstring describes them raise an error that says what was expected and
+what came: ValueError for shapes, ranges and values that are not finite, TypeError for what holds no
+real numbers, FileNotFoundError for a file that does not exist.
+
 >>> from matrixworld import analysis
 >>> print(analysis.headline(analysis.judge(scores, per_episode=True)))  # doctest: +SKIP
 >>> print(analysis.report("payoff.csv"))  # doctest: +SKIP

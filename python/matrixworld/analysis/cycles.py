@@ -71,16 +71,9 @@ class Checkerboards:
 
 @dataclass(frozen=True)
 class Checkerboard:
-    """One checkerboard: each of its pursuers is better against its own evader.
+    """One checkerboard: each of its two pursuer generations is better against its own evaders.
 
-    Parameters
-    ----------
-    pursuers : tuple of int
-        The two pursuer generations.
-    evaders : tuple of int
-        The two evader generations: the first pursuers are better against the first evaders.
-    margin : float
-        By how much each of the two better cells exceeds each of the two worse ones.
+    The better cells exceed each of the worse ones by at least the margin.
     """
 
     pursuers: tuple[int, int]
@@ -128,11 +121,6 @@ def transitive_share(
     float
         In [0, 1]. 1: the strengths of both generations add up to the capture rate. 0: only the
         pairing matters. NaN for a constant matrix.
-
-    Raises
-    ------
-    ValueError
-        If the shrinkage is outside (0, 1/2).
 
     Notes
     -----
@@ -204,11 +192,6 @@ def checkerboards(
     -------
     Checkerboards
         Counted over unordered pairs of rows and unordered pairs of columns.
-
-    Raises
-    ------
-    ValueError
-        Unless ``0 <= margin < 1`` and the level is None or in [0, 1].
 
     Notes
     -----
@@ -329,11 +312,6 @@ def cyclic_amplitude(payoff: ArrayLike, noise: ArrayLike, *, level: float = LEVE
         `transitive_fit` minus the mean noise. It may be negative. `biased_high` and `high` allow
         for what the fit hides.
 
-    Raises
-    ------
-    ValueError
-        If the shapes differ or the matrix is smaller.
-
     Notes
     -----
     A test of lack of fit against pure error, with an order as the null hypothesis. The residuals of
@@ -401,11 +379,6 @@ def noise_reference(
     NoiseReference
         Quantiles of the simulated races. They help to read the two numbers; `cyclic_amplitude`
         decides whether a race cycles.
-
-    Raises
-    ------
-    ValueError
-        If scores have another shape or are outside [0, 1].
 
     Notes
     -----
@@ -484,11 +457,6 @@ def transitive_share_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -
         The share, in [0, 1], that endless episodes would give. It has no interval with fewer than
         `EPISODES_TO_SUBTRACT_NOISE` episodes, or if the cells do not vary more than episode noise
         does: then nothing can be said about shares of their variation.
-
-    Raises
-    ------
-    ValueError
-        As `linear_over_episodes`.
 
     Notes
     -----

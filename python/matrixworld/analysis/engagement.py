@@ -106,11 +106,6 @@ def disengagements(
     -------
     tuple of Disengagement
         The stretches in order. The last one has not ended if its `last` is the newest generation.
-
-    Raises
-    ------
-    ValueError
-        If the shape is another one, rates are outside [0, 1], ``low >= high`` or ``patience < 1``.
     """
     if not low < high:
         raise ValueError(f"expected low < high, got low {low} and high {high}")
@@ -168,11 +163,6 @@ def fitness_variance(fitness: ArrayLike) -> NDArray[np.float64]:
         Compare it with the variance of one individual's fitness over repeated episodes, which is
         noise.
 
-    Raises
-    ------
-    ValueError
-        If the shape is another one, the array is empty, or values are not finite.
-
     References
     ----------
     Watson and Pollack (2001), "Coevolutionary dynamics in a minimal substrate": loss of gradient.
@@ -201,11 +191,6 @@ def undecided_opponents(outcomes: ArrayLike, *, level: float = 0.5) -> Undecided
     -------
     Undecided
         Both shares for each generation.
-
-    Raises
-    ------
-    ValueError
-        If the shape is another one, or payoffs or the level are outside [0, 1].
 
     References
     ----------

@@ -314,11 +314,6 @@ def exploitability(payoff: ArrayLike, pursuers: ArrayLike, evaders: ArrayLike) -
     Exploitability
         ``p M q - min_h (p M)_h`` of the pursuers and ``max_g (M q)_g - p M q`` of the evaders.
 
-    Raises
-    ------
-    ValueError
-        If weights have another shape or another sum.
-
     References
     ----------
     Lanctot et al. (2017), "A unified game-theoretic approach to multiagent reinforcement learning",
@@ -355,11 +350,6 @@ def response_gain(
     -------
     ResponseGain
         A lower bound, because a longer search may find a better response.
-
-    Raises
-    ------
-    ValueError
-        If scores are outside [0, 1], there are fewer than two episodes, or the budget is below 1.
     """
     require(budget >= 1, "a budget of at least 1 match", budget)
     old = check_rates(before, ndim=1, what="scores before")
@@ -431,11 +421,6 @@ def alpha_rank(
     -------
     AlphaRank
         Shares of the pairs and of the generations.
-
-    Raises
-    ------
-    ValueError
-        If a parameter is out of its range, or the matrix is too large.
 
     Notes
     -----

@@ -129,11 +129,6 @@ def interval_over_runs(
         The mean with its interval. A single run has no interval, and runs with equal values have
         none either: they do not show how much runs vary.
 
-    Raises
-    ------
-    ValueError
-        If the shape is another one, values are not finite, or the level is outside (0, 1).
-
     Notes
     -----
     ``mean +- t s / sqrt(runs)`` with the t quantile of ``runs - 1`` degrees of freedom. The
@@ -181,11 +176,6 @@ def difference_of_runs(
     Estimate
         Mean of `one` minus mean of `other`. There is no interval if a group has a single run, or if
         neither group varies.
-
-    Raises
-    ------
-    ValueError
-        As `interval_over_runs`, and if paired groups do not have the same length.
 
     References
     ----------
@@ -237,12 +227,6 @@ def band_over_runs(
         The mean curve over the runs that have a value, and its interval if there are several runs:
         NaN at points of a single run. Where all runs are equal, the band has no width, which is no
         certainty.
-
-    Raises
-    ------
-    ValueError
-        If the shape is another one, a point has no run, values are infinite, or the level is
-        outside (0, 1).
     """
     array = np.asarray(curves, dtype=np.float64)
     require(array.ndim == 2 and array.size > 0, "curves of shape (runs, k)", array.shape)
@@ -284,12 +268,6 @@ def mean_over_episodes(
     -------
     Estimate
         The mean with its interval, which has a width even if all episodes are equal.
-
-    Raises
-    ------
-    ValueError
-        If the shape is another one, there are fewer than two episodes, scores are outside [0, 1],
-        or the level is outside (0, 1).
 
     Notes
     -----
@@ -333,11 +311,6 @@ def difference_over_episodes(
     -------
     Estimate
         Mean of `one` minus mean of `other`.
-
-    Raises
-    ------
-    ValueError
-        As `mean_over_episodes`.
 
     Notes
     -----
@@ -385,12 +358,6 @@ def linear_over_episodes(
     Estimate
         The measure of the mean matrix. It has no interval if it is the same in each episode.
 
-    Raises
-    ------
-    ValueError
-        If the shape is another one, there are fewer than two episodes, scores are outside [0, 1],
-        or the level is outside (0, 1).
-
     Notes
     -----
     Episode e of all cells is one measurement of the whole matrix, independent of other episodes.
@@ -423,11 +390,6 @@ def generalization_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> 
     pursuers, evaders : Band
         Mean payoffs of the n and of the m generations. Where all episodes are equal, the band has
         no width, which is no certainty.
-
-    Raises
-    ------
-    ValueError
-        As `linear_over_episodes`.
 
     Notes
     -----

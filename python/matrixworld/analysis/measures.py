@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from matrixworld._util.checks import check_choice
 from matrixworld.analysis.cycles import (
     clear_checkerboards,
     cyclic_amplitude,
@@ -125,7 +126,9 @@ class Measure:
         """
         payoffs = read_payoffs(source)
         check_level(level)
-        part = self.window_in(payoffs) if window is None else _window(payoffs, window)
+        if window is not None:
+            check_choice("window", window, payoffs.windows)
+        part = payoffs.windows[window] if window else self.window_in(payoffs)
         if part.generations < 2:
             return Estimate(math.nan, note="it takes at least 2 generations of each team")
         return self.estimate(payoffs, part, level, ())
@@ -144,7 +147,8 @@ class Measure:
 
     def _printed(self, number: float) -> str:
         # Noise is subtracted from a square, so it may be negative.
-        return format(max(0.0, number) ** 0.5 if self.squared else number, self.form)
+        shown = max(0.0, number) ** 0.5 if self.squared else number
+        return format(round(shown, 3) + 0.0, self.form)  # adding 0.0 turns -0.0 into 0.0
 
     def __reduce__(self) -> str | tuple[Any, ...]:
         """Pickle a row of `MEASURES` by its name, because its functions may be closures."""
@@ -153,12 +157,6 @@ class Measure:
 
 def _row(name: str) -> Measure:
     return MEASURES[name]
-
-
-def _window(payoffs: Payoffs, name: str) -> Window:
-    windows = payoffs.windows
-    require(name in windows, f"one of the windows {', '.join(windows)}", name)
-    return windows[name]
 
 
 def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[str, Estimate]:
@@ -177,11 +175,6 @@ def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[s
     -------
     dict of str to Estimate
         By the names in `MEASURES`; see `Measure.of`.
-
-    Raises
-    ------
-    ValueError, TypeError, FileNotFoundError
-        As `read_payoffs`, and if the matrix is smaller or the level is outside (0, 1).
     """
     payoffs = read_payoffs(source, **known)
     require(min(payoffs.shape) >= 2, "at least 2 x 2 generations", payoffs.shape)

@@ -11,18 +11,10 @@ import numpy as np
 
 
 def plain_values(value: Any) -> Any:
-    """Convert a result to dictionaries, lists, numbers, strings and None.
+    """Return a result as dictionaries, lists, numbers, strings and None, nested as needed.
 
-    Parameters
-    ----------
-    value : object
-        A dataclass, named tuple, mapping, sequence, NumPy array or plain value, nested as needed.
-
-    Returns
-    -------
-    object
-        Dataclasses and named tuples as dictionaries by field, arrays and tuples as lists. Numbers
-        that are not finite become None, since JSON cannot represent them.
+    Dataclasses and named tuples become dictionaries by field, arrays and tuples lists. Numbers that
+    are not finite become None, since JSON cannot represent them.
     """
     if is_dataclass(value):
         return {item.name: plain_values(getattr(value, item.name)) for item in fields(value)}

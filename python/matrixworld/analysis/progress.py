@@ -148,11 +148,6 @@ def global_progress(cross: ArrayLike) -> Progress:
     Progress
         Scores have the shapes (runs, n) and (runs, m).
 
-    Raises
-    ------
-    ValueError
-        If the shape is another one, there are fewer than two runs, or rates are outside [0, 1].
-
     References
     ----------
     Miconi (2009) and Simione and Nolfi (2021), as for `local_progress`.
@@ -528,12 +523,6 @@ def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> D
     Dominance
         The dominant generations of both teams.
 
-    Raises
-    ------
-    ValueError
-        If the shape is another one, a cell has a single episode, scores are outside [0, 1], or the
-        level is outside (0, 1/2].
-
     Notes
     -----
     The test is Welch's t of the two mean scores. The archive is fixed and only episodes are random,
@@ -574,11 +563,6 @@ def dominance_of_counts(
     -------
     Dominance
         The dominant generations of both teams, as `dominance_tournament` defines them.
-
-    Raises
-    ------
-    ValueError
-        Unless counts are whole, ``0 <= wins <= episodes`` and ``episodes >= 1``.
 
     Notes
     -----

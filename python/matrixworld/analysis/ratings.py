@@ -85,11 +85,6 @@ def elo(
     Elo
         The ratings, which are the same with and without cycles.
 
-    Raises
-    ------
-    ValueError
-        If a parameter is out of its range.
-
     Notes
     -----
     The fit minimises the cross entropy of P with ``x = s + (1 - 2 s) M``, summed over cells, plus
@@ -139,11 +134,6 @@ def log_loss(payoff: ArrayLike, predicted: ArrayLike) -> float:
     -------
     float
         At least 0. Infinite if something happened whose predicted rate is 0.
-
-    Raises
-    ------
-    ValueError
-        If the shapes differ or rates are outside [0, 1].
     """
     from scipy.special import rel_entr
 

@@ -36,7 +36,6 @@ from matrixworld.analysis.runs import race_bands
 from matrixworld.analysis.strength import forgetting, late_forgetting
 
 SHORT = {
-    "one_sidedness": "payoff of the winning team",
     "pursuer_gain": "pursuers",
     "evader_gain": "evaders",
     "evader_change": "of the evaders",
@@ -164,11 +163,6 @@ def report(
     str
         The tables. Several runs have intervals over runs. A single run has intervals over episodes
         if they are known.
-
-    Raises
-    ------
-    ValueError, TypeError, FileNotFoundError
-        As `measure_all`.
     """
     payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes, cross=cross)
     table, judgement = measure_table(payoffs, level=level), judge(payoffs, level=level)
@@ -322,11 +316,6 @@ def describe(payoff: ArrayLike) -> str:
     -------
     str
         One statement on each line. It gives numbers; `judge` tells which of them exceed noise.
-
-    Raises
-    ------
-    ValueError
-        If the matrix is smaller or not a payoff matrix; see `check_payoff`.
     """
     matrix = check_payoff(payoff)
     require(min(matrix.shape) >= 2, "at least 2 x 2 generations", matrix.shape)

@@ -80,11 +80,6 @@ def interquartile_mean(
     Estimate
         The interquartile mean. There is no interval below `fewest_runs`, and if all runs are equal.
 
-    Raises
-    ------
-    ValueError
-        If the shape is another one, scores are not finite, or an option is out of its range.
-
     Notes
     -----
     A quarter of all scores is left out at each end, so single runs that fail and single opponents
@@ -139,11 +134,6 @@ def performance_profile(
         The shares of all runs and opponents, at the thresholds. There is no interval below
         `fewest_runs`.
 
-    Raises
-    ------
-    ValueError
-        If a shape is another one, or values are not finite or not ascending.
-
     Notes
     -----
     Each run has a share: that of the opponents against which it is above the threshold. The profile
@@ -184,11 +174,6 @@ def probability_of_improvement(
     Estimate
         Mean over opponents; equal scores count one half. There is no interval if a group has fewer
         runs than `fewest_runs`, or if the groups do not overlap.
-
-    Raises
-    ------
-    ValueError
-        If a shape is another one, scores are not finite, or the level is outside (0, 1).
 
     Notes
     -----
@@ -273,11 +258,6 @@ def race_bands(payoffs: Iterable[ArrayLike], *, level: float = LEVEL) -> dict[st
         Elo rating of each generation in points, mean 0 over the generations of a run.
         ``lag_profile``: mean capture rate at each lag, pursuer minus evader generation. A point of
         a single run has no interval.
-
-    Raises
-    ------
-    ValueError
-        If there is no run, or a matrix is not as `check_payoff` expects.
     """
     matrices = [check_payoff(payoff) for payoff in payoffs]
     require(bool(matrices), "at least one run", "none")

@@ -46,11 +46,6 @@ def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) 
     Estimate
         ``k - 1`` times the drift, with an equal-tailed credible interval.
 
-    Raises
-    ------
-    ValueError
-        If the shapes differ or there are fewer generations.
-
     Notes
     -----
     The model is a random walk with drift that is observed with fluctuation and noise (the local
@@ -100,11 +95,6 @@ def strength_change(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL
         ``k - 1`` times the slope of the least-squares line. The interval is normal with the known
         noise. If all noise is 0, which means unknown, it is Student's t interval with the scatter
         about the line.
-
-    Raises
-    ------
-    ValueError
-        As for `strength_gain`.
     """
     y, variances = _checked(scores, noise)
     steps = len(y) - 1
@@ -177,11 +167,6 @@ def forgetting(payoff: ArrayLike, held_out: ArrayLike | None = None) -> TeamCurv
     TeamCurves
         Mean drop of each generation, in [0, 1]. It is 0 where no generation lost a payoff that an
         earlier one had.
-
-    Raises
-    ------
-    ValueError
-        If the shapes differ, or these are not payoff matrices.
 
     Notes
     -----

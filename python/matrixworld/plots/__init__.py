@@ -2,7 +2,8 @@
 
 They need no display and do not touch the state of ``pyplot``. Save a figure with
 ``plots.save_figure(figure, path)``, as pixels or as vector graphics, or show it as the last
-expression of a notebook cell after ``%matplotlib inline``.
+expression of a notebook cell after ``%matplotlib inline``. Arguments that are not as a docstring
+describes them, and mappings without an entry, raise a ValueError.
 """
 
 from __future__ import annotations

@@ -56,11 +56,6 @@ ARROWS = ((4.25, 5.75, 3.03), (5.75, 4.25, 2.87))
 def learning_concepts() -> Figure:
     """Draw how co-evolution, self-play, autocurricula, arms races and curricula are related.
 
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-
     References
     ----------
     Sun et al. (2023), "MatrixWorld", section 2; Leibo et al. (2019), "Autocurricula and the

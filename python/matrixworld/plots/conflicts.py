@@ -271,16 +271,7 @@ def draw_agent(
 ) -> None:
     """Draw an agent: an orange triangle for a pursuer "P0", a blue disc for an evader "E0".
 
-    Parameters
-    ----------
-    axes : Axes
-        Where to draw.
-    cell : tuple of int
-        Row and column.
-    name : str
-        Name inside of the agent; the first letter tells the team.
-    place, among : int, optional
-        Number of the agent on its cell, and how many share it.
+    The cell is row and column; several agents on it have a place `among` so many.
     """
     row, col = cell
     radius = RADIUS if among == 1 else 0.24

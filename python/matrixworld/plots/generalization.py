@@ -56,16 +56,6 @@ def generalization_curves(
         Each is drawn as a level line with its name.
     title : str, optional
         Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-
-    Raises
-    ------
-    ValueError
-        If a baseline is outside [0, 1], or as :func:`matrixworld.analysis.check_payoff` does.
     """
     figure = new_figure(6.4, 4.2)
     axes = figure.add_subplot()
@@ -104,12 +94,6 @@ def generalization_over_seeds(
     -------
     matplotlib.figure.Figure
         The figure. Bands are 95% intervals of the mean over seeds.
-
-    Raises
-    ------
-    ValueError
-        If there is no race, a baseline is of none of them or outside [0, 1], or as
-        :func:`matrixworld.analysis.race_bands` does.
     """
     check_some(payoffs, "race")
     baselines = (pursuer_baselines or {}, evader_baselines or {})

@@ -55,16 +55,6 @@ def payoff_heatmap(payoff: ArrayLike, *, title: str = "Capture rate, all against
         Mean capture rate of each pursuer generation against each evader generation.
     title : str, optional
         Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As :func:`matrixworld.analysis.check_payoff` does.
     """
     rows, columns = analysis.check_payoff(payoff).shape
     figure = new_figure(min(12.0, max(4.0, 1.7 + 4.1 * columns / rows)), 5.0)
@@ -92,11 +82,6 @@ def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figur
     -------
     matplotlib.figure.Figure
         The figure. Lags with fewer than `FEWEST_CELLS` cells are faint.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As :func:`matrixworld.analysis.check_payoff` does.
     """
     figure = new_figure(6.4, 4.2)
     axes = figure.add_subplot()
@@ -124,16 +109,6 @@ def ciao_triangles(
         Names of the teams: that of the rows, then that of the columns.
     title : str, optional
         Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As :func:`matrixworld.analysis.check_payoff` does.
 
     References
     ----------
@@ -193,16 +168,6 @@ def comparison(
         Whether the payoffs are capture rates of single episodes, as in `generalization_curves`.
     title : str, optional
         Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-
-    Raises
-    ------
-    ValueError
-        If there are no races, or as :func:`matrixworld.analysis.check_payoff` does.
     """
     check_some(payoffs, "race")
     lines = -(-len(payoffs) // COLUMNS)

@@ -70,16 +70,6 @@ def rules_table(
         The rows, by name. The default is the nine variants.
     title : str, optional
         Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-
-    Raises
-    ------
-    ValueError
-        If there are no rules.
     """
     if not rules:
         raise ValueError("rules: expected at least one row, got none")

@@ -60,11 +60,6 @@ def run_dots(
     -------
     matplotlib.figure.Figure
         The figure. The interval is that of :func:`matrixworld.analysis.interval_over_runs`.
-
-    Raises
-    ------
-    ValueError
-        If there is no group, or as `interval_over_runs` does.
     """
     check_some(groups)
     figure = new_figure(6.6, 1.5 + 0.5 * len(groups))
@@ -124,11 +119,6 @@ def run_curves(
     -------
     matplotlib.figure.Figure
         The figure. Bands are those of :func:`matrixworld.analysis.band_over_runs`.
-
-    Raises
-    ------
-    ValueError
-        If there is no group, or as `band_over_runs` does.
     """
     check_some(groups)
     figure = new_figure(6.6, 3.6)
@@ -184,11 +174,6 @@ def seed_scores(
     matplotlib.figure.Figure
         The figure. Groups with few seeds have no intervals, see
         :func:`matrixworld.analysis.fewest_runs`.
-
-    Raises
-    ------
-    ValueError
-        If there is no group, or scores are not as described.
     """
     check_some(scores)
     arrays = {

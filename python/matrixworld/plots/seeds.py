@@ -59,16 +59,6 @@ def seed_bands(
         Results of :func:`matrixworld.analysis.judge` by the name of the group.
     title : str, optional
         Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-
-    Raises
-    ------
-    ValueError
-        If there is no group, or as :func:`matrixworld.analysis.race_bands` does.
     """
     check_some(payoffs)
     lines = -(-len(payoffs) // GROUPS)
@@ -211,16 +201,6 @@ def verdict_strip(
         Seeds that are not finished; they have an empty column.
     title : str, optional
         Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-
-    Raises
-    ------
-    ValueError
-        If there is no group, or it has another number of seeds than of judged runs.
     """
     check_some(judgements)
     for name, judgement in judgements.items():

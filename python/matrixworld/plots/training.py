@@ -54,17 +54,6 @@ def training_curve(
         Label of the axis, such as "epoch" or "team phase".
     title : str, optional
         Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-
-    Raises
-    ------
-    ValueError
-        If a rate is outside [0, 1], a learner is neither 0 nor 1, the lengths differ, or `window`
-        is below 1.
     """
     values = check_rates(rates, ndim=1, what="training capture rates")
     shades = _shades(learners, len(values))
@@ -101,16 +90,6 @@ def collision_rates(
         evaders) and kind (obstacle, teammate, adversary).
     title : str, optional
         Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-
-    Raises
-    ------
-    ValueError
-        If the shape is another, or a rate is negative or infinite.
     """
     values = np.asarray(rates, dtype=np.float64)
     if values.ndim != 3 or values.shape[1:] != (2, 3) or not len(values):
