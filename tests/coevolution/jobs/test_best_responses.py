@@ -62,7 +62,7 @@ def test_a_champion_that_did_not_learn_is_refused_before_anything_is_written(
 
 def test_the_command_on_a_job_of_seeds(job: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
-    told = matrixworld_command("exploit", job, *COMMAND, "--output", out).stdout
+    told = matrixworld_command("exploit", job, *COMMAND, "--out", out).stdout
     gains = []
     for seed in (0, 1, 2):
         run = open_run(job / SCHEDULE / f"seed-{seed}")
@@ -73,11 +73,9 @@ def test_the_command_on_a_job_of_seeds(job: Path, tmp_path: Path) -> None:
     mean = interval_over_runs(gains, bounds=(-1.0, 1.0))
     assert f"{mean.value:.3f} ({mean.low:.3f} to {mean.high:.3f})" in told
     assert "288 matches of evolution" in told
-    again = matrixworld_command("exploit", job, *COMMAND, "--output", out, code=2)
+    again = matrixworld_command("exploit", job, *COMMAND, "--out", out, code=2)
     assert "exists; --continue goes on" in again.stderr
-    assert (
-        matrixworld_command("exploit", job, *COMMAND, "--output", out, "--continue").stdout == told
-    )
+    assert matrixworld_command("exploit", job, *COMMAND, "--out", out, "--continue").stdout == told
 
 
 def test_the_responses_to_a_job_lie_beside_it(tmp_path: Path) -> None:
@@ -99,6 +97,6 @@ def test_the_command_refuses_before_it_writes(
     job: Path, tmp_path: Path, options: tuple[object, ...], message: str
 ) -> None:
     out = tmp_path / "out"
-    told = matrixworld_command("exploit", job, *COMMAND, "--output", out, *options, code=2)
+    told = matrixworld_command("exploit", job, *COMMAND, "--out", out, *options, code=2)
     assert message in told.stderr
     assert not out.exists()
