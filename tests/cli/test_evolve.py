@@ -53,12 +53,6 @@ from matrixworld.coevolution.jobs.evolve import JobPlay
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 
-@pytest.fixture(autouse=True)
-def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Run commands in a temporary directory."""
-    monkeypatch.chdir(tmp_path)
-
-
 @pytest.fixture
 def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """Draw no figures, in tests of something else."""

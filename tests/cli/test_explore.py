@@ -132,10 +132,7 @@ def test_a_job_of_several_seeds_ends_with_a_page(tmp_path: Path) -> None:
 # The playground
 
 
-def test_the_playground_is_written_and_opened(
-    tmp_path: Path, opened: list[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
+def test_the_playground_is_written_and_opened(tmp_path: Path, opened: list[str]) -> None:
     result = matrixworld_command("playground")
     page = tmp_path / "playground.html"
     assert page.read_text(encoding="utf-8") == Playground().html()

@@ -46,8 +46,7 @@ def drawn(monkeypatch):
 
 
 @pytest.mark.parametrize("name", OF_GAME)
-def test_a_figure_of_the_game_needs_no_run(name, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def test_a_figure_of_the_game_needs_no_run(name):
     assert figures_command("--figure", name, "--format", "svg").output == f"{name}.svg\n"
     assert Path(f"{name}.svg").read_bytes().startswith(BEGINS["svg"])
     again = matrixworld_command(

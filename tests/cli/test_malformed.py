@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -11,8 +10,6 @@ from click.testing import CliRunner
 
 from command_line import words
 from matrixworld.cli import main
-from matrixworld.coevolution import start
-from tiny_race import tiny_race
 
 LONG = "1" + "0" * 5000
 MALFORMED = ("", "nan", "-inf", "1e400", "-1", "2.5e-3x", "1" + "0" * 400, LONG)
@@ -25,18 +22,7 @@ ARGUMENTS = {
     "exploit": ["run", "--champion", "pursuer", "--matches", "50", "--episodes", "2"],
     "replay": ["run", "--out", "new.png"],
     "explore": ["run", "--figures"],
-    "bench": [
-        "--rows",
-        "6",
-        "--cols",
-        "6",
-        "--pursuers",
-        "2",
-        "--evaders",
-        "3",
-        "--seconds",
-        "0.01",
-    ],
+    "bench": words({"rows": 6, "cols": 6, "pursuers": 2, "evaders": 3, "seconds": 0.01}),
 }
 """Arguments that make a command valid."""
 LEGAL = {(name, "-1") for name in ("--pursuer", "--evader", "--generation", "--step")}
@@ -53,29 +39,13 @@ def options() -> Iterator[pytest.ParameterSet]:
                 yield pytest.param(name, param.opts[0], id=f"{name}{param.opts[0]}")
 
 
-@pytest.fixture(scope="module")
-def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A finished race."""
-    directory = tmp_path_factory.mktemp("race") / "run"
-    start(tiny_race(), directory, threads=1).run()
-    return directory
-
-
-@pytest.fixture
-def files(race: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A working directory with a copy of the race and nothing else."""
-    monkeypatch.chdir(tmp_path)
-    shutil.copytree(race, "run")
-    return tmp_path
-
-
 def contents() -> dict[Path, tuple[int, bytes]]:
     """Return all files below the working directory, with times and contents."""
     files = [path for path in Path().rglob("*") if path.is_file()]
     return {path: (path.stat().st_mtime_ns, path.read_bytes()) for path in files}
 
 
-@pytest.mark.usefixtures("files")
+@pytest.mark.usefixtures("run")
 @pytest.mark.parametrize(("command", "option"), list(options()))
 def test_a_malformed_value_is_refused_and_nothing_is_written(command: str, option: str) -> None:
     before = contents()
@@ -90,7 +60,7 @@ def test_a_malformed_value_is_refused_and_nothing_is_written(command: str, optio
         assert {path.name for path in Path().iterdir()} == {"run"}
 
 
-def test_the_arguments_are_valid_without_a_malformed_value(files: Path) -> None:
+def test_the_arguments_are_valid_without_a_malformed_value(run: Path) -> None:
     for command, arguments in ARGUMENTS.items():
         if command in ("tournament", "score", "replay"):
             assert CliRunner().invoke(main, [command, *arguments]).exit_code == 0, command

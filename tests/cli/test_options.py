@@ -14,9 +14,8 @@ import pytest
 from command_line import JOB, RACE, matrixworld_command, words
 from matrixworld.cli import main
 from matrixworld.cli.options import RENAMED
-from matrixworld.coevolution import open_run, start
+from matrixworld.coevolution import open_run
 from matrixworld.coevolution.settings.training import MOST_SEED
-from tiny_race import tiny_race
 
 DIFFERENT = {"--hidden", "--episodes", "--explain", "--each", "--out"} | {
     *("--rows", "--cols", "--pursuers", "--evaders", "--steps", "--seconds", "--team"),
@@ -29,26 +28,6 @@ file by default. `class` plays small and short games by default, and limits the 
 `class export` has to be told a team, and takes one generation."""
 
 BENCH = ["--rows", 7, "--cols", 6, "--pursuers", 2, "--evaders", 3, "--fov", 5]
-
-
-@pytest.fixture(autouse=True)
-def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Run commands in a temporary directory."""
-    monkeypatch.chdir(tmp_path)
-
-
-@pytest.fixture(scope="module")
-def race(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A finished race."""
-    directory = tmp_path_factory.mktemp("race") / "run"
-    start(tiny_race(), directory, threads=1).run()
-    return directory
-
-
-@pytest.fixture
-def run(race: Path) -> Path:
-    """A copy of the race in the working directory."""
-    return Path(shutil.copytree(race, "run"))
 
 
 # Declared once

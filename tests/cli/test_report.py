@@ -27,12 +27,6 @@ ASKED = (0, 1, 2, 3)
 LONGER = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "eval_episodes": 4}
 
 
-@pytest.fixture(autouse=True)
-def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Run commands in a temporary directory."""
-    monkeypatch.chdir(tmp_path)
-
-
 def settings_of(schedule: str, seed: int):
     return tiny_race(schedule=schedule, seed=seed, **LONGER)
 

@@ -22,12 +22,6 @@ from matrixworld.play.rollout import Matches, rollout
 from tiny_race import StopAt, tiny_race
 
 
-@pytest.fixture(autouse=True)
-def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Run commands in a temporary directory."""
-    monkeypatch.chdir(tmp_path)
-
-
 @pytest.fixture(scope="module")
 def job(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A directory of the three races of the main job, finished."""

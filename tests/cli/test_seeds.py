@@ -26,12 +26,6 @@ ONE = {name: value for name, value in RACE.items() if name != "seed"}
 ALONE = {name: value for name, value in WORLD.items() if name != "seed"}
 
 
-@pytest.fixture(autouse=True)
-def elsewhere(tmp_path, monkeypatch):
-    """Run commands in a temporary directory."""
-    monkeypatch.chdir(tmp_path)
-
-
 @pytest.mark.parametrize(
     ("text", "seeds"),
     [
