@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
 import sys
 import threading
 import time
@@ -364,6 +366,27 @@ def test_disengagements_are_warned_of_with_the_name_of_the_run(tmp_path):
 
     with pytest.warns(DisengagementWarning, match=r"^generalist-generalist/seed-1: "):
         evolve(settings, tmp_path / "job", executor=Silent())
+
+
+@posix
+def test_processes_that_cannot_start_end_the_job(tmp_path):
+    """Such as those of a script that plays a job whenever it is imported."""
+    (tmp_path / "script.py").write_text(
+        "import sys\n"
+        "from matrixworld.coevolution import RaceSettings, evolve\n"
+        "settings = [RaceSettings(generations=1, seed=seed) for seed in range(2)]\n"
+        "evolve(settings, sys.argv[1], threads=2)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, tmp_path / "script.py", tmp_path / "job"],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
+    last = done.stderr.splitlines()[-1]
+    assert last.endswith('or a script has no `if __name__ == "__main__":`')
+    assert not list((tmp_path / "job").glob("*/*"))
 
 
 # Bad input

@@ -259,13 +259,7 @@ def play_job(
 
 
 class JobPlay:
-    """A job while it is played: what has finished and failed, and the progress of the rest.
-
-    Parameters
-    ----------
-    job, root, lock_wait, report
-        As for `play_job`.
-    """
+    """A job while it is played: what has finished and failed, and the progress of the rest."""
 
     def __init__(self, job: Job, root: Path, lock_wait: float, report: JobReport) -> None:
         self._job, self._root, self._lock_wait, self._report = job, root, lock_wait, report
@@ -339,8 +333,10 @@ class JobPlay:
                 in_work = [*self._in_work(read_progress(self._root))]
                 starts_lost = 0 if in_work else starts_lost + 1
                 if starts_lost == TRIES:
-                    problem = f"expected processes that start, lost {TRIES} of them"
-                    raise BrokenExecutor(f"worker processes: {problem}") from error
+                    raise BrokenExecutor(
+                        f"worker processes: expected some that start, lost {TRIES}; there is too "
+                        'little memory, or a script has no `if __name__ == "__main__":`'
+                    ) from error
                 self._losses.update(in_work)
                 for name in in_work:
                     if self._losses[name] == TRIES:

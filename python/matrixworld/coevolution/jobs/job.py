@@ -41,13 +41,7 @@ Settings = RaceSettings | SingleSettings
 
 @dataclass(frozen=True)
 class Job:
-    """Runs that were asked for together.
-
-    Parameters
-    ----------
-    runs : mapping of str to RaceSettings or SingleSettings
-        Settings of each run, by the path of its directory in that of the job.
-    """
+    """Runs that were asked for together: settings by the path of a run's directory in the job's."""
 
     runs: Mapping[str, Settings]
 
