@@ -83,7 +83,14 @@ def race(settings: RaceSettings, threads: int, parts: Parts) -> dict[str, bytes]
 
 def check(learner: str, threads: int) -> None:
     """Check that the wrappers do not change the results."""
-    settings = RaceSettings(learner=learner, generations=2, pursuer_epochs=2, evader_epochs=2)
+    settings = RaceSettings.of(
+        {
+            "learner": learner,
+            "schedule.generations": 2,
+            "schedule.pursuer_epochs": 2,
+            "schedule.evader_epochs": 2,
+        }
+    )
     plain, parts = race(settings, threads, Parts()), Parts()
     with parts.wrapping(PARTS):
         assert race(settings, threads, parts) == plain
@@ -127,13 +134,14 @@ def print_shares(learner: str, seconds: Mapping[str, Mapping[str, float]]) -> No
 def main(learners: tuple[str, ...], generations: int, epochs: int | None, threads: int) -> None:
     """Print a table in Markdown for each learner."""
     bind(threads)
-    changes: dict[str, Any] = {"generations": generations}
+    changes: dict[str, Any] = {"schedule.generations": generations}
     if epochs is not None:
-        changes |= {"pursuer_epochs": epochs, "evader_epochs": epochs}
+        changes |= {"schedule.pursuer_epochs": epochs, "schedule.evader_epochs": epochs}
     for learner in learners:
         check(learner, threads)
         settings = {
-            name: RaceSettings(schedule=name, learner=learner, **changes) for name in SCHEDULES
+            name: RaceSettings.of({"schedule": name, "learner": learner, **changes})
+            for name in SCHEDULES
         }
         print_shares(learner, {name: measure(each, threads) for name, each in settings.items()})
 

@@ -26,9 +26,14 @@ from matrixworld.coevolution import RaceSettings, finish, start
 from matrixworld.coevolution.evaluation.tournament import BLOCK_SECONDS
 
 TASKS = 300
-SHORT = {"generations": 3, "pursuer_epochs": 8, "evader_epochs": 16, "eval_episodes": 2}
+SHORT = {
+    "schedule.generations": 3,
+    "schedule.pursuer_epochs": 8,
+    "schedule.evader_epochs": 16,
+    "evaluation_episodes": 2,
+}
 """A race of few matches, which tells the processor time of a match."""
-SMALL = {"population": 2, "train_steps": 1, "eval_steps": 1}
+SMALL = {"learner.population": 2, "train_steps": 1, "world.max_steps": 1}
 """A race of short matches, whose files are as large as those of a default race."""
 
 
@@ -66,7 +71,7 @@ def seconds_of(executor: Executor, tasks: int) -> float:
 
 def race_costs() -> tuple[float, int]:
     """Return processor time and bytes of a default race, from those of smaller ones."""
-    full, short, small = RaceSettings(), RaceSettings(**SHORT), RaceSettings(**SMALL)
+    full, short, small = RaceSettings(), RaceSettings.of(SHORT), RaceSettings.of(SMALL)
     with tempfile.TemporaryDirectory() as place:
         run = start(short, Path(place) / "short", threads=1)
         began = time.process_time()

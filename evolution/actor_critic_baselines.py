@@ -29,7 +29,7 @@ from __future__ import annotations
 import shutil
 from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from time import process_time
 from typing import Any
@@ -40,7 +40,7 @@ from tqdm import tqdm
 
 from common import script_parser
 from matrixworld.analysis import Estimate, interval_over_runs
-from matrixworld.coevolution import SingleSettings, Team, finish, open_run
+from matrixworld.coevolution import RaceSettings, Team, finish, open_run
 
 EPISODES = 10
 """Episodes of a published number."""
@@ -122,39 +122,50 @@ class Plan:
     seeds: int
     changes: Mapping[tuple[str, str], Mapping[str, Any]] = field(default_factory=dict)
 
-    def settings(self, game: Game, learner: str, seed: int, root: Path) -> SingleSettings:
+    def settings(self, game: Game, learner: str, seed: int, root: Path) -> RaceSettings:
         """Return the settings of one run."""
         epochs = self.epochs[game.name][learner]
-        chosen = SingleSettings(
-            team=game.team, epochs=epochs, archive_every=epochs, seed=seed,
-            **{
-                **self.world, **self.learners[learner],
+        chosen = RaceSettings.of(
+            {
+                "schedule": "against",
+                "schedule.team": game.team,
+                "schedule.epochs": epochs,
+                "schedule.archive_every": epochs,
+                "seed": seed,
+                **self.world,
+                **self.learners[learner],
                 **self.changes.get((game.name, learner), {}),
-            },
-        )  # fmt: skip
+            }
+        )
         # These are the paths of runs that have been played before.
         if game.start is not None:
-            chosen = replace(chosen, start=str(root / place(game.start, learner, seed)))
+            chosen = chosen.changed(
+                {"schedule.start": str(root / place(game.start, learner, seed))}
+            )
         rival = game.against
         if rival in self.epochs:
             rival = str(root / place(rival, GRADIENTS, seed))
-        return replace(chosen, against=rival)
+        return chosen.changed({"schedule.opponent": rival})
 
 
 PPO = {
-    "learner": "actor-critic", "population": 4, "actor_rate": 0.003, "clip": 0.2,
-    "actor_updates": 5, "rewards": "published",
-}  # fmt: skip
-LONG = {"population": 2, "train_steps": 500}
+    "learner": "actor-critic",
+    "learner.population": 4,
+    "learner.actor_rate": 0.003,
+    "learner.clip": 0.2,
+    "learner.actor_updates": 5,
+    "world.rewards": "published",
+}
+LONG = {"learner.population": 2, "train_steps": 500}
 """Evaders that learn in short episodes are captured later in long ones."""
-AFTERWARDS = {"sigma": 0.8, "learning_rate": 0.1}
+AFTERWARDS = {"learner.sigma": 0.8, "learner.learning_rate": 0.1}
 """Steps of evolution that fit the weights of trained evaders (docs/published_numbers.md)."""
 FULL = Plan(
-    world={"hidden": (32,), "eval_episodes": 200},
+    world={"policy.hidden": (32,), "evaluation_episodes": 200},
     learners={
         GRADIENTS: {**PPO, "train_steps": 200},
-        STEPS: {"population": 16, "train_steps": 200},
-        TIME: {"population": 48, "train_steps": 200},
+        STEPS: {"learner.population": 16, "train_steps": 200},
+        TIME: {"learner.population": 48, "train_steps": 200},
     },
     changes={
         (HIDE, GRADIENTS): LONG,
@@ -173,17 +184,24 @@ FULL = Plan(
 )
 QUICK = Plan(
     world={
-        "hidden": (4,), "rows": 8, "cols": 8, "pursuers": 3, "evaders": 3, "fov": 5,
-        "train_steps": 15, "eval_steps": 20, "eval_episodes": 4,
+        "policy.hidden": (4,),
+        "world.rows": 8,
+        "world.cols": 8,
+        "world.n_pursuers": 3,
+        "world.n_evaders": 3,
+        "world.fov": 5,
+        "train_steps": 15,
+        "world.max_steps": 20,
+        "evaluation_episodes": 4,
     },
     learners={
-        GRADIENTS: {**PPO, "population": 2},
-        STEPS: {"population": 4},
-        TIME: {"population": 8},
+        GRADIENTS: {**PPO, "learner.population": 2},
+        STEPS: {"learner.population": 4},
+        TIME: {"learner.population": 8},
     },
     epochs={game.name: {GRADIENTS: 3, STEPS: 2, TIME: 4} for game in GAMES},
     seeds=2,
-)  # fmt: skip
+)
 
 
 def place(game: str, learner: str, seed: int) -> str:
@@ -193,7 +211,7 @@ def place(game: str, learner: str, seed: int) -> str:
     )
 
 
-def timed(settings: SingleSettings, directory: Path) -> None:
+def timed(settings: RaceSettings, directory: Path) -> None:
     """Play a run that is missing, on one core, and write the seconds that it took beside it."""
     written = directory.with_suffix(".seconds")
     if written.exists():
@@ -234,7 +252,7 @@ def measured(plan: Plan, root: Path) -> dict[str, np.ndarray]:
         ``seconds`` of training and evaluation, shape (games, learners, seeds).
     """
     shape = (len(GAMES), len(plan.learners), plan.seeds)
-    episodes = plan.world["eval_episodes"]
+    episodes = plan.world["evaluation_episodes"]
     captures, lengths = np.zeros((*shape, episodes)), np.zeros((*shape, episodes), np.int32)
     agent_steps, seconds = np.zeros(shape, np.int64), np.zeros(shape)
     names = [game.name for game in GAMES], list(plan.learners), range(plan.seeds)
@@ -246,9 +264,11 @@ def measured(plan: Plan, root: Path) -> dict[str, np.ndarray]:
         agent_steps[at] = run.files.summary()["training_agent_steps"]
         seconds[at] = float(path.with_suffix(".seconds").read_text(encoding="ascii"))
     return {
-        "captures": captures.astype(np.float32), "lengths": lengths,
-        "agent_steps": agent_steps, "seconds": seconds,
-    }  # fmt: skip
+        "captures": captures.astype(np.float32),
+        "lengths": lengths,
+        "agent_steps": agent_steps,
+        "seconds": seconds,
+    }
 
 
 def shown(found: Estimate, digits: int = 3) -> str:

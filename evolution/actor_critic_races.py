@@ -18,7 +18,6 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Mapping
-from dataclasses import replace
 from pathlib import Path
 from time import process_time
 
@@ -28,17 +27,45 @@ from common import finish_all, script_parser
 from matrixworld import analysis
 from matrixworld.analysis import Estimate
 from matrixworld.coevolution import RaceSettings, SavedRun, finish
-from matrixworld.coevolution.opponents.registry import SCHEDULES
+from matrixworld.coevolution.schedules import SCHEDULES
 
-FULL = RaceSettings(
-    learner="actor-critic", rows=20, cols=20, pursuers=3, evaders=8, hidden=(32,), population=4,
-    actor_rate=0.003, clip=0.2, actor_updates=5, rewards="published", generations=20,
-    pursuer_epochs=10, evader_epochs=20, train_steps=100, eval_steps=100,
-)  # fmt: skip
-QUICK = replace(
-    FULL, rows=8, cols=8, pursuers=3, evaders=3, fov=5, hidden=(4,), population=2, generations=8,
-    pursuer_epochs=2, evader_epochs=2, train_steps=15, eval_steps=20, eval_episodes=4,
-)  # fmt: skip
+FULL = RaceSettings.of(
+    {
+        "learner": "actor-critic",
+        "world.rows": 20,
+        "world.cols": 20,
+        "world.n_pursuers": 3,
+        "world.n_evaders": 8,
+        "policy.hidden": (32,),
+        "learner.population": 4,
+        "learner.actor_rate": 0.003,
+        "learner.clip": 0.2,
+        "learner.actor_updates": 5,
+        "world.rewards": "published",
+        "schedule.generations": 20,
+        "schedule.pursuer_epochs": 10,
+        "schedule.evader_epochs": 20,
+        "train_steps": 100,
+        "world.max_steps": 100,
+    }
+)
+QUICK = FULL.changed(
+    {
+        "world.rows": 8,
+        "world.cols": 8,
+        "world.n_pursuers": 3,
+        "world.n_evaders": 3,
+        "world.fov": 5,
+        "policy.hidden": (4,),
+        "learner.population": 2,
+        "schedule.generations": 8,
+        "schedule.pursuer_epochs": 2,
+        "schedule.evader_epochs": 2,
+        "train_steps": 15,
+        "world.max_steps": 20,
+        "evaluation_episodes": 4,
+    }
+)
 PUBLISHED = RaceSettings(learner="actor-critic")
 """All defaults are the paper's: networks, rates, updates, 400 epochs of each team a generation."""
 SEEDS, QUICK_SEEDS = 5, 2
@@ -49,7 +76,7 @@ def play(
 ) -> dict[str, list[SavedRun]]:
     """Return the races of each schedule; play the missing ones."""
     planned = {
-        f"{schedule}/{seed}": replace(base, schedule=schedule, seed=seed)
+        f"{schedule}/{seed}": base.changed({"schedule": schedule, "seed": seed})
         for seed in seeds
         for schedule in SCHEDULES
     }
@@ -94,13 +121,16 @@ def seconds_of(settings: RaceSettings) -> float:
 
 def projected(settings: RaceSettings) -> str:
     """Return how long a race would take on one core, from few epochs of it."""
-    epochs = {"pursuer_epochs": 1, "evader_epochs": 1}
-    short = replace(settings, generations=1, **epochs)
+    epochs = {"schedule.pursuer_epochs": 1, "schedule.evader_epochs": 1}
+    short = settings.changed({"schedule.generations": 1, **epochs})
     seconds_of(short)  # the first one imports PyTorch
     start = seconds_of(short)
-    epoch = (seconds_of(replace(short, pursuer_epochs=4, evader_epochs=4)) - start) / 3
-    pairs = (settings.generations + 1) ** 2 / (short.generations + 1) ** 2
-    training = settings.generations * settings.pursuer_epochs * epoch / 3600
+    epoch = (
+        seconds_of(short.changed({"schedule.pursuer_epochs": 4, "schedule.evader_epochs": 4}))
+        - start
+    ) / 3
+    pairs = settings.schedule.entries**2 / short.schedule.entries**2
+    training = settings.schedule.generations * settings.schedule.pursuer_epochs * epoch / 3600
     evaluation = pairs * max(start - epoch, 0.0) / 3600
     return (
         f"{epoch:.2f} seconds for an epoch of each team: {training:.1f} hours of training, and "

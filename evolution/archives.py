@@ -19,7 +19,6 @@ each sampler reached with the budget.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -28,16 +27,38 @@ import matrixworld as mw
 from common import finish_all, script_parser
 from matrixworld import analysis, coevolution
 from matrixworld.coevolution import RaceSettings, SavedRun
-from matrixworld.coevolution.opponents import SAMPLERS
+from matrixworld.coevolution.schedules import SAMPLERS
 
-FULL = RaceSettings(
-    schedule="alternating", rows=24, cols=24, pursuers=6, evaders=12, generations=15,
-    opponents=2, pursuer_epochs=20, evader_epochs=30, population=24, eval_episodes=5,
-)  # fmt: skip
-QUICK = replace(
-    FULL, rows=10, cols=10, pursuers=3, evaders=4, generations=4, pursuer_epochs=3,
-    evader_epochs=4, population=8, train_steps=40, eval_steps=60, eval_episodes=2,
-)  # fmt: skip
+FULL = RaceSettings.of(
+    {
+        "schedule": "alternating",
+        "world.rows": 24,
+        "world.cols": 24,
+        "world.n_pursuers": 6,
+        "world.n_evaders": 12,
+        "schedule.generations": 15,
+        "schedule.opponents": 2,
+        "schedule.pursuer_epochs": 20,
+        "schedule.evader_epochs": 30,
+        "learner.population": 24,
+        "evaluation_episodes": 5,
+    }
+)
+QUICK = FULL.changed(
+    {
+        "world.rows": 10,
+        "world.cols": 10,
+        "world.n_pursuers": 3,
+        "world.n_evaders": 4,
+        "schedule.generations": 4,
+        "schedule.pursuer_epochs": 3,
+        "schedule.evader_epochs": 4,
+        "learner.population": 8,
+        "train_steps": 40,
+        "world.max_steps": 60,
+        "evaluation_episodes": 2,
+    }
+)
 
 Runs = Mapping[str, list[SavedRun]]
 
@@ -47,7 +68,9 @@ def play(
 ) -> Runs:
     """Return a finished race of each sampler and seed."""
     settings = {
-        f"{name}/{seed}": replace(base, pursuers_meet=name, evaders_meet=name, seed=seed)
+        f"{name}/{seed}": base.changed(
+            {"schedule.pursuers_meet": name, "schedule.evaders_meet": name, "seed": seed}
+        )
         for name in names
         for seed in seeds
     }
@@ -67,7 +90,7 @@ def cross_play(base: RaceSettings, runs: Runs, budget: int, episodes: int) -> np
     """Return capture rates (samplers, seeds, samplers, seeds): pursuers first, then evaders."""
     pursuers, evaders = (champions(runs, team, budget) for team in coevolution.TEAMS)
     # Longer episodes than in training, as in payoff matrices.
-    world = base.world(base.eval_steps)
+    world = base.world
     played = coevolution.tournament(world, pursuers, evaders, seed=0, episodes=episodes)
     seeds = len(next(iter(runs.values())))
     return played.capture_rate.reshape(len(runs), seeds, len(runs), seeds)

@@ -25,7 +25,7 @@ from tqdm import tqdm
 import matrixworld as mw
 from common import play, script_parser
 from matrixworld import analysis, coevolution, plots
-from matrixworld.coevolution import EvolutionStrategy, NoiseTable, Schedule, Team
+from matrixworld.coevolution import Alternating, EvolutionStrategy, NoiseTable, Team
 from matrixworld.coevolution.types import other
 
 DEFAULTS = coevolution.RaceSettings()
@@ -74,7 +74,7 @@ def toolbox_of(team: Team, budget: Budget, rng: np.random.Generator) -> base.Too
     """Return a DEAP toolbox with generate, evaluate, update, and ``champion``: the mean genome."""
     # Samples are slices of one table, so an epoch draws no Gaussian noise.
     network = mw.Network.for_config(budget.world)
-    noise = NoiseTable(network.genome_size, rng, sigma=DEFAULTS.sigma)
+    noise = NoiseTable(network.genome_size, rng, sigma=DEFAULTS.learner.sigma)
     learner = EvolutionStrategy(network.initial(rng), noise, samples=budget.samples)
 
     def evaluate(candidates: np.ndarray, rival: np.ndarray, seeds: np.ndarray) -> np.ndarray:
@@ -90,11 +90,13 @@ def toolbox_of(team: Team, budget: Budget, rng: np.random.Generator) -> base.Too
     return toolbox
 
 
-def race(name: str, schedule: Schedule, budget: Budget, seed: int) -> dict[Team, list[np.ndarray]]:
+def race(
+    name: str, schedule: Alternating, budget: Budget, seed: int
+) -> dict[Team, list[np.ndarray]]:
     """Return the archives of both teams: the champion of every generation, untrained one first."""
     rng = np.random.default_rng(seed)
     toolboxes = {team: toolbox_of(team, budget, rng) for team in coevolution.TEAMS}
-    samplers = {team: schedule.sampler(team) for team in coevolution.TEAMS}
+    samplers = {team: schedule.new_sampler(team) for team in coevolution.TEAMS}
     # Untrained champions first: generation 0 of the payoff matrix.
     archive = {team: [toolbox.champion()] for team, toolbox in toolboxes.items()}
     for generation in tqdm(range(1, budget.generations + 1), desc=name, disable=None):
@@ -117,9 +119,9 @@ def payoff(archive: dict[Team, list[np.ndarray]], budget: Budget, seed: int) -> 
     network = mw.Network.for_config(budget.world)
     pursuers, evaders = (mw.Population(np.stack(genomes), network) for genomes in archive.values())
     # Short episodes are enough to learn; long ones distinguish trained teams better.
-    world = replace(budget.world, max_steps=DEFAULTS.eval_steps)
+    world = replace(budget.world, max_steps=DEFAULTS.world.max_steps)
     return coevolution.tournament(
-        world, pursuers, evaders, seed=seed, episodes=DEFAULTS.eval_episodes
+        world, pursuers, evaders, seed=seed, episodes=DEFAULTS.evaluation_episodes
     )
 
 

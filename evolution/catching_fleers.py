@@ -17,13 +17,13 @@ engine decide by what an agent sees in this step.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import matrixworld as mw
 from common import finish_all, script_parser
 from matrixworld.analysis import interval_over_runs
-from matrixworld.coevolution import SingleSettings
+from matrixworld.coevolution import RaceSettings
 
 SCRIPTED = ("chaser", "hunter")
 EVADERS = ("fleer", "dodger")
@@ -35,7 +35,7 @@ class Plan:
 
     Parameters
     ----------
-    base : SingleSettings
+    base : RaceSettings
         Training that the others change.
     changes : mapping of str to mapping
         Changed settings by the name of the training.
@@ -47,28 +47,37 @@ class Plan:
         Episodes of each test.
     """
 
-    base: SingleSettings
+    base: RaceSettings
     changes: dict[str, dict[str, object]]
     teams: tuple[int, ...]
     seeds: int
     episodes: int
 
 
-def plan(base: SingleSettings, *, large: int, fov: int, **sizes: object) -> Plan:
+def plan(base: RaceSettings, *, large: int, fov: int, **sizes: object) -> Plan:
     """Return a plan: the base, and it with one change each."""
     changes: dict[str, dict[str, object]] = {
         "fleers": {},
-        "fleers, four times as long": {"epochs": 4 * base.epochs},
-        "random evaders": {"against": "random"},
-        "clumsy fleers": {"against": "clumsy-fleer"},
-        f"fleers, {large} pursuers": {"pursuers": large},
-        f"fleers, a view of {fov} x {fov} cells": {"fov": fov},
+        "fleers, four times as long": {"schedule.epochs": 4 * base.schedule.epochs},
+        "random evaders": {"schedule.opponent": "random"},
+        "clumsy fleers": {"schedule.opponent": "clumsy-fleer"},
+        f"fleers, {large} pursuers": {"world.n_pursuers": large},
+        f"fleers, a view of {fov} x {fov} cells": {"world.fov": fov},
     }
     return Plan(base, changes, **sizes)  # type: ignore[arg-type]
 
 
 FULL = plan(
-    SingleSettings(against="fleer", population=48, epochs=300, archive_every=300, eval_episodes=50),
+    RaceSettings.of(
+        {
+            "schedule": "against",
+            "schedule.opponent": "fleer",
+            "learner.population": 48,
+            "schedule.epochs": 300,
+            "schedule.archive_every": 300,
+            "evaluation_episodes": 50,
+        }
+    ),
     large=32,
     fov=21,
     teams=(8, 16, 32, 64),
@@ -76,25 +85,35 @@ FULL = plan(
     episodes=100,
 )
 QUICK = plan(
-    SingleSettings(
-        against="fleer", rows=10, cols=10, pursuers=3, evaders=4, population=4, epochs=3,
-        archive_every=3, train_steps=20, eval_steps=30, eval_episodes=3,
+    RaceSettings.of(
+        {
+            "schedule": "against",
+            "schedule.opponent": "fleer",
+            "world.rows": 10,
+            "world.cols": 10,
+            "world.n_pursuers": 3,
+            "world.n_evaders": 4,
+            "learner.population": 4,
+            "schedule.epochs": 3,
+            "schedule.archive_every": 3,
+            "train_steps": 20,
+            "world.max_steps": 30,
+            "evaluation_episodes": 3,
+        }
     ),
     large=6,
     fov=15,
     teams=(3, 6),
     seeds=2,
     episodes=3,
-)  # fmt: skip
+)
 
 
 def trained(plan: Plan, root: Path, where: str | None) -> dict[str, list[mw.Population]]:
     """Return the last pursuers of each training and seed; play the runs that are missing."""
     settings = {
-        f"{name.replace(',', '').replace(' ', '-')}/{seed}": replace(
-            plan.base,
-            seed=seed,
-            **change,  # type: ignore[arg-type]
+        f"{name.replace(',', '').replace(' ', '-')}/{seed}": plan.base.changed(
+            {"seed": seed, **change}
         )
         for seed in range(plan.seeds)
         for name, change in plan.changes.items()
@@ -110,7 +129,7 @@ def trained(plan: Plan, root: Path, where: str | None) -> dict[str, list[mw.Popu
 
 def captured(plan: Plan, pursuers: mw.Population | str, evaders: str, size: int, fov: int) -> float:
     """Return the mean capture rate of a team of this size, in episodes of the base's world."""
-    world = plan.base.world(plan.base.eval_steps)
+    world = plan.base.world
     return float(
         mw.rollout(
             mw.WorldConfig.of(world, n_pursuers=size, fov=fov),
@@ -149,9 +168,9 @@ def main() -> None:
     root = args.runs / ("quick" if args.quick else "full")
     heads = [f"{evaders}, {size} pursuers" for evaders in EVADERS for size in chosen.teams]
     lines = [f"| pursuers | {' | '.join(heads)} |", "|---" * (len(heads) + 1) + "|"]
-    lines += [row(chosen, script, [script], chosen.base.fov) for script in SCRIPTED]
+    lines += [row(chosen, script, [script], chosen.base.world.fov) for script in SCRIPTED]
     for name, teams in trained(chosen, root, args.cluster).items():
-        fov = replace(chosen.base, **chosen.changes[name]).fov  # type: ignore[arg-type]
+        fov = chosen.base.changed(chosen.changes[name]).world.fov
         lines.append(row(chosen, f"trained against {name}", list(teams), fov))
     print(*lines, sep="\n")
 

@@ -18,14 +18,11 @@ from matrixworld.coevolution import (
     ProgressBar,
     RaceSettings,
     SavedRun,
-    SingleSettings,
     Team,
     open_run,
 )
 from matrixworld.coevolution.jobs.evolve import play_job
 from matrixworld.coevolution.jobs.job import job_of
-
-Settings = RaceSettings | SingleSettings
 
 
 def script_parser(doc: str | None, *, quick: str, cluster: bool = False) -> argparse.ArgumentParser:
@@ -59,7 +56,7 @@ def script_parser(doc: str | None, *, quick: str, cluster: bool = False) -> argp
 
 @contextmanager
 def on_cluster(
-    where: str | None, directory: Path | None = None, settings: Iterable[Settings] = ()
+    where: str | None, directory: Path | None = None, settings: Iterable[RaceSettings] = ()
 ) -> Iterator[Executor | None]:
     """Yield the executor that ``--cluster`` asks for, or None without it.
 
@@ -69,14 +66,13 @@ def on_cluster(
         Value of the option.
     directory : Path, optional
         Directory that the work reads and writes.
-    settings : iterable of RaceSettings or SingleSettings, optional
+    settings : iterable of RaceSettings, optional
         Settings of the runs to play.
     """
     if where is None:
         yield None
         return
-    learners = [each.built_in_learner for each in settings]
-    alike = any(entry.like_processors for entry in learners if entry is not None)
+    alike = any(each.learner.rounds_by_processor for each in settings)
     with cluster(where, directory=directory, like_processors=alike, tell=print) as executor:
         yield executor
 
@@ -89,7 +85,7 @@ def executor_of(where: str | None, processes: int) -> Iterator[Executor]:
 
 
 def finish_all(
-    settings: Mapping[str, Settings],
+    settings: Mapping[str, RaceSettings],
     root: Path,
     *,
     threads: int | None = None,
@@ -99,7 +95,7 @@ def finish_all(
 
     Parameters
     ----------
-    settings : mapping of str to RaceSettings or SingleSettings
+    settings : mapping of str to RaceSettings
         Settings of each run, by the path of its directory in `root`.
     root : Path
         Directory of all runs. It may hold others, of earlier calls.

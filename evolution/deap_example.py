@@ -212,7 +212,7 @@ def best_response(
 
     def evaluate(candidates: coevolution.Candidates) -> np.ndarray:
         # Mirrored candidates share a match seed.
-        seeds = rng.integers(2**63, size=budget.lambda_ // 2)[learner.match_of_candidate]
+        seeds = rng.integers(2**63, size=budget.lambda_ // 2)[learner.seed_groups]
         return score(team, budget.world, candidates.genomes, rival[np.newaxis], seeds[:, None])
 
     toolbox = coevolution.generate_update_toolbox(learner, evaluate, itertools.repeat(rng))

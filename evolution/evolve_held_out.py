@@ -32,16 +32,16 @@ import matrixworld as mw
 from common import executor_of, script_parser
 from matrixworld import coevolution
 from matrixworld._util.files import load_arrays, save_arrays
-from matrixworld.coevolution import SingleSettings, SingleTeam, Team
+from matrixworld.coevolution import RaceSettings, SingleTeam, Team
 from matrixworld.coevolution.evaluation.held_out import NETWORK, held_out_scripts
 from matrixworld.coevolution.types import other
 
 LEARNER = {
-    "population": 32,
-    "learning_rate": 0.03,
-    "sigma": 0.15,
-    "initial_weight": 0.2,
-    "initial_head": 0.09,
+    "learner.population": 32,
+    "learner.learning_rate": 0.03,
+    "learner.sigma": 0.15,
+    "policy.initial_weight": 0.2,
+    "policy.initial_head": 0.09,
 }
 OVERLAP_PENALTY = 0.2  # of evaders, where they may share a cell
 QUICK_EPOCHS = 3
@@ -108,21 +108,24 @@ def evolve(
 ) -> np.ndarray:
     """Return a team's genome after a lesson, rounded to float16; `start` None: untrained."""
     may_share = team == "evader" and mw.VARIANTS[variant].teammate is mw.Outcome.REACH
-    settings = SingleSettings(
-        overlap_penalty=OVERLAP_PENALTY if may_share else None,
-        variant=variant,
-        team=team,
-        against=lesson.against,
-        epochs=lesson.epochs,
-        archive_every=lesson.epochs,
-        rows=lesson.side,
-        cols=lesson.side,
-        pursuers=lesson.pursuers,
-        evaders=lesson.evaders,
-        train_steps=lesson.steps,
-        eval_episodes=1,
-        seed=seed,
-        **LEARNER,
+    settings = RaceSettings.of(
+        {
+            "schedule": "against",
+            "fitness.overlap_penalty": OVERLAP_PENALTY if may_share else None,
+            "world.rules": variant,
+            "schedule.team": team,
+            "schedule.opponent": lesson.against,
+            "schedule.epochs": lesson.epochs,
+            "schedule.archive_every": lesson.epochs,
+            "world.rows": lesson.side,
+            "world.cols": lesson.side,
+            "world.n_pursuers": lesson.pursuers,
+            "world.n_evaders": lesson.evaders,
+            "train_steps": lesson.steps,
+            "evaluation_episodes": 1,
+            "seed": seed,
+            **LEARNER,
+        }
     )
     # Only the last genome is kept; a run needs a directory for its checkpoints.
     with tempfile.TemporaryDirectory() as directory:

@@ -32,16 +32,32 @@ import numpy as np
 import matrixworld as mw
 from common import script_parser
 from matrixworld import coevolution, plots
-from matrixworld.coevolution import RaceSettings, SavedRun, SingleSettings, Team
+from matrixworld.coevolution import RaceSettings, SavedRun, Team
 from matrixworld.coevolution.types import other
 
-FULL = RaceSettings(rows=30, cols=30, pursuers=6, evaders=12, generations=20)
-QUICK = RaceSettings(
-    rows=12, cols=12, pursuers=3, evaders=6, population=12,
-    generations=8, pursuer_epochs=10, evader_epochs=20, train_steps=60, eval_steps=80,
-)  # fmt: skip
-SAME = ("rows", "cols", "pursuers", "evaders", "population", "train_steps", "eval_steps", "seed")
-"""Settings that the baselines share with the race."""
+FULL = RaceSettings.of(
+    {
+        "world.rows": 30,
+        "world.cols": 30,
+        "world.n_pursuers": 6,
+        "world.n_evaders": 12,
+        "schedule.generations": 20,
+    }
+)
+QUICK = RaceSettings.of(
+    {
+        "world.rows": 12,
+        "world.cols": 12,
+        "world.n_pursuers": 3,
+        "world.n_evaders": 6,
+        "learner.population": 12,
+        "schedule.generations": 8,
+        "schedule.pursuer_epochs": 10,
+        "schedule.evader_epochs": 20,
+        "train_steps": 60,
+        "world.max_steps": 80,
+    }
+)
 
 CHASING, FLEEING = "pursuers-against-random", "evaders-against-random"
 HALFWAY, TAUGHT = "evaders-against-random-half", "evaders-against-trained"
@@ -59,22 +75,41 @@ EPISODES = 50
 
 def another(race: RaceSettings) -> str:
     """Return the name of the race whose opponents are new to all teams."""
-    return f"{race.schedule}-of-next-seed"
+    return f"{race.schedule.name}-of-next-seed"
 
 
-def plans(race: RaceSettings, root: Path) -> dict[str, RaceSettings | SingleSettings]:
+def plans(race: RaceSettings, root: Path) -> dict[str, RaceSettings]:
     """Return the settings of all runs by name; a run comes after the runs that it builds on."""
     # Baselines differ from the race in their opponents and in nothing else.
-    same = {name: getattr(race, name) for name in SAME}
-    chasing = SingleSettings(team="pursuer", epochs=race.total_epochs("pursuer"), **same)
-    fleeing = SingleSettings(team="evader", epochs=race.total_epochs("evader"), **same)
+    same = {
+        "world": race.world, "learner.population": race.learner.population,
+        "train_steps": race.train_steps, "seed": race.seed,
+    }  # fmt: skip
+    chasing = RaceSettings.of(
+        {
+            "schedule": "against",
+            "schedule.team": "pursuer",
+            "schedule.epochs": race.schedule.total_epochs("pursuer"),
+            **same,
+        }
+    )
+    fleeing = RaceSettings.of(
+        {
+            "schedule": "against",
+            "schedule.team": "evader",
+            "schedule.epochs": race.schedule.total_epochs("evader"),
+            **same,
+        }
+    )
     # A run of its own rather than a part of `fleeing`, since its learning rate falls sooner.
-    halfway = replace(fleeing, epochs=fleeing.epochs // 2)
+    halfway = fleeing.changed({"schedule.epochs": fleeing.schedule.epochs // 2})
     teacher, pupil = str(root / CHASING), str(root / HALFWAY)
     # A constant learning rate, as in the race.
-    taught = replace(halfway, against=teacher, start=pupil, anneal=False)
+    taught = halfway.changed(
+        {"schedule.opponent": teacher, "schedule.start": pupil, "learner.anneal": False}
+    )
     return {
-        race.schedule: race,
+        race.schedule.name: race,
         another(race): replace(race, seed=race.seed + 1),
         CHASING: chasing,
         FLEEING: fleeing,
@@ -83,7 +118,7 @@ def plans(race: RaceSettings, root: Path) -> dict[str, RaceSettings | SingleSett
     }
 
 
-def played(settings: RaceSettings | SingleSettings, place: Path) -> SavedRun:
+def played(settings: RaceSettings, place: Path) -> SavedRun:
     """Return the finished run at a place; start or continue it if necessary."""
     with coevolution.ProgressBar() as bar:
         return coevolution.finish(settings, place, report=bar)
@@ -92,7 +127,9 @@ def played(settings: RaceSettings | SingleSettings, place: Path) -> SavedRun:
 def matches(team: Team, runs: list[SavedRun]) -> int:
     """Return the number of matches in which a team has learned in these runs."""
     epochs = (int(np.sum(run.files.log()["team"] == team)) for run in runs)
-    return sum(count * run.settings.population for count, run in zip(epochs, runs, strict=True))
+    return sum(
+        count * run.settings.learner.population for count, run in zip(epochs, runs, strict=True)
+    )
 
 
 @dataclass(frozen=True)
@@ -130,7 +167,7 @@ class Standing:
 
 def standings(team: Team, race: RaceSettings, runs: dict[str, SavedRun]) -> list[Standing]:
     """Return the standing of a team after each kind of training, the race first."""
-    world = race.world(race.eval_steps)
+    world = race.world
 
     def of_last(payoff: coevolution.Payoff) -> np.ndarray:
         rates = payoff.capture_rate
@@ -162,7 +199,7 @@ def main() -> None:
     parser.add_argument("--runs", type=Path, default=Path("runs/generalization"))
     parser.add_argument("--figure", default="generalization.png", help="file to draw to")
     args = parser.parse_args()
-    race = replace(QUICK if args.quick else FULL, schedule=args.schedule, seed=args.seed)
+    race = QUICK if args.quick else FULL.changed({"schedule": args.schedule, "seed": args.seed})
     # Quick and full runs, and different seeds, never share a directory.
     root = args.runs / f"{'quick' if args.quick else 'full'}-{args.seed}"
     runs = {name: played(settings, root / name) for name, settings in plans(race, root).items()}

@@ -30,10 +30,19 @@ from matrixworld import analysis, plots
 from matrixworld.coevolution import TEAMS, RaceSettings, SavedRun, open_run, score
 
 FULL = RaceSettings(schedule="hall-of-fame")
-QUICK = replace(
-    FULL, rows=10, cols=10, pursuers=3, evaders=4, generations=8, joint_epochs=3, population=8,
-    train_steps=40, eval_steps=60,
-)  # fmt: skip
+QUICK = FULL.changed(
+    {
+        "world.rows": 10,
+        "world.cols": 10,
+        "world.n_pursuers": 3,
+        "world.n_evaders": 4,
+        "schedule.generations": 8,
+        "schedule.joint_epochs": 3,
+        "learner.population": 8,
+        "train_steps": 40,
+        "world.max_steps": 60,
+    }
+)
 LIVING, HALL = "living opponents only", "halls of fame"
 
 Row = dict[str, float]
@@ -74,8 +83,11 @@ WHOLE = dict.fromkeys(("pursuer_forgetting", "evader_forgetting"), "whole")
 def kinds(base: RaceSettings) -> dict[str, RaceSettings]:
     """Return the settings of both kinds of race, with the same number of matches."""
     # A match between living opponents counts for both teams, a match against the hall for one.
-    living = base.contemporaries + 2 * base.hall_sample
-    return {LIVING: replace(base, contemporaries=living, hall_sample=0), HALL: base}
+    living = base.schedule.contemporaries + 2 * base.schedule.hall_sample
+    return {
+        LIVING: base.changed({"schedule.contemporaries": living, "schedule.hall_sample": 0}),
+        HALL: base,
+    }
 
 
 def numbers_of(run: SavedRun, threads: int | None) -> Row:

@@ -55,12 +55,28 @@ MOST_VALUES = 2_000_000
 """Above that, single episodes are not handed over, but their means and their number."""
 
 FROZEN, SHUFFLED = "learners that cannot learn", "opponents in random order"
-REAL = RaceSettings(
-    rows=10, cols=10, pursuers=3, evaders=4, generations=14, pursuer_epochs=4, evader_epochs=4,
-    population=8, train_steps=40, eval_steps=60,
-)  # fmt: skip
-NO_LEARNING = replace(
-    REAL, pursuer_epochs=1, evader_epochs=1, population=2, sigma=1e-6, learning_rate=1e-9
+REAL = RaceSettings.of(
+    {
+        "world.rows": 10,
+        "world.cols": 10,
+        "world.n_pursuers": 3,
+        "world.n_evaders": 4,
+        "schedule.generations": 14,
+        "schedule.pursuer_epochs": 4,
+        "schedule.evader_epochs": 4,
+        "learner.population": 8,
+        "train_steps": 40,
+        "world.max_steps": 60,
+    }
+)
+NO_LEARNING = REAL.changed(
+    {
+        "schedule.pursuer_epochs": 1,
+        "schedule.evader_epochs": 1,
+        "learner.population": 2,
+        "learner.sigma": 1e-6,
+        "learner.learning_rate": 1e-9,
+    }
 )
 
 

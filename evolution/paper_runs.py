@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -15,9 +15,9 @@ import matrixworld as mw
 from common import finish_all
 from matrixworld.analysis import team_phase_rates
 from matrixworld.coevolution import (
+    Against,
     RaceSettings,
     SavedRun,
-    SingleSettings,
     SingleTeam,
     Team,
     open_run,
@@ -53,9 +53,9 @@ class Plan:
     ----------
     race : RaceSettings
         Settings of the races, except for the schedule.
-    pursuers, evaders : SingleSettings
+    pursuers, evaders : RaceSettings
         Baselines, with as many matches as the team plays in a race.
-    surround : SingleSettings
+    surround : RaceSettings
         Surrounding runs, one for each fitness of `SURROUNDING`.
     long : int
         Generations of the long races.
@@ -66,51 +66,80 @@ class Plan:
     """
 
     race: RaceSettings
-    pursuers: SingleSettings
-    evaders: SingleSettings
-    surround: SingleSettings
+    pursuers: RaceSettings
+    evaders: RaceSettings
+    surround: RaceSettings
     long: int
     every: int
     episodes: int
 
 
 def plan(
-    race: RaceSettings, surround: SingleSettings, *, long: int, every: int, episodes: int
+    race: RaceSettings, surround: RaceSettings, *, long: int, every: int, episodes: int
 ) -> Plan:
     """Return a plan whose baselines have the world, the budget and the settings of the race."""
 
-    def alone(team: Team) -> SingleSettings:
+    def alone(team: Team) -> RaceSettings:
         # As many epochs as the team has in a race, and every other setting of the race: the same
         # number of matches, training steps, step sizes and penalties.
-        epochs = race.total_epochs(team)
-        same = {item.name for item in fields(race)} & {item.name for item in fields(SingleSettings)}
-        settings = {name: getattr(race, name) for name in same}
+        epochs = race.schedule.total_epochs(team)
         # The penalty is one of evaders; pursuers take no such setting.
-        settings["overlap_penalty"] = race.resolved_overlap_penalty if team == "evader" else None
-        return SingleSettings(team=team, epochs=epochs, archive_every=epochs // 2, **settings)
+        penalty = race.overlap_penalty if team == "evader" else None
+        return replace(
+            race,
+            schedule=Against(team=team, epochs=epochs, archive_every=epochs // 2),
+            fitness=replace(race.fitness, overlap_penalty=penalty),
+        )
 
     return Plan(race, alone("pursuer"), alone("evader"), surround, long, every, episodes)
 
 
 FULL = plan(
     RaceSettings(),
-    SingleSettings(variant="S", population=48, epochs=1200, archive_every=200),
+    RaceSettings.of(
+        {
+            "schedule": "against",
+            "world.rules": "S",
+            "learner.population": 48,
+            "schedule.epochs": 1200,
+            "schedule.archive_every": 200,
+        }
+    ),
     long=100,
     every=5,
     episodes=10,
 )
-TINY = {"rows": 12, "cols": 12, "population": 8, "train_steps": 40, "eval_steps": 60}
+TINY = {
+    "world.rows": 12, "world.cols": 12, "learner.population": 8, "train_steps": 40,
+    "world.max_steps": 60,
+}  # fmt: skip
 QUICK = plan(
-    RaceSettings(
-        pursuers=3, evaders=6, generations=6, pursuer_epochs=4, evader_epochs=4, **TINY
+    RaceSettings.of(
+        {
+            "world.n_pursuers": 3,
+            "world.n_evaders": 6,
+            "schedule.generations": 6,
+            "schedule.pursuer_epochs": 4,
+            "schedule.evader_epochs": 4,
+            **TINY,
+        }
     ),
-    SingleSettings(
-        variant="S", pursuers=8, evaders=2, epochs=20, archive_every=5, eval_episodes=5, **TINY
+    RaceSettings.of(
+        {
+            "schedule": "against",
+            "world.rules": "S",
+            "world.n_pursuers": 8,
+            "world.n_evaders": 2,
+            "schedule.epochs": 20,
+            "schedule.archive_every": 5,
+            "evaluation_episodes": 5,
+            **TINY,
+        }
     ),
     long=9,
     every=1,
     episodes=4,
-)  # fmt: skip
+)
 
 
 def play(
@@ -166,17 +195,20 @@ def play(
     return runs
 
 
-def planned_runs(plan: Plan, *, long: bool) -> dict[str, RaceSettings | SingleSettings]:
+def planned_runs(plan: Plan, *, long: bool) -> dict[str, RaceSettings]:
     """Return the settings of all runs of a seed that need no other run, by name."""
-    planned: dict[str, RaceSettings | SingleSettings] = {
-        **{name: replace(plan.race, schedule=name) for name in RACES},
+    planned: dict[str, RaceSettings] = {
+        **{name: plan.race.changed({"schedule": name}) for name in RACES},
         PURSUERS_ALONE: plan.pursuers,
         EVADERS_ALONE: plan.evaders,
-        **{name: replace(plan.surround, fitness=aim) for aim, name in SURROUNDING.items()},
+        **{
+            name: plan.surround.changed({"fitness.measure": aim})
+            for aim, name in SURROUNDING.items()
+        },
     }
     if long:
         planned |= {
-            name: replace(plan.race, schedule=race, generations=plan.long)
+            name: plan.race.changed({"schedule": race, "schedule.generations": plan.long})
             for race, name in LONG.items()
         }
     return planned
@@ -192,8 +224,8 @@ def teach(
 ) -> SavedRun:
     """Return evaders after half of their baseline, then trained against trained pursuers."""
     if not (directory / "config.json").exists():
-        half = plan.evaders.archive_every
-        settings = replace(plan.evaders, seed=seed, epochs=half)
+        half = plan.evaders.schedule.archive_every
+        settings = plan.evaders.changed({"seed": seed, "schedule.epochs": half})
         genome = runs[EVADERS_ALONE].teams["evader"].genomes[1]
         rivals = runs[PURSUERS_ALONE].teams["pursuer"]
         champion = mw.Population(rivals.genomes[-1:], rivals.network)
@@ -231,7 +263,7 @@ def cross_play(
     opponents = np.concatenate([each.genomes[:: plan.every] for each in rivals])
     met = mw.Population(opponents, rivals[0].network)
     pursuers, evaders = (candidates, met) if team == "pursuer" else (met, candidates)
-    world = plan.race.world(plan.race.eval_steps)
+    world = plan.race.world
     played = tournament(
         world, pursuers, evaders, seed=0, episodes=plan.episodes, threads=threads
     ).capture_rate
@@ -250,7 +282,7 @@ def surrounding(
     for run in runs:
         pursuers = run.teams["pursuer"]
         each = np.arange(len(pursuers.genomes))
-        world = plan.surround.world(plan.surround.eval_steps)
+        world = plan.surround.world
         scores = mw.rollout(
             world, pursuers, "random", mw.Matches.of(each, 0, each), episodes=100, threads=threads
         )
@@ -266,7 +298,7 @@ def held_out(
     """Return the mean payoff (kinds, seeds) of a team's candidates against held-out opponents."""
     own = [of_seed[kind].teams[team] for kind in CANDIDATES[team] for of_seed in runs]
     candidates = mw.Population(np.stack([each.genomes[-1] for each in own]), own[0].network)
-    world = plan.race.world(plan.race.eval_steps)
+    world = plan.race.world
     scores = score_population(world, team, candidates, episodes=10 * plan.episodes, threads=threads)
     return scores.means.reshape(len(CANDIDATES[team]), len(runs))
 
@@ -294,7 +326,7 @@ def measured(
         `cross_play`; ``held-out of TEAM``: see `held_out`; and for each fitness of `SURROUNDING`
         ``captured`` and ``collisions``, see `surrounding`.
     """
-    evaders = plan.race.world(1).n_evaders
+    evaders = plan.race.world.n_evaders
     numbers: dict[str, np.ndarray] = {"evaders": np.array(evaders)}
     for race in RACES:
         rates = np.stack([of_seed[race].payoff().capture_rates for of_seed in runs])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 import matrixworld as mw
 from common import finish_all
-from matrixworld.coevolution import SavedRun, SingleSettings
+from matrixworld.coevolution import Against, RaceSettings, SavedRun
 
 LIMIT = 20.0
 """Collisions at fault per 1000 agent-steps that the limited methods may have."""
@@ -21,23 +21,31 @@ FIRST_TEST_SEED = 10**6
 
 Changes = dict[str, Any]
 
-FREE: Changes = {"collision_penalty": 0.0}
+LEARNER_LIMIT, FITNESS_LIMIT, MASK = "learner.cost_limit", "fitness.cost_limit", "policy.mask"
+
+
+def _penalty(size: float) -> Changes:
+    """Return the change of the penalty for a collision at fault."""
+    return {"world.rewards": mw.Rewards(pursuer_collide=-size, evader_collide=-size)}
+
+
+FREE: Changes = _penalty(0.0)
 GRADIENTS: dict[str, Changes] = {
     "no penalty": FREE,
     "penalty 12, as in the paper": {},
-    "penalty 1": {"collision_penalty": 1.0},
-    "limit, by a multiplier": {**FREE, "cost_limit": LIMIT},
-    "mask of obstacles": {**FREE, "mask": "obstacles"},
-    "mask of occupied cells": {**FREE, "mask": "occupied"},
-    "mask of occupied cells, penalty 1": {"mask": "occupied", "collision_penalty": 1.0},
-    "mask of occupied cells, limit": {**FREE, "mask": "occupied", "cost_limit": LIMIT},
+    "penalty 1": _penalty(1.0),
+    "limit, by a multiplier": {**FREE, LEARNER_LIMIT: LIMIT},
+    "mask of obstacles": {**FREE, MASK: "obstacles"},
+    "mask of occupied cells": {**FREE, MASK: "occupied"},
+    "mask of occupied cells, penalty 1": {MASK: "occupied", **_penalty(1.0)},
+    "mask of occupied cells, limit": {**FREE, MASK: "occupied", LEARNER_LIMIT: LIMIT},
 }
 EVOLUTION: dict[str, Changes] = {
     "captures": {},
-    "rewards with penalty 1": {"fitness": "rewards", "collision_penalty": 1.0},
-    "captures within a limit": {"cost_limit": LIMIT},
-    "captures, mask of occupied cells": {"mask": "occupied"},
-    "captures within a limit, mask of occupied cells": {"mask": "occupied", "cost_limit": LIMIT},
+    "rewards with penalty 1": {"fitness.measure": "rewards", **_penalty(1.0)},
+    "captures within a limit": {FITNESS_LIMIT: LIMIT},
+    "captures, mask of occupied cells": {MASK: "occupied"},
+    "captures within a limit, mask of occupied cells": {MASK: "occupied", FITNESS_LIMIT: LIMIT},
 }
 
 
@@ -47,7 +55,7 @@ class Plan:
 
     Parameters
     ----------
-    gradients, evolution : SingleSettings
+    gradients, evolution : RaceSettings
         Training by gradients and by evolution, which the methods change.
     variants : tuple of str
         Variants of the game.
@@ -57,8 +65,8 @@ class Plan:
         Test episodes of each archived generation.
     """
 
-    gradients: SingleSettings
-    evolution: SingleSettings
+    gradients: RaceSettings
+    evolution: RaceSettings
     variants: tuple[str, ...]
     seeds: int
     episodes: int
@@ -67,55 +75,96 @@ class Plan:
     def budget(self) -> int:
         """Agent-steps of the pursuers in a training by gradients, if no episode ends early."""
         one = self.gradients
-        assert one.pursuers is not None
-        return one.epochs * one.population * one.train_steps * one.pursuers
+        epochs = one.schedule.total_epochs("pursuer")
+        return epochs * one.learner.population * one.train_steps * one.world.n_pursuers
 
-    def trainings(self) -> dict[str, SingleSettings]:
+    def trainings(self) -> dict[str, RaceSettings]:
         """Return the settings of each method by its name, in the first variant and seed."""
         bases = {
             "gradients": (self.gradients, GRADIENTS),
             "evolution": (self.evolution, EVOLUTION),
         }
         return {
-            f"{kind}: {name}": replace(base, **changes)
+            f"{kind}: {name}": base.changed(changes)
             for kind, (base, methods) in bases.items()
             for name, changes in methods.items()
         }
 
 
 WORLD: Changes = {
-    "variant": "SB", "rows": 8, "cols": 8, "pursuers": 6, "evaders": 1, "fov": 7,
-    "train_steps": 60, "eval_steps": 60, "team": "pursuer", "hidden": (32,),
+    "world.rules": "SB", "world.rows": 8, "world.cols": 8, "world.n_pursuers": 6,
+    "world.n_evaders": 1, "world.fov": 7, "world.max_steps": 60, "train_steps": 60,
+    "schedule.team": "pursuer", "policy.hidden": (32,),
 }  # fmt: skip
 FULL = Plan(
-    SingleSettings(
-        **WORLD, learner="actor-critic", population=16, epochs=400, archive_every=20, clip=0.2,
-        actor_updates=4, critic_updates=4, actor_rate=1e-3, critic_rate=2e-3, discount=0.95,
+    RaceSettings.of(
+        {
+            "schedule": "against",
+            **WORLD,
+            "learner": "actor-critic",
+            "learner.population": 16,
+            "schedule.epochs": 400,
+            "schedule.archive_every": 20,
+            "learner.clip": 0.2,
+            "learner.actor_updates": 4,
+            "learner.critic_updates": 4,
+            "learner.actor_rate": 1e-3,
+            "learner.critic_rate": 2e-3,
+            "learner.discount": 0.95,
+        }
     ),
-    SingleSettings(**WORLD, population=32, epochs=1500, archive_every=50),
+    RaceSettings.of(
+        {
+            "schedule": "against",
+            **WORLD,
+            "learner.population": 32,
+            "schedule.epochs": 1500,
+            "schedule.archive_every": 50,
+        }
+    ),
     variants=("S", "SB"),
     seeds=5,
     episodes=200,
-)  # fmt: skip
+)
 QUICK = Plan(
-    replace(
-        FULL.gradients, rows=5, cols=5, pursuers=3, fov=5, hidden=(8,), train_steps=10,
-        eval_steps=12, population=4, epochs=4, archive_every=2,
+    FULL.gradients.changed(
+        {
+            "world.rows": 5,
+            "world.cols": 5,
+            "world.n_pursuers": 3,
+            "world.fov": 5,
+            "policy.hidden": (8,),
+            "train_steps": 10,
+            "world.max_steps": 12,
+            "learner.population": 4,
+            "schedule.epochs": 4,
+            "schedule.archive_every": 2,
+        }
     ),
-    replace(
-        FULL.evolution, rows=5, cols=5, pursuers=3, fov=5, hidden=(8,), train_steps=10,
-        eval_steps=12, population=4, epochs=4, archive_every=2,
+    FULL.evolution.changed(
+        {
+            "world.rows": 5,
+            "world.cols": 5,
+            "world.n_pursuers": 3,
+            "world.fov": 5,
+            "policy.hidden": (8,),
+            "train_steps": 10,
+            "world.max_steps": 12,
+            "learner.population": 4,
+            "schedule.epochs": 4,
+            "schedule.archive_every": 2,
+        }
     ),
     variants=("SB",),
     seeds=2,
     episodes=5,
-)  # fmt: skip
+)
 
 
 def play(plan: Plan, seeds: range, root: Path, where: str | None) -> dict[str, list[SavedRun]]:
     """Return the runs of each variant and method, one for each seed; play the missing ones."""
     settings = {
-        f"{variant}-{slug(name)}/{seed}": replace(base, variant=variant, seed=seed)
+        f"{variant}-{slug(name)}/{seed}": base.changed({"world.rules": variant, "seed": seed})
         # All methods of a seed, then the next seed: what is interrupted compares equals.
         for seed in seeds
         for variant in plan.variants
@@ -164,12 +213,15 @@ def measured(runs: Mapping[str, list[SavedRun]], episodes: int) -> dict[str, NDA
 def of_run(run: SavedRun, episodes: int) -> dict[str, NDArray[Any]]:
     """Return the numbers of one run; see `measured`."""
     settings, log = run.settings, run.files.log()
-    assert isinstance(settings, SingleSettings)
+    schedule = settings.schedule
+    assert isinstance(schedule, Against)
     # Here no agent disappears: each world step is one step of all pursuers.
-    steps = settings.pursuers * np.concatenate([[0], log["steps"]])
-    collisions = np.concatenate([[0.0], np.cumsum(log["pursuer_faults"]) * settings.population])
+    steps = settings.world.n_pursuers * np.concatenate([[0], log["steps"]])
+    collisions = np.concatenate(
+        [[0.0], np.cumsum(log["pursuer_faults"]) * settings.learner.population]
+    )
     ends = np.minimum(
-        np.arange(len(run.teams["pursuer"].genomes)) * settings.archive_every, settings.epochs
+        np.arange(len(run.teams["pursuer"].genomes)) * schedule.archive_every, schedule.epochs
     )
     captures, faults = tested(run, episodes)
     return {
@@ -185,9 +237,9 @@ def tested(run: SavedRun, episodes: int) -> tuple[NDArray[Any], NDArray[Any]]:
     settings, own = run.settings, run.teams["pursuer"]
     generations = np.arange(len(own.genomes))
     played = mw.rollout(
-        settings.world(settings.eval_steps),
+        settings.world,
         own,
-        settings.against,
+        settings.schedule.opponent,
         mw.Matches.of(generations, 0, FIRST_TEST_SEED),
         episodes=episodes,
     )

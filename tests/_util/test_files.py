@@ -324,7 +324,6 @@ MADE = {
     "FailedRunsError": lambda kind: kind({}),  # errors inside it are not equal to their copies
     "DamagedFileError": lambda kind: kind(Path("x.npz"), "cut"),
     "FailedError": lambda kind: kind("pursuer", "took too long"),
-    "NoEffectError": lambda kind: kind("mutation", "mutation: expected the default"),
 }
 
 

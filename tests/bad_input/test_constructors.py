@@ -16,9 +16,10 @@ import matrixworld as mw
 from made_up_episode import made_up_episode
 from matrixworld import coevolution
 from matrixworld.coevolution import opponents
+from matrixworld.coevolution.sections import Section
 from matrixworld.episodes import replay
 from refusals import CONFIG, GENOME, NETWORK
-from tiny_race import TINY, tiny_race, tiny_single
+from tiny_race import tiny_race, tiny_single
 
 
 class Seven(IntEnum):
@@ -54,6 +55,8 @@ START = np.zeros(4, np.float32)
 MONITOR = mw.SafetyMonitor()
 MONITOR.add_episode(EPISODE)
 SMALL = {"rows": 6, "cols": 6, "n_pursuers": 2, "n_evaders": 3}
+
+GENETIC, GRADIENTS = coevolution.GeneticAlgorithmSettings(), coevolution.ActorCriticSettings()
 
 CALLS: dict[str, tuple[Callable[..., object], dict[str, Any]]] = {
     "Rules": (mw.Rules, dict.fromkeys(inspect.signature(mw.Rules).parameters)),
@@ -95,17 +98,20 @@ CALLS: dict[str, tuple[Callable[..., object], dict[str, Any]]] = {
     "Episode": (mw.Episode, dict(vars(EPISODE))),
     "SafetyMonitor.summary": (MONITOR.summary, {"seed": 0}),
     "RaceSettings": (coevolution.RaceSettings, vars(tiny_race())),
-    "SingleSettings": (coevolution.SingleSettings, vars(tiny_single())),
-    "TrainingSettings": (coevolution.TrainingSettings, vars(coevolution.TrainingSettings(**TINY))),
+    **{
+        type(section).__name__: (type(section), vars(section))
+        for section in (*vars(tiny_race()).values(), tiny_single().schedule, GENETIC, GRADIENTS)
+        if isinstance(section, Section)
+    },
     "NoiseTable": (lambda **k: coevolution.NoiseTable(rng=RNG, **k), {"size": 4, "sigma": 1.0}),
     "EvolutionStrategy": (
         lambda **k: coevolution.EvolutionStrategy(noise=TABLE, **k),
         {"genome": START, "samples": 4, "learning_rate": 0.1, "anneal_over": None}
-        | {"optimizer": "adam", "momentum": 0.9},
+        | {"momentum": 0.9},
     ),
     "GeneticAlgorithm": (
         lambda **k: coevolution.GeneticAlgorithm(noise=TABLE, **k),
-        {"population": np.zeros((4, 4)), "selection": "tournament", "tournament": 2}
+        {"population": np.zeros((4, 4)), "tournament": 2}
         | {"truncation": 0.5, "elites": 1, "crossover": 0.0, "mutation": 1.0},
     ),
     "CmaEs": (coevolution.CmaEs, {"genome": START, "sigma": 0.1, "samples": 4}),
@@ -154,13 +160,9 @@ CALLS: dict[str, tuple[Callable[..., object], dict[str, Any]]] = {
 ACCEPTED = {
     ("Batch", "buffers", "a dict"): "no arrays are written",
     ("Episode", "config", "a dict"): "no settings",
-    ("SingleSettings", "against", "text with a null"): "read when the run starts",
-    ("SingleSettings", "start", "text with a null"): "read when the run starts",
-    **{
-        (settings, f"{what}_settings", "a dict"): "no settings of one's own"
-        for settings in ("TrainingSettings", "SingleSettings", "RaceSettings")
-        for what in ("learner", "pursuers_meet", "evaders_meet")
-    },
+    ("Against", "opponent", "text with a null"): "read when the run starts",
+    ("Against", "start", "text with a null"): "read when the run starts",
+    ("ActorCriticSettings", "device", "text with a null"): "read when the run starts",
 }
 """Values of the table that are legal, each with what they mean."""
 
@@ -191,9 +193,8 @@ def test_numbers_of_other_classes_become_pythons_own() -> None:
     settings = tiny_race(
         rows=Seven.VALUE, cols=np.int16(6), sigma=np.float32(0.5), hidden=[Seven(7)]
     )
-    assert {type(getattr(settings, name)) for name in ("rows", "cols", "hidden")} == {int, tuple}
-    assert type(settings.sigma) is float
-    assert type(settings.hidden[0]) is int
+    assert type(settings.learner.sigma) is float
+    assert type(settings.policy.hidden[0]) is int
     assert settings == tiny_race(rows=7, cols=6, sigma=0.5, hidden=(7,))
 
 

@@ -16,7 +16,7 @@ from made_up_episode import made_up_episode
 from matrixworld._util import memory
 from matrixworld.coevolution import best_response, open_run, score, score_population, start
 from matrixworld.coevolution import tournament as play_tournament
-from matrixworld.coevolution.settings.memory import run_memory
+from matrixworld.coevolution.settings import run_memory
 from matrixworld.episodes import replay
 from matrixworld.world.arrays import state_bytes, workspace_bytes
 from refusals import CONFIG, GENOME, NETWORK
@@ -144,8 +144,8 @@ def test_estimates_are_near_what_is_measured(call: str) -> None:
         ({"hidden": (2**20, 2**20)}, "candidates"),
         ({"population": MANY - 1}, "candidates"),
         ({"generations": MANY}, "episodes"),
-        ({"eval_episodes": MANY}, "episodes"),
-        ({"worlds": MANY}, "episodes"),
+        ({"evaluation_episodes": MANY}, "episodes"),
+        ({"match_episodes": MANY}, "episodes"),
     ],
 )
 def test_a_run_is_refused_before_its_directory_is_made(
@@ -176,7 +176,7 @@ def test_evaluations_refuse_impossible_numbers_of_episodes(tmp_path: Path) -> No
         with pytest.raises((TypeError, ValueError), match="episodes: expected"):
             score(run, episodes=episodes)
         with pytest.raises((TypeError, ValueError), match="episodes: expected"):
-            best_response(run, "pursuer", 100, tmp_path / "new", eval_episodes=episodes)
+            best_response(run, "pursuer", 100, tmp_path / "new", evaluation_episodes=episodes)
     assert not (tmp_path / "new").exists()
 
 
@@ -212,21 +212,18 @@ def test_animations_have_a_largest_size(
 @pytest.mark.parametrize(
     "options",
     [
-        ["--threads", "1025"],
-        ["--hidden", "1048576,1048576"],
-        ["--population", "100000000000"],
-        ["--population", "2000000000"],
-        ["--eval-episodes", str(10**21)],
-        ["--eval-episodes", "2000000000"],
+        {"threads": 1025},
+        {"hidden": "1048576,1048576"},
+        {"population": 100000000000},
+        {"population": 2000000000},
+        {"evaluation_episodes": 10**21},
+        {"evaluation_episodes": 2000000000},
     ],
 )
 def test_evolve_makes_nothing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, output: list[str], options: list[str]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, output: list[str], options: dict[str, object]
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    given = dict(zip(words(RACE)[::2], words(RACE)[1::2], strict=True))
-    given |= dict([options])
-    arguments = [word for pair in given.items() for word in pair]
-    said = matrixworld_command("evolve", *output, *arguments, code=2).stderr
-    assert options[0] in said or "an estimate of" in said
+    said = matrixworld_command("evolve", *output, *words({**RACE, **options}), code=2).stderr
+    assert next(iter(options)) in said or "an estimate of" in said
     assert list(tmp_path.iterdir()) == []

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+import shlex
 
 import numpy as np
 import pytest
@@ -11,21 +11,35 @@ from matrices import circular, logistic
 from matrixworld.analysis import CONDITIONS, Judgement, judge
 from matrixworld.cli.advice import ADVICE, GENERAL, advice
 from matrixworld.cli.evolve import evolve_command
-from matrixworld.cli.options import option_name
+from matrixworld.cli.options import given_options
+from matrixworld.cli.setting_options import asked
 from matrixworld.coevolution import RaceSettings
 
 SETTINGS = [
     *(
         RaceSettings(schedule=name)
         for name in (
-            "specialist-specialist", "generalist-specialist", "generalist-generalist",
-            "alternating", "hall-of-fame",
+            "specialist-specialist",
+            "generalist-specialist",
+            "generalist-generalist",
+            "alternating",
+            "hall-of-fame",
         )
     ),
-    RaceSettings(schedule="alternating", pursuers_meet="latest", evaders_meet="uniform"),
-    RaceSettings(schedule="alternating", opponents=4, sharing="competitive"),
-    RaceSettings(evader_virulence=0.6, learner="cma", fov=5, hidden=()),
-]  # fmt: skip
+    RaceSettings.of(
+        {
+            "schedule": "alternating",
+            "schedule.pursuers_meet": "latest",
+            "schedule.evaders_meet": "uniform",
+        }
+    ),
+    RaceSettings.of(
+        {"schedule": "alternating", "schedule.opponents": 4, "fitness.sharing": "competitive"}
+    ),
+    RaceSettings.of(
+        {"fitness.evader_virulence": 0.6, "learner": "cma", "world.fov": 5, "policy.hidden": ()}
+    ),
+]
 
 
 def judged(chance: np.ndarray) -> Judgement:
@@ -33,31 +47,32 @@ def judged(chance: np.ndarray) -> Judgement:
     return judge(played, per_episode=True)
 
 
-@pytest.mark.parametrize("settings", SETTINGS, ids=lambda settings: settings.schedule)
+@pytest.mark.parametrize("settings", SETTINGS, ids=lambda settings: settings.schedule.name)
 def test_advice_changes_settings_to_others_that_a_race_can_have(settings):
     rows = [row for row in ADVICE if row.helps(settings, CONDITIONS)]
     assert rows
     for row in rows:
         changes = row.options(settings)
         assert changes
-        assert all(value != getattr(settings, name) for name, value in changes.items()), row
-        assert replace(settings, **changes) != settings
+        assert settings.changed(changes) != settings, row
 
 
 def test_advice_names_options_of_evolve_and_known_conditions():
-    options = {name for param in evolve_command.params for name in param.opts}
     for row in ADVICE:
-        assert {option_name(name) for name in row.changes} <= options
+        for settings in filter(row.applies, SETTINGS[:3]):
+            words = shlex.split(row.line(settings).partition(": ")[0])
+            with evolve_command.make_context("evolve", words) as context:
+                asked(given_options(context.params)).settings()
         assert set(row.conditions) <= set(CONDITIONS)
     assert GENERAL.keys() == set(CONDITIONS)
 
 
-@pytest.mark.parametrize("settings", SETTINGS, ids=lambda settings: settings.schedule)
+@pytest.mark.parametrize("settings", SETTINGS, ids=lambda settings: settings.schedule.name)
 @pytest.mark.parametrize("condition", CONDITIONS)
 def test_every_condition_has_advice_for_every_schedule(settings, condition):
     rows = [row for row in ADVICE if row.helps(settings, [condition])]
     # Where virulence is reduced and both teams learn at once nothing else is known to help.
-    assert rows or (condition, settings.schedule) == ("disengagement", "hall-of-fame")
+    assert rows or (condition, settings.schedule.name) == ("disengagement", "hall-of-fame")
 
 
 def test_specialists_that_cycle_are_told_of_other_schedules():
@@ -72,21 +87,21 @@ def test_generalists_that_cycle_are_not_told_to_be_generalists():
     lines = advice(judged(circular(31)), RaceSettings(schedule="generalist-generalist"))
     assert lines
     assert not any("generalist-generalist" in line for line in lines)
-    assert lines[0].startswith("--schedule alternating --opponents 4: ")
+    assert lines[0].startswith("--set schedule.opponents=4: ")
 
 
 def test_what_the_learner_cannot_have_is_not_advised():
-    cma = RaceSettings(learner="cma", fov=5, hidden=())
-    [larger] = [row for row in ADVICE if "hidden" in row.changes]
+    cma = RaceSettings.of({"learner": "cma", "world.fov": 5, "policy.hidden": ()})
+    [larger] = [row for row in ADVICE if "policy.hidden" in row.changes]
     assert larger.helps(RaceSettings(), ["stagnation"])
     assert not larger.helps(cma, ["stagnation"])
-    assert larger.line(RaceSettings()) == "--hidden 64: a larger network"
+    assert larger.line(RaceSettings()) == "--set policy.hidden=64: a larger network"
 
 
 def test_values_depend_on_the_settings():
-    settings = RaceSettings(schedule="alternating", opponents=3)
-    assert advice(judged(circular(31)), settings)[0].startswith("--opponents 6: ")
-    race = RaceSettings(generations=30)
+    settings = RaceSettings.of({"schedule": "alternating", "schedule.opponents": 3})
+    assert advice(judged(circular(31)), settings)[0].startswith("--set schedule.opponents=6: ")
+    race = RaceSettings.of({"schedule.generations": 30})
     assert advice(judged(logistic(31, 0.3)), race)[-1].startswith("--generations 60: ")
 
 

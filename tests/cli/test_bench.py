@@ -17,7 +17,7 @@ from matrixworld.cli import bench
 from matrixworld.cli.bench import Timing, durations, evolve_figures, hints, lines_of, matches_of
 from matrixworld.coevolution import RaceSettings, start
 
-WORLD = ["--rows", 7, "--cols", 6, "--pursuers", 2, "--evaders", 3, "--fov", 5]
+WORLD = ["--rows", 7, "--cols", 6, "--n-pursuers", 2, "--n-evaders", 3, "--fov", 5]
 QUICK = ["bench", *WORLD, "--seconds", 0.02, "--hidden", "4"]
 STEPS = [*["step only"] * 2, *["step and views"] * 3]
 STEPS += [*["VectorEnv"] * 3, *["VectorEnv, copy=False"] * 3]
@@ -91,7 +91,7 @@ def test_one_thread_has_no_speedup():
 def test_a_map_as_world():
     rows = [".....", ".@@..", "....."]
     Path("a.map").write_text("\n".join(["type octile", "height 3", "width 5", "map", *rows]))
-    world = ["--pursuers", 2, "--evaders", 3, "--obstacles", "a.map", "--diagonal"]
+    world = ["--n-pursuers", 2, "--n-evaders", 3, "--obstacles", "a.map", "--diagonal"]
     options = ["--seconds", 0.02, "--hidden", 4, "--threads", 1]
     assert "\nO: 3 x 5 cells" in matrixworld_command("bench", *world, *options).stdout
 
@@ -114,7 +114,16 @@ def test_rates_are_medians_and_multiples_of_one_thread():
 
 
 def test_matches_of_adds_up_to_the_total_of_a_run(tmp_path):
-    race = RaceSettings(rows=6, cols=6, pursuers=2, evaders=3, hidden=(4,), worlds=2)
+    race = RaceSettings.of(
+        {
+            "world.rows": 6,
+            "world.cols": 6,
+            "world.n_pursuers": 2,
+            "world.n_evaders": 3,
+            "policy.hidden": (4,),
+            "match_episodes": 2,
+        }
+    )
     training, evaluation = matches_of(race)
     assert training + evaluation == start(race, tmp_path / "run").total_matches()
 
@@ -170,7 +179,7 @@ BAD = [
     (["--threads", "0"], "0 is not in the range 1<=x<=1024"),
     (["--hidden", "4,x"], "expected sizes such as 32 or 64,64, or none, got '4,x'"),
     (["--hidden", "0"], "--hidden: expected"),
-    (["--rows", "1", "--cols", "3"], "--pursuers: expected 1 to 3, got 8"),
+    (["--rows", "1", "--cols", "3"], "--n-pursuers: expected 1 to 3, got 8"),
     (["--fov", "4"], "--fov: expected"),
     (["--obstacles", "no.map"], "expected a density in [0, 1) or a .map file, got 'no.map'"),
     (["--json", "old.json"], "old.json: exists; give --force to replace it"),

@@ -11,7 +11,6 @@ import signal
 import subprocess
 import sys
 import time
-from dataclasses import fields
 from functools import partial
 from pathlib import Path
 
@@ -34,14 +33,12 @@ from command_line import (
 from matrixworld._util.files import json_digest, load_json, locked, save_json
 from matrixworld.cli import held_out, report
 from matrixworld.cli.arguments import find_runs
-from matrixworld.cli.options import option_name
-from matrixworld.cli.setting_options import SECTIONS, settings_from
+from matrixworld.cli.setting_options import Asked
 from matrixworld.coevolution import (
     TEAMS,
     Race,
     RaceSettings,
     RunDirectory,
-    SingleSettings,
     finish,
     open_run,
     resume,
@@ -50,6 +47,8 @@ from matrixworld.coevolution import (
 )
 from matrixworld.coevolution.jobs import evolve as jobs_evolve
 from matrixworld.coevolution.jobs.evolve import JobPlay
+from matrixworld.coevolution.sections import leaves
+from matrixworld.world.rules import VARIANTS
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 
@@ -76,62 +75,85 @@ def copy(job: tuple[Path, Result], tmp_path: Path) -> Path:
 # The options
 
 
-def test_every_setting_is_an_option_of_one_section_with_its_help():
-    names = [name for section in SECTIONS.values() for name in section]
-    settings = {item.name for kind in (RaceSettings, SingleSettings) for item in fields(kind)}
-    assert sorted(names) == sorted(settings)
-    # Lines of the help page may end in the middle of "hall-of-fame".
-    shown = " ".join(matrixworld_command("evolve", "--help").output.split()).replace("- ", "-")
-    for title in SECTIONS:
-        assert f"{title}:" in shown
-    for name in settings:
-        assert f"{option_name(name)} " in shown
-    race, alone = RaceSettings(), SingleSettings()
-    assert (
-        f"in which the pursuers learn [default: {race.pursuer_epochs}; 400 for actor-critic]"
-        in shown
-    )
-    joint = RaceSettings(schedule="hall-of-fame").population
-    different = (
-        f"[default: {race.population}, {joint} for hall-of-fame; "
-        f"with --against {alone.population}; 1 for actor-critic]"
-    )
-    # A line may end at a hyphen.
-    expected = f"candidates (or matches, actor-critic) per epoch {different}"
-    assert expected in shown.replace("- ", "-")
-    epochs = [f"{SingleSettings(team=team).epochs} for {team}s" for team in TEAMS]
-    assert f"epochs of the run [default: {', '.join(epochs)}; 1200 for actor-critic]" in shown
+def test_the_help_of_all_settings_has_every_one_with_its_default():
+    shown = " ".join(matrixworld_command("evolve", "--help-all").output.split())
+    # Lines may end at a hyphen.
+    shown = shown.replace("- ", "-")
+    for kind in ("es", "ga", "cma", "actor-critic", "own"):
+        assert f" learner={kind}: " in shown
+    for schedule in ("alternating", "hall-of-fame", "against"):
+        settings = RaceSettings(schedule=schedule)
+        for leaf in leaves(settings):
+            if leaf.path not in ("learner", "schedule") and not leaf.path.endswith("s_meet"):
+                assert f"{leaf.path.replace('evaders_meet', 'pursuers_meet')} " in shown
+    population = "candidates per epoch [default: 48; hall-of-fame: 24; against: 128]"
+    assert f"learner.population INTEGER {population}" in shown
+    assert "6000; actor-critic: 1200; against pursuer: 6000; against evader: 4000]" in shown
+
+
+def test_the_variants_are_printed_as_a_table():
+    lines = matrixworld_command("evolve", "--variants").stdout.splitlines()
+    assert [line.split()[0] for line in lines[1:10]] == [*VARIANTS]
+    assert lines[6].split()[:4] == ["SB", "all", "at", "once"]
 
 
 def test_without_options_the_settings_are_those_of_the_package():
-    assert settings_from({}) == [RaceSettings(schedule=name) for name in MAIN_JOB]
-    assert settings_from({"against": "still"}) == [SingleSettings(against="still")]
+    assert Asked().settings() == [RaceSettings(schedule=name) for name in MAIN_JOB]
+    assert Asked({"against": "still"}).settings() == [
+        RaceSettings.of({"schedule": "against", "schedule.opponent": "still"})
+    ]
 
 
 def test_options_become_settings(undrawn):
-    more = ["--anneal", "--diagonal", "--activation", "tanh", "--variant", "sb", "--sigma", ".2"]
+    more = {"anneal": "true", "diagonal": "true", "activation": "tanh", "sigma": ".2"}
+    more |= {"hidden": "5,4", "obstacles": "0.1"}
     matrixworld_command(
-        "evolve", "job", *words(RACE), *more, "--hidden", "5,4", "--obstacles", "0.1",
+        "evolve", "job", *words({**RACE, **more}), "--variant", "sb",
         "--schedule", "generalist-specialist",
     )  # fmt: skip
     assert open_run("job/generalist-specialist/seed-5").settings == tiny_race(
         schedule="generalist-specialist", anneal=True, diagonal=True, activation="tanh",
-        variant="SB", sigma=0.2, hidden=(5, 4), obstacles=0.1,
+        rules="SB", sigma=0.2, hidden=(5, 4), obstacles=0.1,
     )  # fmt: skip
 
 
-def test_a_setting_with_an_effect_in_one_race_of_a_job_is_left_out_of_the_others():
+def test_a_setting_of_one_schedule_of_a_job_is_left_out_of_the_others():
     """Epochs of turns are for two races, joint epochs and living opponents for the third."""
-    given = {"schedule": MAIN_JOB, "sigma": 0.2, "joint_epochs": 7}
-    given |= {"evader_epochs": 5, "contemporaries": 3}
-    in_turns = {"sigma": 0.2, "evader_epochs": 5}
-    joint = {"sigma": 0.2, "joint_epochs": 7, "contemporaries": 3}
-    assert settings_from(given) == [
-        RaceSettings(schedule=name, **(joint if name == "hall-of-fame" else in_turns))
+    every = [("learner.sigma", 0.2)]
+    in_turns = [("schedule.evader_epochs", 5)]
+    joint = [("schedule.joint_epochs", 7), ("schedule.contemporaries", 3)]
+    assert Asked({}, [*every, *in_turns, *joint]).settings() == [
+        RaceSettings.of(
+            {"schedule": name, **dict(every), **dict(joint if "hall" in name else in_turns)}
+        )
         for name in MAIN_JOB
     ]
-    with pytest.raises(click.UsageError, match="--opponents: expected 1 .* schedule alternating"):
-        settings_from({**given, "opponents": 2})
+    with pytest.raises(click.UsageError, match="schedule.epochs: .* a setting of schedule=against"):
+        Asked({}, [("schedule.epochs", 2)]).settings()
+
+
+def test_settings_from_a_file(undrawn, tmp_path):
+    (tmp_path / "race.toml").write_text(
+        'seed = 3\n[learner]\nkind = "ga"\nmutation = 0.2\n[schedule]\nkind = "hall-of-fame"\n'
+        'generations = 2\n[world]\nrules = "SB"\nrows = 7\n'
+    )
+    file = tmp_path / "race.toml"
+    expected = RaceSettings.of(
+        {
+            "learner": "ga", "learner.mutation": 0.2, "schedule": "hall-of-fame", "seed": 3,
+            "schedule.generations": 2, "world.rules": "SB", "world.rows": 7,
+        }
+    )  # fmt: skip
+    assert Asked(config=file).settings() == [expected]
+    # Options come after the file; what a schedule of another kind lacks has its default there.
+    changed = Asked({"schedule": ("alternating",), "rows": 9}, [("learner.elites", 3)], file)
+    (race,) = changed.settings()
+    assert race.schedule == RaceSettings.of({"schedule": "alternating", "learner": "ga"}).schedule
+    assert (race.world.rows, race.learner.mutation, race.learner.elites) == (9, 0.2, 3)
+    start(tiny_race(learner="ga", mutation=1 / 3), tmp_path / "run").run()
+    matrixworld_command("evolve", "again", "--config", "run/config.json", "--seed", 6)
+    again = open_run("again/generalist-generalist/seed-6").settings
+    assert again == tiny_race(learner="ga", mutation=1 / 3, seed=6)
 
 
 def test_a_map_file_and_no_hidden_layer(undrawn, tmp_path):
@@ -140,28 +162,36 @@ def test_a_map_file_and_no_hidden_layer(undrawn, tmp_path):
     (tmp_path / "a.map").write_text("\n".join(lines))
     given = {name: value for name, value in RACE.items() if name not in ("rows", "cols")}
     matrixworld_command(
-        "evolve", "run", *words({**given, "hidden": "none", "obstacles": "a.map"}),
+        "evolve", "run", *words({**given, "hidden": "[]", "obstacles": "a.map"}),
         "--schedule", "specialist-specialist",
     )  # fmt: skip
     settings = open_run("run/specialist-specialist/seed-5").settings
-    assert settings.hidden == ()
-    assert settings.world(10).map.sum() == 2
+    assert settings.policy.hidden == ()
+    assert settings.world.map.sum() == 2
 
 
 BAD = [
     (["--rows", "many"], "'--rows': 'many' is not a valid integer"),
-    (["--pursuer-epochs", "0"], "--pursuer-epochs: expected at least 1, got 0"),
-    (["--pursuers", "30", *words(WORLD)[:4]], "agents"),
-    (["--population", "7"], "--population: expected an even number for es, got 7"),
+    (["--set", "schedule.pursuer_epochs=0"], "schedule.pursuer_epochs: expected at least 1, got 0"),
+    (["--n-pursuers", "30", *words(WORLD)[:4]], "agents"),
+    (["--set", "learner.population=7"], "learner.population: expected an even number for es, got"),
     (["--variant", "Q"], "--variant: expected one of D, R, B, O, S, SB"),
-    (["--hidden", "4,x"], "expected sizes such as 32 or 64,64, or none, got '4,x'"),
-    (["--obstacles", "2"], "--obstacles: expected"),
-    (["--obstacles", "no.map"], "expected a density in [0, 1) or a .map file, got 'no.map'"),
+    (["--set", "policy.hidden=4,x"], "policy.hidden: expected a sequence of ints, got '4,x'"),
+    (["--set", "world.obstacles=2"], "expected a number in [0, 1), got 2"),
+    (["--set", "world.obstacles=no.map"], "No such file or directory: 'no.map'"),
+    (["--set", "learner.sigma"], "--set: expected PATH=VALUE, such as learner.sigma=0.1, got 'le"),
+    (["--set", "sigma=1"], "; did you mean learner.sigma?"),
+    (["--set", "learner.sigmma=1"], "; did you mean learner.sigma?"),
+    (["--learner", "gaa"], "learner: expected one of es, ga, cma, actor-critic, or module:object"),
+    (["--config", "no.toml"], "File 'no.toml' does not exist"),
     (["--schedule", "x"], "'x' is not one of 'specialist-specialist'"),
-    (["--mutation", "0.1"], "--mutation: expected 0.05 (the default), got 0.1; it has an effect"),
-    (["--against", "random", "--elites", "3"], "--elites: expected 2 (the default), got 3"),
+    (["--set", "learner.mutation=0.1"], "learner.mutation: expected one of the settings populat"),
+    (["--set", "learner.mutation=0.1"], "; it is a setting of learner=ga"),
     (["--team", "evader"], "--team: expected together with --against only"),
-    (["--against", "random", "--generations", "3"], "--generations: expected without --against"),
+    (
+        ["--against", "random", "--generations", "3"],
+        "--generations: expected one of the settings te",
+    ),
     (["--against", "nobody"], "clumsy-fleer, dodger or a run directory, got 'nobody'"),
     (["--threads", "0"], "0 is not in the range 1<=x<=1024"),
     (["--resume", "nothing"], "expected a directory that holds a run, got 'nothing'"),
@@ -173,7 +203,7 @@ BAD = [
     (["--seeds", "9223372036854775808"], "expected seeds from 0 to 9223372036854775807, got 922"),
     (["--seeds", "0-9223372036854775807"], "expected at most 100,000 seeds, got 9,223,372,036,8"),
     (["--seeds", "0-2", "--against", "nobody"], "or a run directory, got 'nobody'"),
-    (["--seeds", "0-2", "--population", "7"], "--population: expected an even number for es"),
+    (["--seeds", "0-2", "--rows", "0"], "--rows: expected 1 to 4096, got 0"),
 ]
 
 
@@ -271,7 +301,7 @@ def test_without_output_runs_go_to_directories_named_after_variant_and_seed(undr
     second = matrixworld_command("evolve", *one, code=2).stderr
     assert "OUTPUT: expected a new or empty directory, got 'runs/O-seed5'; " in second
     assert "matrixworld evolve --resume runs/O-seed5 continues the run" in second
-    matrixworld_command("evolve", "--against", "fleer", *words(WORLD), "--epochs", 2)
+    matrixworld_command("evolve", "--against", "fleer", *words({**WORLD, "epochs": 2}))
     names = {path.name for path in Path("runs").iterdir()}
     assert names == {"O-seed5", "O-pursuer-against-fleer-seed5"}
 
@@ -290,13 +320,13 @@ def test_all_schedules_and_the_hall_of_fame(undrawn):
     runs = find_runs(Path("out"))
     schedules = [MAIN_JOB[0], "generalist-specialist", *MAIN_JOB[1:]]
     assert [path.parent.name for path in runs] == schedules
-    assert [open_run(path).settings.schedule for path in runs] == schedules
+    assert [open_run(path).settings.schedule.name for path in runs] == schedules
     matrixworld_command("explore", "--figures", runs[-1])
     assert {path.name for path in runs[-1].glob("*.png")} == FIGURES
 
 
 def test_one_team_alone_against_a_script_and_then_against_the_result():
-    epochs = ["--epochs", 5, "--archive-every", 2]
+    epochs = words({"epochs": 5, "archive_every": 2})
     result = matrixworld_command(
         "evolve", "first", "--against", "random", "--team", "evader", *words(WORLD), *epochs
     )
@@ -311,7 +341,7 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
     assert [part in row for part in shown] == [True, True, True]
     assert (first / "training.png").read_bytes().startswith(PNG)
     matrixworld_command(
-        "evolve", "next", "--against", "first", "--start", "hunters", *words(WORLD), code=2
+        "evolve", "next", "--against", "first", *words({**WORLD, "start": "hunters"}), code=2
     )
     matrixworld_command("evolve", "next", "--against", "first", *words(WORLD), *epochs)
     archive = open_run("next/pursuer-against-evader-against-random/seed-5").files.archive()
@@ -321,7 +351,7 @@ def test_one_team_alone_against_a_script_and_then_against_the_result():
 
 def test_opponents_that_do_not_fit_are_refused_before_anything_is_written(copy):
     against = copy / PLACES[0]
-    result = matrixworld_command("evolve", "out", "--against", against, "--fov", 5, code=2)
+    result = matrixworld_command("evolve", "out", "--against", against, *words({"fov": 5}), code=2)
     assert "opponents: expected genomes for fov 5" in result.stderr
     assert not Path("out").exists()
 
@@ -360,7 +390,7 @@ def test_a_job_that_is_stopped_before_its_first_run_is_resumed_whole(job, undraw
 
 def test_a_real_ctrl_c(tmp_path):
     """During a team phase of a long race, after the log of the first phase was written."""
-    longer = {"generations": 10, "pursuer_epochs": 60, "evader_epochs": 60, "worlds": 4}
+    longer = {"generations": 10, "pursuer_epochs": 60, "evader_epochs": 60, "match_episodes": 4}
     many = words({**RACE, **longer, "schedule": MAIN_JOB[0]})
     process = subprocess.Popen(
         [sys.executable, "-m", "matrixworld", "evolve", "out", *many],

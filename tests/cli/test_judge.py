@@ -19,7 +19,7 @@ from matrixworld.cli.groups import groups_of
 from matrixworld.coevolution import open_run, start
 from tiny_race import StopAt, tiny_race, tiny_single
 
-LONGER = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "eval_episodes": 4}
+LONGER = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "evaluation_episodes": 4}
 
 
 @pytest.fixture(scope="module")
@@ -232,7 +232,7 @@ def test_all_measures_need_two_generations_of_each_team():
 
 # One judgement of one run
 
-EVOLVED = {**RACE, "generations": 13, "eval_episodes": 5, "schedule": "specialist-specialist"}
+EVOLVED = {**RACE, "generations": 13, "evaluation_episodes": 5, "schedule": "specialist-specialist"}
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""Options that commands share: declared once, existing outputs, old names."""
+"""Options that commands share: declared once, existing outputs."""
 
 from __future__ import annotations
 
@@ -11,11 +11,10 @@ import click
 import numpy as np
 import pytest
 
-from command_line import JOB, RACE, matrixworld_command, words
+from command_line import JOB, matrixworld_command, words
 from matrixworld.cli import main
-from matrixworld.cli.options import RENAMED
 from matrixworld.coevolution import open_run
-from matrixworld.coevolution.settings.training import MOST_SEED
+from matrixworld.coevolution.settings import MOST_SEED
 
 DIFFERENT = {"--hidden", "--episodes", "--explain", "--each", "--out"} | {
     *("--rows", "--cols", "--pursuers", "--evaders", "--steps", "--seconds", "--team"),
@@ -27,7 +26,7 @@ judgement, `replay` the steps of an episode; `--each` judges or draws each run; 
 file by default. `class` plays small and short games by default, and limits the seconds of programs;
 `class export` has to be told a team, and takes one generation."""
 
-BENCH = ["--rows", 7, "--cols", 6, "--pursuers", 2, "--evaders", 3, "--fov", 5]
+BENCH = ["--rows", 7, "--cols", 6, "--n-pursuers", 2, "--n-evaders", 3, "--fov", 5]
 
 
 # Declared once
@@ -163,36 +162,3 @@ def test_ctrl_c_prints_the_command_that_starts_again(run, monkeypatch, words):
     said = matrixworld_command(*words, code=130).stderr
     assert said.endswith(f"To start again:\n  {shlex.join(['matrixworld', *map(str, words)])}\n")
     assert "Aborted" not in said
-
-
-# Old names
-
-OLD = {
-    "--crowding": ["evolve", "new", *words(RACE), "--crowding", "-1"],
-    "--yes": ["tournament", "run", "--yes", "--out", "payoff.png"],
-    "--team": ["exploit", "run", "--team=pursuer", "--matches", 1],
-    "--pursuers": ["replay", "run", "--pursuers", "nobody"],
-    "--evaders": ["replay", "run", "--evaders=nobody"],
-}
-
-
-def test_every_old_name_is_tried():
-    assert OLD.keys() == set(RENAMED.values())
-
-
-@pytest.mark.parametrize(("old", "command"), OLD.items(), ids=OLD)
-def test_an_old_name_is_accepted_with_a_note(run, old, command):
-    """The commands fail for other reasons, which come after the options are known."""
-    new = {value: key for key, value in RENAMED.items()}[old]
-    result = matrixworld_command(*command, code=2)
-    assert result.stderr.startswith(f"{old} is now called {new}; the old name will be removed.\n")
-    assert "No such option" not in result.stderr
-    shown = matrixworld_command(command[0], "--help").stdout
-    assert f"{new} " in shown
-    assert f"{old} " not in shown
-
-
-def test_a_name_that_is_another_option_elsewhere_is_that_option():
-    said = matrixworld_command("evolve", "out", "--team", "evader", code=2).stderr
-    assert "is now called" not in said
-    assert "--team: expected together with --against only" in said

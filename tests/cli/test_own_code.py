@@ -22,9 +22,10 @@ RUN_OPTIONS = {**RACE, "schedule": "alternating", "opponents": 2}
 PLACE = "alternating/seed-5"
 OWN = {
     "learner": "mine:Learner",
-    "learner_settings": "sigma=0.2,shrink=0.5",
+    "learner.settings.sigma": 0.2,
+    "learner.settings.shrink": 0.5,
     "pursuers_meet": "mine:Sampler",
-    "pursuers_meet_settings": "forget=0.25",
+    "schedule.pursuers_meet.settings.forget": 0.25,
 }
 MINE = """
 import os
@@ -103,9 +104,9 @@ def test_killed_in_the_middle_and_resumed(straight, mine, tmp_path, killed_at):
 
 def test_the_settings_are_kept(straight):
     settings = open_run(straight).settings
-    assert settings.learner == "mine:Learner"
-    assert settings.learner_settings == {"sigma": 0.2, "shrink": 0.5}
-    assert settings.pursuers_meet_settings == {"forget": 0.25}
+    assert settings.learner.code == "mine:Learner"
+    assert settings.learner.settings == {"sigma": 0.2, "shrink": 0.5}
+    assert settings.schedule.pursuers_meet.settings == {"forget": 0.25}
     assert "mine" not in sys.modules
 
 
@@ -144,28 +145,32 @@ def test_resume_says_what_is_missing(straight):
     [
         (
             {"learner": "nowhere:Learner"},
-            "--learner: expected a module that can be imported, got '",
+            "learner: expected a module that can be imported, got '",
         ),
-        ({"learner": "mine:Lerner"}, "--learner: expected the name of an object in mine, got 'Ler"),
+        ({"learner": "mine:Lerner"}, "learner: expected the name of an object in mine, got 'Ler"),
         (
             {"learner": "hill"},
-            "--learner: expected one of es, ga, cma, actor-critic, or module:object, got 'hil",
+            "learner: expected one of es, ga, cma, actor-critic, or module:object, got 'hil",
         ),
         (
-            {"learner": "mine:Learner", "learner_settings": "sigma=-1"},
-            "--learner: expected settings that mine:Learner accepts, got {'sigma': -1} (sigma: ex",
+            {"learner": "mine:Learner", "learner.settings.sigma": -1},
+            "learner mine:Learner: expected settings that it accepts, got {'sigma': -1} (sigma: ex",
         ),
         (
-            {"learner": "mine:Learner", "learner_settings": "sgima=1"},
-            "--learner-settings: expected settings of mine:Learner (sigma, shrink), got 'sgima'",
+            {"learner": "mine:Learner", "learner.settings.sgima": 1},
+            "learner mine:Learner: expected its settings (sigma, shrink), got 'sgima'",
         ),
-        ({"learner": "mine:Learner", "sigma": 0.3}, "--sigma: expected 0.1 (the default), got 0.3"),
-        ({"learner_settings": "sigma=1"}, "--learner-settings: expected {} (the default), got {'s"),
-        ({"learner_settings": "sigma"}, "'--learner-settings': expected settings such as sigma=0."),
-        ({"learner_settings": "a=1,a=2"}, "each once, got 'a=1,a=2'"),
         (
-            {"learner": "mine:Learner", "learner_settings": "sigma=nan"},
-            "--learner-settings: expected a finite number as sigma, got nan",
+            {"learner": "mine:Learner", "learner.sigma": 0.3},
+            "learner.sigma: expected one of the settings population, code, settings",
+        ),
+        (
+            {"learner": "mine:Learner", "learner.settings": "sigma"},
+            "learner.settings: expected values by name, such as {'sigma': 0.1}, got 'sigma'",
+        ),
+        (
+            {"learner": "mine:Learner", "learner.settings.sigma": "NaN"},
+            "learner.settings: expected a finite number as sigma, got nan",
         ),
     ],
 )
@@ -184,10 +189,12 @@ def test_values_of_all_kinds(mine):
         "    assert [type(each) for each in (n, x, on, word)] == [int, float, bool, str]\n"
         "    return own_code.HillClimber(genome, samples)\n"
     )
-    values = ["--learner-settings", "n=3,x=-.5", "--learner-settings", "on=true, word=fast"]
-    options = words({**RACE, "schedule": MAIN_JOB[0], "learner": "mine:Learner"})
-    matrixworld_command("evolve", "out", *options, *values)
-    assert open_run(f"out/{MAIN_JOB[0]}/seed-5").settings.learner_settings["word"] == "fast"
+    values = {"n": 3, "x": "-.5", "on": "true", "word": "fast"}
+    options = {**RACE, "schedule": MAIN_JOB[0], "learner": "mine:Learner"}
+    own = {f"learner.settings.{name}": value for name, value in values.items()}
+    matrixworld_command("evolve", "out", *words({**options, **own}))
+    settings = open_run(f"out/{MAIN_JOB[0]}/seed-5").settings
+    assert settings.learner.settings["word"] == "fast"
 
 
 def test_an_error_in_the_code_keeps_its_traceback_and_says_how_to_continue(mine):
@@ -206,11 +213,5 @@ def test_help_lists_installed_learners_and_samplers(tmp_path):
     (info / "entry_points.txt").write_text(
         "[matrixworld.learners]\nhill = mypkg:Hill\n[matrixworld.opponents]\nhardest = mypkg:H\n"
     )
-    shown = run_together(matrixworld_command("evolve", "--help").stdout)
-    assert (
-        "actor-critic (policy gradients, needs PyTorch), or one of your own, as module:object"
-        in shown
-    )
-    assert "default: es; installed: hill" in shown
-    assert shown.count("; installed: hardest") == 2
-    assert "mypkg" not in sys.modules
+    shown = run_together(matrixworld_command("evolve", "--help-all").stdout)
+    assert "Installed learners: hill. Installed opponent samplers: hardest." in shown

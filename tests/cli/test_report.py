@@ -24,7 +24,7 @@ from tiny_race import StopAt, tiny_race, tiny_single
 SCHEDULES = ("specialist-specialist", "generalist-generalist")
 SEEDS = (0, 1, 2)
 ASKED = (0, 1, 2, 3)
-LONGER = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "eval_episodes": 4}
+LONGER = {"generations": 12, "pursuer_epochs": 1, "evader_epochs": 1, "evaluation_episodes": 4}
 
 
 def settings_of(schedule: str, seed: int):

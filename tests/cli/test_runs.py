@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -77,7 +78,7 @@ def test_cross_play_of_two_runs(job):
     played = np.load("cross.npz")["capture_rates"]
     run = open_run(ours)
     scores = rollout(
-        run.settings.world(9),
+        replace(run.settings.world, max_steps=9),
         run.teams["pursuer"],
         open_run(theirs).teams["evader"],
         Matches.of(2, 1, np.uint64(evaluation_seed(3, 2, 1))),

@@ -70,7 +70,7 @@ def test_a_directory_for_each_schedule_and_seed():
 
 
 def test_one_team_alone_and_the_default_directory():
-    epochs = ["--epochs", 5, "--archive-every", 2]
+    epochs = words({"epochs": 5, "archive_every": 2})
     alone = ["--against", "random", "--team", "evader", *words(ALONE), *epochs]
     said = matrixworld_command("evolve", "--seeds", "0-1", *alone)
     assert said.stderr.startswith("Output directory: runs/O-evader-against-random-seeds0-1\n")

@@ -30,7 +30,7 @@ def runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return root
 
 
-TINY = words({"rows": 6, "cols": 6, "fov": 3, "pursuers": 2, "evaders": 3, "hidden": "4"})
+TINY = words({"rows": 6, "cols": 6, "fov": 3, "n_pursuers": 2, "n_evaders": 3, "hidden": "4"})
 
 
 @pytest.mark.parametrize(
@@ -39,7 +39,7 @@ TINY = words({"rows": 6, "cols": 6, "fov": 3, "pursuers": 2, "evaders": 3, "hidd
         ["new", "--learner", "actor-critic", *TINY],
         ["new", "--learner", "actor-critic", "--against", "random", *TINY],
         ["new", "--learner", "actor-critic", "--seeds", "0-1", *TINY],
-        ["new", "--learner", "actor-critic", "--against", "race", "--start", "race", *TINY],
+        ["new", "--learner", "actor-critic", "--against", "race", *words({"start": "race"}), *TINY],
         ["--resume", "begun"],
     ],
     ids=["races", "alone", "seeds", "start", "resume"],

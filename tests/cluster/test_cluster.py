@@ -88,7 +88,7 @@ def test_races_equal_those_of_one_process(dask: DaskCluster, tmp_path: Path) -> 
 def test_a_tournament_equals_that_of_one_process(dask: DaskCluster, tmp_path: Path) -> None:
     dask.workers(2)
     run = finish(tiny_race(generations=5), tmp_path / "run", threads=1)
-    world = run.settings.world(12)
+    world = run.settings.world
     sides = run.teams["pursuer"], run.teams["evader"]
     alone = tournament(world, *sides, seed=3, episodes=4, threads=1)
     with cluster(dask.address) as executor:

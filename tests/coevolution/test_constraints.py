@@ -10,9 +10,12 @@ import pytest
 
 import matrixworld as mw
 from matrixworld import coevolution
-from matrixworld.coevolution import NoEffectError
 from matrixworld.coevolution.fitness import collisions, feasible_first
-from matrixworld.coevolution.learners.actor_critic import ActorCritic, Hyperparameters, orthogonal
+from matrixworld.coevolution.learners.actor_critic import (
+    ActorCritic,
+    ActorCriticSettings,
+    orthogonal,
+)
 from matrixworld.coevolution.runs.training_matches import TrainingMatches, experience
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.world.policy import Population
@@ -42,7 +45,7 @@ def test_collisions_are_counted_as_by_the_safety_monitor() -> None:
 
 
 def test_a_limit_decides_the_fitness_of_a_run() -> None:
-    settings = tiny_single(variant="S", rows=4, cols=4, pursuers=3, train_steps=12, population=8)
+    settings = tiny_single(rules="S", rows=4, cols=4, n_pursuers=3, train_steps=12, population=8)
     genomes = np.stack(
         [settings.network.initial(np.random.default_rng(k), head=2.0) for k in range(8)]
     )
@@ -51,7 +54,7 @@ def test_a_limit_decides_the_fitness_of_a_run() -> None:
     scores = plain.play_candidates("pursuer", genomes, "random", np.zeros(1, int), seeds)
     rates = collisions(scores, "pursuer")
     limit = float(np.sort(rates)[3:5].mean())
-    limited = TrainingMatches(replace(settings, cost_limit=limit), mw.rollout, 1)
+    limited = TrainingMatches(settings.changed({"fitness.cost_limit": limit}), mw.rollout, 1)
     found = limited.fitness(scores, "pursuer", lambda values: values[:, None])
     expected = plain.fitness(scores, "pursuer", lambda values: values[:, None])
     within = rates <= limit
@@ -63,37 +66,21 @@ def test_a_limit_decides_the_fitness_of_a_run() -> None:
 
 def test_a_limit_makes_evolution_collide_less(tmp_path: Path) -> None:
     base = tiny_single(
-        variant="SB", rows=5, cols=5, pursuers=4, evaders=1, epochs=40, archive_every=40,
-        population=24, worlds=4, hidden=(), learning_rate=0.1, fitness="capture-rate",
+        rules="SB", rows=5, cols=5, n_pursuers=4, n_evaders=1, epochs=40, archive_every=40,
+        population=24, match_episodes=4, hidden=(), learning_rate=0.1, measure="capture-rate",
         train_steps=20,
     )  # fmt: skip
 
     def rate(name: str, limit: float | None) -> float:
-        run = coevolution.finish(replace(base, cost_limit=limit), tmp_path / name, threads=1)
+        run = coevolution.finish(
+            base.changed({"fitness.cost_limit": limit}), tmp_path / name, threads=1
+        )
         own = Population(run.teams["pursuer"].genomes[-1:], run.teams["pursuer"].network)
         matches = mw.Matches.of(0, 0, 9)
-        scores = mw.rollout(base.world(30), own, "random", matches, episodes=50)
+        scores = mw.rollout(replace(base.world, max_steps=30), own, "random", matches, episodes=50)
         return float(collisions(scores, "pursuer")[0])
 
     assert rate("limited", 20.0) < 0.5 * rate("free", None)
-
-
-def test_a_collision_penalty_replaces_that_of_the_rewards() -> None:
-    settings = tiny_single(fitness="rewards", collision_penalty=3.0, rewards="published")
-    rewards = settings.world(5).rewards
-    assert rewards == replace(mw.Rewards.published(), pursuer_collide=-3.0, evader_collide=-3.0)
-    assert tiny_single(fitness="rewards").world(5).rewards == mw.Rewards.paper()
-
-
-@pytest.mark.parametrize("name", ["collision_penalty", "cost_limit"])
-def test_negative_penalties_and_limits_are_refused(name: str) -> None:
-    with pytest.raises(ValueError, match=f"{name}: expected a number at least 0, got -1"):
-        tiny_single(fitness="rewards", **{name: -1.0})
-
-
-def test_a_penalty_without_rewards_is_refused() -> None:
-    with pytest.raises(NoEffectError, match="collision_penalty: .* only with the fitness rewards"):
-        tiny_single(collision_penalty=1.0)
 
 
 def test_the_multiplier_rises_above_the_limit_and_falls_below_it() -> None:
@@ -102,7 +89,10 @@ def test_the_multiplier_rises_above_the_limit_and_falls_below_it() -> None:
     network = mw.Network.for_config(config, hidden=(6,))
     rng = np.random.default_rng(0)
     learner = ActorCritic(
-        orthogonal(network.sizes, rng), network, 2, rng, Hyperparameters(cost_limit=100.0)
+        orthogonal(network.sizes, rng),
+        network,
+        rng,
+        ActorCriticSettings(population=2, cost_limit=100.0),
     )
     seen = experience(
         config, "pursuer", Population(learner.genome, network), "random", np.zeros(4, int),

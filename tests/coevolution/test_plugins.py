@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import pickle
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,31 +12,17 @@ import pytest
 
 import own_code
 from matrixworld.coevolution import (
-    NoEffectError,
+    OwnLearnerSettings,
+    OwnOpponents,
     PluginError,
     RaceSettings,
     check_learner,
     check_own_code,
     check_sampler,
 )
-from matrixworld.coevolution.plugins import (
-    LEARNER,
-    OPPONENT,
-    Interface,
-    OwnSettings,
-    SavedName,
-    find,
-    installed,
-)
-from matrixworld.coevolution.settings import settings_from_json, settings_to_json
-from tiny_race import tiny_race, tiny_single
-
-OWN = {
-    "schedule": "alternating",
-    "learner": "own_code:HillClimber",
-    "pursuers_meet": "own_code:Hardest",
-}
-SETTINGS = {"learner_settings": {"sigma": 0.2}, "pursuers_meet_settings": {"forget": 1}}
+from matrixworld.coevolution.own_code import LEARNER, OPPONENT, Interface, find, installed
+from matrixworld.coevolution.sections import OwnSettings
+from tiny_race import tiny_race
 
 
 @pytest.fixture
@@ -81,50 +66,44 @@ def declare(folder: Path, name: str, points: dict[Interface, str]) -> Path:
 
 
 def test_settings_import_nothing():
-    settings = RaceSettings(learner="no.such:Learner", schedule="alternating", evaders_meet="no:S")
-    assert settings.learner_name == "no.such:Learner"
-    assert settings.sampler_name("evader") == "no:S"
+    settings = RaceSettings.of(
+        {"learner": "no.such:Learner", "schedule": "alternating", "schedule.evaders_meet": "no:S"}
+    )
+    assert settings.learner.code == "no.such:Learner"
+    assert settings.schedule.evaders_meet.code == "no:S"
     assert "no" not in sys.modules
 
 
-@pytest.mark.parametrize(
-    "name", ["gaa", "mine.Hill", ":Hill", "mine:", "my pkg:Hill", "1:H", "", 3, []]
-)
+@pytest.mark.parametrize("name", ["gaa", "mine.Hill", ":Hill", "mine:", "my pkg:Hill", "1:H", ""])
 def test_a_name_that_cannot_be_one_is_refused(name):
     with pytest.raises(
         ValueError, match="learner: expected one of es, ga, cma, actor-critic, or module:object"
     ):
         RaceSettings(learner=name)
-    with pytest.raises(ValueError, match="pursuers_meet: expected one of latest, .* or module:obj"):
-        RaceSettings(schedule="alternating", pursuers_meet=name)
+    with pytest.raises(ValueError, match="pursuers_meet: expected one of drawn, .* or module:obj"):
+        RaceSettings.of({"schedule.pursuers_meet": name})
 
 
-def test_settings_of_own_code_are_compared_hashed_pickled_and_saved():
-    settings = tiny_race(**OWN, **SETTINGS, evaders_meet="own_code:Fixed")
-    values = json.loads(json.dumps(settings_to_json(settings)))
-    assert values["learner_settings"] == {"sigma": 0.2}
-    again = settings_from_json(RaceSettings, values)
-    for same in (again, pickle.loads(pickle.dumps(settings)), replace(settings, seed=5)):  # noqa: S301
-        assert same == settings
-        assert hash(same) == hash(settings)
-        assert repr(same) == repr(settings)
-    assert replace(settings, learner_settings={"sigma": 0.3}) != settings
+@pytest.mark.parametrize("name", [3, []])
+def test_what_is_no_text_is_refused(name):
+    with pytest.raises(TypeError, match="learner: expected EvolutionStrategySettings or "):
+        RaceSettings(learner=name)
 
 
 def test_settings_do_not_change_with_the_dictionary():
     given = {"sigma": 0.2}
-    settings = tiny_single(learner="own_code:HillClimber", learner_settings=given)
+    learner = OwnLearnerSettings(code="own_code:HillClimber", settings=given)
     given["sigma"] = 7.0
-    assert settings.learner_settings == {"sigma": 0.2}
-    precise = tiny_single(
-        learner="own_code:HillClimber", learner_settings={"sigma": np.float32(0.5), "n": np.int8(3)}
-    )
-    assert json.dumps(settings_to_json(precise)["learner_settings"]) == '{"n": 3, "sigma": 0.5}'
+    assert learner.settings == {"sigma": 0.2}
+    precise = OwnLearnerSettings(code="a:B", settings={"sigma": np.float32(0.5), "n": np.int8(3)})
+    plain = RaceSettings(learner=precise).to_json()
+    assert json.dumps(plain["learner"]["settings"]) == '{"n": 3, "sigma": 0.5}'
     with pytest.raises(TypeError, match="does not support item assignment"):
-        settings.learner_settings["sigma"] = 7.0
+        learner.settings["sigma"] = 7.0
     assert OwnSettings({"a": 1, "b": 2}) == OwnSettings({"b": 2, "a": 1})
 
 
+@pytest.mark.parametrize("section", [OwnLearnerSettings, OwnOpponents])
 @pytest.mark.parametrize(
     ("given", "error", "message"),
     [
@@ -136,42 +115,9 @@ def test_settings_do_not_change_with_the_dictionary():
         ({"my sigma": 2}, ValueError, "expected names such as sigma, got 'my sigma'"),
     ],
 )
-def test_bad_settings_are_refused(given, error, message):
-    with pytest.raises(error, match=f"^learner_settings: {message}"):
-        tiny_race(learner="own_code:HillClimber", learner_settings=given)
-    with pytest.raises(error, match=f"^pursuers_meet_settings: {message}"):
-        tiny_race(**{**OWN, "pursuers_meet_settings": given})
-
-
-def test_settings_without_effect_are_refused():
-    with pytest.raises(NoEffectError, match="sigma: .* only with the learner es or cma$"):
-        tiny_race(learner="own_code:HillClimber", sigma=0.2)
-    with pytest.raises(NoEffectError, match="learner_settings: .* with a learner of your own$"):
-        tiny_race(learner="ga", learner_settings={"sigma": 0.2})
-    with pytest.raises(
-        NoEffectError, match="evaders_meet_settings: .* sampler of your own for the"
-    ):
-        tiny_race(**OWN, evaders_meet="latest", evaders_meet_settings={"forget": 1})
-    with pytest.raises(NoEffectError, match="archive_episodes: .* the samplers maxsolve"):
-        tiny_race(**OWN, archive_episodes=5)
-
-
-def test_names_in_files_are_data():
-    values = settings_to_json(tiny_race())
-    read = settings_from_json(RaceSettings, {**values, "learner": "annealing"})
-    assert read.learner == "annealing"
-    assert isinstance(read.learner, SavedName)
-    assert replace(read, seed=9).learner == "annealing"
-    with pytest.raises(ValueError, match="learner: expected one of es, .*'annealing'; install the"):
-        check_own_code(read)
-
-
-def test_files_without_these_settings_are_refused():
-    values = settings_to_json(tiny_race())
-    older = {name: value for name, value in values.items() if not name.endswith("_settings")}
-    missing = r"missing fields \['evaders_meet_settings', 'learner_settings', 'pursuers_meet_sett"
-    with pytest.raises(ValueError, match=missing):
-        settings_from_json(RaceSettings, older)
+def test_bad_settings_are_refused(section, given, error, message):
+    with pytest.raises(error, match=f"^settings: {message}"):
+        section(code="own_code:HillClimber", settings=given)
 
 
 # Imports
@@ -228,7 +174,7 @@ def test_a_package_cannot_replace_a_built_in_learner(package):
 def test_what_cannot_be_found_is_said(name, message):
     for settings, field in [
         (tiny_race(learner=name), "learner"),
-        (tiny_race(schedule="alternating", evaders_meet=name), "evaders_meet"),
+        (tiny_race(schedule="alternating", evaders_meet=name), "opponent sampler"),
     ]:
         with pytest.raises(ValueError, match=f"^{field}: .*{message}") as caught:
             check_own_code(settings)
@@ -260,8 +206,10 @@ def test_inner_classes_and_functions(folder):
         "    return own_code.HillClimber(genome, samples, sigma=rng.random() + tries)\n"
     )
     check_own_code(tiny_race(learner="mine:Box.Hill"))
-    check_own_code(tiny_race(learner="mine:make", learner_settings={"tries": 2}, evader_epochs=2))
-    with pytest.raises(ValueError, match="learner_settings: expected a value of tries"):
+    check_own_code(tiny_race(learner="mine:make", settings={"tries": 2}, evader_epochs=2))
+    with pytest.raises(
+        ValueError, match="learner mine:make: expected a value of the setting tries"
+    ):
         check_own_code(tiny_race(learner="mine:make"))
 
 
@@ -270,7 +218,7 @@ def test_a_constructor_that_fails(folder):
         "from own_code import Fixed\ndef make(count, *, n=1) -> Fixed:\n    return [][n]\n"
     )
     settings = tiny_race(schedule="alternating", evaders_meet="mine:make")
-    with pytest.raises(PluginError, match="evaders_meet mine:make: IndexError: list index"):
+    with pytest.raises(PluginError, match="opponent sampler mine:make: IndexError: list index"):
         check_own_code(settings)
-    assert find("evaders_meet", "mine:make", (), OPPONENT).parameters.keys() == {"count", "n"}
+    assert find("mine:make", OPPONENT).parameters.keys() == {"count", "n"}
     assert own_code.ANSWER == 42

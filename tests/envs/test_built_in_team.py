@@ -197,7 +197,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_held_out_genomes_runs_and_policies_are_opponents(run: Path) -> None:
     saved = open_run(run)
-    config = saved.settings.world(12)
+    config = saved.settings.world
     archive = saved.teams["evader"].genomes
     policy = saved.policy("evader", 1)
     for given, genomes in [

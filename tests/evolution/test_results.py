@@ -349,7 +349,7 @@ def test_safe_learning_compares_methods_at_equal_agent_steps(tmp_path: Path) -> 
     assert steps[1, -1] == 3 * run.files.log()["steps"][-1]
     settings, own = run.settings, run.teams["pursuer"]
     last = mw.Population(own.genomes[-1:], own.network)
-    world = settings.world(settings.eval_steps)
+    world = settings.world
     matches = mw.Matches.of(0, 0, 10**6)
     played = mw.rollout(world, last, "random", matches, episodes=5)
     assert captures[1, -1] == pytest.approx(played.capture_rate.mean())

@@ -196,7 +196,7 @@ def test_catching_fleers_tests_every_training_in_teams_of_several_sizes(tmp_path
     plan = catching_fleers.QUICK
     assert len(table) == len(catching_fleers.SCRIPTED) + len(plan.changes)
     # Recorded episodes give the same captures as the script's rollouts.
-    world = plan.base.world(plan.base.eval_steps)
+    world = plan.base.world
     size = plan.teams[-1]
     episodes = [
         mw.record(

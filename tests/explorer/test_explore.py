@@ -81,7 +81,7 @@ def test_a_damaged_run_leaves_no_page(run: Path, tmp_path: Path) -> None:
 def test_reading_a_run_imports_no_code_of_its_learner(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    settings = tiny_race(learner="own_code:HillClimber", learner_settings={"sigma": 0.2})
+    settings = tiny_race(learner="own_code:HillClimber", settings={"sigma": 0.2})
     start(settings, tmp_path / "run", threads=1).run()
     monkeypatch.delitem(sys.modules, "own_code")
     explore(tmp_path / "run")

@@ -44,9 +44,9 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> Job:
     """Three runs of different worlds: obstacles, diagonal moves and turns, and a single team."""
     root = tmp_path_factory.mktemp("job")
     settings = {
-        "race": tiny_race(obstacles=0.15, eval_steps=30),
-        "turns": tiny_race(variant="TO", diagonal=True, eval_steps=20, schedule="hall-of-fame"),
-        "single": tiny_single(team="evader", against="chaser"),
+        "race": tiny_race(obstacles=0.15, max_steps=30),
+        "turns": tiny_race(rules="TO", diagonal=True, max_steps=20, schedule="hall-of-fame"),
+        "single": tiny_single(team="evader", opponent="chaser"),
     }
     for name, each in settings.items():
         start(each, root / name, threads=1).run()
@@ -183,7 +183,7 @@ def test_an_agent_shows_its_view_and_the_answer_of_its_network(opened: Browser, 
     name = "document.querySelector('.inspector h3').textContent"
     assert opened.js(name) == "pursuer_0"
     run = job["race"]
-    world = World(run.settings.world(run.settings.eval_steps))
+    world = World(run.settings.world)
     world.reset(evaluation_seed(run.settings.seed, 2, 2))
     population = run.teams["pursuer"]
     assert not isinstance(population, str)

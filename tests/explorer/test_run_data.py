@@ -59,7 +59,7 @@ def test_seeds_are_those_of_the_evaluation(race: SavedRun) -> None:
 
 def test_the_world_is_that_of_the_evaluation(race: SavedRun) -> None:
     plain = as_read(run_data("race", race))["world"]
-    config = race.settings.world(race.settings.eval_steps)
+    config = race.settings.world
     assert WorldConfig.from_json(plain).to_json() == config.to_json()
 
 

@@ -159,7 +159,7 @@ def test_a_generation_of_a_run_plays_in_an_environment(tmp_path: Path) -> None:
     policy = run.policy("pursuer", -1, seed=0)
     assert np.array_equal(policy.genome, run.teams["pursuer"].genomes[-1])
     assert np.array_equal(run.policy("pursuer", 0).genome, run.teams["pursuer"].genomes[0])
-    env = mw.parallel_env(run.settings.world(12))
+    env = mw.parallel_env(run.settings.world)
     observations, _ = env.reset(seed=0)
     while env.agents:
         observations, *_ = env.step({agent: policy(observations[agent]) for agent in env.agents})
@@ -170,6 +170,6 @@ def test_a_generation_of_a_run_plays_in_an_environment(tmp_path: Path) -> None:
 
 
 def test_a_scripted_team_has_no_policy(tmp_path: Path) -> None:
-    start(tiny_single(team="pursuer", against="random"), tmp_path / "run", threads=1).run()
+    start(tiny_single(team="pursuer", opponent="random"), tmp_path / "run", threads=1).run()
     with pytest.raises(ValueError, match="team: expected one that learned, got evader: random"):
         open_run(tmp_path / "run").policy("evader")

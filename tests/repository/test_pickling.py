@@ -23,10 +23,10 @@ import pytest
 import matrixworld as mw
 from made_up_episode import made_up_episode
 from matrixworld import analysis, classroom, cluster, coevolution, explorer, plots, toys, tutorial
-from matrixworld.coevolution import Candidates, learners, opponents, resume, start
+from matrixworld.coevolution import Candidates, opponents, resume, start
 from matrixworld.coevolution.jobs.job import job_of
 from matrixworld.episodes import replay
-from tiny_race import TINY, results, tiny_race, tiny_single
+from tiny_race import results, tiny_race, tiny_single
 
 INTERFACE = "an interface or a base class, which has no instances"
 NOT_COPIED = {
@@ -230,15 +230,15 @@ def _of_learning() -> Iterator[Any]:
     for number, individual in enumerate(candidates):
         individual.fitness.values = (float(number),)
     yield candidates
-    yield learners.LEARNERS
-    yield from (coevolution.SCHEDULES, coevolution.SINGLE_DEFAULTS)
-    yield [sampler(2, 3) for sampler in opponents.SAMPLERS.values()]
+    yield coevolution.SCHEDULES
+    yield [sampler(2) for sampler in coevolution.schedules.DRAWN.values()]
+    yield [archive(3) for archive in coevolution.schedules.ARCHIVES.values()]
     yield from (opponents.MaxSolve(3), opponents.IPCA(), opponents.LAPCA(3))
     yield opponents.Generalist(np.zeros(3, np.intp), sample_size=3)
 
 
 def _of_runs(directory: Path) -> Iterator[Any]:
-    yield from (tiny_race(), tiny_single(), coevolution.TrainingSettings(**TINY))
+    yield from (tiny_race(), tiny_single(), tiny_race(learner="ga"))
     yield tiny_race(obstacles=("......",) * 6)
     for name, settings in (
         ("single", tiny_single()),
@@ -253,9 +253,10 @@ def _of_runs(directory: Path) -> Iterator[Any]:
     yield saved
     yield saved.policy("pursuer", -1, seed=0)
     yield from (saved.payoff(), saved, saved.files, coevolution.score(saved, episodes=2))
-    yield coevolution.best_response(saved, "pursuer", 100, directory / "response", eval_episodes=5)
+    yield coevolution.best_response(
+        saved, "pursuer", 100, directory / "response", evaluation_episodes=5
+    )
     yield from (
-        coevolution.NoEffectError("sigma", "sigma: expected no value"),
         coevolution.DamagedFileError(Path("payoff.npz"), "cut or altered"),
         coevolution.PluginError("learner mine:Learner: ask: ValueError: no"),
         coevolution.OtherVersionError("another version"),

@@ -9,7 +9,7 @@ from click.testing import CliRunner, Result
 from matrixworld.analysis import CONDITIONS
 from matrixworld.cli import main
 from matrixworld.cli.options import option_name
-from tiny_race import TINY
+from tiny_race import TINY, path_of
 
 WORLD: dict[str, object] = {**TINY, "hidden": "4"}
 RACE = {**WORLD, "generations": 2, "pursuer_epochs": 2, "evader_epochs": 3}
@@ -23,8 +23,13 @@ PNG, GIF = b"\x89PNG", b"GIF89a"
 
 
 def words(options: dict[str, object]) -> list[str]:
-    """Options as they are typed."""
-    return [word for name, value in options.items() for word in (option_name(name), str(value))]
+    """Settings by the names of their fields, as options of ``evolve``."""
+    known = {option.name for option in main.commands["evolve"].params}
+    typed = []
+    for name, value in options.items():
+        own = [option_name(name), str(value)]
+        typed += own if name in known else ["--set", f"{path_of(name)}={value}"]
+    return typed
 
 
 def matrixworld_command(*args: object, code: int = 0) -> Result:

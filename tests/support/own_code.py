@@ -14,11 +14,11 @@ class HillClimber:
         if sigma <= 0:
             raise ValueError(f"sigma: expected a number above 0, got {sigma}")
         self.genome, self.sigma, self.shrink = genome, sigma, shrink
-        self.match_of_candidate = np.zeros(samples, dtype=np.intp)
+        self.seed_groups = np.zeros(samples, dtype=np.intp)
         self.candidates = None
 
     def ask(self, rng):
-        noise = rng.standard_normal((len(self.match_of_candidate), self.genome.size), np.float32)
+        noise = rng.standard_normal((len(self.seed_groups), self.genome.size), np.float32)
         noise[0] = 0.0
         self.candidates = self.genome + np.float32(self.sigma) * noise
         return self.candidates
@@ -151,18 +151,18 @@ class Dotted(HillClimber):
 class Regroups(HillClimber):
     def tell(self, fitness):
         super().tell(fitness)
-        self.match_of_candidate = np.arange(len(fitness))
+        self.seed_groups = np.arange(len(fitness))
 
 
 class Uneven(HillClimber):
     def __init__(self, genome, samples):
         super().__init__(genome, samples)
-        self.match_of_candidate[0] = 1
+        self.seed_groups[0] = 1
 
 
 class NoTell:
     genome = np.zeros(20, np.float32)
-    match_of_candidate = np.zeros(8, np.intp)
+    seed_groups = np.zeros(8, np.intp)
 
     def ask(self, rng):
         """Return nothing."""

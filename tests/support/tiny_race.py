@@ -6,26 +6,29 @@ import os
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import fields
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 
-from matrixworld.coevolution import RaceSettings, SingleSettings
+from matrixworld.coevolution import FitnessSettings, PolicySettings, RaceSettings
+from matrixworld.coevolution.sections import hints_of, sections_in
 from matrixworld.play.rollout import rollout
+from matrixworld.world.config import WorldConfig
 
 TINY: dict[str, Any] = {
     "rows": 6,
     "cols": 6,
-    "pursuers": 2,
-    "evaders": 3,
+    "n_pursuers": 2,
+    "n_evaders": 3,
     "fov": 3,
+    "max_steps": 12,
     "hidden": (4,),
     "population": 4,
     "train_steps": 8,
-    "eval_steps": 12,
-    "eval_episodes": 3,
+    "evaluation_episodes": 3,
     "seed": 5,
 }
 
@@ -40,16 +43,55 @@ RESULTS = (
 STAGES = ("stage-*.npz", "checkpoint-*.npz")
 
 
+def settings_of(**values: Any) -> RaceSettings:
+    """Return settings from values by the names of their fields, wherever these stand.
+
+    `learner` and `schedule` are texts such as "ga", or whole sections.
+    """
+    hints = hints_of(RaceSettings)
+    plain: dict[str, Any] = {"world": {}, "policy": {}, "fitness": {}}
+    known: dict[str, set[str]] = {
+        "world": {item.name for item in fields(WorldConfig)},
+        "policy": {item.name for item in fields(PolicySettings)},
+    }
+    for name, usual in (("learner", "es"), ("schedule", "generalist-generalist")):
+        given = values.pop(name, usual)
+        if not isinstance(given, str):
+            plain[name] = given
+            continue
+        cls = sections_in(hints[name]).get(given) or sections_in(hints[name])["own"]
+        plain[name] = {"kind": given}
+        known[name] = {item.name for item in fields(cls)}
+    known["fitness"] = {item.name for item in fields(FitnessSettings)}
+    for name, value in values.items():
+        # What no section has is a setting of the whole, or an unknown one, which is refused.
+        section = next((each for each, names in known.items() if name in names), None)
+        (plain if section is None else plain[section])[name] = value
+    return RaceSettings.from_json(plain, complete=False)
+
+
+def path_of(name: str) -> str:
+    """Return the path of a setting by the name of its field, such as "learner.sigma"."""
+    sections: dict[str, Any] = {"world": [WorldConfig], "policy": [PolicySettings]}
+    for each in ("learner", "schedule", "fitness"):
+        sections[each] = sections_in(hints_of(RaceSettings)[each]).values()
+    for section, kinds in sections.items():
+        if any(name == item.name for kind in kinds for item in fields(kind)):
+            return f"{section}.{name}"
+    return name
+
+
 def tiny_race(**changes: Any) -> RaceSettings:
     """Return settings of two generations: 2 pursuer and 3 evader epochs, or 2 joint ones."""
     joint = changes.get("schedule") == "hall-of-fame"
     epochs = {"joint_epochs": 2} if joint else {"pursuer_epochs": 2, "evader_epochs": 3}
-    return RaceSettings(**{**TINY, "generations": 2, **epochs, **changes})
+    return settings_of(**{**TINY, "generations": 2, **epochs, **changes})
 
 
-def tiny_single(**changes: Any) -> SingleSettings:
-    """Return settings of five epochs, with an entry of the archive every two."""
-    return SingleSettings(**{**TINY, "epochs": 5, "archive_every": 2, **changes})
+def tiny_single(**changes: Any) -> RaceSettings:
+    """Return settings of one team alone: five epochs, with an entry of the archive every two."""
+    alone = {"schedule": "against", "epochs": 5, "archive_every": 2}
+    return settings_of(**{**TINY, **alone, **changes})
 
 
 def results(directory: Path) -> dict[str, bytes]:

@@ -33,33 +33,35 @@ EPISODES = 40  # of each generation against each held-out opponent
 
 def settings(seed: int) -> RaceSettings:
     """Return the settings of a race."""
-    return RaceSettings(
-        schedule="specialist-specialist",
-        rows=20,
-        cols=20,
-        pursuers=4,
-        evaders=10,
-        hidden=(16,),
-        generations=24,
-        pursuer_epochs=20,
-        evader_epochs=50,
-        population=32,
-        overlap_penalty=0.5,
-        train_steps=100,
-        eval_steps=200,
-        seed=seed,
+    return RaceSettings.of(
+        {
+            "schedule": "specialist-specialist",
+            "world.rows": 20,
+            "world.cols": 20,
+            "world.n_pursuers": 4,
+            "world.n_evaders": 10,
+            "policy.hidden": (16,),
+            "schedule.generations": 24,
+            "schedule.pursuer_epochs": 20,
+            "schedule.evader_epochs": 50,
+            "learner.population": 32,
+            "fitness.overlap_penalty": 0.5,
+            "train_steps": 100,
+            "world.max_steps": 200,
+            "seed": seed,
+        }
     )
 
 
 def captured(run: SavedRun) -> np.ndarray:
     """Return the evaders captured in all episodes of each pair, (generations, generations)."""
     payoff = run.payoff()
-    return np.rint(payoff.capture_rates.sum(axis=2) * run.settings.evaders).astype(np.uint8)
+    return np.rint(payoff.capture_rates.sum(axis=2) * run.settings.world.n_evaders).astype(np.uint8)
 
 
 def scores(run: SavedRun, generations: np.ndarray) -> list[np.ndarray]:
     """Return the mean held-out scores (k,) of both teams."""
-    world = run.settings.world(run.settings.eval_steps)
+    world = run.settings.world
     found = []
     for team in TEAMS:
         genomes = mw.Population(run.teams[team].genomes[generations], run.teams[team].network)
@@ -75,11 +77,11 @@ def main(directory: Path) -> None:
     for seed in SEEDS:
         print(f"seed {seed}", flush=True)
         run = coevolution.finish(settings(seed), directory / str(seed))
-        generations = np.arange(0, run.settings.generations + 1, EVERY)
+        generations = np.arange(0, run.settings.schedule.generations + 1, EVERY)
         counts.append(captured(run))
         held_out.append(scores(run, generations))
     pursuer, evader = np.array(held_out).swapaxes(0, 1)
-    met = run.settings.eval_episodes * run.settings.evaders
+    met = run.settings.evaluation_episodes * run.settings.world.n_evaders
     save_arrays(
         DATA / "chapter_4.npz",
         {

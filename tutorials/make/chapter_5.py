@@ -28,7 +28,7 @@ from matrixworld.tutorial.course import DATA
 SEEDS = range(10)
 WITHOUT_EFFECT = ("joint_epochs", "contemporaries", "hall_sample")
 """Settings of simultaneous races: their defaults have changed, and these races do not use them."""
-EVADERS = RaceSettings().world(1).n_evaders
+EVADERS = RaceSettings().world.n_evaders
 
 
 def played(directory: Path, threads: int | None) -> dict[str, list[np.ndarray]]:
@@ -42,7 +42,7 @@ def played(directory: Path, threads: int | None) -> dict[str, list[np.ndarray]]:
         runs = evolve(settings, directory, threads=threads, report=bars.show)
     rates: dict[str, list[np.ndarray]] = {name: [] for name in SCHEDULES}
     for run in runs:
-        rates[run.settings.schedule].append(run.payoff().capture_rates)
+        rates[run.settings.schedule.name].append(run.payoff().capture_rates)
     return rates
 
 

@@ -23,7 +23,6 @@ from __future__ import annotations
 
 import argparse
 import csv
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -45,11 +44,24 @@ from matrixworld.tutorial.course import DATA
 
 SAMPLERS = ("latest", "round-robin", "uniform", "maxsolve", "ipca", "lapca")
 SEEDS = range(10)
-SMALL = RaceSettings(
-    schedule="alternating", rows=16, cols=16, pursuers=4, evaders=8, fov=9, hidden=(16,),
-    generations=20, pursuer_epochs=20, evader_epochs=40, population=32, overlap_penalty=0.5,
-    train_steps=100, eval_steps=200,
-)  # fmt: skip
+SMALL = RaceSettings.of(
+    {
+        "schedule": "alternating",
+        "world.rows": 16,
+        "world.cols": 16,
+        "world.n_pursuers": 4,
+        "world.n_evaders": 8,
+        "world.fov": 9,
+        "policy.hidden": (16,),
+        "schedule.generations": 20,
+        "schedule.pursuer_epochs": 20,
+        "schedule.evader_epochs": 40,
+        "learner.population": 32,
+        "fitness.overlap_penalty": 0.5,
+        "train_steps": 100,
+        "world.max_steps": 200,
+    }
+)
 CROSS_EPISODES = 5
 HALLS = Path(__file__).parents[2] / "evolution/results/hall_of_fame/races.csv"
 
@@ -57,7 +69,9 @@ HALLS = Path(__file__).parents[2] / "evolution/results/hall_of_fame/races.csv"
 def races(directory: Path, threads: int | None) -> list[SavedRun]:
     """Return the finished races, sampler by sampler; play the missing ones."""
     settings = {
-        f"{name}/seed-{seed}": replace(SMALL, pursuers_meet=name, evaders_meet=name, seed=seed)
+        f"{name}/seed-{seed}": SMALL.changed(
+            {"schedule.pursuers_meet": name, "schedule.evaders_meet": name, "seed": seed}
+        )
         for name in SAMPLERS
         for seed in SEEDS
     }
@@ -72,11 +86,11 @@ def numbers_of(runs: list[SavedRun]) -> dict[str, np.ndarray]:
     matches = np.array([run.files.log()["matches"][-1] for run in runs])
     return {
         "samplers": np.array(SAMPLERS),
-        "evaders": np.array(SMALL.evaders),
-        "captured": counts(rates, SMALL.evaders).reshape(*shape, *rates.shape[1:]),
+        "evaders": np.array(SMALL.world.n_evaders),
+        "captured": counts(rates, SMALL.world.n_evaders).reshape(*shape, *rates.shape[1:]),
         "matches": matches.reshape(shape),
         "cross_play": cross_play(runs, int(matches.min())).reshape(*shape, *shape),
-        "cross_evaders": np.array(SMALL.evaders * CROSS_EPISODES),
+        "cross_evaders": np.array(SMALL.world.n_evaders * CROSS_EPISODES),
     }
 
 
@@ -89,11 +103,11 @@ def cross_play(runs: list[SavedRun], budget: int) -> np.ndarray:
         )
         for team in TEAMS
     }
-    world = SMALL.world(SMALL.eval_steps)
+    world = SMALL.world
     played = tournament(
         world, champions["pursuer"], champions["evader"], seed=0, episodes=CROSS_EPISODES
     )
-    return counts(played.capture_rate, SMALL.evaders * CROSS_EPISODES)
+    return counts(played.capture_rate, SMALL.world.n_evaders * CROSS_EPISODES)
 
 
 def counts(rates: np.ndarray, evaders: int) -> np.ndarray:

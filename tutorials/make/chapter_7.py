@@ -27,16 +27,31 @@ COUNTS = ROOT / "evolution" / "results" / "judgement" / "counts.csv"
 SEEDS = range(10)
 EPISODES = 30
 """Episodes of each pair that are kept, of 40, so that the file stays small."""
-EVEN = RaceSettings(
-    rows=12, cols=12, pursuers=4, evaders=8, fov=9, hidden=(16,), population=24, generations=14,
-    pursuer_epochs=20, evader_epochs=40, overlap_penalty=0.5, train_steps=80, eval_steps=300,
-    eval_episodes=40,
-)  # fmt: skip
+EVEN = RaceSettings.of(
+    {
+        "world.rows": 12,
+        "world.cols": 12,
+        "world.n_pursuers": 4,
+        "world.n_evaders": 8,
+        "world.fov": 9,
+        "policy.hidden": (16,),
+        "learner.population": 24,
+        "schedule.generations": 14,
+        "schedule.pursuer_epochs": 20,
+        "schedule.evader_epochs": 40,
+        "fitness.overlap_penalty": 0.5,
+        "train_steps": 80,
+        "world.max_steps": 300,
+        "evaluation_episodes": 40,
+    }
+)
 RACES = {
     "even": EVEN,
-    "few evader epochs": replace(EVEN, evader_epochs=2),
-    "no overlap penalty": replace(EVEN, overlap_penalty=0.0),
-    "restrained pursuers": replace(EVEN, evader_epochs=2, pursuer_virulence=0.75),
+    "few evader epochs": EVEN.changed({"schedule.evader_epochs": 2}),
+    "no overlap penalty": EVEN.changed({"fitness.overlap_penalty": 0.0}),
+    "restrained pursuers": EVEN.changed(
+        {"schedule.evader_epochs": 2, "fitness.pursuer_virulence": 0.75}
+    ),
 }
 """Settings of the races by name, without their seeds."""
 
@@ -51,7 +66,7 @@ def spread(run: SavedRun) -> np.ndarray:
     log = run.files.log()
     found = [
         log["fitness_std"][(log["generation"] == generation) & (log["team"] == team)].mean()
-        for generation in range(1, EVEN.generations + 1)
+        for generation in range(1, EVEN.schedule.entries)
         for team in TEAMS
     ]
     return np.array(found, np.float32).reshape(-1, len(TEAMS))
@@ -60,7 +75,7 @@ def spread(run: SavedRun) -> np.ndarray:
 def captures(run: SavedRun) -> np.ndarray:
     """Return the evaders captured in each episode, uint8 of shape (n, n, episodes)."""
     rates = run.payoff().capture_rates[..., :EPISODES]
-    return np.rint(rates * EVEN.evaders).astype(np.uint8)
+    return np.rint(rates * EVEN.world.n_evaders).astype(np.uint8)
 
 
 def false_alarms() -> dict[str, np.ndarray]:
@@ -76,7 +91,7 @@ def false_alarms() -> dict[str, np.ndarray]:
 
 
 def main(runs: Path) -> None:
-    arrays: dict[str, np.ndarray] = {"evaders": np.array(EVEN.evaders)}
+    arrays: dict[str, np.ndarray] = {"evaders": np.array(EVEN.world.n_evaders)}
     for name, settings in RACES.items():
         played = [
             finish(replace(settings, seed=seed), place(runs, name, seed), threads=1)

@@ -10,7 +10,7 @@ played again.
 from __future__ import annotations
 
 import sys
-from dataclasses import fields, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -18,16 +18,27 @@ from tqdm import tqdm
 
 import matrixworld as mw
 from matrixworld._util.files import save_arrays
-from matrixworld.coevolution import RaceSettings, SavedRun, SingleSettings, Team, finish, held_out
+from matrixworld.coevolution import Against, RaceSettings, SavedRun, Team, finish, held_out
 from matrixworld.coevolution.types import TEAMS, other
 from matrixworld.tutorial.course import DATA
 from matrixworld.world.policy import TeamPolicy
 
 SEEDS = range(10)
-RACE = RaceSettings(
-    rows=20, cols=20, pursuers=3, evaders=8, hidden=(16,), population=32, generations=20,
-    pursuer_epochs=50, evader_epochs=50, train_steps=100, eval_steps=100,
-)  # fmt: skip
+RACE = RaceSettings.of(
+    {
+        "world.rows": 20,
+        "world.cols": 20,
+        "world.n_pursuers": 3,
+        "world.n_evaders": 8,
+        "policy.hidden": (16,),
+        "learner.population": 32,
+        "schedule.generations": 20,
+        "schedule.pursuer_epochs": 50,
+        "schedule.evader_epochs": 50,
+        "train_steps": 100,
+        "world.max_steps": 100,
+    }
+)
 LADDERS: dict[Team, tuple[str, ...]] = {
     "pursuer": ("random", "clumsy-fleer", "fleer", "dodger"),
     "evader": ("random", "clumsy-chaser", "chaser", "hunter"),
@@ -47,13 +58,15 @@ def orders(team: Team) -> dict[str, tuple[str, ...]]:
     return found
 
 
-def alone(team: Team) -> SingleSettings:
+def alone(team: Team) -> RaceSettings:
     """Return the settings of one stage: a quarter of the epochs of the race, else the same."""
-    same = {item.name for item in fields(RACE)} & {item.name for item in fields(SingleSettings)}
-    settings = {name: getattr(RACE, name) for name in same}
-    settings["overlap_penalty"] = RACE.resolved_overlap_penalty if team == "evader" else None
-    epochs = RACE.total_epochs(team) // STAGES
-    return SingleSettings(team=team, epochs=epochs, archive_every=epochs, **settings)
+    epochs = RACE.schedule.total_epochs(team) // STAGES
+    penalty = RACE.overlap_penalty if team == "evader" else None
+    return replace(
+        RACE,
+        schedule=Against(team=team, epochs=epochs, archive_every=epochs),
+        fitness=replace(RACE.fitness, overlap_penalty=penalty),
+    )
 
 
 def taught(team: Team, name: str, seed: int, runs: Path) -> np.ndarray:
@@ -63,7 +76,9 @@ def taught(team: Team, name: str, seed: int, runs: Path) -> np.ndarray:
         directory = runs / team / name.replace(" ", "-") / str(seed) / str(stage)
         start = None if before is None else str(before)
         # A seed of its own for each stage: otherwise all stages would play the same matches.
-        settings = replace(alone(team), seed=STAGES * seed + stage, against=opponent, start=start)
+        settings = alone(team).changed(
+            {"seed": STAGES * seed + stage, "schedule.opponent": opponent, "schedule.start": start}
+        )
         run = finish(settings, directory, threads=1)
         archive = run.teams[team].genomes
         genomes += [archive[-1]] if genomes else [archive[0], archive[-1]]
@@ -74,7 +89,7 @@ def taught(team: Team, name: str, seed: int, runs: Path) -> np.ndarray:
 def tested(team: Team, genomes: np.ndarray, opponent: TeamPolicy, episodes: int) -> np.ndarray:
     """Return the evaders that each genome (n, genes) captures, or saves, per 1000: uint16 (n,)."""
     own, index = mw.Population(genomes, RACE.network), np.arange(len(genomes))
-    world = RACE.world(RACE.eval_steps)
+    world = RACE.world
     if team == "pursuer":
         scores = mw.rollout(
             world, own, opponent, mw.Matches.of(index, 0, 0), episodes=episodes, threads=1

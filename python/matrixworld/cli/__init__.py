@@ -18,7 +18,6 @@ from matrixworld.cli.options import Commands
 from matrixworld.cli.replay import replay_command
 from matrixworld.cli.score import score_command
 from matrixworld.cli.tournament import tournament_command
-from matrixworld.cli.variants import variants_command
 from matrixworld.version import __version__
 
 __all__ = ["main"]
@@ -45,7 +44,6 @@ for command in (
     tournament_command,
     exploit_command,
     class_command,
-    variants_command,
     bench_command,
     playground_command,
 ):

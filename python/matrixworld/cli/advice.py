@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from matrixworld.analysis import Judgement
-from matrixworld.cli.options import option_name
-from matrixworld.coevolution.opponents.registry import ALTERNATING, HALL_OF_FAME
-from matrixworld.coevolution.settings.race import RaceSettings
+from matrixworld.cli.setting_options import option_of
+from matrixworld.coevolution import HALL_OF_FAME, Alternating, RaceSettings
+from matrixworld.coevolution.schedules import RaceSchedule
+from matrixworld.coevolution.sections import leaves
+from matrixworld.coevolution.types import TEAMS
 
-Value = Callable[[RaceSettings], Any]
+Value = Callable[[Mapping[str, Any]], Any]
+"""Returns the new value of a setting from the present values by path."""
 
 
 @dataclass(frozen=True)
 class Advice:
     """A change of settings that may help if any of the conditions is present.
 
-    A new value may be a function of the settings, such as twice the present one.
+    `conditions` are those of which any has to be present, `applies` says whether the row is for a
+    race of these settings, `changes` has the new values by path (or functions that return them),
+    and `why` says what the change does.
     """
 
     conditions: tuple[str, ...]
@@ -28,10 +33,9 @@ class Advice:
 
     def options(self, settings: RaceSettings) -> dict[str, Any]:
         """Return the settings that change, with their new values."""
-        values = {
-            n: value(settings) if callable(value) else value for n, value in self.changes.items()
-        }
-        return {name: value for name, value in values.items() if value != getattr(settings, name)}
+        present = {leaf.path: leaf.value for leaf in leaves(settings)}
+        values = {n: each(present) if callable(each) else each for n, each in self.changes.items()}
+        return {name: value for name, value in values.items() if value != present.get(name)}
 
     def helps(self, settings: RaceSettings, present: Collection[str]) -> bool:
         """Return whether the row applies, changes something, and a race can have the result."""
@@ -39,7 +43,7 @@ class Advice:
             return False
         options = self.options(settings)
         try:
-            replace(settings, **options)
+            settings.changed(options)
         except ValueError:
             # Such as a larger network with a learner that takes few genes only.
             return False
@@ -47,88 +51,90 @@ class Advice:
 
     def line(self, settings: RaceSettings) -> str:
         """Return the options to type, and why."""
-        options = self.options(settings)
-        typed = " ".join(f"{option_name(name)} {_typed(value)}" for name, value in options.items())
+        typed = " ".join(option_of(*each) for each in self.options(settings).items())
         return f"{typed}: {self.why}"
 
 
-def _typed(value: Any) -> str:
-    return ",".join(map(str, value)) if isinstance(value, tuple) else str(value)
-
-
-def twice(name: str) -> Value:
+def twice(path: str) -> Value:
     """Return a function that doubles a setting."""
-    return lambda settings: 2 * getattr(settings, name)
+    return lambda present: 2 * present[path]
 
 
-def _is(*schedules: str) -> Callable[[RaceSettings], bool]:
-    return lambda settings: settings.schedule in schedules
+def _named(*schedules: str) -> Callable[[RaceSettings], bool]:
+    return lambda settings: settings.schedule.name in schedules
 
 
 def _any(settings: RaceSettings) -> bool:
     return True
 
 
+def _takes_turns(settings: RaceSettings) -> bool:
+    return isinstance(settings.schedule, Alternating)
+
+
 def _meets_newest_only(settings: RaceSettings) -> bool:
-    samplers = {settings.sampler_name(team) for team in ("pursuer", "evader")}
-    return settings.schedule == ALTERNATING and "latest" in samplers
+    schedule = settings.schedule
+    if not isinstance(schedule, RaceSchedule) or schedule.name != Alternating.kind:
+        return False
+    return any(getattr(schedule.opponents_of(team), "rule", None) == "latest" for team in TEAMS)
 
 
 def _meets_past_ones(settings: RaceSettings) -> bool:
-    return settings.schedule == ALTERNATING and not _meets_newest_only(settings)
-
-
-def _takes_turns(settings: RaceSettings) -> bool:
-    return settings.schedule != HALL_OF_FAME
+    return settings.schedule.name == Alternating.kind and not _meets_newest_only(settings)
 
 
 def _samples_near_one_genome(settings: RaceSettings) -> bool:
-    return settings.schedule != HALL_OF_FAME and settings.learner_name != "ga"
+    return _takes_turns(settings) and settings.learner.kind != "ga"
 
 
 def _full_virulence(settings: RaceSettings) -> bool:
-    reduced = settings.pursuer_virulence is not None or settings.evader_virulence is not None
-    return not reduced and settings.sharing == "none" and settings.fitness != "rewards"
+    fitness = settings.fitness
+    reduced = fitness.pursuer_virulence is not None or fitness.evader_virulence is not None
+    return not reduced and fitness.sharing == "none" and fitness.measure != "rewards"
 
 
 NEWEST = ("specialist-specialist", "generalist-specialist")
 CYCLES = ("cycling", "forgetting")
+PURSUERS_MEET, EVADERS_MEET = "schedule.pursuers_meet", "schedule.evaders_meet"
 
 ADVICE = (
-    Advice(CYCLES, _is(*NEWEST), {"schedule": "generalist-generalist"},
+    Advice(CYCLES, _named(*NEWEST), {"schedule": "generalist-generalist"},
            "both teams meet opponents of all generations"),
-    Advice(CYCLES, _is(*NEWEST), {"schedule": HALL_OF_FAME},
+    Advice(CYCLES, _named(*NEWEST), {"schedule": HALL_OF_FAME},
            "both teams meet living opponents and champions of all generations"),
-    Advice(CYCLES, _is("generalist-generalist"), {"schedule": ALTERNATING, "opponents": 4},
+    Advice(CYCLES, _named("generalist-generalist"), {"schedule.opponents": 4},
            "candidates meet several opponents in each epoch"),
-    Advice(CYCLES, _is("generalist-generalist"),
-           {"schedule": ALTERNATING, "pursuers_meet": "maxsolve", "evaders_meet": "maxsolve"},
+    Advice(CYCLES, _named("generalist-generalist"),
+           {PURSUERS_MEET: "maxsolve", EVADERS_MEET: "maxsolve"},
            "an archive keeps the opponents that tell candidates apart"),
-    Advice(CYCLES, _meets_newest_only, {"pursuers_meet": "uniform", "evaders_meet": "uniform"},
+    Advice(CYCLES, _meets_newest_only, {PURSUERS_MEET: "uniform", EVADERS_MEET: "uniform"},
            "both teams meet opponents of all generations"),
-    Advice(CYCLES, _meets_past_ones, {"opponents": twice("opponents")},
+    Advice(CYCLES, _meets_past_ones, {"schedule.opponents": twice("schedule.opponents")},
            "candidates meet more opponents in each epoch"),
-    Advice(CYCLES, _is(HALL_OF_FAME), {"hall_sample": lambda s: 2 * max(1, s.hall_sample)},
+    Advice(CYCLES, _named(HALL_OF_FAME),
+           {"schedule.hall_sample": lambda present: 2 * max(1, present["schedule.hall_sample"])},
            "candidates meet more members of the halls of fame"),
-    Advice(("disengagement",), _full_virulence, {"pursuer_virulence": 0.75},
+    Advice(("disengagement",), _full_virulence, {"fitness.pursuer_virulence": 0.75},
            "if pursuers win everything: candidates that win everything have no advantage"),
-    Advice(("disengagement",), _full_virulence, {"evader_virulence": 0.75},
+    Advice(("disengagement",), _full_virulence, {"fitness.evader_virulence": 0.75},
            "the same for evaders, if they win everything"),
     Advice(("disengagement", "one-sided progress"), _takes_turns,
-           {"pursuer_epochs": twice("pursuer_epochs")},
+           {"schedule.pursuer_epochs": twice("schedule.pursuer_epochs")},
            "if pursuers are the weaker team or the one that does not gain"),
     Advice(("disengagement", "one-sided progress"), _takes_turns,
-           {"evader_epochs": twice("evader_epochs")},
+           {"schedule.evader_epochs": twice("schedule.evader_epochs")},
            "if evaders are the weaker team or the one that does not gain"),
-    Advice(("one-sided progress",), _is(HALL_OF_FAME), {"joint_epochs": twice("joint_epochs")},
+    Advice(("one-sided progress",), _named(HALL_OF_FAME),
+           {"schedule.joint_epochs": twice("schedule.joint_epochs")},
            "more time for the team that does not gain"),
-    Advice(("stagnation",), _any, {"population": twice("population")},
+    Advice(("stagnation",), _any, {"learner.population": twice("learner.population")},
            "the fitness of more candidates is less noisy"),
     Advice(("stagnation",), _samples_near_one_genome, {"learner": "ga"},
            "a population of different genomes instead of samples around one"),
-    Advice(("stagnation",), _any, {"hidden": lambda s: (2 * max((16, *s.hidden)),)},
+    Advice(("stagnation",), _any,
+           {"policy.hidden": lambda present: [2 * max((16, *present["policy.hidden"]))]},
            "a larger network"),
-    Advice(("arms race",), _any, {"generations": twice("generations")},
+    Advice(("arms race",), _any, {"schedule.generations": twice("schedule.generations")},
            "the race goes on; more generations show how long"),
 )  # fmt: skip
 """What to try, in the order in which it is printed."""

@@ -14,7 +14,7 @@ from matrixworld._util.files import DamagedFileError, LockedError
 from matrixworld._util.memory import OutOfMemoryError
 from matrixworld.cli.console import command
 from matrixworld.coevolution.jobs.job import JOB
-from matrixworld.coevolution.opponents.registry import ALTERNATING, HALL_OF_FAME, SCHEDULES
+from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME, SCHEDULES
 from matrixworld.coevolution.storage.run_directory import OtherVersionError
 from matrixworld.coevolution.storage.saved_run import run_directories
 from matrixworld.version import MissingExtraError

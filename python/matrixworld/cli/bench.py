@@ -35,7 +35,7 @@ from matrixworld.cli.options import (
     threads_option,
     write_json,
 )
-from matrixworld.cli.setting_options import settings_from, sizes_of, world_options
+from matrixworld.cli.setting_options import Asked, sizes_of, world_options
 from matrixworld.coevolution import TEAMS, RaceSettings
 from matrixworld.envs.vector import VectorEnv
 from matrixworld.play.rollout import EpisodeStatistics, Matches, rollout
@@ -284,8 +284,7 @@ def _variant(ctx: click.Context, param: click.Parameter, value: str) -> str:
 def _hidden(
     ctx: click.Context, param: click.Parameter, values: tuple[str, ...]
 ) -> list[tuple[int, ...]]:
-    # sizes_of returns None for no value only, and here every value is a string.
-    given = [sizes_of(ctx, param, value) or () for value in values]
+    given = [sizes_of(value) for value in values]
     return list(dict.fromkeys(given or HIDDEN))
 
 
@@ -340,9 +339,10 @@ def bench_command(
     refuse_existing(json_file, force=force)
     given = given_options(options)
     # One row of races for each network; the first network is that of the world's own lines.
-    races = [_races({**given, "variant": variant, "hidden": sizes}) for sizes in hidden]
+    options = {**given, "variant": variant}
+    races = [Asked(options, [("policy.hidden", sizes)]).settings() for sizes in hidden]
     settings = [race for race, *_ in races]
-    world, threads = settings[0].world(settings[0].eval_steps), check_threads(threads)
+    world, threads = settings[0].world, check_threads(threads)
     machine = machine_figures()
     print_head(machine, variant, world)
     with failures():
@@ -363,10 +363,6 @@ def bench_command(
         raise click.exceptions.Exit(INTERRUPTED)
 
 
-def _races(given: dict[str, Any]) -> list[RaceSettings]:
-    return [race for race in settings_from(given) if isinstance(race, RaceSettings)]
-
-
 def _measure(
     settings: Sequence[RaceSettings], world: WorldConfig, threads: int, seconds: float
 ) -> tuple[list[Timing], bool]:
@@ -375,13 +371,13 @@ def _measure(
     stopped = False
     # Ctrl-C may come in the checks, too: then nothing is planned yet.
     try:
-        short = settings[0].world(settings[0].train_steps)
+        short = settings[0].training_world
         check_worlds(world, threads)
         for each in settings:
             check_matches(short, each.network, threads)
         planned += timings_of_worlds(world, threads)
         for each in settings:
-            planned += timings_of_matches(short, each.network, each.population, threads)
+            planned += timings_of_matches(short, each.network, each.learner.population, threads)
         total = REPEATS * len(planned)
         with progress(unit="timings") as report:
             # In turns, so that a disturbance of some seconds does not spoil all repeats of a line.
@@ -443,13 +439,13 @@ def lines_of(measured: Sequence[Timing]) -> list[Figures]:
 def evolve_figures(lines: Sequence[Figures], races: Sequence[RaceSettings]) -> Figures | None:
     """Estimate how long the matches of races take; None if no measured network is theirs."""
     # All races have the same network and world; they differ in the schedule.
-    hidden = list(races[0].hidden)
+    hidden = list(races[0].policy.hidden)
     rates = [line for line in lines if line["hidden"] == hidden]
     if not rates:
         return None
     trained, evaluated = (sum(counts) for counts in zip(*map(matches_of, races), strict=True))
     # The matches measured have the length of training; those of the evaluation are longer.
-    longer = races[0].eval_steps / races[0].train_steps
+    longer = races[0].world.max_steps / races[0].train_steps
     # The last line is that of the most threads.
     return {
         "hidden": hidden,
@@ -461,10 +457,10 @@ def evolve_figures(lines: Sequence[Figures], races: Sequence[RaceSettings]) -> F
 
 def matches_of(race: RaceSettings) -> tuple[int, int]:
     """Return the numbers of matches of a race's training and of its payoff matrix."""
-    epochs = sum(race.total_epochs(team) for team in TEAMS)
+    epochs = sum(race.schedule.total_epochs(team) for team in TEAMS)
     # Generation 0 is evaluated, too.
-    cells = (race.generations + 1) ** 2
-    return epochs * race.population * race.worlds, cells * race.eval_episodes
+    cells = race.schedule.entries**2
+    return epochs * race.learner.population * race.match_episodes, cells * race.evaluation_episodes
 
 
 def print_lines(lines: Sequence[Figures]) -> None:

@@ -19,6 +19,7 @@ from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, pro
 from matrixworld.cli.explore import open_option, open_page
 from matrixworld.cli.options import (
     SectionedCommand,
+    SettingOption,
     force_option,
     json_option,
     option_name,
@@ -28,7 +29,7 @@ from matrixworld.cli.options import (
     threads_option,
     write_json,
 )
-from matrixworld.cli.setting_options import SettingOption, in_options, world_options
+from matrixworld.cli.setting_options import in_options, world_options
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.explorer.page import write_page

@@ -11,7 +11,7 @@ import click
 
 from matrixworld.cli.console import note
 from matrixworld.cluster import UnfitWorkerError, check_where, cluster
-from matrixworld.coevolution import RaceSettings, SingleSettings
+from matrixworld.coevolution import RaceSettings
 
 
 def _where(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
@@ -43,7 +43,7 @@ def on_cluster(
     where: str | None,
     threads: int | None,
     directory: Path | None = None,
-    settings: Iterable[RaceSettings | SingleSettings] = (),
+    settings: Iterable[RaceSettings] = (),
 ) -> Iterator[Executor | None]:
     """Yield the executor that ``--cluster`` asks for, or None without it.
 
@@ -53,8 +53,7 @@ def on_cluster(
         yield None
         return
     refuse_threads(where, threads)
-    learners = [each.built_in_learner for each in settings]
-    alike = any(entry.like_processors for entry in learners if entry is not None)
+    alike = any(each.learner.rounds_by_processor for each in settings)
     try:
         with cluster(where, directory=directory, like_processors=alike, tell=note) as executor:
             yield executor

@@ -22,12 +22,12 @@ from matrixworld.cli.options import (
 )
 from matrixworld.cli.report import report
 from matrixworld.cli.seeds import seeds_option
-from matrixworld.cli.setting_options import in_options, setting_options, settings_from
+from matrixworld.cli.setting_options import asked, help_all, setting_options, usage_errors
+from matrixworld.cli.variants import variants_option
 from matrixworld.coevolution import (
     PluginError,
     RaceSettings,
     RunDirectory,
-    SingleSettings,
 )
 from matrixworld.coevolution.jobs.evolve import check_job
 from matrixworld.coevolution.jobs.job import Job
@@ -39,6 +39,7 @@ Examples:
   matrixworld evolve my-race --variant SB --schedule generalist-generalist
   matrixworld evolve my-races --seeds 0-9
   matrixworld evolve --against random --team evader
+  matrixworld evolve my-race --learner ga --set learner.mutation=0.1
   matrixworld evolve my-races --seeds 0-999 --cluster tcp://head-node:8786
   matrixworld evolve --resume my-race
 """
@@ -59,6 +60,15 @@ Examples:
 @threads_option
 @cluster_option
 @setting_options
+@click.option(
+    "--help-all",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=help_all,
+    help="print this page and all settings",
+)
+@variants_option
 def evolve_command(
     output: Path | None,
     resumed: Path | None,
@@ -93,7 +103,7 @@ def evolve_command(
             _play_old(resumed, threads, where)
         else:
             _refuse_seed(seeds, given)
-            _play_new(settings_from(given), seeds, output, threads, where)
+            _play_new(asked(given).settings(), seeds, output, threads, where)
 
 
 def _refuse_seed(seeds: tuple[int, ...] | None, given: dict[str, Any]) -> None:
@@ -102,7 +112,7 @@ def _refuse_seed(seeds: tuple[int, ...] | None, given: dict[str, Any]) -> None:
 
 
 def _play_new(
-    settings: list[RaceSettings] | list[SingleSettings],
+    settings: list[RaceSettings],
     seeds: tuple[int, ...] | None,
     output: Path | None,
     threads: int | None,
@@ -112,10 +122,8 @@ def _play_new(
     elsewhere = _elsewhere(job, where, threads)
     root = _new_directory(output, default_directory(job))
     # Some settings can be checked only when opponents and start genomes have been read.
-    try:
+    with usage_errors():
         check_job(job, root, elsewhere, threads)
-    except ValueError as error:
-        raise click.UsageError(in_options(str(error))) from error
     with _resumable(root):
         _play(job, root, threads, where, new=True)
 

@@ -18,14 +18,14 @@ from numpy.typing import NDArray
 
 from matrixworld.analysis import headline
 from matrixworld.cli.arguments import run_name
-from matrixworld.cli.groups import Group, Result, Settings
+from matrixworld.cli.groups import Group, Result
 from matrixworld.cli.held_out import play_held_out
 from matrixworld.cli.tables import held_out
-from matrixworld.coevolution import SavedRun, SingleSettings, open_run, open_runs
+from matrixworld.coevolution import Against, SavedRun, open_run, open_runs
 from matrixworld.coevolution.evaluation.scores import scores_in_race, trained_team
-from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.payoff import Payoff
-from matrixworld.coevolution.settings.race import RaceSettings
+from matrixworld.coevolution.schedules import HallOfFame
+from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage.saved_run import run_directories
 from matrixworld.coevolution.types import TEAMS, Team
 
@@ -115,11 +115,11 @@ def format_of(option: str, file: Path) -> str:
         raise click.UsageError(f"{option}: {error}") from error
 
 
-def run_title(path: Path, settings: Settings) -> str:
+def run_title(path: Path, settings: RaceSettings) -> str:
     """Return the name of a run in figures, with its schedule and its seed."""
     name = run_name(path)
-    if isinstance(settings, RaceSettings) and settings.schedule != name:
-        name = f"{name} ({settings.schedule})"
+    if settings.is_race and settings.schedule.name != name:
+        name = f"{name} ({settings.schedule.name})"
     return f"{name}, seed {settings.seed}"
 
 
@@ -181,14 +181,15 @@ def _training(group: Group, baselines: Baselines) -> Figure:
     [run] = group.runs
     log, settings = run.files.log(), run.settings
     rates, learners = log["capture_rate"], log["team"] == "evader"
-    if isinstance(settings, SingleSettings):
-        title = _title(group, f"Capture rate while {settings.team}s learn")
-        window = max(1, settings.epochs // LONGEST)
+    schedule = settings.schedule
+    if isinstance(schedule, Against):
+        title = _title(group, f"Capture rate while {schedule.team}s learn")
+        window = max(1, schedule.epochs // LONGEST)
         return plots.training_curve(rates, learners, window=window, title=title)
     # The same window for both teams, so it must fit into the shorter team phase.
-    window = max(1, min(settings.epochs(team) for team in TEAMS) // WINDOWS)
+    window = max(1, min(schedule.epochs(team) for team in TEAMS) // WINDOWS)
     generations = log["generation"]
-    if settings.schedule == HALL_OF_FAME:
+    if isinstance(schedule, HallOfFame):
         # Both teams learn from the same matches there, and each logs a row of them: keep one.
         once = ~learners
         title = _title(group, "Capture rate while both teams learn")

@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Collection, Iterable, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
@@ -28,12 +28,10 @@ from matrixworld.analysis.cycles import MARGIN
 from matrixworld.cli.arguments import SEED, all_of, find_runs, resume_command
 from matrixworld.cli.console import note
 from matrixworld.cli.held_out import Scores, kept_scores
-from matrixworld.coevolution import Payoff, RaceSettings, RunDirectory, SingleSettings
+from matrixworld.coevolution import Payoff, RaceSettings, RunDirectory
 from matrixworld.coevolution.jobs.job import JOB, open_job
 
 FILES = (".csv", ".npz")
-
-Settings = RaceSettings | SingleSettings
 
 
 @dataclass(frozen=True)
@@ -41,7 +39,7 @@ class Result:
     """A run of a job, which may not even have begun. What its files hold is read once."""
 
     files: RunDirectory
-    settings: Settings
+    settings: RaceSettings
     finished: bool = True
 
     @property
@@ -52,7 +50,7 @@ class Result:
     @property
     def is_race(self) -> bool:
         """Whether both teams evolved."""
-        return not isinstance(self.settings, SingleSettings)
+        return self.settings.is_race
 
     @cached_property
     def payoff(self) -> Payoff:
@@ -115,7 +113,7 @@ class Group:
         return all(run.is_race for run in self.runs)
 
     @property
-    def settings(self) -> Settings | None:
+    def settings(self) -> RaceSettings | None:
         """Settings of the runs, with the seed of the first; None for files."""
         return self.runs[0].settings if self.runs else None
 
@@ -222,16 +220,10 @@ def _resume(path: Path) -> str:
 
 def grouped(runs: Iterable[Result], episodes: int | None = None) -> list[Group]:
     """Return runs, finished or not, in groups that differ in their seed only."""
-    found: list[tuple[dict[str, Any], list[Result]]] = []
+    found: dict[RaceSettings, list[Result]] = {}
     for run in runs:
-        values = _resolved(run.settings)
-        for others, members in found:
-            if others == values:
-                members.append(run)
-                break
-        else:
-            found.append((values, [run]))
-    return [_group(members, episodes) for _, members in found]
+        found.setdefault(replace(run.settings, seed=0), []).append(run)
+    return [_group(members, episodes) for members in found.values()]
 
 
 def _group(members: Sequence[Result], episodes: int | None) -> Group:
@@ -259,24 +251,6 @@ def _paths(members: Sequence[Result]) -> tuple[Path, ...]:
     if of_seeds and {*find_runs(folder.absolute())} <= paths:
         return (folder,)
     return tuple(run.path for run in members)
-
-
-def _resolved(settings: Any) -> dict[str, Any]:
-    """Return the fields, but the seed, with the values that a default stands for."""
-    world = settings.world(settings.train_steps)
-    given = {item.name: getattr(settings, item.name) for item in fields(settings)}
-    del given["seed"]
-    return {
-        **given,
-        "kind": type(settings),
-        "variant": settings.rules,
-        "rows": world.rows,
-        "cols": world.cols,
-        "pursuers": world.n_pursuers,
-        "evaders": world.n_evaders,
-        "learner": settings.learner_name,
-        "overlap_penalty": settings.resolved_overlap_penalty,
-    }
 
 
 # Directories of jobs:

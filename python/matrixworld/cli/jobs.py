@@ -12,14 +12,14 @@ import click
 
 from matrixworld.cli.arguments import find_runs, place_in_job, resume_command
 from matrixworld.cli.console import note, progress
-from matrixworld.cli.groups import Result, Settings, open_result
+from matrixworld.cli.groups import Result, open_result
 from matrixworld.coevolution import (
     PluginError,
+    RaceSettings,
     RunDirectory,
-    SingleSettings,
 )
 from matrixworld.coevolution.jobs.evolve import BAD_FILES, described, play_job
-from matrixworld.coevolution.jobs.job import Job, against_name, job_of, open_job
+from matrixworld.coevolution.jobs.job import Job, job_of, open_job
 
 RUNS = Path("runs")
 """Parent directory of runs for which no directory is given."""
@@ -30,16 +30,14 @@ def default_directory(job: Job) -> Path:
     settings = next(iter(job.runs.values()))
     seeds = [each.seed for each in job.runs.values()]
     named = f"seeds{seeds[0]}-{seeds[-1]}" if len({*seeds}) > 1 else f"seed{seeds[0]}"
-    # Rules made in Python have no name.
-    variant = settings.variant if isinstance(settings.variant, str) else "own-rules"
-    what = f"-{against_name(settings)}" if isinstance(settings, SingleSettings) else ""
-    return RUNS / f"{variant}{what}-{named}"
+    what = "" if settings.is_race else f"-{settings.schedule.name}"
+    return RUNS / f"{settings.variant}{what}-{named}"
 
 
-def new_job(settings: Sequence[Settings], seeds: Sequence[int] | None) -> Job:
+def new_job(settings: Sequence[RaceSettings], seeds: Sequence[int] | None) -> Job:
     """Return the job of runs that options ask for: settings of different schedules, and seeds."""
     # The order in which find_runs finds them, so that --resume prints and draws the same.
-    ordered = sorted(settings, key=lambda each: place_in_job(getattr(each, "schedule", "")))
+    ordered = sorted(settings, key=lambda each: place_in_job(each.schedule.name))
     if seeds is None:
         return job_of(ordered)
     return job_of([replace(each, seed=seed) for each in ordered for seed in seeds])

@@ -20,7 +20,7 @@ from matrixworld.cli.options import (
     write_json,
 )
 from matrixworld.cli.tables import print_judged
-from matrixworld.coevolution import DamagedFileError, RaceSettings
+from matrixworld.coevolution import DamagedFileError
 
 SINGLE_RUN = "The intervals are about this run. Runs with other seeds may differ."
 
@@ -101,7 +101,7 @@ def _print(group: Group, everything: bool, explained: bool) -> None:
     if everything:
         click.echo(f"\n{measure_table(group.payoffs)}")
     # Races only: `_check` has refused others.
-    settings = group.settings if isinstance(group.settings, RaceSettings) else None
+    settings = group.settings
     lines = advice(judgement, settings)
     if lines:
         click.echo("\nWhat to try:")

@@ -6,7 +6,7 @@ The options of a run's settings are in `setting_options`.
 from __future__ import annotations
 
 import shlex
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -17,16 +17,7 @@ from matrixworld._util.checks import INT_MAX, MOST_THREADS
 from matrixworld._util.files import check_replaceable, save_json
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import INTERRUPTED, note
-from matrixworld.coevolution.settings.training import MOST_SEED
-
-RENAMED = {
-    "--overlap-penalty": "--crowding",
-    "--force": "--yes",
-    "--champion": "--team",
-    "--pursuer": "--pursuers",
-    "--evader": "--evaders",
-}
-"""New names of options: the old names, which commands with the new option accept, too."""
+from matrixworld.coevolution.settings import MOST_SEED
 
 TYPED = "matrixworld.typed"
 """Key of the words after ``matrixworld`` in the group's context."""
@@ -138,15 +129,14 @@ def write_json(file: Path | None, values: Mapping[str, Any]) -> None:
 
 
 class Commands(click.Group):
-    """A group of commands: they accept old names of options, and Ctrl-C says how to go on."""
+    """A group of commands; Ctrl-C says how to go on."""
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Return the command's name, the command, and its arguments with new names."""
+        """Return the command's name, the command, and its arguments, which are kept."""
         ctx.meta[TYPED] = list(args)
-        name, command, rest = super().resolve_command(ctx, args)
-        return name, command, rest if command is None else with_new_names(command, rest)
+        return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command; after Ctrl-C, print the command that starts it again."""
@@ -159,21 +149,12 @@ class Commands(click.Group):
             raise click.exceptions.Exit(INTERRUPTED) from None
 
 
-def with_new_names(command: click.Command, args: Sequence[str]) -> list[str]:
-    """Return arguments with new names of options in place of old ones, and note each on stderr."""
-    flags = {flag for param in command.params for flag in param.opts}
-    # An old name may be another option's name elsewhere (`evolve --team`), and then is that option.
-    renamed = {old: new for new, old in RENAMED.items() if new in flags and old not in flags}
-    return [_with_new_name(arg, renamed) for arg in args]
+class SettingOption(click.Option):
+    """An option that belongs to a section of the help page."""
 
-
-def _with_new_name(arg: str, renamed: Mapping[str, str]) -> str:
-    # Both forms are options: "--old value" and "--old=value".
-    name, equals, value = arg.partition("=")
-    if name not in renamed:
-        return arg
-    note(f"{name} is now called {renamed[name]}; the old name will be removed.")
-    return f"{renamed[name]}{equals}{value}"
+    def __init__(self, *args: Any, section: str, **attributes: Any) -> None:
+        super().__init__(*args, **attributes)
+        self.section = section
 
 
 class SectionedCommand(click.Command):

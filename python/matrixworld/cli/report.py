@@ -27,7 +27,7 @@ from matrixworld.cli.tables import (
     print_one_team,
     verdict_counts,
 )
-from matrixworld.coevolution import RunDirectory, SingleSettings
+from matrixworld.coevolution import Against, RunDirectory
 from matrixworld.coevolution.jobs.job import Job
 from matrixworld.coevolution.types import other
 from matrixworld.explorer.runs_page import PAGE
@@ -139,13 +139,14 @@ def _print_next(groups: Sequence[Group], root: Path) -> None:
     last = groups[-1].runs[-1]
     path, settings = last.path, last.settings
     click.echo("\nWhat to try next:")
-    if isinstance(settings, SingleSettings):
+    schedule = settings.schedule
+    if isinstance(schedule, Against):
         commands = [
             command("replay", path, "--out match.gif"),
-            command("evolve --against", path, f"--team {other(settings.team)}"),
+            command("evolve --against", path, f"--team {other(schedule.team)}"),
         ]
     else:
-        generation = settings.generations
+        generation = schedule.entries - 1
         match = f"--pursuer {generation} --evader {generation // 2}"
         others = [group.runs[-1].path for group in groups[-2:-1] if group.is_race]
         commands = [

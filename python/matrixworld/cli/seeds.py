@@ -7,7 +7,7 @@ from collections import Counter
 
 import click
 
-from matrixworld.coevolution.settings.training import MOST_SEED
+from matrixworld.coevolution.settings import MOST_SEED
 
 MOST_SEEDS = 100_000
 """Most seeds of a job. Each is a directory."""

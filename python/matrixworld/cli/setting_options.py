@@ -1,249 +1,65 @@
-"""Options from the fields of a run's settings, and settings from the options.
+"""Settings from the command line: a few options of their own, ``--set PATH=VALUE``, ``--config``.
 
-Every field of `RaceSettings` and `SingleSettings` is an option of ``matrixworld evolve``; name,
-type, help text and default are those of the field. Other commands take some of these options.
+Paths, types, defaults and help texts are those of the fields of `RaceSettings`; ``--help-all``
+prints them.
 """
 
 from __future__ import annotations
 
+import json
 import re
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import Field, fields
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import Field, dataclass, field, fields
+from difflib import get_close_matches
 from pathlib import Path
-from typing import Any, TypeVar, get_args, get_type_hints
+from typing import Any, TypeVar, get_args
 
 import click
 
-from matrixworld.cli.arguments import opponent_of, run_of
-from matrixworld.cli.options import SEED, option_name
-from matrixworld.coevolution import (
-    ALTERNATING,
-    HALL_OF_FAME,
-    SCHEDULES,
-    SINGLE_DEFAULTS,
-    NoEffectError,
-    RaceSettings,
-    SingleSettings,
+from matrixworld.cli.arguments import opponent_of
+from matrixworld.cli.options import SEED, SettingOption, option_name
+from matrixworld.coevolution import ALTERNATING, HALL_OF_FAME, SCHEDULES, RaceSettings
+from matrixworld.coevolution.own_code import LEARNER, OPPONENT, installed
+from matrixworld.coevolution.sections import (
+    WORLD_HELP,
+    Section,
+    hints_of,
+    kinds_in,
+    merged,
+    put,
+    sections_in,
 )
-from matrixworld.coevolution.learners import LEARNERS
-from matrixworld.coevolution.plugins import LEARNER, OPPONENT, installed
-from matrixworld.coevolution.settings.race import SCHEDULE_DEFAULTS
+from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS
 from matrixworld.world.rules import VARIANTS
 
-AnyFunction = TypeVar("AnyFunction", bound=Callable[..., Any])
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
-WORLD = "World"
-SECTIONS: dict[str, tuple[str, ...]] = {
-    "Races": (
-        "schedule", "generations", "pursuer_epochs", "evader_epochs",
-        "joint_epochs", "contemporaries", "hall_sample", "pursuers_meet", "evaders_meet",
-        "pursuers_meet_settings", "evaders_meet_settings",
-        "opponents", "archive_size", "archive_episodes", "retention_episodes", "sharing",
-        "pursuer_virulence", "evader_virulence",
-    ),
-    "One team alone": ("against", "team", "start", "epochs", "archive_every"),
-    WORLD: (
-        "variant", "rows", "cols", "pursuers", "evaders", "obstacles", "fov", "diagonal",
-    ),
-    "Policy": ("hidden", "activation", "initial_weight", "initial_head", "mask"),
-    "Learner": (
-        "learner", "learner_settings",
-        "population", "sigma", "optimizer", "learning_rate", "momentum", "anneal",
-        "mutation", "crossover", "selection", "tournament", "truncation", "elites",
-        "elite_episodes", "fitness", "rewards", "overlap_penalty", "collision_penalty",
-        "cost_limit",
-    ),
-    "Actor-critic (extra torch)": (
-        "actor_rate", "critic_rate", "discount", "trace", "actor_updates", "critic_updates",
-        "clip", "entropy", "central_critic", "cost_rate", "device",
-    ),
-    "Episodes and seed": ("train_steps", "worlds", "eval_steps", "eval_episodes", "seed"),
-}  # fmt: skip
-"""The settings in the order of the help page."""
+AnyFunction = TypeVar("AnyFunction", bound=Callable[..., Any])
 
 MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
 ALL = "all"
-HELP = {
-    "variant": f"game variant: {', '.join(VARIANTS)}; see matrixworld variants",
-    "obstacles": "density of obstacles in [0, 1), or a MovingAI .map file",
-    "against": f"evolve one team alone against {', '.join(SCRIPTS)}, or the last generation of a "
-    "run",
+HINTS = hints_of(RaceSettings)
+INTEGER = {"type": int, "metavar": "INTEGER"}
+
+PATHS = {
+    "variant": "world.rules",
+    **{name: f"world.{name}" for name in WORLD_HELP if name not in ("rules", "rewards")},
+    "learner": "learner",
+    "generations": "schedule.generations",
+    "against": "schedule.opponent",
+    "team": "schedule.team",
+    "seed": "seed",
 }
-"""Help texts that replace those of the fields."""
-MORE_HELP = {
-    "schedule": f"; may be given several times; {ALL}: the first three",
-    "hidden": ", such as 32 or 64,64; none: no hidden layer",
-}
-"""What the command line adds to the help texts of the fields."""
-DEFAULTS = {"schedule": ", ".join(MAIN_JOB), "against": ""}
-"""Defaults that are not those of the fields."""
-OTHER_NAMES = {
-    "n_pursuers": "pursuers",
-    "n_evaders": "evaders",
-    "obstacle density": "obstacles",
-    "obstacle map": "obstacles",
-}
-"""Names of settings in the errors of `WorldConfig`: the fields."""
-GROUPS = {
-    "learner": LEARNER,
-    "pursuers_meet": OPPONENT,
-    "evaders_meet": OPPONENT,
-}
-"""Settings that take names of installed entry points: their groups."""
-METAVARS = {int: "INTEGER", float: "NUMBER", str: "TEXT"}
-RACE = {item.name: item for item in fields(RaceSettings)}
-SINGLE = {item.name: item for item in fields(SingleSettings)}
+"""Options of their own, and the settings that they set."""
 
 
-class SettingOption(click.Option):
-    """An option that belongs to a section of the help page."""
-
-    def __init__(self, *args: Any, section: str, **attributes: Any) -> None:
-        super().__init__(*args, **attributes)
-        self.section = section
-
-    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        """Return option and help text, with the names of installed learners or samplers."""
-        record = super().get_help_record(ctx)
-        # Here, not where options are declared: other commands need not search the packages.
-        names = ", ".join(installed(GROUPS[self.name])) if self.name in GROUPS else ""
-        if record is None or not names:
-            return record
-        return record[0], f"{record[1]}; installed: {names}"
-
-
-def setting_options(function: AnyFunction) -> AnyFunction:
-    """Give a command an option for every setting."""
-    # Decorators are applied from the last to the first, so the sections are, too.
-    for title, names in reversed(SECTIONS.items()):
-        function = _section_options(title, names)(function)
-    return function
-
-
-def world_options(*names: str) -> Callable[[AnyFunction], AnyFunction]:
-    """Return a decorator that gives a command the named options of a world, or all but variant."""
-    every = [name for name in SECTIONS[WORLD] if name != "variant"]
-    return _section_options(WORLD, names or every)
-
-
-def _section_options(title: str, names: Sequence[str]) -> Callable[[AnyFunction], AnyFunction]:
-    def decorate(function: AnyFunction) -> AnyFunction:
-        for name in reversed(names):
-            function = click.option(
-                *_declaration(name), cls=SettingOption, section=title, **_attributes(name)
-            )(function)
-        return function
-
-    return decorate
-
-
-def _declaration(name: str) -> tuple[str, str]:
-    flag = option_name(name)
-    is_flag = _kind(name) is bool  # such as --anneal/--no-anneal
-    return f"{flag}/--no-{flag.removeprefix('--')}" if is_flag else flag, name
-
-
-def _attributes(name: str) -> dict[str, Any]:
-    attributes: dict[str, Any] = {"default": None, "help": _help(name)}
-    # Settings whose option has its own type or callback, because a field does not say enough.
-    special = _SPECIAL.get(name)
-    if special is not None:
-        return {**attributes, **special}
-    kind = _kind(name)
-    return attributes if kind is bool else {**attributes, "type": kind, "metavar": METAVARS[kind]}
-
-
-def _kind(name: str) -> type:
-    """Return the simplest type that a field accepts."""
-    owner = RaceSettings if name in RACE else SingleSettings
-    hint = get_type_hints(owner)[name]
-    # `int | None` and `float | None` are options that take a number; None is "not given".
-    accepted = {hint, *get_args(hint)}
-    return next((kind for kind in (bool, int, float) if kind in accepted), str)
-
-
-def _help(name: str) -> str:
-    item = RACE.get(name) or SINGLE[name]
-    text = HELP.get(name, item.metadata["help"]) + MORE_HELP.get(name, "")
-    shown = DEFAULTS.get(name, _default(name))
-    return f"{text}  [default: {shown}]" if shown else text
-
-
-def _default(name: str) -> str:
-    """Return a race's default and, where it differs, one team's alone; empty for none."""
-    race = (_by_schedule(name) or _shown(RACE[name])) if name in RACE else ""
-    # SingleSettings leaves some fields to the learning team: the defaults of both are shown.
-    by_team = [
-        f"{values[name]} for {t}s" for t, values in SINGLE_DEFAULTS.items() if name in values
-    ]
-    alone = ", ".join(by_team) or (_shown(SINGLE[name]) if name in SINGLE else race)
-    usual = alone if name not in RACE or race == alone else f"{race}; with --against {alone}"
-    learners = [
-        f"{_as_text(entry.defaults[name])} for {learner}"
-        for learner, entry in LEARNERS.items()
-        if name in entry.defaults
-    ]
-    return "; ".join([usual, *learners])
-
-
-def _by_schedule(name: str) -> str:
-    """Return the defaults of a field that RaceSettings leaves to the schedule; empty for others."""
-    values = {kind: each[name] for kind, each in SCHEDULE_DEFAULTS.items() if name in each}
-    if not values:
-        return ""
-    # One value serves most schedules.
-    usual, *_ = values.values()
-    others = [f"{value} for {kind}" for kind, value in values.items() if value != usual]
-    return ", ".join([str(usual), *others])
-
-
-def _shown(item: Field[Any]) -> str:
-    return _as_text(item.metadata["default"])
-
-
-def _as_text(value: Any) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if isinstance(value, tuple):
-        return ",".join(str(part) for part in value)
-    return "" if value is None or isinstance(value, Mapping) else str(value)
-
-
-def own_settings_of(
-    ctx: click.Context, param: click.Parameter, values: Sequence[str]
-) -> dict[str, bool | int | float | str]:
-    """Return settings such as sigma=0.1,tries=3 by name; the option may be given several times."""
-    found: dict[str, bool | int | float | str] = {}
-    for part in ",".join(values).split(",") if values else ():
-        name, equals, value = (word.strip() for word in part.partition("="))
-        if not equals or not name.isidentifier() or name in found:
-            raise click.BadParameter(
-                f"expected settings such as sigma=0.1,tries=3, each once, got {','.join(values)!r}"
-            )
-        found[name] = _own_value(value)
-    return found
-
-
-def _own_value(text: str) -> bool | int | float | str:
-    """Return True, False or a number if a text is one, else the text."""
-    if text in ("true", "false"):
-        return text == "true"
-    try:
-        return int(text) if re.fullmatch(r"[+-]?\d+", text) else float(text)
-    except ValueError:
-        return text
-
-
-def sizes_of(
-    ctx: click.Context, param: click.Parameter, value: str | None
-) -> tuple[int, ...] | None:
-    """Return layer sizes such as 32 or 64,64."""
-    if value is None or value == "none":
-        return None if value is None else ()
-    if not re.fullmatch(r"\d{1,9}(,\d{1,9})*", value):
-        raise click.BadParameter(f"expected sizes such as 32 or 64,64, or none, got {value!r}")
-    return tuple(int(size) for size in value.split(","))
+# Options:
 
 
 def obstacles_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Any:
@@ -259,97 +75,342 @@ def obstacles_of(ctx: click.Context, param: click.Parameter, value: str | None) 
     raise click.BadParameter(f"expected a density in [0, 1) or a .map file, got {value!r}")
 
 
-OWN: dict[str, Any] = {
-    "callback": own_settings_of,
-    "multiple": True,
-    "metavar": "NAME=VALUE,...",
-}
-_SPECIAL: Mapping[str, dict[str, Any]] = {
-    "schedule": {
-        "type": click.Choice([*SCHEDULES, ALTERNATING, HALL_OF_FAME, ALL]),
-        "multiple": True,
+def sizes_of(value: str) -> tuple[int, ...]:
+    """Return layer sizes such as 32 or 64,64; none: no layer."""
+    if not re.fullmatch(r"none|\d{1,9}(,\d{1,9})*", value):
+        raise click.BadParameter(f"expected sizes such as 32 or 64,64, or none, got {value!r}")
+    return () if value == "none" else tuple(map(int, value.split(",")))
+
+
+WORLD_OPTIONS: dict[str, dict[str, Any]] = {
+    "variant": {
+        "type": click.types.FuncParamType(str.upper),
         "metavar": "NAME",
+        "help": f"game variant: {', '.join(VARIANTS)}; --variants of evolve explains them",
     },
-    "team": {"type": click.Choice(["pursuer", "evader"]), "metavar": "TEAM"},
-    "variant": {"type": click.types.FuncParamType(str.upper), "metavar": "NAME"},
-    "learner_settings": OWN,
-    "pursuers_meet_settings": OWN,
-    "evaders_meet_settings": OWN,
-    "hidden": {"callback": sizes_of, "metavar": "SIZES"},
-    "obstacles": {"callback": obstacles_of, "metavar": "DENSITY|FILE"},
-    "against": {"callback": opponent_of, "metavar": "SCRIPT|RUN"},
-    "start": {"callback": run_of, "metavar": "RUN"},
-    "seed": SEED,
+    "rows": {**INTEGER, "help": WORLD_HELP["rows"]},
+    "cols": {**INTEGER, "help": WORLD_HELP["cols"]},
+    "n_pursuers": {**INTEGER, "help": WORLD_HELP["n_pursuers"]},
+    "n_evaders": {**INTEGER, "help": WORLD_HELP["n_evaders"]},
+    "obstacles": {
+        "callback": obstacles_of,
+        "metavar": "DENSITY|FILE",
+        "help": "density of obstacles in [0, 1), or a MovingAI .map file",
+    },
+    "fov": {**INTEGER, "help": WORLD_HELP["fov"]},
+    "diagonal": {"default": None, "help": WORLD_HELP["diagonal"]},
 }
 
 
-def settings_from(given: Mapping[str, Any]) -> list[RaceSettings] | list[SingleSettings]:
-    """Return the settings of each run that the options ask for.
+def world_options(*names: str) -> Callable[[AnyFunction], AnyFunction]:
+    """Return a decorator that gives a command the named options of a world, or all but variant."""
+
+    def decorate(function: AnyFunction) -> AnyFunction:
+        for name in reversed(names or [*WORLD_OPTIONS][1:]):
+            flag = option_name(name)
+            flag = f"{flag}/--no-{name}" if name == "diagonal" else flag
+            function = click.option(
+                flag, name, cls=SettingOption, section="World", **WORLD_OPTIONS[name]
+            )(function)
+        return function
+
+    return decorate
+
+
+def setting_options(function: AnyFunction) -> AnyFunction:
+    """Give a command the options of settings; their values reach it as one `Asked`."""
+    options: Sequence[tuple[str, dict[str, Any]]] = (
+        (
+            "schedule",
+            {
+                "type": click.Choice([*SCHEDULES, ALTERNATING, HALL_OF_FAME, ALL]),
+                "multiple": True,
+                "metavar": "NAME",
+                "help": f"opponents of each team: {', '.join([*SCHEDULES, ALTERNATING])}, "
+                f"{HALL_OF_FAME}; may be given several times; {ALL}: the first three  "
+                f"[default: {', '.join(MAIN_JOB)}]",
+            },
+        ),
+        (
+            "learner",
+            {
+                "metavar": "NAME",
+                "help": f"{', '.join(kinds_in(HINTS['learner']))}, or one of your own, as "
+                "module:object  [default: es]",
+            },
+        ),
+        ("generations", {**INTEGER, "help": "generations of a race  [default: 30]"}),
+        (
+            "against",
+            {
+                "callback": opponent_of,
+                "metavar": "SCRIPT|RUN",
+                "help": f"evolve one team alone against {', '.join(SCRIPTS)}, or the last "
+                "generation of a run",
+            },
+        ),
+        (
+            "team",
+            {
+                "type": click.Choice(["pursuer", "evader"]),
+                "metavar": "TEAM",
+                "help": "with --against: the team that learns  [default: pursuer]",
+            },
+        ),
+        ("seed", SEED),
+        (
+            "set",
+            {
+                "multiple": True,
+                "metavar": "PATH=VALUE",
+                "help": "any other setting, such as learner.sigma=0.1; --help-all lists them; may "
+                "be given several times",
+            },
+        ),
+        (
+            "config",
+            {
+                "type": click.Path(exists=True, dir_okay=False, path_type=Path),
+                "metavar": "FILE",
+                "help": "settings from a .toml file, or the config.json of a run; options replace "
+                "them",
+            },
+        ),
+    )
+    for name, attributes in reversed(options):
+        named = name if name != "set" else "sets"
+        function = click.option(
+            option_name(name), named, cls=SettingOption, section="Settings", **attributes
+        )(function)
+    return world_options("variant", "rows", "cols", "n_pursuers", "n_evaders")(function)
+
+
+# Values:
+
+
+def parsed(text: str) -> Any:
+    """Return the value of a text: a number, true, false, null, sizes such as 64,64, or the text."""
+    if re.fullmatch(r"[+-]?\.\d+|[+-]?\d+\.", text):  # numbers that JSON does not know
+        return float(text)
+    try:
+        value = json.loads(f"[{text}]" if re.fullmatch(r"\d+(,\d+)+", text) else text)
+    except ValueError:
+        return text
+    return text if isinstance(value, str | dict) else value
+
+
+def configured(path: Path) -> dict[str, Any]:
+    """Return the settings in a file."""
+    try:
+        text = path.read_text(encoding="utf-8")
+        values = tomllib.loads(text) if path.suffix == ".toml" else json.loads(text)
+    except (UnicodeDecodeError, ValueError) as error:
+        raise click.UsageError(f"--config: expected TOML or JSON in {path}, got {error}") from error
+    if not isinstance(values, dict):
+        raise click.UsageError(f"--config: expected settings by name in {path}")
+    # The config.json of a run has more than the settings.
+    inside = values.get("settings", values)
+    return inside if isinstance(inside, dict) else values
+
+
+@dataclass(frozen=True)
+class Asked:
+    """Settings that a command line asks for.
 
     Parameters
     ----------
-    given : mapping of str to object
-        The options that the user has given, by the names of the fields.
-
-    Raises
-    ------
-    click.UsageError
-        If an option has a bad value or does not apply to the kind of run.
+    options : mapping of str to object
+        Options that were given, by their names in `PATHS`, and perhaps ``schedule``.
+    sets : iterable of tuple of str and object
+        Paths of settings and their values.
+    config : Path, optional
+        A file of settings.
     """
-    if "against" in given:
-        _refuse(given, set(SINGLE), "without --against")
-        if "start" in given:
-            given = {**given, "start": str(given["start"])}
-        return [_made(SingleSettings, given)]
-    _refuse(given, set(RACE), "together with --against")
-    return _races(given)
+
+    options: Mapping[str, Any] = field(default_factory=dict)
+    sets: Iterable[tuple[str, Any]] = ()
+    config: Path | None = None
+
+    def settings(self) -> list[RaceSettings]:
+        """Return the settings of each run; click.UsageError for a bad value."""
+        file = {} if self.config is None else configured(self.config)
+        changes: dict[str, Any] = {}
+        for name, path in PATHS.items():
+            if name in self.options and name != "schedule":
+                put(changes, path, self.options[name])
+        for path, value in self.sets:
+            put(changes, path, value)
+        if isinstance(changes.get("schedule"), str):
+            changes["schedule"] = {"kind": changes["schedule"]}
+        return [_made(file, each) for each in self._by_schedule(changes, file)]
+
+    def _by_schedule(
+        self, changes: Mapping[str, Any], file: Mapping[str, Any]
+    ) -> Iterator[dict[str, Any]]:
+        """Yield the changes for each run: what its own schedule lacks belongs to another one."""
+        given = changes.get("schedule", {})
+        names = self._schedules(given, file)
+        fields_of = {name: _names(sections_in(HINTS["schedule"])[name]) for name in names if name}
+        for name in names:
+            others = {each for other in fields_of.values() for each in other}
+            foreign = others - fields_of[name] if name else set()
+            kept = {key: value for key, value in given.items() if key not in foreign}
+            kind = {"kind": name} if name else {}
+            yield {**changes, **({"schedule": {**kept, **kind}} if kept or kind else {})}
+
+    def _schedules(self, given: Mapping[str, Any], file: Mapping[str, Any]) -> list[str]:
+        """Return the names of the schedules; "" for that of the file."""
+        named = self.options.get("schedule", ())
+        if "against" in self.options:
+            if named:
+                raise click.UsageError("--schedule: expected without --against only")
+            return ["against"]
+        if named:
+            wanted = [*SCHEDULES] if ALL in named else []
+            return list(dict.fromkeys([*wanted, *(name for name in named if name != ALL)]))
+        if "kind" in given:
+            return [str(given["kind"])] if given["kind"] in sections_in(HINTS["schedule"]) else [""]
+        if "team" in self.options:
+            raise click.UsageError("--team: expected together with --against only")
+        return [""] if "schedule" in file else list(MAIN_JOB)
 
 
-def _races(given: Mapping[str, Any]) -> list[RaceSettings]:
-    """Return a race of each schedule, all with the given settings that have an effect in it."""
-    schedules = _schedules(given.get("schedule", MAIN_JOB))
-    made = [_race({**given, "schedule": schedule}) for schedule in schedules]
-    # A setting may be idle in some of the races, but not in all of them.
-    for name, error in made[0][1].items():
-        if all(name in idle for _, idle in made):
-            raise click.UsageError(in_options(str(error)))
-    return [settings for settings, _ in made]
+def asked(options: dict[str, Any]) -> Asked:
+    """Return what the given options of a command ask for."""
+    sets = []
+    for text in options.pop("sets", ()):
+        path, equals, value = text.partition("=")
+        if not equals or not path:
+            raise click.UsageError(
+                f"--set: expected PATH=VALUE, such as learner.sigma=0.1, got {text!r}"
+            )
+        sets.append((path.strip(), parsed(value.strip())))
+    return Asked(options, sets, options.pop("config", None))
 
 
-def _race(given: Mapping[str, Any]) -> tuple[RaceSettings, dict[str, NoEffectError]]:
-    """Return a race, and why each setting without effect in it has been left out."""
+def _names(cls: type[Section]) -> set[str]:
+    return {item.name for item in fields(cls)}
+
+
+def _made(file: Mapping[str, Any], changes: Mapping[str, Any]) -> RaceSettings:
+    with usage_errors():
+        return RaceSettings.from_json(merged(RaceSettings, file, changes), complete=False)
+
+
+@contextmanager
+def usage_errors() -> Iterator[None]:
+    """Tell of a bad setting without a traceback."""
     try:
-        return RaceSettings(**given), {}
-    except NoEffectError as error:
-        race, idle = _race({name: given[name] for name in given if name != error.name})
-        return race, {error.name: error, **idle}
-    except (OSError, TypeError, ValueError) as error:
-        raise click.UsageError(in_options(str(error))) from error
-
-
-def _refuse(given: Mapping[str, Any], known: set[str], how: str) -> None:
-    for name in given:
-        if name not in known:
-            raise click.UsageError(f"{option_name(name)}: expected {how} only")
-
-
-def _schedules(named: Sequence[str]) -> list[str]:
-    # A dictionary keeps the order and drops what is named twice.
-    wanted = [*SCHEDULES] if ALL in named else []
-    return list(dict.fromkeys([*wanted, *(name for name in named if name != ALL)]))
-
-
-def _made(kind: Callable[..., Any], given: Mapping[str, Any]) -> Any:
-    try:
-        return kind(**given)
+        yield
     except (OSError, TypeError, ValueError) as error:
         raise click.UsageError(in_options(str(error))) from error
 
 
 def in_options(message: str) -> str:
-    """Return an error's message with the options in place of the fields that it begins with."""
-    begin, colon, rest = message.partition(":")
-    names = [OTHER_NAMES.get(name, name) for name in begin.split(" and ")]
-    if not all(name in RACE or name in SINGLE for name in names):
-        return message
-    return f"{' and '.join(map(option_name, names))}{colon}{rest}"
+    """Return an error's message with the option in place of the setting that it begins with."""
+    path, colon, rest = message.partition(":")
+    context = click.get_current_context(silent=True)
+    options = {option.name for option in context.command.params} if context else set()
+    # A `WorldConfig` names its fields without the section, and the rules by their variant.
+    names = {setting: name for name, setting in PATHS.items()}
+    name = names.get(path, names.get(f"world.{path}", path.removeprefix("world.")))
+    if name in options and name != "learner":
+        return f"{option_name(name)}{colon}{rest}"
+    return message + _meant(path) if "expected one of the settings" in rest else message
+
+
+def _meant(path: str) -> str:
+    """Return what may be meant by an unknown path: one of another kind, or with the same end."""
+    titles: dict[str, list[str]] = {}
+    for title, rows in _help_sections():
+        for row, _ in rows:
+            titles.setdefault(row.split()[0], []).append(title)
+    if path in titles:
+        return f"; it is a setting of {' and '.join(titles[path])}"
+    ends: dict[str, list[str]] = {}
+    for each in titles:
+        ends.setdefault(each.rpartition(".")[2], []).append(each)
+    near = get_close_matches(path.rpartition(".")[2], ends, 1)
+    return f"; did you mean {' or '.join(ends[near[0]])}?" if near else ""
+
+
+def option_of(path: str, value: Any) -> str:
+    """Return the option of ``evolve`` that sets a setting to a value."""
+    text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
+    names = {setting: name for name, setting in PATHS.items()} | {"schedule": "schedule"}
+    named = path in names and names[path] not in ("obstacles", "fov", "diagonal")
+    return f"{option_name(names[path])} {text}" if named else f"--set {path}={text}"
+
+
+# --help-all:
+
+
+def _help_sections() -> list[tuple[str, list[tuple[str, str]]]]:
+    """Return the sections of all settings: title, and rows of path with type, and text."""
+    world = [(f"world.{name}", f"{text}") for name, text in WORLD_HELP.items()]
+    sections: list[tuple[str, list[tuple[str, str]]]] = [("world", world)]
+    _add_sections(RaceSettings, "", "settings", sections)
+    return sections
+
+
+def _add_sections(
+    cls: type[Section],
+    path: str,
+    title: str,
+    sections: list[tuple[str, list[tuple[str, str]]]],
+) -> None:
+    rows: list[tuple[str, str]] = []
+    sections.append((title, rows))
+    for item in fields(cls):
+        hint, here = hints_of(cls)[item.name], f"{path}{item.name}"
+        kinds = dict.fromkeys(sections_in(hint).values())
+        if hint is WorldConfig or here == "schedule.evaders_meet":
+            continue
+        for each in kinds:
+            named = f"{here}={each.kind}" if each.kind else here
+            _add_sections(each, f"{here}.", named, sections)
+        if not kinds:
+            rows.append((f"{here} {_type(hint)}", _text(item)))
+
+
+def _type(hint: Any) -> str:
+    accepted = {hint, *get_args(hint)}
+    if bool in accepted:
+        return "true|false"
+    if Ellipsis in accepted:
+        return "SIZES"
+    return "INTEGER" if int in accepted else "NUMBER" if float in accepted else "TEXT"
+
+
+def _text(item: Field[Any]) -> str:
+    usual, by = item.metadata["default"], item.metadata["by"]
+    shown = [_shown(usual), *(f"{kind}: {_shown(value)}" for kind, value in by.items())]
+    return f"{item.metadata['help']}" + (f"  [default: {'; '.join(shown)}]" if shown[0] else "")
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, tuple):
+        return ",".join(map(str, value))
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return "" if value is None or isinstance(value, Mapping) else str(value)
+
+
+def help_all(ctx: click.Context, param: click.Parameter, value: bool) -> None:
+    """Print the help page and all settings."""
+    if not value:
+        return
+    formatter = ctx.make_formatter()
+    ctx.command.format_help(ctx, formatter)
+    formatter.write_paragraph()
+    formatter.write_text(
+        "All settings, for --set and for files. A kind, such as learner=ga, chooses among the "
+        f"sections of a name. Installed learners: {', '.join(installed(LEARNER)) or 'none'}. "
+        f"Installed opponent samplers: {', '.join(installed(OPPONENT)) or 'none'}."
+    )
+    for title, rows in _help_sections():
+        if rows:
+            with formatter.section(title):
+                formatter.write_dl(rows)
+    click.echo(formatter.getvalue().rstrip())
+    ctx.exit()

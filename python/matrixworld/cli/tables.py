@@ -27,7 +27,7 @@ from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE
 from matrixworld.cli.console import WIDEST, print_table, print_wrapped
 from matrixworld.cli.groups import Group, Result
 from matrixworld.cli.held_out import EPISODES
-from matrixworld.coevolution import SingleSettings
+from matrixworld.coevolution import Against
 from matrixworld.coevolution.types import TEAMS, Team
 
 BESIDE = 3
@@ -349,13 +349,15 @@ def measured_of_one_team(group: Group) -> dict[str, Estimate]:
 def print_one_team(group: Group) -> None:
     """Print the results of one team against fixed opponents: a line for each seed, and the mean."""
     settings = group.settings
-    assert isinstance(settings, SingleSettings)
+    assert settings is not None  # its runs are finished
+    schedule = settings.schedule
+    assert isinstance(schedule, Against)
     seeds = f", {group.finished_of_asked()} seeds finished" if group.several else ""
     print_head(f"{group.name}{seeds}")
     click.echo(
-        f"  {settings.team}s after {settings.epochs} epochs against {settings.against}, in "
+        f"  {schedule.team}s after {schedule.epochs} epochs against {schedule.opponent}, in "
         f"{group.runs[0].numbers['evaluation_matches']} fresh episodes of at most "
-        f"{settings.eval_steps} steps"
+        f"{settings.world.max_steps} steps"
     )
     heads = [head for label, _ in OF_ONE_TEAM.values() for head in (label, "of an episode")]
     rows = [("seed", *heads), *map(_one_team_row, group.runs)]

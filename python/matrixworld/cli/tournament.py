@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -64,7 +65,7 @@ def tournament_command(
         ours = open_run(run)
         theirs = ours if other is None else open_run(other)
         _check_worlds(ours, theirs)
-        steps = steps or ours.settings.eval_steps
+        steps = steps or ours.settings.world.max_steps
         against = "" if other is None else f"-against-{other.name}"
         name = f"tournament{against}-{episodes}x{steps}-seed{seed}{SUFFIX}"
         target = _checked(out or run / name, force)
@@ -96,7 +97,7 @@ def _figure(target: Path) -> Path:
 
 def _check_worlds(ours: SavedRun, theirs: SavedRun) -> None:
     # `world` wants a limit of steps, which may differ between the runs: any number serves.
-    worlds = [run.settings.world(1).to_json() for run in (ours, theirs)]
+    worlds = [replace(run.settings.world, max_steps=1).to_json() for run in (ours, theirs)]
     different = [name for name in worlds[0] if worlds[0][name] != worlds[1][name]]
     if different:
         values = "; ".join(
@@ -122,7 +123,7 @@ def _play(
         # The first row may take minutes, and the bar should be there before.
         report("tournament", 0, total)
         return tournament(
-            ours.settings.world(steps),
+            replace(ours.settings.world, max_steps=steps),
             pursuers,
             evaders,
             seed=seed,

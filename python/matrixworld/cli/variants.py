@@ -1,4 +1,4 @@
-"""``matrixworld variants``: the table of rules."""
+"""``matrixworld evolve --variants``: the table of rules."""
 
 from __future__ import annotations
 
@@ -26,12 +26,22 @@ the border on all four sides capture an evader.
 Other rules can be made in Python: matrixworld.Rules(...)."""
 
 
-@click.command("variants", short_help="Print the rules of the nine variants.")
-def variants_command() -> None:
-    """Print the nine variants of the game as a table of rules."""
-    rows = [HEADS, *(_row(name, rules) for name, rules in VARIANTS.items())]
-    print_table(rows, "<" * len(HEADS))
-    click.echo(f"\n{LEGEND}")
+def _print_variants(ctx: click.Context, param: click.Parameter, value: bool) -> None:
+    if value:
+        rows = [HEADS, *(_row(name, rules) for name, rules in VARIANTS.items())]
+        print_table(rows, "<" * len(HEADS))
+        click.echo(f"\n{LEGEND}")
+        ctx.exit()
+
+
+variants_option = click.option(
+    "--variants",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_print_variants,
+    help="print the nine variants of the game as a table of rules",
+)
 
 
 def _row(name: str, rules: Rules) -> tuple[str, ...]:

@@ -4,7 +4,7 @@ A race in a few lines::
 
     from matrixworld import coevolution
 
-    settings = coevolution.RaceSettings(schedule="generalist-generalist", seed=1)
+    settings = coevolution.RaceSettings(schedule="generalist-generalist", learner="es", seed=1)
     with coevolution.ProgressBar() as bar:
         payoff = coevolution.start(settings, "my-race").run(bar)
 
@@ -21,11 +21,13 @@ runs                  races and other runs: training, checkpoints, evaluation at
 evaluation            payoff matrices, and scores against held-out opponents
 storage               run directories, to write and to read
 settings              everything that defines a run, with help texts
+schedules             whom teams meet while they learn; opponent samplers by name
+sections              parts of settings: fields with help texts and limits, and their JSON
 learners              evolution strategy, genetic algorithm, CMA-ES; as DEAP toolboxes, too
-opponents             opponent samplers, archives, and the schedules of races
+opponents             opponent samplers and archives
 fitness               from the results of matches to the fitness of candidates
 conformance           checks of a learner or sampler of your own
-plugins               learners and samplers from outside the package; `plugin_checks`
+own_code              learners and samplers from outside the package
 progress              progress bars
 payoff                `Payoff`: results of two archives against each other
 seeding               seeds of matches and random generators
@@ -59,33 +61,31 @@ from matrixworld.coevolution.fitness import (
 from matrixworld.coevolution.jobs.best_responses import best_responses
 from matrixworld.coevolution.jobs.evolve import FailedRunsError, evolve
 from matrixworld.coevolution.jobs.worker import StoppedError, WorkerDiedError
-from matrixworld.coevolution.learners.cma_es import CmaEs
-from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategy, centred_ranks
-from matrixworld.coevolution.learners.genetic_algorithm import (
+from matrixworld.coevolution.learners import (
+    ActorCriticSettings,
+    Adam,
+    Candidates,
+    CmaEs,
+    CmaEsSettings,
+    EvolutionStrategy,
+    EvolutionStrategySettings,
     GeneticAlgorithm,
+    GeneticAlgorithmSettings,
+    Individual,
+    Learner,
+    LearnerSettings,
+    Momentum,
+    NoiseTable,
+    centred_ranks,
+    generate_update_toolbox,
     mate_uniform,
     mutate_from_table,
     mutate_gaussian,
     select_tournament,
     select_truncation,
 )
-from matrixworld.coevolution.learners.learner import Learner
-from matrixworld.coevolution.learners.noise import NoiseTable
-from matrixworld.coevolution.learners.optimizers import Adam, Momentum
-from matrixworld.coevolution.learners.toolbox import (
-    Candidates,
-    Individual,
-    generate_update_toolbox,
-)
-from matrixworld.coevolution.opponents.registry import (
-    ALTERNATING,
-    HALL_OF_FAME,
-    SCHEDULES,
-    Schedule,
-    available,
-)
+from matrixworld.coevolution.own_code import PluginError
 from matrixworld.coevolution.payoff import Payoff
-from matrixworld.coevolution.plugin_checks import PluginError
 from matrixworld.coevolution.progress import Progress, ProgressBar, Report
 from matrixworld.coevolution.runs.alternating import DisengagementWarning, Race
 from matrixworld.coevolution.runs.best_response import BestResponse, best_response
@@ -93,11 +93,25 @@ from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.runs.start import check_own_code, finish, resume, start
+from matrixworld.coevolution.schedules import (
+    ALTERNATING,
+    HALL_OF_FAME,
+    SCHEDULES,
+    Against,
+    Alternating,
+    ArchivedOpponents,
+    DrawnOpponents,
+    HallOfFame,
+    OwnOpponents,
+    available,
+)
 from matrixworld.coevolution.seeding import evaluation_seed, training_seeds
-from matrixworld.coevolution.settings.effects import NoEffectError
-from matrixworld.coevolution.settings.race import RaceSettings
-from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSettings
-from matrixworld.coevolution.settings.training import TrainingSettings
+from matrixworld.coevolution.settings import (
+    FitnessSettings,
+    OwnLearnerSettings,
+    PolicySettings,
+    RaceSettings,
+)
 from matrixworld.coevolution.storage.run_directory import OtherVersionError, RunDirectory
 from matrixworld.coevolution.storage.saved_run import (
     SavedRun,
@@ -113,28 +127,40 @@ __all__ = [
     "FITNESS",
     "HALL_OF_FAME",
     "SCHEDULES",
-    "SINGLE_DEFAULTS",
     "TEAMS",
+    "ActorCriticSettings",
     "Adam",
+    "Against",
+    "Alternating",
+    "ArchivedOpponents",
     "BestResponse",
     "Candidates",
     "CmaEs",
+    "CmaEsSettings",
     "DamagedFileError",
     "DisengagementWarning",
+    "DrawnOpponents",
     "EvolutionStrategy",
+    "EvolutionStrategySettings",
     "FailedRunsError",
+    "FitnessSettings",
     "GeneticAlgorithm",
+    "GeneticAlgorithmSettings",
+    "HallOfFame",
     "HallOfFameRace",
     "HeldOutScores",
     "Individual",
     "Learner",
+    "LearnerSettings",
     "LockedError",
     "Momentum",
-    "NoEffectError",
     "NoiseTable",
     "OtherVersionError",
+    "OwnLearnerSettings",
+    "OwnOpponents",
     "Payoff",
     "PluginError",
+    "PolicySettings",
     "Progress",
     "ProgressBar",
     "Race",
@@ -144,12 +170,9 @@ __all__ = [
     "Run",
     "RunDirectory",
     "SavedRun",
-    "Schedule",
-    "SingleSettings",
     "SingleTeam",
     "StoppedError",
     "Team",
-    "TrainingSettings",
     "WorkerDiedError",
     "available",
     "best_response",

@@ -8,19 +8,15 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from matrixworld.coevolution.learners.own import CheckedLearner, new_own_learner
-from matrixworld.coevolution.learners.registry import LEARNERS
-from matrixworld.coevolution.opponents.own import CheckedSampler, new_own_sampler
-from matrixworld.coevolution.opponents.registry import SAMPLERS
-from matrixworld.coevolution.plugin_checks import PluginError
-from matrixworld.coevolution.plugins import (
+from matrixworld.coevolution.own_code import (
     LEARNER,
     OPPONENT,
-    Interface,
-    Plugin,
-    find,
-    own_settings,
+    CheckedLearner,
+    CheckedSampler,
+    PluginError,
+    plugin_of,
 )
+from matrixworld.coevolution.sections import own_settings
 from matrixworld.coevolution.types import FloatArray, Genomes, State
 
 Part = TypeVar("Part", CheckedLearner, CheckedSampler)
@@ -48,9 +44,9 @@ def check_learner(
     Parameters
     ----------
     learner : str or callable
-        A class, a function that returns a learner, or its name as in the setting `learner`.
+        A class, a function that returns a learner, or its name as in the settings.
     settings : mapping of str to bool, int, float or str, optional
-        Settings of its own, as in `learner_settings`.
+        Settings of its own.
     samples, genes : int, optional
         Candidates per epoch, and genes of a candidate.
     seed : int, optional
@@ -68,13 +64,13 @@ def check_learner(
     >>> from matrixworld import coevolution
     >>> coevolution.check_learner(coevolution.CmaEs, {"sigma": 0.1})
     """
-    plugin = _plugin("learner", learner, LEARNERS, LEARNER)
+    plugin = plugin_of(learner, LEARNER)
     genomes, target = np.random.default_rng(seed).normal(size=(2, samples, genes))
-    own = own_settings("learner_settings", settings or {})
+    own = own_settings("settings", settings or {})
 
     def new() -> CheckedLearner:
         rng = np.random.default_rng([seed, EPOCHS])
-        return new_own_learner(
+        return CheckedLearner(
             plugin,
             genomes.astype(np.float32),
             rng,
@@ -107,9 +103,9 @@ def check_sampler(
     Parameters
     ----------
     sampler : str or callable
-        A class, a function that returns a sampler, or its name as in the setting `pursuers_meet`.
+        A class, a function that returns a sampler, or its name as in the settings.
     settings : mapping of str to bool, int, float or str, optional
-        Settings of its own, as in `pursuers_meet_settings`.
+        Settings of its own.
     count : int, optional
         Opponents an epoch.
     seed : int, optional
@@ -127,11 +123,11 @@ def check_sampler(
     >>> from matrixworld import coevolution
     >>> coevolution.check_sampler(coevolution.opponents.Prioritized, {"decay": 0.9})
     """
-    plugin = _plugin("pursuers_meet", sampler, SAMPLERS, OPPONENT)
-    own = own_settings("pursuers_meet_settings", settings or {})
+    plugin = plugin_of(sampler, OPPONENT)
+    own = own_settings("settings", settings or {})
 
     def new() -> CheckedSampler:
-        return new_own_sampler(plugin, count, own)
+        return CheckedSampler(plugin, count, own)
 
     def step(part: CheckedSampler, epoch: int) -> list[np.ndarray[Any, Any]]:
         rng = np.random.default_rng([seed, epoch])
@@ -141,15 +137,6 @@ def check_sampler(
         return [chosen]
 
     _check_part(new, step)
-
-
-def _plugin(
-    field: str, found: str | Callable[..., Any], builtin: Mapping[str, Any], interface: Interface
-) -> Plugin:
-    if isinstance(found, str):
-        return find(field, found, builtin, interface)
-    name = f"{found.__module__}:{getattr(found, '__qualname__', type(found).__qualname__)}"
-    return Plugin(field, name, found)
 
 
 def _fitness(candidates: Genomes, target: FloatArray, epoch: int) -> FloatArray:
@@ -195,12 +182,12 @@ def _check_equal(
 
 def _check_groups(learner: CheckedLearner, step: Step[CheckedLearner]) -> None:
     """Check that the groups of candidates are equal in all epochs."""
-    groups = learner.match_of_candidate.copy()
+    groups = learner.seed_groups.copy()
     for epoch in range(EPOCHS):
         step(learner, epoch)
-        if not np.array_equal(learner.match_of_candidate, groups):
+        if not np.array_equal(learner.seed_groups, groups):
             raise PluginError(
-                f"{learner.title}: match_of_candidate: expected equal groups in all epochs, got "
+                f"{learner.title}: seed_groups: expected equal groups in all epochs, got "
                 f"others after epoch {epoch}"
             )
 

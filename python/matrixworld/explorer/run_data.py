@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import fields
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,17 +17,14 @@ from matrixworld import analysis
 from matrixworld.analysis.cycles import MARGIN, strongest_checkerboards
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.plain_values import plain_values
-from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.payoff import Payoff
+from matrixworld.coevolution.schedules import Against, HallOfFame
+from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.coevolution.settings.race import RaceSettings
-from matrixworld.coevolution.settings.single import SingleSettings
-from matrixworld.coevolution.settings.training import settings_to_json
+from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.world.policy import Network, Population, TeamPolicy
-
-Settings = RaceSettings | SingleSettings
 
 MOST_POINTS = 6000
 """The most points of a training curve; a longer one has means of neighbouring epochs."""
@@ -49,14 +45,14 @@ def run_data(
     """
     settings, payoff = run.settings, run.payoff()
     shape = tuple(generations_of(run.teams[team]) for team in TEAMS)
-    race = isinstance(settings, RaceSettings)
+    race = settings.is_race
     return {
         "name": name,
         "race": race,
-        "schedule": settings.schedule if isinstance(settings, RaceSettings) else "one team",
+        "schedule": settings.schedule.name if race else "one team",
         "learning": list(settings.learning_teams),
         "seed": str(settings.seed),
-        "world": settings.world(settings.eval_steps).to_json(),
+        "world": settings.world.to_json(),
         "settings": plain_settings(settings),
         "training": training_curve(run.files.log(), settings),
         "payoff": plain_payoff(payoff, shape),
@@ -92,20 +88,21 @@ def plain_payoff(payoff: Payoff, shape: tuple[int, ...]) -> dict[str, Any]:
     }
 
 
-def training_curve(log: Mapping[str, NDArray[Any]], settings: Settings) -> dict[str, Any]:
+def training_curve(log: Mapping[str, NDArray[Any]], settings: RaceSettings) -> dict[str, Any]:
     """Return the capture rate over training, in lists of equal lengths.
 
     The learner is 0 for the pursuers, 1 for the evaders and 2 for both. A point is the mean of so
     many ``epochs``; ``window`` has the points of a moving average.
     """
     learner = (log["team"] == "evader").astype(int)
-    both = isinstance(settings, RaceSettings) and settings.schedule == HALL_OF_FAME
+    schedule = settings.schedule
+    both = isinstance(schedule, HallOfFame)
     if both:
         # Both teams learn from the same matches, and each logs a row of them.
         log = {name: column[learner == 0] for name, column in log.items()}
         learner = np.full(len(log["team"]), 2)
-    phases = [settings.total_epochs(team) for team in settings.learning_teams]
-    windows = WINDOWS * settings.generations if isinstance(settings, RaceSettings) else LONGEST
+    phases = [schedule.total_epochs(team) for team in settings.learning_teams]
+    windows = WINDOWS * (schedule.entries - 1) if settings.is_race else LONGEST
     window = max(1, min(phases) // windows)
     every = -(-len(learner) // MOST_POINTS)
     starts = np.arange(0, len(learner), every)
@@ -120,25 +117,28 @@ def training_curve(log: Mapping[str, NDArray[Any]], settings: Settings) -> dict[
     }
 
 
-def plain_settings(settings: Settings) -> list[dict[str, Any]]:
-    """Return name, value and meaning of each setting, and whether it differs from the default."""
-    values, usual = settings_to_json(settings), _usual(settings)
+def plain_settings(settings: RaceSettings) -> list[dict[str, Any]]:
+    """Return path, value and meaning of each setting, and whether it differs from the default."""
+    usual = {leaf.path: leaf.value for leaf in leaves(_usual(settings))}
     return [
         {
-            "name": item.name,
-            "value": _shown(plain_values(values[item.name])),
-            "help": item.metadata["help"],
-            "changed": getattr(settings, item.name) != getattr(usual, item.name),
+            "name": leaf.path,
+            "value": _shown(plain_values(leaf.value)),
+            "help": leaf.help,
+            "changed": leaf.value != usual.get(leaf.path),
         }
-        for item in fields(settings)
+        for leaf in leaves(settings)
     ]
 
 
-def _usual(settings: Settings) -> Settings:
+def _usual(settings: RaceSettings) -> RaceSettings:
     """Return the settings without options, of the same seed and schedule or opponent."""
-    if isinstance(settings, RaceSettings):
-        return RaceSettings(schedule=settings.schedule, seed=settings.seed)
-    return SingleSettings(team=settings.team, against=settings.against, seed=settings.seed)
+    schedule = settings.schedule
+    if isinstance(schedule, Against):
+        alone = Against(team=schedule.team, opponent=schedule.opponent)
+        return RaceSettings(schedule=alone, seed=settings.seed)
+    named: Any = schedule.name  # a text stands for a section
+    return RaceSettings(schedule=named, seed=settings.seed)
 
 
 def _shown(value: Any) -> str:

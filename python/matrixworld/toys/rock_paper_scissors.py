@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.opponents.registry import SCHEDULES, available
 from matrixworld.coevolution.opponents.samplers import OpponentSampler
+from matrixworld.coevolution.schedules import SCHEDULES, available
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team, other
 
 HandHistory = dict[Team, list[int]]
@@ -115,7 +115,7 @@ def alternate(schedule: str, generations: int, epochs: int, seed: int = 0) -> Ha
         Hands of all generations of both teams, generation 0 included.
     """
     rng, matrix = np.random.default_rng(seed), payoff_matrix()
-    samplers = {team: SCHEDULES[schedule].sampler(team) for team in TEAMS}
+    samplers = {team: SCHEDULES[schedule].new_sampler(team) for team in TEAMS}
     hands: HandHistory = {"pursuer": [ROCK], "evader": [ROCK]}
     for k in range(1, generations + 1):
         for team in TEAMS:

@@ -280,6 +280,13 @@ class WorldConfig:
             values[name] = kind(**{key: _enum_member(kind, key, given[key]) for key in given})
         return cls(**values)
 
+    # Not by the dataclass, which would compare a map element by element.
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, WorldConfig) and self.to_json() == other.to_json()
+
+    def __hash__(self) -> int:
+        return hash(repr(self.to_json()))
+
     def __getstate__(self) -> dict[str, Any]:
         """Return the fields; the engine's form of them is built again on demand."""
         return {item.name: getattr(self, item.name) for item in fields(self)}

@@ -129,7 +129,7 @@ def test_scores_are_those_of_the_matches(race):
             seed = mw.match_seed(0, TEAMS.index(team), number, 4)
             own = mw.Population(run.teams[team].genomes[2], run.settings.network)
             sides = (own, opponent) if team == "pursuer" else (opponent, own)
-            config = run.settings.world(12)
+            config = run.settings.world
             played = mw.rollout(config, *sides, mw.Matches.of(0, 0, np.uint64(seed)), episodes=4)
             captured = played.capture_rate[0].astype(float)
             expected = captured if team == "pursuer" else 1 - captured
@@ -189,7 +189,7 @@ def test_views_that_do_not_fit_meet_scripts_only(tmp_path):
 
 
 def test_the_opponent_of_a_run_is_not_held_out(tmp_path):
-    start(tiny_single(team="evader", against="chaser"), tmp_path / "run")
+    start(tiny_single(team="evader", opponent="chaser"), tmp_path / "run")
     scores = score(open_run(tmp_path / "run"), episodes=2)
     assert list(scores) == ["evader"]
     assert scores["evader"].opponents == ("random", "clumsy-chaser", "hunter")
@@ -197,7 +197,7 @@ def test_the_opponent_of_a_run_is_not_held_out(tmp_path):
 
 
 def test_a_single_team_is_scored_alone(tmp_path, race):
-    start(tiny_single(team="evader", against=str(race), **FITTING), tmp_path / "run")
+    start(tiny_single(team="evader", opponent=str(race), **FITTING), tmp_path / "run")
     scores = score(open_run(tmp_path / "run"), episodes=2)
     assert list(scores) == ["evader"]
     assert len(scores["evader"].opponents) == 6

@@ -53,7 +53,7 @@ def test_a_policy_of_a_run_has_the_scores_that_the_command_prints(tmp_path: Path
     [group] = json.loads(kept.read_text())["groups"].values()
     run = open_run(path)
     for team in TEAMS:
-        policy, world = run.policy(team, seed=1), run.settings.world(run.settings.eval_steps)
+        policy, world = run.policy(team, seed=1), run.settings.world
         scores = mw.score_policy(policy, team, world, episodes=40, seed=6).to_json()
         [printed] = group[f"{team}s"]["by_seed"].values()
         assert scores["mean"] == printed["mean"]

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import multiprocessing
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from matrixworld.coevolution import tournament
 from matrixworld.coevolution.evaluation.tournament import Pairs, _block_size, _blocks
-from matrixworld.coevolution.learners.registry import untrained
 from matrixworld.play.rollout import rollout
 from matrixworld.world.policy import Population
 from tiny_race import tiny_race
@@ -20,13 +20,13 @@ SETTINGS = tiny_race()
 
 def population(team, count):
     """Return so many different genomes."""
-    return Population(untrained(SETTINGS, team, count), SETTINGS.network)
+    return Population(SETTINGS.untrained(team, count), SETTINGS.network)
 
 
 def played(pursuers=None, **options):
     """Return the payoff of a small tournament, as bytes by name."""
     sides = pursuers or population("pursuer", 7), population("evader", 5)
-    world = SETTINGS.world(12)
+    world = SETTINGS.world
     payoff = tournament(world, *sides, seed=3, episodes=4, first=(2, 1), **options)
     return {
         name: (array.dtype, array.shape, array.tobytes()) for name, array in payoff.arrays().items()
@@ -88,7 +88,7 @@ def test_blocks_cover_the_matrix_once_and_are_about_as_large_as_asked(size, pair
 def test_the_measured_block_takes_about_the_time_asked_for():
     sides = population("pursuer", 31), population("evader", 31)
     seeds = np.zeros((31, 31), np.uint64)
-    pairs = Pairs(SETTINGS.world(500), *sides, seeds, 10, rollout)
+    pairs = Pairs(replace(SETTINGS.world, max_steps=500), *sides, seeds, 10, rollout)
     assert 1e-6 < pairs.seconds() < 0.1
 
 

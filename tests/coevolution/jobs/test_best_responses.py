@@ -19,7 +19,7 @@ from matrixworld.coevolution import (
 )
 from tiny_race import results, tiny_race, tiny_single
 
-CHOSEN = {"eval_episodes": 12, "seed": 0}
+CHOSEN = {"evaluation_episodes": 12, "seed": 0}
 BUDGET = 100  # matches: 2 epochs of 48
 COMMAND = ("--champion", "pursuer", "--matches", BUDGET, "--episodes", 12)
 SCHEDULE = "generalist-generalist"
@@ -53,7 +53,7 @@ def test_each_response_is_the_one_of_its_run_alone(job: Path, tmp_path: Path) ->
 def test_a_champion_that_did_not_learn_is_refused_before_anything_is_written(
     job: Path, tmp_path: Path
 ) -> None:
-    start(tiny_single(against="fleer"), tmp_path / "single").run()
+    start(tiny_single(opponent="fleer"), tmp_path / "single").run()
     runs = {"a": open_run(job / SCHEDULE / "seed-0"), "b": open_run(tmp_path / "single")}
     with pytest.raises(ValueError, match=r"team: expected one that learned in .*, got 'evader'"):
         best_responses(runs, "evader", BUDGET, tmp_path / "out")

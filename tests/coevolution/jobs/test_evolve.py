@@ -305,7 +305,7 @@ def test_a_locked_run_is_waited_for_with_a_limit(straight, tmp_path):
 @posix
 def test_a_run_that_kills_its_workers_is_named_and_the_others_finish(tmp_path):
     bad = tiny_race(learner="dying:Exits")
-    once = {"learner": "dying:DiesOnce", "learner_settings": {"marker": str(tmp_path / "dead")}}
+    once = {"learner": "dying:DiesOnce", "settings": {"marker": str(tmp_path / "dead")}}
     settings = {"bad": bad, "once": tiny_race(**once), "good": tiny_race(seed=9)}
     failures, finished = failures_of(settings, tmp_path / "job", threads=2)
     assert {*failures} == {"bad"}
@@ -348,7 +348,7 @@ def test_a_vanished_cluster_leaves_files_and_the_same_call_continues(straight, t
 
 
 def test_disengagements_are_warned_of_with_the_name_of_the_run(tmp_path):
-    settings = [tiny_race(seed=1, generations=6, rows=40, cols=40, train_steps=1, eval_steps=1)]
+    settings = [tiny_race(seed=1, generations=6, rows=40, cols=40, train_steps=1, max_steps=1)]
     with warnings.catch_warnings(record=True) as alone:
         warnings.simplefilter("always")
         finish(settings[0], tmp_path / "alone")
@@ -399,7 +399,7 @@ BAD = [
     ({"lock_wait": -1.0}, ValueError, "lock_wait"),
     ({"settings": [tiny_race(), tiny_race()]}, ValueError, "settings: expected runs of different"),
     ({"settings": [tiny_race(learner="nowhere:Learner")]}, ValueError, "nowhere"),
-    ({"settings": [tiny_single(against="nowhere")]}, FileNotFoundError, "nowhere"),
+    ({"settings": [tiny_single(opponent="nowhere")]}, FileNotFoundError, "nowhere"),
     ({"settings": [tiny_race(population=2 * 10**9, rows=40, cols=40)]}, ValueError, "run.*memory"),
 ]
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from matrixworld._util.files import load_json, save_json
-from matrixworld.coevolution import DamagedFileError, OtherVersionError, RaceSettings
+from matrixworld.coevolution import DamagedFileError, OtherVersionError, OwnOpponents, RaceSettings
 from matrixworld.coevolution.jobs.job import (
     JOB,
     Job,
@@ -20,22 +20,22 @@ from matrixworld.coevolution.jobs.job import (
     settings_from_text,
     settings_to_text,
 )
-from matrixworld.coevolution.settings import ALL_SCHEDULES
+from matrixworld.coevolution.schedules import ALL_SCHEDULES
 from matrixworld.world.rules import VARIANTS
 from tiny_race import tiny_race, tiny_single
 
 RULES = replace(VARIANTS["SB"], name="mine") if hasattr(VARIANTS["SB"], "name") else VARIANTS["SB"]
 SETTINGS = [
     *(tiny_race(schedule=name) for name in ALL_SCHEDULES),
-    tiny_race(variant=RULES, sigma=np.float32(0.3), obstacles=0.1),
+    tiny_race(rules=RULES, sigma=np.float32(0.3), obstacles=0.1),
     tiny_race(obstacles=["......"] * 5 + [".#...."], hidden=(3, 2), activation="tanh"),
-    tiny_race(learner="own_code:HillClimber", learner_settings={"sigma": 0.2, "shrink": 0.5}),
+    tiny_race(learner="own_code:HillClimber", settings={"sigma": 0.2, "shrink": 0.5}),
     tiny_race(
-        schedule="alternating", opponents=2, pursuers_meet="own_code:Hardest",
-        pursuers_meet_settings={"forget": 0.25},
+        schedule="alternating", opponents=2,
+        pursuers_meet=OwnOpponents(code="own_code:Hardest", settings={"forget": 0.25}),
     ),
     tiny_race(seed=2**63 - 1, learner="cma"),
-    tiny_single(team="evader", against="hunter"),
+    tiny_single(team="evader", opponent="hunter"),
     RaceSettings(),
 ]  # fmt: skip
 
@@ -65,17 +65,17 @@ def test_names_and_what_was_asked_for():
 
 def test_paths_of_opponents_mean_the_same_to_workers_elsewhere(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    job = job_of([tiny_single(against="runs/my first/seed-3", start="/other")])
+    job = job_of([tiny_single(opponent="runs/my first/seed-3", start="/other")])
     settings = job.runs["pursuer-against-my-first/seed-5"]
-    assert settings.against == str(tmp_path / "runs/my first/seed-3")
-    assert settings.start == str(Path("/other"))
+    assert settings.schedule.opponent == str(tmp_path / "runs/my first/seed-3")
+    assert settings.schedule.start == str(Path("/other"))
 
 
 BAD = [
     ([], ValueError, "expected at least one run"),
     ({}, ValueError, "expected at least one run"),
-    ([3], TypeError, "expected RaceSettings or SingleSettings, got 3"),
-    ({"a": None}, TypeError, "expected RaceSettings or SingleSettings, got None"),
+    ([3], TypeError, "expected RaceSettings, got 3"),
+    ({"a": None}, TypeError, "expected RaceSettings, got None"),
     ([tiny_race(), tiny_race(sigma=0.2)], ValueError, "got two of generalist-generalist/seed-5"),
     ({"a": tiny_race(), "b": tiny_race()}, ValueError, "expected different runs, got a and b"),
     ({"a": tiny_race(), "a/b": tiny_race(seed=1)}, ValueError, "got a/b in a run"),
@@ -112,7 +112,7 @@ def test_files_that_are_damaged_or_of_another_version(tmp_path):
     save_json(tmp_path / JOB, {**values, "format": 9})
     with pytest.raises(OtherVersionError, match="expected format 1, got 9"):
         open_job(tmp_path)
-    for groups in ([], 3, [{"kind": "race"}], [{**values["groups"][0], "kind": "war"}]):
+    for groups in ([], 3, [{"settings": {}}], [{**values["groups"][0], "seeds": 3}]):
         save_json(tmp_path / JOB, {**values, "groups": groups})
         with pytest.raises(OtherVersionError, match="expected settings of matrixworld"):
             open_job(tmp_path)

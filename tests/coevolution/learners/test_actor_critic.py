@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import pickle
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,11 +11,11 @@ import pytest
 from matrixworld.coevolution.learners import actor_critic
 from matrixworld.coevolution.learners.actor_critic import (
     ActorCritic,
-    Hyperparameters,
+    ActorCriticSettings,
+    Experience,
+    advantages,
+    orthogonal,
 )
-from matrixworld.coevolution.learners.advantages import advantages
-from matrixworld.coevolution.learners.experience import Experience
-from matrixworld.coevolution.learners.perceptron import orthogonal
 from matrixworld.coevolution.runs.training_matches import experience
 from matrixworld.play import NetworkPolicy
 from matrixworld.play.rollout import Matches, rollout
@@ -34,7 +33,8 @@ def rng() -> np.random.Generator:
 def learner(**changes: Any) -> ActorCritic:
     pytest.importorskip("torch")
     genome = orthogonal(NETWORK.sizes, rng())
-    return ActorCritic(genome, NETWORK, 4, rng(), Hyperparameters(**changes), state_size=3 * 49)
+    chosen = ActorCriticSettings(population=4, **changes)
+    return ActorCritic(genome, NETWORK, rng(), chosen, state_size=3 * 49)
 
 
 def played(by: ActorCritic, *, seed: int = 0, matches: int = 4, config=CONFIG) -> Experience:
@@ -97,7 +97,7 @@ def numeric_gradient(value, weights: np.ndarray, places: np.ndarray) -> np.ndarr
 
 def smooth(network: Network) -> Network:
     # The corners of ReLU have no derivative.
-    return replace(network, activation="tanh")
+    return network.changed({"policy.activation": "tanh"})
 
 
 @pytest.mark.parametrize(("clip", "entropy"), [(0.0, 0.0), (0.0, 0.1), (0.2, 0.05)])
@@ -105,7 +105,7 @@ def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy
     pytest.importorskip("torch")
     network, draw = smooth(NETWORK), rng()
     genome = orthogonal(network.sizes, draw)
-    one = ActorCritic(genome, network, 4, draw, Hyperparameters(clip=clip, entropy=entropy))
+    one = ActorCritic(genome, network, draw, ActorCriticSettings(clip=clip, entropy=entropy))
     seen = played(one)
     weight = draw.normal(size=len(seen)).astype(np.float32)
     given: list[np.ndarray] = []
@@ -140,7 +140,7 @@ def test_the_actor_s_gradient_is_that_of_finite_differences(clip: float, entropy
 def test_the_critic_s_gradient_is_that_of_finite_differences() -> None:
     pytest.importorskip("torch")
     network, draw = smooth(NETWORK), rng()
-    one = ActorCritic(orthogonal(network.sizes, draw), network, 4, draw)
+    one = ActorCritic(orthogonal(network.sizes, draw), network, draw)
     seen = played(one)
     target = draw.normal(size=len(seen)).astype(np.float32)
     critic = one._critics["critic"]

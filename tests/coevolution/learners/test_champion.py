@@ -32,7 +32,7 @@ def trials():
         row = [noisy.max(), learner.genome[0]]
         means = rng.normal(0.0, NOISE / np.sqrt(AGAIN), ELITES)
         again = learner.elite_genomes()[:, 0] + means
-        learner.crown(again)
+        learner.choose_champion(again)
         rows.append([*row, again.max(), learner.genome[0]])
     return np.array(rows)
 
@@ -60,7 +60,7 @@ def test_crowning_changes_the_champion_and_no_offspring():
         fittest = learner.genome
         assert learner.elite.tolist() == np.argsort(-noisy)[:ELITES].tolist()
         if crowned:
-            learner.crown(np.arange(ELITES))
+            learner.choose_champion(np.arange(ELITES))
             assert learner.genome == learner.elite_genomes()[-1] != fittest
             restored, _ = scored(np.random.default_rng(3))
             restored.restore(learner.state())
@@ -75,9 +75,9 @@ def test_crowning_changes_the_champion_and_no_offspring():
 def test_there_is_no_elite_before_the_first_fitness():
     learner = GeneticAlgorithm(np.zeros((4, 1)), NoiseTable(1, np.random.default_rng(0), sigma=0.1))
     with pytest.raises(RuntimeError, match="elite: expected a call of tell before it, got none"):
-        learner.crown([1.0, 2.0])
+        learner.choose_champion([1.0, 2.0])
     learner.ask(np.random.default_rng(0))
     learner.tell([0.0, 3.0, 1.0, 2.0])
     for bad in ([1.0], [1.0, np.nan]):
         with pytest.raises(ValueError, match="fitness: expected"):
-            learner.crown(bad)
+            learner.choose_champion(bad)

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from matrixworld import coevolution
-from matrixworld.coevolution import NoEffectError
 from matrixworld.coevolution.learners.masked_network import (
     FORBIDDEN,
     mask_weights,
@@ -94,9 +93,9 @@ def test_learners_leave_the_mask_as_it_is(learner: str, tmp_path: Path) -> None:
 
 
 def test_a_run_with_a_mask_starts_from_one_with_another_mask(tmp_path: Path) -> None:
-    first = tiny_single(variant="S", mask="obstacles")
+    first = tiny_single(rules="S", mask="obstacles")
     coevolution.finish(first, tmp_path / "first", threads=1)
-    second = tiny_single(variant="S", mask="occupied", start=str(tmp_path / "first"))
+    second = tiny_single(rules="S", mask="occupied", start=str(tmp_path / "first"))
     run = coevolution.finish(second, tmp_path / "second", threads=1)
     weights, genomes = second.mask_weights("pursuer"), run.teams["pursuer"].genomes
     assert weights is not None
@@ -117,9 +116,9 @@ def test_bad_masks_are_refused(changes: dict[str, Any], message: str) -> None:
 
 
 def test_evaders_may_mask_pursuers_where_contact_is_capture() -> None:
-    assert tiny_single(team="evader", mask="occupied").mask == "occupied"
+    assert tiny_single(team="evader", mask="occupied").policy.mask == "occupied"
 
 
 def test_learners_that_change_all_weights_refuse_a_mask() -> None:
-    with pytest.raises(NoEffectError, match="only with the learner es or ga or actor-critic"):
+    with pytest.raises(ValueError, match="^policy.mask: .* no effect with cma$"):
         tiny_single(learner="cma", hidden=(), mask="obstacles")

@@ -11,18 +11,24 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from matrixworld.coevolution.opponents import SAMPLERS, ArchiveSampler
-from matrixworld.coevolution.opponents.registry import available
+from matrixworld.coevolution.opponents import ArchiveSampler, OpponentSampler
+from matrixworld.coevolution.schedules import ARCHIVES, DRAWN, SAMPLERS, available
 from matrixworld.coevolution.types import TEAMS, other
 
 GENERATIONS, EPOCHS, ARCHIVE = 20, 20, 5
+
+
+def new_sampler(name: str, count: int) -> OpponentSampler:
+    if name in DRAWN:
+        return DRAWN[name](count)
+    return ArchiveSampler(ARCHIVES[name](ARCHIVE), count)
 
 
 class Ladder:
     """A race of strengths, with the samplers of both teams and the generations that they met."""
 
     def __init__(self, name: str, count: int) -> None:
-        self.samplers = {team: SAMPLERS[name](count, ARCHIVE) for team in TEAMS}
+        self.samplers = {team: new_sampler(name, count) for team in TEAMS}
         self.strengths = {team: np.zeros(1, dtype=int) for team in TEAMS}
         self.met_newest = 0
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from matrixworld.coevolution import RaceSettings, best_response, finish, open_run, resume, start
-from matrixworld.coevolution.opponents.registry import SCHEDULES
+from matrixworld.coevolution.schedules import SCHEDULES
 from tiny_race import StopAt, results, tiny_race, tiny_single
 
 LEARNER: dict[str, Any] = {"learner": "actor-critic", "population": 3, "actor_rate": 0.01}
@@ -40,7 +40,12 @@ def test_every_schedule_learns_and_resumes_bit_for_bit(
 
 @pytest.mark.parametrize(
     "changes",
-    [{"central_critic": True}, {"cost_limit": 2.0, "clip": 0.2}, {"worlds": 2}, {"hidden": ()}],
+    [
+        {"central_critic": True},
+        {"cost_limit": 2.0, "clip": 0.2},
+        {"match_episodes": 2},
+        {"hidden": ()},
+    ],
     ids=["central", "costs", "worlds", "linear"],
 )
 def test_options_of_the_learner(torch, changes: dict[str, Any], tmp_path: Path) -> None:
@@ -61,7 +66,7 @@ def test_a_team_learns_from_a_run_s_genome_and_is_exploited(torch, tmp_path: Pat
     run = finish(more, tmp_path / "second", threads=1)
     first = open_run(tmp_path / "first").teams["pursuer"].genomes[-1]
     np.testing.assert_array_equal(run.teams["pursuer"].genomes[0], first)
-    best_response(run, "pursuer", 48, tmp_path / "response", eval_episodes=2)
+    best_response(run, "pursuer", 48, tmp_path / "response", evaluation_episodes=2)
 
 
 def test_without_torch_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -83,12 +88,12 @@ def test_a_device_that_is_missing_is_refused_before_anything_is_written(
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"variant": "TO"}, "variant: expected one whose agents act at the same time"),
-        ({"fitness": "capture-rate"}, "fitness: expected 'captured-fraction' .*, got"),
+        ({"rules": "TO"}, "world.rules: expected agents that act at the same time"),
+        ({"measure": "capture-rate"}, "fitness.measure: expected 'captured-fraction', .*, got"),
         ({"overlap_penalty": 0.3}, "overlap_penalty: expected"),
-        ({"cost_rate": 0.3}, "cost_rate: expected 0.05 .* only with a cost_limit"),
+        ({"cost_rate": 0.3}, "cost_rate: expected no value without cost_limit"),
         ({"discount": 1.5}, "discount: expected a number at least 0 and at most 1, got 1.5"),
-        ({"learner": "es", "population": 4, "clip": 0.1}, "clip: expected 0.0 .* actor-critic"),
+        ({"learner": "es", "population": 4, "clip": 0.1}, "clip: expected one of the settings"),
         ({"rewards": "mine"}, "rewards: expected "),
     ],
 )
@@ -101,7 +106,7 @@ def test_bad_settings_are_refused(changes: dict[str, Any], message: str) -> None
 
 
 def test_a_device_is_named() -> None:
-    with pytest.raises(TypeError, match="device: expected the name of a device of PyTorch, got 0"):
+    with pytest.raises(TypeError, match="learner.device: expected a text, got 0"):
         tiny_race(**LEARNER, device=0)
 
 

@@ -13,7 +13,14 @@ import pytest
 
 from command_line import matrixworld_command
 from matrixworld.cli import exploit
-from matrixworld.coevolution import SingleSettings, best_response, open_run, resume, start
+from matrixworld.coevolution import (
+    Against,
+    EvolutionStrategySettings,
+    best_response,
+    open_run,
+    resume,
+    start,
+)
 from matrixworld.coevolution.jobs.best_responses import settings_of_responses
 from matrixworld.coevolution.jobs.job import job_of, save_job
 from matrixworld.coevolution.runs.best_response import response_settings
@@ -41,10 +48,9 @@ def last(run: Any, team: str) -> Population:
 @pytest.mark.parametrize("champion", ["pursuer", "evader"])
 def test_what_is_played(race, tmp_path, champion):
     run, learner = open_run(race), other(champion)
-    result = best_response(run, champion, BUDGET, tmp_path / "x", eval_episodes=EPISODES)
+    result = best_response(run, champion, BUDGET, tmp_path / "x", evaluation_episodes=EPISODES)
     response = open_run(tmp_path / "x")
-    assert isinstance(response.settings, SingleSettings)
-    assert response.settings.team == learner
+    assert response.settings.schedule.team == learner
     assert np.array_equal(response.teams[champion].genomes, last(run, champion).genomes)
     assert result.gain.budget == 9 * 48 == response.files.summary()["training_matches"]
     log = response.files.log()
@@ -52,7 +58,7 @@ def test_what_is_played(race, tmp_path, champion):
     assert log["matches"][-1] == result.gain.budget
 
     def rates(pursuers: Population, evaders: Population, seed: int) -> np.ndarray:
-        config, match = run.settings.world(12), Matches.of(0, 0, np.uint64(seed))
+        config, match = run.settings.world, Matches.of(0, 0, np.uint64(seed))
         scores = rollout(config, pursuers, evaders, match, episodes=EPISODES)
         captured = scores.capture_rate[0].astype(float)
         return captured if learner == "pursuer" else 1 - captured
@@ -73,7 +79,10 @@ def test_what_is_played(race, tmp_path, champion):
 @pytest.mark.parametrize("call", [0, 4, 9])
 def test_an_interrupted_response_continues(race, tmp_path, call):
     run = open_run(race)
-    arguments: dict[str, Any] = {"eval_episodes": EPISODES, "archive_every": 2}
+    arguments: dict[str, Any] = {
+        "evaluation_episodes": EPISODES,
+        "schedule": Against(archive_every=2),
+    }
     straight = best_response(run, "pursuer", BUDGET, tmp_path / "straight", **arguments)
     with pytest.raises(KeyboardInterrupt):
         best_response(run, "pursuer", BUDGET, tmp_path / "x", play=StopAt(call), **arguments)
@@ -87,13 +96,13 @@ def test_an_interrupted_response_continues(race, tmp_path, call):
 def test_a_weak_champion_is_exploited(tmp_path):
     """An untrained team hardly moves: its response learns to capture far more."""
     settings = tiny_race(
-        fov=5, hidden=(), train_steps=20, eval_steps=20, generations=1, pursuer_epochs=1,
+        fov=5, hidden=(), train_steps=20, max_steps=20, generations=1, pursuer_epochs=1,
         evader_epochs=1, population=2, sigma=1e-6, learning_rate=1e-6, initial_head=0.01,
     )  # fmt: skip
     start(settings, tmp_path / "race").run()
     result = best_response(
-        open_run(tmp_path / "race"), "evader", 9600, tmp_path / "x", eval_episodes=300,
-        learning_rate=0.05, sigma=0.2,
+        open_run(tmp_path / "race"), "evader", 9600, tmp_path / "x", evaluation_episodes=300,
+        learner=EvolutionStrategySettings(population=48, learning_rate=0.05, sigma=0.2),
     )  # fmt: skip
     assert result.gain.gain.low > 0.05
     assert f"evolved for {9600:,} matches gains" in str(result.gain)
@@ -102,38 +111,44 @@ def test_a_weak_champion_is_exploited(tmp_path):
 def test_settings_are_the_run_s_world_and_the_budget(race):
     run = open_run(race)
     settings = response_settings(run, "evader", 1000)
-    assert (settings.team, settings.epochs, settings.population) == ("pursuer", 20, 48)
-    assert settings.world(9).to_json() == run.settings.world(9).to_json()
+    schedule = settings.schedule
+    assert (schedule.team, schedule.epochs, settings.learner.population) == ("pursuer", 20, 48)
+    assert settings.world == run.settings.world
     assert settings.network == run.settings.network
-    assert (settings.train_steps, settings.eval_steps, settings.seed) == (12, 12, 5)
-    changed = response_settings(run, "evader", 1000, population=10, worlds=3, train_steps=4)
-    assert (changed.epochs, changed.train_steps) == (33, 4)
+    assert (settings.train_steps, settings.seed) == (12, 5)
+    changed = response_settings(
+        run, "evader", 1000, match_episodes=3, train_steps=4,
+        learner=EvolutionStrategySettings(population=10),
+    )  # fmt: skip
+    assert (changed.schedule.epochs, changed.train_steps) == (33, 4)
     with pytest.raises(ValueError, match=r"matches: expected at least 48 \(one epoch\), got 47"):
         response_settings(run, "evader", 47)
 
 
 def test_a_scripted_champion_is_refused(tmp_path):
-    start(tiny_single(against="fleer"), tmp_path / "run").run()
+    start(tiny_single(opponent="fleer"), tmp_path / "run").run()
     run = open_run(tmp_path / "run")
     with pytest.raises(ValueError, match=r"team: expected one that learned in .*run, got 'evader'"):
         best_response(run, "evader", BUDGET, tmp_path / "x")
     assert not (tmp_path / "x").exists()
-    result = best_response(run, "pursuer", BUDGET, tmp_path / "x", eval_episodes=2)
+    result = best_response(run, "pursuer", BUDGET, tmp_path / "x", evaluation_episodes=2)
     assert result.gain.budget == 432
 
 
 def test_another_response_in_the_directory_is_refused(race, tmp_path):
     run = open_run(race)
-    best_response(run, "pursuer", 48, tmp_path / "x", eval_episodes=2)
-    with pytest.raises(ValueError, match="holds a run with eval_episodes 2, expected 3"):
-        best_response(run, "pursuer", 48, tmp_path / "x", eval_episodes=3)
-    with pytest.raises(ValueError, match="holds a run with epochs 1, expected 2"):
-        best_response(run, "pursuer", 96, tmp_path / "x", eval_episodes=2)
-    with pytest.raises(ValueError, match="holds a run with team 'evader', expected 'pursuer'"):
-        best_response(run, "evader", 48, tmp_path / "x", eval_episodes=2)
+    best_response(run, "pursuer", 48, tmp_path / "x", evaluation_episodes=2)
+    with pytest.raises(ValueError, match="holds a run with other settings: evaluation_episodes$"):
+        best_response(run, "pursuer", 48, tmp_path / "x", evaluation_episodes=3)
+    with pytest.raises(ValueError, match="holds a run with other settings: schedule.epochs$"):
+        best_response(run, "pursuer", 96, tmp_path / "x", evaluation_episodes=2)
+    with pytest.raises(ValueError, match="holds a run with other settings: .*schedule.team"):
+        best_response(run, "evader", 48, tmp_path / "x", evaluation_episodes=2)
     start(tiny_race(generations=1), tmp_path / "other").run()
     with pytest.raises(ValueError, match="holds a run against another champion"):
-        best_response(open_run(tmp_path / "other"), "pursuer", 48, tmp_path / "x", eval_episodes=2)
+        best_response(
+            open_run(tmp_path / "other"), "pursuer", 48, tmp_path / "x", evaluation_episodes=2
+        )
 
 
 # ---- The command -----------------------------------------------------------------------------
@@ -145,7 +160,7 @@ def test_the_command(race, tmp_path):
     told = matrixworld_command(*command).stdout
     job = tmp_path / "race-response-to-pursuers-100x20-seed0"
     made = job / "seed-5"
-    result = best_response(open_run(run), "pursuer", 100, made, eval_episodes=20, seed=0)
+    result = best_response(open_run(run), "pursuer", 100, made, evaluation_episodes=20, seed=0)
     before, after = f"{result.before.mean():.3f}", f"{result.after.mean():.3f}"
     assert re.search(rf"5 +{before} +{after}  {re.escape(str(result.gain.gain))}\n", told)
     assert "96 matches of evolution and 40 of evaluation" in told
@@ -163,7 +178,7 @@ def test_the_command_goes_on_after_ctrl_c(race, tmp_path, monkeypatch):
     command = ["exploit", run, "--champion", "evader", "--matches", 200, "--out", tmp_path / "x"]
 
     def interrupted(*args: Any, **options: Any) -> Any:
-        chosen = {"matches": 200, "eval_episodes": 100, "seed": 0}
+        chosen = {"matches": 200, "evaluation_episodes": 100, "seed": 0}
         settings = settings_of_responses({"seed-5": open_run(run)}, "evader", **chosen)
         (tmp_path / "x").mkdir()
         save_job(tmp_path / "x", job_of(settings))
@@ -178,7 +193,7 @@ def test_the_command_goes_on_after_ctrl_c(race, tmp_path, monkeypatch):
 
 def test_words_for_a_gain_and_for_none(race, tmp_path):
     result = best_response(
-        open_run(race), "pursuer", BUDGET, tmp_path / "x", eval_episodes=EPISODES
+        open_run(race), "pursuer", BUDGET, tmp_path / "x", evaluation_episodes=EPISODES
     )
     low = result.gain.gain.low
     words = exploit._in_words(result)
@@ -210,5 +225,5 @@ def test_the_command_refuses(race, options, code, message):
 
 
 def test_it_is_a_run_like_any_other(race, tmp_path):
-    best_response(open_run(race), "evader", 48, tmp_path / "x", eval_episodes=2)
+    best_response(open_run(race), "evader", 48, tmp_path / "x", evaluation_episodes=2)
     assert resume(tmp_path / "x").files.finished

@@ -15,7 +15,7 @@ from tiny_race import StopAt, results, tiny_race, tiny_single
 
 ALTERNATING = {"schedule": "alternating", "opponents": 2, "generations": 3, "train_steps": 20}
 HALL = {"schedule": "hall-of-fame", "contemporaries": 2, "hall_sample": 2, "generations": 3}
-ELITE: dict[str, Any] = {"elites": 3, "elite_episodes": 2, "population": 8, "worlds": 2}
+ELITE: dict[str, Any] = {"elites": 3, "elite_episodes": 2, "population": 8, "match_episodes": 2}
 RUNS = {
     "elite in turns": tiny_race(**ALTERNATING, **ELITE, learner="ga"),
     "elite of a hall of fame": tiny_race(**HALL, **ELITE, learner="ga", train_steps=20),
@@ -23,7 +23,7 @@ RUNS = {
         **ALTERNATING, **ELITE, learner="ga", pursuers_meet="ipca", evaders_meet="lapca"
     ),
     "elite alone": tiny_single(**ELITE, learner="ga", team="evader", train_steps=20),
-    "retention in turns": tiny_race(**ALTERNATING, retention_episodes=2, worlds=2),
+    "retention in turns": tiny_race(**ALTERNATING, retention_episodes=2, match_episodes=2),
     "retention of cma": tiny_race(**ALTERNATING, retention_episodes=2, learner="cma", hidden=()),
     "retention of a hall of fame": tiny_race(**HALL, retention_episodes=2, train_steps=20),
     "both": tiny_race(**ALTERNATING, **ELITE, learner="ga", retention_episodes=1),
@@ -86,16 +86,16 @@ def mean_fitness(race, team, genomes, opponents, seeds):
     for i, j, e in np.ndindex(values.shape):
         pair = {team: genomes[i : i + 1], coevolution.types.other(team): opponents[j : j + 1]}
         scores = rollout(
-            settings.world(settings.train_steps),
+            settings.training_world,
             Population(pair["pursuer"], race.network),
             Population(pair["evader"], race.network),
             Matches.of([0], [0], [seeds[j][e]]),
-            episodes=settings.worlds,
+            episodes=settings.match_episodes,
         )
-        penalty = settings.resolved_overlap_penalty
-        values[i, j, e] = fitness(scores, team, measure=settings.fitness, overlap_penalty=penalty)[
-            0
-        ]
+        penalty = settings.overlap_penalty
+        values[i, j, e] = fitness(
+            scores, team, measure=settings.fitness.measure, overlap_penalty=penalty
+        )[0]
     return values.mean(axis=(1, 2))
 
 
@@ -141,15 +141,15 @@ def test_a_discarded_generation_leaves_the_learner_as_before(tmp_path, monkeypat
 
 
 def test_the_champion_is_the_best_elite_of_new_matches(tmp_path, monkeypatch):
-    settings = tiny_race(**ALTERNATING, **{**ELITE, "worlds": 1}, learner="ga")
+    settings = tiny_race(**ALTERNATING, **{**ELITE, "match_episodes": 1}, learner="ga")
     race = coevolution.start(settings, tmp_path / "run", threads=1)
     learner = race.learners["evader"]
     crowned = []
-    crown = learner.crown
+    choose = learner.choose_champion
     monkeypatch.setattr(
         learner,
-        "crown",
-        lambda again: crowned.append((learner.elite_genomes(), again)) or crown(again),
+        "choose_champion",
+        lambda again: crowned.append((learner.elite_genomes(), again)) or choose(again),
     )
     met = []
     sample = race.samplers["evader"].sample
@@ -162,7 +162,7 @@ def test_the_champion_is_the_best_elite_of_new_matches(tmp_path, monkeypatch):
     race.run()
     assert len(crowned) == 3
     for generation, (genomes, again) in enumerate(crowned, start=1):
-        last = met[generation * settings.evader_epochs - 1]
+        last = met[generation * settings.schedule.evader_epochs - 1]
         key = (settings.seed, generation, generation, Phase.ELITE, 1)
         seeds = training_seeds(*key, 2 * len(last)).reshape(-1, 2)
         expected = mean_fitness(race, "evader", genomes, race.genomes("pursuer")[last], seeds)

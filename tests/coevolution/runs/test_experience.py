@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from matrixworld.coevolution.learners.experience import Experience
+from matrixworld.coevolution.learners.actor_critic import Experience
 from matrixworld.coevolution.runs.training_matches import experience
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.play.rollout import Matches, rollout

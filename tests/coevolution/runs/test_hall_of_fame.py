@@ -110,18 +110,18 @@ def test_hall_alone_or_contemporaries_alone(tmp_path):
 
 
 def test_wrong_kind_of_run_is_refused(tmp_path):
-    with pytest.raises(ValueError, match="schedule: expected one of hall-of-fame"):
+    with pytest.raises(ValueError, match="schedule: expected hall-of-fame, got alternating"):
         HallOfFameRace(tiny_race(), tmp_path / "run")
-    with pytest.raises(ValueError, match="schedule: expected one of specialist-specialist"):
+    with pytest.raises(ValueError, match="schedule: expected alternating, got hall-of-fame"):
         coevolution.Race(hall_of_fame(), tmp_path / "run")
     assert not (tmp_path / "run").exists()
 
 
 def test_default_budget_is_that_of_the_other_schedules(tmp_path):
-    small = {"fov": 3, "hidden": (2,), "eval_episodes": 1}
+    small = {"world.fov": 3, "policy.hidden": (2,), "evaluation_episodes": 1}
     matches = [
         coevolution.start(
-            coevolution.RaceSettings(schedule=schedule, **small), tmp_path / schedule
+            coevolution.RaceSettings.of({"schedule": schedule, **small}), tmp_path / schedule
         ).training_matches()
         for schedule in ("generalist-generalist", "hall-of-fame")
     ]

@@ -2,28 +2,33 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 from matrixworld import Matches, Population, coevolution, rollout
 from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.fitness import mean_over_opponents, shared_fitness
-from matrixworld.coevolution.opponents import SAMPLERS
 from matrixworld.coevolution.runs.run import TeamPhase
+from matrixworld.coevolution.schedules import ARCHIVES, SAMPLERS, ArchivedOpponents
 from matrixworld.coevolution.seeding import Phase, training_seeds
-from matrixworld.coevolution.settings.effects import ARCHIVES, SIZED
 from tiny_race import StopAt, results, tiny_race
 
 
 def alternating(name: str, **changes) -> RaceSettings:
     options = {"schedule": "alternating", "opponents": 2, "generations": 4}
-    size = {"archive_size": 3} if name in SIZED else {}
-    return tiny_race(**{**options, **size, "pursuers_meet": name, "evaders_meet": name, **changes})
+    met: Any = name
+    if name in ARCHIVES and name != "ipca":
+        met = ArchivedOpponents(archive=name, size=3)
+    return tiny_race(**{**options, "pursuers_meet": met, "evaders_meet": met, **changes})
 
 
 def joint(name: str, **changes) -> RaceSettings:
-    options = {"contemporaries": 2, "hall_sample": 2}
-    return alternating(name, **{**options, "schedule": "hall-of-fame", "opponents": 1, **changes})
+    options = {"schedule": "hall-of-fame", "contemporaries": 2, "hall_sample": 2}
+    race = alternating(name).schedule
+    met = {"pursuers_meet": race.pursuers_meet, "evaders_meet": race.evaders_meet}
+    return tiny_race(**{**options, **met, "generations": 4, **changes})
 
 
 @pytest.mark.parametrize("make", [alternating, joint])
@@ -77,7 +82,7 @@ def test_finish_starts_continues_or_opens_a_run(tmp_path):
 
 
 def test_runs_are_compared_at_equal_budgets(tmp_path):
-    race = coevolution.start(alternating("latest", opponents=1, worlds=2), tmp_path / "run")
+    race = coevolution.start(alternating("latest", opponents=1, match_episodes=2), tmp_path / "run")
     race.run()
     run = coevolution.open_run(tmp_path / "run")
     # Generations of 2 pursuer epochs and 3 evader epochs of 4 candidates in 2 worlds: 16, then 24.
@@ -88,7 +93,7 @@ def test_runs_are_compared_at_equal_budgets(tmp_path):
 
 
 def test_candidates_play_against_every_sampled_opponent(tmp_path):
-    settings = alternating("round-robin", opponents=3, learner="ga", worlds=2)
+    settings = alternating("round-robin", opponents=3, learner="ga", match_episodes=2)
     race = coevolution.start(settings, tmp_path / "run")
     calls = []
 
@@ -101,10 +106,10 @@ def test_candidates_play_against_every_sampled_opponent(tmp_path):
     # The last epoch of the last generation's evaders, before the evaluation of 5 rows.
     pursuers, _, matches = calls[-6]
     assert np.array_equal(pursuers.genomes, race.genomes("pursuer"))
-    epoch = settings.evader_epochs - 1
+    epoch = settings.schedule.evader_epochs - 1
     met = [(3 * epoch + turn) % 5 for turn in range(3)]
-    assert matches.pursuer.tolist() == met * settings.population
-    assert matches.evader.tolist() == np.repeat(np.arange(settings.population), 3).tolist()
+    assert matches.pursuer.tolist() == met * settings.learner.population
+    assert matches.evader.tolist() == np.repeat(np.arange(settings.learner.population), 3).tolist()
     for turn, g in enumerate(met):
         seeds = training_seeds(settings.seed, g, 4, Phase.EVADERS_LEARN, epoch, 1)
         assert set(matches.seed[turn::3].tolist()) == set(seeds.tolist())
@@ -112,7 +117,9 @@ def test_candidates_play_against_every_sampled_opponent(tmp_path):
 
 @pytest.mark.parametrize("name", ["maxsolve", "ipca", "lapca"])
 def test_archives_hold_the_results_of_the_matches(tmp_path, name):
-    settings = alternating(name, archive_episodes=2, generations=5, seed=4)
+    size = None if name == "ipca" else 3
+    met = ArchivedOpponents(archive=name, size=size, episodes=2)
+    settings = alternating(name, pursuers_meet=met, evaders_meet=met, generations=5, seed=4)
     race = coevolution.start(settings, tmp_path / "run")
     race.run()
     pursuers, evaders = (Population(race.genomes(t), race.network) for t in coevolution.TEAMS)
@@ -124,7 +131,7 @@ def test_archives_hold_the_results_of_the_matches(tmp_path, name):
                 g, h = (own, opponent) if team == "pursuer" else (opponent, own)
                 seeds = training_seeds(settings.seed, g, h, Phase.ARCHIVE, 0, 2)
                 scores = rollout(
-                    settings.world(settings.train_steps),
+                    settings.training_world,
                     pursuers,
                     evaders,
                     Matches.of(g, h, seeds),

@@ -15,21 +15,20 @@ import own_code
 from matrixworld.coevolution import (
     ALTERNATING,
     HALL_OF_FAME,
+    ArchivedOpponents,
+    OwnOpponents,
     PluginError,
     finish,
-    open_run,
     resume,
     start,
 )
-from matrixworld.coevolution.opponents import SAMPLERS, Latest
-from matrixworld.coevolution.settings import ALL_SCHEDULES
+from matrixworld.coevolution.schedules import ALL_SCHEDULES
 from matrixworld.play.rollout import rollout
 from tiny_race import StopAt, directory_in_memory, results, tiny_race, tiny_single
 
-LEARNER = {"learner": "own_code:HillClimber", "learner_settings": {"sigma": 0.2}}
+LEARNER = {"learner": "own_code:HillClimber", "settings": {"sigma": 0.2}}
 SAMPLERS_OF_BOTH = {
-    "pursuers_meet": "own_code:Hardest",
-    "pursuers_meet_settings": {"forget": 0.25},
+    "pursuers_meet": OwnOpponents(code="own_code:Hardest", settings={"forget": 0.25}),
     "evaders_meet": "own_code:Fixed",
 }
 MORE = {
@@ -40,7 +39,7 @@ RUNS = {
     **{name: tiny_race(schedule=name, **LEARNER, **MORE.get(name, {})) for name in ALL_SCHEDULES},
     "retention": tiny_race(retention_episodes=2, **LEARNER),
     "arrays changed in place": tiny_race(
-        retention_episodes=2, learner="own_code:ReturnsViews", learner_settings={"sigma": 0.2}
+        retention_episodes=2, learner="own_code:ReturnsViews", settings={"sigma": 0.2}
     ),
     "pursuers alone": tiny_single(**LEARNER),
     "evaders alone": tiny_single(team="evader", **LEARNER),
@@ -84,34 +83,28 @@ def test_the_learner_learns_by_its_own_rule(kind, tmp_path):
     run = start(RUNS[kind], tmp_path / "run", threads=1)
     run.run()
     for team in run.learning_teams():
-        assert isinstance(run.learners[team].learner, own_code.HillClimber)
+        assert isinstance(run.learners[team].made, own_code.HillClimber)
         genomes = run.genomes(team)
         assert np.isfinite(genomes).all()
         assert len(np.unique(genomes, axis=0)) > 1
-    assert (tmp_path / "run" / "config.json").read_text().count(run.settings.learner_name) == 1
+    assert (tmp_path / "run" / "config.json").read_text().count(run.settings.learner.code) == 1
 
 
-def test_the_same_class_in_the_registry_gives_the_same_run(tmp_path, monkeypatch):
+def test_the_package_s_own_class_by_its_path_gives_the_same_run(tmp_path):
     """Built-in samplers and those of one's own go the same way."""
-    monkeypatch.setitem(SAMPLERS, "mine", lambda count, size: Latest(count))
     alternating = {"schedule": ALTERNATING, "opponents": 2, "evaders_meet": "latest"}
     archives = [
         start(tiny_race(pursuers_meet=name, **alternating), tmp_path / name, threads=1).run()
-        for name in ("mine", "latest", "matrixworld.coevolution.opponents:Latest")
+        for name in ("latest", "matrixworld.coevolution.opponents:Latest")
     ]
-    for other in archives[1:]:
-        assert np.array_equal(archives[0].capture_rates, other.capture_rates)
-    monkeypatch.undo()
-    assert open_run(tmp_path / "mine").settings.pursuers_meet == "mine"
-    with pytest.raises(ValueError, match="pursuers_meet: expected one of latest, .*, got 'mine'"):
-        resume(tmp_path / "mine")
+    assert np.array_equal(archives[0].capture_rates, archives[1].capture_rates)
 
 
 def test_an_archive_of_ones_own(tmp_path):
     """A function that makes an `ArchiveSampler`: the archive plays its matches."""
     race = {"schedule": ALTERNATING, "opponents": 2, "generations": 4}
-    own = {"evaders_meet": "own_code:layered", "evaders_meet_settings": {"layers": 2}}
-    built_in = {"evaders_meet": "lapca", "archive_size": 2}
+    own = {"evaders_meet": OwnOpponents(code="own_code:layered", settings={"layers": 2})}
+    built_in = {"evaders_meet": ArchivedOpponents(archive="lapca", size=2)}
     runs = [
         start(tiny_race(**race, **changes), tmp_path / name, threads=1)
         for name, changes in {"own": own, "lapca": built_in}.items()
@@ -126,7 +119,7 @@ def test_an_archive_of_ones_own(tmp_path):
 def test_cma_of_the_package_by_its_path(tmp_path):
     """The interface is that of the package's own classes."""
     small = {"hidden": (), "fov": 3}
-    path = {"learner": "matrixworld.coevolution:CmaEs", "learner_settings": {"sigma": 0.1}}
+    path = {"learner": "matrixworld.coevolution:CmaEs", "settings": {"sigma": 0.1}}
     own = finish(tiny_race(**small, **path), tmp_path / "own", threads=1)
     built_in = finish(tiny_race(**small, learner="cma", sigma=0.1), tmp_path / "cma", threads=1)
     for team in ("pursuer", "evader"):
@@ -137,8 +130,8 @@ READ = """
 import sys
 from matrixworld.coevolution import open_run, resume
 run = open_run(sys.argv[1])
-assert run.settings.learner == "mine:Learner", run.settings
-assert dict(run.settings.learner_settings) == {"sigma": 0.2}
+assert run.settings.learner.code == "mine:Learner", run.settings
+assert dict(run.settings.learner.settings) == {"sigma": 0.2}
 assert run.record().length and run.payoff().capture_rate.size
 assert "mine" not in sys.modules
 try:
@@ -151,7 +144,7 @@ except ValueError as error:
 def test_a_run_is_read_without_its_code(tmp_path, monkeypatch):
     monkeypatch.syspath_prepend(tmp_path)
     (tmp_path / "mine.py").write_text("from own_code import HillClimber as Learner\n")
-    settings = tiny_race(learner="mine:Learner", learner_settings={"sigma": 0.2})
+    settings = tiny_race(learner="mine:Learner", settings={"sigma": 0.2})
     finish(settings, tmp_path / "run", threads=1)
     (tmp_path / "mine.py").unlink()
     before = {path.name: path.read_bytes() for path in (tmp_path / "run").iterdir()}
@@ -168,11 +161,17 @@ def test_a_run_is_read_without_its_code(tmp_path, monkeypatch):
 def test_nothing_is_written_if_the_code_is_missing_or_refuses(tmp_path):
     for changes, message in [
         ({"learner": "nowhere:Learner"}, "learner: expected a module that can be imported"),
-        ({**LEARNER, "learner_settings": {"sigma": -1}}, "learner: expected settings that own_"),
-        ({**LEARNER, "learner_settings": {"seed": 1}}, "learner_settings: expected settings of"),
+        (
+            {**LEARNER, "settings": {"sigma": -1}},
+            "learner own_code:HillClimber: expected settings that it",
+        ),
+        (
+            {**LEARNER, "settings": {"seed": 1}},
+            "learner own_code:HillClimber: expected its settings",
+        ),
         (
             {**MORE[ALTERNATING], "schedule": ALTERNATING, "evaders_meet": "own_code:Fixd"},
-            "evaders_meet: expected the name of an object in own_code, got 'Fixd'",
+            "opponent sampler: expected the name of an object in own_code, got 'Fixd'",
         ),
     ]:
         with pytest.raises(ValueError, match=message):
@@ -192,5 +191,7 @@ def test_an_error_in_a_learner_names_it_and_keeps_the_traceback(tmp_path):
 
 def test_an_error_in_a_sampler_names_it(tmp_path):
     settings = tiny_race(schedule=ALTERNATING, pursuers_meet="own_code:Crash")
-    with pytest.raises(PluginError, match="^pursuers_meet own_code:Crash: sample: KeyError: 'gen"):
+    with pytest.raises(
+        PluginError, match="^opponent sampler own_code:Crash: sample: KeyError: 'gen"
+    ):
         start(settings, tmp_path / "run", threads=1).run()

@@ -16,7 +16,7 @@ from tiny_race import StopAt, results, tiny_race, tiny_single
 @pytest.mark.parametrize("team", ["pursuer", "evader"])
 @pytest.mark.parametrize("against", ["random", "still", "chaser", "fleer"])
 def test_against_scripts(tmp_path, team, against):
-    run = coevolution.start(tiny_single(team=team, against=against), tmp_path / "run")
+    run = coevolution.start(tiny_single(team=team, opponent=against), tmp_path / "run")
     payoff = run.run()
     assert payoff.capture_rates.shape == (1, 1, 3)
     archive = run.files.archive()
@@ -36,13 +36,13 @@ def test_against_scripts(tmp_path, team, against):
 
 
 def test_summary_has_an_interval_of_the_mean_over_the_episodes(tmp_path):
-    settings = tiny_single(against="random", eval_episodes=40)
+    settings = tiny_single(opponent="random", evaluation_episodes=40)
     run = coevolution.start(settings, tmp_path / "run")
     payoff = run.run()
     summary = run.files.summary()
     for name, episodes, most in (
         ("capture_rate", payoff.capture_rates, 1.0),
-        ("length", payoff.lengths, settings.eval_steps),
+        ("length", payoff.lengths, settings.world.max_steps),
     ):
         values = episodes.ravel().astype(float)
         # 2.0227 is the 97.5% quantile of Student's t with 39 degrees of freedom, from a table.
@@ -91,7 +91,7 @@ def other_run(tmp_path):
 @pytest.mark.parametrize("team", ["pursuer", "evader"])
 def test_against_a_run(tmp_path, other_run, team):
     other = "evader" if team == "pursuer" else "pursuer"
-    settings = tiny_single(team=team, against=str(other_run.files.path))
+    settings = tiny_single(team=team, opponent=str(other_run.files.path))
     run = SingleTeam(settings, tmp_path / "run", play=StopAt(4))
     with pytest.raises(KeyboardInterrupt):
         run.run()
@@ -119,7 +119,7 @@ def test_several_opponents_take_turns(tmp_path):
     assert run.files.log()["opponent"].tolist() == [0, 1, 0, 1, 0]
     assert payoff.capture_rates.shape == (2, 1, 3)
     assert run.total_matches() == 5 * 4 + 2 * 3
-    assert coevolution.resume(tmp_path / "run").settings.against == "given as genomes"
+    assert coevolution.resume(tmp_path / "run").settings.schedule.opponent == "given as genomes"
 
 
 @pytest.mark.parametrize("learner", ["es", "ga"])
@@ -148,26 +148,28 @@ def test_learning_works(tmp_path):
         fov=5,
         hidden=(),
         population=64,
-        worlds=2,
+        match_episodes=2,
         sigma=0.2,
         learning_rate=0.05,
         epochs=100,
         archive_every=100,
         train_steps=20,
-        eval_steps=20,
-        eval_episodes=400,
-        against="still",
+        max_steps=20,
+        evaluation_episodes=400,
+        opponent="still",
     )
     run = SingleTeam(settings, tmp_path / "run")
     learned = run.run().capture_rate[0, 0]
     untrained = Population(run.genomes("pursuer")[:1], settings.network)
-    before = coevolution.tournament(settings.world(20), untrained, "still", seed=1, episodes=400)
+    before = coevolution.tournament(
+        replace(settings.world, max_steps=20), untrained, "still", seed=1, episodes=400
+    )
     assert learned > before.capture_rate[0, 0] + 0.2
 
 
 def test_bad_opponents_and_starts_are_refused(tmp_path):
     with pytest.raises(FileNotFoundError, match="holds no run"):
-        SingleTeam(tiny_single(against=str(tmp_path / "nowhere")), tmp_path / "run")
+        SingleTeam(tiny_single(opponent=str(tmp_path / "nowhere")), tmp_path / "run")
     settings = tiny_single()
     wide = Network(hidden=(4,), fov=5)
     genomes = np.zeros((1, wide.genome_size), dtype=np.float32)
@@ -178,7 +180,7 @@ def test_bad_opponents_and_starts_are_refused(tmp_path):
         SingleTeam(settings, tmp_path / "run", start=np.zeros(size - 1))
     with pytest.raises(ValueError, match=f"start: expected {size} finite genes"):
         SingleTeam(settings, tmp_path / "run", start=np.full(size, np.nan))
-    with pytest.raises(TypeError, match="settings: expected SingleSettings, got RaceSettings"):
+    with pytest.raises(ValueError, match="^schedule: expected against, got alternating"):
         SingleTeam(tiny_race(), tmp_path / "run")
     with pytest.raises(ValueError, match="team: expected one of pursuer, evader, got 'both'"):
         tiny_single(team="both")

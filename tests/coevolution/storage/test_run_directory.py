@@ -55,7 +55,7 @@ def save(files_of_run, stage):
 
 
 def new_run(path):
-    made = RunDirectory.create(path, "race", {"seed": 1})
+    made = RunDirectory.create(path, {"seed": 1})
     save(made, 0)
     made.write_config()
     return made
@@ -83,7 +83,7 @@ def alter(path):
 def test_new_run_wants_an_empty_directory(tmp_path):
     (tmp_path / "notes.txt").write_text("mine")
     with pytest.raises(FileExistsError, match=r"expected a new or empty directory.*notes.txt"):
-        RunDirectory.create(tmp_path, "race", {})
+        RunDirectory.create(tmp_path, {})
     assert [item.name for item in tmp_path.iterdir()] == ["notes.txt"]
 
 
@@ -158,7 +158,7 @@ def test_readers_refuse_altered_bytes_and_other_lengths(run, name):
 
 
 def test_a_team_that_a_script_plays_has_no_genomes(tmp_path):
-    run = RunDirectory.create(tmp_path / "run", "single", {"seed": 1})
+    run = RunDirectory.create(tmp_path / "run", {"seed": 1})
     run.save(0, {"pursuer": archive(1)["pursuer"], "evader": []}, [], {}, {})
     run.write_config()
     assert run.archive()["evader"].shape == (0, 0)
@@ -197,7 +197,7 @@ def test_one_writer_at_a_time(run):
     with run.lock(), pytest.raises(LockedError, match="another process is running"), again.lock():
         pass
     with again.lock():
-        assert run.config()["kind"] == "race"
+        assert run.config() == again.config()
 
 
 # Files of several moments beside each other:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, cast
 
@@ -31,8 +31,8 @@ from matrixworld.coevolution.evaluation.tournament import (
     tournament,
 )
 from matrixworld.coevolution.progress import Report, silent
+from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.seeding import Phase
-from matrixworld.coevolution.settings.single import SingleSettings
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.play import Callback, NetworkPolicy, Plays, capture_rates
@@ -302,8 +302,8 @@ def score(
     The world is that of the run. A script that the run trained against is left out, and so are
     evolved opponents that do not fit the world; see `HeldOutScores.left_out`.
     """
-    world = run.settings.world(steps or run.settings.eval_steps)
-    chosen = {team: _chosen(run, team, generation) for team in _learned(run)}
+    world = run.settings.world if steps is None else replace(run.settings.world, max_steps=steps)
+    chosen = {team: _chosen(run, team, generation) for team in run.settings.learning_teams}
     unseen = {team: _unseen(run, team, world) for team in chosen}
     total = sum(len(chosen[team][1]) * len(unseen[team][0]) * episodes for team in chosen)
     scores: dict[Team, HeldOutScores] = {}
@@ -332,11 +332,6 @@ def _report_from(report: Report, before: int, total: int, team: str, done: int) 
     report(f"{team} against held-out opponents", before + done, total)
 
 
-def _learned(run: SavedRun) -> tuple[Team, ...]:
-    settings = run.settings
-    return (settings.team,) if isinstance(settings, SingleSettings) else TEAMS
-
-
 def _chosen(run: SavedRun, team: Team, generation: int | None) -> tuple[Population, list[int]]:
     """Return the genomes to score, and their generations."""
     archive = cast(Population, run.teams[team])  # never a script, because the team learned
@@ -353,7 +348,8 @@ def _chosen(run: SavedRun, team: Team, generation: int | None) -> tuple[Populati
 def _unseen(run: SavedRun, team: Team, world: WorldConfig) -> tuple[dict[str, TeamPolicy], str]:
     """Return the opponents that the run did not train against, and which are left out."""
     opponents, left_out = opponents_of(team, world)
-    seen = run.settings.against if isinstance(run.settings, SingleSettings) else None
+    schedule = run.settings.schedule
+    seen = schedule.opponent if isinstance(schedule, Against) else None
     if seen not in opponents:
         return opponents, left_out
     unseen = {name: each for name, each in opponents.items() if name != seen}
@@ -518,15 +514,15 @@ def scores_in_race(
     """
     check_choice("team", team, TEAMS)
     settings = race.settings
-    if isinstance(settings, SingleSettings):
+    if not settings.is_race:
         raise ValueError(f"race: expected a race, got a run of one team: {race.files.path}")
     rivals = race.teams[other(team)]
     sides = (policy, rivals) if team == "pursuer" else (rivals, policy)
     payoff = tournament(
-        settings.world(settings.eval_steps),
+        settings.world,
         *sides,
         seed=settings.seed,
-        episodes=episodes or settings.eval_episodes,
+        episodes=episodes or settings.evaluation_episodes,
         threads=threads,
     )
     # A row or a column of generations.
@@ -536,9 +532,10 @@ def scores_in_race(
 
 def trained_team(run: SavedRun) -> tuple[Team, Population]:
     """Return the team that learned in a run of one team, and its last genome."""
-    if not isinstance(run.settings, SingleSettings):
+    schedule = run.settings.schedule
+    if not isinstance(schedule, Against):
         raise ValueError(f"{run.files.path}: expected a run of one team, got a race")
-    team = run.settings.team
+    team = schedule.team
     policy = run.teams[team]
     assert isinstance(policy, Population)  # the team that learned has genomes
     return team, Population(policy.genomes[-1:], policy.network)

@@ -16,7 +16,7 @@ from matrixworld.coevolution.runs.best_response import (
     champion_of,
     response_settings,
 )
-from matrixworld.coevolution.settings.single import SingleSettings
+from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import Team
 
@@ -48,7 +48,7 @@ def best_responses(
     executor, threads, report, lock_wait
         As in `evolve`.
     **changes
-        Settings of the responses, such as ``population=128``.
+        Fields of `RaceSettings` of the responses, such as ``match_episodes=2``.
 
     Returns
     -------
@@ -80,11 +80,11 @@ def best_responses(
 
 def settings_of_responses(
     runs: Mapping[str, SavedRun], team: Team, matches: int, **changes: Any
-) -> dict[str, SingleSettings]:
+) -> dict[str, RaceSettings]:
     """Return the settings of the responses by name; ValueError as `best_responses` raises it."""
     settings = {}
     for name, run in runs.items():
         champion_of(run, team)
-        against = str(run.files.path.absolute())
-        settings[name] = response_settings(run, team, matches, against=against, **changes)
+        champion = str(run.files.path.absolute())
+        settings[name] = response_settings(run, team, matches, opponent=champion, **changes)
     return settings

@@ -17,7 +17,6 @@ from matrixworld.coevolution.jobs.job import (
     ITSELF,
     JOB,
     Job,
-    Settings,
     group_of,
     job_of,
     open_job,
@@ -41,8 +40,7 @@ from matrixworld.coevolution.progress import SECONDS, JobReport, Progress
 from matrixworld.coevolution.runs.alternating import DisengagementWarning
 from matrixworld.coevolution.runs.single import check_sources
 from matrixworld.coevolution.runs.start import check_own_code, finish
-from matrixworld.coevolution.settings.memory import run_memory
-from matrixworld.coevolution.settings.single import SingleSettings
+from matrixworld.coevolution.settings import RaceSettings, run_memory
 from matrixworld.coevolution.storage.run_directory import (
     CONFIG,
     LOCK,
@@ -94,7 +92,7 @@ def silent(progress: Progress) -> None:
 
 
 def evolve(
-    settings: Settings | Sequence[Settings] | Mapping[str, Settings],
+    settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSettings],
     directory: str | Path,
     *,
     executor: Executor | None = None,
@@ -106,7 +104,7 @@ def evolve(
 
     Parameters
     ----------
-    settings : RaceSettings or SingleSettings, or a sequence or mapping of them
+    settings : RaceSettings, or a sequence or mapping of them
         Settings of each run. In `directory` a race gets the directory ``<schedule>/seed-<n>`` and a
         run of one team ``<team>-against-<opponent>/seed-<n>``; or give a mapping from names, such
         as ``sigma-0.1/seed-3``.
@@ -192,7 +190,7 @@ def check_job(job: Job, root: Path, executor: Executor | None, threads: int | No
     # A run that has begun has its opponents in its own archive.
     new = [each for name, each in left.items() if not (root / name / CONFIG).exists()]
     for each in dict.fromkeys(replace(each, seed=0) for each in new):
-        if isinstance(each, SingleSettings):
+        if not each.is_race:
             check_sources(each)
 
 
@@ -272,7 +270,7 @@ class JobPlay:
         self._totals = {name: int(each["matches"]) for name, each in self.finished.items()}
         self._before = dict(self._totals)
 
-    def _open(self, name: str, settings: Settings) -> None:
+    def _open(self, name: str, settings: RaceSettings) -> None:
         files = RunDirectory(self._root / name)
         try:
             found = files.settings()

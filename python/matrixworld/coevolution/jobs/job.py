@@ -15,9 +15,8 @@ from typing import Any
 
 from matrixworld._util.checks import shown
 from matrixworld._util.files import load_json, one_line, save_json
-from matrixworld.coevolution.settings.race import RaceSettings
-from matrixworld.coevolution.settings.single import SingleSettings
-from matrixworld.coevolution.settings.training import settings_from_json, settings_to_json
+from matrixworld.coevolution.schedules import Against
+from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage.run_directory import OtherVersionError
 from matrixworld.version import __version__
 from matrixworld.world.policy import SCRIPTS
@@ -25,25 +24,18 @@ from matrixworld.world.policy import SCRIPTS
 JOB = "job.json"
 FORMAT = 1
 """Version of the file's layout; another one is refused."""
-KINDS: dict[str, type[RaceSettings] | type[SingleSettings]] = {
-    "race": RaceSettings,
-    "single": SingleSettings,
-}
-"""Classes of settings, by their names in files and tasks."""
 NAME = re.compile(r"\w[\w.=+-]*(/\w[\w.=+-]*)?")
 """Names of runs: relative paths of one or two parts that every system accepts."""
 
 ITSELF = "."
 """Name of the only run of a job whose directory is that of the run, as `finish` makes it."""
 
-Settings = RaceSettings | SingleSettings
-
 
 @dataclass(frozen=True)
 class Job:
     """Runs that were asked for together: settings by the path of a run's directory in the job's."""
 
-    runs: Mapping[str, Settings]
+    runs: Mapping[str, RaceSettings]
 
     def asked(self) -> dict[str, list[int]]:
         """Return the seeds that were asked for, by schedule or other name of a group of runs."""
@@ -53,22 +45,21 @@ class Job:
         return found
 
 
-def job_of(settings: Settings | Sequence[Settings] | Mapping[str, Settings]) -> Job:
+def job_of(settings: RaceSettings | Sequence[RaceSettings] | Mapping[str, RaceSettings]) -> Job:
     """Return the job of these settings, perhaps by name; without names each run gets one.
 
     Raises TypeError or ValueError if there are no settings, two runs have the same name or the same
     settings, or a name is not the path of a directory.
     """
-    if isinstance(settings, (RaceSettings, SingleSettings)):
+    if isinstance(settings, RaceSettings):
         settings = [settings]
     given: Iterable[tuple[str, Any]] = (
         settings.items() if isinstance(settings, Mapping) else map(_named, settings)
     )
-    runs: dict[str, Settings] = {}
+    runs: dict[str, RaceSettings] = {}
     for name, each in given:
-        if not isinstance(each, (RaceSettings, SingleSettings)):
-            expected = "RaceSettings or SingleSettings"
-            raise TypeError(f"settings: expected {expected}, got {shown(each)}")
+        if not isinstance(each, RaceSettings):
+            raise TypeError(f"settings: expected RaceSettings, got {shown(each)}")
         if name in runs:
             raise ValueError(
                 f"settings: expected runs of different schedules or seeds, or a name for each, "
@@ -81,23 +72,12 @@ def job_of(settings: Settings | Sequence[Settings] | Mapping[str, Settings]) -> 
 
 
 def _named(settings: Any) -> tuple[str, Any]:
-    if isinstance(settings, SingleSettings):
-        folder = against_name(settings)
-    else:
-        folder = getattr(settings, "schedule", "")  # what has none is refused by `job_of`
+    # What is no settings is refused by `job_of`.
+    folder = settings.schedule.name if isinstance(settings, RaceSettings) else ""
     return f"{folder}/seed-{getattr(settings, 'seed', None)}", settings
 
 
-def against_name(settings: SingleSettings) -> str:
-    """Return what a run of one team is called, such as ``evader-against-random``."""
-    path = Path(settings.against)
-    # Runs of a job are called after their seeds, which says nothing: their folder does.
-    name = path.parent.name if re.fullmatch(r"seed-\d+", path.name) else path.name
-    name = re.sub(r"[^\w.=+-]", "-", name)
-    return f"{settings.team}-against-{name}"
-
-
-def _check_names(runs: Mapping[str, Settings]) -> None:
+def _check_names(runs: Mapping[str, RaceSettings]) -> None:
     if not runs:
         raise ValueError("settings: expected at least one run, got none")
     for name in runs:
@@ -109,7 +89,7 @@ def _check_names(runs: Mapping[str, Settings]) -> None:
             raise ValueError(f"settings: expected runs beside each other, got {name} in a run")
 
 
-def _check_different(runs: Mapping[str, Settings]) -> None:
+def _check_different(runs: Mapping[str, RaceSettings]) -> None:
     """Raise ValueError for equal runs, which are no independent observations."""
     seen: dict[str, str] = {}
     for name, settings in runs.items():
@@ -118,17 +98,18 @@ def _check_different(runs: Mapping[str, Settings]) -> None:
             raise ValueError(f"settings: expected different runs, got {other} and {name}, equal")
 
 
-def _from_anywhere(settings: Settings) -> Settings:
+def _from_anywhere(settings: RaceSettings) -> RaceSettings:
     """Return settings whose paths mean the same in another current directory, as workers have."""
-    if isinstance(settings, RaceSettings):
+    schedule = settings.schedule
+    if not isinstance(schedule, Against):
         return settings
-    paths = {name: getattr(settings, name) for name in ("against", "start")}
+    paths = {"opponent": schedule.opponent, "start": schedule.start}
     absolute: dict[str, Any] = {
         name: str(Path(path).absolute())
         for name, path in paths.items()
         if path is not None and path not in SCRIPTS
     }
-    return replace(settings, **absolute)
+    return replace(settings, schedule=replace(schedule, **absolute))
 
 
 def group_of(name: str) -> str:
@@ -139,16 +120,14 @@ def group_of(name: str) -> str:
 # Settings as text:
 
 
-def settings_to_text(settings: Settings) -> str:
+def settings_to_text(settings: RaceSettings) -> str:
     """Return the settings of a run as JSON text, from which `settings_from_text` makes them."""
-    kind = "race" if isinstance(settings, RaceSettings) else "single"
-    return json.dumps({"kind": kind, "settings": settings_to_json(settings)})
+    return json.dumps(settings.to_json())
 
 
-def settings_from_text(text: str) -> Settings:
+def settings_from_text(text: str) -> RaceSettings:
     """Return settings equal to those of which `settings_to_text` made the text."""
-    values = json.loads(text)
-    return settings_from_json(KINDS[values["kind"]], values["settings"])
+    return RaceSettings.from_json(json.loads(text))
 
 
 # The file:
@@ -160,9 +139,9 @@ def save_job(directory: Path, job: Job) -> None:
     groups: dict[str, dict[str, Any]] = {}
     for name, settings in job.runs.items():
         values = json.loads(settings_to_text(settings))
-        seed = values["settings"].pop("seed")
+        seed = values.pop("seed")
         key = json.dumps(values, sort_keys=True)
-        groups.setdefault(key, {**values, "seeds": {}})["seeds"][name] = seed
+        groups.setdefault(key, {"settings": values, "seeds": {}})["seeds"][name] = seed
     head = {"format": FORMAT, "matrixworld": __version__}
     save_json(directory / JOB, {**head, "groups": list(groups.values())})
 
@@ -191,9 +170,8 @@ def open_job(directory: str | Path) -> Job | None:
     return job
 
 
-def _runs_in(group: Mapping[str, Any]) -> list[tuple[str, Settings]]:
-    kind, settings = KINDS[group["kind"]], group["settings"]
+def _runs_in(group: Mapping[str, Any]) -> list[tuple[str, RaceSettings]]:
     return [
-        (name, settings_from_json(kind, {**settings, "seed": seed}))
+        (name, RaceSettings.from_json({**group["settings"], "seed": seed}))
         for name, seed in group["seeds"].items()
     ]

@@ -16,77 +16,357 @@ learning. (PPO-Lagrangian.)
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from itertools import pairwise
+from math import sqrt
+from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from matrixworld._util.checks import (
-    check_bool,
-    check_floats,
-    check_integer,
-    check_number,
-    shown,
+from matrixworld._util.checks import check_floats, shown
+from matrixworld._util.short_repr import short_repr
+from matrixworld.coevolution.learners.learner import LearnerSettings
+from matrixworld.coevolution.learners.optimizers import Adam
+from matrixworld.coevolution.sections import documented, setting
+from matrixworld.coevolution.types import (
+    BoolArray,
+    Genome,
+    Genomes,
+    Indices,
+    IntArray,
+    State,
+    Team,
 )
-from matrixworld.coevolution.learners.advantages import (
-    advantages,
-    as_dense,
-    critic_rows,
-    normalised,
-)
-from matrixworld.coevolution.learners.experience import Experience, Reals
-from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings
-from matrixworld.coevolution.learners.perceptron import Perceptron, Tensor, orthogonal
-from matrixworld.coevolution.types import BoolArray, Genome, Genomes, Indices, State, Team
 from matrixworld.version import MissingExtraError, install_hint
 from matrixworld.world.policy import CHANNELS, Network
 from matrixworld.world.rules import Interaction
 
+if TYPE_CHECKING:
+    from matrixworld.coevolution.settings import RaceSettings
+
 CHUNK = 16_384
-"""Experience that are in the networks at one time. Gradients are sums over all chunks."""
+"""Transitions that are in the networks at one time. Gradients are sums over all chunks."""
+
+
+COST_RATE = 0.05
+"""Learning rate of the multiplier, unless another one is given."""
+Views = NDArray[np.uint8]
+Reals = NDArray[np.float32]
 
 
 @dataclass(frozen=True)
-class Hyperparameters:
-    """Settings of an actor-critic learner. The defaults are those of the published implementation.
+class Experience:
+    """Transitions of the agents of one team in W episodes of at most T steps.
+
+    The n transitions of all agents are in the order of (step, episode, agent). An agent has one in
+    each step at whose begin it is alive.
 
     Parameters
     ----------
-    actor_rate, critic_rate : float, optional
-        Learning rates of Adam.
-    discount, trace : float, optional
-        Gamma and lambda of the advantages.
-    actor_updates, critic_updates : int, optional
-        Updates an epoch, each with all transitions.
-    clip : float, optional
-        Range of the clipped probability ratio of PPO; 0 is the plain policy gradient.
-    entropy : float, optional
-        Weight of the entropy bonus.
-    central_critic : bool, optional
-        Whether the critics see the whole world instead of an agent's view.
-    cost_limit : float, optional
-        Collisions at fault per 1000 agent-steps that are allowed. A Lagrangian multiplier weighs
-        costs against rewards so that they approach the limit. By default costs are ignored.
-    cost_rate : float, optional
-        Learning rate of the multiplier.
-    device : str, optional
-        Device of PyTorch, such as "cpu" or "cuda".
+    acted : ndarray of bool, shape (T, W, A)
+        Which agents of the team acted in each step.
+    views : ndarray of uint8, shape (n, 3 * fov * fov)
+        What each one saw before.
+    actions : ndarray of int64, shape (n,)
+        What it did.
+    rewards : ndarray of float32, shape (n,)
+        Its reward.
+    costs : ndarray of float32, shape (n,)
+        Number of kinds of collision in which it was at fault.
+    last : ndarray of bool, shape (T, W, A)
+        Agents that were alive when `max_steps` ended their episode, in its last step. What they
+        would have earned later has to be estimated from their last views.
+    last_views : ndarray of uint8, shape (m, 3 * fov * fov)
+        What these saw after that step, in the same order.
+    states : ndarray of uint8, shape (T, W, 3 * rows * cols), or None
+        The worlds before each step, if they were asked for.
+    last_states : ndarray of uint8, shape (W, 3 * rows * cols), or None
+        The worlds after the last step.
     """
 
-    actor_rate: float = 3e-4
-    critic_rate: float = 1e-3
-    discount: float = 0.99
-    trace: float = 0.97
-    actor_updates: int = 1
-    critic_updates: int = 5
-    clip: float = 0.0
-    entropy: float = 0.0
-    central_critic: bool = False
-    cost_limit: float | None = None
-    cost_rate: float = 0.05
-    device: str = "cpu"
+    acted: BoolArray
+    views: Views
+    actions: IntArray
+    rewards: Reals
+    costs: Reals
+    last: BoolArray
+    last_views: Views
+    states: Views | None = None
+    last_states: Views | None = None
+
+    __repr__ = short_repr
+
+    def __len__(self) -> int:
+        return len(self.actions)
+
+
+SMALL = 1e-8
+"""Added to a standard deviation by which is divided."""
+
+
+def advantages(
+    acted: BoolArray, rewards: Reals, values: Reals, discount: float, trace: float
+) -> Reals:
+    """Return generalized advantage estimates.
+
+    ::
+
+        d_t = r_t + discount * V(s_{t+1}) - V(s_t)
+        A_t = d_t + discount * trace * A_{t+1}
+
+    Parameters
+    ----------
+    acted : ndarray of bool, shape (T, W, A)
+        Which agents acted in each step. An agent that stops acting does not begin again.
+    rewards : ndarray of float32, shape (T, W, A)
+        Their rewards; 0 elsewhere.
+    values : ndarray of float32, shape (T + 1, W, A)
+        Values of what agents saw before each step, also of agents whose time was over after the
+        step before; 0 elsewhere, that is, of agents that are gone and of worlds that have
+        terminated.
+    discount, trace : float
+        Discount factor of rewards (gamma), and of advantages beside it (lambda).
+
+    Returns
+    -------
+    ndarray of float32, shape (T, W, A)
+        The estimates; 0 where no agent acted.
+
+    References
+    ----------
+    Schulman et al. 2016, equations 11 and 16.
+    """
+    found = np.zeros_like(rewards)
+    following = np.zeros_like(rewards[0])
+    for t in range(len(rewards) - 1, -1, -1):
+        change = rewards[t] + discount * values[t + 1] - values[t]
+        following = np.where(acted[t], change + discount * trace * following, 0.0)
+        found[t] = following
+    return found
+
+
+@dataclass(frozen=True)
+class CriticRows:
+    """What a critic sees, and where its values belong.
+
+    Parameters
+    ----------
+    inputs : ndarray of uint8, shape (n, inputs)
+        Its inputs, those of the ends of episodes included.
+    learned : ndarray of uint8, shape (k, inputs)
+        Those that it learns from.
+    dense : callable
+        Arranges its values (n,) as (T + 1, W, A).
+    targets : callable
+        Takes returns (T, W, A), gives those of `learned`, (k,).
+    """
+
+    inputs: NDArray[np.uint8]
+    learned: NDArray[np.uint8]
+    dense: Callable[[Reals], Reals]
+    targets: Callable[[Reals], Reals]
+
+
+def critic_rows(e: Experience, *, central: bool) -> CriticRows:
+    """Return what a critic sees of an experience: the views, or the states if it is central."""
+    steps, worlds, agents = e.acted.shape
+
+    def spread(before: NDArray[Any], after: NDArray[Any]) -> Reals:
+        # What follows an agent's last step is 0, unless only its time was over.
+        dense = np.zeros((steps + 1, worlds, agents), np.float32)
+        dense[:-1][e.acted] = before
+        dense[1:][e.last] = after
+        return dense
+
+    if not central:
+        n = len(e.actions)
+        return CriticRows(
+            np.concatenate([e.views, e.last_views]),
+            e.views,
+            lambda values: spread(values[:n], values[n:]),
+            lambda returns: returns[e.acted],
+        )
+    if e.states is None or e.last_states is None:
+        raise ValueError("experience: expected states for a central critic, got none")
+    going = e.acted.any(axis=2)
+    world_of = np.nonzero(e.acted)[:2]
+    ends = np.nonzero(e.last)[1]
+
+    def dense(values: Reals) -> Reals:
+        during = values[: steps * worlds].reshape(steps, worlds)
+        return spread(during[world_of], values[steps * worlds :][ends])
+
+    states = e.states.reshape(steps * worlds, -1)
+    # One value for all agents of the team: the mean of what they earn.
+    return CriticRows(
+        np.concatenate([states, e.last_states]),
+        states[going.ravel()],
+        dense,
+        lambda returns: (returns.sum(axis=2, where=e.acted) / np.maximum(e.acted.sum(axis=2), 1))[
+            going
+        ],
+    )
+
+
+def as_dense(acted: BoolArray, values: Reals) -> Reals:
+    """Return values (n,) of transitions as (T, W, A), 0 elsewhere."""
+    found = np.zeros(acted.shape, np.float32)
+    found[acted] = values
+    return found
+
+
+def normalised(values: Reals) -> Reals:
+    """Return values with mean 0 and standard deviation 1."""
+    centred = values - values.mean(dtype=np.float64)
+    return np.asarray(centred / (centred.std() + SMALL), np.float32)
+
+
+Tensor: TypeAlias = Any
+"""A ``torch.Tensor``: PyTorch may be missing where types are checked."""
+
+
+class Perceptron:
+    """A network whose weights are one vector, in the layout of a genome, and which learns by Adam.
+
+    Parameters
+    ----------
+    weights : ndarray of float32, shape (genes,)
+        Weights to start from.
+    sizes : tuple of int
+        Sizes of the layers, inputs and outputs included.
+    activation : str
+        Activation of the hidden layers: relu or tanh.
+    rate : float
+        Learning rate.
+    fixed : ndarray of bool, shape (genes,), optional
+        Weights that do not change. By default none.
+    """
+
+    def __init__(
+        self,
+        weights: Genome,
+        sizes: tuple[int, ...],
+        activation: str,
+        rate: float,
+        fixed: BoolArray | None = None,
+    ) -> None:
+        self.weights, self.sizes, self.activation, self.rate = weights, sizes, activation, rate
+        self.fixed = fixed
+        self.adam = Adam(len(weights))
+
+    def outputs(self, weights: Tensor, rows: Tensor) -> Tensor:
+        """Return the outputs (n, out) for inputs (n, in); `weights` is a tensor of the vector."""
+        start, last = 0, len(self.sizes) - 2
+        for number, (n_in, n_out) in enumerate(pairwise(self.sizes)):
+            middle, end = start + n_in * n_out, start + (n_in + 1) * n_out
+            rows = rows @ weights[start:middle].view(n_in, n_out) + weights[middle:end]
+            if number < last:
+                rows = rows.relu() if self.activation == "relu" else rows.tanh()
+            start = end
+        return rows
+
+    def ascend(self, gradient: Genome) -> None:
+        """Make one step of Adam."""
+        if self.fixed is not None:
+            gradient = np.where(self.fixed, np.float32(0.0), gradient)
+        # A new array: archives keep a reference to the genome of their generation.
+        self.weights = self.weights + self.adam.step(gradient, self.rate)
+
+
+def orthogonal(sizes: tuple[int, ...], rng: np.random.Generator, *, head: float = 1.0) -> Genome:
+    """Return untrained weights: orthogonal matrices, and biases of 0.
+
+    Parameters
+    ----------
+    sizes : tuple of int
+        Sizes of the layers, inputs and outputs included.
+    rng : numpy.random.Generator
+        Draws the matrices.
+    head : float, optional
+        Scale of the last layer; that of the others is the square root of 2.
+
+    Returns
+    -------
+    ndarray of float32, shape (genes,)
+        The weights, in the layout of a genome.
+
+    References
+    ----------
+    Saxe, A., McClelland, J. and Ganguli, S. (2014). Exact solutions to the nonlinear dynamics of
+    learning in deep linear neural networks. ICLR.
+    """
+    parts = []
+    for number, (n_in, n_out) in enumerate(pairwise(sizes)):
+        large, small = max(n_in, n_out), min(n_in, n_out)
+        q, r = np.linalg.qr(rng.standard_normal((large, small)))
+        q *= np.sign(np.diag(r))
+        matrix = q if n_in >= n_out else q.T
+        scale = head if number == len(sizes) - 2 else sqrt(2.0)
+        parts += [scale * matrix.ravel(), np.zeros(n_out)]
+    return np.concatenate(parts).astype(np.float32)
+
+
+@documented
+@dataclass(frozen=True)
+class ActorCriticSettings(LearnerSettings):
+    """Settings of `ActorCritic`. The defaults are those of the published implementation."""
+
+    kind: ClassVar[str] = "actor-critic"
+    title: ClassVar[str] = "policy gradients, needs PyTorch"
+    by_gradients: ClassVar[bool] = True
+    rounds_by_processor: ClassVar[bool] = True
+    keeps_fixed_genes: ClassVar[bool] = True
+
+    population: int = setting(1, "matches per epoch", least=1)
+    actor_rate: float = setting(3e-4, "learning rate of the actor", positive=True)
+    critic_rate: float = setting(1e-3, "learning rate of the critic", positive=True)
+    discount: float = setting(0.99, "discount factor of rewards (gamma)", most=1.0)
+    trace: float = setting(0.97, "discount factor of advantages (lambda)", most=1.0)
+    actor_updates: int = setting(1, "updates of the actor in an epoch", least=1)
+    critic_updates: int = setting(5, "updates of the critic in an epoch", least=1)
+    clip: float = setting(0.0, "clip range of PPO; 0: plain policy gradient")
+    entropy: float = setting(0.0, "weight of the entropy bonus")
+    central_critic: bool = setting(False, "let the critic see the whole world")
+    cost_limit: float | None = setting(
+        None,
+        "collisions at fault per 1000 agent-steps, approached by a Lagrangian multiplier; "
+        "default: no limit",
+    )
+    cost_rate: float | None = setting(
+        None, "learning rate of the multiplier, with a cost_limit; default: 0.05", positive=True
+    )
+    device: str = setting("cpu", "device of PyTorch, such as cuda")
+
+    def check(self) -> None:
+        """Raise ValueError if a multiplier is set up that nothing uses."""
+        if self.cost_rate is not None and self.cost_limit is None:
+            raise ValueError(
+                f"cost_rate: expected no value without cost_limit, got {self.cost_rate}"
+            )
+
+    def check_run(self, run: RaceSettings) -> None:
+        """Raise ValueError unless all agents act at the same time."""
+        interaction = run.world.rules.interaction
+        if interaction is not Interaction.SIMULTANEOUS:
+            raise ValueError(
+                f"world.rules: expected agents that act at the same time with actor-critic, got "
+                f"{interaction.name}"
+            )
+
+    def new(
+        self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator
+    ) -> ActorCritic:
+        """Return a new learner of a team."""
+        return ActorCritic(
+            genomes[0],
+            run.network,
+            rng,
+            self,
+            state_size=CHANNELS * run.world.rows * run.world.cols,
+            fixed=run.fixed_genes(team),
+        )
 
 
 class ActorCritic:
@@ -109,12 +389,10 @@ class ActorCritic:
         Weights of the actor to start from.
     network : Network
         The actor.
-    samples : int
-        Matches of an epoch.
     rng : numpy.random.Generator
         Draws the first weights of the critics.
-    chosen : Hyperparameters, optional
-        All other settings.
+    chosen : ActorCriticSettings, optional
+        All other settings, with the matches of an epoch.
     state_size : int, optional
         Numbers in a state of the world, which a central critic sees.
     fixed : ndarray of bool, shape (genes,), optional
@@ -139,13 +417,12 @@ class ActorCritic:
         self,
         genome: ArrayLike,
         network: Network,
-        samples: int,
         rng: np.random.Generator,
-        chosen: Hyperparameters | None = None,
+        chosen: ActorCriticSettings | None = None,
         state_size: int = 0,
         fixed: BoolArray | None = None,
     ) -> None:
-        self.chosen = Hyperparameters() if chosen is None else chosen
+        self.chosen = ActorCriticSettings() if chosen is None else chosen
         self._device = _usable_device(self._torch, self.chosen.device)
         self._actor = Perceptron(
             check_floats("genome", genome, np.float32),
@@ -163,7 +440,6 @@ class ActorCritic:
             )
             for name in names
         }
-        self.samples = samples
         self.multiplier = 0.0
 
     @property
@@ -177,9 +453,9 @@ class ActorCritic:
         return self._actor.weights
 
     @property
-    def match_of_candidate(self) -> Indices:
+    def seed_groups(self) -> Indices:
         """Each match has a seed of its own."""
-        return np.arange(self.samples)
+        return np.arange(self.chosen.population)
 
     @property
     def sees_states(self) -> bool:
@@ -188,7 +464,7 @@ class ActorCritic:
 
     def ask(self, rng: np.random.Generator) -> Genomes:
         """Return the actor once for each match."""
-        return np.repeat(self.genome[np.newaxis], self.samples, axis=0)
+        return np.repeat(self.genome[np.newaxis], self.chosen.population, axis=0)
 
     def tell(self, fitness: ArrayLike) -> None:
         """Do nothing: this learner has learned from the transitions, and fitness is for the log."""
@@ -230,7 +506,7 @@ class ActorCritic:
         # As a share of the limit, so that the rate means the same for all limits; at most 1, or the
         # multiplier rises in the first epochs by more than it can fall in the rest of a run.
         excess = min((collisions - limit) / max(limit, 1.0), 1.0)
-        self.multiplier = max(0.0, self.multiplier + self.chosen.cost_rate * excess)
+        self.multiplier = max(0.0, self.multiplier + (self.chosen.cost_rate or COST_RATE) * excess)
 
     def _improve(self, experience: Experience, advantage: Reals) -> None:
         """Update the actor."""
@@ -330,69 +606,3 @@ def _usable_device(torch: Any, name: str) -> Any:
         expected = "expected a device that PyTorch has on this machine, such as 'cpu'"
         raise ValueError(f"device: {expected}, got {shown(name)}") from error
     return torch.device(name)
-
-
-def _check(settings: RunSettings) -> None:
-    interaction = settings.rules.interaction
-    if interaction is not Interaction.SIMULTANEOUS:
-        raise ValueError(
-            f"variant: expected one whose agents act at the same time with actor-critic, got "
-            f"{interaction.name}"
-        )
-
-
-def _check_device(name: str, value: Any) -> None:
-    if not isinstance(value, str):
-        raise TypeError(f"{name}: expected the name of a device of PyTorch, got {shown(value)}")
-
-
-def _new(
-    settings: RunSettings, team: Team, genomes: Genomes, rng: np.random.Generator
-) -> ActorCritic:
-    world = settings.world(settings.train_steps)
-    chosen = {item.name: getattr(settings, item.name) for item in fields(Hyperparameters)}
-    return ActorCritic(
-        genomes[0],
-        settings.network,
-        settings.population,
-        rng,
-        Hyperparameters(**chosen),
-        state_size=CHANNELS * world.rows * world.cols,
-        fixed=settings.fixed_genes(team),
-    )
-
-
-_positive = partial(check_number, least=0.0, positive=True)
-_count = partial(check_integer, low=1)
-
-ENTRY = LearnerEntry(
-    title="policy gradients, needs PyTorch",
-    settings={
-        "actor_rate": _positive,
-        "critic_rate": _positive,
-        "discount": partial(check_number, least=0.0, most=1.0),
-        "trace": partial(check_number, least=0.0, most=1.0),
-        "actor_updates": _count,
-        "critic_updates": _count,
-        "clip": partial(check_number, least=0.0),
-        "entropy": partial(check_number, least=0.0),
-        "central_critic": check_bool,
-        "cost_rate": _positive,
-        "device": _check_device,
-    },
-    check=_check,
-    new=_new,
-    keeps_fixed_genes=True,
-    by_gradients=True,
-    like_processors=True,
-    # Networks and epochs of the published experiments: an epoch is one episode of 500 steps.
-    defaults={
-        "hidden": (400, 300),
-        "population": 1,
-        "train_steps": 500,
-        "pursuer_epochs": 400,
-        "evader_epochs": 400,
-        "joint_epochs": 400,
-        "epochs": 1200,
-    },
-)

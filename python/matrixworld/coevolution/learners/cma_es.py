@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from functools import cache, partial
-from typing import Any
+from dataclasses import dataclass
+from functools import cache
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from deap import cma
@@ -11,8 +12,12 @@ from numpy.typing import ArrayLike
 from threadpoolctl import ThreadpoolController
 
 from matrixworld._util.checks import check_floats, check_integer, check_number
-from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
+from matrixworld.coevolution.learners.learner import LearnerSettings, checked_fitness
+from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
+
+if TYPE_CHECKING:
+    from matrixworld.coevolution.settings import RaceSettings
 
 MOST_GENES = 1000
 """Largest number of genes.
@@ -109,7 +114,7 @@ class CmaEs:
         return genome
 
     @property
-    def match_of_candidate(self) -> Indices:
+    def seed_groups(self) -> Indices:
         """Zeros (samples,): all candidates are scored on one match seed."""
         return np.zeros(self._strategy.lambda_, dtype=np.intp)
 
@@ -177,18 +182,28 @@ def check_genes(genes: int) -> None:
         )
 
 
-def _check(settings: RunSettings) -> None:
-    check_genes(settings.network.genome_size)
+@documented
+@dataclass(frozen=True)
+class CmaEsSettings(LearnerSettings):
+    """Settings of `CmaEs`."""
 
+    kind: ClassVar[str] = "cma"
+    title: ClassVar[str] = f"CMA-ES, for at most {MOST_GENES} genes"
+    rounds_by_processor: ClassVar[bool] = True  # by way of the linear algebra
 
-def _new(settings: RunSettings, team: Team, genomes: Genomes, rng: np.random.Generator) -> CmaEs:
-    return CmaEs(genomes[0], sigma=settings.sigma, samples=settings.population)
+    sigma: float = setting(
+        0.1,
+        "standard deviation of the first samples",
+        by={"against pursuer": 0.15},
+        positive=True,
+    )
 
+    def check_run(self, run: RaceSettings) -> None:
+        """Raise ValueError if the network has too many genes."""
+        check_genes(run.network.genome_size)
 
-ENTRY = LearnerEntry(
-    title=f"CMA-ES, for at most {MOST_GENES} genes",
-    settings={"sigma": partial(check_number, least=0.0, positive=True)},
-    check=_check,
-    new=_new,
-    like_processors=True,  # by way of the linear algebra
-)
+    def new(
+        self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator
+    ) -> CmaEs:
+        """Return a new learner of a team."""
+        return CmaEs(genomes[0], sigma=self.sigma, samples=self.population)

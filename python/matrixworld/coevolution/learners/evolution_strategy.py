@@ -5,22 +5,21 @@
 
 from __future__ import annotations
 
-from functools import partial
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import (
-    check_bool,
-    check_choice,
-    check_floats,
-    check_integer,
-    check_number,
-)
-from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
+from matrixworld._util.checks import check_floats, check_integer, check_number
+from matrixworld.coevolution.learners.learner import LearnerSettings, checked_fitness
 from matrixworld.coevolution.learners.noise import NoiseTable
-from matrixworld.coevolution.learners.optimizers import OPTIMIZERS, check_momentum, new_optimizer
+from matrixworld.coevolution.learners.optimizers import Adam, Momentum, Optimizer, check_momentum
+from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
+
+if TYPE_CHECKING:
+    from matrixworld.coevolution.settings import RaceSettings
 
 ANNEALED_RATE = 0.1
 """Share of the starting learning rate that is left after annealing."""
@@ -80,16 +79,15 @@ class EvolutionStrategy:
     anneal_over : int, optional
         Number of updates over which the learning rate falls linearly to a tenth. By default it
         is constant.
-    optimizer : {"adam", "momentum"}, optional
-        How a gradient becomes a step.
     momentum : float, optional
-        Share of its last step that momentum keeps, in [0, 1). Adam does not use it.
+        Share of its last step that classical momentum keeps, in [0, 1). By default a gradient
+        becomes a step by Adam.
 
     Attributes
     ----------
     genome : ndarray of float32, shape (genes,)
         The mean.
-    match_of_candidate : ndarray of int, shape (samples,)
+    seed_groups : ndarray of int, shape (samples,)
         Pair of each candidate.
 
     Raises
@@ -110,23 +108,23 @@ class EvolutionStrategy:
         samples: int = 64,
         learning_rate: float = 0.02,
         anneal_over: int | None = None,
-        optimizer: str = "adam",
-        momentum: float = 0.9,
+        momentum: float | None = None,
     ) -> None:
         if check_integer("samples", samples) < 2 or samples % 2:
             raise ValueError(f"samples: expected an even number of at least 2, got {samples}")
         check_number("learning_rate", learning_rate, least=0.0, positive=True)
         if anneal_over is not None:
             check_integer("anneal_over", anneal_over, 1)
-        check_momentum("momentum", momentum)
         self.genome: Genome = check_floats("genome", genome, np.float32)
         if self.genome.shape != (noise.size,):
             raise ValueError(f"genome: expected shape ({noise.size},), got {self.genome.shape}")
         self.samples: int = samples
         self.learning_rate: float = learning_rate
         self.anneal_over: int | None = anneal_over
-        self.match_of_candidate: Indices = np.tile(np.arange(samples // 2), 2)
-        self._optimizer = new_optimizer(optimizer, noise.size, momentum=momentum)
+        self.seed_groups: Indices = np.tile(np.arange(samples // 2), 2)
+        self._optimizer: Optimizer = (
+            Adam(noise.size) if momentum is None else Momentum(noise.size, momentum=momentum)
+        )
         self._table = noise
         self._noise: list[Genome] = []
 
@@ -184,35 +182,43 @@ class EvolutionStrategy:
         self._noise = []
 
 
-def _check(settings: RunSettings) -> None:
-    if settings.population % 2:
-        raise ValueError(f"population: expected an even number for es, got {settings.population}")
+@documented
+@dataclass(frozen=True)
+class EvolutionStrategySettings(LearnerSettings):
+    """Settings of `EvolutionStrategy`."""
 
+    kind: ClassVar[str] = "es"
+    title: ClassVar[str] = "evolution strategy"
+    keeps_fixed_genes: ClassVar[bool] = True
 
-def _new(
-    settings: RunSettings, team: Team, genomes: Genomes, rng: np.random.Generator
-) -> EvolutionStrategy:
-    return EvolutionStrategy(
-        genomes[0],
-        NoiseTable(genomes.shape[1], rng, sigma=settings.sigma, fixed=settings.fixed_genes(team)),
-        samples=settings.population,
-        learning_rate=settings.learning_rate,
-        anneal_over=settings.total_epochs(team) if settings.anneal else None,
-        optimizer=settings.optimizer,
-        momentum=settings.momentum,
+    sigma: float = setting(
+        0.1, "standard deviation of the samples", by={"against pursuer": 0.15}, positive=True
+    )
+    learning_rate: float = setting(0.02, "learning rate of the optimizer", positive=True)
+    momentum: float | None = setting(
+        None, "coefficient of classical momentum, in [0, 1); default: Adam instead", most=1.0
+    )
+    anneal: bool = setting(
+        False, "reduce the learning rate linearly to a tenth over the run", by={"against": True}
     )
 
+    def check(self) -> None:
+        """Raise ValueError if the population or the momentum is not legal."""
+        if self.population is not None and self.population % 2:
+            raise ValueError(f"population: expected an even number for es, got {self.population}")
+        if self.momentum is not None:
+            check_momentum("momentum", self.momentum)
 
-ENTRY = LearnerEntry(
-    title="evolution strategy",
-    settings={
-        "sigma": partial(check_number, least=0.0, positive=True),
-        "optimizer": partial(check_choice, choices=OPTIMIZERS),
-        "learning_rate": partial(check_number, least=0.0, positive=True),
-        "momentum": check_momentum,
-        "anneal": check_bool,
-    },
-    check=_check,
-    new=_new,
-    keeps_fixed_genes=True,
-)
+    def new(
+        self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator
+    ) -> EvolutionStrategy:
+        """Return a new learner of a team."""
+        genes = genomes.shape[1]
+        return EvolutionStrategy(
+            genomes[0],
+            NoiseTable(genes, rng, sigma=self.sigma, fixed=run.fixed_genes(team)),
+            samples=self.population,
+            learning_rate=self.learning_rate,
+            anneal_over=run.schedule.total_epochs(team) if self.anneal else None,
+            momentum=self.momentum,
+        )

@@ -7,19 +7,26 @@ DEAP, mating and mutation change their argument and return it.
 
 from __future__ import annotations
 
-from functools import partial
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 from deap import base
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_choice, check_floats, check_integer, check_number
-from matrixworld.coevolution.learners.learner import LearnerEntry, RunSettings, checked_fitness
+from matrixworld._util.checks import check_floats, check_integer, check_number
+from matrixworld.coevolution.learners.learner import LearnerSettings, checked_fitness
 from matrixworld.coevolution.learners.noise import NoiseTable
+from matrixworld.coevolution.sections import documented, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
 
-SELECTIONS = ("tournament", "truncation")
-"""Names of the parent selections."""
+if TYPE_CHECKING:
+    from matrixworld.coevolution.settings import RaceSettings
+
+MUTATION = 0.05
+"""Standard deviation of a mutation, unless another one is given."""
+TOURNAMENT = 5
+"""Individuals in a tournament, unless another number is given."""
 
 
 def select_tournament(
@@ -186,7 +193,7 @@ class GeneticAlgorithm:
 
     The champion is the fittest candidate of one epoch. Its fitness is a maximum of noisy values,
     so it overestimates the champion (winner's curse). A caller that scores the elites again can
-    name another champion by `crown`; parent selection does not change.
+    name another champion by `choose_champion`; parent selection does not change.
 
     Parameters
     ----------
@@ -194,12 +201,10 @@ class GeneticAlgorithm:
         Genomes to start from; row 0 is the champion until the first `tell`.
     noise : NoiseTable
         Table for the same number of genes; its `sigma` is the standard deviation of a mutation.
-    selection : {"tournament", "truncation"}, optional
-        How parents are selected.
     tournament : int, optional
-        Individuals in a tournament.
+        Individuals in a tournament that selects a parent.
     truncation : float, optional
-        Share of the population from which truncation selects parents.
+        Share of the population from which parents are drawn. By default tournaments select them.
     elites : int, optional
         Number of the fittest individuals that are kept unchanged, below n.
     crossover : float, optional
@@ -215,7 +220,7 @@ class GeneticAlgorithm:
     Raises
     ------
     ValueError
-        If `selection` is unknown, or `population`, `noise` and `elites` do not fit together.
+        If an argument is out of range, or `population`, `noise` and `elites` do not fit together.
     """
 
     def __init__(
@@ -223,16 +228,15 @@ class GeneticAlgorithm:
         population: ArrayLike,
         noise: NoiseTable,
         *,
-        selection: str = "tournament",
-        tournament: int = 5,
-        truncation: float = 0.25,
+        tournament: int = TOURNAMENT,
+        truncation: float | None = None,
         elites: int = 2,
         crossover: float = 0.0,
         mutation: float = 1.0,
     ) -> None:
-        given = {"tournament": tournament, "truncation": truncation, "elites": elites}
-        for name, value in (given | {"crossover": crossover}).items():
-            ENTRY.settings[name](name, value)
+        check_integer("tournament", tournament, 1)
+        check_integer("elites", elites, 0)
+        check_number("crossover", crossover, least=0.0, most=1.0)
         check_number("mutation", mutation, least=0.0, most=1.0)
         self._population = check_floats("population", population, np.float32)
         if self._population.ndim != 2 or not 0 <= elites < len(self._population):
@@ -245,15 +249,14 @@ class GeneticAlgorithm:
             raise ValueError(f"noise: expected a table for {genes} genes, got one for {noise.size}")
         self._fitness: FloatArray | None = None
         self._candidates: Genomes | None = None
-        self._crowned: int | None = None
+        self._champion: int | None = None
         self.elites = elites
         self.toolbox = base.Toolbox()
-        if selection == "tournament":
+        if truncation is None:
             self.toolbox.register("select", select_tournament, size=tournament)
-        elif selection == "truncation":
-            self.toolbox.register("select", select_truncation, fraction=truncation)
         else:
-            raise ValueError(f"selection: expected tournament or truncation, got {selection!r}")
+            check_number("truncation", truncation, least=0.0, most=1.0, positive=True)
+            self.toolbox.register("select", select_truncation, fraction=truncation)
         self.toolbox.register("mate", mate_uniform, probability=crossover)
         self.toolbox.register("mutate", mutate_from_table, noise=noise, probability=mutation)
 
@@ -261,8 +264,8 @@ class GeneticAlgorithm:
     def genome(self) -> Genome:
         """Champion of the last scored population, (genes,) float32."""
         champion = 0 if self._fitness is None else int(np.argmax(self._fitness))
-        if self._crowned is not None:
-            champion = self._crowned
+        if self._champion is not None:
+            champion = self._champion
         genome: Genome = self._population[champion].copy()
         return genome
 
@@ -278,7 +281,7 @@ class GeneticAlgorithm:
         """Return the genomes (elites, genes) of the elite, the fittest first."""
         return self._population[self.elite]
 
-    def crown(self, fitness: ArrayLike) -> None:
+    def choose_champion(self, fitness: ArrayLike) -> None:
         """Make the best of the elite the champion until the next `tell`.
 
         Parameters
@@ -287,10 +290,10 @@ class GeneticAlgorithm:
             New fitness of the elite, in the order of `elite_genomes`; of equals the first wins.
         """
         best = int(np.argmax(checked_fitness(fitness, self.elites)))
-        self._crowned = int(self.elite[best])
+        self._champion = int(self.elite[best])
 
     @property
-    def match_of_candidate(self) -> Indices:
+    def seed_groups(self) -> Indices:
         """Zeros (n,): all candidates are scored on one match seed."""
         return np.zeros(len(self._population), dtype=np.intp)
 
@@ -324,17 +327,17 @@ class GeneticAlgorithm:
             raise RuntimeError("tell: expected a call of ask before it, got none")
         self._fitness = checked_fitness(fitness, len(self._candidates))
         self._population, self._candidates = self._candidates, None
-        self._crowned = None
+        self._champion = None
 
     def state(self) -> State:
-        """Return population, fitness (empty before the first `tell`) and crowned champion."""
+        """Return population, fitness (empty before the first `tell`) and chosen champion."""
         # A state holds arrays only, so an empty one stands for None.
         scored = np.zeros(0) if self._fitness is None else self._fitness
-        crowned = [] if self._crowned is None else [self._crowned]
+        chosen = [] if self._champion is None else [self._champion]
         return {
             "population": self._population,
             "fitness": scored,
-            "crowned": np.array(crowned, dtype=np.int64),
+            "champion": np.array(chosen, dtype=np.int64),
         }
 
     def restore(self, state: State) -> None:
@@ -342,46 +345,70 @@ class GeneticAlgorithm:
         self._population = state["population"].astype(np.float32)
         scored = state["fitness"].astype(np.float64)
         self._fitness = scored if len(scored) else None
-        self._crowned = int(state["crowned"][0]) if len(state["crowned"]) else None
+        self._champion = int(state["champion"][0]) if len(state["champion"]) else None
         self._candidates = None
 
 
-def _check(settings: RunSettings) -> None:
-    if settings.elites >= settings.population:
-        raise ValueError(
-            f"elites: expected fewer than {settings.population}, got {settings.elites}"
-        )
+@documented
+@dataclass(frozen=True)
+class GeneticAlgorithmSettings(LearnerSettings):
+    """Settings of `GeneticAlgorithm`."""
 
+    kind: ClassVar[str] = "ga"
+    title: ClassVar[str] = "genetic algorithm"
+    keeps_fixed_genes: ClassVar[bool] = True
 
-def _new(
-    settings: RunSettings, team: Team, genomes: Genomes, rng: np.random.Generator
-) -> GeneticAlgorithm:
-    return GeneticAlgorithm(
-        genomes,
-        NoiseTable(
-            genomes.shape[1], rng, sigma=settings.mutation, fixed=settings.fixed_genes(team)
-        ),
-        selection=settings.selection,
-        tournament=settings.tournament,
-        truncation=settings.truncation,
-        elites=settings.elites,
-        crossover=settings.crossover,
+    mutation: float = setting(MUTATION, "standard deviation of a mutation", positive=True)
+    crossover: float = setting(0.0, "probability that a child has two parents", most=1.0)
+    tournament: int | None = setting(
+        None, "individuals in a tournament that selects a parent; default: 5", least=1
+    )
+    truncation: float | None = setting(
+        None,
+        "share of the population that parents are drawn from; default: tournaments instead",
+        most=1.0,
+        positive=True,
+    )
+    elites: int = setting(2, "fittest individuals kept unchanged")
+    elite_episodes: int = setting(
+        0,
+        "new matches of each elite against each of its last opponents at the end of a "
+        "generation, which decide the champion; 0: the fitness of the last epoch decides",
     )
 
+    def check(self) -> None:
+        """Raise ValueError if two ways to select are given, or too many or few elites."""
+        if self.tournament is not None and self.truncation is not None:
+            raise ValueError(
+                f"tournament: expected no value beside truncation, got {self.tournament}"
+            )
+        if self.population is not None and self.elites >= self.population:
+            raise ValueError(f"elites: expected fewer than {self.population}, got {self.elites}")
+        if self.elite_episodes and self.elites < 2:
+            raise ValueError(
+                f"elite_episodes: expected 0 with fewer than 2 elites, got {self.elite_episodes}"
+            )
 
-ENTRY = LearnerEntry(
-    title="genetic algorithm",
-    settings={
-        "mutation": partial(check_number, least=0.0, positive=True),
-        "crossover": partial(check_number, least=0.0, most=1.0),
-        "selection": partial(check_choice, choices=SELECTIONS),
-        "tournament": partial(check_integer, low=1),
-        "truncation": partial(check_number, least=0.0, most=1.0, positive=True),
-        "elites": partial(check_integer, low=0),
-        "elite_episodes": partial(check_integer, low=0),
-    },
-    check=_check,
-    new=_new,
-    keeps_fixed_genes=True,
-    starts_from_population=True,
-)
+    @property
+    def starting_genomes(self) -> int:
+        """The population."""
+        return self.population
+
+    @property
+    def elite_matches(self) -> int:
+        """New matches of all elites against one opponent."""
+        return self.elites * self.elite_episodes
+
+    def new(
+        self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator
+    ) -> GeneticAlgorithm:
+        """Return a new learner of a team."""
+        genes = genomes.shape[1]
+        return GeneticAlgorithm(
+            genomes,
+            NoiseTable(genes, rng, sigma=self.mutation, fixed=run.fixed_genes(team)),
+            tournament=self.tournament or TOURNAMENT,
+            truncation=self.truncation,
+            elites=self.elites,
+            crossover=self.crossover,
+        )

@@ -1,20 +1,20 @@
-"""The interface of learners, and what the registry holds of each."""
+"""The interface of learners, and the base of their settings."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from typing import Any, Protocol, TypeAlias, runtime_checkable
+from abc import abstractmethod
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.learners.experience import Experience
+from matrixworld.coevolution.sections import Section, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
 
-RunSettings: TypeAlias = Any
-"""Settings of a run: `RaceSettings` or `SingleSettings`. They import the registry of learners, so
-learners cannot import them."""
+if TYPE_CHECKING:  # both import this module
+    from matrixworld.coevolution.learners.actor_critic import Experience
+    from matrixworld.coevolution.settings import RaceSettings
 
 
 class Learner(Protocol):
@@ -30,9 +30,9 @@ class Learner(Protocol):
     Random numbers come only from the generator passed to `ask`, and `tell` is deterministic. A
     learner restored from `state` therefore continues as if it had never stopped.
 
-    A class with these methods is named in the settings as ``module:object`` (see `plugins`), and
+    A class with these methods is named in the settings as ``module:object`` (see `own_code`), and
     `check_learner` checks it. It is made with those of the following keyword arguments that its
-    signature names; all others are settings of its own (`learner_settings`):
+    signature names; all others are settings of its own:
 
     ===========  =======================================================================
     `genome`     (genes,) float32: where to start
@@ -49,7 +49,7 @@ class Learner(Protocol):
         """The genome (genes,) float32 that represents the team: champion or mean."""
 
     @property
-    def match_of_candidate(self) -> Indices:
+    def seed_groups(self) -> Indices:
         """Group of each candidate, (n,) ints from 0: one group is scored on the same match seed.
 
         All groups have the same size, and they are the same in all epochs. Zeros score all
@@ -95,50 +95,45 @@ class GradientLearner(Protocol):
 
 
 @dataclass(frozen=True)
-class LearnerEntry:
-    """A learner's settings, their checks, and its factory: a row of the registry `LEARNERS`.
+class LearnerSettings(Section):
+    """Base of the settings of a learner; each has a class in the file of its learner.
 
-    `own_learner` returns one for a class from outside the package.
-
-    Parameters
-    ----------
-    title : str
-        Full name, for help texts.
-    settings : mapping of str to callable
-        Fields of `TrainingSettings` that this learner reads besides `population`, and the check of
-        each value: ``check(name, value)`` raises ValueError or TypeError. The values are checked
-        whichever learner is chosen, so that a bad value is never ignored.
-    check : callable
-        ``check(settings)`` raises ValueError if the learner cannot work with the settings
-        together: population, limit of genes. Called for the chosen learner only.
-    new : callable
-        ``new(settings, team, genomes, rng)`` returns the learner of a team. `genomes` (n, genes)
-        are those to start from; `rng` is a generator for tables of noise.
-    starts_from_population : bool, optional
-        Whether the learner starts from `settings.population` genomes instead of one. The default
-        is False.
-    by_gradients : bool, optional
-        Whether the learner learns from transitions (see `GradientLearner`) instead of fitness. The
-        default is False.
-    like_processors : bool, optional
-        Whether results depend on the kind of processor, so that all workers of a cluster need the
-        same one. The default is False.
-    keeps_fixed_genes : bool, optional
-        Whether the learner leaves the genes as they are that `settings.fixed_genes(team)` marks,
-        such as those of a mask. The default is False.
-    defaults : mapping of str to object, optional
-        Defaults of settings that are not those of the other learners.
+    `new` returns the learner of a team, from genomes (n, genes) with n as `starting_genomes` says,
+    and a generator for tables of noise. `check_run` raises ValueError if the learner cannot work
+    with the other settings of a run.
     """
 
-    title: str
-    settings: Mapping[str, Callable[[str, Any], object]]
-    check: Callable[[RunSettings], None]
-    new: Callable[[RunSettings, Team, Genomes, np.random.Generator], Learner]
-    starts_from_population: bool = False
-    by_gradients: bool = False
-    like_processors: bool = False
-    keeps_fixed_genes: bool = False
-    defaults: Mapping[str, Any] = field(default_factory=dict)
+    title: ClassVar[str]
+    """Full name, for help texts."""
+    by_gradients: ClassVar[bool] = False
+    """Whether the learner learns from transitions (`GradientLearner`) instead of fitness."""
+    rounds_by_processor: ClassVar[bool] = False
+    """Whether results depend on the kind of processor, which workers of a cluster then share."""
+    keeps_fixed_genes: ClassVar[bool] = False
+    """Whether the learner leaves genes as they are, such as those of a mask."""
+
+    population: int = setting(
+        48, "candidates per epoch", by={"hall-of-fame": 24, "against": 128}, least=2
+    )
+
+    @property
+    def starting_genomes(self) -> int:
+        """Number of genomes from which the learner starts."""
+        return 1
+
+    @property
+    def elite_matches(self) -> int:
+        """New matches against each opponent at the end of a generation, to choose a champion."""
+        return 0
+
+    def check_run(self, run: RaceSettings) -> None:
+        """Accept every run."""
+
+    @abstractmethod
+    def new(
+        self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator
+    ) -> Learner:
+        """Return a new learner of a team."""
 
 
 def checked_fitness(fitness: ArrayLike, n: int) -> FloatArray:

@@ -6,11 +6,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from matrixworld._util.checks import check_choice, check_integer, check_number, shown
+from matrixworld._util.checks import check_integer, check_number, shown
 from matrixworld.coevolution.types import Genome, State
-
-OPTIMIZERS = {"adam": "Adam", "momentum": "classical momentum"}
-"""Titles of the optimizers by name."""
 
 
 class Optimizer(Protocol):
@@ -137,12 +134,6 @@ class Momentum:
         """Restore a state returned by `state()`."""
         self.velocity = state["velocity"].astype(np.float32)
         self.updates = int(state["updates"])
-
-
-def new_optimizer(name: str, size: int, *, momentum: float) -> Optimizer:
-    """Return a new optimizer by its name in `OPTIMIZERS`; Adam does not use `momentum`."""
-    check_choice("optimizer", name, OPTIMIZERS)
-    return Adam(size) if name == "adam" else Momentum(size, momentum=momentum)
 
 
 def check_momentum(name: str, momentum: Any) -> None:

@@ -7,17 +7,10 @@ the sampler chooses some of them for each epoch::
     chosen = sampler.sample(available, epoch, rng)      # numbers; the caller holds the genomes
     sampler.tell(chosen, scores)                        # (n, len(chosen)): n candidates
 
-================  ================================================================================
-samplers          the interface `OpponentSampler`; `Latest`, `Uniform`, `RoundRobin`, `HallOfFame`
-prioritized       `Prioritized`: by win rate, with `hard` or `even` (Vinyals et al. 2019)
-shared_sampling   `SharedSampling`: strong and different opponents (Rosin & Belew 1997)
-pareto            `Archive`, and the Pareto archives `MaxSolve` (de Jong 2005), `IPCA` (2004) and
-                  `LAPCA` (2007)
-generalist        `Generalist`: better against all opponents or not at all (Simione & Nolfi 2021)
-archive_sampler   `ArchiveSampler`: the newest opponent beside those that an archive has kept
-registry          `SAMPLERS` by name; `SCHEDULES`, which name a sampler for each team
-own               samplers from outside the package, with checked results
-================  ================================================================================
+`samplers` has the interface `OpponentSampler`, the samplers that use only the number of opponents,
+and those that use scores: `Prioritized` (Vinyals et al. 2019), `SharedSampling` (Rosin & Belew
+1997). `archives` has the Pareto archives `MaxSolve` (de Jong 2005), `IPCA` (2004) and `LAPCA`
+(2007), `Generalist` (Simione & Nolfi 2021), and the `ArchiveSampler` of what an archive has kept.
 
 A sampler or archive belongs to one team and does not know which: with `swapped` payoffs the other
 team gets the mirror image. Archived members are read-only copies. All that changes is saved and
@@ -27,34 +20,37 @@ generator of the caller, so that a restored run continues bit for bit. Nothing h
 
 from __future__ import annotations
 
-from matrixworld.coevolution.opponents.archive_sampler import ArchiveSampler
-from matrixworld.coevolution.opponents.generalist import Generalist, maximally_different
-from matrixworld.coevolution.opponents.pareto import (
+from matrixworld.coevolution.opponents.archives import (
     IPCA,
     LAPCA,
     Archive,
+    ArchiveSampler,
+    Generalist,
     MaxSolve,
     PayoffFunction,
     layers_of,
+    maximally_different,
     read_only,
     swapped,
 )
-from matrixworld.coevolution.opponents.prioritized import Prioritized, Weighting, even, hard
-from matrixworld.coevolution.opponents.registry import SAMPLERS
 from matrixworld.coevolution.opponents.samplers import (
     HallOfFame,
     Latest,
     OpponentSampler,
+    Prioritized,
     RoundRobin,
+    SharedSampling,
     Stateless,
     Uniform,
+    Weighting,
+    even,
+    hard,
+    shared_sample,
 )
-from matrixworld.coevolution.opponents.shared_sampling import SharedSampling, shared_sample
 
 __all__ = [
     "IPCA",
     "LAPCA",
-    "SAMPLERS",
     "Archive",
     "ArchiveSampler",
     "Generalist",

@@ -1,14 +1,16 @@
-"""Opponent samplers: the interface, and the rules that use only the number of opponents."""
+"""Opponent samplers: the interface, the rules that need no scores, and those by scores."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld._util.checks import check_integer
+from matrixworld._util.checks import check_integer, check_number
 from matrixworld.coevolution.types import FloatArray, Indices, State
 
 
@@ -26,10 +28,9 @@ class OpponentSampler(Protocol):
     Random numbers come only from the generator passed to `sample`. A sampler restored from `state`
     therefore continues as if it had never stopped.
 
-    A class with these methods is named in the settings as ``module:object`` (see `plugins`), and
+    A class with these methods is named in the settings as ``module:object`` (see `own_code`), and
     `check_sampler` checks it. It is made with the keyword argument `count`, the largest number of
-    opponents in an epoch, if its signature names it; all other arguments are settings of its own
-    (`pursuers_meet_settings`, `evaders_meet_settings`).
+    opponents in an epoch, if its signature names it; all other arguments are settings of its own.
     """
 
     def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
@@ -200,3 +201,243 @@ def checked_scores(opponents: ArrayLike, scores: ArrayLike) -> tuple[Indices, Fl
     if not ((values >= 0.0) & (values <= 1.0)).all():
         raise ValueError(f"scores: expected numbers in [0, 1], got {values}")
     return index, values
+
+
+# By the scores against each opponent:
+
+Weighting = Callable[[FloatArray], FloatArray]
+"""Win rates (m,) of the learning team -> weights (m,), none negative."""
+
+UNKNOWN = 0.5
+"""Assumed win rate against an opponent without games."""
+
+
+def hard(power: float = 2.0) -> Weighting:
+    """Return the weighting ``(1 - x)^power``: most weight on opponents that are seldom beaten.
+
+    Parameters
+    ----------
+    power : float, optional
+        Above 0; the higher, the more weight on the hardest opponents.
+
+    Returns
+    -------
+    callable
+        The weighting.
+
+    Raises
+    ------
+    ValueError
+        If `power` is out of range.
+    """
+    check_number("power", power, least=0.0, positive=True)
+    return partial(_hard, power=power)
+
+
+# Not inside `hard`: samplers are pickled, and a function inside another one cannot be.
+def _hard(x: FloatArray, *, power: float) -> FloatArray:
+    return np.asarray((1.0 - x) ** power)
+
+
+def even(x: FloatArray) -> FloatArray:
+    """Weight ``x (1 - x)``: most weight on opponents that are beaten half of the time.
+
+    Parameters
+    ----------
+    x : ndarray of float64, shape (m,)
+        Win rates of the learning team.
+
+    Returns
+    -------
+    ndarray of float64, shape (m,)
+        Weights.
+    """
+    return x * (1.0 - x)
+
+
+class Prioritized:
+    """Opponents drawn with probability ~ f(win rate), without replacement.
+
+    ::
+
+        sample:  x[j] = wins[j] / games[j], or 1/2 without games
+                 draw `count` opponents with P(j) = f(x[j]) / sum_i f(x[i])
+        tell:    games[j] = decay games[j] + 1;  wins[j] = decay wins[j] + mean score against j
+
+    Opponents of weight 0 are drawn, evenly, only if those of positive weight do not suffice.
+
+    Parameters
+    ----------
+    weighting : callable, optional
+        f, such as ``hard(p)`` or `even`. The default is ``hard()``.
+    count : int, optional
+        Opponents an epoch; all, if fewer are available.
+    decay : float, optional
+        Factor, in (0, 1], on earlier wins and games against an opponent with each new game.
+
+    Raises
+    ------
+    ValueError
+        If `count` or `decay` is out of range.
+
+    References
+    ----------
+    Vinyals et al. 2019, "Grandmaster level in StarCraft II using multi-agent reinforcement
+    learning", Nature 575, "prioritized fictitious self-play".
+    """
+
+    def __init__(
+        self, weighting: Weighting | None = None, *, count: int = 1, decay: float = 0.99
+    ) -> None:
+        check_count("count", count)
+        check_number("decay", decay, least=0.0, most=1.0, positive=True)
+        self.weighting: Weighting = hard() if weighting is None else weighting
+        self.count: int = count
+        self.decay: float = decay
+        self._wins, self._games = np.zeros(0), np.zeros(0)
+
+    def win_rates(self, available: int) -> FloatArray:
+        """Return the learning team's recent win rate against each opponent, (available,)."""
+        wins, games = _padded(self._wins, available), _padded(self._games, available)
+        rates = np.full(available, UNKNOWN)
+        # Where there are no games, `out` keeps the assumed rate.
+        np.divide(wins[:available], games[:available], out=rates, where=games[:available] > 0.0)
+        return rates
+
+    def probabilities(self, available: int) -> FloatArray:
+        """Return the probability (available,) of each opponent; even if all weights are 0."""
+        check_available(available)
+        weights = np.asarray(self.weighting(self.win_rates(available)), dtype=np.float64)
+        if weights.shape != (available,) or not (weights >= 0.0).all():
+            raise ValueError(f"weighting: expected {available} weights >= 0, got {weights}")
+        total = weights.sum()
+        return weights / total if total > 0.0 else np.full(available, 1.0 / available)
+
+    def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
+        """Return opponents drawn by their weights, in the order of the draw."""
+        probabilities = self.probabilities(available)
+        positive = np.flatnonzero(probabilities)
+        count = min(self.count, available)
+        # `choice` cannot draw more than there are of positive weight; the rest is drawn evenly.
+        size = min(count, len(positive))
+        chosen = rng.choice(positive, size=size, replace=False, p=probabilities[positive])
+        rest = np.flatnonzero(probabilities == 0.0)
+        return np.append(chosen, rng.choice(rest, size=count - size, replace=False))
+
+    def tell(self, opponents: Indices, scores: ArrayLike) -> None:
+        """Count one game against each opponent, won by the mean of its scores (n, c)."""
+        index, values = checked_scores(opponents, scores)
+        # The archive grows during a run, and so do the counts.
+        size = int(index.max()) + 1
+        self._wins, self._games = _padded(self._wins, size), _padded(self._games, size)
+        self._wins[index] = self.decay * self._wins[index] + values.mean(axis=0)
+        self._games[index] = self.decay * self._games[index] + 1.0
+
+    def state(self) -> State:
+        """Return the decayed wins and games against each opponent."""
+        return {"wins": self._wins.copy(), "games": self._games.copy()}
+
+    def restore(self, state: State) -> None:
+        """Restore a state returned by `state()`."""
+        self._wins = state["wins"].astype(np.float64)
+        self._games = state["games"].astype(np.float64)
+
+
+def _padded(values: FloatArray, size: int) -> FloatArray:
+    return np.pad(values, (0, max(0, size - len(values))))
+
+
+def shared_sample(beats: ArrayLike, count: int, rng: np.random.Generator) -> Indices:
+    """Return a greedy sample of opponents, each of which beats what few others in it beat.
+
+    ::
+
+        covered[k] = 0 for every individual k
+        repeat count times:
+            choose the j not yet chosen with the most  sum_k beats[j, k] / (1 + covered[k]);
+            decide ties at random
+            covered[k] += beats[j, k]
+
+    Parameters
+    ----------
+    beats : array_like of float, shape (m, n)
+        How surely opponent j beats individual k of the last epoch, in [0, 1].
+    count : int
+        Opponents to choose; all, if there are fewer.
+    rng : numpy.random.Generator
+        Decides ties.
+
+    Returns
+    -------
+    ndarray of intp, shape (min(count, m),)
+        Opponents in the order chosen.
+
+    Raises
+    ------
+    ValueError
+        If `beats` has another number of axes or a value outside [0, 1].
+
+    References
+    ----------
+    Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
+    """
+    matrix = np.asarray(beats, dtype=np.float64)
+    if matrix.ndim != 2 or not ((matrix >= 0.0) & (matrix <= 1.0)).all():
+        raise ValueError(f"beats: expected (m, n) numbers in [0, 1], got shape {matrix.shape}")
+    # argmax takes the first of equals, so a random order of the rows decides ties at random.
+    order = rng.permutation(len(matrix))
+    shuffled, covered = matrix[order], np.zeros(matrix.shape[1])
+    chosen: list[int] = []
+    for _ in range(min(count, len(matrix))):
+        value = (shuffled / (1.0 + covered)).sum(axis=1)
+        # Below every value, so that no opponent is chosen twice.
+        value[chosen] = -1.0
+        chosen.append(int(np.argmax(value)))
+        covered += shuffled[chosen[-1]]
+    return np.asarray(order[chosen], dtype=np.intp)
+
+
+class SharedSampling:
+    """A sampler of strong and different opponents, by the last scores against each.
+
+    The rule is that of `shared_sample`. An opponent without scores counts as beating every
+    candidate, so that it is soon sampled. If the number of candidates changes, all scores are
+    forgotten.
+
+    Parameters
+    ----------
+    count : int, optional
+        Opponents an epoch; all, if fewer are available.
+    """
+
+    def __init__(self, count: int = 1) -> None:
+        check_count("count", count)
+        self.count = count
+        self._beats = np.ones((0, 1))
+
+    def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
+        """Return the sample, the strongest first."""
+        check_available(available)
+        return shared_sample(self.beats(available), self.count, rng)
+
+    def beats(self, available: int) -> FloatArray:
+        """Return how surely each opponent beats each candidate, (available, n)."""
+        unknown = max(0, available - len(self._beats))
+        return np.pad(self._beats[:available], ((0, unknown), (0, 0)), constant_values=1.0)
+
+    def tell(self, opponents: Indices, scores: ArrayLike) -> None:
+        """Record one minus the scores (n, c) for each opponent."""
+        index, values = checked_scores(opponents, scores)
+        # Columns are candidates; with another number of them old scores fit none.
+        if self._beats.shape[1] != len(values):
+            self._beats = np.ones((0, len(values)))
+        self._beats = self.beats(max(len(self._beats), int(index.max()) + 1))
+        self._beats[index] = 1.0 - values.T
+
+    def state(self) -> State:
+        """Return how surely each opponent beat each candidate when last sampled."""
+        return {"beats": self._beats.copy()}
+
+    def restore(self, state: State) -> None:
+        """Restore a state returned by `state()`."""
+        self._beats = state["beats"].astype(np.float64)

@@ -7,28 +7,25 @@ sampler with an archive compares candidates in matches of their own (`Race.admit
 from __future__ import annotations
 
 import warnings
-from typing import Any, ClassVar
+from typing import Any, ClassVar, cast
 
 import numpy as np
 
-from matrixworld._util.checks import check_choice
 from matrixworld.analysis import Disengagement, disengagements, judge, measure_all, read_payoffs
 from matrixworld.analysis.engagement import PATIENCE
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.coevolution.opponents.own import archive_of
-from matrixworld.coevolution.opponents.pareto import PayoffFunction
-from matrixworld.coevolution.opponents.registry import (
-    ALTERNATING,
-    SCHEDULES,
-    available,
-    new_sampler,
-)
-from matrixworld.coevolution.opponents.samplers import OpponentSampler
+from matrixworld.coevolution.opponents import OpponentSampler, PayoffFunction
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.runs.run import Run, TeamPhase
+from matrixworld.coevolution.schedules import (
+    Alternating,
+    RaceSchedule,
+    Schedule,
+    archive_of,
+    available,
+)
 from matrixworld.coevolution.seeding import Phase, training_seeds
-from matrixworld.coevolution.settings.race import RaceSettings
 from matrixworld.coevolution.types import (
     TEAMS,
     FloatArray,
@@ -52,7 +49,7 @@ class DisengagementWarning(UserWarning):
     """One team wins nearly everything, so that neither team has much to learn from."""
 
 
-class Race(Run[RaceSettings]):
+class Race(Run):
     """Co-evolution in turns, by one of the paper's three schedules or by opponent samplers.
 
     ::
@@ -81,18 +78,18 @@ class Race(Run[RaceSettings]):
     generation to generation. For other attributes see `Run`.
     """
 
-    settings_class: ClassVar[type[Any]] = RaceSettings
+    schedule_class: ClassVar[type[Schedule]] = Alternating
     stages_per_generation: ClassVar[int] = 2
 
-    def check_settings(self) -> None:
-        """Raise ValueError unless the teams learn in turns."""
-        super().check_settings()
-        check_choice("schedule", self.settings.schedule, [*SCHEDULES, ALTERNATING])
+    @property
+    def schedule(self) -> RaceSchedule:
+        """Which opponents the teams meet, and for how long."""
+        return cast(RaceSchedule, self.settings.schedule)  # `check_settings` refuses others
 
     def set_up(self) -> None:
         """Make the opponent samplers of both teams."""
         self.samplers: dict[Team, OpponentSampler] = {
-            team: new_sampler(self.settings, team) for team in TEAMS
+            team: self.schedule.new_sampler(team) for team in TEAMS
         }
 
     def stateful_parts(self) -> dict[str, Stateful]:
@@ -103,7 +100,7 @@ class Race(Run[RaceSettings]):
     @property
     def n_stages(self) -> int:
         """The number of team phases in the run."""
-        return self.stages_per_generation * self.settings.generations
+        return self.stages_per_generation * self.schedule.generations
 
     def learning_teams(self) -> tuple[Team, ...]:
         """Return both teams."""
@@ -126,7 +123,7 @@ class Race(Run[RaceSettings]):
             sampler=self.samplers[team],
             on_epoch=lambda: self.report(f"generation {generation}: {team}s"),
         )
-        team_phase.run(range(self.settings.epochs(team)))
+        team_phase.run(range(self.schedule.epochs(team)))
         self.retain(team, generation, before)
         self.archive[team].append(self.learners[team].genome)
 
@@ -137,7 +134,7 @@ class Race(Run[RaceSettings]):
         generation. The random numbers of the next generation are others, so that a discarded
         generation is not learned again.
         """
-        episodes, learner = self.settings.retention_episodes, self.learners[team]
+        episodes, learner = self.schedule.retention_episodes, self.learners[team]
         if not episodes:
             return
         opponents = self.training.population(self.genomes(other(team)))
@@ -148,20 +145,21 @@ class Race(Run[RaceSettings]):
     def training_matches(self) -> int:
         """Return the number of training episodes; with archives, an upper bound of it."""
         return sum(
-            self.settings.epochs(team) * self._matches_per_epoch(team, k)
+            self.schedule.epochs(team) * self._matches_per_epoch(team, k)
             + self.selection_matches(self._opponents(k, team), available(team, k))
             + self.max_admission_matches(team, k, available(team, k))
-            for k in range(1, self.settings.generations + 1)
+            for k in range(1, self.schedule.generations + 1)
             for team in TEAMS
         )
 
     def _matches_per_epoch(self, team: Team, k: int) -> int:
         """Return the episodes of one epoch in which `team` learns its generation `k`."""
-        return self._opponents(k, team) * self.settings.population * self.settings.worlds
+        matches = self.settings.learner.population * self.settings.match_episodes
+        return self._opponents(k, team) * matches
 
     def _opponents(self, k: int, team: Team) -> int:
         """Return the opponents of each candidate in an epoch of generation `k`."""
-        return min(self.settings.opponents_per_epoch, available(team, k))
+        return min(self.schedule.sampled_opponents, available(team, k))
 
     def selection_matches(self, met: int, archived: int) -> int:
         """Return the episodes at the end of a generation that choose a team's genome.
@@ -169,23 +167,23 @@ class Race(Run[RaceSettings]):
         In an epoch an individual meets `met` opponents; `archived` ones are there.
         """
         # Retention compares two genomes.
-        retention = 2 * archived * self.settings.retention_episodes
-        return (self.training.champion_matches(met) + retention) * self.settings.worlds
+        retention = 2 * archived * self.schedule.retention_episodes
+        return (self.training.champion_matches(met) + retention) * self.settings.match_episodes
 
     def total_matches(self) -> int:
         """Return the episodes of the training and of the payoff matrix."""
-        cells = (self.settings.generations + 1) ** 2
-        return self.training_matches() + cells * self.settings.eval_episodes
+        cells = (self.schedule.generations + 1) ** 2
+        return self.training_matches() + cells * self.settings.evaluation_episodes
 
     def evaluate(self) -> Payoff:
         """Play every archived generation of one team against every one of the other team."""
         settings, training = self.settings, self.training
         return tournament(
-            settings.world(settings.eval_steps),
+            settings.world,
             training.population(self.genomes("pursuer")),
             training.population(self.genomes("evader")),
             seed=settings.seed,
-            episodes=settings.eval_episodes,
+            episodes=settings.evaluation_episodes,
             threads=training.threads,
             play=training.rollout,
             on_row=lambda played: self.report("tournament", played),
@@ -237,7 +235,11 @@ class Race(Run[RaceSettings]):
         if sampler is None:
             return 0
         pairs = sampler.max_pairs(new, opponents)
-        return pairs * self.settings.archive_episodes * self.settings.worlds
+        return pairs * self._archive_episodes(team) * self.settings.match_episodes
+
+    def _archive_episodes(self, team: Team) -> int:
+        """Return the matches of each pair that a team's archive compares."""
+        return self.schedule.opponents_of(team).archive_episodes
 
     def _payoff_function(self, team: Team, *, graded: bool) -> PayoffFunction:
         """Return a function that plays generations (n,) against opponents (m,).
@@ -247,16 +249,18 @@ class Race(Run[RaceSettings]):
 
         def payoff(candidates: Members, tests: Members) -> FloatArray:
             generations = {team: candidates, other(team): tests}
-            captured = self._capture_rates(generations["pursuer"], generations["evader"])
+            captured = self._capture_rates(
+                generations["pursuer"], generations["evader"], self._archive_episodes(team)
+            )
             # Archives are the same for both teams: rows are candidates, and higher is better.
             rates = captured if team == "pursuer" else 1.0 - captured.T
             return rates if graded else (1.0 + np.sign(np.round(rates - EVEN, DECIMALS))) / 2.0
 
         return payoff
 
-    def _capture_rates(self, pursuers: Members, evaders: Members) -> FloatArray:
+    def _capture_rates(self, pursuers: Members, evaders: Members, episodes: int) -> FloatArray:
         """Return mean capture rates (n, m); the seeds of a pair depend on that pair only."""
-        episodes, seed = self.settings.archive_episodes, self.settings.seed
+        seed = self.settings.seed
         seeds = [
             training_seeds(seed, int(g), int(h), Phase.ARCHIVE, 0, episodes)
             for g in pursuers

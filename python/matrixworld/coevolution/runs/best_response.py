@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,24 +13,23 @@ from matrixworld._util.files import save_json
 from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis import ResponseGain, response_gain
 from matrixworld.coevolution.evaluation.tournament import tournament
+from matrixworld.coevolution.learners import EvolutionStrategySettings
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.runs.start import resume
-from matrixworld.coevolution.settings.single import SINGLE_DEFAULTS, SingleSettings
+from matrixworld.coevolution.schedules import Against
+from matrixworld.coevolution.sections import different_settings
+from matrixworld.coevolution.settings import PolicySettings, RaceSettings
 from matrixworld.coevolution.storage.run_directory import CONFIG
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import FloatArray, Team, other
 from matrixworld.play.rollout import Rollout, rollout
 from matrixworld.world.policy import Population, TeamPolicy
+from matrixworld.world.rules import Rewards
 
 RESPONSE = "best_response.json"
 POPULATION = 48
 """Candidates per epoch: with few matches, many small steps learn more than few large ones."""
-
-# Settings that a response takes from the run of the champion.
-WORLD = ("variant", "rows", "cols", "pursuers", "evaders", "obstacles", "fov", "diagonal")
-POLICY = ("hidden", "activation")
-EVALUATION = ("eval_steps", "seed")
 
 
 @dataclass(frozen=True)
@@ -73,27 +72,41 @@ class BestResponse:
         }
 
 
-def response_settings(run: SavedRun, team: Team, matches: int, **changes: Any) -> SingleSettings:
+def response_settings(
+    run: SavedRun, team: Team, matches: int, *, opponent: str = "random", **changes: Any
+) -> RaceSettings:
     """Return the settings of a response to the champion of `team` in a run.
 
     World, network, evaluation and seed are those of the run, and `epochs` is as large as the budget
     in matches allows: ValueError if it is smaller than one epoch. Training episodes are not longer
-    than evaluation episodes. All other settings have their defaults, or the values in `changes`.
+    than evaluation episodes. All other settings have their defaults, or the values in `changes`,
+    which are fields of `RaceSettings`. Of a schedule `Against` only `archive_every` counts.
     """
-    learner = other(team)
-    same = {name: getattr(run.settings, name) for name in (*WORLD, *POLICY, *EVALUATION)}
-    steps = min(int(SINGLE_DEFAULTS[learner]["train_steps"]), run.settings.eval_steps)
-    chosen = {**same, "population": POPULATION, "train_steps": steps, **changes}
-    one_epoch = int(chosen["population"]) * int(chosen.get("worlds", 1))
+    # Rewards and mask of the champion's run are not taken over.
+    chosen: dict[str, Any] = {
+        "world": replace(run.settings.world, rewards=Rewards()),
+        "policy": PolicySettings(
+            hidden=run.settings.policy.hidden, activation=run.settings.policy.activation
+        ),
+        "learner": EvolutionStrategySettings(population=POPULATION),
+        "seed": run.settings.seed,
+        **changes,
+    }
+    alone: Any = chosen.pop("schedule", Against())
+    schedule = replace(alone, team=other(team), opponent=opponent, epochs=None)
+    usual = RaceSettings(schedule=schedule, learner=chosen["learner"]).train_steps
+    chosen.setdefault("train_steps", min(usual, chosen["world"].max_steps))
+    settings = RaceSettings(schedule=schedule, **chosen)
+    one_epoch = settings.learner.population * settings.match_episodes
     if matches < one_epoch:
         raise ValueError(f"matches: expected at least {one_epoch} (one epoch), got {matches}")
-    return SingleSettings(team=learner, epochs=matches // one_epoch, **chosen)
+    return replace(settings, schedule=replace(schedule, epochs=matches // one_epoch))
 
 
 def start_response(
     run: SavedRun,
     team: Team,
-    settings: SingleSettings,
+    settings: RaceSettings,
     directory: str | Path,
     *,
     threads: int | None = None,
@@ -124,15 +137,13 @@ def champion_of(run: SavedRun, team: Team) -> Population:
 
 
 def _check_same(
-    response: SingleTeam, settings: SingleSettings, champion: Population, path: Path
+    response: SingleTeam, settings: RaceSettings, champion: Population, path: Path
 ) -> None:
     # The opponents' genomes are compared, wherever they came from.
-    expected = replace(settings, against=response.settings.against)
-    # Reversed, so that a message names fields of `SingleSettings` itself before inherited ones.
-    for name in (item.name for item in reversed(fields(SingleSettings))):
-        found, wanted = getattr(response.settings, name), getattr(expected, name)
-        if found != wanted:
-            raise ValueError(f"{path}: holds a run with {name} {found!r}, expected {wanted!r}")
+    schedule = replace(cast(Against, settings.schedule), opponent=response.schedule.opponent)
+    different = different_settings(response.settings, replace(settings, schedule=schedule))
+    if different:
+        raise ValueError(f"{path}: holds a run with other settings: {', '.join(different)}")
     opponents = response.opponents
     if isinstance(opponents, str) or not np.array_equal(opponents.genomes, champion.genomes):
         raise ValueError(f"{path}: holds a run against another champion, expected a new directory")
@@ -170,7 +181,7 @@ def best_response(
     report : callable, optional
         Called with the progress, as in `Run.run`.
     **changes
-        Settings of the response, such as ``population=128``.
+        Fields of `RaceSettings` of the response, such as ``match_episodes=2``.
 
     Returns
     -------
@@ -199,16 +210,16 @@ def best_response(
 
 
 def _before(
-    run: SavedRun, team: Team, settings: SingleSettings, threads: int | None, play: Rollout
+    run: SavedRun, team: Team, settings: RaceSettings, threads: int | None, play: Rollout
 ) -> NDArray[np.float32]:
     """Play the last genomes of both teams of a run, on as many episodes as the response."""
     last = {name: _last(opponents) for name, opponents in run.teams.items()}
     return tournament(
-        settings.world(settings.eval_steps),
+        settings.world,
         last["pursuer"],
         last["evader"],
         seed=settings.seed,
-        episodes=settings.eval_episodes,
+        episodes=settings.evaluation_episodes,
         threads=threads,
         play=play,
     ).capture_rates

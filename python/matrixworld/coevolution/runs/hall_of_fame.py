@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple, cast
 
 import numpy as np
 
-from matrixworld._util.checks import check_choice
 from matrixworld.coevolution.fitness import win_rates
-from matrixworld.coevolution.opponents.registry import HALL_OF_FAME
 from matrixworld.coevolution.runs.alternating import Race
-from matrixworld.coevolution.runs.run import Run
+from matrixworld.coevolution.schedules import HallOfFame, Schedule
 from matrixworld.coevolution.seeding import Phase, Purpose, keyed_generator, training_seeds
 from matrixworld.coevolution.storage.run_directory import SEVERAL
 from matrixworld.coevolution.types import TEAMS, FloatArray, Genomes, Indices, Team, other
@@ -37,7 +35,7 @@ class Pairings(NamedTuple):
 
 
 def pairings(
-    match_of_candidate: Indices,
+    seed_groups: Indices,
     contemporaries: int,
     hall: tuple[int, int],
     rng: np.random.Generator,
@@ -47,7 +45,7 @@ def pairings(
     Every individual plays against `contemporaries` living opponents (such a match counts for both),
     and against every sampled member of the other team's hall of fame.
 
-    `match_of_candidate` (n,) has the learner's groups (see `Learner`), and `hall` the number of
+    `seed_groups` (n,) has the learner's groups (see `Learner`), and `hall` the number of
     sampled members of the pursuers' and of the evaders' hall of fame.
 
     Groups meet groups in random order, and their members meet in turn: with as many contemporaries
@@ -55,9 +53,9 @@ def pairings(
     samples the strength of the opponents then cancels out, like the luck of the match seed. Where
     all individuals are one group, each meets single opponents in random order.
     """
-    n, groups = len(match_of_candidate), int(match_of_candidate.max()) + 1
+    n, groups = len(seed_groups), int(seed_groups.max()) + 1
     size = n // groups if groups > 1 else 1
-    blocks = np.argsort(match_of_candidate, kind="stable").reshape(-1, size)
+    blocks = np.argsort(seed_groups, kind="stable").reshape(-1, size)
     individuals = blocks.ravel()
     rounds = []
     for meeting in range(contemporaries):
@@ -69,7 +67,7 @@ def pairings(
     pursuers, evaders = zip(*rounds, strict=True)
     # The same seeds for the members of a group, other ones in each round.
     first = np.arange(len(rounds))[:, np.newaxis] * groups
-    seeds = first + match_of_candidate[individuals]
+    seeds = first + seed_groups[individuals]
     return Pairings(np.concatenate(pursuers), np.concatenate(evaders), seeds.ravel())
 
 
@@ -120,13 +118,13 @@ class HallOfFameRace(Race):
     Computation 5(1).
     """
 
+    schedule_class: ClassVar[type[Schedule]] = HallOfFame
     stages_per_generation: ClassVar[int] = 1
 
-    def check_settings(self) -> None:
-        """Raise ValueError unless the schedule is the hall of fame."""
-        # Not that of `Race`, which refuses this schedule.
-        Run.check_settings(self)
-        check_choice("schedule", self.settings.schedule, [HALL_OF_FAME])
+    @property
+    def schedule(self) -> HallOfFame:
+        """Which opponents the teams meet, and for how long."""
+        return cast(HallOfFame, self.settings.schedule)  # `check_settings` refuses others
 
     def learn(self, stage: int) -> None:
         """Let both teams evolve for the epochs of a generation, and archive their champions."""
@@ -135,7 +133,7 @@ class HallOfFameRace(Race):
         for team in TEAMS:
             self.admit(team, new, new)
         before = {team: self.learners[team].state() for team in TEAMS}
-        for epoch in range(self.settings.joint_epochs):
+        for epoch in range(self.schedule.joint_epochs):
             populations = {
                 team: self.learners[team].ask(
                     self._generator(Purpose.LEARN, generation, epoch, team)
@@ -163,11 +161,11 @@ class HallOfFameRace(Race):
         rng = self._generator(Purpose.OPPONENTS, generation, epoch)
         sampled = self._sample_halls(epoch, rng)
         halls = {team: self.genomes(team)[sampled[other(team)]] for team in TEAMS}
-        n = self.settings.population
+        n = self.settings.learner.population
         hall_sizes = (len(halls["pursuer"]), len(halls["evader"]))
         # Both teams have the same kind of learner, and with it the same groups.
-        match = self.learners["pursuer"].match_of_candidate
-        pairs = pairings(match, self.settings.contemporaries, hall_sizes, rng)
+        match = self.learners["pursuer"].seed_groups
+        pairs = pairings(match, self.schedule.contemporaries, hall_sizes, rng)
         everyone = {
             team: self.training.population(np.concatenate([populations[team], halls[team]]))
             for team in TEAMS
@@ -209,7 +207,7 @@ class HallOfFameRace(Race):
 
     def _sample_halls(self, epoch: int, rng: np.random.Generator) -> dict[Team, Indices]:
         """Return for each team its opponents from the other team's hall of fame."""
-        if not self.settings.hall_sample:
+        if not self.schedule.hall_sample:
             return {team: np.zeros(0, dtype=np.intp) for team in TEAMS}
         samplers, size = self.samplers, len(self.archive["pursuer"])
         return {team: samplers[team].sample(size, epoch, rng) for team in TEAMS}
@@ -221,15 +219,16 @@ class HallOfFameRace(Race):
 
     def training_matches(self) -> int:
         """Return the number of training episodes; with archives, an upper bound of it."""
-        settings = self.settings
-        per_group = settings.joint_epochs * settings.population * settings.worlds
-        groups = settings.generations * settings.contemporaries
+        settings, schedule = self.settings, self.schedule
+        matches = settings.learner.population * settings.match_episodes
+        per_group = schedule.joint_epochs * matches
+        groups = schedule.generations * schedule.contemporaries
         admission = champions = 0
         # The halls of fame grow with the generations.
-        for k in range(1, settings.generations + 1):
+        for k in range(1, schedule.generations + 1):
             for team in TEAMS:
-                sampled = min(settings.opponents_per_epoch, k)
+                sampled = min(schedule.sampled_opponents, k)
                 groups += sampled
-                champions += self.selection_matches(settings.contemporaries + sampled, k)
+                champions += self.selection_matches(schedule.contemporaries + sampled, k)
                 admission += self.max_admission_matches(team, k, k)
         return groups * per_group + admission + champions

@@ -17,32 +17,28 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any, ClassVar, Generic, NamedTuple, TypeVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from matrixworld._util.checks import check_threads
+from matrixworld._util.checks import check_threads, shown
 from matrixworld._util.files import DamagedFileError
 from matrixworld._util.memory import check_memory
 from matrixworld.coevolution.fitness import win_rates
 from matrixworld.coevolution.learners.learner import GradientLearner, Learner
-from matrixworld.coevolution.learners.registry import new_learner, starting_genomes, untrained
 from matrixworld.coevolution.opponents.samplers import OpponentSampler, Stateless
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.training_matches import TrainingMatches
+from matrixworld.coevolution.schedules import Schedule
 from matrixworld.coevolution.seeding import (
     Purpose,
     keyed_generator,
     learning_phase,
     training_seeds,
 )
-from matrixworld.coevolution.settings.memory import run_memory
-from matrixworld.coevolution.settings.race import RaceSettings
-from matrixworld.coevolution.settings.single import SingleSettings
-from matrixworld.coevolution.settings.training import settings_to_json
+from matrixworld.coevolution.settings import RaceSettings, run_memory
 from matrixworld.coevolution.storage.run_directory import (
-    SETTINGS_OF_KIND,
     SEVERAL,
     Restored,
     RunDirectory,
@@ -61,10 +57,8 @@ from matrixworld.coevolution.types import (
 from matrixworld.play.rollout import Rollout, rollout
 from matrixworld.world.policy import Network, TeamPolicy
 
-AnySettings = TypeVar("AnySettings", RaceSettings, SingleSettings)
 
-
-class Run(ABC, Generic[AnySettings]):
+class Run(ABC):
     """A run in a directory; see `Race`, `HallOfFameRace` and `SingleTeam`.
 
     ::
@@ -76,7 +70,7 @@ class Run(ABC, Generic[AnySettings]):
 
     Parameters
     ----------
-    settings : RaceSettings or SingleSettings
+    settings : RaceSettings
         Settings of the run.
     directory : str, Path or RunDirectory
         A new or empty directory for a new run; a `RunDirectory` to continue the run in it.
@@ -102,21 +96,21 @@ class Run(ABC, Generic[AnySettings]):
         If a directory for a new run is not empty.
     TypeError, ValueError
         If this kind of run cannot have these settings, or if the run needs more memory than the
-        machine has available (`matrixworld.coevolution.settings.memory.run_memory`).
+        machine has available (`matrixworld.coevolution.settings.run_memory`).
     """
 
-    settings_class: ClassVar[type[Any]]
+    schedule_class: ClassVar[type[Schedule]]
 
     def __init__(
         self,
-        settings: AnySettings,
+        settings: RaceSettings,
         directory: str | Path | RunDirectory,
         *,
         threads: int | None = None,
         play: Rollout = rollout,
     ) -> None:
         # Everything that can be wrong is checked before the directory is made.
-        self.settings: AnySettings = settings
+        self.settings: RaceSettings = settings
         self.check_settings()
         check_threads(threads)
         check_memory("run", **run_memory(settings))
@@ -124,9 +118,9 @@ class Run(ABC, Generic[AnySettings]):
         self.network: Network = self.training.network
         self.stage: int = 0
         self.stage_capture_rates: list[float] = []
-        count = starting_genomes(settings)
+        count = settings.learner.starting_genomes
         self.learners: dict[Team, Learner] = {
-            team: new_learner(settings, team, self.first_population(team, count))
+            team: settings.new_learner(team, self.first_population(team, count))
             for team in self.learning_teams()
         }
         self.archive: dict[Team, list[Genome]] = self.first_archive()
@@ -139,9 +133,8 @@ class Run(ABC, Generic[AnySettings]):
             with self.files.lock():
                 self._restore()
         else:
-            kind = next(k for k, c in SETTINGS_OF_KIND.items() if isinstance(settings, c))
-            config = settings_to_json(self.settings)
-            self.files = RunDirectory.create(directory, kind, config, **self.extra_config())
+            config = self.settings.to_json()
+            self.files = RunDirectory.create(directory, config, **self.extra_config())
             self._write_new()
 
     # Each kind of run defines the following methods:
@@ -171,13 +164,13 @@ class Run(ABC, Generic[AnySettings]):
 
     def first_population(self, team: Team, count: int) -> Genomes:
         """Return `count` genomes from which a learner starts; the first one is generation 0."""
-        return untrained(self.settings, team, count)
+        return self.settings.untrained(team, count)
 
     def first_archive(self) -> dict[Team, list[Genome]]:
         """Return the archive of a new run."""
         return {team: [self.learners[team].genome] for team in TEAMS}
 
-    def set_up(self) -> None:
+    def set_up(self) -> None:  # noqa: B027, optional
         """Make what else the run needs; called when learners and archive exist."""
 
     def stateful_parts(self) -> dict[str, Stateful]:
@@ -190,11 +183,13 @@ class Run(ABC, Generic[AnySettings]):
 
     def check_settings(self) -> None:
         """Raise TypeError or ValueError if this kind of run cannot have these settings."""
-        if not isinstance(self.settings, self.settings_class):
-            expected, got = self.settings_class.__name__, type(self.settings).__name__
-            raise TypeError(f"settings: expected {expected}, got {got}")
+        if not isinstance(self.settings, RaceSettings):
+            raise TypeError(f"settings: expected RaceSettings, got {shown(self.settings)}")
+        if not isinstance(self.settings.schedule, self.schedule_class):
+            expected, got = self.schedule_class.kind, self.settings.schedule.kind
+            raise ValueError(f"schedule: expected {expected}, got {got}")
 
-    def warn(self) -> None:
+    def warn(self) -> None:  # noqa: B027, optional
         """Warn of problems in training; called after each stage."""
 
     # The following methods are the same for all kinds:
@@ -394,7 +389,7 @@ class TeamPhase:
         rng = self._generator(Purpose.OPPONENTS, epoch)
         opponents = self.sampler.sample(available, epoch, rng)
         # Candidates of the same match, such as a mirrored pair, differ in nothing but their genes.
-        match = self.learner.match_of_candidate
+        match = self.learner.seed_groups
         seeds = [self._seeds(int(opponent), epoch)[match] for opponent in opponents]
         return Matchup(epoch, opponents, np.stack(seeds, axis=1))
 
@@ -403,7 +398,7 @@ class TeamPhase:
         # Seeds depend on both generations, so that no two phases play the same episodes.
         own, seed = self.generation, self.training.settings.seed
         generations = (own, opponent) if self.team == "pursuer" else (opponent, own)
-        count = int(self.learner.match_of_candidate.max()) + 1
+        count = int(self.learner.seed_groups.max()) + 1
         return training_seeds(seed, *generations, learning_phase(self.team), epoch, count)
 
     def _generator(self, purpose: Purpose, epoch: int) -> np.random.Generator:

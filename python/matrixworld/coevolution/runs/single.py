@@ -5,19 +5,24 @@ from __future__ import annotations
 from dataclasses import replace
 from math import ceil
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from matrixworld.analysis.intervals import does_not_vary, t_ends
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.coevolution.learners.genetic_algorithm import mutate_gaussian
-from matrixworld.coevolution.opponents.samplers import RoundRobin
+from matrixworld.coevolution.learners.genetic_algorithm import (
+    MUTATION,
+    GeneticAlgorithmSettings,
+    mutate_gaussian,
+)
+from matrixworld.coevolution.opponents import RoundRobin
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.runs.run import Run, TeamPhase
+from matrixworld.coevolution.schedules import Against, Schedule
 from matrixworld.coevolution.seeding import Purpose, keyed_generator
-from matrixworld.coevolution.settings.single import SingleSettings
+from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage.run_directory import Restored, RunDirectory
 from matrixworld.coevolution.storage.saved_run import archive_network, last_generation, script_of
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team, other
@@ -25,24 +30,24 @@ from matrixworld.play.rollout import Rollout, rollout
 from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
 
 GIVEN = "given as genomes"
-"""Value of the settings `against` and `start` if these were given as arrays."""
+"""Value of the settings `opponent` and `start` if these were given as arrays."""
 CONFIDENCE = 0.95
 """Probability with which an interval of the summary covers the true mean."""
 
 
-class SingleTeam(Run[SingleSettings]):
+class SingleTeam(Run):
     """A run in which one team learns against fixed opponents, one of them in each epoch.
 
     Parameters
     ----------
-    settings : SingleSettings
-        Settings of the run.
+    settings : RaceSettings
+        Settings of the run, with the schedule `Against`.
     directory : str, Path or RunDirectory
         As in `Run`.
     opponents : Population, optional
-        Opponents in place of `settings.against`.
+        Opponents in place of `schedule.opponent`.
     start : array_like of float32, shape (genes,), optional
-        Genome to start from, in place of `settings.start`.
+        Genome to start from, in place of `schedule.start`.
     threads, play
         As in `Run`.
 
@@ -59,11 +64,11 @@ class SingleTeam(Run[SingleSettings]):
     were not used in training. For other attributes see `Run`.
     """
 
-    settings_class: ClassVar[type[Any]] = SingleSettings
+    schedule_class: ClassVar[type[Schedule]] = Against
 
     def __init__(
         self,
-        settings: SingleSettings,
+        settings: RaceSettings,
         directory: str | Path | RunDirectory,
         *,
         opponents: Population | None = None,
@@ -80,21 +85,27 @@ class SingleTeam(Run[SingleSettings]):
             self.opponents = _opponents(settings, opponents)
             self._start = _start(settings, start)
             # The settings in config.json must not name opponents that were not used.
-            settings = replace(
-                settings,
-                against=settings.against if opponents is None else GIVEN,
-                start=settings.start if start is None else GIVEN,
+            schedule = replace(
+                self.schedule,
+                opponent=self.schedule.opponent if opponents is None else GIVEN,
+                start=self.schedule.start if start is None else GIVEN,
             )
+            settings = replace(settings, schedule=schedule)
         super().__init__(settings, directory, threads=threads, play=play)
+
+    @property
+    def schedule(self) -> Against:
+        """Which opponents the team meets, and for how long."""
+        return cast(Against, self.settings.schedule)  # `check_settings` refuses others
 
     @property
     def n_stages(self) -> int:
         """The number of entries that the run adds to the archive."""
-        return ceil(self.settings.epochs / self.settings.archive_every)
+        return ceil(self.schedule.epochs / self.schedule.archive_every)
 
     def learning_teams(self) -> tuple[Team, ...]:
         """Return the one team that learns."""
-        return (self.settings.team,)
+        return (self.schedule.team,)
 
     def first_population(self, team: Team, count: int) -> Genomes:
         """Return untrained genomes, or the genome to start from and mutants of it."""
@@ -103,12 +114,14 @@ class SingleTeam(Run[SingleSettings]):
         # The genome itself stays in the population; only the others are mutated.
         population = np.repeat(self._start[np.newaxis], count, axis=0)
         rng = keyed_generator(self.settings.seed, Purpose.INITIAL, TEAMS.index(team))
-        mutate_gaussian(population[1:], rng, sigma=self.settings.mutation, probability=1.0)
+        learner = self.settings.learner
+        sigma = learner.mutation if isinstance(learner, GeneticAlgorithmSettings) else MUTATION
+        mutate_gaussian(population[1:], rng, sigma=sigma, probability=1.0)
         return population
 
     def first_archive(self) -> dict[Team, list[Genome]]:
         """Return the genome to start from, and the opponents if they have genomes."""
-        team = self.settings.team
+        team = self.schedule.team
         opponents = [] if isinstance(self.opponents, str) else list(self.opponents.genomes)
         return {team: [self.learners[team].genome], other(team): opponents}
 
@@ -126,7 +139,7 @@ class SingleTeam(Run[SingleSettings]):
 
     def learn(self, stage: int) -> None:
         """Let the team learn until the next entry of the archive."""
-        team, settings = self.settings.team, self.settings
+        team, schedule = self.schedule.team, self.schedule
         team_phase = TeamPhase(
             self.training,
             self.learners[team],
@@ -134,10 +147,10 @@ class SingleTeam(Run[SingleSettings]):
             generation=1 + stage,
             opponents=self.opponents,
             sampler=RoundRobin(),
-            on_epoch=lambda: self.report(f"{team}s against {settings.against}"),
+            on_epoch=lambda: self.report(f"{team}s against {schedule.opponent}"),
         )
-        first = stage * settings.archive_every
-        team_phase.run(range(first, min(first + settings.archive_every, settings.epochs)))
+        first = stage * schedule.archive_every
+        team_phase.run(range(first, min(first + schedule.archive_every, schedule.epochs)))
         self.archive[team].append(self.learners[team].genome)
 
     def total_matches(self) -> int:
@@ -146,24 +159,25 @@ class SingleTeam(Run[SingleSettings]):
         opponents = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
         # One opponent an epoch.
         champions = self.n_stages * self.training.champion_matches(1)
-        per_run = settings.epochs * settings.population + champions
-        return per_run * settings.worlds + opponents * settings.eval_episodes
+        per_run = self.schedule.epochs * settings.learner.population + champions
+        training = per_run * settings.match_episodes
+        return training + opponents * settings.evaluation_episodes
 
     def evaluate(self) -> Payoff:
         """Play the last genome against each opponent, on episodes not used in training."""
         settings, training = self.settings, self.training
-        champion = training.population(self.archive[settings.team][-1][np.newaxis])
+        champion = training.population(self.archive[self.schedule.team][-1][np.newaxis])
         sides: dict[Team, TeamPolicy] = {
-            settings.team: champion,
-            other(settings.team): self.opponents,
+            self.schedule.team: champion,
+            other(self.schedule.team): self.opponents,
         }
-        generations = {settings.team: self.n_stages, other(settings.team): 0}
+        generations = {self.schedule.team: self.n_stages, other(self.schedule.team): 0}
         return tournament(
-            settings.world(settings.eval_steps),
+            settings.world,
             sides["pursuer"],
             sides["evader"],
             seed=settings.seed,
-            episodes=settings.eval_episodes,
+            episodes=settings.evaluation_episodes,
             threads=training.threads,
             play=training.rollout,
             first=(generations["pursuer"], generations["evader"]),
@@ -175,16 +189,16 @@ class SingleTeam(Run[SingleSettings]):
         return {
             **super().summary(payoff),
             **_episode_summary("capture_rate", payoff.capture_rates, most=1.0),
-            **_episode_summary("length", payoff.lengths, most=self.settings.eval_steps),
+            **_episode_summary("length", payoff.lengths, most=self.settings.world.max_steps),
         }
 
     def _take(self, restored: Restored) -> None:
         super()._take(restored)
-        team = other(self.settings.team)
+        team = other(self.schedule.team)
         if self.archive[team]:
             self.opponents = Population(self.genomes(team), archive_network(self.files, team))
         else:
-            self.opponents = script_of(self.settings.against)
+            self.opponents = script_of(self.schedule.opponent)
 
 
 def _episode_summary(name: str, episodes: ArrayLike, *, most: float) -> dict[str, float | None]:
@@ -205,17 +219,18 @@ def _episode_summary(name: str, episodes: ArrayLike, *, most: float) -> dict[str
     }
 
 
-def check_sources(settings: SingleSettings) -> None:
+def check_sources(settings: RaceSettings) -> None:
     """Raise an error unless opponents and start genome can be read and fit; keep nothing."""
     _opponents(settings, None)
     _start(settings, None)
 
 
-def _opponents(settings: SingleSettings, given: Population | None) -> TeamPolicy:
+def _opponents(settings: RaceSettings, given: Population | None) -> TeamPolicy:
     """Return the opponents: those given, a script, or the last generation of a run."""
-    if given is None and settings.against in SCRIPTS:
-        return script_of(settings.against)
-    population = given or last_generation(settings.against, other(settings.team))
+    schedule = cast(Against, settings.schedule)
+    if given is None and schedule.opponent in SCRIPTS:
+        return script_of(schedule.opponent)
+    population = given or last_generation(schedule.opponent, other(schedule.team))
     found, expected = population.network, settings.network
     if (found.fov, found.n_actions) != (expected.fov, expected.n_actions):
         raise ValueError(
@@ -225,15 +240,16 @@ def _opponents(settings: SingleSettings, given: Population | None) -> TeamPolicy
     return population
 
 
-def _start(settings: SingleSettings, given: ArrayLike | None) -> Genome | None:
+def _start(settings: RaceSettings, given: ArrayLike | None) -> Genome | None:
     """Return the genome to start from: that given, the last one of a run, or None."""
-    if given is None and settings.start is None:
+    schedule = cast(Against, settings.schedule)
+    if given is None and schedule.start is None:
         return None
     size = settings.network.genome_size
     if given is not None:
         genome = np.asarray(given, dtype=np.float32)
     else:
-        population = last_generation(str(settings.start), settings.team)
+        population = last_generation(str(schedule.start), schedule.team)
         if population.network != settings.network:
             raise ValueError(
                 f"start: expected a genome of {settings.network}, got one of {population.network}"

@@ -5,23 +5,25 @@ from __future__ import annotations
 from pathlib import Path
 
 from matrixworld._util.checks import shown
-from matrixworld.coevolution.learners.registry import new_learner, starting_genomes, untrained
-from matrixworld.coevolution.opponents.registry import HALL_OF_FAME, new_sampler
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.alternating import Race
 from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
 from matrixworld.coevolution.runs.single import SingleTeam
-from matrixworld.coevolution.settings.race import RaceSettings
-from matrixworld.coevolution.settings.single import SingleSettings
+from matrixworld.coevolution.schedules import RaceSchedule
+from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage.run_directory import CONFIG, RunDirectory
 from matrixworld.coevolution.storage.saved_run import SavedRun, open_run
 from matrixworld.play.rollout import Rollout, rollout
 
 AnyRun = Race | HallOfFameRace | SingleTeam
 
+KINDS: dict[str, type[Race] | type[HallOfFameRace] | type[SingleTeam]] = {
+    run.schedule_class.kind: run for run in (Race, HallOfFameRace, SingleTeam)
+}
+
 
 def start(
-    settings: RaceSettings | SingleSettings,
+    settings: RaceSettings,
     directory: str | Path | RunDirectory,
     *,
     threads: int | None = None,
@@ -31,7 +33,7 @@ def start(
 
     Parameters
     ----------
-    settings : RaceSettings or SingleSettings
+    settings : RaceSettings
         Settings of the run.
     directory : str, Path or RunDirectory
         A new or empty directory; a `RunDirectory` to continue the run in it.
@@ -52,20 +54,17 @@ def start(
     TypeError
         If the settings are of another class.
     """
-    if isinstance(settings, SingleSettings):
-        return SingleTeam(settings, directory, threads=threads, play=play)
     if not isinstance(settings, RaceSettings):
-        raise TypeError(f"settings: expected RaceSettings or SingleSettings, got {shown(settings)}")
-    kind = HallOfFameRace if settings.schedule == HALL_OF_FAME else Race
-    return kind(settings, directory, threads=threads, play=play)
+        raise TypeError(f"settings: expected RaceSettings, got {shown(settings)}")
+    return KINDS[settings.schedule.kind](settings, directory, threads=threads, play=play)
 
 
-def check_own_code(settings: RaceSettings | SingleSettings) -> None:
+def check_own_code(settings: RaceSettings) -> None:
     """Make the learners and opponent samplers of a run once, and nothing else.
 
     Parameters
     ----------
-    settings : RaceSettings or SingleSettings
+    settings : RaceSettings
         Settings of the run.
 
     Raises
@@ -75,15 +74,15 @@ def check_own_code(settings: RaceSettings | SingleSettings) -> None:
     PluginError
         If its code fails.
     """
-    genomes = starting_genomes(settings)
+    genomes, schedule = settings.learner.starting_genomes, settings.schedule
     for team in settings.learning_teams:
-        new_learner(settings, team, untrained(settings, team, genomes))
-        if isinstance(settings, RaceSettings):
-            new_sampler(settings, team)
+        settings.new_learner(team, settings.untrained(team, genomes))
+        if isinstance(schedule, RaceSchedule):
+            schedule.new_sampler(team)
 
 
 def finish(
-    settings: RaceSettings | SingleSettings,
+    settings: RaceSettings,
     directory: str | Path,
     *,
     threads: int | None = None,

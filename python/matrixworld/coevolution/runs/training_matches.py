@@ -21,11 +21,14 @@ from matrixworld.coevolution.fitness import (
     mean_over_opponents,
     shared_fitness,
 )
-from matrixworld.coevolution.learners.experience import Experience, Views
-from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithm
+from matrixworld.coevolution.learners.actor_critic import Experience, Views
+from matrixworld.coevolution.learners.genetic_algorithm import (
+    GeneticAlgorithm,
+    GeneticAlgorithmSettings,
+)
 from matrixworld.coevolution.learners.learner import GradientLearner, Learner
 from matrixworld.coevolution.seeding import Phase, training_seeds
-from matrixworld.coevolution.settings.training import TrainingSettings
+from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage.run_directory import Row
 from matrixworld.coevolution.types import (
     TEAMS,
@@ -64,15 +67,13 @@ class TrainingMatches:
         Rows of the log, one per epoch, since the last stage was saved.
     """
 
-    def __init__(self, settings: TrainingSettings, play: Rollout, threads: int | None) -> None:
-        self.settings: TrainingSettings = settings
+    def __init__(self, settings: RaceSettings, play: Rollout, threads: int | None) -> None:
+        self.settings: RaceSettings = settings
         self.network: Network = settings.network
-        self.world: WorldConfig = settings.world(settings.train_steps)
-        self.overlap_penalty: float = settings.resolved_overlap_penalty
-        # Learners by gradients keep to the limit themselves; their fitness is for the log.
-        learner = settings.built_in_learner
-        by_gradients = learner is not None and learner.by_gradients
-        self.cost_limit: float | None = None if by_gradients else settings.cost_limit
+        self.world: WorldConfig = settings.training_world
+        self.overlap_penalty: float = settings.overlap_penalty
+        # None for learners by gradients, which keep to a limit of their own.
+        self.cost_limit: float | None = settings.fitness.cost_limit
         self.threads: int | None = threads
         self.matches: int = 0
         self.steps: int = 0
@@ -100,7 +101,7 @@ class TrainingMatches:
         self, pursuers: TeamPolicy, evaders: TeamPolicy, matches: Matches
     ) -> EpisodeStatistics:
         """Play and count M matches; the arrays of the result have shape (M, worlds)."""
-        worlds, threads = self.settings.worlds, self.threads
+        worlds, threads = self.settings.match_episodes, self.threads
         scores = self.rollout(
             self.world, pursuers, evaders, matches, episodes=worlds, threads=threads
         )
@@ -145,7 +146,8 @@ class TrainingMatches:
         if isinstance(learner, GradientLearner):
             found = experience(
                 self.world, team, self.population(learner.genome), opponents, chosen, seeds,
-                worlds=self.settings.worlds, states=learner.sees_states, threads=self.threads,
+                worlds=self.settings.match_episodes, states=learner.sees_states,
+                threads=self.threads,
             )  # fmt: skip
             learner.learn(found)
 
@@ -153,7 +155,7 @@ class TrainingMatches:
 
     def fitness(self, scores: EpisodeStatistics, team: Team, table: Table) -> FloatArray:
         """Return the fitness (n,) of a team's individuals, as the settings define it."""
-        sharing, virulence = self.settings.sharing, self.settings.virulence(team)
+        sharing, virulence = self.settings.fitness.sharing, self.settings.fitness.virulence(team)
         if sharing == "none" and virulence is None:
             return self.mean_fitness(scores, team, table)
         # Sharing is of results in [0, 1]; the penalty is subtracted afterwards.
@@ -177,7 +179,9 @@ class TrainingMatches:
 
     def _values(self, scores: EpisodeStatistics, team: Team, *, penalty: bool) -> FloatArray:
         overlap_penalty = self.overlap_penalty if penalty else 0.0
-        return fitness(scores, team, measure=self.settings.fitness, overlap_penalty=overlap_penalty)
+        return fitness(
+            scores, team, measure=self.settings.fitness.measure, overlap_penalty=overlap_penalty
+        )
 
     # The log:
 
@@ -234,19 +238,21 @@ class TrainingMatches:
         The best candidate of the last epoch may be the luckiest one. The elite meets the opponents
         `met` (c,) that the fittest individual has met in that epoch.
         """
-        episodes = self.settings.elite_episodes
+        settings = self.settings.learner
+        if not isinstance(settings, GeneticAlgorithmSettings):
+            return
+        episodes = settings.elite_episodes
         if episodes and isinstance(learner, GeneticAlgorithm):
             # The run's own fitness, with sharing and virulence: only the luck of the epoch is new.
             again = self._fitness_again(
                 team, generation, learner.elite_genomes(), opponents, met,
                 phase=Phase.ELITE, episodes=episodes, fitness=self.fitness,
             )  # fmt: skip
-            learner.crown(again)
+            learner.choose_champion(again)
 
     def champion_matches(self, met: int) -> int:
         """Return the matches of `choose_champion` against `met` opponents."""
-        # The product is 0 for other learners, whose setting is 0.
-        return self.settings.elite_episodes * self.settings.elites * met
+        return self.settings.learner.elite_matches * met
 
     def keeps(
         self,

@@ -1,7 +1,7 @@
 """The files of a run: what each stage adds, what training continues from, and the results.
 
 ====================  ==========================================================================
-config.json           format, package version, kind of run, settings
+config.json           format, package version, settings
 stage-0007.npz        what stage 7 has added: genomes, rows of the log, counters
 checkpoint-0007.npz   state of learners and opponent samplers after stage 7, for the newest two
 payoff.npz            results of the archives against each other (see `Payoff`)
@@ -50,9 +50,7 @@ from matrixworld._util.files import (
     save_arrays,
     save_json,
 )
-from matrixworld.coevolution.settings.race import RaceSettings
-from matrixworld.coevolution.settings.single import SingleSettings
-from matrixworld.coevolution.settings.training import settings_from_json
+from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.types import TEAMS, Genome, Genomes, Team
 from matrixworld.version import __version__
 
@@ -62,11 +60,6 @@ FORMAT = 9
 CONFIG, LOCK, LOG = "config.json", ".lock", "log.csv"
 PAYOFF, SUMMARY = "payoff.npz", "summary.json"
 
-SETTINGS_OF_KIND: dict[str, type[RaceSettings] | type[SingleSettings]] = {
-    "race": RaceSettings,
-    "single": SingleSettings,
-}
-"""Class of the settings of each kind of run."""
 
 COUNTS = (
     "stages", "training_matches", "training_steps", "training_agent_steps", "evaluation_matches",
@@ -135,15 +128,13 @@ class RunDirectory:
         self._saved: dict[Team, int] = dict.fromkeys(TEAMS, 0)  # genomes in the stages so far
 
     @classmethod
-    def create(
-        cls, path: str | Path, kind: str, settings: Mapping[str, Any], **more: Any
-    ) -> RunDirectory:
+    def create(cls, path: str | Path, settings: Mapping[str, Any], **more: Any) -> RunDirectory:
         """Return the directory of a new run, and make it; FileExistsError if it is not empty.
 
-        Kind of run, settings and `more` are what `write_config` will write.
+        Settings and `more` are what `write_config` will write.
         """
         files = cls(Path(path))
-        head = {"format": FORMAT, "matrixworld": __version__, "kind": kind}
+        head = {"format": FORMAT, "matrixworld": __version__}
         files._new_config = {**head, "settings": dict(settings), **more}
         files.path.mkdir(parents=True, exist_ok=True)
         files.check_empty()
@@ -173,18 +164,13 @@ class RunDirectory:
                 f"{path}: expected format {FORMAT}, got {one_line(config.get('format'))} "
                 f"(written by matrixworld {_version(config)})"
             )
-        if config.get("kind") not in list(SETTINGS_OF_KIND):
-            raise OtherVersionError(
-                f"{path}: expected a run of kind {', '.join(SETTINGS_OF_KIND)}, got "
-                f"{one_line(config.get('kind'))}"
-            )
         return config
 
-    def settings(self) -> RaceSettings | SingleSettings:
+    def settings(self) -> RaceSettings:
         """Return the settings; OtherVersionError if this version cannot read them."""
         config = self.config()
         try:
-            return settings_from_json(SETTINGS_OF_KIND[config["kind"]], config["settings"])
+            return RaceSettings.from_json(config["settings"])
         except (AttributeError, KeyError, OverflowError, TypeError, ValueError) as error:
             # The checksum was correct, so that the file is not damaged.
             raise OtherVersionError(

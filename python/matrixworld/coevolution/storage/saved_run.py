@@ -12,9 +12,9 @@ import numpy as np
 from matrixworld._util.checks import check_choice
 from matrixworld._util.files import DamagedFileError
 from matrixworld.coevolution.payoff import Payoff
+from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.coevolution.settings.race import RaceSettings
-from matrixworld.coevolution.settings.single import SingleSettings
+from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage.run_directory import CONFIG, RunDirectory
 from matrixworld.coevolution.types import TEAMS, Genomes, Team
 from matrixworld.episodes.episode import Episode
@@ -59,14 +59,13 @@ def last_generation(directory: str | Path, team: Team) -> Population:
 def archive_network(files: RunDirectory, team: Team) -> Network:
     """Return the network of a team's genomes in a run directory."""
     settings = files.settings()
-    if not isinstance(settings, SingleSettings) or settings.team == team:
+    if team in settings.learning_teams:
         return settings.network
     # Opponents of a single team may come from a run with other hidden layers.
-    world = settings.world(settings.train_steps)
     guest: Any = files.config().get("opponent_network")
     try:
         hidden, activation = tuple(guest["hidden"]), guest["activation"]
-        return Network.for_config(world, hidden=hidden, activation=activation)
+        return Network.for_config(settings.world, hidden=hidden, activation=activation)
     except (KeyError, OverflowError, TypeError, ValueError) as error:
         problem = f"opponent_network: expected hidden and activation ({error})"
         raise DamagedFileError(files.path / CONFIG, problem) from error
@@ -80,7 +79,7 @@ class SavedRun:
     ----------
     files : RunDirectory
         The directory; its methods `log` and `summary` read further files.
-    settings : RaceSettings or SingleSettings
+    settings : RaceSettings
         Settings of the run.
     teams : mapping of str to Population or str
         For each team its archive as a population, one genome per generation, or the name of a
@@ -88,7 +87,7 @@ class SavedRun:
     """
 
     files: RunDirectory
-    settings: RaceSettings | SingleSettings
+    settings: RaceSettings
     teams: Mapping[Team, TeamPolicy]
 
     def __repr__(self) -> str:
@@ -97,7 +96,7 @@ class SavedRun:
             f"{team}s: {each if isinstance(each, str) else len(each.genomes)}"
             for team, each in self.teams.items()
         )
-        kind = getattr(self.settings, "schedule", "one team")
+        kind = self.settings.schedule.name
         return f"SavedRun({str(self.files.path)!r}, {kind}, seed {self.settings.seed}, {sizes})"
 
     def payoff(self) -> Payoff:
@@ -152,7 +151,7 @@ class SavedRun:
         """
         g, h = self._generation("pursuer", pursuer), self._generation("evader", evader)
         return record(
-            self.settings.world(self.settings.eval_steps),
+            self.settings.world,
             self.teams["pursuer"],
             self.teams["evader"],
             seed=evaluation_seed(self.settings.seed, g, h),
@@ -238,8 +237,9 @@ def open_run(directory: str | Path) -> SavedRun:
     def policy(team: Team) -> TeamPolicy:
         if len(archive[team]):
             return _population(files, team, archive[team])
-        if isinstance(settings, SingleSettings) and settings.team != team:
-            return script_of(settings.against)
+        schedule = settings.schedule
+        if isinstance(schedule, Against) and schedule.team != team:
+            return script_of(schedule.opponent)
         raise DamagedFileError(files.path, f"expected genomes of {team}s, got none")
 
     return SavedRun(files, settings, {team: policy(team) for team in TEAMS})

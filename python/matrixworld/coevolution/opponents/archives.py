@@ -14,7 +14,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.opponents.samplers import check_count
+from matrixworld.coevolution.opponents.samplers import Stateless, check_available, check_count
 from matrixworld.coevolution.types import BoolArray, FloatArray, Indices, Members, State
 
 PayoffFunction = Callable[[Members, Members], ArrayLike]
@@ -362,3 +362,242 @@ def _fewest_tests(needed: BoolArray) -> list[int]:
         chosen.append(int(np.argmax(left.sum(axis=0))))
         left = left[~left[:, chosen[-1]]]
     return chosen
+
+
+# Generalist (Simione & Nolfi 2021):
+
+
+def maximally_different(payoffs: ArrayLike, count: int) -> Indices:
+    """Return opponents whose payoffs differ as much as possible.
+
+    ::
+
+        first: the opponent with the highest mean payoff
+        next:  the opponent farthest from the nearest chosen one, by the mean absolute difference
+               of payoffs; of equals the first
+
+    Parameters
+    ----------
+    payoffs : array_like of float, shape (m, n)
+        Payoffs of m opponents against n members of the team that learns.
+    count : int
+        Opponents to choose; all, if there are fewer.
+
+    Returns
+    -------
+    ndarray of intp, shape (min(count, m),)
+        Opponents in the order chosen.
+
+    Raises
+    ------
+    ValueError
+        If `payoffs` has another number of axes.
+    """
+    values = np.asarray(payoffs, dtype=np.float64)
+    if values.ndim != 2:
+        raise ValueError(f"payoffs: expected shape (m, n), got {values.shape}")
+    chosen: list[int] = []
+    distance = values.mean(axis=1)
+    for _ in range(min(count, len(values))):
+        chosen.append(int(np.argmax(distance)))
+        nearest = np.abs(values[:, np.newaxis] - values[chosen]).mean(axis=2).min(axis=1)
+        # Below every distance, so that no opponent is chosen twice.
+        nearest[chosen] = -1.0
+        distance = nearest
+    return np.array(chosen, dtype=np.intp)
+
+
+class Generalist:
+    """A team of fixed size whose worst member is replaced only by a variant better against all.
+
+    ::
+
+        opponents to learn against: a few that are maximally different
+        submit:  for each variant that the learning has produced, in turn:
+                     worst = member with the lowest mean payoff against all opponents
+                     if the variant's mean payoff against all opponents is higher:
+                         it replaces the worst
+
+    A variant that gains on the opponents of its training and loses on others is filtered out. The
+    interface is that of `Archive`.
+
+    Parameters
+    ----------
+    members : array_like, shape (n, ...)
+        The team at the start.
+    sample_size : int
+        Number of maximally different opponents to learn against.
+
+    Attributes
+    ----------
+    candidates : ndarray, shape (n, ...)
+        The team; read-only.
+    tests : ndarray, shape (m, ...)
+        Opponents to learn against next, among those last submitted; read-only.
+    graded : bool
+        True: the archive compares means of graded payoffs.
+    needs_all_tests : bool
+        True: each submission must contain the whole opposing team.
+
+    References
+    ----------
+    Simione & Nolfi 2021, "Long-term progress and behavior complexification in competitive
+    coevolution", Artificial Life 26(4).
+    """
+
+    graded = True
+    needs_all_tests = True
+
+    def __init__(self, members: ArrayLike, *, sample_size: int) -> None:
+        check_count("sample_size", sample_size)
+        self.candidates: Members = read_only(members)
+        check_count("members", len(self.candidates))
+        self.tests: Members = read_only([])
+        self.sample_size = sample_size
+
+    def submit(self, candidates: ArrayLike, tests: ArrayLike, payoff: PayoffFunction) -> BoolArray:
+        """Submit variants, and choose the opponents to learn against next.
+
+        Parameters
+        ----------
+        candidates : array_like, shape (v, ...)
+            Variants; may be empty.
+        tests : array_like, shape (m, ...)
+            The whole opposing team.
+        payoff : callable
+            See `PayoffFunction`.
+
+        Returns
+        -------
+        ndarray of bool, shape (v,)
+            Whether each variant has replaced a member, even if a later variant has replaced it.
+        """
+        variants, opponents = read_only(candidates), read_only(tests)
+        check_count("tests", len(opponents))
+        # Opponents learn, too: payoffs of the last submission are of no use here.
+        members = list(self.candidates)
+        payoffs = checked_payoffs(payoff, self.candidates, opponents)
+        offered = checked_payoffs(payoff, variants, opponents)
+        replaced = np.zeros(len(variants), dtype=np.bool_)
+        for i, variant in enumerate(variants):
+            # The worst of the present team, in which earlier variants may have a place.
+            worst = int(np.argmin(payoffs.mean(axis=1)))
+            if offered[i].mean() > payoffs[worst].mean():
+                payoffs[worst], members[worst], replaced[i] = offered[i], variant, True
+        self.candidates = read_only(np.stack(members))
+        self.tests = read_only(opponents[self._next_tests(payoffs)])
+        return replaced
+
+    def _next_tests(self, payoffs: FloatArray) -> Indices:
+        # The opponents' own payoffs: the same matrix, seen from the other side.
+        return maximally_different(1.0 - payoffs.T, self.sample_size)
+
+    def state(self) -> State:
+        """Return the team, and the opponents to learn against next."""
+        return {"candidates": self.candidates, "tests": self.tests}
+
+    def restore(self, state: State) -> None:
+        """Restore a state returned by `state()`."""
+        self.candidates = read_only(state["candidates"])
+        self.tests = read_only(state["tests"])
+
+
+# A sampler of what an archive keeps:
+
+
+class ArchiveSampler(Stateless):
+    """The newest opponent, beside the tests of an archive.
+
+    ::
+
+        one opponent an epoch:  the newest and a test of the archive in turns
+        several:                the newest, and tests of the archive, drawn evenly
+
+    Archives keep tests that tell candidates apart. An opponent that no candidate beats yet tells
+    none apart, so MaxSolve and the Pareto archives drop it. A team that played against the archive
+    alone would never meet it and could never learn to beat it. In the schemes of de Jong, where
+    candidates and tests come from living populations, individuals are evaluated against both the
+    living opponents and the archive; here the newest generation stands for the living ones.
+
+    The archive holds numbers, shape (m,); the genomes of all generations stay with the caller, who
+    updates the archive before the next sample::
+
+        sampler.update([generation], [generation], payoff)    # `payoff` looks up the genomes
+
+    While the archive holds no other test, the sample is the newest opponent.
+
+    Parameters
+    ----------
+    archive : Archive or Generalist
+        Keeps numbers of generations; saved and restored with the sampler.
+    count : int, optional
+        Opponents an epoch; fewer, if the archive holds fewer.
+
+    References
+    ----------
+    de Jong 2007, "A monotonic archive for Pareto-coevolution", Evolutionary Computation 15(1).
+    """
+
+    def __init__(self, archive: Archive | Generalist, count: int = 1) -> None:
+        check_count("count", count)
+        self.archive: Archive | Generalist = archive
+        self.count: int = count
+
+    @property
+    def graded(self) -> bool:
+        """Whether the archive should get graded payoffs, instead of win, draw or loss."""
+        return self.archive.graded
+
+    def update(self, new: Members, opponents: Members, payoff: PayoffFunction) -> None:
+        """Submit new generations to the archive.
+
+        Parameters
+        ----------
+        new, opponents : ndarray of int, shape (n,) and (m,)
+            New generations of the team and of its opponents. An archive that needs all tests gets
+            all opponents up to the newest one.
+        payoff : callable
+            See `PayoffFunction`.
+        """
+        if self.archive.needs_all_tests and len(opponents):
+            # Generations are numbered without gaps.
+            opponents = np.arange(opponents.max() + 1)
+        self.archive.submit(new, opponents, payoff)
+
+    def max_pairs(self, candidates: int, tests: int) -> int:
+        """Return the largest number of pairs that an update compares.
+
+        One generation of each team is new.
+
+        Parameters
+        ----------
+        candidates, tests : int
+            Generations of the team and of its opponents, the new ones included.
+        """
+        if self.archive.needs_all_tests:
+            # Generalist computes all payoffs again: of its team and of the new generation.
+            return (len(self.archive.candidates) + 1) * tests
+        # A Pareto archive computes the new row and the new column, at most of all generations.
+        return candidates + tests
+
+    def sample(self, available: int, epoch: int, rng: np.random.Generator) -> Indices:
+        """Return the newest opponent and tests of the archive, or one of both."""
+        check_available(available)
+        # Sorted, so that the sample does not depend on the order inside the archive.
+        kept = np.unique(self.archive.tests).astype(np.intp)
+        if len(kept) and (kept[0] < 0 or kept[-1] >= available):
+            raise ValueError(f"archive: expected generations below {available}, got {kept}")
+        newest, older = np.array([available - 1], dtype=np.intp), kept[kept < available - 1]
+        # `available` grows by one in each generation: the turns alternate with one epoch, too.
+        places = self.count - 1 if self.count > 1 else (epoch + available) % 2
+        drawn: Indices = rng.choice(older, size=min(places, len(older)), replace=False)
+        alone = self.count == 1 and len(drawn)
+        return drawn if alone else np.concatenate([newest, drawn])
+
+    def state(self) -> State:
+        """Return the state of the archive."""
+        return self.archive.state()
+
+    def restore(self, state: State) -> None:
+        """Restore a state returned by `state()`."""
+        self.archive.restore(state)

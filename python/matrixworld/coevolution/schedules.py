@@ -1,0 +1,443 @@
+"""Schedules: which opponents a team meets while it learns, and for how many epochs.
+
+`k` is the generation that learns (from 1), `i` the epoch inside it (from 0). The archives begin
+with the untrained `p[0]` and `e[0]`. In each generation of an alternating race the pursuers learn
+first, then the evaders: the opponents of the pursuers of generation `k` are among `e[0..k-1]`,
+those of the evaders among `p[0..k]`. The paper's three schedules (Sun et al. 2023, "MatrixWorld",
+arXiv:2307.14854):
+
+==========================  =========================  =========================
+schedule                    opponents of the pursuers  opponents of the evaders
+==========================  =========================  =========================
+specialist-specialist       ``e[k - 1]``               ``p[k]``
+generalist-specialist       ``e[i mod k]``             ``p[k]``
+generalist-generalist       ``e[i mod k]``             ``p[i mod (k + 1)]``
+==========================  =========================  =========================
+
+The opponents of specialists are the `Latest`, those of generalists all by `RoundRobin`.
+"""
+
+from __future__ import annotations
+
+import re
+from abc import abstractmethod
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+
+from matrixworld.coevolution.opponents import (
+    IPCA,
+    LAPCA,
+    Archive,
+    ArchiveSampler,
+    Generalist,
+    Latest,
+    MaxSolve,
+    OpponentSampler,
+    Prioritized,
+    RoundRobin,
+    SharedSampling,
+    Uniform,
+    even,
+    hard,
+)
+from matrixworld.coevolution.opponents import (
+    HallOfFame as HallOfFameSampler,
+)
+from matrixworld.coevolution.own_code import OPPONENT, CheckedSampler, check_code, check_known, find
+from matrixworld.coevolution.sections import OwnSettings, Section, documented, setting
+from matrixworld.coevolution.types import TEAMS, Team
+from matrixworld.world.policy import SCRIPTS
+
+# Opponents of a team:
+
+DRAWN: dict[str, Callable[[int], OpponentSampler]] = {
+    "latest": Latest,
+    "uniform": Uniform,
+    "round-robin": RoundRobin,
+    "hall-of-fame": lambda n: HallOfFameSampler(newest=n // 2, sampled=n - n // 2),
+    "prioritized-hard": lambda n: Prioritized(hard(), count=n),
+    "prioritized-even": lambda n: Prioritized(even, count=n),
+    "shared-sampling": SharedSampling,
+}
+"""Name -> factory: opponents an epoch -> a new sampler.
+
+Half of the opponents of `hall-of-fame` are the newest; the other half, or one more, are drawn from
+the older ones. With one opponent it draws from all, as `uniform` does.
+"""
+ARCHIVES: dict[str, Callable[[int], Archive | Generalist]] = {
+    "maxsolve": MaxSolve,
+    "ipca": lambda size: IPCA(),
+    "lapca": LAPCA,
+    # All members are generation 0 at the start.
+    "generalist": lambda size: Generalist(np.zeros(size, dtype=np.intp), sample_size=size),
+}
+"""Name -> factory: size -> a new archive."""
+ARCHIVE_SIZE, ARCHIVE_EPISODES = 10, 3
+
+SAMPLERS = (*DRAWN, *ARCHIVES)
+"""Names of the opponent samplers of the package."""
+
+
+@dataclass(frozen=True)
+class Opponents(Section):
+    """Base of the settings that say which archived opponents a team meets."""
+
+    archive_episodes: ClassVar[int] = ARCHIVE_EPISODES
+    """Matches of each pair that an archive compares."""
+
+    @abstractmethod
+    def new(self, count: int) -> OpponentSampler:
+        """Return a new sampler of up to `count` opponents an epoch."""
+
+
+@documented
+@dataclass(frozen=True)
+class DrawnOpponents(Opponents):
+    """Opponents drawn from all generations of the other team."""
+
+    kind: ClassVar[str] = "drawn"
+    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {name: {"rule": name} for name in DRAWN}
+
+    rule: str = setting("uniform", f"how: {', '.join(DRAWN)}", choices=DRAWN)
+
+    def new(self, count: int) -> OpponentSampler:
+        """Return a new sampler."""
+        return DRAWN[self.rule](count)
+
+
+@documented
+@dataclass(frozen=True)
+class ArchivedOpponents(Opponents):
+    """The newest opponent and those that an archive keeps (`ArchiveSampler`)."""
+
+    kind: ClassVar[str] = "archived"
+    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = {
+        name: {"archive": name} for name in ARCHIVES
+    }
+
+    archive: str = setting("maxsolve", f"which one: {', '.join(ARCHIVES)}", choices=ARCHIVES)
+    size: int | None = setting(
+        None,
+        "maxsolve: candidates kept; lapca: layers; generalist: opponents kept; default: "
+        f"{ARCHIVE_SIZE}",
+        least=1,
+    )
+    episodes: int = setting(ARCHIVE_EPISODES, "matches of each pair that it compares", least=1)
+
+    def check(self) -> None:
+        """Raise ValueError if an archive without a size has one."""
+        if self.archive == "ipca" and self.size is not None:
+            raise ValueError(f"size: expected no value with ipca, got {self.size}")
+
+    @property
+    def archive_episodes(self) -> int:  # type: ignore[override]
+        """Matches of each pair that the archive compares."""
+        return self.episodes
+
+    def new(self, count: int) -> OpponentSampler:
+        """Return a new sampler."""
+        return ArchiveSampler(ARCHIVES[self.archive](self.size or ARCHIVE_SIZE), count)
+
+
+@documented
+@dataclass(frozen=True)
+class OwnOpponents(Opponents):
+    """Opponents by a sampler of your own (see `OpponentSampler`)."""
+
+    kind: ClassVar[str] = "own"
+
+    code: str = setting("", "module:object, or the name of an installed one")
+    settings: OwnSettings = setting(OwnSettings(), "its settings: numbers, text, true or false")
+
+    def check(self) -> None:
+        """Raise ValueError unless a name is given."""
+        check_code("code", self.code)
+
+    @classmethod
+    def named(cls, field: str, text: str, kinds: Collection[str]) -> OwnOpponents:
+        """Return the settings that a text in a field stands for, beside those of other kinds."""
+        check_known(field, text, kinds, OPPONENT)
+        return cls(code=text)
+
+    def new(self, count: int) -> OpponentSampler:
+        """Return a new sampler; imports its code."""
+        return CheckedSampler(find(self.code, OPPONENT), count, self.settings)
+
+
+def archive_of(sampler: OpponentSampler) -> ArchiveSampler | None:
+    """Return the archive sampler that a sampler is, inside its checks or without; None if not."""
+    inner = sampler.made if isinstance(sampler, CheckedSampler) else sampler
+    return inner if isinstance(inner, ArchiveSampler) else None
+
+
+# Schedules:
+
+
+@dataclass(frozen=True)
+class Schedule(Section):
+    """Base of the schedules."""
+
+    @property
+    def name(self) -> str:
+        """What the schedule is called, such as in directories."""
+        return self.kind
+
+    @property
+    def conditions(self) -> tuple[str, ...]:
+        """Names under which a setting may have another default with this schedule."""
+        return (self.kind,)
+
+    @property
+    def learning_teams(self) -> tuple[Team, ...]:
+        """Teams that learn."""
+        return TEAMS
+
+    @property
+    @abstractmethod
+    def opponents_met(self) -> int:
+        """Most opponents of a candidate in an epoch."""
+
+    @property
+    @abstractmethod
+    def entries(self) -> int:
+        """Genomes in the archive of a learning team at the end of a run."""
+
+    @abstractmethod
+    def total_epochs(self, team: Team) -> int:
+        """Return the epochs of the whole run in which `team` learns."""
+
+
+@dataclass(frozen=True)
+class RaceSchedule(Schedule):
+    """Base of the schedules in which both teams learn."""
+
+    generations: int = setting(30, "generations after the untrained generation 0", least=1)
+    pursuers_meet: DrawnOpponents | ArchivedOpponents | OwnOpponents = setting(
+        DrawnOpponents(), f"which evaders pursuers meet: {', '.join(SAMPLERS)} or module:object"
+    )
+    evaders_meet: DrawnOpponents | ArchivedOpponents | OwnOpponents = setting(
+        DrawnOpponents(), "which pursuers evaders meet; as for the pursuers"
+    )
+    retention_episodes: int = setting(
+        0,
+        "matches of the new and of the previous genome of a team against each archived opponent; "
+        "the new one is discarded if it is worse; 0: each new genome is kept",
+    )
+
+    @property
+    @abstractmethod
+    def sampled_opponents(self) -> int:
+        """Most archived opponents of a candidate in an epoch."""
+
+    @property
+    def entries(self) -> int:
+        """Genomes in the archive of a team at the end of a race."""
+        return 1 + self.generations
+
+    @abstractmethod
+    def epochs(self, team: Team) -> int:
+        """Return the epochs of a generation in which `team` learns."""
+
+    def total_epochs(self, team: Team) -> int:
+        """Return the epochs of the whole run in which `team` learns."""
+        return self.generations * self.epochs(team)
+
+    def opponents_of(self, team: Team) -> DrawnOpponents | ArchivedOpponents | OwnOpponents:
+        """Return which opponents `team` meets."""
+        return self.pursuers_meet if team == "pursuer" else self.evaders_meet
+
+    def new_sampler(self, team: Team) -> OpponentSampler:
+        """Return a new opponent sampler of a team.
+
+        Raises ValueError if own code cannot be imported or refuses its settings, PluginError if it
+        fails.
+        """
+        # A hall-of-fame race without sampled opponents has samplers, too, but never asks them.
+        return self.opponents_of(team).new(max(1, self.sampled_opponents))
+
+
+PAPER: dict[str, dict[str, str]] = {
+    "specialist-specialist": {"pursuers_meet": "latest", "evaders_meet": "latest"},
+    "generalist-specialist": {"pursuers_meet": "round-robin", "evaders_meet": "latest"},
+    "generalist-generalist": {"pursuers_meet": "round-robin", "evaders_meet": "round-robin"},
+}
+
+
+@documented
+@dataclass(frozen=True)
+class Alternating(RaceSchedule):
+    """The teams learn in turns, against archived opponents."""
+
+    kind: ClassVar[str] = "alternating"
+    shorthands: ClassVar[Mapping[str, Mapping[str, Any]]] = PAPER
+
+    opponents: int = setting(1, "opponents of each candidate in an epoch", least=1)
+    pursuer_epochs: int = setting(
+        60,
+        "epochs per generation in which the pursuers learn",
+        by={"actor-critic": 400},
+        least=1,
+    )
+    evader_epochs: int = setting(
+        120,
+        "epochs per generation in which the evaders learn",
+        by={"actor-critic": 400},
+        least=1,
+    )
+
+    @property
+    def name(self) -> str:
+        """The name in the paper of a schedule that has one, else "alternating"."""
+        rules = {"pursuers_meet": self.pursuers_meet, "evaders_meet": self.evaders_meet}
+        found = {name: getattr(each, "rule", None) for name, each in rules.items()}
+        names = [name for name, each in PAPER.items() if each == found and self.opponents == 1]
+        return names[0] if names else self.kind
+
+    @property
+    def opponents_met(self) -> int:
+        """Most opponents of a candidate in an epoch."""
+        return self.opponents
+
+    @property
+    def sampled_opponents(self) -> int:
+        """Most archived opponents of a candidate in an epoch."""
+        return self.opponents
+
+    def epochs(self, team: Team) -> int:
+        """Return the epochs of a generation in which `team` learns."""
+        return self.pursuer_epochs if team == "pursuer" else self.evader_epochs
+
+
+@documented
+@dataclass(frozen=True)
+class HallOfFame(RaceSchedule):
+    """Both teams learn at the same time, from living opponents and a hall of fame."""
+
+    kind: ClassVar[str] = "hall-of-fame"
+
+    joint_epochs: int = setting(
+        90, "epochs per generation, in which both teams learn", by={"actor-critic": 400}, least=1
+    )
+    contemporaries: int = setting(2, "living opponents of each individual")
+    hall_sample: int = setting(1, "opponents of each individual from the hall of fame")
+
+    def check(self) -> None:
+        """Raise ValueError without opponents, or if a sampler is named that draws none."""
+        if not self.opponents_met:
+            raise ValueError("contemporaries and hall_sample: expected at least 1 opponent, got 0")
+        for name in ("pursuers_meet", "evaders_meet"):
+            if not self.hall_sample and getattr(self, name) != DrawnOpponents():
+                raise ValueError(f"{name}: expected no value with a hall_sample of 0")
+
+    @property
+    def opponents_met(self) -> int:
+        """Most opponents of a candidate in an epoch."""
+        return self.contemporaries + self.hall_sample
+
+    @property
+    def sampled_opponents(self) -> int:
+        """Most archived opponents of a candidate in an epoch."""
+        return self.hall_sample
+
+    def epochs(self, team: Team) -> int:
+        """Return the epochs of a generation, in which both teams learn."""
+        return self.joint_epochs
+
+
+@documented
+@dataclass(frozen=True)
+class Against(Schedule):
+    """One team learns alone, against fixed opponents."""
+
+    kind: ClassVar[str] = "against"
+
+    team: Team = setting("pursuer", "team that learns: pursuer or evader", choices=TEAMS)
+    opponent: str = setting(
+        "random", f"{', '.join(SCRIPTS)}, or a run directory (its last generation)"
+    )
+    start: str | None = setting(
+        None, "run directory; start from its last generation instead of an untrained genome"
+    )
+    epochs: int = setting(
+        6000,
+        "epochs of the run",
+        by={"actor-critic": 1200, "against pursuer": 6000, "against evader": 4000},
+        least=1,
+    )
+    archive_every: int = setting(
+        100, "epochs between entries of the archive; each is a checkpoint", least=1
+    )
+
+    @property
+    def name(self) -> str:
+        """What the run is called, such as ``evader-against-random``."""
+        path = Path(self.opponent)
+        # Runs of a job are called after their seeds, which says nothing: their folder does.
+        name = path.parent.name if re.fullmatch(r"seed-\d+", path.name) else path.name
+        name = re.sub(r"[^\w.=+-]", "-", name)
+        return f"{self.team}-against-{name}"
+
+    @property
+    def conditions(self) -> tuple[str, ...]:
+        """Names under which a setting may have another default with this schedule."""
+        return (f"{self.kind} {self.team}", self.kind)
+
+    @property
+    def learning_teams(self) -> tuple[Team, ...]:
+        """The one team that learns."""
+        return (self.team,)
+
+    @property
+    def opponents_met(self) -> int:
+        """One opponent of a candidate in an epoch."""
+        return 1
+
+    @property
+    def entries(self) -> int:
+        """Genomes in the archive at the end of the run."""
+        return 1 + -(-self.epochs // self.archive_every)
+
+    def total_epochs(self, team: Team) -> int:
+        """Return the epochs of the run."""
+        return self.epochs
+
+
+SCHEDULES: dict[str, Alternating] = {
+    name: Alternating(**samplers)  # type: ignore[arg-type]  # a text stands for a section
+    for name, samplers in PAPER.items()
+}
+"""The paper's schedules by name."""
+ALTERNATING, HALL_OF_FAME = Alternating.kind, HallOfFame.kind
+ALL_SCHEDULES = (*SCHEDULES, ALTERNATING, HALL_OF_FAME)
+"""Names of all schedules of races."""
+
+
+def available(team: Team, k: int) -> int:
+    """Return the number of opponents when a team learns one of its generations in alternation.
+
+    Parameters
+    ----------
+    team : {"pursuer", "evader"}
+        The team that learns.
+    k : int
+        Number of the generation that it learns, from 1.
+
+    Returns
+    -------
+    int
+        The archived generations of the other team.
+
+    Raises
+    ------
+    ValueError
+        If `k` is below 1.
+    """
+    # Generation 0 is untrained.
+    if k < 1:
+        raise ValueError(f"generation: expected at least 1, got {k}")
+    # The pursuers learn first, so the evaders can play against generation k already.
+    return k if team == "pursuer" else k + 1

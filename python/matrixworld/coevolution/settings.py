@@ -1,0 +1,439 @@
+"""Settings: everything that defines a run. Runs with equal settings are equal bit for bit.
+
+The number of threads is not a setting, because results do not depend on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import Field, dataclass, fields, replace
+from typing import Any, ClassVar
+
+import numpy as np
+
+from matrixworld._util.memory import EPISODE_BYTES
+from matrixworld.coevolution.fitness import FITNESS, LEAST_VIRULENCE, SHARING
+from matrixworld.coevolution.learners import (
+    ActorCriticSettings,
+    CmaEsSettings,
+    EvolutionStrategySettings,
+    GeneticAlgorithmSettings,
+    Learner,
+    LearnerSettings,
+)
+from matrixworld.coevolution.learners.actor_critic import orthogonal
+from matrixworld.coevolution.learners.masked_network import (
+    MASKS,
+    FixedWeights,
+    mask_weights,
+    masked_network,
+)
+from matrixworld.coevolution.own_code import LEARNER, CheckedLearner, check_code, check_known, find
+from matrixworld.coevolution.schedules import SCHEDULES, Against, Alternating, HallOfFame
+from matrixworld.coevolution.sections import (
+    OwnSettings,
+    Section,
+    by_path,
+    documented,
+    from_plain,
+    merged,
+    setting,
+    to_plain,
+    unfilled,
+)
+from matrixworld.coevolution.seeding import Purpose, keyed_generator
+from matrixworld.coevolution.types import TEAMS, BoolArray, Genomes, Team
+from matrixworld.world.config import WorldConfig
+from matrixworld.world.policy import Network
+from matrixworld.world.rules import VARIANTS, Capture, Outcome, Rewards
+
+LEAST_MASKED_FOV = 3
+"""A smaller view shows no cell to move to."""
+OVERLAP_PENALTY, OVERLAP_PENALTY_ALONE = 0.2, 0.5
+"""Default overlap penalties where teammates may share a cell: in general, and of evaders that learn
+alone and from untrained genomes."""
+MOST_SEED = 2**63 - 1
+"""Largest seed: the largest integer of 64 bits with a sign."""
+COPIES = 4
+"""Of candidates: samples or parents and children of both teams. Of views: for actor and critic."""
+
+
+@documented
+@dataclass(frozen=True)
+class PolicySettings(Section):
+    """Settings of the policy networks: both teams have one of the same shape."""
+
+    hidden: tuple[int, ...] = setting(
+        (32,), "sizes of the hidden layers", by={"actor-critic": (400, 300)}
+    )
+    activation: str = setting(
+        "relu", "activation of the hidden layers: relu or tanh", choices=("relu", "tanh")
+    )
+    initial_weight: float = setting(
+        0.05, "standard deviation of untrained hidden weights", by={"against pursuer": 0.2}
+    )
+    initial_head: float = setting(
+        0.1, "standard deviation of untrained output weights", by={"against pursuer": 0.09}
+    )
+    mask: str = setting(
+        "none",
+        "moves that a policy never chooses: obstacles (into an obstacle or the border), occupied "
+        "(also to a cell on which it sees an agent), or none",
+        choices=MASKS,
+    )
+
+
+@documented
+@dataclass(frozen=True)
+class FitnessSettings(Section):
+    """What candidates are selected by."""
+
+    measure: str = setting("captured-fraction", f"one of {', '.join(FITNESS)}", choices=FITNESS)
+    overlap_penalty: float | None = setting(
+        None,
+        "penalty of evaders that share a cell; default: 0.2 where teammates may share a cell (0.5 "
+        "for evaders that learn alone from untrained genomes), else 0",
+    )
+    cost_limit: float | None = setting(
+        None,
+        "collisions at fault per 1000 agent-steps; candidates within it rank first; default: no "
+        "limit",
+    )
+    sharing: str = setting(
+        "none", f"fitness sharing over several opponents: {', '.join(SHARING)}", choices=SHARING
+    )
+    pursuer_virulence: float | None = setting(
+        None,
+        "reduced virulence of the pursuers, from 0.5 to 1; default: mean fitness",
+        least=LEAST_VIRULENCE,
+        most=1.0,
+    )
+    evader_virulence: float | None = setting(
+        None,
+        "reduced virulence of the evaders, from 0.5 to 1; default: mean fitness",
+        least=LEAST_VIRULENCE,
+        most=1.0,
+    )
+
+    def check(self) -> None:
+        """Raise ValueError for sharing and virulence together, or of rewards."""
+        given = [name for name in ("pursuer_virulence", "evader_virulence") if getattr(self, name)]
+        if self.sharing != "none" and given:
+            raise ValueError(
+                f"{given[0]}: expected it with sharing 'none' only, got sharing {self.sharing!r}"
+            )
+        if self.sharing != "none":
+            given = ["sharing"]
+        if given and self.measure == "rewards":
+            raise ValueError(f"{given[0]}: expected a measure from 0 to 1, got 'rewards'")
+
+    def virulence(self, team: Team) -> float | None:
+        """Return the reduced virulence of `team`, None for mean fitness."""
+        return self.pursuer_virulence if team == "pursuer" else self.evader_virulence
+
+
+@documented
+@dataclass(frozen=True)
+class OwnLearnerSettings(LearnerSettings):
+    """A learner of your own (see `Learner`)."""
+
+    kind: ClassVar[str] = "own"
+    title: ClassVar[str] = "a learner of your own"
+
+    code: str = setting("", "module:object, or the name of an installed one")
+    settings: OwnSettings = setting(OwnSettings(), "its settings: numbers, text, true or false")
+
+    def check(self) -> None:
+        """Raise ValueError unless a name is given."""
+        check_code("code", self.code)
+
+    @classmethod
+    def named(cls, field: str, text: str, kinds: Collection[str]) -> OwnLearnerSettings:
+        """Return the settings that a text in a field stands for, beside those of other kinds."""
+        check_known(field, text, kinds, LEARNER)
+        return cls(code=text)
+
+    @property
+    def starting_genomes(self) -> int:
+        """The population for a class that starts from `genomes`; imports its code."""
+        return self.population if "genomes" in find(self.code, LEARNER).parameters else 1
+
+    def new(
+        self, run: RaceSettings, team: Team, genomes: Genomes, rng: np.random.Generator
+    ) -> Learner:
+        """Return a new learner of a team; imports its code."""
+        return CheckedLearner(
+            find(self.code, LEARNER),
+            genomes,
+            rng,
+            samples=self.population,
+            epochs=run.schedule.total_epochs(team),
+            settings=self.settings,
+        )
+
+
+@documented
+@dataclass(frozen=True)
+class RaceSettings(Section):
+    """Settings of a run: a race, in which both teams learn, or one team `Against` fixed opponents.
+
+    A text stands for the section of that kind with its defaults, as in ``learner="ga"`` or
+    ``schedule="hall-of-fame"``. A field that is None takes the default that goes with the learner
+    and the schedule. ValueError or TypeError on a bad field.
+    """
+
+    world: WorldConfig = setting(WorldConfig(), "the world; its max_steps are those of evaluation")
+    policy: PolicySettings = setting(PolicySettings(), "the policy networks")
+    learner: (
+        EvolutionStrategySettings
+        | GeneticAlgorithmSettings
+        | CmaEsSettings
+        | ActorCriticSettings
+        | OwnLearnerSettings
+    ) = setting(
+        EvolutionStrategySettings(),
+        "how teams learn: es (evolution strategy), ga (genetic algorithm), cma, actor-critic or "
+        "module:object",
+    )
+    schedule: Alternating | HallOfFame | Against = setting(
+        SCHEDULES["generalist-generalist"], "whom teams meet while they learn, and for how long"
+    )
+    fitness: FitnessSettings = setting(FitnessSettings(), "what candidates are selected by")
+    train_steps: int = setting(
+        200,
+        "maximum steps of a training episode",
+        by={"actor-critic": 500, "against pursuer": 500, "against evader": 300},
+        least=1,
+    )
+    match_episodes: int = setting(1, "episodes of each training match", least=1)
+    evaluation_episodes: int = setting(
+        10, "evaluation episodes of each pair", by={"against": 200}, least=1
+    )
+    seed: int = setting(0, "seed of the run", most=MOST_SEED)
+
+    def check(self) -> None:
+        """Fill in defaults, and raise ValueError unless all sections fit together."""
+        for item in fields(self):
+            value = getattr(self, item.name)
+            if isinstance(value, Section) and (missing := unfilled(value)):
+                values = {each.name: self._usual(each) for each in missing}
+                try:
+                    value = replace(value, **values)
+                except ValueError as error:
+                    raise ValueError(f"{item.name}.{error}") from error
+            object.__setattr__(self, item.name, self._usual(item) if value is None else value)
+        self._check_mask()
+        self._check_idle()
+        self.learner.check_run(self)
+
+    def _usual(self, item: Field[Any]) -> Any:
+        """Return the default of a field with this learner and this schedule."""
+        by: Mapping[str, Any] = item.metadata["by"]
+        conditions = (self.learner.kind, *self.schedule.conditions)
+        return next((by[each] for each in conditions if each in by), item.metadata["default"])
+
+    def _check_mask(self) -> None:
+        mask = self.policy.mask
+        if mask != "none" and self.world.fov < LEAST_MASKED_FOV:
+            raise ValueError(
+                f"world.fov: expected at least {LEAST_MASKED_FOV} with the mask {mask}, got "
+                f"{self.world.fov}"
+            )
+        occupation = self.world.rules.capture is Capture.OCCUPATION
+        if "adversary" in MASKS[mask] and occupation and "pursuer" in self.learning_teams:
+            raise ValueError(
+                f"policy.mask: expected obstacles or none where pursuers capture by entering cells "
+                f"of evaders, got {mask!r}"
+            )
+
+    def _check_idle(self) -> None:
+        """Raise ValueError for a value without effect where another section is the reason."""
+        learner, gradients = self.learner.kind, self.learner.by_gradients
+        no_layers = not self.policy.hidden
+        started = isinstance(self.schedule, Against) and self.schedule.start is not None
+        shared = self.world.rules.teammate is Outcome.REACH
+        rewarded = gradients or self.fitness.measure == "rewards"
+        rows = (
+            ("policy", "activation", no_layers, "without hidden layers"),
+            ("policy", "initial_weight", no_layers, "without hidden layers"),
+            ("policy", "initial_weight", gradients, f"with {learner}"),
+            ("policy", "initial_weight", started, "with a genome to start from"),
+            ("policy", "initial_head", started, "with a genome to start from"),
+            ("policy", "mask", not self.learner.keeps_fixed_genes, f"with {learner}"),
+            ("fitness", "sharing", self.schedule.opponents_met < 2, "with one opponent an epoch"),
+            ("fitness", "overlap_penalty", not shared, "where teammates cannot share a cell"),
+            ("fitness", "overlap_penalty", "evader" not in self.learning_teams, "of pursuers"),
+            *(
+                ("fitness", each.name, gradients, f"with {learner}")
+                for each in fields(self.fitness)
+            ),
+        )
+        for section, name, idle, why in rows:
+            part = getattr(self, section)
+            item = next(each for each in fields(part) if each.name == name)
+            value, usual = getattr(part, name), self._usual(item)
+            # Settings that were made from others may have the default of these.
+            if idle and value not in (
+                usual,
+                item.metadata["default"],
+                *item.metadata["by"].values(),
+            ):
+                expected = "no value" if usual is None else f"{usual!r}, the default"
+                raise ValueError(
+                    f"{section}.{name}: expected {expected}, got {value!r}; it has no effect {why}"
+                )
+        if not rewarded and self.world.rewards != Rewards():
+            raise ValueError(
+                f"world.rewards: expected the default rewards, got {self.world.rewards}; others "
+                f"have an effect only with the fitness rewards or the learner actor-critic"
+            )
+
+    # What follows from the settings:
+
+    @property
+    def is_race(self) -> bool:
+        """Whether both teams learn."""
+        return not isinstance(self.schedule, Against)
+
+    @property
+    def variant(self) -> str:
+        """Name of the variant whose rules these are, or "own-rules"."""
+        names = (name for name, rules in VARIANTS.items() if rules == self.world.rules)
+        return next(names, "own-rules")
+
+    @property
+    def learning_teams(self) -> tuple[Team, ...]:
+        """Teams that learn."""
+        return self.schedule.learning_teams
+
+    @property
+    def training_world(self) -> WorldConfig:
+        """The world, with episodes of `train_steps`."""
+        return replace(self.world, max_steps=self.train_steps)
+
+    @property
+    def network(self) -> Network:
+        """The policy network of a learning team, with its mask."""
+        policy = self.policy
+        network = Network.for_config(self.world, hidden=policy.hidden, activation=policy.activation)
+        return masked_network(network, policy.mask)
+
+    @property
+    def overlap_penalty(self) -> float:
+        """The overlap penalty, with the default filled in."""
+        if self.fitness.overlap_penalty is not None:
+            return self.fitness.overlap_penalty
+        # Without a penalty, evaders that may share a cell gather in one corner.
+        if self.world.rules.teammate is not Outcome.REACH or self.fitness.measure == "rewards":
+            return 0.0
+        alone = isinstance(self.schedule, Against) and self.schedule.start is None
+        return OVERLAP_PENALTY_ALONE if alone else OVERLAP_PENALTY
+
+    def mask_weights(self, team: Team) -> FixedWeights | None:
+        """Return the weights of the mask of a team's network, None without a mask."""
+        return mask_weights(self.network, self.policy.mask, team)
+
+    def fixed_genes(self, team: Team) -> BoolArray | None:
+        """Return which genes (genes,) of a team no learner changes, None for none."""
+        weights = self.mask_weights(team)
+        return None if weights is None else weights.fixed
+
+    def untrained(self, team: Team, count: int) -> Genomes:
+        """Return the first `count` untrained genomes (count, genes) of a team."""
+        rng = keyed_generator(self.seed, Purpose.INITIAL, TEAMS.index(team))
+        weight, head = self.policy.initial_weight, self.policy.initial_head
+        if self.learner.by_gradients:
+            # Gradients vanish or explode from other beginnings.
+            sizes = self.network.sizes
+            return np.stack([orthogonal(sizes, rng, head=head) for _ in range(count)])
+        # One after the other from one generator: the first genomes do not depend on `count`.
+        return np.stack([self.network.initial(rng, weight=weight, head=head) for _ in range(count)])
+
+    def new_learner(self, team: Team, genomes: Genomes) -> Learner:
+        """Return a new learner of a team, from `learner.starting_genomes` genomes (n, genes).
+
+        Raises ValueError if own code cannot be imported or refuses its settings, PluginError if it
+        fails.
+        """
+        # The table is filled again from the same key when a run resumes, so no checkpoint holds it.
+        rng = keyed_generator(self.seed, Purpose.NOISE, TEAMS.index(team))
+        mask = self.mask_weights(team)
+        start = genomes if mask is None else mask.write(genomes)
+        return self.learner.new(self, team, start, rng)
+
+    def changed(self, changes: Mapping[str, Any]) -> RaceSettings:
+        """Return the settings with other values by their paths.
+
+        Parameters
+        ----------
+        changes : mapping of str to object
+            New values, such as ``{"learner.sigma": 0.2}``. A section of another kind starts from
+            its defaults.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a path is unknown or has a bad value.
+
+        Examples
+        --------
+        >>> from matrixworld.coevolution import RaceSettings
+        >>> settings = RaceSettings().changed({"learner": "ga", "schedule.generations": 5})
+        >>> settings.learner.kind, settings.schedule.generations
+        ('ga', 5)
+        """
+        return self.from_json(
+            merged(RaceSettings, self.to_json(), by_path(changes)), complete=False
+        )
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any]) -> RaceSettings:
+        """Return settings from values by their paths, such as ``{"learner.sigma": 0.2}``.
+
+        All other settings have their defaults. TypeError or ValueError as in `changed`.
+        """
+        return cls.from_json(by_path(values), complete=False)
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the settings as values that JSON can hold."""
+        plain: dict[str, Any] = to_plain(self)
+        return plain
+
+    @classmethod
+    def from_json(cls, plain: Mapping[str, Any], *, complete: bool = True) -> RaceSettings:
+        """Return settings from what `to_json` returned.
+
+        Parameters
+        ----------
+        plain : mapping of str to object
+            The settings. Learners and samplers of one's own are named only, and not imported.
+        complete : bool, optional
+            Whether all settings must be there. Otherwise those that are missing have their
+            defaults, and rules and rewards may be given by name.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a setting is missing, unknown or has a bad value; the message begins with its path.
+        """
+        return from_plain(cls, plain, complete=complete)
+
+
+def run_memory(settings: RaceSettings) -> dict[str, int]:
+    """Return the bytes of a run's largest arrays, by what they hold."""
+    schedule, population = settings.schedule, settings.learner.population
+    genome, teams = 4 * settings.network.genome_size, len(settings.learning_teams)
+    # Both teams of a hall-of-fame race meet each other and their own samples of the archive.
+    extra = schedule.hall_sample if isinstance(schedule, HallOfFame) else 0
+    episodes = population * (schedule.opponents_met + extra) * settings.match_episodes
+    pairs = schedule.entries**2 if settings.is_race else 1
+    needed = {
+        "candidates": COPIES * population * genome,
+        "archive": teams * schedule.entries * genome,
+        "episodes": EPISODE_BYTES * max(episodes, pairs * settings.evaluation_episodes),
+    }
+    if settings.learner.by_gradients:
+        agents = max(settings.world.n_pursuers, settings.world.n_evaders)
+        transitions = episodes * settings.train_steps * agents
+        needed["views"] = COPIES * transitions * settings.network.sizes[0]
+    return needed

@@ -1,0 +1,359 @@
+"""Settings: defaults, what is refused, what has no effect, and settings as JSON."""
+
+from __future__ import annotations
+
+import json
+import pickle
+from dataclasses import fields, replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import matrixworld as mw
+from matrixworld.coevolution import (
+    ActorCriticSettings,
+    Against,
+    Alternating,
+    DrawnOpponents,
+    EvolutionStrategySettings,
+    FitnessSettings,
+    HallOfFame,
+    RaceSettings,
+)
+from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS
+from matrixworld.coevolution.sections import different_settings, hints_of, leaves, sections_in
+from matrixworld.coevolution.settings import MOST_SEED
+from tiny_race import settings_of, tiny_race, tiny_single
+
+LEARNERS = ("es", "ga", "cma", "actor-critic")
+SMALL = {"world.fov": 5, "policy.hidden": ()}
+
+
+# Defaults
+
+
+def test_defaults_are_those_that_were_seen_to_work():
+    settings = RaceSettings()
+    assert isinstance(settings.schedule, Alternating)
+    assert settings.schedule.name == "generalist-generalist"
+    epochs = settings.schedule.pursuer_epochs, settings.schedule.evader_epochs
+    assert (settings.schedule.generations, *epochs) == (30, 60, 120)
+    assert settings.schedule.total_epochs("evader") == 3600
+    assert (settings.learner.kind, settings.learner.population) == ("es", 48)
+    assert (settings.world.max_steps, settings.training_world.max_steps) == (500, 200)
+    assert settings.overlap_penalty == 0.2
+    assert settings.network.genome_size == 363 * 32 + 32 + 32 * 5 + 5
+
+
+@pytest.mark.parametrize("schedule", ALL_SCHEDULES)
+def test_population_depends_on_the_schedule(schedule):
+    expected = 24 if schedule == "hall-of-fame" else 48
+    assert RaceSettings(schedule=schedule).learner.population == expected
+    six = RaceSettings.of({"schedule": schedule, "learner.population": 6})
+    assert six.learner.population == 6
+
+
+@pytest.mark.parametrize(
+    ("team", "epochs", "steps", "sigma", "weights"),
+    [("pursuer", 6000, 500, 0.15, (0.2, 0.09)), ("evader", 4000, 300, 0.1, (0.05, 0.1))],
+)
+def test_defaults_of_a_team_alone(team, epochs, steps, sigma, weights):
+    settings = RaceSettings(schedule=Against(team=team))
+    assert settings.learning_teams == (team,)
+    assert not settings.is_race
+    assert (settings.schedule.epochs, settings.train_steps) == (epochs, steps)
+    learner, policy = settings.learner, settings.policy
+    assert (learner.sigma, learner.population, learner.anneal) == (sigma, 128, True)
+    assert (policy.initial_weight, policy.initial_head) == weights
+    assert settings.evaluation_episodes == 200
+    assert settings.overlap_penalty == 0.5
+
+
+def test_defaults_of_the_actor_critic_are_those_of_the_published_code():
+    settings = RaceSettings(learner="actor-critic")
+    assert (settings.learner.population, settings.train_steps) == (1, 500)
+    assert settings.policy.hidden == (400, 300)
+    assert settings.schedule.pursuer_epochs == settings.schedule.evader_epochs == 400
+    assert (
+        RaceSettings(learner="actor-critic", schedule="hall-of-fame").schedule.joint_epochs == 400
+    )
+    alone = RaceSettings(learner="actor-critic", schedule=Against(team="evader"))
+    assert (alone.schedule.epochs, alone.train_steps) == (1200, 500)
+
+
+def test_overlap_is_penalised_where_teammates_may_share_a_cell():
+    assert settings_of(rules="SB").overlap_penalty == 0.0
+    assert settings_of(measure="rewards").overlap_penalty == 0.0
+    assert settings_of(rules="S", overlap_penalty=0.5).overlap_penalty == 0.5
+    started = RaceSettings(schedule=Against(team="evader", start="a-run"))
+    assert started.overlap_penalty == 0.2
+
+
+def test_a_text_stands_for_a_section():
+    assert (
+        RaceSettings(schedule="hall-of-fame").schedule
+        == RaceSettings(schedule=HallOfFame()).schedule
+    )
+    alternating = Alternating(pursuers_meet="latest", evaders_meet="round-robin")
+    assert alternating.pursuers_meet == DrawnOpponents(rule="latest")
+    assert RaceSettings(schedule="alternating").schedule.evaders_meet == DrawnOpponents()
+
+
+# Refusals
+
+
+@pytest.mark.parametrize(
+    ("changes", "error", "message"),
+    [
+        ({"schedule": "generalist"}, ValueError, "schedule: expected one of alternating, special"),
+        ({"schedule.generations": 0}, ValueError, "schedule.generations: expected at least 1, got"),
+        ({"schedule.generations": 2.5}, TypeError, "schedule.generations: expected an integer, g"),
+        ({"schedule.pursuer_epochs": 0}, ValueError, "schedule.pursuer_epochs"),
+        ({"learner.population": 7}, ValueError, "learner.population: expected an even number for"),
+        ({"learner.population": 0}, ValueError, "learner.population: expected at least 2, got 0"),
+        ({"learner.sigma": 0.0}, ValueError, "learner.sigma: expected a number above 0"),
+        ({"learner.learning_rate": float("nan")}, ValueError, "learner.learning_rate"),
+        ({"learner.learning_rate": "fast"}, TypeError, "learner.learning_rate: expected a number"),
+        ({"learner": "sgd"}, ValueError, "learner: expected one of es, ga, cma, actor-critic, or"),
+        ({"learner": "cma"}, ValueError, "learner: expected at most 1000 genes .* got 11813"),
+        ({"learner.momentum": 1.0}, ValueError, "learner.momentum: expected"),
+        (
+            {"learner": "ga", "learner.elites": 48},
+            ValueError,
+            "learner.elites: expected fewer than 48",
+        ),
+        (
+            {"learner": "ga", "learner.truncation": 0.5, "learner.tournament": 3},
+            ValueError,
+            "learner.tournament: expected no value beside truncation",
+        ),
+        ({"learner.mutation": 0.1}, ValueError, "learner.mutation: expected one of the settings"),
+        (
+            {"schedule": "hall-of-fame", "schedule.contemporaries": 0, "schedule.hall_sample": 0},
+            ValueError,
+            "schedule.contemporaries and hall_sample: expected at least 1",
+        ),
+        ({"schedule.evaders_meet": "all"}, ValueError, "schedule.evaders_meet: expected one of d"),
+        ({"schedule.opponents": 0}, ValueError, "schedule.opponents: expected at least 1, got 0"),
+        (
+            {"schedule.pursuers_meet": "maxsolve", "schedule.pursuers_meet.size": 0},
+            ValueError,
+            "schedule.pursuers_meet.size: expected at least 1, got 0",
+        ),
+        (
+            {"schedule.pursuers_meet": "ipca", "schedule.pursuers_meet.size": 3},
+            ValueError,
+            "schedule.pursuers_meet.size: expected no value with ipca",
+        ),
+        ({"fitness.sharing": "fair"}, ValueError, "fitness.sharing: expected one of none, compet"),
+        ({"fitness.evader_virulence": 0.4}, ValueError, "fitness.evader_virulence: expected a nu"),
+        ({"fitness.measure": "style"}, ValueError, "fitness.measure: expected one of captured-fr"),
+        (
+            {"fitness.sharing": "competitive", "fitness.measure": "rewards"},
+            ValueError,
+            "fitness.sharing: expected a measure from 0 to 1",
+        ),
+        (
+            {"fitness.sharing": "competitive", "fitness.pursuer_virulence": 0.9},
+            ValueError,
+            "fitness.pursuer_virulence: expected it with sharing .none. only",
+        ),
+        ({"world.rules": "X"}, ValueError, "world.variant: expected one of"),
+        ({"world.fov": 4}, ValueError, "world.fov"),
+        ({"world.rows": 2, "world.cols": 2}, ValueError, "world.n_"),
+        ({"world.predators": 2}, ValueError, "world.predators: expected one of the settings rules"),
+        ({"world": "O"}, TypeError, "world: expected a matrixworld.WorldConfig, got 'O'"),
+        ({"policy.hidden": (0,)}, ValueError, "policy.hidden"),
+        ({"policy.hidden": "32"}, TypeError, "policy.hidden: expected a sequence of ints"),
+        ({"policy.activation": "sine"}, ValueError, "policy.activation: expected one of relu, ta"),
+        ({"policy": 3}, TypeError, "policy: expected PolicySettings, got 3"),
+        ({"seed": -1}, ValueError, "seed: expected 0 to 9223372036854775807, got -1"),
+        ({"seed": MOST_SEED + 1}, ValueError, "seed: expected 0 to"),
+        ({"learner.anneal": 1}, TypeError, "learner.anneal: expected True or False, got 1"),
+        ({"train_steps": 0}, ValueError, "train_steps"),
+        ({"policy.initial_head": -0.1}, ValueError, "policy.initial_head"),
+        ({"sigma": 0.1}, ValueError, "sigma: expected one of the settings world, policy"),
+        ({"schedule": "against", "schedule.team": "prey"}, ValueError, "schedule.team: expected o"),
+        ({"schedule": "against", "schedule.opponent": 3}, TypeError, "schedule.opponent: expected"),
+        (
+            {"learner": "actor-critic", "world.rules": "TO"},
+            ValueError,
+            "world.rules: expected agents that act at the same time",
+        ),
+        (
+            {"learner": "actor-critic", "learner.cost_rate": 0.1},
+            ValueError,
+            "learner.cost_rate: expected no value without cost_limit",
+        ),
+    ],
+)
+def test_bad_settings_are_refused(changes, error, message):
+    with pytest.raises(error, match=f"^{message}"):
+        RaceSettings.of(changes)
+
+
+@pytest.mark.parametrize(
+    ("changes", "path"),
+    [
+        ({"policy.hidden": (), "policy.activation": "tanh"}, "policy.activation"),
+        ({"policy.hidden": (), "policy.initial_weight": 0.3}, "policy.initial_weight"),
+        ({"learner": "actor-critic", "policy.initial_weight": 0.3}, "policy.initial_weight"),
+        ({"learner": "actor-critic", "fitness.measure": "rewards"}, "fitness.measure"),
+        ({**SMALL, "learner": "cma", "policy.mask": "obstacles"}, "policy.mask"),
+        ({"learner": "own_code:HillClimber", "policy.mask": "obstacles"}, "policy.mask"),
+        ({"fitness.sharing": "competitive"}, "fitness.sharing"),
+        ({"world.rules": "SB", "fitness.overlap_penalty": 0.3}, "fitness.overlap_penalty"),
+        ({"schedule": "against", "fitness.overlap_penalty": 0.3}, "fitness.overlap_penalty"),
+        ({"world.rewards": "published"}, "world.rewards"),
+        ({"learner": "ga", "learner.elites": 1, "learner.elite_episodes": 2}, "learner.elite_epi"),
+        (
+            {"schedule": "against", "schedule.start": "run", "policy.initial_head": 0.3},
+            "policy.initial_head",
+        ),
+        (
+            {
+                "schedule": "hall-of-fame",
+                "schedule.hall_sample": 0,
+                "schedule.evaders_meet": "ipca",
+            },
+            "schedule.evaders_meet",
+        ),
+    ],
+)
+def test_what_has_no_effect_beside_other_sections_is_refused(changes, path):
+    with pytest.raises(ValueError, match=f"^{path}.*: expected"):
+        RaceSettings.of(changes)
+
+
+@pytest.mark.parametrize("path", ["learner.cost_limit", "fitness.cost_limit"])
+def test_negative_limits_are_refused(path):
+    learner = {"learner": "actor-critic"} if path.startswith("learner") else {}
+    with pytest.raises(ValueError, match=f"^{path}: expected a number at least 0, got -1"):
+        RaceSettings.of({**learner, path: -1.0})
+
+
+def test_masks_need_a_view_and_a_capture_that_they_do_not_forbid():
+    with pytest.raises(ValueError, match="world.fov: expected at least 3 with the mask obstacles"):
+        RaceSettings.of({"world.fov": 1, "policy.mask": "obstacles"})
+    with pytest.raises(ValueError, match="policy.mask: expected obstacles or none where pursuers"):
+        RaceSettings.of({"policy.mask": "occupied"})
+
+
+# Each setting has an effect: a value of every kind of field, in a run that reads it
+
+
+@pytest.mark.parametrize("name", SAMPLERS)
+def test_every_sampler_can_be_named(name):
+    settings = tiny_race(schedule="alternating", pursuers_meet=name, opponents=2)
+    sampler = settings.schedule.new_sampler("pursuer")
+    assert 1 <= len(sampler.sample(3, 0, np.random.default_rng(0))) <= 2
+
+
+@pytest.mark.parametrize(("name", "count"), [("es", 1), ("ga", 4), ("cma", 1)])
+def test_new_learner(name, count):
+    settings = tiny_race(learner=name, hidden=())
+    assert settings.learner.starting_genomes == count
+    genomes = settings.untrained("evader", count)
+    learner = settings.new_learner("evader", genomes)
+    assert np.array_equal(learner.genome, genomes[0])
+    assert learner.ask(np.random.default_rng(0)).shape == (4, settings.network.genome_size)
+
+
+# JSON
+
+EVERY = [
+    *(tiny_race(schedule=name) for name in ALL_SCHEDULES),
+    *(tiny_race(learner=name, hidden=()) for name in LEARNERS),
+    tiny_single(team="evader", opponent="chaser"),
+    tiny_race(schedule="alternating", pursuers_meet="lapca", evaders_meet="own_code:Hardest"),
+    tiny_race(learner="own_code:HillClimber"),
+    tiny_race(rules=mw.Rules(evader=mw.Outcome.REACH), obstacles=0.1, diagonal=True),
+    tiny_race(rows=6, cols=6, obstacles=np.eye(6, dtype=bool)),
+    RaceSettings(learner=EvolutionStrategySettings(sigma=1 / 3, momentum=0.9)),
+    tiny_race(measure="rewards", rewards="published"),
+]
+
+
+@pytest.mark.parametrize("settings", EVERY, ids=range(len(EVERY)))
+def test_settings_are_compared_hashed_pickled_and_saved(settings):
+    plain = json.loads(json.dumps(settings.to_json()))
+    for same in (
+        RaceSettings.from_json(plain),
+        settings.changed({}),
+        pickle.loads(pickle.dumps(settings)),  # noqa: S301
+        replace(settings, seed=settings.seed),
+    ):
+        assert same == settings
+        assert hash(same) == hash(settings)
+        assert same.to_json() == plain
+    assert replace(settings, seed=6) != settings
+    assert different_settings(settings, replace(settings, seed=6)) == ["seed"]
+
+
+def _paths(plain: dict[str, Any], path: str = "") -> list[str]:
+    found = []
+    for name, value in plain.items():
+        found.append(f"{path}{name}")
+        # The rules and the rewards of a world are checked as a whole.
+        if isinstance(value, dict) and not path.startswith("world"):
+            found += _paths(value, f"{path}{name}.")
+    return found
+
+
+def test_files_need_every_setting_and_no_other():
+    settings = tiny_race(schedule="hall-of-fame", pursuers_meet="maxsolve")
+    paths = _paths(settings.to_json())
+    assert len(paths) > 40
+    for path in paths:
+        plain = settings.to_json()
+        *parents, name = path.split(".")
+        inside = plain
+        for parent in parents:
+            inside = inside[parent]
+        del inside[name]
+        # A world says which of its fields it expects.
+        where = "config" if path.startswith("world.") else path
+        with pytest.raises(ValueError, match=f"^{where}: expected"):
+            RaceSettings.from_json(plain)
+        inside[name] = settings.to_json()
+        inside["speed"] = 1
+        with pytest.raises((TypeError, ValueError), match="expected"):
+            RaceSettings.from_json(plain)
+
+
+def test_names_in_files_are_data():
+    settings = tiny_race(learner="own_code:HillClimber")
+    plain = settings.to_json()
+    plain["learner"]["code"] = "annealing"
+    read = RaceSettings.from_json(plain)
+    assert read.learner.code == "annealing"
+    assert replace(read, seed=9).learner == read.learner
+    with pytest.raises(ValueError, match="^learner: expected .*'annealing'; install the package"):
+        read.new_learner("pursuer", read.untrained("pursuer", 1))
+
+
+def test_a_change_keeps_what_the_kind_of_section_still_has():
+    settings = RaceSettings.of({"schedule.generations": 7, "learner.sigma": 0.3})
+    mixed = settings.changed({"schedule": "generalist-specialist", "schedule.evader_epochs": 3})
+    assert mixed.schedule.name == "generalist-specialist"
+    assert (mixed.schedule.generations, mixed.schedule.evader_epochs) == (7, 3)
+    assert mixed.learner == settings.learner
+    other = settings.changed({"schedule": "hall-of-fame", "learner": "ga"})
+    assert (other.schedule.generations, other.learner.kind) == (30, "ga")
+    worlds = settings.changed({"world.rules": "SB", "world.rewards.evader_step": 0.5,
+                               "fitness.measure": "rewards"})  # fmt: skip
+    assert worlds.world.rules == mw.VARIANTS["SB"]
+    assert worlds.world.rewards == mw.Rewards(evader_step=0.5)
+
+
+def test_every_setting_has_a_help_text():
+    for settings in EVERY:
+        assert all(leaf.help for leaf in leaves(settings))
+    for kinds in map(sections_in, hints_of(RaceSettings).values()):
+        for cls in kinds.values():
+            assert all(item.metadata["help"] in cls.__doc__ for item in fields(cls))
+
+
+def test_settings_of_gradients_have_their_own_limit():
+    assert RaceSettings(learner=ActorCriticSettings(cost_limit=5.0)).fitness == FitnessSettings()
