@@ -178,7 +178,7 @@ BAD = [
     (["--seconds", "nan"], "'--seconds': expected a number above 0, at most 3600, got nan"),
     (["--threads", "0"], "0 is not in the range 1<=x<=1024"),
     (["--hidden", "4,x"], "expected sizes such as 32 or 64,64, or none, got '4,x'"),
-    (["--hidden", "0"], "--hidden: expected"),
+    (["--hidden", "0"], "hidden: expected at least 1, got 0"),
     (["--rows", "1", "--cols", "3"], "--n-pursuers: expected 1 to 3, got 8"),
     (["--fov", "4"], "--fov: expected"),
     (["--obstacles", "no.map"], "expected a density in [0, 1) or a .map file, got 'no.map'"),
