@@ -373,9 +373,9 @@ def test_processes_that_cannot_start_end_the_job(tmp_path):
     """Such as those of a script that plays a job whenever it is imported."""
     (tmp_path / "script.py").write_text(
         "import sys\n"
-        "from matrixworld.coevolution import RaceSettings, evolve\n"
-        "settings = [RaceSettings(generations=1, seed=seed) for seed in range(2)]\n"
-        "evolve(settings, sys.argv[1], threads=2)\n"
+        "from matrixworld.coevolution import evolve\n"
+        "from tiny_race import tiny_race\n"
+        "evolve([tiny_race(seed=seed) for seed in range(2)], sys.argv[1], threads=2)\n"
     )
     done = subprocess.run(
         [sys.executable, tmp_path / "script.py", tmp_path / "job"],

@@ -79,10 +79,10 @@ def test_workers_end_with_the_main_process_even_if_it_is_killed(tmp_path):
 
 LIMITED = """
 import resource, sys
-from matrixworld.coevolution import RaceSettings, evolve
+from matrixworld.coevolution import evolve
+from tiny_race import tiny_race
 if __name__ == "__main__":
-    small = dict(rows=6, cols=6, pursuers=2, evaders=2, generations=1, population=4)
-    settings = [RaceSettings(seed=seed, **small) for seed in range(2)]
+    settings = [tiny_race(seed=seed) for seed in range(2)]
     resource.setrlimit(resource.RLIMIT_NOFILE, (int(sys.argv[1]),) * 2)
     try:
         evolve(settings, sys.argv[2], threads=2)
