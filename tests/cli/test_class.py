@@ -14,7 +14,7 @@ from matrixworld.classroom import load_genome
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.storage.saved_run import run_directories
 
-WORLD = ("--rows", 8, "--cols", 8, "--pursuers", 2, "--evaders", 2, "--steps", 5, "--no-open")
+WORLD = ("--rows", 8, "--cols", 8, "--n-pursuers", 2, "--n-evaders", 2, "--steps", 5, "--no-open")
 
 
 @pytest.fixture
@@ -56,7 +56,7 @@ def test_the_page_is_the_same_each_time_and_not_replaced_unasked(
     [
         (("--variant", "X"), "--variant: expected one of"),
         (("--fov", 4), "--fov"),
-        (("--pursuers", 0), "--pursuers"),
+        (("--n-pursuers", 0), "--n-pursuers"),
         (("--seconds", 0), "--seconds: expected 1 to 3600, got 0"),
         (("--wait", "nan"), "--wait: expected a number above 0"),
         (("--memory", 1), "--memory: expected 16 to 1048576, got 1"),

@@ -16,15 +16,14 @@ from matrixworld.cli import main
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.settings import MOST_SEED
 
-DIFFERENT = {"--hidden", "--episodes", "--explain", "--each", "--out"} | {
-    *("--rows", "--cols", "--pursuers", "--evaders", "--steps", "--seconds", "--team"),
+DIFFERENT = {"--episodes", "--explain", "--each", "--out"} | {
+    *("--rows", "--cols", "--n-pursuers", "--n-evaders", "--steps", "--seconds", "--team"),
     "--generation",
 }
-"""Options that differ between commands: `evolve` takes one network, `bench` measures several;
-`tournament` plays episodes, `judge` has to be told how many there were; `judge` explains a
-judgement, `replay` the steps of an episode; `--each` judges or draws each run; `--out` has another
-file by default. `class` plays small and short games by default, and limits the seconds of programs;
-`class export` has to be told a team, and takes one generation."""
+"""Options that differ between commands: `tournament` plays episodes, `judge` has to be told how
+many there were; `judge` explains a judgement, `replay` the steps; `--each` judges or draws
+each run; `--out` has another file by default. `class` plays small and short games by default, and
+limits the seconds of programs; `class export` has to be told a team, and takes one generation."""
 
 BENCH = ["--rows", 7, "--cols", 6, "--n-pursuers", 2, "--n-evaders", 3, "--fov", 5]
 

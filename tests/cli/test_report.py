@@ -168,7 +168,7 @@ def test_a_job_of_which_nothing_is_finished_says_so(capsys):
 def test_races_of_one_generation_are_reported(capsys):
     for seed in (0, 1):
         settings = tiny_race(seed=seed, generations=1)
-        start(settings, f"short/{settings.schedule}/seed-{seed}", threads=1).run()
+        start(settings, f"short/{settings.schedule.name}/seed-{seed}", threads=1).run()
     root = Path("short")
     results = [open_result(path) for path in sorted(root.glob("*/seed-*"))]
     report(job_of([each.settings for each in results]), results, root, {}, threads=1)

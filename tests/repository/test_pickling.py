@@ -31,7 +31,10 @@ from tiny_race import results, tiny_race, tiny_single
 INTERFACE = "an interface or a base class, which has no instances"
 NOT_COPIED = {
     "Archive": INTERFACE,
+    "ActorCritic": "needs PyTorch",
+    "GradientLearner": INTERFACE,
     "Learner": INTERFACE,
+    "LearnerSettings": INTERFACE,
     "OpponentSampler": INTERFACE,
     "Optimizer": INTERFACE,
     "Run": INTERFACE,
@@ -231,9 +234,17 @@ def _of_learning() -> Iterator[Any]:
         individual.fitness.values = (float(number),)
     yield candidates
     yield coevolution.SCHEDULES
+    race = coevolution.RaceSettings()
+    yield from (race.policy, race.fitness, race.learner, race.schedule, race.schedule.evaders_meet)
+    yield from (coevolution.Against(), coevolution.HallOfFame(), coevolution.ArchivedOpponents())
+    yield from (coevolution.CmaEsSettings(), coevolution.GeneticAlgorithmSettings())
+    yield coevolution.ActorCriticSettings()
+    own = {"code": "mine:Mine"}
+    yield from (coevolution.OwnOpponents(**own), coevolution.OwnLearnerSettings(**own))
     yield [sampler(2) for sampler in coevolution.schedules.DRAWN.values()]
     yield [archive(3) for archive in coevolution.schedules.ARCHIVES.values()]
     yield from (opponents.MaxSolve(3), opponents.IPCA(), opponents.LAPCA(3))
+    yield opponents.ArchiveSampler(opponents.MaxSolve(3))
     yield opponents.Generalist(np.zeros(3, np.intp), sample_size=3)
 
 

@@ -98,8 +98,8 @@ def class_command() -> None:
 @world_options("variant", "obstacles", "fov", "diagonal")
 @_world("--rows", type=int, metavar="INTEGER", help=f"rows of the grid  {SIZE_DEFAULT}")
 @_world("--cols", type=int, metavar="INTEGER", help=f"columns of the grid  {SIZE_DEFAULT}")
-@_world("--pursuers", default=4, type=int, metavar="INTEGER", help="number of pursuers")
-@_world("--evaders", default=4, type=int, metavar="INTEGER", help="number of evaders")
+@_world("--n-pursuers", default=4, type=int, metavar="INTEGER", help="number of pursuers")
+@_world("--n-evaders", default=4, type=int, metavar="INTEGER", help="number of evaders")
 @_world("--steps", default=100, type=int, metavar="INTEGER", help="most steps of an episode")
 @_limit("--seconds", type=int, help="processor time of a match, in seconds")
 @_limit("--wait", type=float, help="time by the clock of one answer, in seconds")
@@ -163,7 +163,7 @@ def play_command(
 def _checked(options: dict[str, Any]) -> tuple[WorldConfig, Limits]:
     """Return the world and the limits that the options ask for."""
     limits = {name: options.pop(name) for name in ("seconds", "wait", "in_all", "memory")}
-    names = {"pursuers": "n_pursuers", "evaders": "n_evaders", "steps": "max_steps"}
+    names = {"steps": "max_steps"}
     variant = options.pop("variant") or VARIANT
     # What is not given has the default of a world; the size of the grid may be that of a map.
     settings = {names.get(name, name): each for name, each in options.items() if each is not None}

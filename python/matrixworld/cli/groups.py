@@ -220,9 +220,12 @@ def _resume(path: Path) -> str:
 
 def grouped(runs: Iterable[Result], episodes: int | None = None) -> list[Group]:
     """Return runs, finished or not, in groups that differ in their seed only."""
-    found: dict[RaceSettings, list[Result]] = {}
+    found: dict[tuple[RaceSettings, float], list[Result]] = {}
     for run in runs:
-        found.setdefault(replace(run.settings, seed=0), []).append(run)
+        # A penalty that is given by its default value makes no difference.
+        settings, usual = run.settings, replace(run.settings.fitness, overlap_penalty=None)
+        key = replace(settings, seed=0, fitness=usual), settings.overlap_penalty
+        found.setdefault(key, []).append(run)
     return [_group(members, episodes) for members in found.values()]
 
 

@@ -50,6 +50,7 @@ INTEGER = {"type": int, "metavar": "INTEGER"}
 PATHS = {
     "variant": "world.rules",
     **{name: f"world.{name}" for name in WORLD_HELP if name not in ("rules", "rewards")},
+    "hidden": "policy.hidden",
     "learner": "learner",
     "generations": "schedule.generations",
     "against": "schedule.opponent",
@@ -338,7 +339,7 @@ def option_of(path: str, value: Any) -> str:
     """Return the option of ``evolve`` that sets a setting to a value."""
     text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
     names = {setting: name for name, setting in PATHS.items()} | {"schedule": "schedule"}
-    named = path in names and names[path] not in ("obstacles", "fov", "diagonal")
+    named = path in names and names[path] not in ("obstacles", "fov", "diagonal", "hidden")
     return f"{option_name(names[path])} {text}" if named else f"--set {path}={text}"
 
 
