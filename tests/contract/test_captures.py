@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import warnings
 from itertools import product
+from pathlib import Path
 
 import pytest
 
@@ -313,3 +314,6 @@ def test_a_row_that_captures_nobody_warns(adversary: str, capture: str) -> None:
         warnings.simplefilter("always")
         mw.WorldConfig(rules(adversary=adversary, capture=capture))
     assert bool(seen) != can_capture
+    for warning in seen:
+        assert "never capture" in str(warning.message)
+        assert Path(warning.filename) == Path(__file__)  # the line that made the configuration

@@ -11,9 +11,7 @@ from pettingzoo.utils.conversions import aec_to_parallel
 
 import matrixworld as mw
 from matrixworld.envs import raw_aec_env
-from rows import CUSTOM, config_of, random_actions
-
-NAMES = [*mw.VARIANTS, *CUSTOM]
+from rows import NAMES, config_of, random_actions
 
 
 def play(env: Any, rows: np.ndarray) -> tuple[dict[str, float], list[str]]:

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import copy
-import io
 import pickle
-from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
@@ -16,21 +14,11 @@ import matrixworld as mw
 from matrixworld import _core
 from matrixworld.coevolution import TEAMS, held_out, open_run, start
 from matrixworld.coevolution.types import other
-from pettingzoo_tests import api_test, parallel_api_test, parallel_seed_test, seed_test
-from rows import CUSTOM, config_of
+from rows import CUSTOM, config_of, random_team
 from tiny_race import tiny_race
 
 TOGETHER = ["D", "R", "S", "SDB", "wall-R"]
 IN_TURNS = ["TO", "swarm-D", "swarm-SD", "agents-R", "agents-S"]
-
-
-def genome_of(config: mw.WorldConfig, seed: int, **fields: Any) -> mw.Population:
-    network = mw.Network.for_config(config, (6,), **fields)
-    return mw.Population(network.initial(np.random.default_rng(seed), 0.5, 1.0), network)
-
-
-def built_in(team: str, policy: Any) -> dict[str, Any]:
-    return {f"{team}s": policy}
 
 
 def chosen(env: Any, policy: Any, agents: list[str]) -> dict[str, int]:
@@ -79,11 +67,11 @@ def test_a_parallel_episode_is_the_engine_s(name: str, team: str) -> None:
         [
             ("random", "chaser"),
             ("clumsy-fleer", "hunter"),
-            (genome_of(config, 1), genome_of(config, 2)),
-            (genome_of(config, 3, sampled=False), "dodger"),
+            (random_team(config, 1), random_team(config, 2)),
+            (random_team(config, 3, sampled=False), "dodger"),
         ]
     ):
-        env = mw.parallel_env(config, record=True, **built_in(team, theirs))
+        env = mw.parallel_env(config, record=True, **{f"{team}s": theirs})
         assert [agent.split("_")[0] for agent in env.possible_agents[:1]] == [other(team)]
         sides = (theirs, mine) if team == "pursuer" else (mine, theirs)
         same(play_parallel(env, mine, seed, 2), mw.record(config, *sides, seed=seed, episode=2))
@@ -95,9 +83,9 @@ def test_an_aec_episode_is_the_engine_s(name: str, team: str) -> None:
     """Where the rules take turns, the built-in team sees what earlier turns did."""
     config = config_of(name, obstacles=0.1, max_steps=10)
     for seed, (mine, theirs) in enumerate(
-        [("random", "hunter"), (genome_of(config, 1), genome_of(config, 2))]
+        [("random", "hunter"), (random_team(config, 1), random_team(config, 2))]
     ):
-        env = mw.envs.raw_aec_env(config, record=True, **built_in(team, theirs))
+        env = mw.envs.raw_aec_env(config, record=True, **{f"{team}s": theirs})
         sides = (theirs, mine) if team == "pursuer" else (mine, theirs)
         recorded = mw.record(config, *sides, seed=seed, episode=2)
         played, paid = play_aec(env, mine, seed, 2)
@@ -112,7 +100,7 @@ def test_an_aec_episode_is_the_engine_s(name: str, team: str) -> None:
 def test_an_info_tells_of_the_agent_s_own_turn(team: str) -> None:
     """Also where the built-in team plays the next round before it is told."""
     config = config_of("swarm-S", obstacles=0.3)
-    env = mw.envs.raw_aec_env(config, record=True, **built_in(team, "still"))
+    env = mw.envs.raw_aec_env(config, record=True, **{f"{team}s": "still"})
     env.reset(seed=1)
     faults = 0
     for _ in range(40):
@@ -141,26 +129,6 @@ def test_an_agent_can_be_gone_before_its_first_turn(evaders: list[list[int]], go
     assert env.recorded.length == 1
 
 
-# ---- Conformance -------------------------------------------------------------------------------
-
-zeros_are_seen = pytest.mark.filterwarnings("ignore:Observation numpy array is all zeros")
-foreign_option = pytest.mark.filterwarnings("ignore:options. expected some of .*ignored 'options'")
-
-
-@zeros_are_seen
-@foreign_option
-@pytest.mark.parametrize("team", TEAMS)
-@pytest.mark.parametrize("name", [*mw.VARIANTS, *CUSTOM])
-def test_pettingzoo_api(name: str, team: str) -> None:
-    settings = built_in(team, ["chaser", "random"])
-    config = config_of(name, obstacles=0.1)
-    with redirect_stdout(io.StringIO()):
-        api_test(mw.aec_env(config, **settings), num_cycles=60)
-        parallel_api_test(mw.parallel_env(config, **settings), num_cycles=60)
-        seed_test(lambda: mw.aec_env(config, **settings), num_cycles=20)
-        parallel_seed_test(lambda: mw.parallel_env(config, **settings), num_cycles=20)
-
-
 def test_only_the_other_team_has_spaces_observations_and_results() -> None:
     env = mw.parallel_env(config_of("R"), evaders="fleer")
     observations, infos = env.reset(seed=0)
@@ -175,7 +143,7 @@ def test_only_the_other_team_has_spaces_observations_and_results() -> None:
 
 def test_copies_go_on_in_the_same_way() -> None:
     config = config_of("R")
-    env = mw.parallel_env(config, evaders=["random", genome_of(config, 1)])
+    env = mw.parallel_env(config, evaders=["random", random_team(config, 1)])
     env.reset(seed=3)
     env.step(dict.fromkeys(env.agents, 1))
     twins = copy.deepcopy(env), pickle.loads(pickle.dumps(env))  # noqa: S301
@@ -293,7 +261,7 @@ def test_the_opponent_that_was_drawn_plays() -> None:
 def test_a_reset_changes_the_opponents_from_then_on() -> None:
     config = config_of("R")
     env = mw.parallel_env(config, evaders="still")
-    env.reset(seed=0, options={"opponents": ["fleer", genome_of(config, 1)]})
+    env.reset(seed=0, options={"opponents": ["fleer", random_team(config, 1)]})
     assert env.opponents[0] == "fleer"
     env.reset(seed=1)
     assert len(env.opponents) == 2

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.envs import parallel_env, raw_aec_env
+from matrixworld.envs import raw_aec_env
 from pettingzoo_tests import (
     api_test,
     max_cycles_test,
@@ -21,15 +21,22 @@ from pettingzoo_tests import (
     render_test,
     seed_test,
 )
-from rows import CUSTOM, config_of
+from rows import NAMES, config_of
 
-NAMES = [*mw.VARIANTS, *CUSTOM]
-
-# PettingZoo's tests warn of it, but it is right here: an agent that is gone, or alone in the open,
-# observes zeros.
-zeros_are_seen = pytest.mark.filterwarnings("ignore:Observation numpy array is all zeros")
-# Both API tests reset with an option that no environment knows.
-foreign_option = pytest.mark.filterwarnings("ignore:options. expected some of .*ignored 'options'")
+pytestmark = [
+    # PettingZoo's tests warn of it, but it is right here: an agent that is gone, or alone in the
+    # open, observes zeros.
+    pytest.mark.filterwarnings("ignore:Observation numpy array is all zeros"),
+    # Both API tests reset with an option that no environment knows.
+    pytest.mark.filterwarnings("ignore:options. expected some of .*ignored 'options'"),
+]
+OPPONENTS = ["chaser", "random"]
+SETTINGS: dict[str, dict[str, Any]] = {
+    "plain": {},
+    "masks": {"action_mask": True},
+    "pursuers are played": {"pursuers": OPPONENTS},
+    "evaders are played": {"evaders": OPPONENTS},
+}
 
 
 @pytest.fixture(autouse=True)
@@ -38,24 +45,14 @@ def _quiet() -> Any:
         yield
 
 
-@zeros_are_seen
-@foreign_option
+@pytest.mark.parametrize("settings", SETTINGS.values(), ids=SETTINGS)
 @pytest.mark.parametrize("name", NAMES)
-def test_aec_api(name: str) -> None:
-    api_test(mw.aec_env(config_of(name, obstacles=0.1)), num_cycles=60)
-
-
-@foreign_option
-@pytest.mark.parametrize("name", NAMES)
-def test_parallel_api(name: str) -> None:
-    parallel_api_test(parallel_env(config_of(name, obstacles=0.1)), num_cycles=60)
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_seeds(name: str) -> None:
+def test_api_and_seeds(name: str, settings: dict[str, Any]) -> None:
     config = config_of(name, obstacles=0.1)
-    seed_test(lambda: mw.aec_env(config), num_cycles=20)
-    parallel_seed_test(lambda: parallel_env(config), num_cycles=20)
+    api_test(mw.aec_env(config, **settings), num_cycles=60)
+    parallel_api_test(mw.parallel_env(config, **settings), num_cycles=60)
+    seed_test(lambda: mw.aec_env(config, **settings), num_cycles=20)
+    parallel_seed_test(lambda: mw.parallel_env(config, **settings), num_cycles=20)
 
 
 @pytest.mark.parametrize("name", mw.VARIANTS)
@@ -76,7 +73,7 @@ def test_rendering(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_observations_are_in_their_spaces(name: str) -> None:
-    env = parallel_env(config_of(name, obstacles=0.1, diagonal=True))
+    env = mw.parallel_env(config_of(name, obstacles=0.1, diagonal=True))
     observations, _ = env.reset(seed=4)
     while env.agents:
         assert env.state_space.contains(env.state())

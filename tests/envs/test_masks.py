@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import io
-from contextlib import redirect_stdout
 from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from rows import CUSTOM, config_of
+from rows import NAMES, config_of
 
-NAMES = [*mw.VARIANTS, *CUSTOM]
 STEPS = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1), (-1, 1), (1, 1), (1, -1), (-1, -1)]
 
 
@@ -82,28 +79,8 @@ def test_masks_in_turns(name: str) -> None:
     assert acted > 10
 
 
-@pytest.mark.filterwarnings("ignore:Observation numpy array is all zeros")
-@pytest.mark.filterwarnings("ignore:options. expected some of .*ignored 'options'")
-@pytest.mark.parametrize("name", ["O", "TO"])
-def test_pettingzoo_s_own_tests_use_the_mask(name: str) -> None:
-    from pettingzoo.test import api_test, parallel_api_test
-
-    config = config_of(name, obstacles=0.2)
-    with redirect_stdout(io.StringIO()):
-        api_test(mw.aec_env(config, action_mask=True), num_cycles=60)
-        parallel_api_test(mw.parallel_env(config, action_mask=True), num_cycles=60)
-
-
 def test_without_the_option_there_is_no_mask() -> None:
     env = mw.parallel_env(config_of("O"))
     _, infos = env.reset(seed=1)
     assert "action_mask" not in infos["pursuer_0"]
     assert "action_mask" not in mw.VectorEnv("O").infos
-
-
-def test_a_mask_needs_a_view_of_the_neighbours() -> None:
-    with pytest.raises(ValueError, match="action_mask: expected a fov of at least 3, got 1"):
-        mw.parallel_env("O", fov=1, action_mask=True)
-    with pytest.raises(TypeError, match="action_mask: expected True or False, got 'yes'"):
-        mw.aec_env("O", action_mask="yes")
-    mw.parallel_env("O", fov=1)

@@ -12,9 +12,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.envs import INFO_KEYS
-from rows import CUSTOM, config_of, random_actions
-
-NAMES = [*mw.VARIANTS, *CUSTOM]
+from rows import CUSTOM, NAMES, config_of, random_actions
 
 
 def named(env: Any, row: np.ndarray) -> dict[str, int]:
@@ -59,6 +57,8 @@ def test_a_step_is_a_round_of_the_world(name: str) -> None:
             assert truncations[agent] == (world.truncated and not terminations[agent])
             assert tuple(infos[agent]) == INFO_KEYS
         np.testing.assert_array_equal(env.state(), world.state())
+        for field in vars(env.status):  # of all agents, also of those that are gone
+            np.testing.assert_array_equal(getattr(env.status, field), world.read(field)[field])
         alive = world.alive
         if over:
             assert env.agents == []
@@ -95,23 +95,6 @@ def test_infos() -> None:
         assert [info[key] for key in shared] == [1.0] * 4
         assert info["step"] == 3
         assert {type(value) for value in info.values()} == {bool, float, int}
-
-
-@pytest.mark.parametrize("name", ["D", "SDB", "TO"])
-def test_status_keeps_the_index_of_an_agent(name: str) -> None:
-    config = config_of(name)
-    env, world = mw.parallel_env(config), mw.World(config)
-    env.reset(seed=2)
-    world.reset(2)
-    for row in random_actions(3, config.n_actions, config.max_steps, config.n_agents):
-        if not env.agents:
-            break
-        env.step(named(env, row))
-        world.step(row)
-        for field in vars(env.status):
-            np.testing.assert_array_equal(getattr(env.status, field), world.read(field)[field])
-    assert env.status.alive.shape == (config.n_agents,)
-    assert not env.agents
 
 
 # ---- Episodes ----------------------------------------------------------------------------------
@@ -221,6 +204,10 @@ def test_calls_that_are_refused() -> None:
         mw.parallel_env(render_mode="png")
     with pytest.raises(ValueError, match=r"fields_of_view: .*got \['evader_30'\]"):
         mw.parallel_env(fields_of_view=["pursuer_0", "evader_30"])
+    with pytest.raises(ValueError, match="^action_mask: expected a fov of at least 3, got 1"):
+        mw.parallel_env(fov=1, action_mask=True)
+    with pytest.raises(TypeError, match="^action_mask: expected True or False, got 'yes'"):
+        mw.aec_env(action_mask="yes")
     env.close()
     env.close()
 

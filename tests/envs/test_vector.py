@@ -125,25 +125,6 @@ def test_disabled_waits_for_a_reset() -> None:
     np.testing.assert_array_equal(env.infos["episode_number"], first)
 
 
-@pytest.mark.parametrize("mode", MODES)
-def test_statistics_of_an_episode(mode: AutoresetMode) -> None:
-    """They are sums over its steps and the agents that acted in them."""
-    env = make("SB", autoreset_mode=mode)
-    env.reset(seed=1)
-    teams = slice(0, env.pursuers.size), slice(env.pursuers.size, None)
-    sums = {"return": 0.0, "agent_steps": 0, "collisions": 0, "faults": 0}
-    for actions in random_actions(4, 5, 7, 4, env.config.n_agents):
-        env.step(actions)
-        parts = env.rewards, env.infos["acted"], env.infos["involved"], env.infos["fault"]
-        for key, part in zip(sums, parts, strict=True):
-            sums[key] += np.array([[part[w, team].sum(axis=0) for team in teams] for w in range(4)])
-    assert env.infos["_episode"].all()
-    for key, expected in sums.items():
-        np.testing.assert_allclose(env.infos["episode"][key], expected, rtol=1e-5)
-    assert set(env.infos["episode"]["length"]) == {7}
-    assert not env.infos["episode"]["capture_rate"].any()
-
-
 # ---- Arrays ------------------------------------------------------------------------------------
 
 

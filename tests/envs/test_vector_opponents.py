@@ -11,16 +11,11 @@ from gymnasium.vector import AutoresetMode
 from gymnasium.wrappers.vector import RecordEpisodeStatistics
 
 import matrixworld as mw
+from matrixworld.coevolution import TEAMS
 from matrixworld.coevolution.types import other
-from rows import config_of, random_actions
+from rows import config_of, random_actions, random_team
 
-TEAMS = ("pursuer", "evader")
 MODES = list(AutoresetMode)
-
-
-def genome_of(config: mw.WorldConfig, seed: int, **fields: Any) -> mw.Population:
-    network = mw.Network.for_config(config, (6,), **fields)
-    return mw.Population(network.initial(np.random.default_rng(seed), 0.5, 1.0), network)
 
 
 def chosen(envs: mw.VectorEnv, policy: Any) -> np.ndarray:
@@ -37,8 +32,8 @@ def test_episodes_are_those_of_rollouts(name: str, team: str, mode: AutoresetMod
     config = config_of(name, obstacles=0.1, max_steps=12)
     for mine, theirs in [
         ("clumsy-chaser", "hunter"),
-        (genome_of(config, 1), genome_of(config, 2)),
-        ("random", genome_of(config, 3, sampled=False)),
+        (random_team(config, 1), random_team(config, 2)),
+        ("random", random_team(config, 3, sampled=False)),
     ]:
         envs = mw.VectorEnv(config, 4, autoreset_mode=mode, **{f"{team}s": theirs})
         sides = (theirs, mine) if team == "pursuer" else (mine, theirs)
@@ -151,7 +146,7 @@ def test_a_league_changes_from_episode_to_episode() -> None:
 
 def test_the_same_seed_gives_the_same_episodes() -> None:
     config = config_of("R", obstacles=0.2)
-    league = ["clumsy-fleer", genome_of(config, 5), "dodger"]
+    league = ["clumsy-fleer", random_team(config, 5), "dodger"]
     first_world = []
     for n_worlds in (1, 6):
         envs = mw.VectorEnv(config, n_worlds, evaders=league)

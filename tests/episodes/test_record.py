@@ -10,13 +10,10 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.episodes import render, replay
-from rows import CUSTOM, config_of, random_actions
+from matrixworld.episodes.episode import MOMENT_ARRAYS, STEP_ARRAYS
+from rows import NAMES, config_of, random_actions
 
-NAMES = [*mw.VARIANTS, *CUSTOM]
-ARRAYS = (
-    *("positions", "last_positions", "alive", "captured", "ever_captured", "actions", "rewards"),
-    *("involved", "fault", "map"),
-)
+ARRAYS = (*MOMENT_ARRAYS, "actions", *STEP_ARRAYS, "map")
 
 
 def assert_same(one: mw.Episode, other: mw.Episode) -> None:
@@ -31,10 +28,20 @@ def assert_same(one: mw.Episode, other: mw.Episode) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_an_episode_from_its_actions(name: str) -> None:
-    config = config_of(name, obstacles=0.1)
+def test_an_episode_is_what_a_world_does_with_its_actions(name: str) -> None:
+    config = config_of(name, obstacles=0.1, diagonal=True)
     episode = mw.record(config, "random", "fleer", seed=12, episode=3)
-    assert_same(episode, mw.record_actions(config, episode.actions, seed=12, episode=3))
+    world = mw.World(config)
+    world.reset(12, episode=3)
+    np.testing.assert_array_equal(episode.map, world.map)
+    for step in range(episode.length + 1):
+        for what in MOMENT_ARRAYS:
+            np.testing.assert_array_equal(getattr(episode, what)[step], getattr(world, what))
+        if step < episode.length:
+            world.step(episode.actions[step])
+            for what in STEP_ARRAYS:
+                np.testing.assert_array_equal(getattr(episode, what)[step], getattr(world, what))
+    assert world.terminated or world.truncated
 
 
 def test_an_episode_from_given_positions() -> None:

@@ -9,7 +9,7 @@ import pytest
 
 import matrixworld as mw
 from matrixworld.play import ask
-from rows import config_of
+from rows import config_of, random_team
 
 
 def play(config: mw.WorldConfig, teams: dict[range, Any], seed: int, episode: int) -> mw.Episode:
@@ -30,11 +30,6 @@ def play(config: mw.WorldConfig, teams: dict[range, Any], seed: int, episode: in
             world.play_turn(actions)
         recorder.note(actions)
     return recorder.episode()
-
-
-def genomes(config: mw.WorldConfig, seed: int, **fields: Any) -> mw.Population:
-    network = mw.Network.for_config(config, (6, 5), **fields)
-    return mw.Population(network.initial(np.random.default_rng(seed), 0.5, 1.0), network)
 
 
 def same_as_recorded(config: mw.WorldConfig, pursuers: Any, evaders: Any, seed: int) -> None:
@@ -64,9 +59,9 @@ def test_scripts_act_as_in_rollouts(script: Any, name: str) -> None:
 @pytest.mark.parametrize("name", ["D", "S", "SB", "TO", "swarm-D", "agents-SD"])
 def test_networks_act_as_in_rollouts(name: str, activation: str, sampled: bool) -> None:
     config = config_of(name, obstacles=0.1, max_steps=14)
-    fields = {"activation": activation, "sampled": sampled}
+    fields = {"hidden": (6, 5), "activation": activation, "sampled": sampled}
     for seed in range(2):
-        pursuers, evaders = (genomes(config, 2 * seed + team, **fields) for team in range(2))
+        pursuers, evaders = (random_team(config, 2 * seed + team, **fields) for team in range(2))
         same_as_recorded(config, pursuers, evaders, seed)
 
 
@@ -95,7 +90,13 @@ def test_wrong_answers_of_a_callable_are_refused(answer: Any, error: Any, messag
 def test_worlds_of_a_batch_decide_as_single_worlds(name: str) -> None:
     """Each with the policy that was chosen for it, for any number of threads."""
     config = config_of(name, obstacles=0.1, max_steps=9)
-    league = ["hunter", genomes(config, 1), None, genomes(config, 2, sampled=False), "random"]
+    league = [
+        "hunter",
+        random_team(config, 1),
+        None,
+        random_team(config, 2, sampled=False),
+        "random",
+    ]
     n_worlds = 50
     place = np.random.default_rng(0).integers(len(league), size=n_worlds)
     batches = [mw.Batch(n_worlds, config, threads=threads) for threads in (1, 3)]
@@ -120,10 +121,7 @@ def test_a_refused_decision_writes_nothing() -> None:
     config = config_of("R")  # 3 pursuers, 4 evaders
     batch = mw.Batch(2, config)
     actions = np.full((2, 7), 7)
-    network = mw.Network(fov=3)
-    other_views = mw.Population(network.initial(np.random.default_rng(0)), network)
-    one = genomes(config, 0)
-    two = mw.Population(np.stack([one.genomes[0]] * 2), one.network)
+    other_views, two = random_team(config_of("R", fov=3), 0), random_team(config, 0, 1)
     read_only = actions.copy()
     read_only.flags.writeable = False
     team = range(3, 7)

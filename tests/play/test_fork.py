@@ -104,19 +104,6 @@ assert os.waitstatus_to_exitcode(os.waitpid(number, 0)[1]) == 7
 """)
 
 
-def test_an_environment_steps_in_a_child() -> None:
-    forked("""
-def play(env):
-    env.reset(seed=3)
-    return [env.step(actions[step])[0].copy() for step in range(6)]
-
-expected = play(mw.VectorEnv("O", 100, threads=1))
-env = mw.VectorEnv("O", 100, threads=3)
-play(env)
-assert in_child(lambda: np.testing.assert_array_equal(play(env), expected)) == 0
-""")
-
-
 @pytest.mark.slow
 def test_a_child_plays_matches_while_its_parent_does() -> None:
     """The child is forked in the middle of a rollout of another thread."""

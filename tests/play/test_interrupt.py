@@ -70,23 +70,22 @@ assert threading.active_count() == 1
     finish(process)
 
 
-def test_one_long_match_ends_soon() -> None:
-    """The calling thread waits for the thread that plays the only match."""
+@pytest.mark.parametrize(
+    ("max_steps", "call", "after"),
+    [
+        # The calling thread waits for the thread that plays the only match.
+        (2**30, "mw.rollout(world, *still, mw.Matches.of(0, 0, [1, 2]), threads=2)", 0.3),
+        (2**20, "mw.record(world, *still, seed=1)", 0.1),
+    ],
+    ids=["match", "recording"],
+)
+def test_one_long_episode_ends_soon(max_steps: int, call: str, after: float) -> None:
     process = start(f"""
-world = mw.WorldConfig("SB", max_steps=2**30, n_pursuers=1, rows=9, cols=9, n_evaders=1)
-call = lambda: mw.rollout(world, "still", "still", mw.Matches.of(0, 0, [1, 2]), threads=2)
-{INTERRUPTED.format(call="call()")}
+still = "still", "still"
+world = mw.WorldConfig("SB", max_steps={max_steps}, n_pursuers=1, n_evaders=1)
+{INTERRUPTED.format(call=call)}
 """)
-    assert interrupt(process) < SECONDS
-    finish(process)
-
-
-def test_a_recording_ends_soon() -> None:
-    process = start(f"""
-world = mw.WorldConfig("SB", max_steps=2**20, n_pursuers=1, n_evaders=1)
-{INTERRUPTED.format(call='mw.record(world, "still", "still", seed=1)')}
-""")
-    assert interrupt(process, after=0.1) < SECONDS
+    assert interrupt(process, after) < SECONDS
     finish(process)
 
 

@@ -7,25 +7,15 @@ import pytest
 
 import matrixworld as mw
 from one_by_one import assert_same_one_by_one
-from rows import CUSTOM, config_of, random_genome
+from rows import NAMES, config_of, random_team
 
-NAMES = [*mw.VARIANTS, *CUSTOM]
 WIDTHS = [(20,), (32,), (33,), (48, 24), (64, 64), (400, 300), ()]
 MAP = ["......", ".#..#.", "......", "..##..", "......", ".#....", "......"]
 
 
-def team_of(
-    config: mw.WorldConfig, hidden: tuple[int, ...], *, n: int = 2, sampled: bool = True
-) -> mw.Population:
-    """Return a team of networks; those with two hidden layers use tanh."""
-    activation = "tanh" if len(hidden) > 1 else "relu"
-    network = mw.Network.for_config(config, hidden, activation=activation, sampled=sampled)
-    genomes = [random_genome(network, seed, scale=0.7) for seed in range(n)]
-    return mw.Population(np.stack(genomes), network)
-
-
 def assert_same(config: mw.WorldConfig, hidden: tuple[int, ...], *, episodes: int) -> None:
-    team = team_of(config, hidden)
+    activation = "tanh" if len(hidden) > 1 else "relu"
+    team = random_team(config, 0, 1, hidden=hidden, activation=activation)
     matches = mw.Matches.of([0, 1, 1], [0, 0, 1], [3, 4, 5])
     assert_same_one_by_one(config, team, team, matches, episodes=episodes, threads=2)
 
@@ -71,8 +61,8 @@ def test_every_view(fov: int) -> None:
 @pytest.mark.parametrize("diagonal", [False, True])
 def test_the_largest_output_and_different_networks(diagonal: bool) -> None:
     config = mw.WorldConfig("O", rows=12, cols=12, max_steps=30, diagonal=diagonal)
-    one = team_of(config, (16,), sampled=False)
-    other = team_of(config, (40, 8), n=3)
+    one = random_team(config, 0, 1, hidden=(16,), sampled=False)
+    other = random_team(config, 0, 1, 2, hidden=(40, 8), activation="tanh")
     matches = mw.Matches.of([0, 1, 1], [2, 0, 1], [1, 2, 3])
     assert_same_one_by_one(config, one, other, matches, episodes=5)
     assert_same_one_by_one(config, one, one, mw.Matches.of(0, 1, 7), episodes=5)
@@ -81,7 +71,7 @@ def test_the_largest_output_and_different_networks(diagonal: bool) -> None:
 def test_extreme_weights() -> None:
     """Outputs that are infinite or not numbers."""
     config = mw.WorldConfig("O", rows=9, cols=9, n_pursuers=9, max_steps=10)
-    team = team_of(config, (32,))
+    team = random_team(config, 0, 1, hidden=(32,))
     huge = mw.Population(team.genomes * np.float32(1e30), team.network)
     assert_same_one_by_one(config, huge, team, mw.Matches.of(0, 1, [1, 2]), episodes=3)
 

@@ -9,17 +9,9 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from rows import CUSTOM, config_of, random_genome
+from rows import NAMES, config_of, random_team
 
-NAMES = [*mw.VARIANTS, *CUSTOM]
 FIELDS = [item.name for item in fields(mw.EpisodeStatistics)]
-
-
-def population(config: mw.WorldConfig, n: int, hidden: tuple[int, ...] = (8,)) -> mw.Population:
-    network = mw.Network.for_config(config, hidden)
-    return mw.Population(
-        np.stack([random_genome(network, i, scale=1.0) for i in range(n)]), network
-    )
 
 
 def statistics_of(episode: mw.Episode, config: mw.WorldConfig) -> dict[str, Any]:
@@ -68,7 +60,7 @@ def assert_same_bits(
 @pytest.mark.parametrize("name", NAMES)
 def test_statistics_are_those_of_the_recorded_episodes(name: str) -> None:
     config = config_of(name, max_steps=25, obstacles=0.1)
-    team = population(config, 2)
+    team = random_team(config, 0, 1)
     both, one = [0, 1, 1], [0, 0, 0]
     seeds = [5, 6, 2**64 - 1]
     for pursuers, evaders, matches in (
@@ -117,25 +109,6 @@ def test_no_matches() -> None:
     assert statistics.length.shape == (0, 2)
 
 
-def test_the_episode_is_that_of_a_world_with_the_same_seed() -> None:
-    """A recorded episode, played again by hand."""
-    for name in ("O", "SD", "swarm-R"):
-        config = config_of(name, obstacles=0.15, diagonal=True)
-        episode = mw.record(config, population(config, 1), "fleer", seed=12, episode=3)
-        world = mw.World(config)
-        world.reset(12, episode=3)
-        np.testing.assert_array_equal(episode.map, world.map)
-        for step in range(episode.length + 1):
-            for what in ("positions", "alive", "captured", "ever_captured"):
-                np.testing.assert_array_equal(getattr(episode, what)[step], getattr(world, what))
-            if step == episode.length:
-                assert world.terminated or world.truncated
-                break
-            world.step(episode.actions[step])
-            for what in ("rewards", "involved", "fault"):
-                np.testing.assert_array_equal(getattr(episode, what)[step], getattr(world, what))
-
-
 def test_episodes_end_early_or_at_max_steps() -> None:
     config = config_of("O", max_steps=60)
     statistics = mw.rollout(config, "chaser", "random", mw.Matches.of(0, 0, 1), episodes=40)
@@ -154,7 +127,7 @@ def test_episodes_end_early_or_at_max_steps() -> None:
 def race(request: pytest.FixtureRequest) -> tuple[mw.WorldConfig, mw.Population, mw.Matches]:
     config = config_of(request.param, obstacles=0.1)
     matches = mw.Matches.of([0, 1, 2, 3, 0, 1, 2, 3, 3], [0, 0, 1, 1, 2, 2, 3, 3, 3], np.arange(9))
-    return config, population(config, 4), matches
+    return config, random_team(config, *range(4)), matches
 
 
 @pytest.mark.parametrize("threads", [2, 3, 7, None])
@@ -192,16 +165,6 @@ def test_a_candidate_depends_on_its_genome_alone(race: Any) -> None:
             mw.Matches.of(0, 0, seed),
         )
         assert_same_bits(whole, alone, [m])
-
-
-def test_teams_may_have_different_networks() -> None:
-    config = config_of("O")
-    one, other = population(config, 2, (16, 4)), population(config, 3, ())
-    statistics = mw.rollout(config, one, other, mw.Matches.of([0, 1, 1], [2, 0, 1], 4))
-    assert statistics.length.shape == (3, 1)
-    assert_same_bits(
-        statistics, mw.rollout(config, one, other, mw.Matches.of([0, 1, 1], [2, 0, 1], 4))
-    )
 
 
 # ---- Matches ---------------------------------------------------------------------------------

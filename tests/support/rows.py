@@ -30,6 +30,7 @@ CUSTOM = {
     "both-B": mw.Rules(TOGETHER, D, B, B, B, SURROUND, True),
     "nobody": mw.Rules(TOGETHER, B, R, B, R, OCCUPATION),
 }
+NAMES = [*mw.VARIANTS, *CUSTOM]
 
 
 def config_of(name: str, **changes: Any) -> mw.WorldConfig:
@@ -63,3 +64,18 @@ def random_genome(network: mw.Network, seed: int, scale: float = 0.3) -> np.ndar
     """Return uniform numbers in [-scale, scale), the same with every version of NumPy."""
     units = (raw_numbers(seed, network.genome_size) >> np.uint64(40)).astype(np.float32) / 2**24
     return (scale * (2 * units - 1)).astype(np.float32)
+
+
+def random_team(
+    config: mw.WorldConfig, *seeds: int, hidden: tuple[int, ...] = (8,), **fields: Any
+) -> mw.Population:
+    """Return a population for a world with one random genome for each seed."""
+    network = mw.Network.for_config(config, hidden, **fields)
+    return mw.Population(np.stack([random_genome(network, seed, 0.7) for seed in seeds]), network)
+
+
+def assert_same_worlds(one: mw.World, other: mw.World) -> None:
+    """Compare all arrays of two worlds, and whose turn it is."""
+    for name, value in one.read(*mw.array_specs(one.config)).items():
+        np.testing.assert_array_equal(value, other.read(name)[name], name)
+    assert one.turn == other.turn

@@ -11,7 +11,7 @@ import pytest
 import matrixworld as mw
 from matrixworld.world.conflicts import conflict_of
 from node import Commands, policy_json
-from rows import CUSTOM, config_of, random_actions, random_genome
+from rows import NAMES, config_of, random_actions, random_genome
 
 BIG_SEED = 2**64 - 3  # no double holds it
 ARRAYS = (
@@ -136,7 +136,7 @@ def played_in_python(
     return moments
 
 
-@pytest.mark.parametrize("row", [*mw.VARIANTS, *CUSTOM])
+@pytest.mark.parametrize("row", NAMES)
 def test_a_world_plays_as_in_the_extension(run_command: Commands, row: str) -> None:
     """All arrays and conflicts, round by round; turn by turn where the rules have turns."""
     rewards = mw.Rewards(pursuer_collide=(-1, -2, -3), blame=mw.Blame.INVOLVED, evader_step=0.3)

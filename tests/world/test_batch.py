@@ -5,15 +5,15 @@ from __future__ import annotations
 import threading
 import time
 import weakref
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from rows import CUSTOM, config_of, random_actions
+from rows import NAMES, config_of, random_actions
 
-NAMES = [*mw.VARIANTS, *CUSTOM]
 MOMENT = ("positions", "last_positions", "alive", "steps", "seed", "episode", "views", "state")
 MODES = list(mw.Autoreset)
 
@@ -108,32 +108,18 @@ def test_each_world_is_a_single_world(
     batch.reset(seeds, episode=2)
     worlds = [SingleWorld(config, seed, 2, autoreset) for seed in seeds]
     actions = random_actions(1, config.n_actions, 24, n_worlds, config.n_agents)
-    for step in range(25):
+    for row in [*actions, None]:
         for w, world in enumerate(worlds):
             for what, expected in world.arrays.items():
                 got = batch.buffers[what][w]
                 got = got.round(4) if what == "episode_return" else got
-                np.testing.assert_array_equal(got, expected, f"{what} of {w}, step {step}")
-        if step < 24:
-            batch.step(actions[step])
-            for w, world in enumerate(worlds):
-                world.step(actions[step, w])
+                np.testing.assert_array_equal(got, expected, f"{what} of {w}")
+        if row is not None:
+            row[[world.ended for world in worlds]] = 99  # ended worlds do not read their actions
+            batch.step(row)
+            for world, chosen in zip(worlds, row, strict=True):
+                world.step(chosen)
     assert batch.buffers["episode_length"].all()
-
-
-def test_float_views_are_the_views() -> None:
-    config = config_of("SB", obstacles=0.2, max_steps=4)
-    buffers = all_buffers(config, 6)
-    floats = {name: buffers[name].astype(np.float32) for name in ("views", "final_views")}
-    mode = mw.Autoreset.SAME_STEP
-    bytewise = mw.Batch(6, config, autoreset=mode, buffers=buffers)
-    floating = mw.Batch(6, config, autoreset=mode, buffers=floats)
-    for actions in random_actions(5, config.n_actions, 6, 6, config.n_agents):
-        bytewise.step(actions)
-        floating.step(actions)
-        for name, array in floats.items():
-            np.testing.assert_array_equal(array, buffers[name])
-    assert floats["final_views"].any()
 
 
 def test_a_copy_of_a_world_goes_on_like_it() -> None:
@@ -175,18 +161,6 @@ def test_a_mask_selects_the_worlds_to_reset() -> None:
                 np.testing.assert_array_equal(array[w], before[name][w])
 
 
-def test_a_reset_with_positions_and_map() -> None:
-    config = config_of("R", rows=6, cols=6, n_pursuers=2, n_evaders=2)
-    batch = mw.Batch(3, config, buffers=all_buffers(config, 3))
-    ground = np.zeros((6, 6), bool)
-    ground[5] = True
-    pursuers = [[[0, 0], [0, 1]], [[1, 0], [1, 1]], [[2, 0], [2, 1]]]
-    batch.reset(5, pursuers=pursuers, evaders=[[4, 4], [4, 5]], obstacles=ground)
-    np.testing.assert_array_equal(batch.buffers["positions"][:, :2], pursuers)
-    np.testing.assert_array_equal(batch.buffers["positions"][:, 2:], [[[4, 4], [4, 5]]] * 3)
-    np.testing.assert_array_equal(batch.buffers["state"][:, 2], [ground] * 3)
-
-
 @pytest.mark.parametrize("name", ["O", "SD", "TO"])
 def test_threads_change_nothing(name: str) -> None:
     config = config_of(name, obstacles=0.1, diagonal=True)
@@ -202,31 +176,13 @@ def test_threads_change_nothing(name: str) -> None:
             buffers=all_buffers(config, n_worlds),
         )
         batch.reset(5)
-        for step in range(25):
-            batch.step(actions[step])
+        for row in actions:
+            batch.step(row)
         played.append({what: array.copy() for what, array in batch.buffers.items()})
     assert any(played[0]["steps"] < 25)
     for other in played[1:]:
         for what, array in played[0].items():
             np.testing.assert_array_equal(array, other[what])
-
-
-def test_neither_number_nor_order_of_worlds_matters() -> None:
-    config = config_of("R")
-    seeds = np.arange(40)
-    actions = random_actions(3, 5, 8, 40, config.n_agents)
-    order = np.argsort(random_actions(4, 1000, 40), kind="stable")
-    whole, shuffled, few = (mw.Batch(n, config) for n in (40, 40, 7))
-    whole.reset(seeds)
-    shuffled.reset(seeds[order])
-    few.reset(seeds[5:12])
-    for step in range(8):
-        whole.step(actions[step])
-        shuffled.step(actions[step][order])
-        few.step(actions[step][5:12])
-        for what, array in whole.buffers.items():
-            np.testing.assert_array_equal(array[order], shuffled.buffers[what])
-            np.testing.assert_array_equal(array[5:12], few.buffers[what])
 
 
 # ---- Seeds -----------------------------------------------------------------------------------
@@ -244,18 +200,6 @@ def test_an_int_seeds_consecutive_worlds() -> None:
         other.reset(seeds)
         np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
     np.testing.assert_array_equal(new.buffers["positions"], one.buffers["positions"])
-
-
-def test_episodes_follow_each_other() -> None:
-    config = config_of("O", max_steps=1)
-    batch = mw.Batch(3, config, autoreset=mw.Autoreset.SAME_STEP)
-    batch.reset(5, episode=8)
-    batch.step(np.zeros((3, config.n_agents), int))
-    world = mw.World(config)
-    world.reset(6, episode=9)
-    assert batch.buffers["truncated"].all()
-    assert not batch.buffers["steps"].any()
-    np.testing.assert_array_equal(batch.buffers["positions"][1], world.positions)
 
 
 # ---- Memory ----------------------------------------------------------------------------------
@@ -290,18 +234,6 @@ def test_each_array_alone() -> None:
     assert set(mw.Batch(6, config).buffers) == set(mw.array_specs(config)) - {"views", "state"}
 
 
-def test_arrays_may_be_parts_of_a_larger_one() -> None:
-    """Two batches that write into one block of memory, and nowhere else."""
-    config = config_of("O")
-    block = np.full((5, 4, config.n_agents), -77, np.float32)
-    for part in (1, 3):
-        batch = mw.Batch(4, config, buffers={"rewards": block[part]})
-        batch.reset(part)
-        batch.step(np.zeros((4, config.n_agents), int))
-    assert (block[[0, 2, 4]] == -77).all()
-    assert (block[[1, 3]] != -77).all()
-
-
 @pytest.mark.parametrize("dtype", [np.int8, np.uint8, np.int16, np.uint16, np.int32, np.int64])
 def test_any_integers_are_actions(dtype: type) -> None:
     config = config_of("O")
@@ -310,26 +242,6 @@ def test_any_integers_are_actions(dtype: type) -> None:
     one.step(actions)
     other.step(np.asfortranarray(actions.astype(dtype)))
     np.testing.assert_array_equal(one.buffers["positions"], other.buffers["positions"])
-
-
-# ---- Ended worlds ----------------------------------------------------------------------------
-
-
-def test_ended_worlds_stand_still() -> None:
-    config = config_of("D", max_steps=6)
-    batch = mw.Batch(30, config, buffers=all_buffers(config, 30))
-    for step in range(6):
-        batch.step(random_actions(step, 5, 30, config.n_agents))
-    over = batch.buffers["terminated"] | batch.buffers["truncated"]
-    assert over.all()
-    assert batch.buffers["terminated"].any()
-    before = {name: array.copy() for name, array in batch.buffers.items()}
-    batch.step(np.full((30, config.n_agents), 99))  # actions of ended worlds are ignored
-    silent = ("rewards", "involved", "fault", "captors", "cost", "acted", "ended")
-    for name in silent:
-        assert not batch.buffers[name].any()
-    for name in before.keys() - set(silent):
-        np.testing.assert_array_equal(batch.buffers[name], before[name])
 
 
 # ---- Python's other threads ------------------------------------------------------------------
@@ -375,22 +287,17 @@ def test_other_threads_run_during_a_step() -> None:
 def test_batches_in_several_python_threads() -> None:
     config = config_of("O")
     actions = random_actions(8, 5, 30, 20, config.n_agents)
-    results: dict[int, np.ndarray] = {}
 
-    def play(number: int) -> None:
+    def play(_: int) -> np.ndarray:
         batch = mw.Batch(20, config, threads=2, autoreset=mw.Autoreset.SAME_STEP)
-        for step in range(30):
-            batch.step(actions[step])
-        results[number] = batch.buffers["positions"].copy()
+        for row in actions:
+            batch.step(row)
+        return batch.buffers["positions"]
 
-    threads = [threading.Thread(target=play, args=(number,)) for number in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert sorted(results) == [0, 1, 2, 3]
-    for positions in results.values():
-        np.testing.assert_array_equal(positions, results[0])
+    with ThreadPoolExecutor(4) as threads:
+        first, *others = threads.map(play, range(4))
+    for positions in others:
+        np.testing.assert_array_equal(positions, first)
 
 
 def test_a_batch_keeps_its_arrays_alive() -> None:

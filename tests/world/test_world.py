@@ -1,20 +1,22 @@
-"""One world: episodes and seeds, starts, maps, text, and sizes from the smallest on."""
+"""One world: episodes and seeds, starts, maps, text, drawings, and sizes from the smallest on."""
 
 from __future__ import annotations
 
 import dataclasses
+import io
 import json
-import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, get_type_hints
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import matrixworld as mw
+from matrixworld.episodes.render import ansi, rgb
 from matrixworld.world.arrays import WorldArrays
-from rows import config_of, random_actions
+from rows import assert_same_worlds, config_of, random_actions
 
 ARRAYS = [name for name, (shape, _) in mw.array_specs(mw.WorldConfig()).items() if shape]
 
@@ -34,25 +36,28 @@ def small(**changes: object) -> mw.World:
 def test_a_new_world_is_in_its_first_episode_of_seed_0() -> None:
     world, other = mw.World("S"), mw.World("S")
     other.reset(0)
-    np.testing.assert_array_equal(world.positions, other.positions)
+    assert_same_worlds(world, other)
     assert (world.steps, world.terminated, world.truncated) == (0, False, False)
     assert world.alive.all()
     for name in ("captured", "ever_captured", "captors", "involved", "fault", "rewards"):
         assert not read(world, name).any()
 
 
-def test_the_same_seed_gives_the_same_episode() -> None:
-    one, other = (mw.World(config_of("O", obstacles=0.1)) for _ in range(2))
-    first = other.positions
-    other.step(np.zeros(other.config.n_agents, int))
-    for world in (one, other):
-        world.reset(123)
-    assert not np.array_equal(one.positions, first)
-    for actions in random_actions(1, 5, 6, one.config.n_agents):
-        for name in ARRAYS:
-            np.testing.assert_array_equal(read(one, name), read(other, name))
-        one.step(actions)
-        other.step(actions)
+def test_the_same_seed_gives_the_same_episode_whatever_was_played_before() -> None:
+    config = config_of("SDB", obstacles=0.1, max_steps=3)
+    new, played = mw.World(config), mw.World(config)
+    first = played.positions
+    for actions in random_actions(2, 5, 3, config.n_agents):
+        played.step(actions)
+    assert played.truncated
+    for world in (new, played):
+        world.reset(77)
+    assert not np.array_equal(new.positions, first)
+    for actions in random_actions(1, 5, 3, config.n_agents):
+        assert_same_worlds(new, played)
+        new.step(actions)
+        played.step(actions, explain=True)  # which changes nothing else
+    assert_same_worlds(new, played)
 
 
 def test_without_a_seed_the_next_episode_follows() -> None:
@@ -62,40 +67,6 @@ def test_without_a_seed_the_next_episode_follows() -> None:
         world.reset()
         other.reset(5, episode=following)
         np.testing.assert_array_equal(world.positions, other.positions)
-
-
-def test_a_reset_forgets_the_last_episode() -> None:
-    config = config_of("B", max_steps=3)
-    world, other = mw.World(config), mw.World(config)
-    for actions in random_actions(2, 5, 3, config.n_agents):
-        world.step(actions)
-    assert world.truncated
-    world.reset(77)
-    other.reset(77)
-    for name in ARRAYS:
-        np.testing.assert_array_equal(read(world, name), read(other, name))
-    assert (world.steps, world.terminated, world.truncated) == (0, False, False)
-
-
-def test_an_ended_world_takes_no_step() -> None:
-    world = small(max_steps=1)
-    world.step([0, 0, 0])
-    assert world.truncated
-    with pytest.raises(RuntimeError, match="ended"):
-        world.step([0, 0, 0])
-    world.reset()
-    world.step([0, 0, 0])
-
-
-def test_the_last_capture_ends_a_world() -> None:
-    world = small()
-    world.reset(pursuers=[[0, 0], [2, 0]], evaders=[[0, 1]])
-    world.step([mw.Action.EAST, 0, 0])
-    assert world.terminated
-    assert not world.truncated
-    assert world.captured.tolist() == [True]
-    with pytest.raises(RuntimeError, match="ended"):
-        world.step([0, 0, 0])
 
 
 # ---- Starts ----------------------------------------------------------------------------------
@@ -141,7 +112,7 @@ def test_obstacles_for_one_episode(always: object, count: int) -> None:
     assert world.map.sum() == count
 
 
-# ---- Text, arrays, conflicts ------------------------------------------------------------------
+# ---- Text, arrays, conflicts, drawings ---------------------------------------------------------
 
 
 def test_text() -> None:
@@ -197,6 +168,11 @@ def test_arrays_are_as_specified() -> None:
         world.position  # noqa: B018
 
 
+def test_reading_an_unknown_array() -> None:
+    with pytest.raises(ValueError, match="expected some of .*'positions'.*got \\['place'\\]"):
+        mw.World().read("positions", "place")
+
+
 def test_conflicts_are_kept_only_with_explain() -> None:
     world = small()
     with pytest.raises(RuntimeError, match="explain=True"):
@@ -235,15 +211,31 @@ def test_conflicts_in_words() -> None:
     )
 
 
-def test_explaining_conflicts_changes_nothing_else() -> None:
-    one, other = (mw.World(config_of("SDB", obstacles=0.1)) for _ in range(2))
-    for actions in random_actions(4, 5, 10, one.config.n_agents):
-        one.step(actions)
-        other.step(actions, explain=True)
-        for name in ARRAYS:
-            np.testing.assert_array_equal(read(one, name), read(other, name))
-        if one.terminated:
-            break
+def jam() -> mw.World:
+    """Return a world in which two pursuers have just bounced."""
+    world = mw.World("B", rows=3, cols=5, n_pursuers=3, n_evaders=2, obstacles=["....#"] * 3)
+    world.reset(pursuers=[(0, 0), (0, 2), (2, 2)], evaders=[(2, 3), (1, 0)])
+    world.step([2, 4, 2, 0, 0])
+    return world
+
+
+def test_the_scene_is_the_moment_of_the_world() -> None:
+    world = jam()
+    scene = world.scene("a jam")
+    assert scene.title == "a jam"
+    assert scene.n_pursuers == 3
+    for name in ("alive", "captured", "map", "involved", "fault"):
+        assert np.array_equal(getattr(scene, name), getattr(world, name)), name
+    assert np.array_equal(scene.positions, world.last_positions)
+    assert scene.collided()[0] == {(0, 0), (0, 2)}
+    drawn = ansi(scene, color="none").splitlines()[1:]
+    assert [line[::2] for line in drawn] == str(world).splitlines()
+
+
+def test_a_notebook_shows_a_scene_as_its_picture() -> None:
+    scene = jam().scene()
+    shown = np.array(Image.open(io.BytesIO(scene._repr_png_())))
+    assert np.array_equal(shown, rgb(scene))
 
 
 # ---- Sizes -----------------------------------------------------------------------------------
@@ -263,16 +255,6 @@ def test_the_smallest_world(name: str, shape: tuple[int, int]) -> None:
             if world.terminated:
                 break
         assert world.terminated or world.truncated
-
-
-def test_a_swap_in_the_smallest_world() -> None:
-    world = mw.World("O", rows=1, cols=2, n_pursuers=1, n_evaders=1)
-    world.reset(pursuers=[[0, 0]], evaders=[[0, 1]])
-    rewards = world.step([mw.Action.EAST, mw.Action.WEST], explain=True)
-    assert world.terminated
-    assert world.positions.tolist() == [[0, 1], [-1, -1]]
-    assert [c.form for c in world.conflicts] == ["edge"]
-    np.testing.assert_allclose(rewards, [9.95, -10.05], rtol=1e-6)
 
 
 def test_a_full_world() -> None:
@@ -405,30 +387,6 @@ def test_plain_settings_are_checked(
         mw.WorldConfig.from_json(plain)
     with pytest.raises(TypeError, match="config: expected a mapping, got list"):
         mw.WorldConfig.from_json([])  # type: ignore[arg-type]
-
-
-def test_rules_that_can_never_capture_warn() -> None:
-    d, r, b = mw.Outcome.DISAPPEAR, mw.Outcome.REACH, mw.Outcome.BOUNCE
-    occupation = [(e, p) for e in (d, r, b) for p in (d, r, b)]
-    warned = set()
-    for evader, pursuer in occupation:
-        for capture in mw.Capture:
-            with warnings.catch_warnings(record=True) as caught:
-                warnings.simplefilter("always")
-                mw.WorldConfig(mw.Rules(evader=evader, pursuer=pursuer, capture=capture))
-            if caught:
-                assert "never capture" in str(caught[0].message)
-                assert Path(caught[0].filename) == Path(__file__)
-                warned.add((evader, pursuer, capture))
-    expected = {(r, d), (r, b), (b, d), (b, r), (b, b)}
-    assert warned == {(e, p, mw.Capture.OCCUPATION) for e, p in expected}
-
-
-def test_rewards_reach_the_engine() -> None:
-    rewards = mw.Rewards(pursuer_step=-1, evader_step=2, pursuer_neighbor=8, evader_neighbor=-16)
-    world = small(rewards=rewards)
-    world.reset(pursuers=[[0, 0], [2, 3]], evaders=[[0, 1]])
-    assert world.step([0, 0, 0]).tolist() == [7, -1, -14]
 
 
 # ---- Maps ------------------------------------------------------------------------------------

@@ -1,24 +1,19 @@
-"""Rounds played turn by turn, and copies of a world in the middle of a round."""
+"""Rounds played turn by turn, copies of a world in the middle of a round, and snapshots of it."""
 
 from __future__ import annotations
 
 import copy
 import pickle
+import re
+from typing import Any
 
 import numpy as np
 import pytest
 
 import matrixworld as mw
-from rows import CUSTOM, config_of, random_actions
+from rows import NAMES, assert_same_worlds, config_of, random_actions
 
-NAMES = [*mw.VARIANTS, *CUSTOM]
 OF_TURNS = {"SIMULTANEOUS": 1, "SWARM_TURNS": 2}
-
-
-def assert_same(one: mw.World, other: mw.World) -> None:
-    for name, array in one.read(*mw.array_specs(one.config)).items():
-        np.testing.assert_array_equal(array, other.read(name)[name], name)
-    assert one.turn == other.turn
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -36,7 +31,7 @@ def test_a_round_by_turns_is_a_step(name: str) -> None:
             acted += by_turns.actors
             by_turns.play_turn(actions, explain=True)
         assert acted == list(range(config.n_agents))
-        assert_same(whole, by_turns)
+        assert_same_worlds(whole, by_turns)
         assert whole.conflicts == by_turns.conflicts
 
 
@@ -96,7 +91,7 @@ def test_a_copy_continues_independently_and_identically(name: str, copied: objec
         if world.turn or not (world.terminated or world.truncated):
             world.play_turn(actions)
     twin = copied(world)
-    assert_same(world, twin)
+    assert_same_worlds(world, twin)
     left_behind = copy.deepcopy(world)
     for actions in turns[5:]:
         if not world.turn and (world.terminated or world.truncated):
@@ -104,7 +99,7 @@ def test_a_copy_continues_independently_and_identically(name: str, copied: objec
             twin.reset()
         world.play_turn(actions)
         twin.play_turn(actions)
-        assert_same(world, twin)
+        assert_same_worlds(world, twin)
     assert left_behind.turn == 5 % world.n_turns or left_behind.terminated
 
 
@@ -118,6 +113,63 @@ def test_a_copy_keeps_the_map_of_its_episode() -> None:
     assert not twin.map.any()
 
 
-def test_reading_an_unknown_array() -> None:
-    with pytest.raises(ValueError, match="expected some of .*'positions'.*got \\['place'\\]"):
-        mw.World().read("positions", "place")
+# ---- Snapshots: what copies and pickles write down and restore -----------------------------------
+
+CONFIG = mw.WorldConfig.of("TO", rows=4, cols=5, n_pursuers=2, n_evaders=3, max_steps=9)
+
+
+def snapshot_of(world: mw.World) -> dict[str, Any]:
+    return world.__getstate__()["moment"]
+
+
+def test_fields_and_types() -> None:
+    world = mw.World(CONFIG)
+    world.reset(2**64 - 1, episode=3)
+    snapshot = snapshot_of(world)
+    assert (snapshot["seed"], snapshot["episode"]) == (2**64 - 1, 3)
+    arrays = {
+        name: value.shape for name, value in snapshot.items() if isinstance(value, np.ndarray)
+    }
+    assert arrays == {
+        "map": (20,),
+        **dict.fromkeys(("cells", "last_cells", "rewards", "report"), (5,)),
+        **dict.fromkeys(("captured", "ever_captured", "capture_paid", "captors"), (3,)),
+        "participants": (0,),
+    }
+    plain = {name: type(value) for name, value in snapshot.items() if name not in arrays}
+    assert plain == {
+        **dict.fromkeys(("seed", "episode", "steps", "turn"), int),
+        **dict.fromkeys(("first_turn", "terminated", "truncated"), bool),
+    }
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "expected"),
+    [
+        ("map", np.zeros(19, np.uint8), "20 entries, got 19"),
+        ("map", np.full(20, 2, np.uint8), "0 to 1, got 2"),
+        ("cells", np.full(5, 20, np.int32), "-1 to 19, got 20"),
+        ("cells", np.zeros(6, np.int32), "5 entries, got 6"),
+        ("last_cells", np.full(5, -2, np.int32), "-1 to 19, got -2"),
+        ("captured", np.full(3, 3, np.uint8), "0 to 1, got 3"),
+        ("captors", np.full(3, 3, np.int32), "0 to 2, got 3"),
+        ("rewards", np.zeros(4, np.float32), "5 entries, got 4"),
+        ("report", np.full(5, 64, np.int32), "0 to 63, got 64"),
+        ("participants", np.array([1, 5], np.int32), "0 to 4, got 5"),
+        ("steps", 10, "0 to 9, got 10"),
+        ("turn", 5, "0 to 4, got 5"),
+        *((missing, None, "an entry, got none") for missing in ("turn", "seed", "cells", "steps")),
+    ],
+)
+def test_a_wrong_snapshot_is_refused(name: str, value: object, expected: str) -> None:
+    snapshot = snapshot_of(mw.World(CONFIG)) | {name: value}
+    if value is None:
+        del snapshot[name]
+    with pytest.raises(ValueError, match=re.escape(f"snapshot, {name}: expected {expected}")):
+        mw.World.at(CONFIG, snapshot)
+
+
+def test_an_array_of_another_type_is_refused() -> None:
+    snapshot = snapshot_of(mw.World(CONFIG))
+    with pytest.raises(TypeError):
+        mw.World.at(CONFIG, snapshot | {"cells": np.zeros(5, np.float64)})
