@@ -24,9 +24,9 @@ from class_submissions import (
     write_programs,
 )
 from matrixworld import Matches, WorldConfig, match_seed, record_actions, rollout
-from matrixworld.classroom import ClassResult, Limits, play_class, standings
+from matrixworld.classroom import Limits, play_class, standings
 from matrixworld.classroom.policy_process import CAN_FORK, PolicyServer
-from matrixworld.classroom.tournament import SCRIPTS
+from matrixworld.classroom.tournament import SCRIPTS, ClassResult
 from matrixworld.coevolution.types import TEAMS
 
 pytestmark = pytest.mark.skipif(not CAN_FORK, reason="programs need fork")

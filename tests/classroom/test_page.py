@@ -9,8 +9,9 @@ import pytest
 from browser import DESKTOP, PHONE, Browser, browser, data_of
 from class_submissions import write_genomes
 from matrixworld import WorldConfig
-from matrixworld.classroom import ClassResult, class_page, play_class, standings
-from matrixworld.classroom.page import Tables
+from matrixworld.classroom import play_class, standings
+from matrixworld.classroom.page import Tables, class_page
+from matrixworld.classroom.tournament import ClassResult
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.explorer.page import write_page
 

@@ -19,11 +19,11 @@ from class_submissions import (
     processes_of_programs,
 )
 from matrixworld import WorldConfig
-from matrixworld.classroom import Entry, Limits, Refusal
+from matrixworld.classroom import Limits
 from matrixworld.classroom.match import MatchPool
 from matrixworld.classroom.policy_process import CAN_FORK
 from matrixworld.classroom.policy_server import NOT_CONFINED
-from matrixworld.classroom.submissions import Submission
+from matrixworld.classroom.submissions import Entry, Refusal, Submission
 from matrixworld.classroom.tournament import admit
 
 pytestmark = pytest.mark.skipif(not CAN_FORK, reason="programs need fork")

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from matrixworld import WorldConfig
-from matrixworld.classroom import ClassResult, Entry, rank_ranges, standings
 from matrixworld.classroom.page import digits, pack_actions
-from matrixworld.classroom.standings import payoffs_of
+from matrixworld.classroom.standings import payoffs_of, rank_ranges, standings
+from matrixworld.classroom.submissions import Entry
+from matrixworld.classroom.tournament import ClassResult
 
 
 def noisy(
@@ -19,24 +20,26 @@ def noisy(
     return np.clip(np.array(means)[:, None, None] + noise, 0.0, 1.0)
 
 
-def test_clear_differences_give_single_ranks() -> None:
-    assert rank_ranges(noisy([0.9, 0.2, 0.5])) == [(1, 1), (3, 3), (2, 2)]
+CERTAIN = np.zeros((2, 3, 40))
+CERTAIN[0] = 1.0
 
 
-def test_equal_entries_share_a_range() -> None:
-    assert rank_ranges(noisy([0.9, 0.5, 0.5, 0.1])) == [(1, 1), (2, 3), (2, 3), (4, 4)]
-    assert rank_ranges(np.full((3, 2, 4), 0.5)) == [(1, 3)] * 3
-
-
-def test_a_single_entry_is_first() -> None:
-    assert rank_ranges(noisy([0.3])) == [(1, 1)]
-    assert rank_ranges(np.empty((0, 3, 4))) == []
-
-
-def test_certain_wins_without_variation_are_told_apart() -> None:
-    payoffs = np.zeros((2, 3, 40))
-    payoffs[0] = 1.0
-    assert rank_ranges(payoffs) == [(1, 1), (2, 2)]
+@pytest.mark.parametrize(
+    ("payoffs", "ranks"),
+    [
+        (noisy([0.9, 0.2, 0.5]), [(1, 1), (3, 3), (2, 2)]),
+        (noisy([0.9, 0.5, 0.5, 0.1]), [(1, 1), (2, 3), (2, 3), (4, 4)]),
+        (np.full((3, 2, 4), 0.5), [(1, 3)] * 3),
+        (CERTAIN, [(1, 1), (2, 2)]),
+        (noisy([0.3]), [(1, 1)]),
+        (np.empty((0, 3, 4)), []),
+    ],
+    ids=["clear", "two alike", "all equal", "without variation", "single", "none"],
+)
+def test_entries_that_cannot_be_told_apart_share_a_range(
+    payoffs: np.ndarray, ranks: list[tuple[int, int]]
+) -> None:
+    assert rank_ranges(payoffs) == ranks
 
 
 def test_ranges_rarely_miss_the_true_ranks() -> None:

@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from matrixworld.classroom import load_genome, save_genome
+from matrixworld.classroom.submissions import load_genome, save_genome
 from matrixworld.classroom.untrusted import MOST_BYTES, MOST_UNPACKED, read_content
 from matrixworld.coevolution import DamagedFileError
 from matrixworld.play import NetworkPolicy

@@ -10,7 +10,7 @@ import pytest
 
 from class_submissions import honest_programs, problem_here, write_genomes, write_programs
 from command_line import RACE, matrixworld_command, run_together, words
-from matrixworld.classroom import load_genome
+from matrixworld.classroom.submissions import load_genome
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.storage.saved_run import run_directories
 

@@ -14,9 +14,10 @@ from browser import DESKTOP, PHONE, READY, Browser
 from matrixworld import World
 from matrixworld.coevolution import SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
-from matrixworld.explorer import explore, explorer_page
+from matrixworld.explorer import explore
 from matrixworld.explorer.page import render_page, write_page
 from matrixworld.explorer.run_data import archives_of, run_data
+from matrixworld.explorer.runs_page import explorer_page
 from tiny_race import tiny_race, tiny_single
 
 Job = dict[str, SavedRun]

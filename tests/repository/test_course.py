@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from matrixworld.tutorial import Exercise, Prediction, check, exercises
+from matrixworld.tutorial import check
+from matrixworld.tutorial.course import Exercise, Prediction, exercises
 
 TUTORIALS = Path(__file__).parents[2] / "tutorials"
 NOTEBOOKS = sorted(TUTORIALS.glob("[0-9]*.ipynb"))

@@ -26,7 +26,7 @@ from matrixworld.coevolution import SCHEDULES, RaceSettings, start
 from matrixworld.coevolution.schedules import ALL_SCHEDULES, SAMPLERS
 from matrixworld.coevolution.storage.run_directory import COLUMNS
 from matrixworld.envs import INFO_KEYS
-from matrixworld.tutorial import Exercise, exercises
+from matrixworld.tutorial.course import Exercise, exercises
 from tiny_race import path_of, tiny_race
 
 ROOT = Path(__file__).parents[2]

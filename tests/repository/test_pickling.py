@@ -42,7 +42,6 @@ NOT_COPIED = {
     "Batch": "its buffers belong to the caller",
     "VectorEnv": "it holds a batch",
     "AgentVectorEnv": "it holds a `VectorEnv`",
-    "Exercise": "its check is a closure",
     "ProgressBar": "it holds a terminal",
     "VariantModule": "a module",
 }
@@ -206,7 +205,11 @@ def _of_plots() -> Iterator[Any]:
 
 
 def _of_tutorial() -> Iterator[Any]:
-    yield from (tutorial.check("1.a", "c"), tutorial.hint("1.1"), tutorial.exercises(1)["1.a"])
+    yield from (
+        tutorial.check("1.a", "c"),
+        tutorial.hint("1.1"),
+        tutorial.course.exercises(1)["1.a"],
+    )
 
 
 def _of_toys() -> Iterator[Any]:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from matrixworld.tutorial import Prediction, exercises
+from matrixworld.tutorial.course import Prediction, exercises
 
 TUTORIALS = Path(__file__).parents[2] / "tutorials"
 

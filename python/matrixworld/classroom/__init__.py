@@ -6,22 +6,9 @@ is played in the process of the teacher, which never runs a line of a program.
 
 from __future__ import annotations
 
-from matrixworld.classroom.page import class_page
 from matrixworld.classroom.sandbox import Limits
-from matrixworld.classroom.standings import Standing, rank_ranges, standings
-from matrixworld.classroom.submissions import Entry, Refusal, load_genome, save_genome
-from matrixworld.classroom.tournament import ClassResult, play_class
+from matrixworld.classroom.standings import Standing, standings
+from matrixworld.classroom.submissions import save_genome
+from matrixworld.classroom.tournament import play_class
 
-__all__ = [
-    "ClassResult",
-    "Entry",
-    "Limits",
-    "Refusal",
-    "Standing",
-    "class_page",
-    "load_genome",
-    "play_class",
-    "rank_ranges",
-    "save_genome",
-    "standings",
-]
+__all__ = ["Limits", "Standing", "play_class", "save_genome", "standings"]

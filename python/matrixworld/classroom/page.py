@@ -67,33 +67,18 @@ def _row(standing: Standing) -> dict[str, Any]:
 def class_page(result: ClassResult, tables: Tables, *, title: str, most: int = MOST_BYTES) -> str:
     """Return the page of a class tournament as HTML.
 
-    Parameters
-    ----------
-    result : ClassResult
-        The tournament.
-    tables : mapping of str to sequence of Standing
-        The `standings` of each team.
-    title : str
-        Name of the class.
-    most : int, optional
-        Bytes of all recordings together. The best and the worst match of each entry come first.
-
-    Returns
-    -------
-    str
-        The page, which loads nothing from elsewhere.
+    It holds `most` bytes of recordings: the best and the worst match of each entry come first.
     """
-    n_actions = result.config.n_actions
     packed = _chosen(result, tables, most)
+    rows, columns, _ = result.capture_rates.shape
     steps = [
-        [len(result.recordings[g, h]) if (g, h) in packed else -1 for h in range(n)]
-        for n in [result.capture_rates.shape[1]]
-        for g in range(result.capture_rates.shape[0])
+        [len(result.recordings[g, h]) if (g, h) in packed else -1 for h in range(columns)]
+        for g in range(rows)
     ]
     data: dict[str, Any] = {
         **_summary(result, tables),
         "title": title,
-        "n_actions": n_actions,
+        "n_actions": result.config.n_actions,
         "capture_rate": _rounded(result.capture_rates.mean(axis=2)),
         "lowest": _rounded(result.capture_rates.min(axis=2)),
         "highest": _rounded(result.capture_rates.max(axis=2)),

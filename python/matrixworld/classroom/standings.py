@@ -82,10 +82,10 @@ def standings(result: ClassResult, team: Team) -> list[Standing]:
         Standing(
             entry,
             number,
-            _score(band, number, payoffs.shape[2]),
-            ranks.get(number),
-            int(means[number].argmax()),
-            int(means[number].argmin()),
+            score=_score(band, number, payoffs.shape[2]),
+            ranks=ranks.get(number),
+            best=int(means[number].argmax()),
+            worst=int(means[number].argmin()),
         )
         for number, entry in enumerate(entries)
     ]
@@ -108,30 +108,16 @@ def payoffs_of(result: ClassResult, team: Team) -> NDArray[np.float64]:
 
 
 def rank_ranges(payoffs: NDArray[np.float64]) -> list[tuple[int, int]]:
-    """Return the best and the worst rank that each entry may have.
+    """Return the best and the worst rank that each of n entries may have.
 
-    Parameters
-    ----------
-    payoffs : ndarray of float64, shape (n, m, episodes)
-        Payoffs in [0, 1] of n entries against the same m opponents. Episode e of all cells has the
-        same start.
+    Payoffs are (n, opponents, episodes) in [0, 1]; episode e of all cells has the same start. The
+    best rank is 1 + the number of entries that are surely better, the worst one n minus the number
+    of those that are surely worse: the interval of the difference does not include 0.
 
-    Returns
-    -------
-    list of tuple of int
-        For each entry 1 + the number of entries that are surely better, and n minus the number of
-        those that are surely worse. Two entries whose difference has an interval that includes 0
-        cannot be told apart.
-
-    Notes
-    -----
-    Each of the n - 1 differences of an entry has an interval of level ``1 - ERROR / (n - 1)``, so
-    that all of them hold at once with a probability of at least 0.95; then so does the range.
-
-    References
-    ----------
     Mogstad, Romano, Shaikh and Wilhelm (2024), "Inference for ranks with applications to mobility
-    across neighbourhoods and academic achievement across countries".
+    across neighbourhoods and academic achievement across countries": each of the n - 1 differences
+    of an entry has an interval of level ``1 - ERROR / (n - 1)``, so that all of them hold at once
+    with a probability of at least 0.95; then so does the range.
     """
     n = len(payoffs)
     worse_than, better_than = np.zeros(n, int), np.zeros(n, int)

@@ -51,46 +51,22 @@ class Submission(NamedTuple):
 
 @dataclass(frozen=True)
 class Refusal:
-    """A file that does not play.
+    """A file that does not play."""
 
-    Parameters
-    ----------
-    name : str
-        Name of the student.
-    file : str
-        Name of the file.
-    reason : str
-        Why, for the student who handed it in.
-    """
-
-    name: str
+    name: str  # of the student
     file: str
-    reason: str
+    reason: str  # for the student who handed it in
 
 
 @dataclass(frozen=True, eq=False)
 class Entry:
-    """What plays for one team in the tournament.
+    """What plays for one team; scripts are the package's own, for comparison."""
 
-    Parameters
-    ----------
-    name : str
-        Name of the student, or of the script.
-    team : {"pursuer", "evader"}
-        The team.
-    kind : {"program", "genome", "script"}
-        What it is; scripts are the package's own, for comparison.
-    file : str
-        Name of the file; empty for a script.
-    policy : bytes, Population or str
-        The text of the program, the genome, or the name of the script.
-    """
-
-    name: str
+    name: str  # of the student, or of the script
     team: Team
     kind: Literal["program", "genome", "script"]
-    file: str
-    policy: bytes | TeamPolicy
+    file: str  # empty for a script
+    policy: bytes | TeamPolicy  # the text of the program, the genome, or the name of the script
 
     @cached_property
     def key(self) -> tuple[int, ...]:
@@ -251,24 +227,8 @@ def save_genome(path: str | os.PathLike[str], team: Team, policy: NetworkPolicy)
 def load_genome(path: str | os.PathLike[str]) -> tuple[Team, Population]:
     """Return the team of a genome's file, and the genome as a population of one.
 
-    Parameters
-    ----------
-    path : str or path
-        A file as `save_genome` writes it; ``numpy.savez`` with the same keys can make one, too.
-
-    Returns
-    -------
-    team : {"pursuer", "evader"}
-        The team.
-    population : Population
-        The genome with its network.
-
-    Raises
-    ------
-    DamagedFileError
-        If the file is damaged, too large, or not of this form.
-    OSError
-        If it cannot be read.
+    `save_genome` writes such files, and ``numpy.savez`` with the same keys. DamagedFileError if the
+    file is damaged, too large, or not of this form; OSError if it cannot be read.
     """
     file = Path(path)
     return genome_of(file, read_content(file, "genome"))

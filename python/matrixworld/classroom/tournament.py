@@ -48,34 +48,16 @@ TRIAL_OPPONENT: Script = "random"
 
 @dataclass(frozen=True, eq=False)
 class ClassResult:
-    """A class tournament.
-
-    Parameters
-    ----------
-    config : WorldConfig
-        The settings of the world.
-    seed : int
-        The seed of the tournament; ``match_seed(seed)`` is that of every match.
-    entries : dict of str to tuple of Entry
-        What played for the ``"pursuer"`` and for the ``"evader"`` team: P and E of them. Scripts
-        come last.
-    refusals : tuple of Refusal
-        What did not play, or broke a rule while it played, and why.
-    capture_rates : ndarray of float64, shape (P, E, episodes)
-        Capture rate of each episode.
-    lengths : ndarray of int64, shape (P, E, episodes)
-        Steps of each episode.
-    recordings : dict of (int, int) to ndarray
-        All actions of the first episode of each pair, uint8 (steps, A).
-    """
+    """A tournament of P pursuers and E evaders; what broke a rule while it played is refused."""
 
     config: WorldConfig
-    seed: int
-    entries: dict[Team, tuple[Entry, ...]]
+    seed: int  # `match_seed` of it is that of every match
+    entries: dict[Team, tuple[Entry, ...]]  # scripts come last
     refusals: tuple[Refusal, ...]
-    capture_rates: NDArray[np.float64]
-    lengths: NDArray[np.int64]
+    capture_rates: NDArray[np.float64]  # (P, E, episodes)
+    lengths: NDArray[np.int64]  # (P, E, episodes), in steps
     recordings: dict[tuple[int, int], NDArray[np.uint8]] = field(repr=False)
+    """All actions of the first episode of each pair, (steps, A)."""
 
 
 def play_class(

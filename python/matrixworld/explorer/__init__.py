@@ -3,6 +3,6 @@
 from __future__ import annotations
 
 from matrixworld.explorer.playground import Playground
-from matrixworld.explorer.runs_page import Explorer, explore, explorer_page
+from matrixworld.explorer.runs_page import Explorer, explore
 
-__all__ = ["Explorer", "Playground", "explore", "explorer_page"]
+__all__ = ["Explorer", "Playground", "explore"]

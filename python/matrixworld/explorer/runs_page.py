@@ -112,28 +112,11 @@ def explorer_page(
     judgements: Mapping[Path, Judgement] | None = None,
     note: str = "",
 ) -> str:
-    """Return the page of finished runs as HTML.
+    """Return the page of finished runs as HTML, in this order.
 
-    Parameters
-    ----------
-    runs : sequence of SavedRun
-        The runs, in the order of the page.
-    held_out : mapping of Path to mapping, optional
-        Scores against held-out opponents by run directory; see `run_data.run_data`.
-    judgements : mapping of Path to Judgement, optional
-        Judgements that are known, by run directory; other races are judged here.
-    note : str, optional
-        What the page does not show, such as further runs of the job.
-
-    Returns
-    -------
-    str
-        The page.
-
-    Raises
-    ------
-    FileNotFoundError
-        If a run is not finished.
+    By run directory, `held_out` has scores against held-out opponents (see `run_data`), and
+    `judgements` those that are known; other races are judged here. A `note` says what the page does
+    not show, such as further runs of the job. FileNotFoundError if a run is not finished.
     """
     paths = [run.files.path.absolute() for run in runs]
     common = Path(os.path.commonpath(paths))

@@ -7,15 +7,6 @@ No answer yet. Replace the dots with your answer, run the cell, and check again.
 
 from __future__ import annotations
 
-from matrixworld.tutorial.course import (
-    Exercise,
-    Feedback,
-    Prediction,
-    check,
-    exercises,
-    hint,
-    kept,
-    size,
-)
+from matrixworld.tutorial.course import check, hint, kept, size
 
-__all__ = ["Exercise", "Feedback", "Prediction", "check", "exercises", "hint", "kept", "size"]
+__all__ = ["check", "hint", "kept", "size"]

@@ -45,56 +45,27 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Exercise:
-    """A question whose answer is a value or a function of the student's own.
-
-    Parameters
-    ----------
-    mistake : callable
-        Takes the answer and returns what is wrong with it in one or two sentences, or None if it is
-        right.
-    explanation : str
-        Why the right answer is right.
-    hints : tuple of str
-        Hints, from the smallest to the one that nearly tells it.
-    """
+    """A question whose answer is a value or a function of the student's own."""
 
     mistake: Check
-    explanation: str
-    hints: tuple[str, ...]
+    explanation: str  # why the right answer is right
+    hints: tuple[str, ...]  # from the smallest to the one that nearly tells it
 
 
 @dataclass(frozen=True)
 class Prediction:
-    """A question that is answered before the experiment.
+    """A question that is answered before the experiment."""
 
-    Parameters
-    ----------
-    outcome : str
-        The option that the experiment shows.
-    explanation : str
-        Why it happens.
-    options : tuple of str, optional
-        The answers to choose from. The default is ``("a", "b", "c")``.
-    """
-
-    outcome: str
-    explanation: str
+    outcome: str  # the option that the experiment shows
+    explanation: str  # why it happens
     options: tuple[str, ...] = ("a", "b", "c")
 
 
 @dataclass(frozen=True, repr=False)
 class Feedback:
-    """The reply to an answer, or a hint; a notebook shows it as the last expression of a cell.
+    """The reply to an answer, or a hint; a notebook shows it as the last expression of a cell."""
 
-    Parameters
-    ----------
-    right : bool or None
-        Whether the answer is right; None if there is no answer.
-    text : str
-        The reply in words.
-    """
-
-    right: bool | None
+    right: bool | None  # None if there is no answer
     text: str
 
     def __repr__(self) -> str:
@@ -177,23 +148,7 @@ def hint(name: str) -> Feedback:
 
 
 def exercises(chapter: int) -> Mapping[str, Exercise | Prediction]:
-    """Return the exercises and predictions of a notebook by name.
-
-    Parameters
-    ----------
-    chapter : int
-        Number of the notebook, from 1.
-
-    Returns
-    -------
-    mapping of str to Exercise or Prediction
-        In the order in which they appear.
-
-    Raises
-    ------
-    ValueError
-        If there is no notebook of this number.
-    """
+    """Return the exercises and predictions of a notebook, from 1, by name, in their order."""
     if chapter not in CHAPTERS:
         raise ValueError(f"chapter: expected {CHAPTERS[0]} to {CHAPTERS[-1]}, got {chapter!r}")
     checks: Mapping[str, Check] = import_module(f"matrixworld.tutorial.chapter_{chapter}").CHECKS
