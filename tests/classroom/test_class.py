@@ -6,8 +6,9 @@ import re
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import nullcontext
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -64,65 +65,60 @@ def reasons(directory: Path) -> dict[str, str]:
     return files | {f"{name}.py": REFUSED_PROGRAMS[name][1] for name in HOSTILE}
 
 
+class Tournament(NamedTuple):
+    result: ClassResult
+    files: set[str]  # before it
+    seconds: float
+
+
 @pytest.fixture(scope="module")
-def played(directory: Path, reasons: dict[str, str]) -> tuple[ClassResult, set[str], float]:
-    """The tournament, the files before it, and its seconds."""
-    before, began = {path.name for path in directory.iterdir()}, time.monotonic()
+def played(directory: Path, reasons: dict[str, str]) -> Tournament:
+    files, began = {path.name for path in directory.iterdir()}, time.monotonic()
     result = play_class(
         directory, CONFIG, episodes=3, limits=Limits(seconds=2, wait=4.0, memory=128)
     )
-    return result, before, time.monotonic() - began
+    return Tournament(result, files, time.monotonic() - began)
 
 
-def test_fifty_submissions_are_ranked_or_refused(
-    played: tuple[ClassResult, set[str], float], reasons: dict[str, str]
+def test_fifty_submissions_are_ranked_or_refused_and_leave_nothing(
+    played: Tournament, directory: Path, reasons: dict[str, str]
 ) -> None:
-    result, files, seconds = played
-    assert len(files) >= 50
-    refused = {refusal.file: refusal.reason for refusal in result.refusals}
+    assert len(played.files) >= 50
+    refused = {refusal.file: refusal.reason for refusal in played.result.refusals}
     assert refused.keys() == reasons.keys()
     for file, pattern in reasons.items():
         assert re.search(pattern, refused[file].replace("pursue: ", "")) or re.search(
             pattern, refused[file]
         ), (file, refused[file])
-    ranked = {entry.file for team in TEAMS for entry in result.entries[team] if entry.file}
-    assert ranked == files - refused.keys()
+    entries = played.result.entries
+    ranked = {entry.file for team in TEAMS for entry in entries[team] if entry.file}
+    assert ranked == played.files - refused.keys()
     assert len(ranked) == sum(ENTRIES.values())
-    assert seconds < 180.0  # about 15 on an idle machine
-
-
-def test_nothing_is_written_and_no_process_is_left(
-    played: tuple[ClassResult, set[str], float], directory: Path
-) -> None:
-    _, before, _ = played
-    assert {path.name for path in directory.iterdir()} == before
+    assert played.seconds < 180.0  # about 15 on an idle machine
+    assert {path.name for path in directory.iterdir()} == played.files
     assert processes_of_programs() == []
 
 
-def test_stronger_policies_have_higher_scores(
-    played: tuple[ClassResult, set[str], float],
-) -> None:
+def test_stronger_policies_have_higher_scores(played: Tournament) -> None:
     scores = {
         (each.entry.team, each.entry.name): each.score.value
         for team in TEAMS
-        for each in standings(played[0], team)
+        for each in standings(played.result, team)
     }
     assert scores["pursuer", "student 00"] > scores["pursuer", "random"]
     assert scores["evader", "student 01"] > scores["evader", "random"]
 
 
-def test_a_replay_is_the_match(played: tuple[ClassResult, set[str], float]) -> None:
-    result = played[0]
+def test_a_replay_is_the_match(played: Tournament) -> None:
+    result = played.result
     for (g, h), actions in result.recordings.items():
         episode = record_actions(CONFIG, actions, seed=match_seed(0))
         assert episode.length == result.lengths[g, h, 0]
         assert episode.capture_rate == pytest.approx(result.capture_rates[g, h, 0])
 
 
-def test_matches_without_programs_are_those_of_the_engine(
-    played: tuple[ClassResult, set[str], float],
-) -> None:
-    result = played[0]
+def test_matches_without_programs_are_those_of_the_engine(played: Tournament) -> None:
+    result = played.result
     numbers = {
         team: {e.name: n for n, e in enumerate(result.entries[team]) if e.kind == "script"}
         for team in TEAMS
@@ -160,10 +156,19 @@ def test_equal_results_with_any_threads_and_any_company(tmp_path: Path) -> None:
 
 
 def test_a_program_that_fails_in_the_tournament_is_left_out(tmp_path: Path) -> None:
-    text = "calls = 0\ndef pursue(view, rng):\n    global calls\n    calls += 1\n"
-    write_programs(tmp_path, honest_programs(2) | {"late": text + "    return [0][calls > 30]\n"})
-    result = small(tmp_path)
-    assert "late" not in [entry.name for entry in result.entries["pursuer"]]
+    """Of two that count their calls: in all, and in the memory of one agent and one episode."""
+    late = "calls = 0\ndef pursue(view, rng):\n    global calls\n    calls += 1\n"
+    counts = (
+        "def pursue(view, rng, memory):\n"
+        "    memory['calls'] = memory.get('calls', 0) + 1\n"
+        "    assert memory['calls'] <= 10, memory\n"
+        "    return 0\n"
+    )
+    late += "    return [0][calls > 30]\n"
+    write_programs(tmp_path, honest_programs(2) | {"late": late, "counts": counts})
+    result = small(tmp_path, episodes=3)
+    students = [entry.name for entry in result.entries["pursuer"] if entry.file]
+    assert students == ["counts", "student 00"]
     [refusal] = result.refusals
     assert refusal.reason.startswith("pursue: line 5: IndexError: list index out of range (in the")
     assert np.isfinite(result.capture_rates).all()
@@ -177,17 +182,6 @@ def test_a_program_that_takes_too_long_in_all_is_left_out(tmp_path: Path) -> Non
     assert [(each.name, each.reason) for each in result.refusals] == [
         ("busy", "more than 0.2 seconds of processor time in all matches")
     ]
-
-
-def test_memory_is_of_one_agent_and_one_episode(tmp_path: Path) -> None:
-    text = (
-        "def pursue(view, rng, memory):\n"
-        "    memory['calls'] = memory.get('calls', 0) + 1\n"
-        "    assert memory['calls'] <= 10, memory\n"
-        "    return 0\n"
-    )
-    write_programs(tmp_path, {"counts": text})
-    assert small(tmp_path, episodes=3).refusals == ()
 
 
 def test_directories_of_students(tmp_path: Path) -> None:
@@ -262,38 +256,21 @@ def test_trusted_programs_have_limits_but_no_filter(tmp_path: Path) -> None:
     limits = Limits(seconds=1, wait=3.0)
     result = play_class(tmp_path, CONFIG, episodes=2, limits=limits, trust=True)
     assert [e.name for e in result.entries["pursuer"] if e.file] == ["reads"]
-    assert {each.name for each in result.refusals} == {
-        "endless",
-        "writes",
-        "forks",
-        "memory",
-        "kills",
-    }
+    refused = {each.name for each in result.refusals}
+    assert refused == {"endless", "writes", "forks", "memory", "kills"}
     assert mark.stat().st_size == 100
     assert processes_of_programs() == []
 
 
 def test_an_interruption_ends_all_processes(tmp_path: Path) -> None:
     write_programs(tmp_path, honest_programs(4))
-    calls: list[int] = []
 
     def interrupt(what: str, done: int, total: int) -> None:
-        calls.append(done)
         if what == "round robin":
             raise KeyboardInterrupt
 
-    class Progress:
-        def __init__(self, unit: str) -> None:
-            pass
-
-        def __enter__(self) -> Any:
-            return interrupt
-
-        def __exit__(self, *error: object) -> None:
-            pass
-
     with pytest.raises(KeyboardInterrupt):
-        small(tmp_path, threads=2, progress=Progress)
+        small(tmp_path, threads=2, progress=lambda unit: nullcontext(interrupt))
     time.sleep(0.2)
     assert processes_of_programs() == []
     with ThreadPoolExecutor(1) as pool:  # the interpreter can still make threads

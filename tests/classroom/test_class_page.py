@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from class_submissions import problem_here
+from class_submissions import ACTS, problem_here, write_programs
 from matrixworld import WorldConfig
 from matrixworld.classroom import play_class
 from matrixworld.classroom.policy_server import MODULES
@@ -19,6 +19,10 @@ from matrixworld.cli.classroom import play_command
 
 PAGE = (Path(__file__).parents[2] / "docs" / "class.md").read_text(encoding="utf-8")
 PROGRAM, TRIAL = re.findall(r"```python\n(.*?)```", PAGE, re.S)
+LISTED = set(
+    re.findall(r"`([\w.]+)`", PAGE.partition("A program can import")[2].partition("\n\n")[0])
+)
+"""The modules that a program can import."""
 HEADERS = (
     Path("/usr/include/x86_64-linux-gnu/asm/unistd_64.h"),
     Path("/usr/include/asm-generic/unistd.h"),
@@ -34,13 +38,16 @@ def test_the_program_of_the_page_plays(tmp_path: Path, monkeypatch: pytest.Monke
     assert 0.1 < float(printed.getvalue()) < 0.9
 
 
-def test_the_program_of_the_page_can_be_handed_in(tmp_path: Path) -> None:
+def test_programs_as_on_the_page_can_be_handed_in(tmp_path: Path) -> None:
+    """The page's own, and one that imports all that the page lists."""
     if problem := problem_here():
         pytest.skip(problem)
-    (tmp_path / "anna.py").write_text(PROGRAM)
+    imports = "".join(f"import {name}\n" for name in sorted(LISTED))
+    write_programs(tmp_path, {"anna": PROGRAM, "bo": imports + ACTS + "return 0"})
     config = WorldConfig("O", rows=8, cols=8, n_pursuers=2, n_evaders=2, max_steps=10)
     result = play_class(tmp_path, config, episodes=2)
-    assert (result.entries["pursuer"][0].name, result.refusals) == ("anna", ())
+    students = [entry.name for entry in result.entries["pursuer"] if entry.file]
+    assert (students, result.refusals) == (["anna", "bo"], ())
 
 
 def test_limits_and_options_are_those_of_the_command() -> None:
@@ -55,10 +62,8 @@ def test_limits_and_options_are_those_of_the_command() -> None:
 
 
 def test_all_modules_that_programs_may_import_are_listed() -> None:
-    listed = PAGE.partition("A program can import")[2].partition("\n\n")[0]
-    names = set(re.findall(r"`([\w.]+)`", listed))
     hidden = {name for name in MODULES if name.startswith(("__", "numpy.", "encodings."))}
-    assert names == {name.removesuffix(".abc") for name in set(MODULES) - hidden} | {"numpy"}
+    assert {name.removesuffix(".abc") for name in set(MODULES) - hidden} | {"numpy"} == LISTED
 
 
 @pytest.mark.parametrize("column", [0, 1])

@@ -67,6 +67,7 @@ def test_every_cell_is_played_again_as_in_the_tournament(
 def test_tables_and_refusals_show_what_was_found(
     browser: Browser, page: Path, played: tuple[ClassResult, Tables]
 ) -> None:
+    """And a click on an opponent in a table plays that match."""
     browser.open(page, DESKTOP)
     text = browser.js("document.body.innerText")
     for team in TEAMS:
@@ -77,13 +78,6 @@ def test_tables_and_refusals_show_what_was_found(
     assert HOSTILE in browser.js("document.querySelector('.standings').textContent")
     assert browser.js("document.title") == f"class {HOSTILE} - matrixworld"
     assert browser.js("document.images.length") == 0
-    assert browser.errors() == []
-
-
-def test_a_click_on_an_opponent_plays_that_match(
-    browser: Browser, page: Path, played: tuple[ClassResult, Tables]
-) -> None:
-    browser.open(page, DESKTOP)
     last = played[1]["evader"][-1]
     browser.js(
         "[...document.querySelectorAll('.standings')][1]"
@@ -92,6 +86,7 @@ def test_a_click_on_an_opponent_plays_that_match(
     pair = f"{last.best} {last.number}"
     assert browser.js("document.getElementById('match').dataset.played") == pair
     browser.wait("matrixworldClass.step > 0")
+    assert browser.errors() == []
 
 
 def test_a_page_without_room_keeps_the_best_and_worst_matches(

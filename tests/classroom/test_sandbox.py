@@ -48,6 +48,12 @@ def admitted(pool: MatchPool, text: str) -> tuple[list[Entry], list[Refusal]]:
     return admit([submission], pool, lambda what, done, total: None)
 
 
+def assert_plays(pool: MatchPool, first_lines: str) -> None:
+    """Check that a program which begins so is not refused."""
+    entries, refusals = admitted(pool, first_lines + ACTS + "return 0")
+    assert (len(entries), refusals) == (1, [])
+
+
 @pytest.mark.parametrize("name", REFUSED_PROGRAMS)
 def test_a_program_that_breaks_a_rule_is_refused(
     pool: MatchPool, name: str, tmp_path: Path
@@ -78,23 +84,24 @@ def test_a_program_that_changes_its_own_process_only_plays(
 
 def test_the_next_program_finds_nothing_of_the_one_before(pool: MatchPool) -> None:
     admitted(pool, "import builtins, math\nbuiltins.left = math.left = 1\n" + ACTS + "return 0")
-    text = "import builtins, math\nassert not hasattr(builtins, 'left')\n"
-    text += "assert not hasattr(math, 'left')\n" + ACTS + "return 0"
-    entries, refusals = admitted(pool, text)
-    assert (len(entries), refusals) == (1, [])
+    assert_plays(
+        pool,
+        "import builtins, math\n"
+        "assert not hasattr(builtins, 'left')\n"
+        "assert not hasattr(math, 'left')\n",
+    )
 
 
 def test_a_program_sees_no_environment_and_no_other_open_file(pool: MatchPool) -> None:
-    text = (
+    assert_plays(
+        pool,
         "import os\n"
         "assert not os.environ, os.environ\n"
         "for handle in range(4, 100):\n"
         "    try:\n        os.read(handle, 1)\n"
         "    except OSError as error:\n        assert error.errno == 9\n"
-        "    else:\n        raise AssertionError(handle)\n"
+        "    else:\n        raise AssertionError(handle)\n",
     )
-    entries, refusals = admitted(pool, text + ACTS + "return 0")
-    assert (len(entries), refusals) == (1, [])
 
 
 @pytest.mark.parametrize("call", [0, 56, 57, 62, 101, 157, 160, 302, 321, 425, 435])
@@ -103,23 +110,12 @@ def test_system_calls_by_number_fail(pool: MatchPool, call: int) -> None:
     if os.uname().machine != "x86_64":
         pytest.skip("numbers of x86-64")
     number = call or 0x40000000 + 2  # open by its number in the x32 interface
-    text = (
+    assert_plays(
+        pool,
         "import ctypes\nlibrary = ctypes.CDLL(None, use_errno=True)\n"
         f"assert library.syscall({number}, 0, 0, 0, 0, 0) == -1\n"
-        "assert ctypes.get_errno() == 1, ctypes.get_errno()\n"
+        "assert ctypes.get_errno() == 1, ctypes.get_errno()\n",
     )
-    entries, refusals = admitted(pool, text + ACTS + "return 0")
-    assert (len(entries), refusals) == (1, [])
-
-
-def test_programs_may_import_what_the_documentation_lists(pool: MatchPool) -> None:
-    page = Path(__file__).parents[2] / "docs/class.md"
-    listed = page.read_text(encoding="utf-8").partition("A program can import")[2].partition("\n\n")
-    names = re.findall(r"`([\w.]+)`", listed[0])
-    assert len(names) > 20
-    text = "".join(f"import {name}\n" for name in names) + ACTS + "return 0"
-    entries, refusals = admitted(pool, text)
-    assert (len(entries), refusals) == (1, [])
 
 
 def test_honest_programs_play_both_teams(pool: MatchPool) -> None:

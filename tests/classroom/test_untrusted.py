@@ -73,16 +73,6 @@ def listening_socket(path: Path) -> None:
     os.chdir(here)
 
 
-def larger_than(most: int) -> Callable[[Path], None]:
-    """Return a function that makes a file without content that claims more bytes."""
-
-    def make(path: Path) -> None:
-        path.touch()
-        os.truncate(path, most + 1)
-
-    return make
-
-
 NOT_FILES: dict[str, Callable[[Path], None]] = {
     "a FIFO": os.mkfifo,
     "a directory": Path.mkdir,
@@ -133,7 +123,8 @@ def test_a_fifo_that_takes_the_name_of_a_file_is_not_waited_for(
 
 @pytest.mark.parametrize("kind", MOST_BYTES)
 def test_a_file_that_is_too_large_is_not_read(kind: str, tmp_path: Path) -> None:
-    larger_than(MOST_BYTES[kind])(tmp_path / "a")
+    (tmp_path / "a").touch()
+    os.truncate(tmp_path / "a", MOST_BYTES[kind] + 1)  # without content
     with pytest.raises(DamagedFileError, match=f"^.*a: expected at most {MOST_BYTES[kind]:,} byt"):
         read_content(tmp_path / "a", kind)  # type: ignore[arg-type]
 
