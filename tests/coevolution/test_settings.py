@@ -161,6 +161,7 @@ def test_a_text_stands_for_a_section():
         ),
         ({"world.rules": "X"}, ValueError, "world.variant: expected one of"),
         ({"world.fov": 4}, ValueError, "world.fov"),
+        ({"world.rewards": "mine"}, ValueError, "world.rewards: expected"),
         ({"world.rows": 2, "world.cols": 2}, ValueError, "world.n_"),
         ({"world.predators": 2}, ValueError, "world.predators: expected one of the settings rules"),
         ({"world": "O"}, TypeError, "world: expected a matrixworld.WorldConfig, got 'O'"),
@@ -186,6 +187,30 @@ def test_a_text_stands_for_a_section():
             ValueError,
             "learner.cost_rate: expected no value without cost_limit",
         ),
+        (
+            {"learner": "actor-critic", "learner.discount": 1.5},
+            ValueError,
+            "learner.discount: expected a number at least 0 and at most 1, got 1.5",
+        ),
+        ({"learner": "actor-critic", "learner.device": 0}, TypeError, "learner.device: expected a"),
+        ({"learner.clip": 0.1}, ValueError, "learner.clip: expected one of the settings"),
+        ({"fitness.cost_limit": -1.0}, ValueError, "fitness.cost_limit: expected a number at le"),
+        (
+            {"learner": "actor-critic", "learner.cost_limit": -1.0},
+            ValueError,
+            "learner.cost_limit: expected a number at least 0, got -1",
+        ),
+        ({"policy.mask": "walls"}, ValueError, "policy.mask: expected one of none, obstacles, occ"),
+        (
+            {"policy.mask": "occupied"},
+            ValueError,
+            "policy.mask: expected obstacles or none where pursuers capture by",
+        ),
+        (
+            {"world.fov": 1, "policy.mask": "obstacles"},
+            ValueError,
+            "world.fov: expected at least 3 with the mask obstacles",
+        ),
     ],
 )
 def test_bad_settings_are_refused(changes, error, message):
@@ -200,6 +225,7 @@ def test_bad_settings_are_refused(changes, error, message):
         ({"policy.hidden": (), "policy.initial_weight": 0.3}, "policy.initial_weight"),
         ({"learner": "actor-critic", "policy.initial_weight": 0.3}, "policy.initial_weight"),
         ({"learner": "actor-critic", "fitness.measure": "rewards"}, "fitness.measure"),
+        ({"learner": "actor-critic", "fitness.overlap_penalty": 0.3}, "fitness.overlap_penalty"),
         ({**SMALL, "learner": "cma", "policy.mask": "obstacles"}, "policy.mask"),
         ({"learner": "own_code:HillClimber", "policy.mask": "obstacles"}, "policy.mask"),
         ({"fitness.sharing": "competitive"}, "fitness.sharing"),
@@ -224,20 +250,6 @@ def test_bad_settings_are_refused(changes, error, message):
 def test_what_has_no_effect_beside_other_sections_is_refused(changes, path):
     with pytest.raises(ValueError, match=f"^{path}.*: expected"):
         RaceSettings.of(changes)
-
-
-@pytest.mark.parametrize("path", ["learner.cost_limit", "fitness.cost_limit"])
-def test_negative_limits_are_refused(path):
-    learner = {"learner": "actor-critic"} if path.startswith("learner") else {}
-    with pytest.raises(ValueError, match=f"^{path}: expected a number at least 0, got -1"):
-        RaceSettings.of({**learner, path: -1.0})
-
-
-def test_masks_need_a_view_and_a_capture_that_they_do_not_forbid():
-    with pytest.raises(ValueError, match="world.fov: expected at least 3 with the mask obstacles"):
-        RaceSettings.of({"world.fov": 1, "policy.mask": "obstacles"})
-    with pytest.raises(ValueError, match="policy.mask: expected obstacles or none where pursuers"):
-        RaceSettings.of({"policy.mask": "occupied"})
 
 
 # Each setting has an effect: a value of every kind of field, in a run that reads it

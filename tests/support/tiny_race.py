@@ -7,13 +7,16 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import fields
+from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
+import pytest
 
-from matrixworld.coevolution import FitnessSettings, PolicySettings, RaceSettings
+from matrixworld.coevolution import FitnessSettings, PolicySettings, RaceSettings, resume, start
+from matrixworld.coevolution.schedules import ARCHIVES, ArchivedOpponents
 from matrixworld.coevolution.sections import hints_of, sections_in
 from matrixworld.play.rollout import rollout
 from matrixworld.world.config import WorldConfig
@@ -94,6 +97,26 @@ def tiny_single(**changes: Any) -> RaceSettings:
     return settings_of(**{**TINY, **alone, **changes})
 
 
+def _meeting(sampler: str | None) -> dict[str, Any]:
+    """Return the settings of a schedule whose teams choose opponents by a sampler."""
+    met: Any = sampler
+    if sampler in ARCHIVES and sampler != "ipca":
+        met = ArchivedOpponents(archive=sampler, size=3)
+    return {} if met is None else {"pursuers_meet": met, "evaders_meet": met}
+
+
+def alternating(sampler: str | None = None, **changes: Any) -> RaceSettings:
+    """Return a race whose teams meet two opponents of a sampler in every epoch."""
+    usual = {"schedule": "alternating", "opponents": 2, "generations": 4, **_meeting(sampler)}
+    return tiny_race(**{**usual, **changes})
+
+
+def hall_of_fame(sampler: str | None = None, **changes: Any) -> RaceSettings:
+    """Return a race with halls of fame: two contemporaries and two older ones in every epoch."""
+    usual = {"contemporaries": 2, "hall_sample": 2, "generations": 3, **_meeting(sampler)}
+    return tiny_race(schedule="hall-of-fame", **{**usual, **changes})
+
+
 def results(directory: Path) -> dict[str, bytes]:
     """Return all files that must be equal for a resumed run and for one that was never stopped."""
     # A team that a script plays has no genomes.
@@ -122,6 +145,26 @@ class StopAt:
         if self.left < 0:
             raise KeyboardInterrupt
         return rollout(*args, **options)
+
+
+@cache
+def straight(settings: RaceSettings) -> dict[str, bytes]:
+    """Return the results of a run that is never stopped."""
+    with directory_in_memory() as directory:
+        start(settings, directory / "run", threads=2).run()
+        return results(directory / "run")
+
+
+def check_resumes(settings: RaceSettings, call: int, directory: Path) -> None:
+    """Stop a run at a call of `rollout`, continue it, and compare it with one never stopped."""
+    run = start(settings, directory, threads=1, play=StopAt(call))
+    with pytest.raises(KeyboardInterrupt):
+        run.run()
+    # Both ways to continue: by the same object, and by a new one.
+    continued = run if call % 2 else resume(directory, threads=1)
+    continued.training.rollout = rollout
+    continued.run()
+    assert results(directory) == straight(settings)
 
 
 def constant_scores(capture_rate: float, shape: tuple[int, int]) -> SimpleNamespace:

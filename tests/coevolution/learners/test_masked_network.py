@@ -102,23 +102,5 @@ def test_a_run_with_a_mask_starts_from_one_with_another_mask(tmp_path: Path) -> 
     np.testing.assert_array_equal(weights.write(genomes), genomes)
 
 
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        ({"mask": "walls"}, "mask: expected one of none, obstacles, occupied, got 'walls'"),
-        ({"mask": "obstacles", "fov": 1}, "fov: expected at least 3 with the mask obstacles"),
-        ({"mask": "occupied"}, "mask: expected obstacles or none where pursuers capture by"),
-    ],
-)
-def test_bad_masks_are_refused(changes: dict[str, Any], message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        tiny_single(**changes)
-
-
 def test_evaders_may_mask_pursuers_where_contact_is_capture() -> None:
     assert tiny_single(team="evader", mask="occupied").policy.mask == "occupied"
-
-
-def test_learners_that_change_all_weights_refuse_a_mask() -> None:
-    with pytest.raises(ValueError, match="^policy.mask: .* no effect with cma$"):
-        tiny_single(learner="cma", hidden=(), mask="obstacles")

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from matrixworld.coevolution import RaceSettings, best_response, finish, open_run, resume, start
+from matrixworld.coevolution import RaceSettings, best_response, finish, open_run, start
 from matrixworld.coevolution.schedules import SCHEDULES
-from tiny_race import StopAt, results, tiny_race, tiny_single
+from tiny_race import check_resumes, results, tiny_race, tiny_single
 
 LEARNER: dict[str, Any] = {"learner": "actor-critic", "population": 3, "actor_rate": 0.01}
 
@@ -26,12 +26,8 @@ def test_every_schedule_learns_and_resumes_bit_for_bit(
     torch, schedule: str, tmp_path: Path
 ) -> None:
     settings = tiny_race(**LEARNER, schedule=schedule)
-    start(settings, tmp_path / "straight", threads=1).run()
-    with pytest.raises(KeyboardInterrupt):
-        start(settings, tmp_path / "stopped", threads=2, play=StopAt(5)).run()
-    resume(tmp_path / "stopped", threads=2).run()
-    assert results(tmp_path / "stopped") == results(tmp_path / "straight")
-    run = open_run(tmp_path / "straight")
+    check_resumes(settings, 5, tmp_path / "run")
+    run = open_run(tmp_path / "run")
     for team in ("pursuer", "evader"):
         genomes = run.teams[team].genomes
         assert len(np.unique(genomes, axis=0)) == len(genomes) == 3
@@ -83,31 +79,6 @@ def test_a_device_that_is_missing_is_refused_before_anything_is_written(
     with pytest.raises(ValueError, match="device: expected a device that PyTorch has on this mach"):
         start(tiny_race(**LEARNER, device=device), tmp_path / "run")
     assert not (tmp_path / "run").exists()
-
-
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        ({"rules": "TO"}, "world.rules: expected agents that act at the same time"),
-        ({"measure": "capture-rate"}, "fitness.measure: expected 'captured-fraction', .*, got"),
-        ({"overlap_penalty": 0.3}, "overlap_penalty: expected"),
-        ({"cost_rate": 0.3}, "cost_rate: expected no value without cost_limit"),
-        ({"discount": 1.5}, "discount: expected a number at least 0 and at most 1, got 1.5"),
-        ({"learner": "es", "population": 4, "clip": 0.1}, "clip: expected one of the settings"),
-        ({"rewards": "mine"}, "rewards: expected "),
-    ],
-)
-def test_bad_settings_are_refused(changes: dict[str, Any], message: str) -> None:
-    settings = {key: value for key, value in LEARNER.items() if key not in changes}
-    if changes.get("learner") == "es":
-        settings.pop("actor_rate")
-    with pytest.raises(ValueError, match=message):
-        tiny_race(**{**settings, **changes})
-
-
-def test_a_device_is_named() -> None:
-    with pytest.raises(TypeError, match="learner.device: expected a text, got 0"):
-        tiny_race(**LEARNER, device=0)
 
 
 def test_settings_can_be_read_without_torch(monkeypatch: pytest.MonkeyPatch) -> None:

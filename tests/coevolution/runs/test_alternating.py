@@ -11,6 +11,7 @@ from matrixworld import coevolution
 from matrixworld.analysis import MEASURES
 from matrixworld.coevolution import (
     DisengagementWarning,
+    HallOfFameRace,
     Payoff,
     Race,
     RunDirectory,
@@ -19,7 +20,7 @@ from matrixworld.coevolution import (
 )
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.policy import Population
-from tiny_race import StopAt, constant_scores, results, tiny_race
+from tiny_race import constant_scores, hall_of_fame, tiny_race
 
 EPOCHS = 2 * (2 + 3)
 CALLS = EPOCHS + 3
@@ -127,58 +128,6 @@ def test_summary_counts_what_was_played(straight):
     assert set(summary["measures"]) == set(MEASURES)
 
 
-@pytest.mark.parametrize("threads", [2, 3])
-def test_threads_change_nothing(straight, tmp_path, threads):
-    Race(tiny_race(), tmp_path / "run", threads=threads).run()
-    assert results(tmp_path / "run") == results(straight.files.path)
-
-
-def test_another_seed_is_another_race(straight, tmp_path):
-    Race(tiny_race(seed=6), tmp_path / "run").run()
-    ours, theirs = results(tmp_path / "run"), results(straight.files.path)
-    assert all(ours[name] != theirs[name] for name in ours)
-
-
-@pytest.mark.parametrize("call", range(CALLS))
-def test_interrupted_race_ends_as_if_never_stopped(straight, tmp_path, call):
-    race = Race(tiny_race(), tmp_path / "run", threads=1, play=StopAt(call))
-    with pytest.raises(KeyboardInterrupt):
-        race.run()
-    resumed = coevolution.resume(tmp_path / "run", threads=1)
-    assert resumed.stage == sum(call >= end for end in (2, 5, 7, 10))
-    resumed.run()
-    assert results(tmp_path / "run") == results(straight.files.path)
-
-
-@pytest.mark.parametrize(
-    "changes", [{"learner": "cma"}, {"learner": "ga"}, {"momentum": 0.9, "anneal": True}]
-)
-def test_every_learner_continues_as_if_never_stopped(tmp_path, changes):
-    settings = tiny_race(**changes)
-    coevolution.start(settings, tmp_path / "straight").run()
-    with pytest.raises(KeyboardInterrupt):
-        coevolution.finish(settings, tmp_path / "run", play=StopAt(6))
-    coevolution.finish(settings, tmp_path / "run")
-    assert results(tmp_path / "run") == results(tmp_path / "straight")
-
-
-def test_the_same_object_continues_after_an_interruption(straight, tmp_path):
-    race = Race(tiny_race(), tmp_path / "run", play=StopAt(6))
-    with pytest.raises(KeyboardInterrupt):
-        race.run()
-    race.training.rollout = rollout
-    race.run()
-    assert results(tmp_path / "run") == results(straight.files.path)
-
-
-def test_finished_race_is_not_changed(straight):
-    before = results(straight.files.path)
-    calls = StopAt(0)
-    payoff = coevolution.resume(straight.files.path, play=calls).run()
-    assert np.array_equal(payoff.lengths, straight.payoff().lengths)
-    assert results(straight.files.path) == before
-
-
 def test_progress_is_reported_when_asked(tmp_path, capfd):
     seen = []
     race = Race(tiny_race(), tmp_path / "run")
@@ -195,7 +144,9 @@ def test_progress_is_reported_when_asked(tmp_path, capfd):
 
 def test_bad_settings_leave_no_trace(tmp_path):
     with pytest.raises(ValueError, match="schedule: expected alternating, got hall-of-fame"):
-        Race(tiny_race(schedule="hall-of-fame"), tmp_path / "run")
+        Race(hall_of_fame(), tmp_path / "run")
+    with pytest.raises(ValueError, match="schedule: expected hall-of-fame, got alternating"):
+        HallOfFameRace(tiny_race(), tmp_path / "run")
     with pytest.raises(TypeError, match="settings: expected RaceSettings, got {}"):
         Race({}, tmp_path / "run")
     assert not (tmp_path / "run").exists()

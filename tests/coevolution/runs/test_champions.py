@@ -11,57 +11,12 @@ from matrixworld import Matches, Population, coevolution, rollout
 from matrixworld.coevolution.fitness import fitness
 from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from matrixworld.coevolution.seeding import Phase, training_seeds
-from tiny_race import StopAt, results, tiny_race, tiny_single
+from tiny_race import alternating, tiny_race
 
-ALTERNATING = {"schedule": "alternating", "opponents": 2, "generations": 3, "train_steps": 20}
-HALL = {"schedule": "hall-of-fame", "contemporaries": 2, "hall_sample": 2, "generations": 3}
-ELITE: dict[str, Any] = {"elites": 3, "elite_episodes": 2, "population": 8, "match_episodes": 2}
-RUNS = {
-    "elite in turns": tiny_race(**ALTERNATING, **ELITE, learner="ga"),
-    "elite of a hall of fame": tiny_race(**HALL, **ELITE, learner="ga", train_steps=20),
-    "elite of archives": tiny_race(
-        **ALTERNATING, **ELITE, learner="ga", pursuers_meet="ipca", evaders_meet="lapca"
-    ),
-    "elite alone": tiny_single(**ELITE, learner="ga", team="evader", train_steps=20),
-    "retention in turns": tiny_race(**ALTERNATING, retention_episodes=2, match_episodes=2),
-    "retention of cma": tiny_race(**ALTERNATING, retention_episodes=2, learner="cma", hidden=()),
-    "retention of a hall of fame": tiny_race(**HALL, retention_episodes=2, train_steps=20),
-    "both": tiny_race(**ALTERNATING, **ELITE, learner="ga", retention_episodes=1),
-}
-every_run = pytest.mark.parametrize("name", RUNS)
-
-
-@every_run
-@pytest.mark.parametrize("call", [5, 8])
-def test_stopped_run_ends_as_if_never_stopped(tmp_path, name, call):
-    coevolution.start(RUNS[name], tmp_path / "straight", threads=2).run()
-    run = coevolution.start(RUNS[name], tmp_path / "run", threads=1, play=StopAt(call))
-    with pytest.raises(KeyboardInterrupt):
-        run.run()
-    coevolution.resume(tmp_path / "run", threads=1).run()
-    assert results(tmp_path / "run") == results(tmp_path / "straight")
-
-
-@every_run
-def test_matches_are_counted_predicted_and_logged(tmp_path, name):
-    played = 0
-
-    def counting(*args, **options):
-        nonlocal played
-        scores = rollout(*args, **options)
-        played += scores.length.size
-        return scores
-
-    run = coevolution.start(RUNS[name], tmp_path / "run", play=counting)
-    payoff = run.run()
-    training = played - payoff.lengths.size
-    assert run.files.summary()["training_matches"] == training
-    log = run.files.log()
-    assert log["matches"][-1] == training
-    assert log["steps"][-1] == run.files.summary()["training_steps"]
-    assert (np.diff(log["matches"]) >= 0).all()
-    predicted = run.total_matches() - payoff.lengths.size
-    assert training <= predicted if name == "elite of archives" else training == predicted
+LONGER = {"generations": 3, "train_steps": 20}
+ELITE: dict[str, Any] = {
+    "learner": "ga", "elites": 3, "elite_episodes": 2, "population": 8, **LONGER,
+}  # fmt: skip
 
 
 def test_the_price_by_hand(tmp_path):
@@ -101,7 +56,7 @@ def mean_fitness(race, team, genomes, opponents, seeds):
 
 def test_a_genome_is_kept_unless_it_is_worse_against_all_archived_opponents(tmp_path, monkeypatch):
     """Every decision of a race, played again match by match."""
-    settings = tiny_race(**ALTERNATING, retention_episodes=3, learning_rate=0.5, pursuer_epochs=4)
+    settings = alternating(**LONGER, retention_episodes=3, learning_rate=0.5, pursuer_epochs=4)
     race = coevolution.start(settings, tmp_path / "run", threads=1)
     learned = []
     retain = race.retain
@@ -130,7 +85,9 @@ def test_a_genome_is_kept_unless_it_is_worse_against_all_archived_opponents(tmp_
 
 def test_a_discarded_generation_leaves_the_learner_as_before(tmp_path, monkeypatch):
     monkeypatch.setattr(TrainingMatches, "keeps", lambda *_: False)
-    for number, settings in enumerate((RUNS["retention in turns"], RUNS["both"])):
+    retention = {"retention_episodes": 1, "match_episodes": 2}
+    for number, learner in enumerate((LONGER, ELITE)):
+        settings = alternating(**learner, **retention)
         race = coevolution.start(settings, tmp_path / str(number), threads=1)
         before = {team: race.learners[team].state() for team in coevolution.TEAMS}
         race.run()
@@ -141,7 +98,7 @@ def test_a_discarded_generation_leaves_the_learner_as_before(tmp_path, monkeypat
 
 
 def test_the_champion_is_the_best_elite_of_new_matches(tmp_path, monkeypatch):
-    settings = tiny_race(**ALTERNATING, **{**ELITE, "match_episodes": 1}, learner="ga")
+    settings = alternating(**ELITE)
     race = coevolution.start(settings, tmp_path / "run", threads=1)
     learner = race.learners["evader"]
     crowned = []

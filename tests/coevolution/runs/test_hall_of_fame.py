@@ -8,12 +8,7 @@ import pytest
 from matrixworld import coevolution
 from matrixworld.coevolution import HallOfFameRace
 from matrixworld.coevolution.runs.hall_of_fame import pairings, table_of_individuals
-from tiny_race import StopAt, results, tiny_race
-
-
-def hall_of_fame(**changes):
-    options = {"contemporaries": 2, "hall_sample": 2, "generations": 3}
-    return tiny_race(schedule="hall-of-fame", **{**options, **changes})
+from tiny_race import hall_of_fame
 
 
 @pytest.mark.parametrize("groups", [1, 3, 6])
@@ -79,27 +74,8 @@ def test_race(tmp_path):
     assert log["matches"][::2].tolist() == np.cumsum(per_epoch).tolist()
     assert race.training_matches() == sum(per_epoch)
     assert race.phase_rates().shape == (3, 2)
-
-
-@pytest.mark.parametrize("learner", ["es", "ga"])
-@pytest.mark.parametrize("call", [0, 3, 7])
-def test_interrupted_race_ends_as_if_never_stopped(tmp_path, call, learner):
-    settings = hall_of_fame(learner=learner)
-    coevolution.start(settings, tmp_path / "straight", threads=2).run()
-    race = coevolution.start(settings, tmp_path / "run", threads=1, play=StopAt(call))
-    with pytest.raises(KeyboardInterrupt):
-        race.run()
-    resumed = coevolution.resume(tmp_path / "run", threads=1)
-    assert isinstance(resumed, HallOfFameRace)
-    resumed.run()
-    assert results(tmp_path / "run") == results(tmp_path / "straight")
-
-
-@pytest.mark.parametrize("learner", ["es", "ga", "cma"])
-def test_every_learner_plays_the_schedule(tmp_path, learner):
-    race = coevolution.start(hall_of_fame(learner=learner), tmp_path / "run")
-    race.run()
-    assert not np.array_equal(race.genomes("evader")[0], race.genomes("evader")[-1])
+    for team in coevolution.TEAMS:
+        assert not np.array_equal(race.genomes(team)[0], race.genomes(team)[-1])
 
 
 def test_hall_alone_or_contemporaries_alone(tmp_path):
@@ -107,14 +83,6 @@ def test_hall_alone_or_contemporaries_alone(tmp_path):
         race = coevolution.start(hall_of_fame(**changes), tmp_path / str(number))
         race.run()
         assert race.training.matches == race.training_matches()
-
-
-def test_wrong_kind_of_run_is_refused(tmp_path):
-    with pytest.raises(ValueError, match="schedule: expected hall-of-fame, got alternating"):
-        HallOfFameRace(tiny_race(), tmp_path / "run")
-    with pytest.raises(ValueError, match="schedule: expected alternating, got hall-of-fame"):
-        coevolution.Race(hall_of_fame(), tmp_path / "run")
-    assert not (tmp_path / "run").exists()
 
 
 def test_default_budget_is_that_of_the_other_schedules(tmp_path):

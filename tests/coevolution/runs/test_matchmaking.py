@@ -2,83 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import pytest
 
 from matrixworld import Matches, Population, coevolution, rollout
-from matrixworld.coevolution import RaceSettings
 from matrixworld.coevolution.fitness import mean_over_opponents, shared_fitness
 from matrixworld.coevolution.runs.run import TeamPhase
-from matrixworld.coevolution.schedules import ARCHIVES, SAMPLERS, ArchivedOpponents
+from matrixworld.coevolution.schedules import ARCHIVES, ArchivedOpponents
 from matrixworld.coevolution.seeding import Phase, training_seeds
-from tiny_race import StopAt, results, tiny_race
-
-
-def alternating(name: str, **changes) -> RaceSettings:
-    options = {"schedule": "alternating", "opponents": 2, "generations": 4}
-    met: Any = name
-    if name in ARCHIVES and name != "ipca":
-        met = ArchivedOpponents(archive=name, size=3)
-    return tiny_race(**{**options, "pursuers_meet": met, "evaders_meet": met, **changes})
-
-
-def joint(name: str, **changes) -> RaceSettings:
-    options = {"schedule": "hall-of-fame", "contemporaries": 2, "hall_sample": 2}
-    race = alternating(name).schedule
-    met = {"pursuers_meet": race.pursuers_meet, "evaders_meet": race.evaders_meet}
-    return tiny_race(**{**options, **met, "generations": 4, **changes})
-
-
-@pytest.mark.parametrize("make", [alternating, joint])
-@pytest.mark.parametrize("name", SAMPLERS)
-def test_stopped_race_ends_as_if_never_stopped(tmp_path, make, name):
-    straight = coevolution.start(make(name), tmp_path / "straight", threads=2)
-    straight.run()
-    stopped = coevolution.start(make(name), tmp_path / "run", threads=1, play=StopAt(7))
-    with pytest.raises(KeyboardInterrupt):
-        stopped.run()
-    assert 0 < stopped.stage < stopped.n_stages
-    coevolution.resume(tmp_path / "run", threads=1).run()
-    assert results(tmp_path / "run") == results(tmp_path / "straight")
-
-
-@pytest.mark.parametrize("make", [alternating, joint])
-@pytest.mark.parametrize("name", SAMPLERS)
-def test_matches_are_counted_and_predicted(tmp_path, make, name):
-    played = 0
-
-    def counting(*args, **options):
-        nonlocal played
-        scores = rollout(*args, **options)
-        played += scores.length.size
-        return scores
-
-    race = coevolution.start(make(name), tmp_path / "run", play=counting)
-    payoff = race.run()
-    training = played - payoff.lengths.size
-    assert race.training.matches == race.files.summary()["training_matches"] == training
-    assert race.files.log()["matches"][-1] == training
-    predicted = race.training_matches()
-    if name in ARCHIVES:
-        assert training <= predicted
-    else:
-        assert training == predicted
-
-
-def test_finish_starts_continues_or_opens_a_run(tmp_path):
-    settings, place = alternating("uniform"), tmp_path / "run"
-    with pytest.raises(KeyboardInterrupt):
-        coevolution.finish(settings, place, play=StopAt(5))
-    run = coevolution.finish(settings, place, threads=1)
-    coevolution.start(settings, tmp_path / "straight").run()
-    assert results(place) == results(tmp_path / "straight")
-    assert run.payoff().capture_rate.shape == (5, 5)
-    again = coevolution.finish(settings, place, play=StopAt(0))
-    assert np.array_equal(again.payoff().lengths, run.payoff().lengths)
-    with pytest.raises(ValueError, match="run: expected a run of RaceSettings.*seed=9"):
-        coevolution.finish(alternating("uniform", seed=9), place)
+from tiny_race import alternating, hall_of_fame
 
 
 def test_runs_are_compared_at_equal_budgets(tmp_path):
@@ -184,7 +116,7 @@ def test_sharing_by_hand():
 @pytest.mark.parametrize(
     "changes", [{"sharing": "competitive"}, {"evader_virulence": 0.6, "pursuer_virulence": 1.0}]
 )
-@pytest.mark.parametrize("make", [alternating, joint])
+@pytest.mark.parametrize("make", [alternating, hall_of_fame])
 def test_sharing_changes_what_evolves(tmp_path, make, changes):
     same = {"learner": "ga", "population": 8, "generations": 4}
     if make is alternating:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 import traceback
@@ -23,8 +22,7 @@ from matrixworld.coevolution import (
     start,
 )
 from matrixworld.coevolution.schedules import ALL_SCHEDULES
-from matrixworld.play.rollout import rollout
-from tiny_race import StopAt, directory_in_memory, results, tiny_race, tiny_single
+from tiny_race import StopAt, check_resumes, directory_in_memory, tiny_race, tiny_single
 
 LEARNER = {"learner": "own_code:HillClimber", "settings": {"sigma": 0.2}}
 SAMPLERS_OF_BOTH = {
@@ -56,26 +54,12 @@ def tmp_path():
 
 @every_run
 def test_each_interruption_is_resumed_bit_for_bit(kind, tmp_path):
-    """Stopped at every call of `rollout`, and continued by another object."""
-    start(RUNS[kind], tmp_path / "straight", threads=1).run()
-    expected = results(tmp_path / "straight")
-    stops = 0
-    while True:
-        directory = tmp_path / str(stops)
-        run = start(RUNS[kind], directory, threads=1, play=StopAt(stops))
-        try:
-            run.run()
-        except KeyboardInterrupt:
-            # Both ways to continue: by the same object, and by a new one.
-            continued = run if stops % 2 else resume(directory, threads=1)
-            continued.training.rollout = rollout
-            continued.run()
-        else:
-            break
-        assert results(directory) == expected
-        stops += 1
-        shutil.rmtree(directory)
-    assert stops >= 5
+    """Stopped at every call of `rollout`."""
+    calls = StopAt(1000)
+    start(RUNS[kind], tmp_path / "counted", play=calls).run()
+    for call in range(1000 - calls.left):
+        check_resumes(RUNS[kind], call, tmp_path / str(call))
+    assert call >= 4
 
 
 @every_run

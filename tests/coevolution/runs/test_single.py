@@ -69,17 +69,6 @@ def test_interval_ends_at_possible_values_and_needs_different_episodes(tmp_path)
         assert (summary["capture_rate_low"], summary["capture_rate_high"]) == (None, None)
 
 
-@pytest.mark.parametrize("call", range(6))
-def test_interrupted_run_ends_as_if_never_stopped(tmp_path, call):
-    settings = tiny_single(team="evader", learner="ga")
-    coevolution.start(settings, tmp_path / "straight", threads=2).run()
-    run = coevolution.start(settings, tmp_path / "run", threads=1, play=StopAt(call))
-    with pytest.raises(KeyboardInterrupt):
-        run.run()
-    coevolution.resume(tmp_path / "run").run()
-    assert results(tmp_path / "run") == results(tmp_path / "straight")
-
-
 @pytest.fixture
 def other_run(tmp_path):
     """A race with another network than that of the single runs."""
