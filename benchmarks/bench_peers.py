@@ -22,7 +22,7 @@ import pettingzoo
 from pettingzoo.env_registry.exceptions import FailedToImport
 
 import matrixworld as mw
-from matrixworld.cli.bench import RandomActions
+from matrixworld.cli.bench import random_actions
 from plain_coevolution import (
     EVADER,
     PURSUER,
@@ -125,11 +125,11 @@ def parallel_env(env: Any, clock: Clock) -> float:
 def vector_env(n_worlds: int, clock: Clock, *, copy: bool = True) -> float:
     """Return world-steps per second of `VectorEnv`."""
     env = mw.VectorEnv("O", n_worlds, copy=copy, threads=1, autoreset_mode="SameStep")
-    actions = RandomActions(env.config, n_worlds)
+    actions = random_actions(env.config, n_worlds)
     env.reset(seed=0)
 
     def play(i: int) -> int:
-        env.step(actions[i])
+        env.step(actions(i))
         return n_worlds
 
     return clock.rate(play)

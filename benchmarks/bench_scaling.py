@@ -26,7 +26,7 @@ import click
 import numpy as np
 
 import matrixworld as mw
-from matrixworld.cli.bench import RandomActions
+from matrixworld.cli.bench import random_actions
 from scaling_figure import Curve, draw
 from timing import Clock, bind, print_table
 
@@ -125,10 +125,10 @@ def step_seconds(
     config: mw.WorldConfig, names: Sequence[str], clock: Clock, n_worlds: int
 ) -> float:
     """Return the seconds of a step of all worlds, including the output arrays of these names."""
-    timed, actions = batch(config, n_worlds, *names), RandomActions(config, n_worlds)
+    timed, actions = batch(config, n_worlds, *names), random_actions(config, n_worlds)
 
     def play(i: int) -> int:
-        timed.step(actions[i])
+        timed.step(actions(i))
         return 1
 
     return 1 / clock.rate(play)

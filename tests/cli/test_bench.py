@@ -53,7 +53,7 @@ def test_it_prints_the_machine_a_table_and_durations():
         assert len(numbers) == 4 + name.startswith("matches") + (numbers[1] == 2)
     text = " ".join(result.stdout.split())
     assert "An agent-step is one step of a living agent" in text
-    assert "matches of matrixworld evolve in this world with --hidden 4 take about" in text
+    assert "matches of matrixworld evolve in this world with hidden layers 4 take about" in text
     assert "VectorEnv, with 1024 worlds and 2 threads, plays 100 million agent-steps in" in text
     assert "of 75 timings" in result.stderr
 
@@ -136,7 +136,7 @@ def test_how_long_evolve_takes():
     assert evolve["matches"] == training + evaluation
     assert evolve["seconds"] == pytest.approx((training + 2.5 * evaluation) / 100)
     (told,) = durations(lines, evolve, " here")
-    assert " matches of matrixworld evolve here with --hidden 32 take about" in told
+    assert " matches of matrixworld evolve here with hidden layers 32 take about" in told
     assert evolve_figures(lines_of([timing("matches", 2, 10.0, hidden=(64,))]), races) is None
 
 

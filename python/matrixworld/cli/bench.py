@@ -27,7 +27,6 @@ from matrixworld._util.checks import check_threads, processor_name, usable_cores
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import INTERRUPTED, note, print_table, print_wrapped, progress
 from matrixworld.cli.options import (
-    SectionedCommand,
     force_option,
     given_options,
     json_option,
@@ -44,13 +43,13 @@ from matrixworld.world.arrays import array_specs, episode_specs
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Network, Population
-from matrixworld.world.rules import VARIANTS, rules_of
+from matrixworld.world.rules import VARIANTS
 from matrixworld.world.world import World
 
 Figures = dict[str, Any]
 
 # The default of `evolve`, a common size, and the network of the published runs.
-HIDDEN = ((32,), (64, 64), (400, 300))
+HIDDEN = ("32", "64,64", "400,300")
 REPEATS, SECONDS, LONGEST = 5, 4.0, 3600.0
 
 MANY = 1024
@@ -58,6 +57,8 @@ MOST_VIEWS = 2**28
 """Most bytes of views; where `MANY` worlds need more, fewer worlds are played."""
 COUNTED = 2**20
 """Agent-steps, of living and dead agents, from which the share of the living is estimated."""
+SPARE, PLACES = 2**20, 4093
+"""Random actions beside those of one step, and windows of them that are played in turn."""
 CHECKED_WORLDS, CHECKED_STEPS, CHECKED_MATCHES = 5, 16, 4
 
 LEARNING = 100_000_000
@@ -68,34 +69,31 @@ WIDEST_SPREAD = 0.3
 """Largest spread of repeats on an idle machine, as a share of the median."""
 
 
+COMPARED = ("observations", "rewards", "positions")
+COLUMNS = {
+    "at once": ("at_once", 1, "d"),
+    "threads": ("threads", 1, "d"),
+    "million agent-steps/s": ("agent_steps_per_second", 1e-6, ".2f"),
+    "world steps/s": ("world_steps_per_second", 1, ",.0f"),
+    "matches/s": ("matches_per_second", 1, ",.1f"),
+    "speedup": ("over_one_thread", 1, ",.2f"),
+}
+"""Columns of the table: key of the figures, unit and format."""
+LEGEND = (
+    "An agent-step is one step of a living agent, in matches one decision of a network. At once: "
+    "worlds in a step, or matches in a call. Speedup: over one thread."
+)
+
+
 # ---- What is measured ----------------------------------------------------------------------------
-
-
-class RandomActions:
-    """Random actions of all agents, ``actions[step]`` of shape (worlds, A) and dtype uint8.
-
-    Each step's actions are a window, at a random place, of numbers drawn beforehand: a few rows of
-    actions in turn would drive all agents to the borders, where they collide more.
-    """
-
-    SPARE, PLACES = 2**20, 4093
-
-    def __init__(self, config: WorldConfig, worlds: int) -> None:
-        rng = np.random.default_rng(0)
-        self._shape = (worlds, config.n_agents)
-        self._size = worlds * config.n_agents
-        self._drawn = rng.integers(config.n_actions, size=self._size + self.SPARE, dtype=np.uint8)
-        self._places = rng.integers(self.SPARE, size=self.PLACES).tolist()
-
-    def __getitem__(self, step: int) -> NDArray[np.uint8]:
-        # PLACES is prime, so that its period hardly ever coincides with that of the episodes.
-        place = self._places[step % self.PLACES]
-        return self._drawn[place : place + self._size].reshape(self._shape)
 
 
 @dataclass
 class Timing:
-    """A call that plays `size` worlds or matches, and the rates (calls a second) so far."""
+    """A call that plays `size` worlds or matches, and the rates (calls a second) so far.
+
+    `agent_steps` and `world_steps` are those of one call.
+    """
 
     what: str
     size: int
@@ -124,20 +122,19 @@ class Timing:
         """Median of the repeats, in calls a second."""
         return statistics.median(self.rates)
 
-    def figures(self) -> Figures:
-        """Return what was measured as plain values."""
-        return {
-            "what": self.what,
-            "hidden": None if self.hidden is None else list(self.hidden),
-            "at_once": self.size,
-            "threads": self.threads,
-            "agent_steps_per_second": self.rate * self.agent_steps,
-            "world_steps_per_second": self.rate * self.world_steps,
-            "matches_per_second": None if self.hidden is None else self.rate * self.size,
-            "over_one_thread": None,
-            "repeats": len(self.rates),
-            "spread": (max(self.rates) - min(self.rates)) / self.rate,
-        }
+
+def random_actions(config: WorldConfig, worlds: int) -> Callable[[int], NDArray[np.uint8]]:
+    """Return a function of the step: actions of all agents, uint8, of shape (worlds, A).
+
+    Each step's actions are a window, at a random place, of numbers drawn beforehand: a few rows of
+    actions in turn would drive all agents to the borders, where they collide more.
+    """
+    rng = np.random.default_rng(0)
+    shape, size = (worlds, config.n_agents), worlds * config.n_agents
+    drawn = rng.integers(config.n_actions, size=size + SPARE, dtype=np.uint8)
+    # PLACES is prime, so that its period hardly ever coincides with that of the episodes.
+    windows = [drawn[place : place + size] for place in rng.integers(SPARE, size=PLACES)]
+    return lambda step: windows[step % PLACES].reshape(shape)
 
 
 def timings_of_worlds(config: WorldConfig, threads: int) -> list[Timing]:
@@ -152,9 +149,9 @@ def timings_of_worlds(config: WorldConfig, threads: int) -> list[Timing]:
     }
 
     def timing(what: str, worlds: int, n: int) -> Timing:
-        env, actions = played[what](worlds, n), RandomActions(config, worlds)
+        env, actions = played[what](worlds, n), random_actions(config, worlds)
         agent_steps = worlds * config.n_agents * alive[worlds]
-        return Timing(what, worlds, n, lambda k: env.step(actions[k]), agent_steps, worlds)
+        return Timing(what, worlds, n, lambda k: env.step(actions(k)), agent_steps, worlds)
 
     # Threads divide the worlds, so one world is played by one thread. Steps without views are, too:
     # they are the cost of the rules alone.
@@ -171,44 +168,42 @@ def timings_of_matches(
     config: WorldConfig, network: Network, population: int, threads: int
 ) -> list[Timing]:
     """Prepare the timings of matches of a population of pursuers against one evader."""
-    teams, matches = _match(network, population)
-
-    def play(number: int, call: int = 0) -> EpisodeStatistics:
-        return rollout(config, *teams, matches, threads=number)
-
+    match = _match(config, network, population)
     # Every call plays the same matches, so their steps are counted once.
-    scores = play(threads)
+    scores = match(threads=threads)
     counts = int(scores.agent_steps.sum()), int(scores.length.sum())
     return [
-        Timing("matches", population, n, partial(play, n), *counts, hidden=network.hidden)
+        Timing("matches", population, n, partial(_played, match, n), *counts, network.hidden)
         for n in dict.fromkeys((1, threads))
     ]
 
 
-def _match(network: Network, size: int) -> tuple[tuple[Population, Population], Matches]:
-    rngs = np.random.default_rng(0), np.random.default_rng(1)
+def _played(match: Callable[..., EpisodeStatistics], threads: int, call: int) -> None:
+    match(threads=threads)
+
+
+def _match(config: WorldConfig, network: Network, size: int) -> Callable[..., EpisodeStatistics]:
     pursuers, evaders = (
         Population(np.stack([network.initial(rng) for _ in range(count)]), network)
-        for rng, count in zip(rngs, (size, 1), strict=True)
+        for rng, count in zip(map(np.random.default_rng, (0, 1)), (size, 1), strict=True)
     )
-    return (pursuers, evaders), Matches.of(np.arange(size), 0, np.arange(size))
+    matches = Matches.of(np.arange(size), 0, np.arange(size))
+    return partial(rollout, config, pursuers, evaders, matches)
 
 
 def many_worlds(config: WorldConfig) -> int:
     """Return `MANY`, or the number of worlds whose views fit into `MOST_VIEWS`."""
     # A view has three channels of one byte a cell.
-    views = config.n_agents * 3 * config.fov**2
-    return max(1, min(MANY, MOST_VIEWS // views))
+    return max(1, min(MANY, MOST_VIEWS // (config.n_agents * 3 * config.fov**2)))
 
 
 def alive_share(config: WorldConfig, worlds: int) -> float:
     """Return the share of the agents that are alive when a step begins."""
-    an_episode = config.n_agents * config.max_steps
     # At least one whole episode is played, because agents disappear in the course of it.
-    some = max(1, min(worlds, COUNTED // an_episode))
+    some = max(1, min(worlds, COUNTED // (config.n_agents * config.max_steps)))
     steps = max(config.max_steps, COUNTED // (config.n_agents * some))
-    batch, actions = _batch(config, some, 1, "acted"), RandomActions(config, some)
-    counts = [np.count_nonzero(batch.step(actions[step])["acted"]) for step in range(steps)]
+    batch, actions = _batch(config, some, 1, "acted"), random_actions(config, some)
+    counts = [np.count_nonzero(batch.step(actions(step))["acted"]) for step in range(steps)]
     return sum(counts) / (steps * some * config.n_agents)
 
 
@@ -236,29 +231,26 @@ def check_worlds(config: WorldConfig, threads: int) -> None:
     env.reset(seed=0)
     for seed, world in enumerate(worlds):
         world.reset(seed)
-    actions = RandomActions(config, CHECKED_WORLDS)
+    actions = random_actions(config, CHECKED_WORLDS)
     for step in range(CHECKED_STEPS):
-        env.step(actions[step])
+        env.step(actions(step))
         for seed, world in enumerate(worlds):
             if world.terminated or world.truncated:
                 continue
-            world.step(actions[step][seed])
-            pairs: dict[str, tuple[NDArray[Any], NDArray[Any]]] = {
-                "observations": (env.observations[seed], world.views()),
-                "rewards": (env.rewards[seed], world.rewards),
-                "positions": (env.infos["positions"][seed], world.positions),
-            }
-            for name, (ours, theirs) in pairs.items():
+            world.step(actions(step)[seed])
+            ours: Sequence[NDArray[Any]] = (env.observations, env.rewards, env.infos["positions"])
+            theirs = (world.views(), world.rewards, world.positions)
+            for name, our, their in zip(COMPARED, ours, theirs, strict=True):
                 where = f"in {name} after step {step + 1} of seed {seed}"
-                _check_equal(ours, theirs, f"VectorEnv and a single world differ {where}")
+                _check_equal(our[seed], their, f"VectorEnv and a single world differ {where}")
 
 
 def check_matches(config: WorldConfig, network: Network, threads: int) -> None:
     """Compare several threads with one; raise click.ClickException if the results differ."""
-    teams, matches = _match(network, CHECKED_MATCHES)
+    match = _match(config, network, CHECKED_MATCHES)
     # Also where only one thread is measured, there must be something to compare with.
     several = max(2, threads)
-    one, more = (rollout(config, *teams, matches, episodes=2, threads=n) for n in (1, several))
+    one, more = (match(episodes=2, threads=n) for n in (1, several))
     for name in (item.name for item in fields(EpisodeStatistics)):
         wrong = f"rollout: {name} with {several} threads differs from 1 thread"
         _check_equal(getattr(one, name), getattr(more, name), wrong)
@@ -273,19 +265,9 @@ def _check_equal(ours: NDArray[Any], theirs: NDArray[Any], wrong: str) -> None:
 
 
 def _variant(ctx: click.Context, param: click.Parameter, value: str) -> str:
-    """Return the name of a variant, given in any form that `rules_of` accepts."""
-    try:
-        rules = rules_of(value)
-    except ValueError as error:
-        raise click.BadParameter(str(error).removeprefix("variant: ")) from None
-    return next(name for name, row in VARIANTS.items() if row == rules)
-
-
-def _hidden(
-    ctx: click.Context, param: click.Parameter, values: tuple[str, ...]
-) -> list[tuple[int, ...]]:
-    given = [sizes_of(value) for value in values]
-    return list(dict.fromkeys(given or HIDDEN))
+    if value.upper() not in VARIANTS:
+        raise click.BadParameter(f"expected one of {', '.join(VARIANTS)}, got {value!r}")
+    return value.upper()
 
 
 def _seconds(ctx: click.Context, param: click.Parameter, value: float) -> float:
@@ -295,15 +277,16 @@ def _seconds(ctx: click.Context, param: click.Parameter, value: float) -> float:
     return value
 
 
-@click.command("bench", cls=SectionedCommand, short_help="Measure how fast this machine plays.")
+@click.command("bench", short_help="Measure how fast this machine plays.")
 @click.argument("variant", default="O", callback=_variant)
 @click.option(
     "--hidden",
+    type=sizes_of,
     multiple=True,
-    callback=_hidden,
+    default=HIDDEN,
     metavar="SIZES",
     help="hidden layers of the networks in matches, such as 32 or 64,64; none: no hidden layer; "
-    "may be given several times  [default: 32 and 64,64 and 400,300]",
+    f"may be given several times  [default: {' and '.join(HIDDEN)}]",
 )
 @click.option(
     "--seconds",
@@ -320,7 +303,7 @@ def _seconds(ctx: click.Context, param: click.Parameter, value: float) -> float:
 @world_options()
 def bench_command(
     variant: str,
-    hidden: list[tuple[int, ...]],
+    hidden: tuple[tuple[int, ...], ...],
     seconds: float,
     threads: int | None,
     json_file: Path | None,
@@ -339,8 +322,8 @@ def bench_command(
     refuse_existing(json_file, force=force)
     given = given_options(options)
     # One row of races for each network; the first network is that of the world's own lines.
-    options = {**given, "variant": variant}
-    races = [Asked(options, [("policy.hidden", sizes)]).settings() for sizes in hidden]
+    asked = {**given, "variant": variant}
+    races = [Asked(asked, [("policy.hidden", h)]).settings() for h in dict.fromkeys(hidden)]
     settings = [race for race, *_ in races]
     world, threads = settings[0].world, check_threads(threads)
     machine = machine_figures()
@@ -425,14 +408,25 @@ def print_head(machine: Figures, variant: str, world: WorldConfig) -> None:
 
 def lines_of(measured: Sequence[Timing]) -> list[Figures]:
     """Return the figures of each timing; those of several threads are compared with one."""
-    lines = [each.figures() for each in measured]
     # A line is compared with the line that differs from it in the threads only.
-    keys = [(line["what"], line["hidden"], line["at_once"]) for line in lines]
-    for key, line in zip(keys, lines, strict=True):
-        one = lines[keys.index(key)]
-        if one["threads"] == 1 < line["threads"]:
-            ratio = line["agent_steps_per_second"] / one["agent_steps_per_second"]
-            line["over_one_thread"] = ratio
+    ones = {(each.what, each.hidden, each.size): each for each in measured if each.threads == 1}
+    lines = []
+    for each in measured:
+        one = ones.get((each.what, each.hidden, each.size), each)
+        lines.append(
+            {
+                "what": each.what,
+                "hidden": None if each.hidden is None else list(each.hidden),
+                "at_once": each.size,
+                "threads": each.threads,
+                "agent_steps_per_second": each.rate * each.agent_steps,
+                "world_steps_per_second": each.rate * each.world_steps,
+                "matches_per_second": None if each.hidden is None else each.rate * each.size,
+                "over_one_thread": None if one is each else each.rate / one.rate,
+                "repeats": len(each.rates),
+                "spread": (max(each.rates) - min(each.rates)) / each.rate,
+            }
+        )
     return lines
 
 
@@ -465,28 +459,17 @@ def matches_of(race: RaceSettings) -> tuple[int, int]:
 
 def print_lines(lines: Sequence[Figures]) -> None:
     """Print the table of all lines and what its columns mean."""
-    heads = ("", "at once", "threads", "million agent-steps/s", "world steps/s", "matches/s")
-    columns = ("world_steps_per_second", "matches_per_second", "over_one_thread")
-    digits = (0, 1, 2)
+
+    def cell(value: float | None, unit: float, form: str) -> str:
+        return "" if value is None else format(value * unit, form)
+
     rows = [
-        (
-            _name(line),
-            str(line["at_once"]),
-            str(line["threads"]),
-            f"{line['agent_steps_per_second'] / 1e6:.2f}",
-            *(
-                "" if line[column] is None else f"{line[column]:,.{places}f}"
-                for column, places in zip(columns, digits, strict=True)
-            ),
-        )
+        (_name(line), *(cell(line[key], unit, form) for key, unit, form in COLUMNS.values()))
         for line in lines
     ]
-    print_table([(*heads, "speedup"), *rows], "<" + ">" * len(heads))
+    print_table([("", *COLUMNS), *rows], "<" + ">" * len(COLUMNS))
     click.echo()
-    print_wrapped(
-        "An agent-step is one step of a living agent, in matches one decision of a network. At "
-        "once: worlds in a step, or matches in a call. Speedup: over one thread."
-    )
+    print_wrapped(LEGEND)
     click.echo()
 
 
@@ -494,7 +477,7 @@ def durations(lines: Sequence[Figures], evolve: Figures | None, where: str) -> I
     """Yield what the figures mean for a user."""
     if evolve is not None:
         yield (
-            f"The {evolve['matches']:,} matches of matrixworld evolve{where} with --hidden "
+            f"The {evolve['matches']:,} matches of matrixworld evolve{where} with hidden layers "
             f"{_sizes(evolve['hidden'])} take about {_duration(evolve['seconds'])}, with "
             f"{_count(evolve['threads'], 'thread')}. The time of the learners is not included."
         )

@@ -85,9 +85,9 @@ def evolve_command(
     payoff matrix, a judgement, scores against held-out opponents and figures. With --against one
     team alone evolves against fixed opponents. With --seeds there is a run of each seed.
 
-    OUTPUT is a new directory: the run directory of a single run, or the parent of several. The
-    default is a directory in runs/, named after variant and seed. A run that exists is never
-    replaced.
+    OUTPUT is a new directory, which receives one run directory for each run:
+    SCHEDULE/seed-NUMBER. The default is a directory in runs/, named after variant and seed. A run
+    that exists is never replaced.
 
     Several runs play side by side, as many as --threads; threads that are left over are shared
     among them. Ctrl-C stops. --resume continues from the last checkpoint, with the same results.
