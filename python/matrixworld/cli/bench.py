@@ -69,7 +69,6 @@ WIDEST_SPREAD = 0.3
 """Largest spread of repeats on an idle machine, as a share of the median."""
 
 
-COMPARED = ("observations", "rewards", "positions")
 COLUMNS = {
     "at once": ("at_once", 1, "d"),
     "threads": ("threads", 1, "d"),
@@ -238,11 +237,14 @@ def check_worlds(config: WorldConfig, threads: int) -> None:
             if world.terminated or world.truncated:
                 continue
             world.step(actions(step)[seed])
-            ours: Sequence[NDArray[Any]] = (env.observations, env.rewards, env.infos["positions"])
-            theirs = (world.views(), world.rewards, world.positions)
-            for name, our, their in zip(COMPARED, ours, theirs, strict=True):
+            pairs: dict[str, tuple[NDArray[Any], NDArray[Any]]] = {
+                "observations": (env.observations[seed], world.views()),
+                "rewards": (env.rewards[seed], world.rewards),
+                "positions": (env.infos["positions"][seed], world.positions),
+            }
+            for name, (ours, theirs) in pairs.items():
                 where = f"in {name} after step {step + 1} of seed {seed}"
-                _check_equal(our[seed], their, f"VectorEnv and a single world differ {where}")
+                _check_equal(ours, theirs, f"VectorEnv and a single world differ {where}")
 
 
 def check_matches(config: WorldConfig, network: Network, threads: int) -> None:

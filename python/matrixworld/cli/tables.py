@@ -311,7 +311,7 @@ def print_claims(groups: Sequence[Group]) -> None:
     rows = [
         (group.name, f"{CONDITION} {CLAIMS[schedule]}", f"{CONDITION} {_found(group.judgement)}")
         for group in groups
-        if (schedule := getattr(group.settings, "schedule", "")) in CLAIMS
+        if group.settings and (schedule := group.settings.schedule.name) in CLAIMS
     ]
     if rows:
         click.echo()
