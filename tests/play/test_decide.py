@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.play import ask
+from matrixworld.play.matches import ask
 from rows import config_of, random_team
 
 

@@ -32,7 +32,7 @@ from matrixworld.classroom.submissions import (
 )
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.types import TEAMS, Team, other
-from matrixworld.play import check_fits
+from matrixworld.play.network_policy import check_fits
 from matrixworld.play.rollout import match_seed
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import Script

@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
-from matrixworld.play import Callback, NetworkPolicy, Plays, ask, check_fits
+from matrixworld.play.matches import Callback, Plays, ask
+from matrixworld.play.network_policy import NetworkPolicy, check_fits
 from matrixworld.world.arrays import integers
 from matrixworld.world.batch import Batch
 from matrixworld.world.config import WorldConfig

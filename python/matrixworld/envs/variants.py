@@ -62,11 +62,6 @@ def parallel_env(
         The default is ``"O"``.
     **settings
         Arguments of `MatrixWorldParallel`, and fields of `WorldConfig` to change.
-
-    Returns
-    -------
-    MatrixWorldParallel
-        The environment.
     """
     return MatrixWorldParallel(config, **settings)
 
@@ -80,11 +75,6 @@ def raw_aec_env(
     ----------
     config, **settings
         As for `parallel_env`.
-
-    Returns
-    -------
-    MatrixWorldAEC
-        The environment.
     """
     return MatrixWorldAEC(config, **settings)
 
@@ -94,18 +84,13 @@ def aec_env(config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSetti
 
     Where the rules take turns, this is the game itself: an agent observes what earlier agents did.
     Where they do not, agents only choose one after the other; the round is played when the last
-    agent has chosen.
+    agent has chosen. The environment is in the usual wrappers of PettingZoo, which refuse actions
+    out of range and calls out of order.
 
     Parameters
     ----------
     config, **settings
         As for `parallel_env`.
-
-    Returns
-    -------
-    OrderEnforcingWrapper
-        The environment in the usual wrappers of PettingZoo, which refuse actions out of range and
-        calls out of order.
     """
     return OrderEnforcingWrapper(AssertOutOfBoundsWrapper(raw_aec_env(config, **settings)))
 

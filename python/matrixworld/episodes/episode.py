@@ -303,11 +303,6 @@ def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None
     title : str, optional
         A line of text. By default the step and the share of the evaders that are captured.
 
-    Returns
-    -------
-    Scene
-        The arrays to draw.
-
     Raises
     ------
     IndexError

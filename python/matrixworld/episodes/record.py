@@ -138,7 +138,7 @@ def record_actions(
     evaders: ArrayLike | None = None,
     obstacles: MapLike | None = None,
 ) -> Episode:
-    """Play given actions and record every moment.
+    """Play given actions and return the episode with every moment of it.
 
     Parameters
     ----------
@@ -148,11 +148,6 @@ def record_actions(
         The actions, one row for each round. Rows after the end of the episode are ignored.
     seed, episode, pursuers, evaders, obstacles : optional
         The episode, as `World.reset` takes it. The default is episode 0 of seed 0.
-
-    Returns
-    -------
-    Episode
-        The recorded episode.
     """
     world = World(config)
     world.reset(seed, episode=episode, pursuers=pursuers, evaders=evaders, obstacles=obstacles)
@@ -175,7 +170,7 @@ def record(
     evader: int = 0,
     episode: int = 0,
 ) -> Episode:
-    """Play one episode and record every moment.
+    """Play one episode and return it with every moment.
 
     Parameters
     ----------
@@ -188,11 +183,6 @@ def record(
     episode : int, optional
         The number of the seed's episode: that of world ``episode`` of the match in `rollout`. The
         default is 0.
-
-    Returns
-    -------
-    Episode
-        The recorded episode.
 
     Raises
     ------

@@ -35,10 +35,8 @@ from matrixworld.episodes.render.terminal import color_mode, fits, play
 __all__ = [
     "Animation",
     "Episode",
-    "animate_terminal",
     "animation",
     "contact_sheet",
-    "print_moment",
     "save",
     "scene",
 ]
@@ -71,26 +69,8 @@ def animate_terminal(
 ) -> None:
     """Show an episode in a terminal, in place, until its end or Ctrl-C.
 
-    A grid too large for the terminal is drawn in half blocks.
-
-    Parameters
-    ----------
-    episode : Episode
-        The recording.
-    stream : file, optional
-        Where to show it. The default is standard output. If it is not a terminal, the last moment
-        is printed as plain text instead.
-    fps : float, optional
-        Drawings per second.
-    every : int, optional
-        Steps from one drawing to the next.
-    color : {"true", "256", "none"}, optional
-        As for `render.ansi`. By default it follows from the terminal.
-
-    Raises
-    ------
-    ValueError
-        If `fps` is not positive or `every` is below 1.
+    A grid too large for the terminal is drawn in half blocks. Where there is no terminal, the last
+    moment is printed as plain text.
     """
     check_number("fps", fps, least=0.0, positive=True)
     times = _times(episode, every)
@@ -105,24 +85,7 @@ def animate_terminal(
 def print_moment(
     episode: Episode, stream: TextIO | None = None, *, step: int = -1, color: str | None = None
 ) -> None:
-    """Print one moment of an episode as text.
-
-    Parameters
-    ----------
-    episode : Episode
-        The recording.
-    stream : file, optional
-        Where to print it. The default is standard output.
-    step : int, optional
-        The moment, as for `scene`. The default is the end.
-    color : {"true", "256", "none"}, optional
-        As for `animate_terminal`.
-
-    Raises
-    ------
-    IndexError
-        If the step is outside the episode.
-    """
+    """Print one moment of an episode, as `scene` counts them, in the colors of the stream."""
     out = sys.stdout if stream is None else stream
     out.write(ansi(scene(episode, step), **_text_look(episode, out, color)) + "\n")
 
@@ -243,11 +206,6 @@ def animation(
     **look
         As for `save`. The default of ``cell`` gives about `PIXELS` pixels a side.
 
-    Returns
-    -------
-    Animation
-        The animated GIF.
-
     Raises
     ------
     ValueError
@@ -269,7 +227,7 @@ def animation(
 def contact_sheet(
     episode: Episode, *, rows: int = 2, cols: int = 3, **look: Unpack[Look]
 ) -> Image.Image:
-    """Draw moments of an episode, evenly spread from first to last, as one picture.
+    """Draw moments of an episode, evenly spread from first to last, as one picture for a notebook.
 
     Parameters
     ----------
@@ -279,11 +237,6 @@ def contact_sheet(
         How many moments are below and beside each other.
     **look
         As for `save`.
-
-    Returns
-    -------
-    PIL.Image.Image
-        The picture, which a notebook shows.
 
     Raises
     ------

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from matrixworld.play.matches import Callback, Plays, ask, capture_rates
-from matrixworld.play.network_policy import NetworkPolicy, check_fits
+from matrixworld.play.network_policy import NetworkPolicy
 
-__all__ = ["Callback", "NetworkPolicy", "Plays", "ask", "capture_rates", "check_fits"]
+__all__ = ["NetworkPolicy"]

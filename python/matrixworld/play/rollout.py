@@ -123,7 +123,7 @@ def rollout(
     episodes: int = 1,
     threads: int | None = None,
 ) -> EpisodeStatistics:
-    """Play every match in one or more episodes and return their statistics.
+    """Play every match in one or more episodes and return their statistics, arrays (M, N, ...).
 
     Parameters
     ----------
@@ -137,11 +137,6 @@ def rollout(
         Episodes of each match, N. The default is 1.
     threads : int, optional
         Threads that share the episodes. The default is one for each core that the process may use.
-
-    Returns
-    -------
-    EpisodeStatistics
-        Arrays that begin with (M, N).
 
     Raises
     ------

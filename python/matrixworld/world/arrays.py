@@ -129,17 +129,12 @@ def array_specs(config: WorldConfig) -> Specs:
 
 
 def episode_specs(config: WorldConfig) -> Specs:
-    """Return shape and dtype of the arrays that only a batch writes.
+    """Return shape and dtype of the arrays that only a batch writes, as `array_specs` does.
 
     Parameters
     ----------
     config : WorldConfig
         The configuration, which gives the sizes.
-
-    Returns
-    -------
-    dict of str to (tuple of int, dtype)
-        By name: the shape for one world, without an axis of worlds, and the dtype.
 
     Notes
     -----

@@ -12,7 +12,7 @@ import pytest
 import matrixworld as mw
 from command_line import matrixworld_command
 from matrixworld.coevolution import TEAMS, open_run, score_population, start
-from matrixworld.play import capture_rates
+from matrixworld.play.matches import capture_rates
 from rows import config_of
 from tiny_race import tiny_race
 

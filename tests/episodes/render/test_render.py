@@ -34,15 +34,13 @@ def scene(**changes: object) -> Scene:
 def of(positions: object, n_pursuers: int, grid: tuple[int, int], **changes: object) -> Scene:
     """Living and free agents on an empty grid."""
     cells = np.array(positions)
-    values = {
+    free = {
         "positions": cells,
         "alive": np.ones(len(cells), bool),
         "captured": np.zeros(len(cells) - n_pursuers, bool),
         "map": np.zeros(grid, bool),
-        "n_pursuers": n_pursuers,
-        **changes,
     }
-    return Scene(**values)  # type: ignore[arg-type]
+    return scene(**(free | changes), n_pursuers=n_pursuers)
 
 
 def pixel(picture: NDArray[np.uint8], drawn: Scene, row: float, col: float) -> tuple[int, ...]:

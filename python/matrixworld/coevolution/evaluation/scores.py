@@ -35,7 +35,8 @@ from matrixworld.coevolution.schedules import Against
 from matrixworld.coevolution.seeding import Phase
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team, other
-from matrixworld.play import Callback, NetworkPolicy, Plays, capture_rates
+from matrixworld.play import NetworkPolicy
+from matrixworld.play.matches import Callback, Plays, capture_rates
 from matrixworld.play.rollout import EpisodeStatistics, Matches, Rollout, match_seed, rollout
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.policy import SCRIPTS, Population, TeamPolicy
