@@ -62,20 +62,15 @@ def test_the_number_of_runs_is_checked(run: Path) -> None:
         explore(*[run] * 13)
 
 
-def test_an_unfinished_run_leaves_no_page(tmp_path: Path) -> None:
-    start(tiny_race(), tmp_path / "run")
-    with pytest.raises(FileNotFoundError):
-        explore(tmp_path / "run")
-    assert not (tmp_path / "run" / "explorer.html").exists()
-
-
-def test_a_damaged_run_leaves_no_page(run: Path, tmp_path: Path) -> None:
-    shutil.copytree(run, tmp_path / "copy", ignore=shutil.ignore_patterns("explorer.html"))
-    genomes = tmp_path / "copy" / "stage-0001.npz"
+def test_an_unfinished_or_damaged_run_leaves_no_page(run: Path, tmp_path: Path) -> None:
+    start(tiny_race(), tmp_path / "unfinished")
+    shutil.copytree(run, tmp_path / "damaged", ignore=shutil.ignore_patterns("explorer.html"))
+    genomes = tmp_path / "damaged" / "stage-0001.npz"
     genomes.write_bytes(genomes.read_bytes()[:-80])
-    with pytest.raises(DamagedFileError):
-        explore(tmp_path / "copy")
-    assert not (tmp_path / "copy" / "explorer.html").exists()
+    for name, error in (("unfinished", FileNotFoundError), ("damaged", DamagedFileError)):
+        with pytest.raises(error):
+            explore(tmp_path / name)
+        assert not (tmp_path / name / "explorer.html").exists()
 
 
 def test_reading_a_run_imports_no_code_of_its_learner(

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from browser import DESKTOP, PHONE, READY, Browser
+from browser import DESKTOP, LAPTOP, PHONE, READY, Browser
 from matrixworld import World
 from matrixworld.coevolution import SavedRun, open_run, start
 from matrixworld.coevolution.seeding import evaluation_seed
@@ -61,7 +61,12 @@ def page(job: Job) -> Path:
 
 @pytest.fixture
 def opened(browser: Browser, page: Path) -> Browser:
-    browser.open(page)
+    return show(browser, page)
+
+
+def show(browser: Browser, page: Path, size: tuple[int, int] = LAPTOP) -> Browser:
+    """Open a page and wait for its first match."""
+    browser.open(page, size)
     browser.wait(PLAYED)
     return browser
 
@@ -110,35 +115,25 @@ def random_matches(job: Job) -> list[tuple[int, int, int, int]]:
 
 
 def test_clicks_play_the_matches_of_the_run(opened: Browser, job: Job) -> None:
-    runs = list(job.values())
+    """In the same steps, with the package's words for conflicts; and the page confirms the cell."""
+    runs, seen = list(job.values()), 0
     for number, g, h, episode in random_matches(job):
         played = select(opened, number, g, h, episode)
         expected = runs[number].record(g, h, episode)
         assert played["length"] == expected.length
         assert played["last"] == expected.last_positions[-1].ravel().tolist()
         assert played["captured"] == expected.ever_captured[-1].astype(int).tolist()
-    assert opened.errors() == []
-
-
-def test_conflicts_have_the_package_s_words(opened: Browser, job: Job) -> None:
-    seen = 0
-    for number, g, h in [(0, 0, 1), (0, 2, 0), (1, 0, 1), (1, 2, 2)]:
-        played = select(opened, number, g, h)
-        episode = [*job.values()][number].record(g, h)
         for step, texts in enumerate(played["conflicts"], 1):
-            assert texts == [conflict.text for conflict in episode.explain(step)]
+            assert texts == [conflict.text for conflict in expected.explain(step)]
             seen += len(texts)
     assert seen > 20
-    assert opened.errors() == []
-
-
-def test_the_page_confirms_the_cell(opened: Browser, job: Job) -> None:
     select(opened, 0, 2, 1)
     opened.wait("document.querySelector('.check').dataset.equal === 'true'")
     rate = job["race"].payoff().capture_rate[2, 1]
     assert opened.js("document.querySelector('.check').textContent") == (
         f"Played here: all 3 episodes, mean capture rate {rate:.3f}. The cell says {rate:.3f}."
     )
+    assert opened.errors() == []
 
 
 def test_the_page_says_if_its_matches_differ(browser: Browser, job: Job, tmp_path: Path) -> None:
@@ -207,8 +202,7 @@ def test_a_checkerboard_plays_four_matches(browser: Browser, job: Job, tmp_path:
         archives_of([job["race"]]).blobs,
     )  # fmt: skip
     write_page(tmp_path / "board.html", html)
-    browser.open(tmp_path / "board.html")
-    browser.wait(PLAYED)
+    show(browser, tmp_path / "board.html")
     browser.driver.execute_script("document.querySelector('.miniature').click()")
     assert browser.js("document.querySelectorAll('dialog.four canvas').length") == 4
     browser.press(ESCAPE)
@@ -222,16 +216,13 @@ def test_nothing_is_wider_than_the_window(
     browser: Browser, page: Path, size: tuple[int, int], scheme: str
 ) -> None:
     browser.prefer(prefers_color_scheme=scheme)
-    browser.open(page, size)
-    browser.wait(PLAYED)
+    show(browser, page, size)
     assert browser.js("document.documentElement.scrollWidth") <= size[0]
     assert browser.errors() == []
 
 
-def test_the_page_does_not_jump_when_the_match_arrives(browser: Browser, page: Path) -> None:
-    browser.open(page)
-    browser.wait(PLAYED)
-    shift = browser.driver.execute_async_script(
+def test_the_page_does_not_jump_when_the_match_arrives(opened: Browser) -> None:
+    shift = opened.driver.execute_async_script(
         """const done = arguments[0]; let sum = 0;
         new PerformanceObserver((list) => { for (const e of list.getEntries()) sum += e.value; })
           .observe({type: 'layout-shift', buffered: true});
@@ -244,9 +235,7 @@ def test_texts_from_files_stay_texts(browser: Browser, job: Job, tmp_path: Path)
     name = "<img src=x onerror=document.title='owned'> &amp; \"'"
     source = job["race"].files.path
     shutil.copytree(source, tmp_path / name)
-    page = explore(tmp_path / name).path
-    browser.open(page)
-    browser.wait(PLAYED)
+    show(browser, explore(tmp_path / name).path)
     assert browser.js("document.querySelector('h1').textContent") == name
     assert browser.js("document.title").startswith(name)
     assert browser.js("document.images.length") == 0
@@ -266,8 +255,7 @@ def test_a_page_with_an_altered_script_does_not_run(
 
 def test_reduced_motion_shows_moments_only(browser: Browser, page: Path) -> None:
     browser.prefer(prefers_reduced_motion="reduce")
-    browser.open(page)
-    browser.wait(PLAYED)
+    show(browser, page)
     click_cell(browser, 1, 1)
     browser.wait(f"{PLAYED} === '0 1 1 0 '")
     # A click plays no motion picture to readers who asked for none; steps jump.
@@ -277,9 +265,8 @@ def test_reduced_motion_shows_moments_only(browser: Browser, page: Path) -> None
     browser.prefer(prefers_reduced_motion="no-preference")
 
 
-def test_a_step_opens_in_the_playground(browser: Browser, page: Path, job: Job) -> None:
-    browser.open(page)
-    browser.wait(PLAYED)
+def test_a_step_opens_in_the_playground(opened: Browser, job: Job) -> None:
+    browser = opened
     select(browser, 0, 1, 2)
     browser.press(HOME, RIGHT, RIGHT, RIGHT)
     here = browser.driver.current_window_handle
@@ -300,9 +287,8 @@ def test_a_step_opens_in_the_playground(browser: Browser, page: Path, job: Job) 
         browser.driver.switch_to.window(here)
 
 
-def test_an_address_leads_to_a_match_and_its_step(browser: Browser, page: Path) -> None:
-    browser.open(page)
-    browser.wait(PLAYED)
+def test_an_address_leads_to_a_match_and_its_step(opened: Browser) -> None:
+    browser = opened
     browser.driver.execute_script("location.hash = '#run=1&pursuers=2&evaders=0&episode=1&step=4'")
     browser.wait(f"{PLAYED} === '1 2 0 1 '")
     assert browser.js("window.matrixworldExplorer.step") == 4

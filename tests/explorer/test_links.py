@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -25,7 +26,9 @@ def small_world(rules: mw.Rules | str = "SB", **changes: object) -> mw.World:
 
 
 def test_defaults_are_left_out() -> None:
-    assert scene_link(small_world()) == "rules=SB&size=2x4&pursuers=0.0_0.2&evaders=1.3"
+    link = "rules=SB&size=2x4&pursuers=0.0_0.2&evaders=1.3"
+    assert scene_link(small_world()) == link
+    assert scene_link(small_world(), np.array([2, 4, 0])) == f"{link}&next=240"
 
 
 def test_all_settings_are_in_the_link() -> None:
@@ -52,31 +55,32 @@ def test_an_ended_episode_stays_ended() -> None:
     assert scene_link(world).endswith("&ended=1&pursuers=0.0&evaders=0.1c")
 
 
-def test_bad_arguments_are_refused() -> None:
+def in_a_round() -> mw.World:
     world = small_world("TO")
-    with pytest.raises(ValueError, match="actions: expected 3 \\(agents\\), got 2"):
-        scene_link(world, [0, 0])
-    with pytest.raises(ValueError, match="actions: expected 0 to 4, got 5"):
-        scene_link(world, [0, 5, 0])
-    with pytest.raises(ValueError, match="actions: expected .*chaser.*, got 'chase'"):
-        scene_link(world, [0, "chase", 0])
-    with pytest.raises(ValueError, match="variant: expected one of"):
-        scene_link(world, compare="X")
-    with pytest.raises(TypeError, match="world: expected"):
-        scene_link("SB")
-    with pytest.raises(ValueError, match="world, rows: expected 1 to 64, got 65"):
-        scene_link(mw.World("O", rows=65))
-    with pytest.raises(ValueError, match="world, n_evaders: expected 1 to 100, got 101"):
-        scene_link(mw.World("O", n_evaders=101))
-    with pytest.raises(ValueError, match="world: expected a world together with actions"):
-        Playground(actions=[0])
     world.play_turn([0, 0, 0])
-    with pytest.raises(ValueError, match="world: expected the end of a round, got turn 1"):
-        scene_link(world)
+    return world
 
 
-def test_numpy_actions_serve() -> None:
-    assert scene_link(small_world(), np.array([2, 4, 0])).endswith("&next=240")
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: scene_link(small_world(), [0, 0]), r"actions: expected 3 \(agents\), got 2"),
+        (lambda: scene_link(small_world(), [0, 5, 0]), "actions: expected 0 to 4, got 5"),
+        (lambda: scene_link(small_world(), [0, "chase", 0]), "actions: expected .*, got 'chase'"),
+        (lambda: scene_link(small_world(), compare="X"), "variant: expected one of"),
+        (lambda: scene_link("SB"), "world: expected"),
+        (lambda: scene_link(mw.World("O", rows=65)), "world, rows: expected 1 to 64, got 65"),
+        (
+            lambda: scene_link(mw.World("O", n_evaders=101)),
+            "world, n_evaders: expected 1 to 100, got 101",
+        ),
+        (lambda: scene_link(in_a_round()), "world: expected the end of a round, got turn 1"),
+        (lambda: Playground(actions=[0]), "world: expected a world together with actions"),
+    ],
+)
+def test_bad_arguments_are_refused(call: Callable[[], object], message: str) -> None:
+    with pytest.raises((TypeError, ValueError), match=f"^{message}"):
+        call()
 
 
 def test_the_page_documents_every_field_and_script() -> None:

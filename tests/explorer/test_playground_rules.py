@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import importlib.util
+import runpy
 from pathlib import Path
 
 import numpy as np
@@ -19,15 +19,9 @@ CONTRACT = Path(__file__).parents[1] / "contract"
 
 def drawn_cases() -> list[Case]:
     """Return every case of the contract tests that is drawn."""
-    cases = []
-    for file in sorted(CONTRACT.glob("test_*.py")):
-        spec = importlib.util.spec_from_file_location(f"drawn_{file.stem}", file)
-        module = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
-        for value in vars(module).values():
-            if isinstance(value, tuple):
-                cases += [each for each in value if isinstance(each, Case)]
-    return cases
+    names = [runpy.run_path(str(file)) for file in sorted(CONTRACT.glob("test_*.py"))]
+    tuples = [value for each in names for value in each.values() if isinstance(value, tuple)]
+    return [case for cases in tuples for case in cases if isinstance(case, Case)]
 
 
 CASES = drawn_cases()

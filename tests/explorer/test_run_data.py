@@ -35,36 +35,31 @@ def single(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
     return played(tiny_single(team=request.param), tmp_path_factory.mktemp("single") / "run")
 
 
-def as_read(data: dict[str, Any]) -> dict[str, Any]:
-    """Return data as the page reads them."""
-    plain: dict[str, Any] = json.loads(json.dumps(data, allow_nan=False))
+def as_read(run: SavedRun) -> dict[str, Any]:
+    """Return the data of a run as the page reads them."""
+    plain: dict[str, Any] = json.loads(json.dumps(run_data("a run", run), allow_nan=False))
     return plain
 
 
-def test_results_of_a_race(race: SavedRun) -> None:
-    data, payoff = as_read(run_data("race", race)), race.payoff()
+def test_results_seeds_and_world_are_those_of_the_evaluation(race: SavedRun) -> None:
+    data, payoff, settings = as_read(race), race.payoff(), race.settings
     assert data["payoff"]["first"] == [0, 0]
     assert data["payoff"]["capture_rate"] == payoff.capture_rate.tolist()
     rates = np.array(data["payoff"]["capture_rates"], np.float32)
     np.testing.assert_array_equal(rates, payoff.capture_rates)
     np.testing.assert_array_equal(data["payoff"]["lengths"], payoff.lengths)
-
-
-def test_seeds_are_those_of_the_evaluation(race: SavedRun) -> None:
-    seeds = as_read(run_data("race", race))["seeds"]
-    assert [[int(seed) for seed in row] for row in seeds] == [
-        [evaluation_seed(race.settings.seed, g, h) for h in range(3)] for g in range(3)
+    assert [[int(seed) for seed in row] for row in data["seeds"]] == [
+        [evaluation_seed(settings.seed, g, h) for h in range(3)] for g in range(3)
     ]
-
-
-def test_the_world_is_that_of_the_evaluation(race: SavedRun) -> None:
-    plain = as_read(run_data("race", race))["world"]
-    config = race.settings.world
-    assert WorldConfig.from_json(plain).to_json() == config.to_json()
+    assert WorldConfig.from_json(data["world"]).to_json() == settings.world.to_json()
+    shown = {each["name"]: each for each in data["settings"]}
+    assert shown["world.rows"]["value"] == "6"
+    changed = [shown[name]["changed"] for name in ("world.rows", "learner", "seed")]
+    assert changed == [True, False, False]
 
 
 def test_verdicts_are_those_of_the_commands(race: SavedRun) -> None:
-    found = as_read(run_data("race", race))["findings"]
+    found = as_read(race)["findings"]
     judgement = analysis.judge(race.payoff().capture_rates, per_episode=True)
     assert found["headline"] == analysis.headline(judgement)
     assert [tuple(row) for row in found["table"]] == analysis.judgement_table(judgement)
@@ -100,16 +95,13 @@ def test_first_and_last_generation_are_always_kept(count: int, step: int, kept: 
 
 
 def test_a_single_team_has_one_cell_at_its_last_generation(single: SavedRun) -> None:
-    data, payoff = as_read(run_data("single", single)), single.payoff()
+    data, payoff = as_read(single), single.payoff()
     learns_first = data["learning"] == ["pursuer"]
     assert data["payoff"]["shape"] == ([4, 1] if learns_first else [1, 4])
     assert data["payoff"]["first"] == ([3, 0] if learns_first else [0, 3])
     assert data["payoff"]["capture_rate"] == payoff.capture_rate.tolist()
     assert data["findings"] is None
     assert not data["race"]
-
-
-def test_the_script_of_a_single_team_is_named(single: SavedRun) -> None:
     [teams] = archives_of([single]).teams
     scripts = [teams[team]["script"] for team in TEAMS]
     assert sorted(scripts, key=str) == [None, "random"]
@@ -127,11 +119,3 @@ def test_a_long_training_curve_has_means_of_neighbouring_epochs(
     means = [log["capture_rate"][:3].mean(), log["capture_rate"][3:].mean()]
     assert short["epochs"] == 3
     np.testing.assert_allclose(short["capture_rate"], means, atol=1e-4)
-
-
-def test_changed_settings_are_marked(race: SavedRun) -> None:
-    settings = {each["name"]: each for each in run_data("race", race)["settings"]}
-    assert settings["rows"]["changed"]
-    assert settings["rows"]["value"] == "6"
-    assert not settings["learner"]["changed"]
-    assert not settings["seed"]["changed"]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import runpy
@@ -12,9 +11,8 @@ import pytest
 
 from matrixworld.tutorial import check
 from matrixworld.tutorial.course import Exercise, Prediction, exercises
+from notebooks import NOTEBOOKS, TUTORIALS, cells, source
 
-TUTORIALS = Path(__file__).parents[2] / "tutorials"
-NOTEBOOKS = sorted(TUTORIALS.glob("[0-9]*.ipynb"))
 SOLUTIONS = sorted((TUTORIALS / "solutions").glob("[0-9]*.py"))
 SECONDS_A_CELL = 300
 LARGEST = 1_000_000  # bytes
@@ -23,14 +21,6 @@ QUICK_CHAPTERS = (1, 4, 9)
 
 each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.stem for path in NOTEBOOKS])
 each_solution = pytest.mark.parametrize("path", SOLUTIONS, ids=[path.stem for path in SOLUTIONS])
-
-
-def cells(path: Path, kind: str) -> list[dict]:
-    return [c for c in json.loads(path.read_text("utf-8"))["cells"] if c["cell_type"] == kind]
-
-
-def source(cell: dict) -> str:
-    return "".join(cell["source"])
 
 
 def chapter(path: Path) -> int:

@@ -13,6 +13,7 @@ from matrixworld.explorer.scenes import drawn_world
 from matrixworld.tutorial import hint
 from matrixworld.tutorial.boards import pack, random_pack
 from matrixworld.tutorial.chapter_1 import MAZE, SHORTEST, true_conflicts
+from student_functions import conflicts
 
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
 
@@ -28,21 +29,11 @@ def test_there_is_one_shortest_way() -> None:
     assert ways[4, 5] == 1
 
 
-def pairs(cells: list, targets: list, *, vertex: bool = True, edge: bool = True) -> set[int]:
-    """Return agents in conflict, as an independent function finds them."""
-    return {
-        a
-        for a, (here, there) in enumerate(zip(cells, targets, strict=True))
-        if (vertex and targets.count(there) > 1)
-        or (edge and here != there and (there, here) in zip(cells, targets, strict=True))
-    }
-
-
 def test_the_engine_and_an_independent_function_find_the_same_conflicts() -> None:
     rng = np.random.default_rng(1)
     for _ in range(200):
         cells, targets = random_pack(rng, 5, 9)
-        assert true_conflicts(cells, targets, 5) == pairs(cells, targets)
+        assert true_conflicts(cells, targets, 5) == conflicts(cells, targets)
 
 
 def test_outcomes_of_the_predictions() -> None:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 from itertools import product
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,9 +13,10 @@ from matrixworld.explorer.scenes import drawn_world
 from matrixworld.tutorial import check
 from matrixworld.tutorial.boards import random_pack
 from matrixworld.tutorial.chapter_2 import JAM, JAM_ACTIONS, MARKET, true_cells
+from notebooks import NOTEBOOKS, cells
+from student_functions import by_index
 
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
-NOTEBOOK = Path(__file__).parents[2] / "tutorials" / "02_why_did_it_bounce.ipynb"
 
 
 def test_every_single_change_that_frees_pursuer_0_is_right() -> None:
@@ -52,14 +51,6 @@ def test_rewards_of_a_captured_and_of_a_surviving_evader() -> None:
     assert check("2.3", np.int64(202)).right is True
 
 
-def by_index(cells: list, targets: list) -> list:
-    cells = list(cells)
-    for agent, target in enumerate(targets):
-        if target not in cells:
-            cells[agent] = target
-    return cells
-
-
 def test_outcomes_of_the_first_predictions() -> None:
     world = drawn_world("SB", JAM)
     world.step(JAM_ACTIONS, explain=True)
@@ -79,11 +70,11 @@ def test_renumbering_changes_most_steps_by_index_and_none_of_the_world(seed: int
     rng = np.random.default_rng([7, seed])
     changed = {by_index: 0, at_once_on_ten: 0}
     for _ in range(60):
-        cells, targets = random_pack(rng, 10, 30)
+        here, there = random_pack(rng, 10, 30)
         order = rng.permutation(30)
         for resolver in changed:
-            result = resolver(cells, targets)
-            again = resolver([cells[a] for a in order], [targets[a] for a in order])
+            result = resolver(here, there)
+            again = resolver([here[a] for a in order], [there[a] for a in order])
             changed[resolver] += again != [result[a] for a in order]
     assert changed[by_index] > 40
     assert changed[at_once_on_ten] == 0
@@ -112,10 +103,8 @@ def test_the_text_says_what_the_outputs_show() -> None:
 
 def printed(part: str) -> str:
     """Return what the cell of the kept notebook printed that printed this text."""
-    cells = json.loads(NOTEBOOK.read_text("utf-8"))["cells"]
     outputs = [
         "".join("".join(output.get("text", "")) for output in cell["outputs"])
-        for cell in cells
-        if cell["cell_type"] == "code"
+        for cell in cells(NOTEBOOKS[1], "code")
     ]
     return next(text for text in outputs if part in text)

@@ -2,27 +2,17 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import matrixworld as mw
 from matrixworld.tutorial import hint
-
-NOTEBOOK = Path(__file__).parents[2] / "tutorials" / "03_can_a_chase_evolve.ipynb"
+from notebooks import NOTEBOOKS, cells, source
 
 
 def test_hints_get_more_explicit() -> None:
     assert hint("3.1").text.startswith("Hint 1 of 3")
     assert "bias" in [hint("3.1").text for _ in range(2)][-1]
-
-
-def cells_with(*beginnings: str) -> list[str]:
-    cells = json.loads(NOTEBOOK.read_text("utf-8"))["cells"]
-    code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
-    return [cell for cell in code if cell.startswith(beginnings)]
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -35,8 +25,9 @@ def test_the_python_match_is_that_of_rollout(seed: int, size: dict) -> None:
     world = mw.WorldConfig("O", **{**fields, **size})
     network = mw.Network.for_config(world, (8,), sampled=False)
     names = {"world": world, "network": network, "np": np}
-    for cell in cells_with("SIDE", "def play("):
-        exec(cell, names)
+    for text in map(source, cells(NOTEBOOKS[2], "code")):
+        if text.startswith(("SIDE", "def play(")):
+            exec(text, names)
     genome = network.initial(np.random.default_rng(seed), 0.3, 0.5)
     team = mw.Population(genome, network)
     matches = mw.Matches.of(0, 0, np.arange(12))
@@ -44,7 +35,7 @@ def test_the_python_match_is_that_of_rollout(seed: int, size: dict) -> None:
     captures = np.rint(statistics.capture_rate[:, 0] * world.n_evaders)
     for match in range(12):
         episode = mw.record(world, team, "random", seed=match)
-        cells = [tuple(cell) for cell in episode.positions[0].tolist()]
+        starts = [tuple(cell) for cell in episode.positions[0].tolist()]
         moves = episode.actions[:, world.n_pursuers :].tolist()
-        found = names["play"](genome, cells, moves)
+        found = names["play"](genome, starts, moves)
         assert found == (captures[match], statistics.length[match, 0])

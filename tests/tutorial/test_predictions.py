@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-import json
 import re
-from pathlib import Path
 
 import pytest
 
 from matrixworld.tutorial.course import Prediction, exercises
-
-TUTORIALS = Path(__file__).parents[2] / "tutorials"
+from notebooks import NOTEBOOKS, cells, source
 
 
 @pytest.mark.parametrize("chapter", [1, 2])
 def test_options_are_written_out(chapter: int) -> None:
-    (path,) = TUTORIALS.glob(f"{chapter:02d}_*.ipynb")
-    cells = json.loads(path.read_text("utf-8"))["cells"]
-    texts = ["".join(cell["source"]) for cell in cells]
+    texts = [source(cell) for cell in cells(NOTEBOOKS[chapter - 1])]
     places = [at for at, text in enumerate(texts) if text.startswith("prediction = ...")]
     offered = [
         (re.findall(r'^- `"(\w)"`:', texts[at - 1], re.MULTILINE), re.findall(r'"(\w)"', texts[at]))

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import dataclasses
 import re
-from itertools import permutations
 from typing import Any
 
 import numpy as np
@@ -17,210 +16,45 @@ import pytest
 import matrixworld as mw
 from matrixworld import Action, analysis
 from matrixworld.coevolution import reduced_virulence
-from matrixworld.tutorial import check, kept
+from matrixworld.tutorial import check
 from matrixworld.tutorial.chapter_1 import BUMPER_CARS
 from matrixworld.tutorial.chapter_2 import JAM_ACTIONS
 from matrixworld.tutorial.chapter_5 import ENDINGS
 from matrixworld.tutorial.chapter_6 import ROCK_PAPER_SCISSORS, WELL
 from matrixworld.tutorial.chapter_8 import CASES, verdict_on
 from matrixworld.tutorial.chapter_9 import GREEDY, break_even, everything
+from student_functions import (
+    STEPS,
+    Climber,
+    all_occupied,
+    at_once,
+    both_rise,
+    by_index,
+    careless,
+    climber,
+    conflicts,
+    each_square_four_times,
+    free_cells,
+    hall,
+    interval_of_gains,
+    last_beats_first,
+    mean_twice,
+    neighbours_only,
+    of_the_largest,
+    of_wins_only,
+    one_link_only,
+    pairs,
+    share_of_living,
+    shared_without_zeros,
+    still,
+    swaps_pass,
+    unpaired,
+    with_priority,
+    without_chains,
+    without_stayers,
+)
 
 STAY, NORTH, EAST, SOUTH, WEST = list(Action)[:5]
-
-
-# ---- Functions that students write, with their mistakes ------------------------------------------
-
-
-def conflicts(cells: list, targets: list, *, vertex: bool = True, edge: bool = True) -> set[int]:
-    moves = list(zip(cells, targets, strict=True))
-    return {
-        a
-        for a, (here, there) in enumerate(moves)
-        if (vertex and targets.count(there) > 1)
-        or (edge and here != there and (there, here) in moves)
-    }
-
-
-def without_stayers(cells: list, targets: list) -> set[int]:
-    return {a for a in conflicts(cells, targets) if cells[a] != targets[a]}
-
-
-def all_occupied(cells: list, targets: list) -> set[int]:
-    """Take every target that is occupied for a conflict, also if its agent leaves."""
-    occupied = {a for a, there in enumerate(targets) if there in cells and there != cells[a]}
-    return conflicts(cells, targets) | occupied
-
-
-def careless(cells: list, targets: list) -> list[int]:
-    """Change the arguments."""
-    found = sorted(conflicts(cells, targets))
-    cells.clear()
-    return found
-
-
-def by_index(cells: list, targets: list) -> list:
-    cells = list(cells)
-    for agent, target in enumerate(targets):
-        if target not in cells:
-            cells[agent] = target
-    return cells
-
-
-def without_chains(cells: list, targets: list) -> list:
-    held = conflicts(cells, targets)
-    return [cells[a] if a in held else there for a, there in enumerate(targets)]
-
-
-def one_link_only(cells: list, targets: list) -> list:
-    return without_chains(cells, without_chains(cells, targets))
-
-
-def swaps_pass(cells: list, targets: list) -> list:
-    while True:
-        after = [cells[a] if targets.count(there) > 1 else there for a, there in enumerate(targets)]
-        if after == targets:
-            return after
-        targets = after
-
-
-def at_once(cells: list, targets: list) -> np.ndarray:
-    for _ in cells:
-        targets = without_chains(cells, targets)
-    return np.array(targets)
-
-
-def share_of_living(cells: list, team_size: int) -> float:
-    return (len(cells) - len(set(cells))) / max(1, len(cells))
-
-
-class Climber:
-    """A hill climber."""
-
-    sigma = 0.05
-
-    def __init__(self, genome, rng):
-        self.genome = genome
-
-    def ask(self, rng):
-        noise = rng.standard_normal((20, len(self.genome)), dtype=np.float32)
-        self.candidates = self.genome + np.float32(self.sigma) * noise
-        return self.candidates
-
-    def tell(self, fitness):
-        self.genome = self.candidates[np.argmax(fitness)].copy()
-
-    def tell_the_worst(self, fitness):
-        self.genome = self.candidates[np.argmin(fitness)].copy()
-
-
-def climber(**changes: Any) -> type:
-    return type("Other", (Climber,), changes)
-
-
-def pairs(individuals, opponents):
-    n, m = len(individuals), len(opponents)
-    return np.repeat(individuals, m, axis=0), np.tile(opponents, (n, 1))
-
-
-def gains(schedule: str) -> analysis.Estimate:
-    """Return the interval that exercise 5.3 asks for."""
-    races = kept("paper_races")
-    matrices = (races[schedule] / int(races["evaders"])).mean(axis=3)
-    values = [np.diag(m, -5).mean() - np.diag(m, -1).mean() for m in matrices]
-    return analysis.interval_over_runs(np.array(values))
-
-
-def last_beats_first(scores: np.ndarray) -> bool:
-    curves = analysis.generalization(scores.mean(axis=2))
-    return all(bool(curve[-1] > curve[0]) for curve in curves)
-
-
-def both_rise(scores: np.ndarray) -> np.bool_:
-    curves = analysis.generalization(scores.mean(axis=2))
-    return np.all([curve[-6:].mean() - curve[:6].mean() > 0.05 for curve in curves])
-
-
-def each_square_four_times(matrix: np.ndarray) -> int:
-    wins = matrix > 0.5
-    return sum(
-        bool(wins[a, x] and wins[b, y] and not wins[a, y] and not wins[b, x])
-        or bool(wins[a, y] and wins[b, x] and not wins[a, x] and not wins[b, y])
-        for a, b in permutations(range(len(matrix)), 2)
-        for x, y in permutations(range(matrix.shape[1]), 2)
-    )
-
-
-def neighbours_only(matrix: np.ndarray) -> int:
-    wins = matrix > 0.5
-    a, b, c, d = wins[:-1, :-1], wins[:-1, 1:], wins[1:, :-1], wins[1:, 1:]
-    return int(((a == d) & (b == c) & (a != b)).sum())
-
-
-def mean_twice(matrix: np.ndarray) -> float:
-    rest = matrix - matrix.mean(axis=1)[:, None] - matrix.mean(axis=0)
-    return float(1 - (rest**2).sum() / ((matrix - matrix.mean()) ** 2).sum())
-
-
-def hall(count: int, *, repeat: bool = False) -> Any:
-    return lambda available, rng: [
-        available - 1,
-        *rng.choice(max(1, available - 1), size=min(count, available - 1), replace=repeat),
-    ]
-
-
-def of_wins_only(wins, v):
-    return 2 * wins / v - wins**2 / v**2
-
-
-@np.errstate(invalid="ignore")
-def of_the_largest(wins, v):
-    return of_wins_only(wins / wins.max(), v)
-
-
-@np.errstate(invalid="ignore")
-def shared_without_zeros(wins):
-    return (wins / wins.sum(axis=0)).sum(axis=1)
-
-
-def unpaired(one, other):
-    found = analysis.difference_of_runs(one, other)
-    return "better" if found.low > 0 else "worse" if found.high < 0 else "cannot tell"
-
-
-STEPS = [(0, 0), (-1, 0), (0, 1), (1, 0), (0, -1)]
-
-
-def free_cells(views: np.ndarray, layers: slice = slice(None)) -> np.ndarray:
-    """Allow moves to cells on which nothing of some layers stands."""
-    allowed = np.ones((len(views), 5), bool)
-    for action, (row, col) in enumerate(STEPS[1:], start=1):
-        allowed[:, action] = ~views[:, layers, 5 + row, 5 + col].any(axis=1)
-    return allowed
-
-
-def with_priority(sides: list[tuple[int, int]], *, for_all: bool = False) -> Any:
-    """Return a mask: no move to a cell with a teammate on an earlier side, or on any side."""
-
-    def mask(views: np.ndarray) -> np.ndarray:
-        allowed = free_cells(views)
-        for action, target in enumerate(STEPS[1:], start=1):
-            for side in sides:
-                if side == (-target[0], -target[1]):
-                    if for_all:
-                        continue
-                    break
-                row, col = 5 + np.array(target) + side
-                allowed[:, action] &= views[:, 1, row, col] == 0
-        return allowed
-
-    return mask
-
-
-def still(views: np.ndarray) -> np.ndarray:
-    """Allow moves on an empty grid only."""
-    allowed = np.ones((len(views), 5), bool)
-    allowed[views.any(axis=(1, 2, 3)), 1:] = False
-    return allowed
 
 
 # ---- Answers -------------------------------------------------------------------------------------
@@ -230,6 +64,7 @@ ONE_TEAM = np.array(
     [[0.5, 0.1, 0.1, 0.1], [0.2, 0.5, 0.2, 0.2], [0.3, 0.3, 0.5, 0.3], [0.4, 0.6, 0.6, 0.5]]
 )
 BELOW_DIAGONAL = np.full((4, 4), 0.5) + np.tril(np.full((4, 4), 0.1), -1)
+GAINS = interval_of_gains("generalist_generalist")
 LOST = WELL.copy()
 LOST[3] = 0.0
 OTHER_WELL = WELL.copy()
@@ -404,12 +239,10 @@ WRONG: dict[str, dict[str, Any]] = {
         "no return": lambda k, i: None,
     },
     "5.3": {
-        "the mean": gains("generalist_generalist").value,
-        "the other sign": [
-            -gains("generalist_generalist").high, -gains("generalist_generalist").low
-        ],
-        "specialists": gains("specialist_specialist"),
-        "too narrow": np.add(gains("generalist_generalist").value, [-0.001, 0.001]),
+        "the mean": GAINS.value,
+        "the other sign": [-GAINS.high, -GAINS.low],
+        "specialists": interval_of_gains("specialist_specialist"),
+        "too narrow": np.add(GAINS.value, [-0.001, 0.001]),
         "another one": (0.0, 0.05),
         "a word": "wide",
     },
@@ -551,7 +384,7 @@ RIGHT: dict[str, list[Any]] = {
     "3.3": [lambda cells, n: (len(cells) - len({*cells})) / n],
     "3.4": [Climber],
     "4.1": [((0.5 + 0.5 * LAGS).tolist(), (0.5 - LAGS).tolist()), (BELOW_DIAGONAL, 0.5 - LAGS)],
-    "5.3": [gains("generalist_generalist")],
+    "5.3": [GAINS],
     "5.4": [both_rise],
     "6.1": [lambda matrix: analysis.checkerboards(matrix).count],
     "6.4": [hall(4), lambda available, rng: np.array(hall(4)(available, rng))],

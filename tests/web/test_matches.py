@@ -18,6 +18,7 @@ ARRAYS = (
     *("positions", "last_positions", "alive", "captured", "ever_captured", "actions", "rewards"),
     *("involved", "fault", "map"),
 )
+Policy = mw.Population | str
 READ = ("positions", "alive", "rewards", "captors", "involved", "fault", "views", "capture_rate")
 
 
@@ -30,6 +31,19 @@ def plain(conflict: mw.Conflict) -> dict[str, Any]:
 def team(config: mw.WorldConfig, hidden: tuple[int, ...], seed: int, **more: Any) -> mw.Population:
     network = mw.Network.for_config(config, hidden, **more)
     return mw.Population(random_genome(network, seed), network)
+
+
+def asked(
+    config: mw.WorldConfig, pursuers: Policy, evaders: Policy, seed: int, **more: Any
+) -> dict[str, Any]:
+    """Return a command that is about two policies in a world."""
+    return {
+        "config": config.to_json(),
+        "pursuers": policy_json(pursuers),
+        "evaders": policy_json(evaders),
+        "seed": str(seed),
+        **more,
+    }
 
 
 # ---- Matches ------------------------------------------------------------------------------------
@@ -54,13 +68,7 @@ def test_a_match_equals_the_recorded_one(run_command: Commands, name: str) -> No
     wanted = mw.record(config, pursuers, evaders, seed=BIG_SEED, episode=3)
     seek = [wanted.length, 0, wanted.length // 2, wanted.length]
     got = run_command(
-        do="match",
-        config=config.to_json(),
-        pursuers=policy_json(pursuers),
-        evaders=policy_json(evaders),
-        seed=str(BIG_SEED),
-        episode=3,
-        seek=seek,
+        do="match", **asked(config, pursuers, evaders, BIG_SEED, episode=3, seek=seek)
     )
     assert got["length"] == wanted.length
     for array in ARRAYS:
@@ -78,15 +86,7 @@ def test_a_match_equals_the_recorded_one(run_command: Commands, name: str) -> No
 def test_every_script_plays_as_in_the_extension(run_command: Commands, script: str) -> None:
     config = config_of("SB", max_steps=40, obstacles=0.1, fov=7)
     wanted = mw.record(config, script, "dodger", seed=5)
-    got = run_command(
-        do="match",
-        config=config.to_json(),
-        pursuers=script,
-        evaders="dodger",
-        seed="5",
-        episode=0,
-        seek=[],
-    )
+    got = run_command(do="match", **asked(config, script, "dodger", 5, episode=0, seek=[]))
     assert got["positions"] == wanted.positions.ravel().tolist()
 
 
@@ -94,14 +94,7 @@ def test_statistics_of_episodes_are_those_of_a_rollout(run_command: Commands) ->
     config = config_of("O", max_steps=30)
     pursuers, evaders = team(config, (32,), 1), team(config, (8,), 2)
     wanted = mw.rollout(config, pursuers, evaders, mw.Matches.of(0, 0, [9]), episodes=4, threads=1)
-    got = run_command(
-        do="rollout",
-        config=config.to_json(),
-        pursuers=policy_json(pursuers),
-        evaders=policy_json(evaders),
-        seed="9",
-        episodes=4,
-    )
+    got = run_command(do="rollout", **asked(config, pursuers, evaders, 9, episodes=4))
     for episode, statistics in enumerate(got):
         for name, value in statistics.items():
             names = [name] if hasattr(wanted, name) else [f"pursuer_{name}", f"evader_{name}"]
@@ -318,14 +311,6 @@ def test_a_refused_call_leaves_the_world_as_it_was(run_command: Commands, name: 
 
 
 def test_a_genome_of_another_size_is_refused(run_command: Commands) -> None:
-    config = config_of("O")
-    policy = policy_json(team(config, (4,), 1))
-    got = run_command(
-        do="rollout",
-        config={**config.to_json(), "fov": 7},
-        pursuers=policy,
-        evaders="still",
-        seed="1",
-        episodes=1,
-    )
+    narrow = team(config_of("O"), (4,), 1)
+    got = run_command(do="rollout", **asked(config_of("O", fov=7), narrow, "still", 1, episodes=1))
     assert got["error"] == "genome: expected 617 numbers, got 329"
