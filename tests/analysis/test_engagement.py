@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 from matrixworld import analysis
-from matrixworld.analysis import Disengagement
+from matrixworld.analysis.engagement import Disengagement
 
 # Rates in sixteenths: their complements are exact.
 sixteenths = st.integers(0, 16).map(lambda n: n / 16)

@@ -116,10 +116,10 @@ def test_local_and_historical_progress_agree_with_their_definition(matrix: np.nd
 def test_swapping_the_teams_swaps_ciao_and_progress(matrix: np.ndarray) -> None:
     swapped = swap_teams(matrix)
     for function in (analysis.local_progress, analysis.historical_progress):
-        for one, other in zip(function(matrix), function(swapped)[::-1], strict=True):
+        for one, other in zip(function(matrix), list(function(swapped))[::-1], strict=True):
             np.testing.assert_array_equal(one.scores, other.scores)
             np.testing.assert_array_equal(one.gains, other.gains)
-    for one, other in zip(analysis.ciao(matrix), analysis.ciao(swapped)[::-1], strict=True):
+    for one, other in zip(analysis.ciao(matrix), list(analysis.ciao(swapped))[::-1], strict=True):
         np.testing.assert_array_equal(one.payoff, other.payoff)
         assert (one.stripes, one.period) == (other.stripes, other.period)
 

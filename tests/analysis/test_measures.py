@@ -274,11 +274,11 @@ def test_swapping_the_teams_swaps_the_results(matrix: np.ndarray, margin: float)
     swapped = swap_teams(matrix)
     np.testing.assert_array_equal(swap_teams(swapped), matrix)
     for ours, theirs in zip(
-        analysis.generalization(matrix), analysis.generalization(swapped)[::-1], strict=True
+        analysis.generalization(matrix), list(analysis.generalization(swapped))[::-1], strict=True
     ):
         np.testing.assert_allclose(ours, theirs)
     for ours, theirs in zip(
-        analysis.forgetting(matrix), analysis.forgetting(swapped)[::-1], strict=True
+        analysis.forgetting(matrix), list(analysis.forgetting(swapped))[::-1], strict=True
     ):
         np.testing.assert_allclose(ours, theirs, atol=1e-12)
     np.testing.assert_allclose(

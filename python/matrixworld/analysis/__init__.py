@@ -17,9 +17,6 @@ real numbers, FileNotFoundError for a file that does not exist.
 from __future__ import annotations
 
 from matrixworld.analysis.cycles import (
-    Checkerboards,
-    NoiseReference,
-    TwoWayParts,
     checkerboards,
     cyclic_amplitude,
     noise_reference,
@@ -28,17 +25,11 @@ from matrixworld.analysis.cycles import (
     two_way_parts,
 )
 from matrixworld.analysis.engagement import (
-    Disengagement,
-    Undecided,
     disengagements,
     fitness_variance,
     undecided_opponents,
 )
 from matrixworld.analysis.games import (
-    AlphaRank,
-    Exploitability,
-    Nash,
-    ResponseGain,
     alpha_rank,
     exploitability,
     nash_averaging,
@@ -55,24 +46,15 @@ from matrixworld.analysis.intervals import (
     linear_over_episodes,
     mean_over_episodes,
 )
-from matrixworld.analysis.judge import CONDITIONS, Finding, Judgement, judge
+from matrixworld.analysis.judge import CONDITIONS, Judgement, judge
 from matrixworld.analysis.measures import MEASURES, Measure, measure_all
 from matrixworld.analysis.payoffs import (
     Payoffs,
-    TeamCurves,
-    Window,
     check_payoff,
     last_half,
     read_payoffs,
 )
 from matrixworld.analysis.progress import (
-    Ciao,
-    Dominance,
-    Ladder,
-    LagProfile,
-    Progress,
-    TeamProgress,
-    Triangle,
     ciao,
     dominance_of_counts,
     dominance_tournament,
@@ -83,14 +65,13 @@ from matrixworld.analysis.progress import (
     local_progress,
     team_phase_rates,
 )
-from matrixworld.analysis.ratings import ELO_POINTS, Elo, elo, log_loss
+from matrixworld.analysis.ratings import ELO_POINTS, elo, log_loss
 from matrixworld.analysis.report import (
     all_results,
     describe,
     explain,
     headline,
     judgement_table,
-    measure_table,
     report,
 )
 from matrixworld.analysis.runs import (
@@ -106,31 +87,11 @@ __all__ = [
     "CONDITIONS",
     "ELO_POINTS",
     "MEASURES",
-    "AlphaRank",
     "Band",
-    "Checkerboards",
-    "Ciao",
-    "Disengagement",
-    "Dominance",
-    "Elo",
     "Estimate",
-    "Exploitability",
-    "Finding",
     "Judgement",
-    "Ladder",
-    "LagProfile",
     "Measure",
-    "Nash",
-    "NoiseReference",
     "Payoffs",
-    "Progress",
-    "ResponseGain",
-    "TeamCurves",
-    "TeamProgress",
-    "Triangle",
-    "TwoWayParts",
-    "Undecided",
-    "Window",
     "all_results",
     "alpha_rank",
     "band_over_runs",
@@ -166,7 +127,6 @@ __all__ = [
     "log_loss",
     "mean_over_episodes",
     "measure_all",
-    "measure_table",
     "nash_averaging",
     "noise_reference",
     "performance_profile",

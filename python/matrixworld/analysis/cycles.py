@@ -52,12 +52,7 @@ _ROUNDING = 1e-12  # differences of capture rates below this are floating-point 
 class Checkerboards:
     """Number of checkerboards in a payoff matrix.
 
-    Parameters
-    ----------
-    count : int
-        Quadruples of two pursuer and two evader generations that are checkerboards.
-    possible : int
-        All quadruples.
+    `count` quadruples of two pursuer and two evader generations, of all that are `possible`.
     """
 
     count: int
@@ -84,16 +79,9 @@ class Checkerboard:
 class TwoWayParts(NamedTuple):
     """Parts of ``M = mean + pursuers[:, None] + evaders + cyclic``, in units of the capture rate.
 
-    Parameters
-    ----------
-    mean : float
-        Mean of the matrix.
-    pursuers : ndarray of float64, shape (n,)
-        How much more than the mean each pursuer generation captures; sum 0.
-    evaders : ndarray of float64, shape (m,)
-        How much more than the mean each evader generation is captured; sum 0. Higher is weaker.
-    cyclic : ndarray of float64, shape (n, m)
-        The rest, which depends on the pairing or is noise; all rows and columns sum to 0.
+    `pursuers` (n,) and `evaders` (m,): how much more than the mean each generation captures and is
+    captured; sum 0. `cyclic` (n, m): the rest, which depends on the pairing or is noise; all rows
+    and columns sum to 0.
     """
 
     mean: float
@@ -105,22 +93,18 @@ class TwoWayParts(NamedTuple):
 def transitive_share(
     payoff: ArrayLike, *, logits: bool = False, shrinkage: float = SHRINKAGE
 ) -> float:
-    """Return the share of the variance that each generation's own strength explains.
+    """Return the share of the variance that each generation's own strength explains, in [0, 1].
+
+    1: the strengths of both generations add up to the capture rate. 0: only the pairing matters.
+    NaN for a constant matrix.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix.
     logits : bool, optional
         Decompose the logits of the shrunken rates instead of the rates.
     shrinkage : float, optional
         Shrinkage before the logits, in (0, 1/2).
-
-    Returns
-    -------
-    float
-        In [0, 1]. 1: the strengths of both generations add up to the capture rate. 0: only the
-        pairing matters. NaN for a constant matrix.
 
     Notes
     -----
@@ -145,17 +129,11 @@ def two_way_parts(payoff: ArrayLike) -> TwoWayParts:
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-
-    Returns
-    -------
-    TwoWayParts
-        The parts of ``M = mean + r_g + c_h + R``, each orthogonal to the others.
 
     Notes
     -----
-    On the complete bipartite graph of two teams ``r_g + c_h`` is the gradient flow of the Hodge
-    decomposition of games, and R is its cyclic part.
+    The parts are orthogonal. On the complete bipartite graph of two teams the strengths are the
+    gradient flow of the Hodge decomposition of games, and the rest is its cyclic part.
 
     References
     ----------
@@ -177,21 +155,17 @@ def checkerboards(
 ) -> Checkerboards:
     """Count checkerboards: pursuers p1 beat e1 but not e2, and p2 beat e2 but not e1.
 
+    Counted over unordered pairs of rows and of columns, in time O(n^2 m^2) and memory O(n m^2).
+
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix.
     margin : float, optional
         Each of ``M[p1, e1]`` and ``M[p2, e2]`` exceeds each of ``M[p1, e2]`` and ``M[p2, e1]`` by
         more than this, in [0, 1).
     level : float or None, optional
         Capture rate in [0, 1] above which pursuers beat evaders: both winning cells lie above it,
         both losing cells do not. None: cells are compared with each other only.
-
-    Returns
-    -------
-    Checkerboards
-        Counted over unordered pairs of rows and unordered pairs of columns.
 
     Notes
     -----
@@ -200,8 +174,6 @@ def checkerboards(
     found, too; at margin 0 a strictly increasing function of M changes nothing; and swapping the
     teams gives the same count (at a level of .5 it does if no cell is exactly .5). With or without
     a level, a staircase and any matrix ``f(r_g + c_h)`` with increasing f have none.
-
-    Time O(n^2 m^2), memory O(n m^2).
     """
     matrix = check_payoff(payoff)
     require(0.0 <= margin < 1.0, "a margin in [0, 1)", margin)
@@ -299,7 +271,7 @@ def cyclic_amplitude(payoff: ArrayLike, noise: ArrayLike, *, level: float = LEVE
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix, at least 3 x 3. More than `MOST_GENERATIONS` generations are thinned out.
+        At least 3 x 3. More than `MOST_GENERATIONS` generations are thinned out.
     noise : array_like of float, shape (n, m)
         Unbiased estimate of the variance of each cell by episode noise.
     level : float, optional
@@ -308,9 +280,8 @@ def cyclic_amplitude(payoff: ArrayLike, noise: ArrayLike, *, level: float = LEVE
     Returns
     -------
     Estimate
-        The *squared* amplitude, in units of the capture rate squared: mean squared residual of
-        `transitive_fit` minus the mean noise. It may be negative. `biased_high` and `high` allow
-        for what the fit hides.
+        The *squared* amplitude: mean squared residual of `transitive_fit` minus the mean noise. It
+        may be negative. `biased_high` and `high` allow for what the fit hides.
 
     Notes
     -----
@@ -344,12 +315,8 @@ def cyclic_amplitude(payoff: ArrayLike, noise: ArrayLike, *, level: float = LEVE
 class NoiseReference(NamedTuple):
     """What a transitive race with the same noise has, at most and at least.
 
-    Parameters
-    ----------
-    checkerboards : float
-        Share of checkerboards that such a race exceeds rarely; NaN below 2 x 2 generations.
-    transitive_share : float
-        Transitive share below which such a race lies rarely; NaN if it is constant.
+    Such a race rarely has a larger share of `checkerboards` (NaN below 2 x 2 generations), or a
+    smaller `transitive_share` (NaN if it is constant).
     """
 
     checkerboards: float
@@ -361,6 +328,10 @@ def noise_reference(
 ) -> NoiseReference:
     """Simulate how many checkerboards a transitive race has by episode noise alone.
 
+    Parametric bootstrap: `transitive_fit` of the race plus normal noise with the variance of each
+    cell's mean. The quantiles help to read the two numbers; `cyclic_amplitude` decides whether a
+    race cycles.
+
     Parameters
     ----------
     scores : array_like of float, shape (n, m, episodes)
@@ -369,21 +340,8 @@ def noise_reference(
         Margin of a checkerboard, in [0, 1).
     level : float, optional
         Share of the simulated races that lie on the usual side, in (0, 1).
-    simulations : int, optional
-        Number of simulated races.
-    rng : int, optional
-        Seed.
-
-    Returns
-    -------
-    NoiseReference
-        Quantiles of the simulated races. They help to read the two numbers; `cyclic_amplitude`
-        decides whether a race cycles.
-
-    Notes
-    -----
-    Parametric bootstrap: `transitive_fit` of the race plus normal noise with the variance of each
-    cell's mean.
+    simulations, rng : int, optional
+        Number of simulated races, and their seed.
     """
     array = check_rates(scores, ndim=3, what="scores (n, m, episodes)")
     episodes = array.shape[2]
@@ -454,7 +412,7 @@ def transitive_share_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -
     Returns
     -------
     Estimate
-        The share, in [0, 1], that endless episodes would give. It has no interval with fewer than
+        The share that endless episodes would give. It has no interval with fewer than
         `EPISODES_TO_SUBTRACT_NOISE` episodes, or if the cells do not vary more than episode noise
         does: then nothing can be said about shares of their variation.
 

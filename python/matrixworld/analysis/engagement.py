@@ -26,16 +26,9 @@ PATIENCE = 3
 
 @dataclass(frozen=True)
 class Disengagement:
-    """A stretch of generations in which the same team won both team phases.
+    """Generations `first` to `last`, included, in which the `winner` won both team phases.
 
-    Parameters
-    ----------
-    winner : str
-        ``"pursuers"`` or ``"evaders"``.
-    first : int
-        First generation of the stretch.
-    last : int
-        Last generation of the stretch, included.
+    The winner is ``"pursuers"`` or ``"evaders"``.
     """
 
     winner: str
@@ -60,12 +53,8 @@ class Disengagement:
 class Undecided(NamedTuple):
     """Shares of the opponents that do not distinguish the individuals of a generation, in [0, 1].
 
-    Parameters
-    ----------
-    beaten_by_all : ndarray of float64, shape (generations,)
-        Share of opponents that every individual beats: too easy.
-    beaten_by_none : ndarray of float64, shape (generations,)
-        Share of opponents that no individual beats: too hard.
+    Both have the shape (generations,): opponents that every individual beats, which are too easy,
+    and opponents that no individual beats, which are too hard.
     """
 
     beaten_by_all: Rates
@@ -87,6 +76,8 @@ def disengagements(
 ) -> tuple[Disengagement, ...]:
     """Find the longest stretches of generations in which one team wins both team phases.
 
+    They come in order; the last one has not ended if its `last` is the newest generation.
+
     Parameters
     ----------
     rates : array_like of float, shape (K, 2)
@@ -95,17 +86,10 @@ def disengagements(
         race. K may be 0, before the first generation.
     first : int, optional
         Generation of the first row.
-    high : float, optional
-        Pursuers win a team phase with a capture rate above this.
-    low : float, optional
-        Evaders win a team phase with a capture rate below this.
+    high, low : float, optional
+        Pursuers win a team phase with a capture rate above `high`, evaders with one below `low`.
     patience : int, optional
         Fewest generations of a stretch.
-
-    Returns
-    -------
-    tuple of Disengagement
-        The stretches in order. The last one has not ended if its `last` is the newest generation.
     """
     if not low < high:
         raise ValueError(f"expected low < high, got low {low} and high {high}")
@@ -149,19 +133,14 @@ def one_sidedness(rates: ArrayLike, episodes: float, *, level: float) -> Estimat
 
 
 def fitness_variance(fitness: ArrayLike) -> NDArray[np.float64]:
-    """Return the variance of the fitness within each generation.
+    """Return the variance of the fitness within each generation, shape (generations,).
+
+    Where it is 0, selection has no effect. Compare it with the variance of one individual's fitness
+    over repeated episodes, which is noise.
 
     Parameters
     ----------
     fitness : array_like of float, shape (generations, individuals)
-        Finite fitness values.
-
-    Returns
-    -------
-    ndarray of float64, shape (generations,)
-        Variance, in the unit of the fitness squared. Where it is 0, selection has no effect.
-        Compare it with the variance of one individual's fitness over repeated episodes, which is
-        noise.
 
     References
     ----------
@@ -186,11 +165,6 @@ def undecided_opponents(outcomes: ArrayLike, *, level: float = 0.5) -> Undecided
         A single generation may have the shape (individuals, opponents).
     level : float, optional
         An opponent is beaten if the payoff is above this, in [0, 1].
-
-    Returns
-    -------
-    Undecided
-        Both shares for each generation.
 
     References
     ----------

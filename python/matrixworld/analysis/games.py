@@ -27,20 +27,10 @@ _MOST_STEPS = 200
 class Nash:
     """The maximum-entropy Nash equilibrium of a payoff matrix, and payoffs against it.
 
-    Parameters
-    ----------
-    value : float
-        Capture rate when both teams play their equilibrium mixtures.
-    pursuers : ndarray of float64, shape (n,)
-        Equilibrium weight of each pursuer generation; sum 1.
-    evaders : ndarray of float64, shape (m,)
-        Equilibrium weight of each evader generation; sum 1.
-    pursuer_averages : ndarray of float64, shape (n,)
-        Nash averages: capture rate of each pursuer generation against the mixture of the evaders;
-        at most `value`.
-    evader_averages : ndarray of float64, shape (m,)
-        Escape rate of each evader generation against the mixture of the pursuers; at most
-        ``1 - value``.
+    `value`: capture rate when both teams play their mixtures. `pursuers` (n,) and `evaders` (m,):
+    weight of each generation in its team's mixture; sum 1. `pursuer_averages` and
+    `evader_averages`, the Nash averages: capture rate, and escape rate, of each generation against
+    the mixture of the other team; at most `value`, and ``1 - value``.
     """
 
     value: float
@@ -58,12 +48,7 @@ def nash_averaging(payoff: ArrayLike) -> Nash:
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix. Payoffs that differ by less than 1e-7 count as equal.
-
-    Returns
-    -------
-    Nash
-        The value of the game, both mixtures, and both Nash averages.
+        Payoffs that differ by less than 1e-7 count as equal.
 
     Raises
     ------
@@ -257,12 +242,8 @@ _ROUNDING = 1e-9  # tolerance of the sum of a mixture
 class Exploitability(NamedTuple):
     """Gain of a best response against each team's mixture, in capture rates, at least 0.
 
-    Parameters
-    ----------
-    pursuers : float
-        How much the best evader generation lowers the capture rate.
-    evaders : float
-        How much the best pursuer generation raises the capture rate.
+    Of the `pursuers`: how much the best evader generation lowers the capture rate; of the
+    `evaders`: how much the best pursuer generation raises it.
     """
 
     pursuers: float
@@ -275,15 +256,7 @@ class Exploitability(NamedTuple):
 
 
 class ResponseGain(NamedTuple):
-    """Gain of a best response that was evolved against a frozen champion.
-
-    Parameters
-    ----------
-    gain : Estimate
-        Difference of mean scores, with an interval over episodes.
-    budget : int
-        Matches spent on evolving the response. A larger budget may gain more.
-    """
+    """Gain of a response that was evolved against a frozen champion, and its budget in matches."""
 
     gain: Estimate
     budget: int
@@ -298,21 +271,14 @@ class ResponseGain(NamedTuple):
 def exploitability(payoff: ArrayLike, pursuers: ArrayLike, evaders: ArrayLike) -> Exploitability:
     """Return the gains of the best generations of the matrix against two mixtures.
 
+    They are ``p M q - min_h (p M)_h`` of the pursuers and ``max_g (M q)_g - p M q`` of the evaders.
     Opponents outside the matrix may gain more: see `response_gain`.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix M.
-    pursuers : array_like of float, shape (n,)
-        Mixture p of the pursuers: weights of at least 0 with sum 1.
-    evaders : array_like of float, shape (m,)
-        Mixture q of the evaders: weights of at least 0 with sum 1.
-
-    Returns
-    -------
-    Exploitability
-        ``p M q - min_h (p M)_h`` of the pursuers and ``max_g (M q)_g - p M q`` of the evaders.
+    pursuers, evaders : array_like of float, shapes (n,) and (m,)
+        Mixtures p and q: weights of at least 0 with sum 1.
 
     References
     ----------
@@ -334,6 +300,8 @@ def response_gain(
 ) -> ResponseGain:
     """Return a lower bound of a champion's exploitability from a response evolved against it.
 
+    A lower bound, because a longer search may find a better response.
+
     Parameters
     ----------
     before : array_like of float, shape (episodes,)
@@ -344,12 +312,7 @@ def response_gain(
     budget : int
         Matches spent on evolving the response, at least 1.
     rng : numpy.random.Generator or int, optional
-        Generator, or seed, of the interval; see `difference_over_episodes`.
-
-    Returns
-    -------
-    ResponseGain
-        A lower bound, because a longer search may find a better response.
+        As for `difference_over_episodes`.
     """
     require(budget >= 1, "a budget of at least 1 match", budget)
     old = check_rates(before, ndim=1, what="scores before")
@@ -386,14 +349,7 @@ _RAREST = 1e-60
 class AlphaRank:
     """Share of time that the populations spend at each pair and at each generation.
 
-    Parameters
-    ----------
-    pairs : ndarray of float64, shape (n, m)
-        Share of each pair; sum 1.
-    pursuers : ndarray of float64, shape (n,)
-        Share of each pursuer generation; sum 1.
-    evaders : ndarray of float64, shape (m,)
-        Share of each evader generation; sum 1.
+    Shapes (n, m), (n,) and (m,); each has the sum 1.
     """
 
     pairs: Rates
@@ -411,16 +367,11 @@ def alpha_rank(
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix, with ``n m <= 4096``.
+        With ``n m <= 4096``.
     alpha : float, optional
         Selection strength, above 0. ``inf``: only mutants that lose nothing take over.
     population : int, optional
         Size of each population (m in the paper), at least 2.
-
-    Returns
-    -------
-    AlphaRank
-        Shares of the pairs and of the generations.
 
     Notes
     -----

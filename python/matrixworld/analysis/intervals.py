@@ -83,20 +83,18 @@ class Estimate:
 
 @dataclass(frozen=True, eq=False)
 class Band:
-    """A mean curve with its pointwise interval.
+    """A mean curve with its pointwise interval; all of shape (k,).
 
     Parameters
     ----------
-    places : ndarray of int64 or float64, shape (k,)
+    places : ndarray of int64 or float64
         Where the points lie, such as generations.
-    mean : ndarray of float64, shape (k,)
+    mean : ndarray of float64
         Mean over runs or episodes.
-    low : ndarray of float64, shape (k,), or None
-        Lower ends; None for a single run.
-    high : ndarray of float64, shape (k,), or None
-        Upper ends; None for a single run.
-    runs : ndarray of int64, shape (k,)
-        Number of runs behind each point; of episodes in a band over episodes.
+    low, high : ndarray of float64, or None
+        Ends of the intervals; None for a single run.
+    runs : ndarray of int64
+        Number of runs, or of episodes, behind each point.
     """
 
     places: NDArray[Any]
@@ -113,6 +111,9 @@ def interval_over_runs(
 ) -> Estimate:
     """Return the mean over training runs with Student's t interval.
 
+    A single run has no interval, and runs with equal values have none either: they do not show how
+    much runs vary.
+
     Parameters
     ----------
     values : array_like of float, shape (runs,)
@@ -123,20 +124,11 @@ def interval_over_runs(
     bounds : tuple of float, optional
         Smallest and largest possible value; the interval is clipped to them.
 
-    Returns
-    -------
-    Estimate
-        The mean with its interval. A single run has no interval, and runs with equal values have
-        none either: they do not show how much runs vary.
-
     Notes
     -----
-    ``mean +- t s / sqrt(runs)`` with the t quantile of ``runs - 1`` degrees of freedom. The
-    coverage is exact for normal values; evolution/results/coverage has it for others.
-
-    References
-    ----------
-    Student (1908), "The probable error of a mean".
+    ``mean +- t s / sqrt(runs)`` with the t quantile of ``runs - 1`` degrees of freedom (Student
+    1908, "The probable error of a mean"). The coverage is exact for normal values;
+    evolution/results/coverage has it for others.
     """
     array = _check_values(values)
     check_level(level)
@@ -157,12 +149,12 @@ def difference_of_runs(
 ) -> Estimate:
     """Return the difference between the means of two groups of runs with a t interval.
 
+    There is no interval if a group has a single run, or if neither group varies.
+
     Parameters
     ----------
-    one : array_like of float, shape (runs,)
-        One finite number for each run of the first group.
-    other : array_like of float, shape (other_runs,)
-        One finite number for each run of the second group.
+    one, other : array_like of float, shapes (runs,) and (other_runs,)
+        One finite number for each run of both groups.
     paired : bool, optional
         Whether entry i of both groups belongs together, for example through the same seed. The
         default is independent groups, whose variances may differ (Welch).
@@ -170,12 +162,6 @@ def difference_of_runs(
         Confidence level, in (0, 1).
     bounds : tuple of float, optional
         Smallest and largest possible difference; the interval is clipped to them.
-
-    Returns
-    -------
-    Estimate
-        Mean of `one` minus mean of `other`. There is no interval if a group has a single run, or if
-        neither group varies.
 
     References
     ----------
@@ -224,9 +210,8 @@ def band_over_runs(
     Returns
     -------
     Band
-        The mean curve over the runs that have a value, and its interval if there are several runs:
-        NaN at points of a single run. Where all runs are equal, the band has no width, which is no
-        certainty.
+        The mean over the runs that have a value; its interval is NaN at points of a single run.
+        Where all runs are equal, the band has no width, which is no certainty.
     """
     array = np.asarray(curves, dtype=np.float64)
     require(array.ndim == 2 and array.size > 0, "curves of shape (runs, k)", array.shape)
@@ -264,17 +249,12 @@ def mean_over_episodes(
     rng : numpy.random.Generator or int, optional
         Generator or seed of the drawn weights.
 
-    Returns
-    -------
-    Estimate
-        The mean with its interval, which has a width even if all episodes are equal.
-
     Notes
     -----
     The upper end is a quantile of the weighted mean of the scores and one further score of 1, with
     weights that are uniform on the simplex; the lower end adds a 0. For win or loss this is the
     interval of Clopper and Pearson (1934). Other scores with the same mean vary less, and their
-    interval is narrower.
+    interval is narrower. It has a width even if all episodes are equal.
 
     References
     ----------
@@ -298,19 +278,12 @@ def difference_over_episodes(
 
     Parameters
     ----------
-    one : array_like of float, shape (episodes,)
-        Scores in [0, 1] of independent episodes, at least two.
-    other : array_like of float, shape (other_episodes,)
-        Scores in [0, 1] of other independent episodes, at least two.
+    one, other : array_like of float, shapes (episodes,) and (other_episodes,)
+        Scores in [0, 1] of independent episodes, at least two of each.
     level : float, optional
         Confidence level, in (0, 1).
     rng : numpy.random.Generator or int, optional
-        Generator or seed of the drawn weights.
-
-    Returns
-    -------
-    Estimate
-        Mean of `one` minus mean of `other`.
+        As for `mean_over_episodes`.
 
     Notes
     -----
@@ -353,16 +326,12 @@ def linear_over_episodes(
     bounds : tuple of float, optional
         Smallest and largest possible value; the interval is clipped to them.
 
-    Returns
-    -------
-    Estimate
-        The measure of the mean matrix. It has no interval if it is the same in each episode.
-
     Notes
     -----
     Episode e of all cells is one measurement of the whole matrix, independent of other episodes.
     A linear measure of the mean matrix is the mean of the measures of these matrices, so the t
-    interval of a mean applies. Cells may share the seeds of their episodes.
+    interval of a mean applies; there is none if all episodes are equal. Cells may share the seeds
+    of their episodes.
     """
     array = check_cells(scores, level)
     episodes = array.shape[2]
@@ -378,23 +347,16 @@ def linear_over_episodes(
 def generalization_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> tuple[Band, Band]:
     """Return `generalization` of pursuers and of evaders with t intervals over episodes.
 
+    As in `linear_over_episodes`, episode e of all cells is one measurement of each mean. The
+    interval is about other episodes of the same opponents, not about other opponents. Where all
+    episodes are equal, the band has no width, which is no certainty.
+
     Parameters
     ----------
     scores : array_like of float, shape (n, m, episodes)
         Capture rates in [0, 1] of independent episodes, at least two of each cell.
     level : float, optional
         Confidence level of each point, in (0, 1). A whole curve leaves the band more often.
-
-    Returns
-    -------
-    pursuers, evaders : Band
-        Mean payoffs of the n and of the m generations. Where all episodes are equal, the band has
-        no width, which is no certainty.
-
-    Notes
-    -----
-    The interval is about other episodes of the same opponents, not about other opponents. As in
-    `linear_over_episodes`, episode e of all cells is one measurement of each mean.
     """
     array = check_cells(scores, level)
     captured, escaped = array.mean(axis=1).T, 1.0 - array.mean(axis=0).T

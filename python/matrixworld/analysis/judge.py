@@ -46,18 +46,10 @@ Findings = Mapping[str, "Finding"]
 
 @dataclass(frozen=True)
 class Finding:
-    """Verdict on one condition in one window.
+    """Verdict on one condition in one window: ``"present"``, ``"absent"`` or ``"cannot tell"``.
 
-    Parameters
-    ----------
-    verdict : str
-        ``"present"``, ``"absent"`` or ``"cannot tell"``.
-    reason : str
-        Reason of the verdict, as a clause after "because".
-    estimates : mapping of str to Estimate, optional
-        The numbers that decide, by their names in `MEASURES`; empty if some are not known.
-    by_run : tuple of str, optional
-        Verdict on each single run.
+    The `reason` is a clause after "because". The `estimates` are the numbers that decide, by their
+    names in `MEASURES`; none if some are not known. `by_run`: verdict on each single run.
     """
 
     verdict: str
@@ -123,8 +115,7 @@ def judge(
     Parameters
     ----------
     source : array_like, path, list of paths or Payoffs
-        Payoffs as an array of shape (n, m) or (runs, n, m), a ``.csv`` or ``.npz`` file, or a list
-        of such files, one for each run; see `read_payoffs`.
+        Payoffs; see `read_payoffs`.
     per_episode : bool, optional
         Whether the last dimension of the array holds the episodes of each cell.
     episodes : int, optional
@@ -132,20 +123,6 @@ def judge(
         teams can be judged. Forgetting takes the single episodes.
     level : float, optional
         Level of the intervals, in (0, 1).
-
-    Returns
-    -------
-    Judgement
-        Findings on the whole race, its first half and its last half.
-
-    Raises
-    ------
-    ValueError
-        If a shape, file, value or level is not as described.
-    TypeError
-        If an array does not hold numbers.
-    FileNotFoundError
-        If a file does not exist.
 
     Notes
     -----

@@ -36,6 +36,7 @@ from matrixworld.analysis.intervals import (
 from matrixworld.analysis.payoffs import (
     EPISODES_TO_JUDGE,
     GENERATIONS_TO_JUDGE,
+    ByTeam,
     Payoffs,
     Rates,
     Source,
@@ -45,7 +46,7 @@ from matrixworld.analysis.payoffs import (
     swap_teams,
 )
 from matrixworld.analysis.progress import (
-    Progress,
+    TeamProgress,
     ciao,
     dominance_tournament,
     generalization,
@@ -106,23 +107,11 @@ class Measure:
     squared: bool = False
 
     def of(self, source: Source, window: str | None = None, *, level: float = LEVEL) -> Estimate:
-        """Return the number of one run or several in a window.
+        """Return the number of one run or several in a window, by default that of tables.
 
-        Parameters
-        ----------
-        source : array_like, path, list of paths or Payoffs
-            Payoffs; see `read_payoffs`.
-        window : str, optional
-            ``"whole"``, ``"first half"`` or ``"last half"``. The default is that of tables.
-        level : float, optional
-            Confidence level, in (0, 1).
-
-        Returns
-        -------
-        Estimate
-            Of several runs the mean with an interval over runs; of a single run the number with an
-            interval over its episodes, if they are known and their noise allows one. NaN where the
-            payoffs do not hold what it takes; the note says what.
+        Windows are ``"whole"``, ``"first half"`` and ``"last half"``. Several runs have their mean
+        with an interval over runs; a single run has one over its episodes, if they are known and
+        their noise allows it. NaN where the payoffs do not hold what it takes; the note says what.
         """
         payoffs = read_payoffs(source)
         check_level(level)
@@ -160,7 +149,7 @@ def _row(name: str) -> Measure:
 
 
 def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[str, Estimate]:
-    """Return all measures of one run or several, each in the window in which tables show it.
+    """Return all measures by name, each in the window in which tables show it; see `Measure.of`.
 
     Parameters
     ----------
@@ -170,11 +159,6 @@ def measure_all(source: Source, *, level: float = LEVEL, **known: Any) -> dict[s
         Confidence level of the intervals, in (0, 1).
     **known
         Other arguments of `read_payoffs`.
-
-    Returns
-    -------
-    dict of str to Estimate
-        By the names in `MEASURES`; see `Measure.of`.
     """
     payoffs = read_payoffs(source, **known)
     require(min(payoffs.shape) >= 2, "at least 2 x 2 generations", payoffs.shape)
@@ -403,7 +387,7 @@ def _of_teams(
     ]
 
 
-def _mean_gain(progress: Callable[[Rates], Progress]) -> Callable[[str], Estimator]:
+def _mean_gain(progress: Callable[[Rates], ByTeam[TeamProgress]]) -> Callable[[str], Estimator]:
     return lambda team: _linear(lambda m: getattr(progress(m), team).mean_gain, GAIN)
 
 

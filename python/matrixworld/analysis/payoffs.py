@@ -10,11 +10,11 @@ import csv
 import io
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -26,6 +26,7 @@ from matrixworld._util.short_repr import short_repr
 Rates = NDArray[np.float64]
 """Capture rates, or other float64 numbers of the analysis."""
 Mask = NDArray[np.bool_]
+OfTeam = TypeVar("OfTeam")
 
 SHRINKAGE = 0.01
 """Default shrinkage towards 1/2 before a logit: 0 and 1 become .01 and .99, logits -4.6 and 4.6."""
@@ -40,31 +41,22 @@ MEANS = ("capture_rate", "payoff", "payoffs")
 """Names of arrays that hold payoff matrices; the first one in a file is taken."""
 
 
-class TeamCurves(NamedTuple):
-    """A number of each generation of both teams.
+@dataclass(frozen=True, eq=False)
+class ByTeam(Generic[OfTeam]):
+    """What both teams have, each measured by its own payoff: higher is better."""
 
-    Parameters
-    ----------
-    pursuers : ndarray of float64, shape (n,)
-        Numbers of the pursuers.
-    evaders : ndarray of float64, shape (m,)
-        Numbers of the evaders.
-    """
+    pursuers: OfTeam
+    evaders: OfTeam
 
-    pursuers: Rates
-    evaders: Rates
+    def __iter__(self) -> Iterator[OfTeam]:
+        return iter((self.pursuers, self.evaders))
 
 
 @dataclass(frozen=True)
 class Window:
-    """A part of a race, by generations of each team.
+    """A part of a race: of each team its first generation, and the one after the last.
 
-    Parameters
-    ----------
-    name : str
-        ``"whole"``, ``"first half"`` or ``"last half"``.
-    pursuers, evaders : tuple of int
-        First generation of each team, and the one after the last.
+    The name is ``"whole"``, ``"first half"`` or ``"last half"``.
     """
 
     name: str
@@ -89,7 +81,6 @@ class Payoffs:
     Parameters
     ----------
     matrices : ndarray of float64, shape (runs, n, m)
-        Payoff matrices.
     scores : ndarray of float64, shape (runs, n, m, episodes), or None, optional
         Capture rate of each episode.
     episodes : int or None, optional
@@ -168,21 +159,7 @@ def check_payoff(payoff: ArrayLike) -> Rates:
     Parameters
     ----------
     payoff : array_like of real numbers, shape (n, m)
-        Capture rates in [0, 1]. Row g holds the pursuers of generation g, column h the evaders of
-        generation h; n and m are at least 1.
-
-    Returns
-    -------
-    ndarray of float64, shape (n, m)
-        The same values; not a copy if they are float64 already.
-
-    Raises
-    ------
-    ValueError
-        If the array does not have two dimensions, is empty, or has values that are not finite or
-        outside [0, 1].
-    TypeError
-        If the values are not real numbers.
+        Capture rates in [0, 1]; n and m are at least 1. Not copied if they are float64 already.
     """
     return check_rates(payoff, ndim=2, what="a payoff matrix")
 
@@ -222,12 +199,6 @@ def last_half(payoff: ArrayLike) -> Rates:
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-
-    Returns
-    -------
-    ndarray of float64, shape (n - n // 2, m - m // 2)
-        For 31 generations: generations 15 to 30.
     """
     matrix = check_payoff(payoff)
     # Of an odd number of generations the middle one belongs to the last half.
@@ -314,22 +285,6 @@ def read_payoffs(
     cross : array_like of float, shape (runs, runs, n, m), optional
         Cross tests between these runs, as `global_progress` takes them.
 
-    Returns
-    -------
-    Payoffs
-        The matrices, and the episodes if they are known.
-
-    Raises
-    ------
-    ValueError
-        If a shape or suffix is another one, a file is damaged (DamagedFileError), rates are outside
-        [0, 1], or `episodes` is below 1 or not the number of episodes that the source holds. The
-        message names the file, and the line of a CSV file.
-    TypeError
-        If an array does not hold numbers, or `episodes` is not an integer.
-    FileNotFoundError
-        If a file does not exist.
-
     Notes
     -----
     A CSV file holds a matrix: line g has the capture rates of pursuers g against evaders 0, 1, ...;
@@ -340,7 +295,8 @@ def read_payoffs(
     empty lines and lines that begin with ``#`` are ignored.
 
     Of several arrays in an .npz file ``capture_rates`` is taken, which holds episodes, or else
-    ``capture_rate``, ``payoff`` or ``payoffs``. Nothing is unpickled.
+    ``capture_rate``, ``payoff`` or ``payoffs``. Nothing is unpickled. Errors name the file, and the
+    line of a CSV file.
     """
     if isinstance(source, Payoffs):
         payoffs = source
@@ -441,12 +397,7 @@ _KEYS = ("run", "pursuer", "evader", "episode")
 
 
 def _read_table(path: Path) -> tuple[Rates, bool]:
-    """Return the capture rates of a CSV file, and whether their last dimension is episodes.
-
-    The format is a matrix (a first line that is not numbers is a header; if its first cell is
-    empty, the first cell of each line is a label), or one line for each combination of `_KEYS`, in
-    any order. Generations, runs and episodes may have any whole numbers. Errors name the line.
-    """
+    """Return the capture rates of a CSV file, and whether their last dimension is episodes."""
     lines = _lines(path)
     names = [cell.lower() for cell in lines[0][1]]
     if set(_LONG) <= set(names):

@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis.payoffs import (
+    ByTeam,
     Mask,
     Rates,
-    TeamCurves,
     check_payoff,
     check_rates,
     require,
@@ -24,13 +24,9 @@ from matrixworld.analysis.payoffs import (
 class TeamProgress:
     """Payoff of one team against one kind of opponents, over its generations 0 to k - 1.
 
-    Parameters
-    ----------
-    scores : ndarray of float64, shape (..., k)
-        Mean payoff of each generation against its opponents, in [0, 1].
-    gains : ndarray of float64, shape (..., k - 1)
-        Score of generations 1, 2, ... minus the score of the previous generation against the same
-        opponents, in [-1, 1].
+    `scores`, shape (..., k): mean payoff of each generation, in [0, 1]. `gains`, shape
+    (..., k - 1): score of generations 1, 2, ... minus that of the previous generation against the
+    same opponents, in [-1, 1].
     """
 
     scores: Rates
@@ -42,33 +38,14 @@ class TeamProgress:
         return float(self.gains.mean()) if self.gains.size else float("nan")
 
 
-class Progress(NamedTuple):
-    """Progress of both teams, each measured by its own payoff: higher is better.
+def generalization(payoff: ArrayLike) -> ByTeam[Rates]:
+    """Return the mean payoff of each generation of both teams against all opponents, in [0, 1].
 
-    Parameters
-    ----------
-    pursuers : TeamProgress
-        Progress of the pursuers, in capture rates.
-    evaders : TeamProgress
-        Progress of the evaders, in escape rates.
-    """
-
-    pursuers: TeamProgress
-    evaders: TeamProgress
-
-
-def generalization(payoff: ArrayLike) -> TeamCurves:
-    """Return the mean payoff of each generation against all opponents of the matrix.
+    Capture rates of the pursuers (row means), escape rates of the evaders (1 - column means).
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-
-    Returns
-    -------
-    TeamCurves
-        Mean capture rates (row means), and mean escape rates (one minus column means); in [0, 1].
 
     References
     ----------
@@ -76,24 +53,18 @@ def generalization(payoff: ArrayLike) -> TeamCurves:
     tournament. Sun et al. (2023), "MatrixWorld", arXiv:2307.14854: the figure of generalization.
     """
     matrix = check_payoff(payoff)
-    return TeamCurves(matrix.mean(axis=1), 1.0 - matrix.mean(axis=0))
+    return ByTeam(matrix.mean(axis=1), 1.0 - matrix.mean(axis=0))
 
 
-def local_progress(payoff: ArrayLike) -> Progress:
+def local_progress(payoff: ArrayLike) -> ByTeam[TeamProgress]:
     """Return progress against current opponents: those of the same generation.
 
     A race that only cycles has local progress, too: each generation beats the newest opponents and
-    loses to others.
+    loses to others. Gain of pursuers g: ``M[g, g] - M[g - 1, g]``, for ``g < min(n, m)``.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-
-    Returns
-    -------
-    Progress
-        Over the first ``min(n, m)`` generations. Gain of pursuers g: ``M[g, g] - M[g - 1, g]``.
 
     References
     ----------
@@ -107,50 +78,34 @@ def local_progress(payoff: ArrayLike) -> Progress:
     return _both_teams(matrix[:k, :k], np.eye(k, dtype=bool))
 
 
-def historical_progress(payoff: ArrayLike) -> Progress:
+def historical_progress(payoff: ArrayLike) -> ByTeam[TeamProgress]:
     """Return progress against all opponents so far: those of the same and of earlier generations.
+
+    Gain of pursuers g: mean over ``h <= g`` of ``M[g, h] - M[g - 1, h]``; for evaders the same on
+    ``1 - M.T``. Generations of the longer team beyond the end of the shorter one play against all
+    of its generations. Sources: as for `local_progress`.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-
-    Returns
-    -------
-    Progress
-        Gain of pursuers g: mean over ``h <= g`` of ``M[g, h] - M[g - 1, h]``; for evaders the same
-        on ``1 - M.T``. Generations of the longer team beyond the end of the shorter one play
-        against all of its generations.
-
-    References
-    ----------
-    Miconi (2009) and Simione and Nolfi (2021), as for `local_progress`.
     """
     matrix = check_payoff(payoff)
     # Square at the longer side, so that the same mask serves the matrix and the swapped one.
     return _both_teams(matrix, np.tri(max(matrix.shape)) > 0.0)
 
 
-def global_progress(cross: ArrayLike) -> Progress:
+def global_progress(cross: ArrayLike) -> ByTeam[TeamProgress]:
     """Return progress against unknown opponents: all opponents of other independent runs.
 
     A race can make historical progress without global progress if a team learns the habits of its
-    own opponents only.
+    own opponents only. Scores have the shapes (runs, n) and (runs, m). Sources: as for
+    `local_progress`.
 
     Parameters
     ----------
     cross : array_like of float, shape (runs, runs, n, m)
         Cross tests: capture rates of the pursuers of run r against the evaders of run s. Entries
         with ``r == s`` are not used and may be NaN.
-
-    Returns
-    -------
-    Progress
-        Scores have the shapes (runs, n) and (runs, m).
-
-    References
-    ----------
-    Miconi (2009) and Simione and Nolfi (2021), as for `local_progress`.
     """
     array = np.asarray(cross)
     require(
@@ -169,15 +124,15 @@ def global_progress(cross: ArrayLike) -> Progress:
     # Sum over the other runs (the diagonal holds 0), mean over the generations of their opponents.
     pursuers = played.sum(axis=1).mean(axis=-1) / (runs - 1)
     evaders = 1.0 - played.sum(axis=0).mean(axis=-2) / (runs - 1)
-    return Progress(
+    return ByTeam(
         TeamProgress(pursuers, np.diff(pursuers, axis=-1)),
         TeamProgress(evaders, np.diff(evaders, axis=-1)),
     )
 
 
-def _both_teams(matrix: Rates, opponents: Mask) -> Progress:
+def _both_teams(matrix: Rates, opponents: Mask) -> ByTeam[TeamProgress]:
     """Return progress of both teams; ``opponents[g, h]``: generation g is scored against h."""
-    return Progress(_progress(matrix, opponents), _progress(swap_teams(matrix), opponents))
+    return ByTeam(_progress(matrix, opponents), _progress(swap_teams(matrix), opponents))
 
 
 def _progress(matrix: Rates, opponents: Mask) -> TeamProgress:
@@ -195,16 +150,10 @@ def _progress(matrix: Rates, opponents: Mask) -> TeamProgress:
 
 @dataclass(frozen=True, eq=False)
 class LagProfile:
-    """Mean capture rate by lag.
+    """Mean capture rate by lag, pursuer minus evader generation.
 
-    Parameters
-    ----------
-    lags : ndarray of int64, shape (n + m - 1,)
-        Pursuer generation minus evader generation, ascending from ``-(m - 1)`` to ``n - 1``.
-    means : ndarray of float64, shape (n + m - 1,)
-        Mean over k of ``M[k + lag, k]``.
-    cells : ndarray of int64, shape (n + m - 1,)
-        Number of cells in each mean; few at both ends.
+    All have the shape (n + m - 1,). `lags` ascend from ``-(m - 1)`` to ``n - 1``; `means` are those
+    over k of ``M[k + lag, k]``; `cells` is the number of cells in each mean, few at both ends.
     """
 
     lags: NDArray[np.int64]
@@ -224,17 +173,13 @@ class LagProfile:
 def lag_profile(payoff: ArrayLike) -> LagProfile:
     """Return the mean capture rate for every lag between pursuers and evaders.
 
+    At lag d: pursuers against evaders that are d generations older. Specialists beat the current
+    opponent only, so their profile is flat with a notch at 0. Generalists keep improving against
+    all opponents, so their profile rises.
+
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-
-    Returns
-    -------
-    LagProfile
-        At lag d: pursuers against evaders that are d generations older. Specialists beat the
-        current opponent only, so their profile is flat with a notch at 0. Generalists keep
-        improving against all opponents, so their profile rises.
     """
     matrix = check_payoff(payoff)
     rows, columns = matrix.shape
@@ -273,13 +218,12 @@ def team_phase_rates(payoff: ArrayLike) -> Rates:
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix.
 
     Returns
     -------
-    ndarray of float64, shape (K, 2)
-        With ``K = min(n, m) - 1``. Row ``k - 1`` holds ``M[k, k - 1]``, after the pursuers of
-        generation k have learned, and ``M[k, k]``, after the evaders have learned.
+    ndarray of float64, shape (min(n, m) - 1, 2)
+        Row ``k - 1`` holds ``M[k, k - 1]``, after the pursuers of generation k have learned, and
+        ``M[k, k]``, after the evaders have learned.
     """
     matrix = check_payoff(payoff)
     # Generation 0 is untrained: no team phase precedes it.
@@ -317,24 +261,17 @@ _FEWEST_PAIRS = 6
 class Triangle:
     """One team's half of a CIAO plot, measured by its own payoff: higher is better.
 
-    Parameters
-    ----------
-    payoff : ndarray of float64, shape (n, m)
-        Payoff of generation g of the team against opponents of generation ``h <= g``, in [0, 1];
-        NaN where opponents are newer than the team.
-    by_age : ndarray of float64, shape (n,)
-        Mean payoff by age ``g - h`` of the opponent; age 0 is the current one. NaN where no
-        opponent has that age.
-    fading : float
-        Mean over generations of the payoff against the newer half of the ancestral opponents minus
-        the payoff against the older half, in [-1, 1]. Positive: old opponents are forgotten.
-        Negative: new opponents are harder. NaN with fewer than two generations of opponents.
-    stripes : float
-        Regularity with which wins and losses come back with the age of the opponent: the first peak
-        of the autocorrelation along the rows after it has been negative, in [0, 1]; 0 without such
-        a peak. Noise alone gives up to about .2 on 30 generations.
-    period : int or None
-        Generations between stripes: the lag of that peak; None without one.
+    `payoff` (n, m): of generation g against opponents of generation ``h <= g``; NaN where these are
+    newer. `by_age` (n,): mean payoff by age ``g - h`` of the opponent; NaN without one.
+
+    `fading`: mean over generations of the payoff against the newer half of the ancestral opponents
+    minus that against the older half. Positive: old opponents are forgotten. Negative: new
+    opponents are harder. NaN with fewer than two generations of opponents.
+
+    `stripes`: regularity with which wins and losses come back with the age of the opponent: the
+    first peak of the autocorrelation along the rows after it has been negative, in [0, 1]; 0
+    without such a peak. Noise alone gives up to about .2 on 30 generations. `period`: generations
+    between stripes, the lag of that peak.
     """
 
     payoff: Rates
@@ -344,35 +281,17 @@ class Triangle:
     period: int | None
 
 
-class Ciao(NamedTuple):
-    """The CIAO triangles of both teams.
+def ciao(payoff: ArrayLike) -> ByTeam[Triangle]:
+    """Compare current individuals with ancestral opponents, in a triangle of each team.
 
-    Parameters
-    ----------
-    pursuers : Triangle
-        Payoff ``M[g, h]`` for ``h <= g``, in an array of shape (n, m).
-    evaders : Triangle
-        Payoff ``1 - M[g, h]`` for ``g <= h``, in an array of shape (m, n), evaders in rows.
-    """
-
-    pursuers: Triangle
-    evaders: Triangle
-
-
-def ciao(payoff: ArrayLike) -> Ciao:
-    """Compare current individuals with ancestral opponents.
+    Both triangles contain the diagonal, which is the current opponent; evaders stand in the rows of
+    theirs. Stripes show cycling. Fading away from the diagonal shows that a team loses to opponents
+    that it once beat. A race in which both teams keep improving shows neither, since old opponents
+    are easy.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-
-    Returns
-    -------
-    Ciao
-        Both triangles contain the diagonal, which is the current opponent. Stripes show cycling.
-        Fading away from the diagonal shows that a team loses to opponents that it once beat. A race
-        in which both teams keep improving shows neither, since old opponents are easy.
 
     References
     ----------
@@ -380,7 +299,7 @@ def ciao(payoff: ArrayLike) -> Ciao:
     co-evolutionary simulations".
     """
     matrix = check_payoff(payoff)
-    return Ciao(_triangle(matrix), _triangle(swap_teams(matrix)))
+    return ByTeam(_triangle(matrix), _triangle(swap_teams(matrix)))
 
 
 def autocorrelation(payoff: ArrayLike) -> Rates:
@@ -466,13 +385,8 @@ _ROUNDING = 1e-12  # differences of mean scores below this are floating-point no
 class Ladder:
     """The dominant generations of one team, ascending.
 
-    Parameters
-    ----------
-    generations : tuple of int
-        Generation 0, and every generation that scored significantly higher than all dominant
-        generations before it.
-    p_values : tuple of float
-        For each dominant generation after the first, the largest p-value against an earlier one.
+    `generations`: 0, and every one that scored significantly higher than all dominant ones before
+    it. `p_values`: for each of them after the first, the largest one against an earlier one.
     """
 
     generations: tuple[int, ...]
@@ -480,21 +394,6 @@ class Ladder:
 
     def __len__(self) -> int:
         return len(self.generations)
-
-
-class Dominance(NamedTuple):
-    """The dominant generations of both teams: the more, the more significant steps of progress.
-
-    Parameters
-    ----------
-    pursuers : Ladder
-        Dominant generations of the pursuers.
-    evaders : Ladder
-        Dominant generations of the evaders.
-    """
-
-    pursuers: Ladder
-    evaders: Ladder
 
 
 class _Scores(NamedTuple):
@@ -505,7 +404,7 @@ class _Scores(NamedTuple):
     spread: Rates  # sum over cells of squared variance / degrees of freedom (Satterthwaite)
 
 
-def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> Dominance:
+def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> ByTeam[Ladder]:
     """Find the generations that beat all dominant generations before them.
 
     A generation is dominant if its mean score against the whole archive of the other team is
@@ -514,14 +413,9 @@ def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> D
     Parameters
     ----------
     scores : array_like of float, shape (n, m, episodes)
-        Capture rate of each episode, in [0, 1]; at least two independent episodes of each cell.
+        Capture rate of each episode; at least two independent episodes of each cell.
     level : float, optional
         Significance level of the one-sided test, in (0, 1/2].
-
-    Returns
-    -------
-    Dominance
-        The dominant generations of both teams.
 
     Notes
     -----
@@ -535,8 +429,8 @@ def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> D
     References
     ----------
     Stanley and Miikkulainen (2002), "The dominance tournament method of monitoring progress in
-    coevolution"; extended here to two teams. Welch (1947) and Satterthwaite (1946) for the degrees
-    of freedom.
+    coevolution"; extended here to two teams. Degrees of freedom: Welch (1947), Satterthwaite
+    (1946).
     """
     array = check_rates(scores, ndim=3, what="scores (n, m, episodes)")
     episodes = array.shape[2]
@@ -547,8 +441,8 @@ def dominance_tournament(scores: ArrayLike, *, level: float = SIGNIFICANCE) -> D
 
 def dominance_of_counts(
     wins: ArrayLike, episodes: ArrayLike, *, level: float = SIGNIFICANCE
-) -> Dominance:
-    """Find the dominant generations from counts of won episodes.
+) -> ByTeam[Ladder]:
+    """Find the dominant generations, as `dominance_tournament` does, from counts of won episodes.
 
     Parameters
     ----------
@@ -559,19 +453,11 @@ def dominance_of_counts(
     level : float, optional
         Significance level of the one-sided test, in (0, 1/2].
 
-    Returns
-    -------
-    Dominance
-        The dominant generations of both teams, as `dominance_tournament` defines them.
-
     Notes
     -----
-    The variance of a cell is ``q (1 - q) / episodes`` with ``q = (wins + 1) / (episodes + 2)``, so
-    a cell without losses still has some variance. The test is the normal limit of Welch's t.
-
-    References
-    ----------
-    Agresti and Caffo (2000), "Simple and effective confidence intervals for proportions".
+    The variance of a cell is ``q (1 - q) / episodes`` with ``q = (wins + 1) / (episodes + 2)``
+    (Agresti and Caffo 2000), so a cell without losses still has some variance. The test is the
+    normal limit of Welch's t.
     """
     won, played = np.broadcast_arrays(np.asarray(wins, float), np.asarray(episodes, float))
     whole = np.isfinite(won) & np.isfinite(played) & (won % 1 == 0) & (played % 1 == 0)
@@ -588,9 +474,9 @@ def dominance_of_counts(
     return _both_ladders(means, shrunken * (1.0 - shrunken) / played, np.inf, level)
 
 
-def _both_ladders(means: Rates, variances: Rates, freedom: float, level: float) -> Dominance:
+def _both_ladders(means: Rates, variances: Rates, freedom: float, level: float) -> ByTeam[Ladder]:
     require(0.0 < level <= 0.5, "a level in (0, 0.5]", level)
-    return Dominance(
+    return ByTeam(
         _ladder(_totals(means, variances, freedom), level),
         _ladder(_totals(1.0 - means.T, variances.T, freedom), level),
     )

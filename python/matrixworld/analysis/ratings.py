@@ -24,21 +24,11 @@ _TOLERANCE = 1e-9  # of the gradient, a sum of differences of rates
 class Elo:
     """Ratings: ``logit P(capture) = pursuers[g] - evaders[h] + offset + u[g] . v[h]``.
 
-    Parameters
-    ----------
-    pursuers : ndarray of float64, shape (n,)
-        Ratings of the pursuers in natural logits, sum 0; higher captures more. Times `ELO_POINTS`:
-        points as in chess.
-    evaders : ndarray of float64, shape (m,)
-        Ratings of the evaders, sum 0; higher escapes more.
-    offset : float
-        Advantage of the pursuers in the game itself.
-    shrinkage : float
-        Shrinkage of the rates before the fit.
-    u : ndarray of float64, shape (n, 2 cycles)
-        Style of each pursuer generation, strongest dimension first.
-    v : ndarray of float64, shape (m, 2 cycles)
-        Weakness of each evader generation against these styles.
+    `pursuers` (n,) and `evaders` (m,) are in natural logits, sum 0; higher captures, and escapes,
+    more. Times `ELO_POINTS`: points as in chess. The `offset` is the advantage of the pursuers in
+    the game itself, the `shrinkage` that of the rates before the fit. `u` (n, 2 cycles): style of
+    each pursuer generation, strongest dimension first; `v` (m, 2 cycles): weakness of each evader
+    generation against these styles.
     """
 
     pursuers: Rates
@@ -67,10 +57,11 @@ def elo(
 ) -> Elo:
     """Fit Elo ratings of both teams to a payoff matrix, and cycles beside them (mElo).
 
+    The ratings are the same with and without cycles.
+
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix M.
     cycles : int, optional
         Number of cycles k, ``0 <= 2 k <= min(n, m)``. Rock-paper-scissors needs one; with
         ``2 k = min(n, m)`` every cell is reproduced.
@@ -79,11 +70,6 @@ def elo(
     shrinkage : float, optional
         Shrinkage s before the fit, in (0, 1/2). It keeps the ratings of generations finite that win
         or lose all matches.
-
-    Returns
-    -------
-    Elo
-        The ratings, which are the same with and without cycles.
 
     Notes
     -----
@@ -123,17 +109,12 @@ def elo(
 def log_loss(payoff: ArrayLike, predicted: ArrayLike) -> float:
     """Return the mean cross entropy of a prediction minus that of a perfect one, in nats.
 
+    At least 0. Infinite if something happened whose predicted rate is 0.
+
     Parameters
     ----------
-    payoff : array_like of float, shape (n, m)
-        Payoff matrix.
-    predicted : array_like of float, shape (n, m)
-        Predicted capture rates in [0, 1].
-
-    Returns
-    -------
-    float
-        At least 0. Infinite if something happened whose predicted rate is 0.
+    payoff, predicted : array_like of float, shape (n, m)
+        Capture rates in [0, 1].
     """
     from scipy.special import rel_entr
 

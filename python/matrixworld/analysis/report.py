@@ -56,16 +56,12 @@ RANKED_PAIRS = 1024
 def headline(judgement: Judgement) -> str:
     """Return what is present in the window that headlines speak of, in a few words.
 
+    Such as ``"cycling, forgetting (last half)"``; "cannot tell" if no condition is present and not
+    all are absent.
+
     Parameters
     ----------
     judgement : Judgement
-        Result of `judge`.
-
-    Returns
-    -------
-    str
-        Such as ``"cycling, forgetting (last half)"``; "cannot tell" if no condition is present and
-        not all are absent.
     """
     present = ", ".join(judgement.present())
     if not present:
@@ -77,16 +73,12 @@ def headline(judgement: Judgement) -> str:
 def judgement_table(judgement: Judgement) -> list[tuple[str, str, str, str]]:
     """Return the rows of a table: condition, verdict, numbers with intervals, window.
 
+    After the heads all findings of the headline window; then those that are present in another
+    window only.
+
     Parameters
     ----------
     judgement : Judgement
-        Result of `judge`.
-
-    Returns
-    -------
-    list of tuple of str
-        The heads; all findings of the headline window; and those of other windows that are present
-        there and not in the headline window.
     """
     rows = [("condition", "verdict", f"{judgement.level:.0%} interval", "window")]
     rows += [_row(name, found, judgement.window) for name, found in judgement.headline.items()]
@@ -107,18 +99,13 @@ def _row(condition: str, finding: Finding, window: str) -> tuple[str, str, str, 
 
 
 def explain(judgement: Judgement) -> str:
-    """Return the findings of the headline window as sentences, one for each condition.
+    """Return the findings of the headline window as sentences: a line for each condition.
+
+    Verdict and reason; for several runs how many of them have which verdict on their own.
 
     Parameters
     ----------
     judgement : Judgement
-        Result of `judge`.
-
-    Returns
-    -------
-    str
-        One line for each condition: verdict and reason; for several runs how many of them have
-        which verdict on their own.
     """
     return "\n".join(
         f"{name.capitalize()}: {finding.verdict}, because {finding.reason}."
@@ -149,6 +136,9 @@ def report(
 ) -> str:
     """Return all measures of one run or several, and the judgement, as text.
 
+    Several runs have intervals over runs. A single run has intervals over episodes if they are
+    known.
+
     Parameters
     ----------
     source : array_like, path, list of paths or Payoffs
@@ -157,12 +147,6 @@ def report(
         As for `read_payoffs`.
     level : float, optional
         Confidence level of the intervals, in (0, 1).
-
-    Returns
-    -------
-    str
-        The tables. Several runs have intervals over runs. A single run has intervals over episodes
-        if they are known.
     """
     payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes, cross=cross)
     table, judgement = measure_table(payoffs, level=level), judge(payoffs, level=level)
@@ -181,17 +165,7 @@ def report(
 def measure_table(source: Source, *, level: float = LEVEL) -> str:
     """Return all measures as lines of text, grouped by the window that they are about.
 
-    Parameters
-    ----------
-    source : array_like, path, list of paths or Payoffs
-        Payoffs of at least 2 x 2 generations.
-    level : float, optional
-        Confidence level of the intervals, in (0, 1).
-
-    Returns
-    -------
-    str
-        The lines. Notes say why a number has no interval.
+    Notes say why a number has no interval.
     """
     payoffs = read_payoffs(source)
     estimates = measure_all(payoffs, level=level)
@@ -234,7 +208,7 @@ def _dominant(payoffs: Payoffs) -> list[str]:
     ladders = dominance_tournament(payoffs.scores[0])
     return [
         f"Dominant {team}: generations {', '.join(map(str, ladder.generations))}."
-        for team, ladder in ladders._asdict().items()
+        for team, ladder in zip(("pursuers", "evaders"), ladders, strict=True)
     ]
 
 
@@ -305,17 +279,14 @@ CURVES: Mapping[str, Callable[[Rates], Any]] = {
 
 
 def describe(payoff: ArrayLike) -> str:
-    """Describe the numbers of a race in plain English.
+    """Describe the numbers of a race in plain English, one statement on each line.
+
+    `judge` tells which of the numbers exceed noise.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix of at least 2 x 2 generations; row and column 0 are generation 0.
-
-    Returns
-    -------
-    str
-        One statement on each line. It gives numbers; `judge` tells which of them exceed noise.
+        At least 2 x 2 generations; row and column 0 are generation 0.
     """
     matrix = check_payoff(payoff)
     require(min(matrix.shape) >= 2, "at least 2 x 2 generations", matrix.shape)

@@ -37,23 +37,16 @@ SEPARATE = "no interval: the scores of the two groups do not overlap"
 
 
 def fewest_runs(level: float = LEVEL) -> int:
-    """Return the fewest runs with which the intervals of this module are given.
+    """Return the fewest runs with which intervals of scores are given: 6 at a level of 95 %.
+
+    All n runs lie on the same side of the median with probability ``2 ** (1 - n)``. A resample
+    contains only values of these runs, so a bootstrap interval of fewer runs cannot reach the
+    level, whatever its method.
 
     Parameters
     ----------
     level : float, optional
         Confidence level, in (0, 1).
-
-    Returns
-    -------
-    int
-        The smallest n with ``2 ** (1 - n) <= 1 - level``: 6 runs at a level of 95 %.
-
-    Notes
-    -----
-    All n runs lie on the same side of the median with probability ``2 ** (1 - n)``. A resample
-    contains only values of these runs, so a bootstrap interval of fewer runs cannot reach the
-    level, whatever its method.
     """
     check_level(level)
     return max(2, math.ceil(1.0 - math.log2(1.0 - level)))
@@ -64,21 +57,16 @@ def interquartile_mean(
 ) -> Estimate:
     """Return the mean of the middle half of all scores, with a bootstrap interval over runs.
 
+    There is no interval below `fewest_runs`, and if all runs are equal.
+
     Parameters
     ----------
     scores : array_like of float, shape (runs, opponents)
         One finite score of each run against each opponent, such as the held-out ones.
     level : float, optional
         Confidence level, in (0, 1).
-    resamples : int, optional
-        Bootstrap samples, at least 100.
-    seed : int, optional
-        Seed of the bootstrap.
-
-    Returns
-    -------
-    Estimate
-        The interquartile mean. There is no interval below `fewest_runs`, and if all runs are equal.
+    resamples, seed : int, optional
+        Number of bootstrap samples, at least 100, and their seed.
 
     Notes
     -----
@@ -128,23 +116,16 @@ def performance_profile(
     level : float, optional
         Confidence level of each point, in (0, 1).
 
-    Returns
-    -------
-    Band
-        The shares of all runs and opponents, at the thresholds. There is no interval below
-        `fewest_runs`.
-
     Notes
     -----
     Each run has a share: that of the opponents against which it is above the threshold. The profile
-    is the mean over runs, so its interval is that of `band_over_runs`. It is pointwise: a whole
-    curve leaves it more often. Where all runs have the same share it has no width, which is no
-    certainty.
+    is the mean over runs, so its interval is that of `band_over_runs`; there is none below
+    `fewest_runs`.
 
     References
     ----------
     Dolan and More (2002), "Benchmarking optimization software with performance profiles". Agarwal
-    et al. (2021), "Deep reinforcement learning at the edge of the statistical precipice".
+    et al. (2021), as for `interquartile_mean`.
     """
     array, places = _check_scores(scores), np.asarray(thresholds, dtype=np.float64)
     require(places.ndim == 1 and places.size > 0, "thresholds of shape (k,)", places.shape)
@@ -160,20 +141,15 @@ def probability_of_improvement(
 ) -> Estimate:
     """Return how probably a run of one group scores higher than a run of another group.
 
+    Mean over opponents; equal scores count one half. There is no interval if a group has fewer runs
+    than `fewest_runs`, or if the groups do not overlap.
+
     Parameters
     ----------
-    one : array_like of float, shape (runs, opponents)
-        One finite score of each run against each opponent.
-    other : array_like of float, shape (other_runs, opponents)
-        Scores of the other group against the same opponents.
+    one, other : array_like of float, shapes (runs, opponents) and (other_runs, opponents)
+        One finite score of each run against each of the same opponents.
     level : float, optional
         Confidence level, in (0, 1).
-
-    Returns
-    -------
-    Estimate
-        Mean over opponents; equal scores count one half. There is no interval if a group has fewer
-        runs than `fewest_runs`, or if the groups do not overlap.
 
     Notes
     -----
@@ -184,7 +160,7 @@ def probability_of_improvement(
     References
     ----------
     Mann and Whitney (1947). Brunner and Munzel (2000), "The nonparametric Behrens-Fisher problem".
-    Agarwal et al. (2021), "Deep reinforcement learning at the edge of the statistical precipice".
+    Agarwal et al. (2021), as for `interquartile_mean`.
     """
     first, second = _check_scores(one), _check_scores(other)
     opponents = first.shape[1]
@@ -254,10 +230,9 @@ def race_bands(payoffs: Iterable[ArrayLike], *, level: float = LEVEL) -> dict[st
     -------
     dict of str to Band
         ``pursuer_generalization`` and ``evader_generalization``: mean payoff of each generation
-        against all opponents of the race, in [0, 1]. ``pursuer_ratings`` and ``evader_ratings``:
-        Elo rating of each generation in points, mean 0 over the generations of a run.
-        ``lag_profile``: mean capture rate at each lag, pursuer minus evader generation. A point of
-        a single run has no interval.
+        against all opponents. ``pursuer_ratings`` and ``evader_ratings``: Elo ratings in points,
+        mean 0 over the generations of a run. ``lag_profile``: mean capture rate at each lag. A
+        point of a single run has no interval.
     """
     matrices = [check_payoff(payoff) for payoff in payoffs]
     require(bool(matrices), "at least one run", "none")

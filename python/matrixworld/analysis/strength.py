@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.analysis.intervals import LEVEL, Estimate, normal_quantile, t_quantile
 from matrixworld.analysis.payoffs import (
+    ByTeam,
     Rates,
-    TeamCurves,
     check_payoff,
     require,
     swap_teams,
@@ -29,7 +29,7 @@ _LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a widt
 
 
 def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) -> Estimate:
-    """Return how much the strength of a team changes from its first to its last generation.
+    """Return how much the strength of a team changes by its trend: ``k - 1`` times the drift.
 
     Parameters
     ----------
@@ -39,12 +39,7 @@ def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) 
         Variance of the measurement error of each score; 0 if it is unknown, which widens the
         interval.
     level : float, optional
-        Probability of the interval, in (0, 1).
-
-    Returns
-    -------
-    Estimate
-        ``k - 1`` times the drift, with an equal-tailed credible interval.
+        Probability of the equal-tailed credible interval, in (0, 1).
 
     Notes
     -----
@@ -82,19 +77,16 @@ def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) 
 def strength_change(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) -> Estimate:
     """Return the linear change of a team's strength from its first to its last generation.
 
+    ``k - 1`` times the slope of the least-squares line. The interval is normal with the known
+    noise. If all noise is 0, which means unknown, it is Student's t interval with the scatter about
+    the line.
+
     Parameters
     ----------
     scores, noise : array_like of float, shape (k,)
         As for `strength_gain`.
     level : float, optional
         Confidence level, in (0, 1).
-
-    Returns
-    -------
-    Estimate
-        ``k - 1`` times the slope of the least-squares line. The interval is normal with the known
-        noise. If all noise is 0, which means unknown, it is Student's t interval with the scatter
-        about the line.
     """
     y, variances = _checked(scores, noise)
     steps = len(y) - 1
@@ -152,30 +144,24 @@ def _quantile(probability: float, means: Rates, deviations: Rates, weights: Rate
 # ---- Forgetting ----------------------------------------------------------------------------------
 
 
-def forgetting(payoff: ArrayLike, held_out: ArrayLike | None = None) -> TeamCurves:
+def forgetting(payoff: ArrayLike, held_out: ArrayLike | None = None) -> ByTeam[Rates]:
     """Return how far each generation falls below the best of its ancestors, over all opponents.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix M.
     held_out : array_like of float, shape (n, m), optional
         Capture rates of the same pairs in other episodes.
-
-    Returns
-    -------
-    TeamCurves
-        Mean drop of each generation, in [0, 1]. It is 0 where no generation lost a payoff that an
-        earlier one had.
 
     Notes
     -----
     For pursuers of generation g: mean over h of ``max(M[:g + 1, h]) - M[g, h]``; for evaders the
-    same on ``1 - M``. The maximum of many noisy cells is too high by chance, so a few hundredths
-    mean nothing. With held-out episodes there is no such bias: one set chooses the best ancestor
-    and the other one measures how far a generation falls below it; then the sets change roles, and
-    the mean is taken. Pure noise then gives 0 on average, and noise that hides the best ancestor
-    makes the value too low.
+    same on ``1 - M``. It is 0 where no generation lost a payoff that an earlier one had. The
+    maximum of many noisy cells is too high by chance, so a few hundredths mean nothing. With
+    held-out episodes there is no such bias: one set chooses the best ancestor and the other one
+    measures how far a generation falls below it; then the sets change roles, and the mean is taken.
+    Pure noise then gives 0 on average, and noise that hides the best ancestor makes the value too
+    low.
 
     References
     ----------
@@ -187,7 +173,7 @@ def forgetting(payoff: ArrayLike, held_out: ArrayLike | None = None) -> TeamCurv
     require(first.shape == second.shape, f"two matrices of shape {first.shape}", second.shape)
     pairs = ((first, second), (swap_teams(first), swap_teams(second)))
     # Each set of episodes chooses once and measures once, so that no episode is wasted.
-    return TeamCurves(*((_drops(a, b) + _drops(b, a)) / 2.0 for a, b in pairs))
+    return ByTeam(*((_drops(a, b) + _drops(b, a)) / 2.0 for a, b in pairs))
 
 
 def late_forgetting(payoff: Rates, generations: slice) -> float:

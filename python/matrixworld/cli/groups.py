@@ -18,13 +18,12 @@ import numpy as np
 
 from matrixworld.analysis import (
     Judgement,
-    NoiseReference,
     Payoffs,
     judge,
     noise_reference,
     read_payoffs,
 )
-from matrixworld.analysis.cycles import MARGIN
+from matrixworld.analysis.cycles import MARGIN, NoiseReference
 from matrixworld.cli.arguments import SEED, all_of, find_runs, resume_command
 from matrixworld.cli.console import note
 from matrixworld.cli.held_out import Scores, kept_scores

@@ -7,7 +7,8 @@ from typing import Any
 
 import click
 
-from matrixworld.analysis import all_results, describe, explain, measure_table
+from matrixworld.analysis import all_results, describe, explain
+from matrixworld.analysis.report import measure_table
 from matrixworld.cli.advice import advice
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import TERMS, print_wrapped

@@ -216,7 +216,7 @@ def _ciao(payoff: Payoff) -> dict[str, Any]:
             "stripes": triangle.stripes,
             "period": triangle.period,
         }
-        for team, triangle in both._asdict().items()
+        for team, triangle in zip(("pursuers", "evaders"), both, strict=True)
     }
 
 

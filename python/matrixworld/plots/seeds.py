@@ -110,9 +110,7 @@ def _points(matrix: Rates) -> tuple[Rates, Rates]:
     return analysis.ELO_POINTS * ratings.pursuers, analysis.ELO_POINTS * ratings.evaders
 
 
-def _draw_teams(
-    axes: Axes, bands: tuple[Band, Band], singles: Iterable[tuple[Rates, Rates]]
-) -> None:
+def _draw_teams(axes: Axes, bands: tuple[Band, Band], singles: Iterable[Iterable[Rates]]) -> None:
     """Draw the curves of both teams: thin ones of single seeds, and their means with bands."""
     for curves in singles:
         for curve, color in zip(curves, colors.TEAMS, strict=True):

@@ -11,8 +11,8 @@ from typing import Any, ClassVar, cast
 
 import numpy as np
 
-from matrixworld.analysis import Disengagement, disengagements, judge, measure_all, read_payoffs
-from matrixworld.analysis.engagement import PATIENCE
+from matrixworld.analysis import disengagements, judge, measure_all, read_payoffs
+from matrixworld.analysis.engagement import PATIENCE, Disengagement
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.opponents import OpponentSampler, PayoffFunction

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from matrixworld._util.files import save_json
 from matrixworld._util.short_repr import short_repr
-from matrixworld.analysis import ResponseGain, response_gain
+from matrixworld.analysis import response_gain
+from matrixworld.analysis.games import ResponseGain
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.learners import EvolutionStrategySettings
 from matrixworld.coevolution.progress import Report, silent
