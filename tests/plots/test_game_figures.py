@@ -12,14 +12,22 @@ from matplotlib.text import Text
 
 import matrixworld as mw
 from matrixworld import plots
-from matrixworld.plots.conflicts import MOVES, Situation, world_of
-from matrixworld.plots.rules import PER_TEAM
+from matrixworld.plots.game import (
+    MOVES,
+    PER_TEAM,
+    SITUATIONS,
+    Situation,
+    resolve,
+    turns_of,
+    world_of,
+)
+from matrixworld.plots.style import FORMATS
 from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS
 from reference import ReferenceWorld, records
 
 PANELS = [
     pytest.param(situation, outcome, id=f"{situation.name}-{outcome.name}")
-    for situation in plots.SITUATIONS
+    for situation in SITUATIONS
     for outcome in OUTCOME_TEXTS
 ]
 
@@ -43,7 +51,7 @@ def played_by_the_reference(situation: Situation, outcome: mw.Outcome) -> Refere
 
 @pytest.mark.parametrize(("situation", "outcome"), PANELS)
 def test_the_outcomes_are_those_of_the_reference(situation: Situation, outcome: mw.Outcome) -> None:
-    found = plots.resolve(situation, outcome)
+    found = resolve(situation, outcome)
     reference = played_by_the_reference(situation, outcome)
     agents = range(len(situation.agents))
     assert found.alive == [agent in reference.where for agent in agents]
@@ -55,7 +63,7 @@ def test_the_outcomes_are_those_of_the_reference(situation: Situation, outcome: 
 def test_the_situations_are_of_the_forms_and_kinds_that_they_name() -> None:
     """In each named conflict the engine finds this form or kind, and in the others none."""
     found = {}
-    for situation in plots.SITUATIONS:
+    for situation in SITUATIONS:
         world, _ = world_of(situation, mw.Outcome.BOUNCE)
         actions = np.zeros(world.config.n_agents, int)
         actions[: len(situation.agents)] = [action for _, action in situation.agents]
@@ -76,10 +84,10 @@ def test_the_situations_are_of_the_forms_and_kinds_that_they_name() -> None:
 
 def test_the_drawing_shows_the_resolution() -> None:
     figure = plots.conflict_outcomes(title="What happens")
-    panels = np.reshape(figure.axes, (len(plots.SITUATIONS), 4))
-    for situation, row in zip(plots.SITUATIONS, panels, strict=True):
+    panels = np.reshape(figure.axes, (len(SITUATIONS), 4))
+    for situation, row in zip(SITUATIONS, panels, strict=True):
         for axes, outcome in zip(row[1:], OUTCOME_TEXTS, strict=True):
-            result = plots.resolve(situation, outcome)
+            result = resolve(situation, outcome)
             names = {text.get_text() for text in axes.texts if text.get_text()}
             pursuers = len(situation.pursuers)
             living = [agent for agent, alive in enumerate(result.alive) if alive]
@@ -137,7 +145,7 @@ def test_the_table_shows_the_rules() -> None:
 
 def test_the_turns_are_those_of_the_engine() -> None:
     everyone = list(range(2 * PER_TEAM))
-    turns = {each: [list(turn) for turn in plots.turns_of(each)] for each in mw.Interaction}
+    turns = {each: [list(turn) for turn in turns_of(each)] for each in mw.Interaction}
     assert turns == {
         mw.Interaction.SIMULTANEOUS: [everyone],
         mw.Interaction.SWARM_TURNS: [everyone[:PER_TEAM], everyone[PER_TEAM:]],
@@ -158,7 +166,7 @@ FIGURES = (plots.rules_table, plots.conflict_outcomes, plots.interaction_models)
 
 
 @pytest.mark.parametrize("draw", FIGURES)
-@pytest.mark.parametrize("suffix", plots.FORMATS)
+@pytest.mark.parametrize("suffix", FORMATS)
 def test_figures_are_files_of_their_suffix(draw, suffix: str, tmp_path: Path) -> None:
     begins = {"png": b"\x89PNG\r\n\x1a\n", "pdf": b"%PDF-", "svg": b"<?xml"}
     file = plots.save_figure(draw(), tmp_path / f"figure.{suffix}")

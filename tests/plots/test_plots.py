@@ -17,6 +17,7 @@ from PIL import Image
 from matrices import circular, logistic
 from matrixworld import analysis, plots
 from matrixworld._util import colors
+from matrixworld.plots.style import DPI
 
 PNG = b"\x89PNG\r\n\x1a\n"
 
@@ -66,7 +67,7 @@ def test_heatmap_shows_the_matrix_with_pursuers_upwards(payoff: np.ndarray) -> N
     assert set(np.abs(above[:, 0] - above[:, 1])) == {0.0, 1.0}
     assert (above[:, 1] - above[:, 0]).min() == 0
     np.testing.assert_array_equal(above % 1, 0.5)
-    assert saved(figure).size == tuple(round(plots.DPI * s) for s in figure.get_size_inches())
+    assert saved(figure).size == tuple(round(DPI * s) for s in figure.get_size_inches())
 
 
 def test_heatmap_of_an_oblong_matrix_marks_equal_generations_only() -> None:

@@ -22,10 +22,11 @@ import pytest
 
 import matrixworld as mw
 from made_up_episode import made_up_episode
-from matrixworld import analysis, classroom, cluster, coevolution, explorer, plots, toys, tutorial
+from matrixworld import analysis, classroom, cluster, coevolution, explorer, toys, tutorial
 from matrixworld.coevolution import Candidates, opponents, resume, start
 from matrixworld.coevolution.jobs.job import job_of
 from matrixworld.episodes import replay
+from matrixworld.plots.game import SITUATIONS, resolve
 from tiny_race import results, tiny_race, tiny_single
 
 INTERFACE = "an interface or a base class, which has no instances"
@@ -201,7 +202,7 @@ def _of_analysis() -> Iterator[Any]:
 
 
 def _of_plots() -> Iterator[Any]:
-    yield from (plots.SITUATIONS, plots.resolve(plots.SITUATIONS[0], mw.Outcome.BOUNCE))
+    yield from (SITUATIONS, resolve(SITUATIONS[0], mw.Outcome.BOUNCE))
 
 
 def _of_tutorial() -> Iterator[Any]:

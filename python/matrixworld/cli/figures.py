@@ -37,7 +37,7 @@ WINDOWS = 4
 LONGEST = 100
 """Windows of the moving average in the run of one team alone."""
 FORMATS = ("png", "pdf", "svg")
-"""As in `matrixworld.plots`."""
+"""As in `matrixworld.plots.style`."""
 
 Baselines = Mapping[str, Sequence[SavedRun]]
 """Runs of one team by the name of the baseline: one for each seed of the races, or one in all."""
@@ -107,10 +107,10 @@ def draw(planned: Mapping[Path, Draw]) -> None:
 
 def format_of(option: str, file: Path) -> str:
     """Return the format of a figure's file by its suffix; click.UsageError for another one."""
-    from matrixworld import plots
+    from matrixworld.plots import style
 
     try:
-        return plots.format_of(file)
+        return style.format_of(file)
     except ValueError as error:
         raise click.UsageError(f"{option}: {error}") from error
 

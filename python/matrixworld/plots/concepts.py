@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -82,18 +82,10 @@ def learning_concepts() -> Figure:
 def _draw_area(axes: Axes, area: Area, *, alpha: float) -> None:
     style = "round,pad=0,rounding_size=0.18"
     place = (area.x, area.y)
-    axes.add_patch(
-        FancyBboxPatch(
-            place, area.width, area.height, boxstyle=style, facecolor=area.color, alpha=alpha,
-            edgecolor="none",
-        )
-    )  # fmt: skip
-    axes.add_patch(
-        FancyBboxPatch(
-            place, area.width, area.height, boxstyle=style, facecolor="none", linewidth=1.2,
-            edgecolor=colors.INK,
-        )
-    )  # fmt: skip
+    ground: dict[str, Any] = {"facecolor": area.color, "alpha": alpha, "edgecolor": "none"}
+    outline: dict[str, Any] = {"facecolor": "none", "linewidth": 1.2, "edgecolor": colors.INK}
+    for look in (ground, outline):
+        axes.add_patch(FancyBboxPatch(place, area.width, area.height, boxstyle=style, **look))
 
 
 def _draw_note(axes: Axes, note: Note) -> None:

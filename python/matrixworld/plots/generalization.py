@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import Any
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -47,21 +46,20 @@ def generalization_curves(
     Parameters
     ----------
     payoff : array_like of float, shape (n, m) or (n, m, episodes)
-        Capture rate of each pursuer generation against each evader generation.
     per_episode : bool, optional
         Whether the capture rates are those of single episodes. If there are several of each pair,
-        a band shows the 95% interval over episodes of each score. The default is False.
+        a band shows the 95% interval over episodes of each score.
     pursuer_baselines, evader_baselines : mapping of str to float, optional
         Mean scores in [0, 1] of teams that were trained in another way, against the same opponents.
         Each is drawn as a level line with its name.
     title : str, optional
-        Title of the figure.
     """
     figure = new_figure(6.4, 4.2)
     axes = figure.add_subplot()
     draw_generalization(axes, payoff, per_episode)
     for team, baselines in enumerate((pursuer_baselines or {}, evader_baselines or {})):
-        _draw_levels(axes, baselines, colors.TEAMS[team])
+        each = {name: [score] for name, score in baselines.items()}
+        _draw_baselines(axes, each, colors.TEAMS[team])
     axes.set_title(fitting(figure, title))
     legend_below(figure, *axes.get_legend_handles_labels())
     return figure
@@ -74,9 +72,7 @@ def generalization_over_seeds(
     evader_baselines: Baselines | None = None,
     title: str = "Generalization: mean score against all opponents",
 ) -> Figure:
-    """Draw the mean score of each generation against all opponents, with intervals over seeds.
-
-    The score of pursuers is the capture rate, that of evaders is 1 minus the capture rate.
+    """Draw the mean score of each generation against all opponents, with 95% intervals over seeds.
 
     Parameters
     ----------
@@ -84,16 +80,9 @@ def generalization_over_seeds(
         Payoff matrix of each seed, by the name of the race, such as its schedule. Each name has a
         panel.
     pursuer_baselines, evader_baselines : mapping of str to mapping of str to array_like, optional
-        For the races named in `payoffs`: mean scores in [0, 1] against the same opponents, one for
-        each seed, of teams that were trained in another way, by their name. Each is a level line
-        at its mean, and a band for its interval.
+        As for `generalization_curves`, for the races named in `payoffs`: scores of each seed. Each
+        is a level line at its mean, and a band for its interval.
     title : str, optional
-        Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure. Bands are 95% intervals of the mean over seeds.
     """
     check_some(payoffs, "race")
     baselines = (pursuer_baselines or {}, evader_baselines or {})
@@ -119,29 +108,20 @@ def _draw_race(
     axes: Axes, matrices: list[ArrayLike], baselines: list[Mapping[str, ArrayLike]]
 ) -> None:
     bands = analysis.race_bands(matrices)
-    teams = (bands["pursuer_generalization"], bands["evader_generalization"])
-    labels = ("pursuers: capture rate", "evaders: 1 - capture rate")
-    for band, color, label in zip(teams, colors.TEAMS, labels, strict=True):
-        draw_band(axes, band, color, "-", label=label)
+    teams = [bands["pursuer_generalization"], bands["evader_generalization"]]
+    _draw_teams(axes, teams, "95% interval of the mean over seeds")
     for color, team in zip(colors.TEAMS, baselines, strict=True):
-        for index, (name, scores) in enumerate(team.items()):
-            _draw_baseline(axes, name, scores, color, DASHES[index % len(DASHES)])
-    if len(matrices) > 1:
-        # An empty band for the legend, whose entry is of all curves.
-        label = "95% interval of the mean over seeds"
-        axes.fill_between([], [], [], color=colors.MUTED, alpha=0.22, linewidth=0, label=label)
-    axes.set_xlabel("generation")
-    axes.xaxis.set_major_locator(whole_numbers(6))
-    axes.margins(x=0.02)
-    unit_axis(axes)
+        _draw_baselines(axes, team, color)
 
 
-def _draw_baseline(axes: Axes, name: str, scores: ArrayLike, color: str, dashes: str) -> None:
-    values = check_rates(scores, ndim=1, what=f"baseline {name!r}")
-    level = analysis.interval_over_runs(values, bounds=(0.0, 1.0))
-    axes.axhline(level.value, color=color, linestyle=dashes, linewidth=1.3, label=name)
-    if level.low is not None and level.high is not None:
-        axes.axhspan(level.low, level.high, color=color, alpha=0.1, linewidth=0)
+def _draw_baselines(axes: Axes, baselines: Mapping[str, ArrayLike], color: str) -> None:
+    for index, (name, scores) in enumerate(baselines.items()):
+        values = check_rates(scores, ndim=1, what=f"baseline {name!r}")
+        level = analysis.interval_over_runs(values, bounds=(0.0, 1.0))
+        dashes = DASHES[index % len(DASHES)]
+        axes.axhline(level.value, color=color, linestyle=dashes, linewidth=1.3, label=name)
+        if level.low is not None and level.high is not None:
+            axes.axhspan(level.low, level.high, color=color, alpha=0.1, linewidth=0)
 
 
 def mean_of(payoff: ArrayLike, per_episode: bool) -> Rates:
@@ -154,33 +134,23 @@ def mean_of(payoff: ArrayLike, per_episode: bool) -> Rates:
 
 def draw_generalization(axes: Axes, payoff: ArrayLike, per_episode: bool) -> None:
     """Draw the mean scores of both teams, with bands over episodes if they are known."""
-    scores = analysis.generalization(mean_of(payoff, per_episode))
+    curves = analysis.generalization(mean_of(payoff, per_episode))
+    bands = [analysis.band_over_runs([curve]) for curve in curves]
+    if per_episode and np.shape(payoff)[2] >= 2:
+        bands = [*analysis.generalization_over_episodes(payoff)]
+    _draw_teams(axes, bands, "95% interval over episodes")
+    axes.set_ylabel("mean score")
+
+
+def _draw_teams(axes: Axes, bands: Sequence[analysis.Band], interval: str) -> None:
+    """Draw the curves of both teams, and the intervals if they have some."""
     labels = ("pursuers: capture rate", "evaders: 1 - capture rate")
-    for curve, label, color in zip(scores, labels, colors.TEAMS, strict=True):
-        axes.plot(curve, color=color, label=label, linewidth=1.5)
-    if per_episode:
-        _draw_bands(axes, payoff)
-    axes.set(xlabel="generation", ylabel="mean score")
+    for band, color, label in zip(bands, colors.TEAMS, labels, strict=True):
+        draw_band(axes, band, color, "-", label=label)
+    if bands[0].low is not None:
+        # An empty band for the legend, whose entry is of both teams.
+        axes.fill_between([], [], [], color=colors.MUTED, alpha=0.22, linewidth=0, label=interval)
+    axes.set_xlabel("generation")
     axes.xaxis.set_major_locator(whole_numbers(6))
     axes.margins(x=0.02)
     unit_axis(axes)
-
-
-def _draw_bands(axes: Axes, scores: ArrayLike) -> None:
-    if np.shape(scores)[2] < 2:
-        return
-    look: dict[str, Any] = {"alpha": 0.3, "linewidth": 0}
-    bands = analysis.generalization_over_episodes(scores)
-    for band, color in zip(bands, colors.TEAMS, strict=True):
-        low, high = np.asarray(band.low), np.asarray(band.high)
-        axes.fill_between(np.arange(len(band.mean)), low, high, color=color, **look)
-    # An empty band for the legend, whose entry is of both teams.
-    label = "95% interval over episodes"
-    axes.fill_between([], [], [], color=colors.MUTED, label=label, **look)
-
-
-def _draw_levels(axes: Axes, baselines: Mapping[str, float], color: str) -> None:
-    for index, (name, score) in enumerate(baselines.items()):
-        level = float(check_rates([score], ndim=1, what=f"baseline {name!r}")[0])
-        dashes = DASHES[index % len(DASHES)]
-        axes.axhline(level, color=color, linestyle=dashes, linewidth=1.3, label=name)

@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
 from matplotlib.patheffects import Normal, Stroke
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
@@ -20,9 +20,11 @@ from matrixworld.analysis.payoffs import Rates
 from matrixworld.plots.generalization import draw_generalization, mean_of
 from matrixworld.plots.style import (
     check_some,
+    columns_of_three,
     fitting,
     legend_below,
     new_figure,
+    rows_of,
     unit_axis,
     whole_numbers,
     wrapped,
@@ -45,16 +47,12 @@ _SCALE = "capture rate (0 all escape, 1 all caught)"
 
 
 def payoff_heatmap(payoff: ArrayLike, *, title: str = "Capture rate, all against all") -> Figure:
-    """Draw a payoff matrix as a heat map.
-
-    Two thin lines enclose the cells of opponents of the same generation.
+    """Draw a payoff matrix as a heat map; two thin lines enclose opponents of the same generation.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Mean capture rate of each pursuer generation against each evader generation.
     title : str, optional
-        Title of the figure.
     """
     rows, columns = analysis.check_payoff(payoff).shape
     figure = new_figure(min(12.0, max(4.0, 1.7 + 4.1 * columns / rows)), 5.0)
@@ -70,18 +68,12 @@ def lag_profile_curve(payoff: ArrayLike, *, title: str = "Lag profile") -> Figur
 
     A flat curve with a notch at 0 means specialists, which win against their own opponents only. A
     rising curve means that later generations win against earlier and later opponents as well.
+    Lags with fewer than `FEWEST_CELLS` cells are faint.
 
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Mean capture rate of each pursuer generation against each evader generation.
     title : str, optional
-        Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure. Lags with fewer than `FEWEST_CELLS` cells are faint.
     """
     figure = new_figure(6.4, 4.2)
     axes = figure.add_subplot()
@@ -96,7 +88,7 @@ def ciao_triangles(
     names: tuple[str, str] = ("pursuers", "evaders"),
     title: str = "Current individuals against ancestral opponents",
 ) -> Figure:
-    """Draw the CIAO plots of both teams.
+    """Draw the CIAO plots of both teams; see :func:`matrixworld.analysis.ciao`.
 
     Light cells are wins of the team. The upper edge of a triangle is the current opponent; the
     further down, the older the opponent.
@@ -104,16 +96,9 @@ def ciao_triangles(
     Parameters
     ----------
     payoff : array_like of float, shape (n, m)
-        Payoff matrix.
     names : tuple of str, optional
         Names of the teams: that of the rows, then that of the columns.
     title : str, optional
-        Title of the figure.
-
-    References
-    ----------
-    Cliff and Miller (1995), "Tracking the Red Queen: measurements of adaptive progress in
-    co-evolutionary simulations".
     """
     triangles = analysis.ciao(payoff)
     figure = new_figure(7.4, 3.8)
@@ -121,27 +106,13 @@ def ciao_triangles(
     for axes, triangle, name, other, color in zip(
         panels, triangles, names, names[::-1], colors.TEAMS, strict=True
     ):
-        image = axes.imshow(
-            triangle.payoff.T,
-            origin="lower",
-            vmin=0,
-            vmax=1,
-            cmap=COLORMAP,
-            aspect="auto",
-            interpolation="nearest",
-        )
+        image = _draw_cells(axes, triangle.payoff.T, interpolation="nearest", aspect="auto")
+        axes.set(xlabel=f"generation of {name}", ylabel=f"generation of {other}")
         axes.set_title(f"wins of {name}", color=color)
-        _label_triangle(axes, f"generation of {name}", f"generation of {other}")
+        axes.spines[["top", "right"]].set_visible(False)
     figure.colorbar(image, ax=list(panels), label="payoff (0 loses, 1 wins)", shrink=0.9)
     figure.suptitle(fitting(figure, title))
     return figure
-
-
-def _label_triangle(axes: Axes, along: str, upwards: str) -> None:
-    axes.set(xlabel=along, ylabel=upwards)
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(whole_numbers(6))
-    axes.spines[["top", "right"]].set_visible(False)
 
 
 def comparison(
@@ -151,36 +122,27 @@ def comparison(
     per_episode: bool = False,
     title: str | None = None,
 ) -> Figure:
-    """Draw several races side by side, on the same scales.
+    """Draw several races side by side, on the same scales, at most `COLUMNS` in a row.
 
     Each race has its heat map, its lag profile and its generalization curves, in a column below its
-    name, its judgement and two of its measures. At most `COLUMNS`
-    races are beside each other.
+    name, its judgement and two of its measures.
 
     Parameters
     ----------
     payoffs : mapping of str to array_like of float
         Payoff matrices of at least 2 x 2, by the name of the race.
     judgements : mapping of str to Judgement, optional
-        Results of :func:`matrixworld.analysis.judge` by the name of the race; a race without one
-        has numbers only.
+        Results of :func:`matrixworld.analysis.judge`; a race without one has numbers only.
     per_episode : bool, optional
         Whether the payoffs are capture rates of single episodes, as in `generalization_curves`.
     title : str, optional
-        Title of the figure.
     """
     check_some(payoffs, "race")
-    lines = -(-len(payoffs) // COLUMNS)
-    columns = -(-len(payoffs) // lines)  # rows of equal length: 5 races are 3 and 2
+    lines, columns = rows_of(len(payoffs), COLUMNS)
     figure = new_figure(1.2 + 4.0 * columns, 0.6 + 9.4 * lines)
-    grid = figure.subplots(3 * lines, columns, squeeze=False, height_ratios=(1.7, 1.0, 1.0) * lines)
-    # One column of three panels for each race, row by row.
-    panels = [grid[3 * line : 3 * line + 3, column] for line, column in np.ndindex(lines, columns)]
-    for column, payoff in zip(panels, payoffs.values(), strict=False):
+    panels = columns_of_three(figure, len(payoffs), (lines, columns), heights=(1.7, 1.0, 1.0))
+    for column, payoff in zip(panels, payoffs.values(), strict=True):
         _draw_race(column, payoff, per_episode)
-    for axes in np.concatenate(panels[len(payoffs) :] or [np.empty(0, object)]):
-        axes.remove()
-    panels = panels[: len(payoffs)]
     means = {name: mean_of(payoff, per_episode) for name, payoff in payoffs.items()}
     _write_heads([column[0] for column in panels], means, judgements or {})
     _share_legends(figure, panels, columns)
@@ -193,7 +155,7 @@ def comparison(
     return figure
 
 
-def _share_legends(figure: Figure, panels: Sequence[NDArray[np.object_]], columns: int) -> None:
+def _share_legends(figure: Figure, panels: Sequence[Sequence[Axes]], columns: int) -> None:
     """Draw a colour bar for each full row of heat maps, one legend, and labels on the left only."""
     for first in range(0, len(panels), columns):
         row = panels[first : first + columns]
@@ -208,7 +170,7 @@ def _share_legends(figure: Figure, panels: Sequence[NDArray[np.object_]], column
     legend_below(figure, handles, labels, columns=min(columns, 3))
 
 
-def _draw_race(column: NDArray[np.object_], payoff: ArrayLike, per_episode: bool) -> None:
+def _draw_race(column: Sequence[Axes], payoff: ArrayLike, per_episode: bool) -> None:
     matrix = mean_of(payoff, per_episode)
     _draw_heatmap(column[0], matrix)
     _draw_lag_profile(column[1], matrix)
@@ -256,13 +218,17 @@ def _numbers(payoff: ArrayLike) -> str:
 
 def _draw_heatmap(axes: Axes, payoff: ArrayLike) -> AxesImage:
     matrix = analysis.check_payoff(payoff)
-    image = axes.imshow(matrix, origin="lower", vmin=0.0, vmax=1.0, cmap=COLORMAP)
+    image = _draw_cells(axes, matrix)
     _enclose_diagonal(axes, min(matrix.shape))
     axes.set(xlabel="evader generation", ylabel="pursuer generation")
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(whole_numbers(6))
     axes.set(xlim=(-0.5, matrix.shape[1] - 0.5), ylim=(-0.5, matrix.shape[0] - 0.5))
     return image
+
+
+def _draw_cells(axes: Axes, cells: Rates, **look: Any) -> AxesImage:
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(whole_numbers(6))
+    return axes.imshow(cells, origin="lower", vmin=0.0, vmax=1.0, cmap=COLORMAP, **look)
 
 
 def _enclose_diagonal(axes: Axes, cells: int) -> None:

@@ -1,29 +1,36 @@
-"""Figures of any number that several runs gave, and of their scores against held-out opponents."""
+"""Figures of several runs: any number or curve, bands over generations, verdicts, and scores."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch, Rectangle
 from numpy.typing import ArrayLike
 
 from matrixworld import analysis
 from matrixworld._util import colors
+from matrixworld.analysis import CONDITIONS, Band, Judgement
+from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.analysis.payoffs import Rates, check_rates
 from matrixworld.plots.style import (
     DASHES,
     LINES,
     MOST_LINES,
     check_some,
+    columns_of_three,
     draw_band,
     fitting,
     legend_below,
     new_figure,
     plain_axis,
+    rows_of,
     unit_axis,
     whole_numbers,
     wrapped,
@@ -46,7 +53,8 @@ def run_dots(
     Parameters
     ----------
     groups : mapping of str to array_like of float, shape (runs,)
-        Numbers by the name of the group. Each group has a row.
+        Numbers by the name of the group. Each group has a row, with the interval of
+        :func:`matrixworld.analysis.interval_over_runs`.
     label : str
         What the numbers are.
     levels : mapping of str to float, optional
@@ -54,12 +62,6 @@ def run_dots(
     each : str, optional
         What a dot stands for.
     title : str, optional
-        Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure. The interval is that of :func:`matrixworld.analysis.interval_over_runs`.
     """
     check_some(groups)
     figure = new_figure(6.6, 1.5 + 0.5 * len(groups))
@@ -105,7 +107,8 @@ def run_curves(
     Parameters
     ----------
     groups : mapping of str to array_like of float, shape (runs, k)
-        Curves of the runs by the name of the group.
+        Curves of the runs by the name of the group, with the bands of
+        :func:`matrixworld.analysis.band_over_runs`.
     label : str
         What the numbers are.
     places : array_like of float, shape (k,), optional
@@ -113,12 +116,6 @@ def run_curves(
     along : str, optional
         Label of the horizontal axis.
     title : str, optional
-        Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure. Bands are those of :func:`matrixworld.analysis.band_over_runs`.
     """
     check_some(groups)
     figure = new_figure(6.6, 3.6)
@@ -160,20 +157,14 @@ def seed_scores(
 
     A row for each team. On the left the share of all scores (runs times opponents) above each
     threshold, with its pointwise 95% interval over seeds. On the right the interquartile mean with
-    its 95% interval, and the mean score of each seed as a dot.
+    its 95% interval, and the mean score of each seed as a dot. Groups with fewer seeds than
+    :func:`matrixworld.analysis.fewest_runs` have no intervals.
 
     Parameters
     ----------
     scores : mapping of str to mapping of str to array_like of float, shape (seeds, opponents)
         Scores in [0, 1] by the name of the group, then by team: ``"pursuer"``, ``"evader"``.
     title : str, optional
-        Title of the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure. Groups with few seeds have no intervals, see
-        :func:`matrixworld.analysis.fewest_runs`.
     """
     check_some(scores)
     arrays = {
@@ -245,3 +236,231 @@ def _write_legend(figure: Figure, groups: Mapping[str, object]) -> None:
         "mean of one seed",
     ]
     legend_below(figure, [*handles, *marks], labels, columns=min(3, len(labels)))
+
+
+# ---- Bands over generations ----------------------------------------------------------------------
+
+GROUPS = 5
+"""The most groups of seeds beside each other; further ones are in rows below."""
+WIDEST_HEAD = 32
+"""Characters of a line above a column."""
+
+
+def seed_bands(
+    payoffs: Mapping[str, Iterable[ArrayLike]],
+    judgements: Mapping[str, Judgement] | None = None,
+    *,
+    title: str | None = None,
+) -> Figure:
+    """Draw how groups of runs went on: means over seeds with 95% bands, a column for each group.
+
+    The rows show generalization (mean score against all opponents, the strength in verdicts), Elo
+    rating and lag profile. Thin lines are single seeds, if there are at most `MOST_LINES`.
+
+    Parameters
+    ----------
+    payoffs : mapping of str to iterable of array_like of float, shape (n, m)
+        Payoff matrix of each seed, by the name of the group, such as a schedule. Runs may have
+        different numbers of generations.
+    judgements : mapping of str to Judgement, optional
+        Results of :func:`matrixworld.analysis.judge` by the name of the group.
+    title : str, optional
+    """
+    check_some(payoffs)
+    lines, columns = rows_of(len(payoffs), GROUPS)
+    figure = new_figure(1.2 + 3.3 * max(2, columns), 0.8 + 7.8 * lines)
+    panels = columns_of_three(figure, len(payoffs), (lines, columns), heights=(1.0, 1.0, 1.0))
+    groups = {name: [analysis.check_payoff(m) for m in each] for name, each in payoffs.items()}
+    ratings = []
+    for column, (name, matrices) in zip(panels, groups.items(), strict=True):
+        ratings.append(_draw_group(column, matrices))
+        _write_head(column[0], name, len(matrices), (judgements or {}).get(name))
+    _share_scales(panels, columns, ratings)
+    entries = _legend(singles=min(map(len, groups.values())) <= MOST_LINES)
+    legend_below(figure, [*entries.values()], [*entries], columns=2 if columns < 3 else 4)
+    if title:
+        figure.suptitle(fitting(figure, title))
+    return figure
+
+
+def _draw_group(column: Sequence[Axes], matrices: Sequence[Rates]) -> tuple[float, float]:
+    """Draw the three panels of a group; return the limits of the axis of ratings."""
+    bands = analysis.race_bands(matrices)
+    singles = matrices if len(matrices) <= MOST_LINES else []
+    scores, strength, lags = column
+    _draw_teams(
+        scores,
+        (bands["pursuer_generalization"], bands["evader_generalization"]),
+        [analysis.generalization(matrix) for matrix in singles],
+    )
+    ratings = bands["pursuer_ratings"], bands["evader_ratings"]
+    _draw_teams(strength, ratings, map(_points, singles))
+    _draw_lags(lags, bands["lag_profile"], singles)
+    for axes in column:
+        axes.xaxis.set_major_locator(whole_numbers(5))
+        axes.margins(x=0.02)
+        plain_axis(axes)
+    unit_axis(scores)
+    unit_axis(lags)
+    return strength.get_ylim()
+
+
+def _points(matrix: Rates) -> tuple[Rates, Rates]:
+    ratings = analysis.elo(matrix)
+    return analysis.ELO_POINTS * ratings.pursuers, analysis.ELO_POINTS * ratings.evaders
+
+
+def _draw_teams(axes: Axes, bands: tuple[Band, Band], singles: Iterable[Iterable[Rates]]) -> None:
+    """Draw the curves of both teams: thin ones of single seeds, and their means with bands."""
+    for curves in singles:
+        for curve, color in zip(curves, colors.TEAMS, strict=True):
+            axes.plot(curve, color=color, alpha=0.35, linewidth=0.6)
+    for band, color, style in zip(bands, colors.TEAMS, ("-", DASHES[0]), strict=True):
+        draw_band(axes, band, color, style)
+    axes.set_xlabel("generation")
+
+
+def _draw_lags(axes: Axes, band: Band, singles: Sequence[Rates]) -> None:
+    for matrix in singles:
+        profile = analysis.lag_profile(matrix)
+        axes.plot(profile.lags, profile.means, color=colors.INK, alpha=0.25, linewidth=0.6)
+    draw_band(axes, band, colors.INK, "-")
+    axes.axvline(0, color=colors.MUTED, linestyle="--", linewidth=1.0, zorder=1)
+    axes.set_xlabel("lag: pursuer minus\nevader generation")
+
+
+def _write_head(axes: Axes, name: str, seeds: int, judgement: Judgement | None) -> None:
+    counted = "1 seed: no band" if seeds == 1 else f"{seeds} seeds"
+    found = "" if judgement is None else analysis.headline(judgement)
+    lines = [wrapped(name, WIDEST_HEAD), counted, *textwrap.wrap(found, WIDEST_HEAD)]
+    axes.set_title("\n".join(lines), size="medium")
+
+
+def _share_scales(
+    panels: Sequence[Sequence[Axes]], columns: int, ratings: Sequence[tuple[float, float]]
+) -> None:
+    """Give all groups the same scale of ratings, and label the first column only."""
+    low, high = min(low for low, _ in ratings), max(high for _, high in ratings)
+    names = ("mean score", "Elo rating (points)", "mean capture rate")
+    for number, column in enumerate(panels):
+        column[1].set_ylim(low, high)
+        for axes, name in zip(column, names, strict=True):
+            if number % columns == 0:
+                axes.set_ylabel(name)
+            else:
+                axes.tick_params(labelleft=False)
+
+
+def _legend(*, singles: bool) -> dict[str, Artist]:
+    pursuers, evaders = colors.TEAMS
+    entries: dict[str, Artist] = {
+        "pursuers (score: capture rate)": Line2D([], [], color=pursuers, linewidth=1.7),
+        "evaders (score: 1 - capture rate)": Line2D(
+            [], [], color=evaders, linewidth=1.7, linestyle="--"
+        ),
+        "95% interval of the mean over seeds": Patch(color=colors.MUTED, alpha=0.3, linewidth=0),
+    }
+    if singles:
+        entries["single seed"] = Line2D([], [], color=colors.MUTED, alpha=0.6, linewidth=0.6)
+    return entries
+
+
+# ---- Verdicts ------------------------------------------------------------------------------------
+
+NOT_FINISHED = "not finished"
+LOOKS: dict[str, dict[str, Any]] = {
+    PRESENT: {"facecolor": colors.BLUE, "edgecolor": colors.PAPER},
+    ABSENT: {"facecolor": colors.GRID, "edgecolor": colors.PAPER},
+    CANNOT_TELL: {"facecolor": colors.PAPER, "edgecolor": colors.MUTED, "linewidth": 0.6},
+    NOT_FINISHED: {"facecolor": colors.PAPER, "edgecolor": colors.FREE, "hatch": "/////"},
+}
+"""How a verdict is drawn: dark, light, empty, or hatched, so that colours are not needed."""
+SIGNS = {PRESENT: "yes", ABSENT: "no", CANNOT_TELL: "?", NOT_FINISHED: ""}
+"""Words in the cells, if they are wide enough."""
+WORDED = 15  # most seeds whose cells have words
+
+
+def verdict_strip(
+    judgements: Mapping[str, Judgement],
+    seeds: Mapping[str, Sequence[int]],
+    missing: Mapping[str, Sequence[int]] | None = None,
+    *,
+    title: str = "Verdict on each seed, and on all together",
+) -> Figure:
+    """Draw the verdicts on each seed and on all together: a block for each group of runs.
+
+    Parameters
+    ----------
+    judgements : mapping of str to Judgement
+        Result of :func:`matrixworld.analysis.judge` over the seeds, by the name of the group.
+    seeds : mapping of str to sequence of int
+        Seeds of the runs that were judged, in their order.
+    missing : mapping of str to sequence of int, optional
+        Seeds that are not finished; they have an empty column.
+    title : str, optional
+    """
+    check_some(judgements)
+    for name, judgement in judgements.items():
+        if len(seeds[name]) != judgement.runs:
+            raise ValueError(f"seeds: expected {judgement.runs} of {name}, got {len(seeds[name])}")
+    absent = missing or {}
+    most = max(len(seeds[name]) + len(absent.get(name, ())) for name in judgements)
+    figure = new_figure(max(6.4, min(16.0, 3.6 + 0.42 * most)), 1.1 + 2.15 * len(judgements))
+    panels = figure.subplots(len(judgements), 1, squeeze=False)[:, 0]
+    for axes, (name, judgement) in zip(panels, judgements.items(), strict=True):
+        columns = _columns(judgement, seeds[name], absent.get(name, ()))
+        _draw_verdicts(axes, columns, judgement, most)
+        axes.set_title(f"{name}: {analysis.headline(judgement)}", size="medium", loc="left")
+    panels[-1].set_xlabel("seed", loc="left")
+    legend_below(figure, [Patch(**look) for look in LOOKS.values()], [*LOOKS], columns=4)
+    figure.suptitle(fitting(figure, title))
+    return figure
+
+
+def _columns(
+    judgement: Judgement, seeds: Sequence[int], missing: Sequence[int]
+) -> dict[int, dict[str, str]]:
+    """Return the verdicts of each seed by condition, in the order of the seeds."""
+    found = judgement.headline
+    columns = {
+        seed: {name: found[name].by_run[run] for name in CONDITIONS}
+        for run, seed in enumerate(seeds)
+    }
+    columns |= {seed: dict.fromkeys(CONDITIONS, NOT_FINISHED) for seed in missing}
+    return dict(sorted(columns.items()))
+
+
+def _draw_verdicts(
+    axes: Axes, columns: Mapping[int, Mapping[str, str]], judgement: Judgement, most: int
+) -> None:
+    for place, verdicts in enumerate(columns.values()):
+        for row, name in enumerate(CONDITIONS):
+            _draw_cell(axes, place, row, 1.0, verdicts[name], worded=most <= WORDED)
+    # The verdict on all seeds is apart from the single ones, and always in words.
+    width = max(2.4, 0.13 * most)
+    for row, name in enumerate(CONDITIONS):
+        verdict = judgement.headline[name].verdict
+        _draw_cell(axes, most + 0.5, row, width, verdict, worded=True, word=verdict)
+    every = -(-most // 30)
+    places = [*range(0, len(columns), every)]
+    axes.set_xticks(
+        [*(place + 0.5 for place in places), most + 0.5 + width / 2],
+        [*(str([*columns][place]) for place in places), "all together"],
+    )
+    axes.set_yticks(np.arange(len(CONDITIONS)) + 0.5, CONDITIONS)
+    axes.set(xlim=(-0.05, most + 0.55 + width), ylim=(len(CONDITIONS) + 0.05, -0.05))
+    axes.tick_params(length=0, labelsize="small")
+    axes.spines[:].set_visible(False)
+
+
+def _draw_cell(
+    axes: Axes, x: float, y: float, width: float, verdict: str, *, worded: bool, word: str = ""
+) -> None:
+    inset = 0.05
+    look = LOOKS[verdict]
+    axes.add_patch(Rectangle((x + inset, y + inset), width - 2 * inset, 1 - 2 * inset, **look))
+    if worded:
+        axes.text(
+            x + width / 2, y + 0.5, word or SIGNS[verdict], ha="center", va="center", size="small",
+            color=colors.PAPER if verdict == PRESENT else colors.INK,
+        )  # fmt: skip

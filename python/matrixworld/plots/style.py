@@ -60,6 +60,24 @@ def check_some(groups: Mapping[str, object], what: str = "group of runs") -> Non
         raise ValueError(f"expected at least one {what} to draw, got none")
 
 
+def rows_of(count: int, most: int) -> tuple[int, int]:
+    """Return lines and columns of panels, so that lines are equally long: 5 of 4 are 3 and 2."""
+    lines = -(-count // most)
+    return lines, -(-count // lines)
+
+
+def columns_of_three(
+    figure: Figure, count: int, shape: tuple[int, int], *, heights: tuple[float, ...]
+) -> list[list[Axes]]:
+    """Return three panels below each other for each of `count` things, line by line."""
+    lines, columns = shape
+    grid = figure.subplots(3 * lines, columns, squeeze=False, height_ratios=heights * lines)
+    panels = [[*grid[3 * line : 3 * line + 3, k]] for line, k in np.ndindex(lines, columns)]
+    for axes in (axes for column in panels[count:] for axes in column):
+        axes.remove()
+    return panels[:count]
+
+
 def legend_below(
     figure: Figure, handles: Sequence[Artist], labels: Sequence[str], *, columns: int = 2
 ) -> None:
@@ -106,23 +124,7 @@ _NO_DATE: dict[str, dict[str, Any]] = {"pdf": {"CreationDate": None}, "svg": {"D
 
 
 def format_of(path: Path) -> str:
-    """Return the format of a figure's file by its suffix.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-
-    Returns
-    -------
-    str
-        One of `FORMATS`.
-
-    Raises
-    ------
-    ValueError
-        If the suffix is another one.
-    """
+    """Return the format of a figure's file by its suffix, or raise a ValueError."""
     suffix = path.suffix.lower().removeprefix(".")
     if suffix not in FORMATS:
         expected = ", ".join(f".{each}" for each in FORMATS)
@@ -131,24 +133,13 @@ def format_of(path: Path) -> str:
 
 
 def save_figure(figure: Figure, path: Path) -> Path:
-    """Write a figure, complete or not at all, in the format of the file's suffix.
+    """Write a figure, complete or not at all, in the format of the file's suffix; return the file.
 
     Parameters
     ----------
     figure : matplotlib.figure.Figure
-        The figure.
     path : Path
         The file: ``.png``, ``.pdf`` or ``.svg``. An older file is replaced.
-
-    Returns
-    -------
-    Path
-        The file.
-
-    Raises
-    ------
-    ValueError
-        If the file has another suffix.
     """
     kind = format_of(path)
     with mpl.rc_context(_LOOK), replacing(path) as file:

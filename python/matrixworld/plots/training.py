@@ -53,7 +53,6 @@ def training_curve(
     unit : str, optional
         Label of the axis, such as "epoch" or "team phase".
     title : str, optional
-        Title of the figure.
     """
     values = check_rates(rates, ndim=1, what="training capture rates")
     shades = _shades(learners, len(values))
@@ -89,7 +88,6 @@ def collision_rates(
         Collisions per 1000 agent-steps of the generations 0, 1 and so on, by team (pursuers,
         evaders) and kind (obstacle, teammate, adversary).
     title : str, optional
-        Title of the figure.
     """
     values = np.asarray(rates, dtype=np.float64)
     if values.ndim != 3 or values.shape[1:] != (2, 3) or not len(values):
