@@ -75,6 +75,11 @@ SETTINGS = [
     value(lambda: mw.Rewards(evader_step=1e39), "a finite | got 1e+39"),
     kind(lambda: mw.Rewards(evader_step=None), "a number | got None"),
     kind(lambda: mw.Rewards(pursuer_step="1"), "a number | got '1'"),
+    kind(lambda: mw.Rewards(pursuer_step=(1, 2, 3)), "a number | got (1, 2, 3)"),
+    value(lambda: mw.Rewards(pursuer_collide=(1, 2)), "1 or 3 numbers | got (1, 2)"),
+    kind(lambda: mw.Rewards(evader_collide=(1, 2, "x")), "a number | got 'x'"),
+    value(lambda: mw.Rewards(evader_collide=(1, 2, np.inf)), "a finite number | got inf"),
+    kind(lambda: mw.Rewards(blame="fault"), "a matrixworld.Blame | got 'fault'"),
     kind(lambda: mw.Rewards(capture_repeats=1), "True or False | got 1"),
 ]
 

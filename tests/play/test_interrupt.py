@@ -89,26 +89,11 @@ world = mw.WorldConfig("SB", max_steps={max_steps}, n_pursuers=1, n_evaders=1)
     finish(process)
 
 
-def test_any_handler_of_signals_runs() -> None:
-    """A handler that returns lets the rollout go on, with the same result."""
-    process = start(f"""
-{MATCHES}
-seen = []
-signal.signal(signal.SIGINT, lambda *_: seen.append(time.perf_counter()))
-some = mw.Matches.of(0, 1, np.arange(600))
-timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
-timer.start()
-got = play(some, 2)
-end = time.perf_counter()
-timer.join()
-assert len(seen) == 1
-np.testing.assert_array_equal(got.length, play(some, 1).length)
-""")
-    finish(process)
-
-
 def test_a_handler_may_play_matches_itself() -> None:
-    """A rollout within a rollout of the same thread does not take its threads."""
+    """A handler that returns lets the rollout go on, with the same result.
+
+    A rollout within a rollout of the same thread does not take its threads.
+    """
     process = start(f"""
 {MATCHES}
 inner = []

@@ -234,23 +234,6 @@ def test_scripts_differ_in_skill() -> None:
         assert caught(variant, "surrounder", "random") > best + 0.3
 
 
-def test_captures_of_scripts_against_scripts() -> None:
-    config = arena("O", max_steps=60)
-    matches = mw.Matches.of(0, 0, np.arange(60))
-
-    def played(pursuers: str, evaders: str) -> mw.EpisodeStatistics:
-        return mw.rollout(config, pursuers, evaders, matches)
-
-    fled, walked = played("random", "fleer"), played("random", "random")
-    assert fled.captured_fraction.mean() < walked.captured_fraction.mean() - 0.1
-    assert fled.length.mean() > walked.length.mean()
-    assert fled.evader_survivors.mean() > walked.evader_survivors.mean()
-    chased = played("chaser", "random").captured_fraction.mean()
-    assert chased > walked.captured_fraction.mean() + 0.2
-    assert played("chaser", "fleer").captured_fraction.mean() < chased - 0.1
-    assert not played("still", "still").captured_fraction.any()
-
-
 # ---- Turns -----------------------------------------------------------------------------------
 
 

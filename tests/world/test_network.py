@@ -155,13 +155,20 @@ def test_draws_are_independent_of_each_other() -> None:
         assert stats.chi2_contingency(table).pvalue > 1e-3
 
 
-def test_extreme_logits() -> None:
+@pytest.mark.parametrize(
+    ("outputs", "sampled", "taken"),
+    [
+        ([-3e38, 0, -200, 3e4, 3e4], True, {3, 4}),
+        ([0, 1, 0, 1, 1], False, {1}),  # the first of the largest
+    ],
+)
+def test_extreme_and_equal_outputs(outputs: list[float], sampled: bool, taken: set[int]) -> None:
     config = sealed(300)
-    network = mw.Network.for_config(config, ())
+    network = mw.Network.for_config(config, (), sampled=sampled)
     genome = np.zeros(network.genome_size, np.float32)
-    genome[-5:] = [-3e38, 0, -200, 3e4, 3e4]
+    genome[-5:] = outputs  # the biases: whatever agents see, these are the outputs
     actions = mw.record(config, mw.Population(genome, network), "still", seed=0).actions[:, :4]
-    assert set(np.unique(actions)) == {3, 4}
+    assert set(np.unique(actions)) == taken
 
 
 def test_the_largest_output_is_taken_without_sampling() -> None:
@@ -183,15 +190,6 @@ def test_the_largest_output_is_taken_without_sampling() -> None:
         sure += clear.sum()
         world.step(episode.actions[step])
     assert sure > 50
-
-
-def test_the_first_of_equal_outputs_is_taken() -> None:
-    config = sealed(10)
-    network = mw.Network.for_config(config, (), sampled=False)
-    genome = np.zeros(network.genome_size, np.float32)
-    genome[-5:] = [0, 1, 0, 1, 1]
-    actions = mw.record(config, mw.Population(genome, network), "still", seed=0).actions[:, :4]
-    np.testing.assert_array_equal(actions, 1)
 
 
 # ---- Instruction sets ------------------------------------------------------------------------

@@ -39,22 +39,3 @@ def test_penalties_agree_with_the_reported_fault_and_involvement(
         rewards = world.step(actions)
         to_blame = world.fault if blame is mw.Blame.FAULT else world.involved
         np.testing.assert_array_equal(rewards, (tariff * to_blame).sum(axis=1))
-
-
-@pytest.mark.parametrize(
-    ("changes", "error", "says"),
-    [
-        ({"pursuer_collide": (1, 2)}, ValueError, r"pursuer_collide: expected 1 or 3 numbers"),
-        ({"evader_collide": (1, 2, "x")}, TypeError, r"evader_collide: expected a number, got 'x'"),
-        (
-            {"evader_collide": (1, 2, np.inf)},
-            ValueError,
-            r"evader_collide: expected a finite number, got inf",
-        ),
-        ({"pursuer_step": (1, 2, 3)}, TypeError, r"pursuer_step: expected a number"),
-        ({"blame": "fault"}, TypeError, r"blame: expected a matrixworld.Blame, got 'fault'"),
-    ],
-)
-def test_rewards_refuse(changes: dict[str, object], error: type[Exception], says: str) -> None:
-    with pytest.raises(error, match=f"^{says}"):
-        mw.Rewards(**changes)

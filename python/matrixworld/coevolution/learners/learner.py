@@ -101,6 +101,11 @@ class LearnerSettings(Section):
     `new` returns the learner of a team, from genomes (n, genes) with n as `starting_genomes` says,
     and a generator for tables of noise. `check_run` raises ValueError if the learner cannot work
     with the other settings of a run.
+
+    Parameters
+    ----------
+    population : int, optional
+        Candidates per epoch.
     """
 
     title: ClassVar[str]
