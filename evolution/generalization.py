@@ -177,8 +177,8 @@ def standings(team: Team, race: RaceSettings, runs: dict[str, SavedRun]) -> list
         sides = (own, rivals) if team == "pursuer" else (rivals, own)
         return of_last(coevolution.tournament(world, *sides, seed=race.seed, episodes=EPISODES))
 
-    found, races = [], (race.schedule, another(race))
-    for training, names in {"in the race": (race.schedule,), **BASELINES[team]}.items():
+    found, races = [], (race.schedule.name, another(race))
+    for training, names in {"in the race": (race.schedule.name,), **BASELINES[team]}.items():
         parts = [runs[name] for name in names]
         learned = parts[-1].teams[team]
         last = mw.Population(learned.genomes[-1:], learned.network)
@@ -216,8 +216,8 @@ def main() -> None:
         }
         for team, standing in found.items()
     }
-    payoff = runs[race.schedule].payoff().capture_rate
-    title = f"Generalization: {race.schedule}, and baselines"
+    payoff = runs[race.schedule.name].payoff().capture_rate
+    title = f"Generalization: {race.schedule.name}, and baselines"
     plots.generalization_curves(payoff, **lines, title=title).savefig(args.figure)
     print(f"Drawn: {args.figure}. Runs: {root}")
 
