@@ -94,33 +94,3 @@ def test_dominant_generations_ascend(scores: np.ndarray) -> None:
     assert ladder.generations[0] == 0
     assert (np.diff(means) > 0).all()
     assert all(p < 0.05 for p in ladder.p_values)
-
-
-@pytest.mark.parametrize(
-    ("scores", "level", "message"),
-    [
-        (np.zeros((2, 2, 1)), 0.05, "at least 2 episodes a cell, got 1"),
-        (np.zeros((2, 2)), 0.05, "3 dimension"),
-        (np.full((2, 2, 2), 1.5), 0.05, r"\[0, 1\], got 1.5"),
-        (np.zeros((2, 2, 2)), 0.0, r"level in \(0, 0.5\], got 0.0"),
-        (np.zeros((2, 2, 2)), 0.6, "got 0.6"),
-    ],
-)
-def test_bad_scores_are_refused(scores: np.ndarray, level: float, message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        analysis.dominance_tournament(scores, level=level)
-
-
-@pytest.mark.parametrize(
-    ("wins", "episodes", "message"),
-    [
-        ([[3]], 2, r"got 3 of 2 at index \(0, 0\)"),
-        ([[0, -1]], 2, "got -1 of 2"),
-        ([[0.5]], 2, "whole numbers"),
-        ([[0]], 0, "got 0 of 0"),
-        ([[np.nan]], 2, "got nan of 2"),
-    ],
-)
-def test_bad_counts_are_refused(wins: list[list[float]], episodes: int, message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        analysis.dominance_of_counts(wins, episodes)

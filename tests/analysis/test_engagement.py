@@ -65,24 +65,6 @@ def test_swapping_the_teams_swaps_the_winner(rates: np.ndarray) -> None:
     ]
 
 
-@pytest.mark.parametrize(
-    ("rates", "settings", "message"),
-    [
-        ([[0.5, 0.5, 0.5]], {}, r"shape \(K, 2\), got \(1, 3\)"),
-        ([0.5, 0.5], {}, r"got shape \(2,\)"),
-        ([[0.5, 1.5]], {}, "got 1.5"),
-        ([[0.5, np.nan]], {}, "got nan"),
-        ([OPEN], {"high": 0.1, "low": 0.2}, "low < high, got low 0.2 and high 0.1"),
-        ([OPEN], {"patience": 0}, "patience of at least 1 generation, got 0"),
-    ],
-)
-def test_disengagement_refuses_bad_input(
-    rates: object, settings: dict[str, float], message: str
-) -> None:
-    with pytest.raises(ValueError, match=message):
-        analysis.disengagements(rates, **settings)  # type: ignore[arg-type]
-
-
 # ---- within a generation ------------------------------------------------------------------------
 
 
@@ -102,20 +84,3 @@ def test_opponents_beaten_by_all_or_by_none_are_undecided() -> None:
     both = analysis.undecided_opponents([outcomes, np.ones((2, 5))])
     np.testing.assert_allclose(both.share, [0.6, 1.0])
     assert analysis.undecided_opponents(outcomes, level=0.4).beaten_by_all.tolist() == [0.4]
-
-
-@pytest.mark.parametrize(
-    ("function", "bad", "message"),
-    [
-        (analysis.fitness_variance, [1.0, 2.0], r"\(generations, individuals\), got \(2,\)"),
-        (analysis.fitness_variance, np.empty((0, 3)), r"got \(0, 3\)"),
-        (analysis.fitness_variance, [[1.0, np.inf]], "finite fitness, got"),
-        (analysis.undecided_opponents, [0.5], "3 dimension"),
-        (analysis.undecided_opponents, [[1.5]], r"\[0, 1\], got 1.5"),
-    ],
-)
-def test_bad_generations_are_refused(function: object, bad: object, message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        function(bad)  # type: ignore[operator]
-    with pytest.raises(ValueError, match=r"level in \[0, 1\], got 2"):
-        analysis.undecided_opponents([[0.5]], level=2)

@@ -5,19 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from hypothesis import given
-from hypothesis import strategies as st
-from hypothesis.extra import numpy as arrays
 
-from matrices import circular, logistic, staircase
+from matrices import circular, logistic, payoffs, staircase
 from matrixworld import analysis
 from matrixworld.analysis.payoffs import swap_teams
 from matrixworld.analysis.progress import autocorrelation
-
-payoffs = arrays.arrays(
-    np.float64,
-    arrays.array_shapes(min_dims=2, max_dims=2, min_side=1, max_side=7),
-    elements=st.integers(0, 16).map(lambda n: n / 16),
-)
 
 MATRIX = np.array([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 0.8, 1.0]])
 nan = np.nan
@@ -81,7 +73,7 @@ def test_a_team_that_beats_the_newest_opponents_only_fades() -> None:
 
 
 def test_autocorrelation_of_a_matrix_without_variation_is_not_defined() -> None:
-    assert np.isnan(autocorrelation(np.full((9, 9), 0.5))).all()
+    assert np.isnan(autocorrelation(np.where(np.tri(9) > 0, 0.5, nan))).all()
 
 
 # ---- kinds of progress --------------------------------------------------------------------------
@@ -100,7 +92,7 @@ def written_out(matrix: np.ndarray, met: str) -> tuple[list[float], list[float]]
     return scores, gains
 
 
-@given(payoffs)
+@given(payoffs(most=7))
 def test_local_and_historical_progress_agree_with_their_definition(matrix: np.ndarray) -> None:
     for met, found in (
         ("local", analysis.local_progress(matrix)),
@@ -112,7 +104,7 @@ def test_local_and_historical_progress_agree_with_their_definition(matrix: np.nd
             np.testing.assert_allclose(team.gains, gains, atol=1e-15)
 
 
-@given(payoffs)
+@given(payoffs(most=7))
 def test_swapping_the_teams_swaps_ciao_and_progress(matrix: np.ndarray) -> None:
     swapped = swap_teams(matrix)
     for function in (analysis.local_progress, analysis.historical_progress):
@@ -150,18 +142,3 @@ def test_global_progress_is_against_other_runs_only() -> None:
     np.testing.assert_allclose(found.evaders.gains, np.diff(found.evaders.scores))
     swapped = analysis.global_progress(1 - cross.transpose(1, 0, 3, 2))
     np.testing.assert_allclose(swapped.pursuers.scores, found.evaders.scores)
-
-
-@pytest.mark.parametrize(
-    ("cross", "message"),
-    [
-        (np.zeros((2, 3, 4, 4)), r"shape \(runs, runs, n, m\), got \(2, 3, 4, 4\)"),
-        (np.zeros((2, 4, 4)), r"got \(2, 4, 4\)"),
-        (np.zeros((1, 1, 4, 4)), "at least 2 runs, got 1"),
-        (np.full((2, 2, 3, 3), np.nan), r"\[0, 1\], got nan"),
-        (np.zeros((2, 2, 0, 3)), "none of them empty"),
-    ],
-)
-def test_global_progress_refuses_bad_input(cross: np.ndarray, message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        analysis.global_progress(cross)

@@ -86,28 +86,3 @@ def test_bands_are_pointwise() -> None:
     single = analysis.band_over_runs(curves[:1])
     assert single.low is None
     np.testing.assert_array_equal(single.mean, curves[0])
-
-
-@pytest.mark.parametrize(
-    ("values", "settings", "message"),
-    [
-        ([], {}, r"values of runs of shape \(k,\), k >= 1, got \(0,\)"),
-        ([[0.1]], {}, r"got \(1, 1\)"),
-        ([0.1, np.nan], {}, "finite values of runs, got"),
-        ([0.1, 0.2], {"level": 1.0}, r"level in \(0, 1\), got 1.0"),
-    ],
-)
-def test_bad_values_are_refused(
-    values: list[float], settings: dict[str, float], message: str
-) -> None:
-    with pytest.raises(ValueError, match=message):
-        analysis.interval_over_runs(values, **settings)  # type: ignore[arg-type]
-
-
-def test_bad_groups_and_curves_are_refused() -> None:
-    with pytest.raises(ValueError, match="expected 2 paired runs, got 3"):
-        analysis.difference_of_runs([0.1, 0.2], [0.1, 0.2, 0.3], paired=True)
-    with pytest.raises(ValueError, match=r"curves of shape \(runs, k\), got \(3,\)"):
-        analysis.band_over_runs([0.1, 0.2, 0.3])
-    with pytest.raises(ValueError, match="finite curves"):
-        analysis.band_over_runs([[0.1, np.inf]])

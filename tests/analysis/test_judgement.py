@@ -263,16 +263,3 @@ def test_every_matrix_has_a_judgement(scores: np.ndarray) -> None:
             for estimate in finding.estimates.values():
                 assert estimate.low is None or estimate.low <= estimate.high
     json.dumps(judgement.to_json(), allow_nan=False)
-
-
-def test_bad_input_is_refused() -> None:
-    with pytest.raises(ValueError, match=r"level in \(0, 1\), got 1.5"):
-        judge(logistic(8), level=1.5)
-    with pytest.raises(ValueError, match="episodes: expected"):
-        judge(logistic(8), episodes=0)
-    with pytest.raises(TypeError, match="episodes: expected an integer"):
-        judge(np.zeros((8, 8, 3)), episodes=True)
-    with pytest.raises(ValueError, match="the 3 episodes of each cell that the payoffs hold, got"):
-        judge(np.zeros((8, 8, 3)), per_episode=True, episodes=5)
-    with pytest.raises(ValueError, match="got 1.5"):
-        judge(1.5 * np.ones((8, 8)))

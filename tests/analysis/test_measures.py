@@ -9,22 +9,18 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from hypothesis.extra import numpy as arrays
 
-from matrices import additive, circular, logistic, staircase
+from matrices import ROCK_PAPER_SCISSORS, additive, circular, logistic, payoffs, staircase
 from matrixworld import analysis
 from matrixworld.analysis.cycles import MARGIN, strongest_checkerboards
 from matrixworld.analysis.payoffs import check_runs, logits, swap_teams
 from matrixworld.analysis.progress import lag_rise, swing
 
 PENNIES = np.array([[1.0, 0.0], [0.0, 1.0]])
-ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
 
 
 # Rates in sixteenths: their differences and complements are exact, so counts cannot be rounded.
 sixteenths = st.integers(0, 16).map(lambda n: n / 16)
-shapes = arrays.array_shapes(min_dims=2, max_dims=2, min_side=1, max_side=6)
-payoffs = arrays.arrays(np.float64, shapes, elements=sixteenths)
 margins = st.integers(0, 15).map(lambda n: n / 16)
 
 
@@ -36,35 +32,6 @@ def test_a_payoff_matrix_may_be_lists_booleans_or_float32() -> None:
         checked = analysis.check_payoff(given_matrix)
         assert checked.dtype == np.float64
         assert checked.shape == (2, 2)
-
-
-@pytest.mark.parametrize(
-    ("bad", "error", "message"),
-    [
-        ([0.1, 0.2], ValueError, r"2 dimension.*got shape \(2,\)"),
-        (np.zeros((2, 2, 2)), ValueError, r"got shape \(2, 2, 2\)"),
-        (np.zeros((0, 3)), ValueError, r"got shape \(0, 3\)"),
-        (0.5, ValueError, r"got shape \(\)"),
-        ([[0.1, 0.2], [0.3]], ValueError, "rows of equal length"),
-        ([[0.0, np.nan]], ValueError, r"got nan at index \(0, 1\)"),
-        ([[0.0], [np.inf]], ValueError, r"got inf at index \(1, 0\)"),
-        ([[0.0, -0.01]], ValueError, r"\[0, 1\], got -0.01 at index \(0, 1\)"),
-        ([[1.5, 0.0]], ValueError, r"\[0, 1\], got 1.5 at index \(0, 0\)"),
-        ([["a", "b"]], TypeError, "real numbers, got dtype <U1"),
-        ([[1j]], TypeError, "real numbers, got dtype complex128"),
-        ([[None]], TypeError, "real numbers, got dtype object"),
-    ],
-)
-def test_bad_matrices_are_refused(bad: object, error: type[Exception], message: str) -> None:
-    for function in (
-        analysis.check_payoff,
-        analysis.generalization,
-        analysis.lag_profile,
-        analysis.transitive_share,
-        analysis.checkerboards,
-    ):
-        with pytest.raises(error, match=message):
-            function(bad)
 
 
 def test_measures_do_not_change_the_matrix() -> None:
@@ -109,7 +76,7 @@ def test_lag_profile_of_a_toeplitz_matrix_is_its_diagonals() -> None:
             profile.at(outside)
 
 
-@given(payoffs)
+@given(payoffs())
 def test_lag_profile_agrees_with_a_plain_sum(matrix: np.ndarray) -> None:
     profile = analysis.lag_profile(matrix)
     rows, columns = matrix.shape
@@ -163,7 +130,7 @@ def test_forgetting_is_the_drop_below_the_best_so_far() -> None:
     np.testing.assert_allclose(lost.evaders, [0.0, (0.6 + 0.0 + 0.4) / 3])
 
 
-@given(payoffs)
+@given(payoffs())
 def test_nothing_is_forgotten_where_every_generation_improves(matrix: np.ndarray) -> None:
     improving = np.sort(np.sort(matrix, axis=0), axis=1)[:, ::-1]
     lost = analysis.forgetting(improving)
@@ -248,7 +215,7 @@ def brute_force(matrix: np.ndarray, margin: float, level: float | None) -> int:
     )
 
 
-@given(payoffs, margins, st.none() | sixteenths)
+@given(payoffs(), margins, st.none() | sixteenths)
 def test_checkerboards_agree_with_four_loops(
     matrix: np.ndarray, margin: float, level: float | None
 ) -> None:
@@ -269,7 +236,7 @@ def test_an_additive_matrix_with_noise_has_no_checkerboards_at_the_margin(
     assert analysis.checkerboards(matrix, margin=MARGIN, level=None).count == 0
 
 
-@given(payoffs, margins)
+@given(payoffs(), margins)
 def test_swapping_the_teams_swaps_the_results(matrix: np.ndarray, margin: float) -> None:
     swapped = swap_teams(matrix)
     np.testing.assert_array_equal(swap_teams(swapped), matrix)
@@ -294,7 +261,7 @@ def test_swapping_the_teams_swaps_the_results(matrix: np.ndarray, margin: float)
     assert analysis.checkerboards(swapped, margin=margin, level=None) == boards
 
 
-@given(payoffs, margins, st.randoms(use_true_random=False))
+@given(payoffs(), margins, st.randoms(use_true_random=False))
 def test_the_order_of_generations_does_not_change_cycles(
     matrix: np.ndarray, margin: float, random: object
 ) -> None:
@@ -308,27 +275,13 @@ def test_the_order_of_generations_does_not_change_cycles(
     )
 
 
-@given(payoffs)
+@given(payoffs())
 def test_checkerboards_without_level_or_margin_depend_on_order_only(matrix: np.ndarray) -> None:
     boards = analysis.checkerboards(matrix, level=None)
     assert analysis.checkerboards(matrix**2, level=None) == boards
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        ({"margin": -0.1}, "margin in \\[0, 1\\), got -0.1"),
-        ({"margin": 1.0}, "margin in \\[0, 1\\), got 1.0"),
-        ({"margin": float("nan")}, "margin in \\[0, 1\\), got nan"),
-        ({"level": 1.1}, "level in \\[0, 1\\] or None, got 1.1"),
-    ],
-)
-def test_checkerboards_refuse_bad_settings(arguments: dict[str, float], message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        analysis.checkerboards(PENNIES, **arguments)
-
-
-@given(payoffs)
+@given(payoffs())
 def test_the_parts_of_a_matrix_add_up_and_are_orthogonal(matrix: np.ndarray) -> None:
     mean, pursuers, evaders, cyclic = analysis.two_way_parts(matrix)
     np.testing.assert_allclose(mean + pursuers[:, None] + evaders + cyclic, matrix, atol=1e-12)
@@ -351,14 +304,6 @@ def test_logits_of_shrunken_rates() -> None:
 def test_runs_are_stacked() -> None:
     assert check_runs(PENNIES).shape == (1, 2, 2)
     assert check_runs([PENNIES, PENNIES]).shape == (2, 2, 2)
-    with pytest.raises(ValueError, match=r"payoff matrices \(runs, n, m\) .*got shape \(2,\)"):
-        check_runs([0.1, 0.2])
-
-
-@pytest.mark.parametrize("shrinkage", [0.0, 0.5, float("nan")])
-def test_logits_need_a_shrinkage(shrinkage: float) -> None:
-    with pytest.raises(ValueError, match=f"shrinkage in \\(0, 0.5\\), got {shrinkage}"):
-        analysis.transitive_share(PENNIES, logits=True, shrinkage=shrinkage)
 
 
 # ---- The strongest checkerboards -----------------------------------------------------------------
@@ -405,9 +350,3 @@ def test_there_is_one_if_and_only_if_they_are_counted(margin: float) -> None:
         matrix = np.random.default_rng(seed).random((3, 3))
         counted = analysis.checkerboards(matrix, margin=margin, level=None).count > 0
         assert bool(strongest_checkerboards(matrix, margin=margin)) == counted
-
-
-@pytest.mark.parametrize(("name", "value"), [("count", -1), ("margin", 1.0), ("margin", -0.1)])
-def test_numbers_out_of_range_are_refused(name: str, value: float) -> None:
-    with pytest.raises(ValueError, match=f"expected a {name}"):
-        strongest_checkerboards(staircase(3), **{name: value})  # type: ignore[arg-type]

@@ -8,21 +8,15 @@ import re
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from hypothesis import strategies as st
-from hypothesis.extra import numpy as arrays
 from scipy import stats
 
-from matrices import additive, circular, logistic, staircase
+from matrices import additive, circular, logistic, payoffs, staircase
 from matrixworld import analysis
 from matrixworld.analysis.cycles import MARGIN
 from matrixworld.analysis.games import game_value
 from matrixworld.analysis.progress import swing
 
-small_payoffs = arrays.arrays(
-    np.float64,
-    arrays.array_shapes(min_dims=2, max_dims=2, min_side=2, max_side=5),
-    elements=st.integers(0, 16).map(lambda n: n / 16),
-)
+small_payoffs = payoffs(least=2, most=5)
 noisy = np.random.default_rng(0)
 RUNS = np.stack([noisy.binomial(40, logistic(13)) / 40 for _ in range(6)])
 SCORES = (noisy.random((13, 13, 20)) < logistic(13)[:, :, None]).astype(np.float32)
@@ -41,8 +35,6 @@ def test_measures_are_those_of_the_single_functions() -> None:
     drops = analysis.forgetting(matrix).evaders
     assert forgetting.of(matrix, "whole").value == drops[6:].mean()
     assert forgetting.of(matrix).value == found["evader_forgetting"] == drops[9:].mean()
-    with pytest.raises(ValueError, match="^window: expected one of whole, first half, last half"):
-        forgetting.of(matrix, "x")
 
 
 def test_the_judgement_and_the_tables_have_the_same_numbers() -> None:
@@ -106,8 +98,6 @@ def test_cross_tests_give_global_progress() -> None:
     found = analysis.MEASURES["pursuer_global_gain"].of(payoffs)
     assert found.value == pytest.approx(analysis.global_progress(cross).pursuers.mean_gain)
     assert "global_progress" in analysis.all_results(payoffs)
-    with pytest.raises(ValueError, match=r"shape \(2, 2, 13, 13\), got \(2, 13, 13\)"):
-        analysis.report(RUNS[:2], cross=RUNS[:2])
 
 
 @pytest.mark.parametrize("matrix", [circular(12), staircase(9), additive(7, 12), np.zeros((2, 3))])
@@ -149,26 +139,6 @@ def test_any_matrix_is_analysed_and_swapping_the_teams_swaps_the_numbers(
         other = {"pursuer": f"evader_{measure}", "evader": f"pursuer_{measure}"}.get(team, name)
         expected = 1 - value if name in ("capture_rate", "game_value") else value
         np.testing.assert_allclose(swapped[other].value, expected, atol=1e-6, err_msg=name)
-
-
-@pytest.mark.parametrize(
-    ("source", "settings", "error", "message"),
-    [
-        (np.zeros((1, 5)), {}, ValueError, r"at least 2 x 2 generations, got \(1, 5\)"),
-        (np.zeros(4), {}, ValueError, r"got shape \(4,\)"),
-        ([], {}, ValueError, r"got shape \(0,\)"),
-        (np.full((3, 3), np.nan), {}, ValueError, "got nan at index"),
-        (np.full((2, 3, 3), 1.25), {}, ValueError, r"got 1.25 at index \(0, 0, 0\)"),
-        ([["a", "b"], ["c", "d"]], {}, TypeError, "real numbers, got dtype <U1"),
-        (np.zeros((3, 3)), {"level": 0.0}, ValueError, r"level in \(0, 1\), got 0.0"),
-        (np.full((3, 3), None), {}, TypeError, "real numbers, got dtype object"),
-    ],
-)
-def test_bad_input_is_refused(
-    source: object, settings: dict[str, float], error: type[Exception], message: str
-) -> None:
-    with pytest.raises(error, match=message):
-        analysis.report(source, **settings)  # type: ignore[arg-type]
 
 
 # ---- A race in sentences -------------------------------------------------------------------------

@@ -23,6 +23,8 @@ import pytest
 import matrixworld as mw
 from made_up_episode import made_up_episode
 from matrixworld import analysis, classroom, cluster, coevolution, explorer, toys, tutorial
+from matrixworld.analysis.cycles import noise_reference
+from matrixworld.analysis.strength import strength_gain
 from matrixworld.coevolution import Candidates, opponents, resume, start
 from matrixworld.coevolution.jobs.job import job_of
 from matrixworld.episodes import replay
@@ -191,10 +193,10 @@ def _of_analysis() -> Iterator[Any]:
     yield (payoffs := analysis.read_payoffs(scores, per_episode=True))
     yield payoffs.late
     yield analysis.dominance_tournament(scores)
-    yield analysis.noise_reference(scores, margin=0.1, simulations=5)
+    yield noise_reference(scores, margin=0.1, simulations=5)
     yield analysis.undecided_opponents(scores[0])
     yield analysis.disengagements(np.ones((9, 2)))
-    yield analysis.strength_gain(payoff[0], payoff[0])
+    yield strength_gain(payoff[0], payoff[0])
     yield analysis.exploitability(payoff, np.full(8, 1 / 8), np.full(8, 1 / 8))
     yield analysis.response_gain(scores[0, 0], scores[1, 1], budget=9)
     yield from (analysis.band_over_runs(payoff), analysis.MEASURES)

@@ -3,6 +3,17 @@
 from __future__ import annotations
 
 import numpy as np
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+ROCK_PAPER_SCISSORS = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
+
+
+def payoffs(*, least: int = 1, most: int = 6, parts: int = 16) -> st.SearchStrategy[np.ndarray]:
+    """Draw matrices of rates in equal parts, powers of 2: differences and complements are exact."""
+    shapes = arrays.array_shapes(min_dims=2, max_dims=2, min_side=least, max_side=most)
+    rates = st.integers(0, parts).map(lambda n: n / parts)
+    return arrays.arrays(np.float64, shapes, elements=rates)
 
 
 def staircase(size: int) -> np.ndarray:

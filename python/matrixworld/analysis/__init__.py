@@ -18,8 +18,6 @@ from __future__ import annotations
 
 from matrixworld.analysis.cycles import (
     checkerboards,
-    cyclic_amplitude,
-    noise_reference,
     transitive_share,
     transitive_share_over_episodes,
     two_way_parts,
@@ -49,7 +47,6 @@ from matrixworld.analysis.intervals import (
 from matrixworld.analysis.judge import CONDITIONS, Judgement, judge
 from matrixworld.analysis.measures import MEASURES, Measure, measure_all
 from matrixworld.analysis.payoffs import (
-    Payoffs,
     check_payoff,
     last_half,
     read_payoffs,
@@ -81,7 +78,7 @@ from matrixworld.analysis.runs import (
     probability_of_improvement,
     race_bands,
 )
-from matrixworld.analysis.strength import forgetting, strength_change, strength_gain
+from matrixworld.analysis.strength import forgetting
 
 __all__ = [
     "CONDITIONS",
@@ -91,14 +88,12 @@ __all__ = [
     "Estimate",
     "Judgement",
     "Measure",
-    "Payoffs",
     "all_results",
     "alpha_rank",
     "band_over_runs",
     "check_payoff",
     "checkerboards",
     "ciao",
-    "cyclic_amplitude",
     "describe",
     "difference_of_runs",
     "difference_over_episodes",
@@ -128,15 +123,12 @@ __all__ = [
     "mean_over_episodes",
     "measure_all",
     "nash_averaging",
-    "noise_reference",
     "performance_profile",
     "probability_of_improvement",
     "race_bands",
     "read_payoffs",
     "report",
     "response_gain",
-    "strength_change",
-    "strength_gain",
     "team_phase_rates",
     "transitive_share",
     "transitive_share_over_episodes",

@@ -102,7 +102,8 @@ def transitive_share(
     ----------
     payoff : array_like of float, shape (n, m)
     logits : bool, optional
-        Decompose the logits of the shrunken rates instead of the rates.
+        Decompose the logits of the shrunken rates: they straighten graded matrices that flatten out
+        at 0 and 1, where a sum of strengths does not.
     shrinkage : float, optional
         Shrinkage before the logits, in (0, 1/2).
 
@@ -111,9 +112,6 @@ def transitive_share(
     The share is ``1 - |R|^2 / |M - mean|^2`` with the residual R of `two_way_parts`. Noise alone
     gives about ``(n + m - 2) / (n m - 1)``, so a low value is no proof of cycles: look at
     `checkerboards`, too.
-
-    A perfectly transitive matrix of zeros and ones (a staircase) reaches 2/3 only, because a sum of
-    strengths does not saturate. Logits straighten graded matrices that flatten out at 0 and 1.
     """
     matrix = check_payoff(payoff)
     values = logits_of(matrix, shrinkage=shrinkage) if logits else matrix
@@ -268,36 +266,18 @@ def transitive_fit(payoff: ArrayLike) -> Rates:
 def cyclic_amplitude(payoff: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) -> Estimate:
     """Return the mean square of what no order of strength explains, without episode noise.
 
-    Parameters
-    ----------
-    payoff : array_like of float, shape (n, m)
-        At least 3 x 3. More than `MOST_GENERATIONS` generations are thinned out.
-    noise : array_like of float, shape (n, m)
-        Unbiased estimate of the variance of each cell by episode noise.
-    level : float, optional
-        Confidence level, in (0, 1).
+    That is the mean squared residual of `transitive_fit` minus the mean noise (n, m), an unbiased
+    estimate of the variance of each cell. It may be negative. `biased_high` and `high` allow for
+    what the fit hides. More than `MOST_GENERATIONS` generations are thinned out.
 
-    Returns
-    -------
-    Estimate
-        The *squared* amplitude: mean squared residual of `transitive_fit` minus the mean noise. It
-        may be negative. `biased_high` and `high` allow for what the fit hides.
-
-    Notes
-    -----
-    A test of lack of fit against pure error, with an order as the null hypothesis. The residuals of
-    a transitive race contain its noise only, and less than all of it: a cell in a level set of b
+    A test of lack of fit against pure error, with an order as the null hypothesis (Robertson,
+    Wright and Dykstra 1988, "Order restricted statistical inference"). The residuals of a
+    transitive race contain its noise only, and less than all of it: a cell in a level set of b
     cells loses 1/b, since the number of level sets is the degrees of freedom of a monotone fit
-    (Meyer and Woodroofe 2000), and sorting by noisy means loses some more. So a transitive race has
-    an expected value of 0 or less. The standard error is that of a sum of independent cells. Where
-    generations hardly differ in strength their order is chance, and with it the small part of a
-    cycle that lies along the order.
-
-    References
-    ----------
-    Robertson, Wright and Dykstra (1988), "Order restricted statistical inference". Meyer and
-    Woodroofe (2000), "On the degrees of freedom in shape-restricted regression", Annals of
-    Statistics 28(4).
+    (Meyer and Woodroofe 2000, "On the degrees of freedom in shape-restricted regression"), and
+    sorting by noisy means loses some more. So a transitive race has an expected value of 0 or less.
+    The standard error is that of a sum of independent cells. Where generations hardly differ in
+    strength their order is chance, and with it the small part of a cycle that lies along the order.
     """
     matrix, variances = check_payoff(payoff), np.asarray(noise, dtype=np.float64)
     require(min(matrix.shape) >= 3, "at least 3 x 3 generations", matrix.shape)
@@ -329,19 +309,8 @@ def noise_reference(
     """Simulate how many checkerboards a transitive race has by episode noise alone.
 
     Parametric bootstrap: `transitive_fit` of the race plus normal noise with the variance of each
-    cell's mean. The quantiles help to read the two numbers; `cyclic_amplitude` decides whether a
-    race cycles.
-
-    Parameters
-    ----------
-    scores : array_like of float, shape (n, m, episodes)
-        Capture rate of each episode; at least two episodes of each cell.
-    margin : float
-        Margin of a checkerboard, in [0, 1).
-    level : float, optional
-        Share of the simulated races that lie on the usual side, in (0, 1).
-    simulations, rng : int, optional
-        Number of simulated races, and their seed.
+    cell's mean. The quantiles at the level help to read the two numbers; `cyclic_amplitude` decides
+    whether a race cycles.
     """
     array = check_rates(scores, ndim=3, what="scores (n, m, episodes)")
     episodes = array.shape[2]
@@ -402,6 +371,9 @@ def _isotonic_rows(values: Rates) -> Rates:
 def transitive_share_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -> Estimate:
     """Return the transitive share without episode noise, with an interval over episodes.
 
+    There is none with fewer than `EPISODES_TO_SUBTRACT_NOISE` episodes, or if the cells do not vary
+    more than episode noise does: then nothing can be said about shares of their variation.
+
     Parameters
     ----------
     scores : array_like of float, shape (n, m, episodes)
@@ -409,27 +381,15 @@ def transitive_share_over_episodes(scores: ArrayLike, *, level: float = LEVEL) -
     level : float, optional
         Confidence level, in (0, 1).
 
-    Returns
-    -------
-    Estimate
-        The share that endless episodes would give. It has no interval with fewer than
-        `EPISODES_TO_SUBTRACT_NOISE` episodes, or if the cells do not vary more than episode noise
-        does: then nothing can be said about shares of their variation.
-
     Notes
     -----
     The share is ``1 - residual / total``. Both sums of squares are too large by the variance of the
     noise, because each cell is multiplied by itself. Products of different episodes of a cell have
-    no such bias, and the sums are estimated from these (U statistics). The interval inverts a t
-    test, as Fieller's theorem does for a ratio: it holds all shares r for which
+    no such bias, and the sums are estimated from these (U statistics, Hoeffding 1948). The interval
+    inverts a t test, as Fieller's theorem (1954) does for a ratio: it holds all shares r for which
     ``residual - (1 - r) total`` differs from 0 by at most t standard errors. These come from the
-    jackknife over episodes, which never underestimates a variance on average.
-
-    References
-    ----------
-    Hoeffding (1948), "A class of statistics with asymptotically normal distribution". Fieller
-    (1954), "Some problems in interval estimation". Efron and Stein (1981), "The jackknife estimate
-    of variance".
+    jackknife over episodes, which never underestimates a variance on average (Efron and Stein 1981,
+    "The jackknife estimate of variance").
     """
     array = check_cells(scores, level)
     episodes = array.shape[2]

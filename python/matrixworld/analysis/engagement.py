@@ -91,10 +91,8 @@ def disengagements(
     patience : int, optional
         Fewest generations of a stretch.
     """
-    if not low < high:
-        raise ValueError(f"expected low < high, got low {low} and high {high}")
-    if patience < 1:
-        raise ValueError(f"expected a patience of at least 1 generation, got {patience}")
+    require(low < high, "low < high", f"low {low} and high {high}")
+    require(patience >= 1, "a patience of at least 1 generation", patience)
     # Both team phases have to be one-sided: a team that only wins after its own turn is in a race.
     winners = _winners(_check_team_phases(rates), high, low)
     return tuple(s for s in _stretches(winners, first) if len(s) >= patience)
@@ -184,8 +182,7 @@ def _check_team_phases(rates: ArrayLike) -> Rates:
     if np.shape(rates) == (0, 2):  # a race before its first generation is valid
         return np.empty((0, 2))
     array = check_rates(rates, ndim=2, what="team phase capture rates")
-    if array.shape[1] != 2:
-        raise ValueError(f"expected team phase capture rates of shape (K, 2), got {array.shape}")
+    require(array.shape[1] == 2, "team phase capture rates of shape (K, 2)", array.shape)
     return array
 
 

@@ -50,11 +50,6 @@ def nash_averaging(payoff: ArrayLike) -> Nash:
     payoff : array_like of float, shape (n, m)
         Payoffs that differ by less than 1e-7 count as equal.
 
-    Raises
-    ------
-    RuntimeError
-        If the solver fails.
-
     Notes
     -----
     The zero-sum game M is solved by linear programming. The optimal mixtures of a team form a

@@ -276,6 +276,10 @@ def difference_over_episodes(
 ) -> Estimate:
     """Return the difference of two means of scores in [0, 1] with an interval over episodes.
 
+    The squared distances of both means from the ends of their own intervals are added, as Newcombe
+    (1998) does for shares, which keeps the asymmetry of the two intervals (Zou and Donner 2008,
+    "Construction of confidence limits about effect measures: a general approach").
+
     Parameters
     ----------
     one, other : array_like of float, shapes (episodes,) and (other_episodes,)
@@ -284,16 +288,6 @@ def difference_over_episodes(
         Confidence level, in (0, 1).
     rng : numpy.random.Generator or int, optional
         As for `mean_over_episodes`.
-
-    Notes
-    -----
-    The squared distances of both means from the ends of their own intervals are added, as Newcombe
-    (1998) does for shares. This keeps the asymmetry of the two intervals.
-
-    References
-    ----------
-    Zou and Donner (2008), "Construction of confidence limits about effect measures: a general
-    approach".
     """
     first, second = _check_scores(one, level), _check_scores(other, level)
     means = float(first.mean()), float(second.mean())

@@ -112,6 +112,12 @@ def judge(
 ) -> Judgement:
     """Judge a race, or several with the same settings, from the payoffs of its generations.
 
+    A verdict is "cannot tell" if an interval contains the margin. The interval of a single run is
+    about this run: its episodes, and for gains the fluctuation between its generations. Several
+    runs have Student's t interval over runs; a gain must also be a trend of the mean course. Runs
+    that are disengaged are left out of the other conditions. docs/analysis.md defines the
+    conditions; evolution/results/judgement has how often verdicts are wrong.
+
     Parameters
     ----------
     source : array_like, path, list of paths or Payoffs
@@ -123,33 +129,6 @@ def judge(
         teams can be judged. Forgetting takes the single episodes.
     level : float, optional
         Level of the intervals, in (0, 1).
-
-    Notes
-    -----
-    The conditions, in a window of generations; every number has an interval (95 % by default):
-
-    - *disengagement*: one team wins nearly all matches, so neither has anything to learn from. It
-      gets more than 97 % of its payoff in half of the generations (`one_sidedness`). It hides all
-      other conditions.
-    - *arms race*: the strength of both teams increases: both lower ends of `strength_gain` are
-      above 0. Absent if either team does not gain: its `strength_change` over the window is below
-      .05 and not above 0.
-    - *one-sided progress*: one team's strength increases, and the other one does not gain.
-    - *cycling*: no order of strength explains the capture rates. They deviate from the nearest one
-      by more than .05 after subtraction of the episode noise (`cyclic_amplitude`), and at least 1 %
-      of the possible `checkerboards` exist, with a margin of .15.
-    - *forgetting*: a team falls more than .05 below the best of its ancestors, mean over
-      generations and opponents (`forgetting` with held-out episodes).
-    - *stagnation*: no team's strength changes by .05 or more over the window, and the race does not
-      cycle. Both intervals of `strength_change` lie inside the margin: it takes evidence, not its
-      absence.
-
-    A verdict is "cannot tell" if an interval contains the margin. The interval of a single run is
-    about this run: its episodes, and for gains the fluctuation between its generations. Several
-    runs have Student's t interval over runs; a gain must also be a trend of the mean course. Runs
-    that are disengaged are left out of the other conditions.
-
-    How often verdicts are wrong: ``evolution/results/judgement`` of the repository.
     """
     payoffs = read_payoffs(source, per_episode=per_episode, episodes=episodes)
     check_level(level)

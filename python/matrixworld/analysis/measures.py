@@ -201,10 +201,6 @@ def _biased(number: Number, bounds: Bounds = UNIT) -> Estimator:
     return _of_matrix(number, bounds, over_episodes)
 
 
-def _transitive_share_over_episodes(scores: Rates, level: float) -> Estimate:
-    return transitive_share_over_episodes(scores, level=level)
-
-
 def _over_runs(values: Iterable[float], level: float, bounds: Bounds) -> Estimate:
     """Return the estimate over the runs for which a number is defined."""
     known = [value for value in map(float, values) if math.isfinite(value)]
@@ -412,7 +408,10 @@ ROWS = (
     # Early generations mix untrained and trained teams.
     Measure(
         "transitive_share", "transitive share",
-        _of_matrix(transitive_share, UNIT, _transitive_share_over_episodes), late=True,
+        _of_matrix(
+            transitive_share, UNIT, lambda s, level: transitive_share_over_episodes(s, level=level)
+        ),
+        late=True,
     ),
     Measure(
         "transitive_share_logits", "transitive share on logits",

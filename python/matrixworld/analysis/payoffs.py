@@ -78,15 +78,8 @@ class Window:
 class Payoffs:
     """Payoff matrices of one run or of several independent runs, and their episodes if known.
 
-    Parameters
-    ----------
-    matrices : ndarray of float64, shape (runs, n, m)
-    scores : ndarray of float64, shape (runs, n, m, episodes), or None, optional
-        Capture rate of each episode.
-    episodes : int or None, optional
-        Number of episodes behind each cell; None if it is unknown.
-    cross : ndarray of float64, shape (runs, runs, n, m), or None, optional
-        Cross tests, as `global_progress` takes them.
+    `matrices` (runs, n, m); `scores` (runs, n, m, episodes), the capture rate of each episode;
+    `episodes` behind each cell; `cross` tests, as `global_progress` takes them.
     """
 
     matrices: Rates
@@ -201,9 +194,7 @@ def last_half(payoff: ArrayLike) -> Rates:
     payoff : array_like of float, shape (n, m)
     """
     matrix = check_payoff(payoff)
-    # Of an odd number of generations the middle one belongs to the last half.
-    rows, columns = matrix.shape
-    return matrix[rows // 2 :, columns // 2 :]
+    return matrix[Payoffs(matrix[None]).windows["last half"].cells]
 
 
 def swap_teams(payoff: ArrayLike) -> Rates:

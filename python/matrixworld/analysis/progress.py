@@ -165,8 +165,7 @@ class LagProfile:
     def at(self, lag: int) -> float:
         """Return the mean at one lag, or raise ValueError if the profile does not contain it."""
         first, last = int(self.lags[0]), int(self.lags[-1])
-        if not first <= lag <= last:
-            raise ValueError(f"expected a lag from {first} to {last}, got {lag}")
+        require(first <= lag <= last, f"a lag from {first} to {last}", lag)
         return float(self.means[lag - first])
 
 
@@ -199,8 +198,7 @@ def lag_rise(payoff: ArrayLike, lag: int | None = None) -> float:
     matrix = check_payoff(payoff)
     shortest = min(matrix.shape)
     lag = default_rise_lag(shortest) if lag is None else lag
-    if not 1 <= lag < shortest:
-        raise ValueError(f"expected a lag from 1 to {shortest - 1}, got {lag}")
+    require(1 <= lag < shortest, f"a lag from 1 to {shortest - 1}", lag)
     # Both lags have the same number of cells in a square matrix, so both means are equally noisy.
     profile = lag_profile(matrix)
     return profile.at(lag) - profile.at(-lag)
@@ -241,8 +239,7 @@ def swing(payoff: ArrayLike, start: int | None = None) -> float:
     rates = team_phase_rates(payoff)
     # Row k - 1 belongs to generation k, hence one more generation than rows.
     start = default_swing_start(len(rates) + 1) if start is None else start
-    if not 1 <= start <= len(rates):
-        raise ValueError(f"expected a start from 1 to {len(rates)}, got {start}")
+    require(1 <= start <= len(rates), f"a start from 1 to {len(rates)}", start)
     return float(np.abs(rates[start - 1 :, 0] - rates[start - 1 :, 1]).mean())
 
 
@@ -302,18 +299,9 @@ def ciao(payoff: ArrayLike) -> ByTeam[Triangle]:
     return ByTeam(_triangle(matrix), _triangle(swap_teams(matrix)))
 
 
-def autocorrelation(payoff: ArrayLike) -> Rates:
-    """Return the correlation of ``M[g, h]`` with ``M[g, h - d]`` in the lower triangle, by d.
-
-    The mean of each row is subtracted, then all rows are pooled: stripes count wherever they lie in
-    a row. NaN where fewer than 6 pairs of cells are left or they do not vary.
-    """
-    return _autocorrelation(_lower(check_payoff(payoff)))
-
-
 def _triangle(matrix: Rates) -> Triangle:
     lower = _lower(matrix)
-    stripes, period = _first_peak(_autocorrelation(lower))
+    stripes, period = _first_peak(autocorrelation(lower))
     return Triangle(lower, _by_age(lower), _fading(lower), stripes, period)
 
 
@@ -338,7 +326,12 @@ def _fading(lower: Rates) -> float:
     return float(np.mean(differences)) if differences else float("nan")
 
 
-def _autocorrelation(lower: Rates) -> Rates:
+def autocorrelation(lower: Rates) -> Rates:
+    """Return the correlation of ``M[g, h]`` with ``M[g, h - d]`` in a lower triangle, by d.
+
+    The mean of each row is subtracted, then all rows are pooled: stripes count wherever they lie in
+    a row. NaN where fewer than 6 pairs of cells are left or they do not vary.
+    """
     counts = np.sum(~np.isnan(lower), axis=1, keepdims=True)
     centered = lower - np.nansum(lower, axis=1, keepdims=True) / counts
     # Lags up to half of the opponents: beyond them few pairs of cells are left.

@@ -39,9 +39,8 @@ SEPARATE = "no interval: the scores of the two groups do not overlap"
 def fewest_runs(level: float = LEVEL) -> int:
     """Return the fewest runs with which intervals of scores are given: 6 at a level of 95 %.
 
-    All n runs lie on the same side of the median with probability ``2 ** (1 - n)``. A resample
-    contains only values of these runs, so a bootstrap interval of fewer runs cannot reach the
-    level, whatever its method.
+    All n runs lie on the same side of the median with probability ``2 ** (1 - n)``, so a bootstrap
+    interval of fewer runs cannot reach the level, whatever its method.
 
     Parameters
     ----------
@@ -57,7 +56,8 @@ def interquartile_mean(
 ) -> Estimate:
     """Return the mean of the middle half of all scores, with a bootstrap interval over runs.
 
-    There is no interval below `fewest_runs`, and if all runs are equal.
+    Single runs that fail and single opponents that are easy count less than in the mean. There is
+    no interval below `fewest_runs`, and if all runs are equal.
 
     Parameters
     ----------
@@ -70,13 +70,9 @@ def interquartile_mean(
 
     Notes
     -----
-    A quarter of all scores is left out at each end, so single runs that fail and single opponents
-    that are easy count less than in the mean.
-
-    Whole runs are resampled. Agarwal et al. have tasks in place of opponents, and resample each on
-    its own (stratified), because their runs of different tasks are different trainings. Scores of
-    one run against several opponents depend on each other: resampled on their own they would seem
-    more certain than they are. Where they are independent, whole runs are right as well.
+    Whole runs are resampled: scores of one run against several opponents depend on each other.
+    Agarwal et al. have tasks in place of opponents, and resample each on its own (stratified),
+    because their runs of different tasks are different trainings.
 
     The interval is an expanded percentile interval (Hesterberg): its quantiles are
     ``Phi(-+sqrt(n / (n - 1)) t)``, with the t quantile of n - 1 degrees of freedom. Plain

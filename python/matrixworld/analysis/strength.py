@@ -31,20 +31,11 @@ _LEAST = 1e-9  # a team that never changes has steps of 0; the grid needs a widt
 def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) -> Estimate:
     """Return how much the strength of a team changes by its trend: ``k - 1`` times the drift.
 
-    Parameters
-    ----------
-    scores : array_like of float, shape (k,)
-        Mean payoff of each generation against the same opponents; at least 4 generations.
-    noise : array_like of float, shape (k,)
-        Variance of the measurement error of each score; 0 if it is unknown, which widens the
-        interval.
-    level : float, optional
-        Probability of the equal-tailed credible interval, in (0, 1).
-
-    Notes
-    -----
-    The model is a random walk with drift that is observed with fluctuation and noise (the local
-    level model with drift, Harvey 1989)::
+    The scores (k,) are the mean payoff of each generation against the same opponents, the noise is
+    the variance of their measurement errors; 0 if it is unknown, which widens the interval. It is
+    an equal-tailed credible interval. The model is a random walk with drift that is observed with
+    fluctuation and noise (the local level model with drift, Harvey 1989, "Forecasting, structural
+    time series models and the Kalman filter")::
 
         score[g]        = strength[g] + fluctuation[g] + error[g]
         strength[g + 1] = strength[g] + drift + step[g]
@@ -53,14 +44,9 @@ def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) 
     A team that improves steadily has small steps, and its drift is known as well as that of a
     regression line, also if single generations fluctuate about it. A team that jumps once, or
     drifts at random, has large steps, and its drift cannot be told from 0. The prior is flat on the
-    drift, on s and on t, which Gelman (2006) recommends for standard deviations of few
-    observations. Given s and t the drift is normal; both are summed out on a grid.
-
-    References
-    ----------
-    Harvey (1989), "Forecasting, structural time series models and the Kalman filter". Gelman
-    (2006), "Prior distributions for variance parameters in hierarchical models", Bayesian Analysis
-    1(3).
+    drift, on s and on t, which Gelman (2006, "Prior distributions for variance parameters in
+    hierarchical models") recommends for standard deviations of few observations. Given s and t the
+    drift is normal; both are summed out on a grid.
     """
     y, variances = _checked(scores, noise)
     steps = len(y) - 1
@@ -75,18 +61,10 @@ def strength_gain(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) 
 
 
 def strength_change(scores: ArrayLike, noise: ArrayLike, *, level: float = LEVEL) -> Estimate:
-    """Return the linear change of a team's strength from its first to its last generation.
+    """Return the linear change of strength: ``k - 1`` times the slope of a regression line.
 
-    ``k - 1`` times the slope of the least-squares line. The interval is normal with the known
-    noise. If all noise is 0, which means unknown, it is Student's t interval with the scatter about
-    the line.
-
-    Parameters
-    ----------
-    scores, noise : array_like of float, shape (k,)
-        As for `strength_gain`.
-    level : float, optional
-        Confidence level, in (0, 1).
+    Arguments are those of `strength_gain`. The interval is normal with the known noise. If all
+    noise is 0, which means unknown, it is Student's t interval with the scatter about the line.
     """
     y, variances = _checked(scores, noise)
     steps = len(y) - 1

@@ -18,12 +18,11 @@ import numpy as np
 
 from matrixworld.analysis import (
     Judgement,
-    Payoffs,
     judge,
-    noise_reference,
     read_payoffs,
 )
-from matrixworld.analysis.cycles import MARGIN, NoiseReference
+from matrixworld.analysis.cycles import MARGIN, NoiseReference, noise_reference
+from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.cli.arguments import SEED, all_of, find_runs, resume_command
 from matrixworld.cli.console import note
 from matrixworld.cli.held_out import Scores, kept_scores

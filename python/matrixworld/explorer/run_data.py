@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld import analysis
-from matrixworld.analysis.cycles import MARGIN, strongest_checkerboards
+from matrixworld.analysis.cycles import MARGIN, noise_reference, strongest_checkerboards
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.coevolution.payoff import Payoff
@@ -183,7 +183,7 @@ def _noise(payoff: Payoff) -> dict[str, Any]:
     )
     rates = payoff.capture_rates[payoffs.late.cells]
     # A single episode of each cell does not show its noise.
-    noise = analysis.noise_reference(rates, margin=MARGIN) if rates.shape[2] >= 2 else None
+    noise = noise_reference(rates, margin=MARGIN) if rates.shape[2] >= 2 else None
     return {
         "transitive_share": plain_values(share),
         "transitive_share_noise": noise and plain_values(noise.transitive_share),

@@ -1,0 +1,258 @@
+"""Arguments that are wrong are refused in one sentence: what was expected and what came."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from matrices import ROCK_PAPER_SCISSORS, logistic, staircase
+from matrixworld import analysis
+from matrixworld.analysis.cycles import cyclic_amplitude, strongest_checkerboards
+from matrixworld.analysis.payoffs import check_runs
+from matrixworld.analysis.strength import strength_change, strength_gain
+from rliable_numbers import ONE, TASK
+
+OPEN = (0.7, 0.3)
+PENNIES = np.eye(2)
+SQUARE = np.full((2, 2), 0.5)
+THIRDS = [1 / 3] * 3
+
+MATRICES = [
+    ([0.1, 0.2], ValueError, r"2 dimension.*got shape \(2,\)"),
+    (np.zeros((2, 2, 2)), ValueError, r"got shape \(2, 2, 2\)"),
+    (np.zeros((0, 3)), ValueError, r"got shape \(0, 3\)"),
+    (0.5, ValueError, r"got shape \(\)"),
+    ([[0.1, 0.2], [0.3]], ValueError, "rows of equal length"),
+    ([[0.0, np.nan]], ValueError, r"got nan at index \(0, 1\)"),
+    ([[0.0], [np.inf]], ValueError, r"got inf at index \(1, 0\)"),
+    ([[0.0, -0.01]], ValueError, r"\[0, 1\], got -0.01 at index \(0, 1\)"),
+    ([[1.5, 0.0]], ValueError, r"\[0, 1\], got 1.5 at index \(0, 0\)"),
+    ([["a", "b"]], TypeError, "real numbers, got dtype <U1"),
+    ([[1j]], TypeError, "real numbers, got dtype complex128"),
+    ([[None]], TypeError, "real numbers, got dtype object"),
+]
+
+
+@pytest.mark.parametrize(("bad", "error", "message"), MATRICES)
+@pytest.mark.parametrize(
+    "function",
+    [
+        analysis.check_payoff,
+        analysis.generalization,
+        analysis.lag_profile,
+        analysis.transitive_share,
+        analysis.checkerboards,
+    ],
+)
+def test_bad_matrices_are_refused(
+    function: Callable[[object], object], bad: object, error: type[Exception], message: str
+) -> None:
+    with pytest.raises(error, match=message):
+        function(bad)
+
+
+def test_bad_matrices_of_a_report_are_refused() -> None:
+    for bad, error, message in (
+        (np.zeros(4), ValueError, r"got shape \(4,\)"),
+        ([], ValueError, r"got shape \(0,\)"),
+        (np.full((2, 3, 3), 1.25), ValueError, r"got 1.25 at index \(0, 0, 0\)"),
+        ([["a", "b"], ["c", "d"]], TypeError, "real numbers, got dtype <U1"),
+        (np.full((3, 3), None), TypeError, "real numbers, got dtype object"),
+    ):
+        with pytest.raises(error, match=message):
+            analysis.report(bad)  # type: ignore[arg-type]
+
+
+def alpha_rank(**settings: float) -> object:
+    return analysis.alpha_rank(ROCK_PAPER_SCISSORS, **settings)  # type: ignore[arg-type]
+
+
+def elo(**settings: float) -> object:
+    return analysis.elo(ROCK_PAPER_SCISSORS, **settings)  # type: ignore[arg-type]
+
+
+def boards(**settings: float) -> object:
+    return analysis.checkerboards(PENNIES, **settings)
+
+
+def strongest(**settings: float) -> object:
+    return strongest_checkerboards(staircase(3), **settings)  # type: ignore[arg-type]
+
+
+def dominance(scores: np.ndarray, level: float = 0.05) -> object:
+    return analysis.dominance_tournament(scores, level=level)
+
+
+def exploit(pursuers: list[float]) -> object:
+    return analysis.exploitability(ROCK_PAPER_SCISSORS, pursuers, THIRDS)
+
+
+def share_on_logits(shrinkage: float) -> object:
+    return analysis.transitive_share(PENNIES, logits=True, shrinkage=shrinkage)
+
+
+counts, stretches = analysis.dominance_of_counts, analysis.disengagements
+undecided, variance = analysis.undecided_opponents, analysis.fitness_variance
+over_runs, difference, band = (
+    analysis.interval_over_runs,
+    analysis.difference_of_runs,
+    analysis.band_over_runs,
+)
+mean, linear = analysis.mean_over_episodes, analysis.linear_over_episodes
+middle, profile = analysis.interquartile_mean, analysis.performance_profile
+
+CALLS: list[tuple[Callable[[], object], str]] = [
+    # Cycles
+    (lambda: boards(margin=-0.1), r"margin in \[0, 1\), got -0.1"),
+    (lambda: boards(margin=1.0), r"margin in \[0, 1\), got 1.0"),
+    (lambda: boards(margin=math.nan), r"margin in \[0, 1\), got nan"),
+    (lambda: boards(level=1.1), r"level in \[0, 1\] or None, got 1.1"),
+    (lambda: strongest(count=-1), "expected a count"),
+    (lambda: strongest(margin=1.0), "expected a margin"),
+    (lambda: strongest(margin=-0.1), "expected a margin"),
+    (lambda: share_on_logits(0.0), r"shrinkage in \(0, 0.5\), got 0.0"),
+    (lambda: share_on_logits(0.5), r"shrinkage in \(0, 0.5\), got 0.5"),
+    (lambda: share_on_logits(math.nan), r"shrinkage in \(0, 0.5\), got nan"),
+    (
+        lambda: cyclic_amplitude(np.zeros((2, 5)), np.zeros((2, 5))),
+        r"at least 3 x 3 generations, got \(2, 5\)",
+    ),
+    (
+        lambda: cyclic_amplitude(np.zeros((4, 5)), np.zeros((5, 4))),
+        r"noise of shape \(4, 5\), got \(5, 4\)",
+    ),
+    # Games
+    (lambda: alpha_rank(alpha=0.0), "alpha above 0, got 0.0"),
+    (lambda: alpha_rank(alpha=math.nan), "alpha above 0, got nan"),
+    (lambda: alpha_rank(population=1), "population of at least 2, got 1"),
+    (lambda: analysis.alpha_rank(np.zeros((65, 65))), "at most 4096 pairs .*, got 4225"),
+    (lambda: exploit([0.5, 0.5]), "3 weights of the pursuers, got 2"),
+    (lambda: exploit([0.5, 0.5, 0.5]), "weights of the pursuers with sum 1, got 1.5"),
+    (lambda: exploit([1.5, -0.5, 0.0]), r"\[0, 1\], got 1.5"),
+    (
+        lambda: analysis.response_gain([0.1, 0.2], [0.3, 0.4], budget=0),
+        "budget of at least 1 match, got 0",
+    ),
+    (
+        lambda: analysis.response_gain([0.1], [0.3, 0.4], budget=1),
+        "at least 2 episodes, got 1",
+    ),
+    # Progress, dominance
+    (
+        lambda: analysis.global_progress(np.zeros((2, 3, 4, 4))),
+        r"shape \(runs, runs, n, m\), got \(2, 3, 4, 4\)",
+    ),
+    (lambda: analysis.global_progress(np.zeros((2, 4, 4))), r"got \(2, 4, 4\)"),
+    (lambda: analysis.global_progress(np.zeros((1, 1, 4, 4))), "at least 2 runs, got 1"),
+    (lambda: analysis.global_progress(np.full((2, 2, 3, 3), np.nan)), r"\[0, 1\], got nan"),
+    (lambda: analysis.global_progress(np.zeros((2, 2, 0, 3))), "none of them empty"),
+    (lambda: dominance(np.zeros((2, 2, 1))), "at least 2 episodes a cell, got 1"),
+    (lambda: dominance(np.zeros((2, 2))), "3 dimension"),
+    (lambda: dominance(np.full((2, 2, 2), 1.5)), r"\[0, 1\], got 1.5"),
+    (lambda: dominance(np.zeros((2, 2, 2)), 0.0), r"level in \(0, 0.5\], got 0.0"),
+    (lambda: dominance(np.zeros((2, 2, 2)), 0.6), "got 0.6"),
+    (lambda: counts([[3]], 2), r"got 3 of 2 at index \(0, 0\)"),
+    (lambda: counts([[0, -1]], 2), "got -1 of 2"),
+    (lambda: counts([[0.5]], 2), "whole numbers"),
+    (lambda: counts([[0]], 0), "got 0 of 0"),
+    (lambda: counts([[np.nan]], 2), "got nan of 2"),
+    # Engagement
+    (lambda: stretches([[0.5, 0.5, 0.5]]), r"shape \(K, 2\), got \(1, 3\)"),
+    (lambda: stretches([0.5, 0.5]), r"got shape \(2,\)"),
+    (lambda: stretches([[0.5, 1.5]]), "got 1.5"),
+    (lambda: stretches([[0.5, np.nan]]), "got nan"),
+    (lambda: stretches([OPEN], high=0.1, low=0.2), "low < high, got low 0.2 and high 0.1"),
+    (lambda: stretches([OPEN], patience=0), "patience of at least 1 generation, got 0"),
+    (lambda: variance([1.0, 2.0]), r"\(generations, individuals\), got \(2,\)"),
+    (lambda: variance(np.empty((0, 3))), r"got \(0, 3\)"),
+    (lambda: variance([[1.0, np.inf]]), "finite fitness, got"),
+    (lambda: undecided([0.5]), "3 dimension"),
+    (lambda: undecided([[1.5]]), r"\[0, 1\], got 1.5"),
+    (lambda: undecided([[0.5]], level=2), r"level in \[0, 1\], got 2"),
+    # Strength, ratings
+    (lambda: strength_gain(np.zeros(3), np.zeros(3)), "at least 4 generations, got 3"),
+    (lambda: strength_gain(np.zeros(5), np.zeros(6)), "scores and noise of shape"),
+    (lambda: strength_change(np.zeros(3), np.zeros(3)), "at least 4 generations, got 3"),
+    (lambda: strength_change(np.zeros(5), np.zeros(6)), "scores and noise of shape"),
+    (
+        lambda: analysis.forgetting(np.zeros((3, 1)), np.zeros((1, 3))),
+        r"two matrices of shape \(3, 1\), got \(1, 3\)",
+    ),
+    (lambda: elo(ridge=-1.0), "ridge of at least 0, got -1.0"),
+    (lambda: elo(ridge=np.inf), "finite ridge"),
+    (lambda: elo(shrinkage=0.0), r"shrinkage in \(0, 0.5\), got 0.0"),
+    (lambda: elo(cycles=2), r"cycles from 0 to 1 for a matrix of \(3, 3\), got 2"),
+    (lambda: elo(cycles=-1), "got -1"),
+    (
+        lambda: analysis.log_loss([[0.5, 0.5]], [[0.5], [0.5]]),
+        r"predictions of shape \(1, 2\), got \(2, 1\)",
+    ),
+    # Intervals
+    (lambda: over_runs([]), r"values of runs of shape \(k,\), k >= 1, got \(0,\)"),
+    (lambda: over_runs([[0.1]]), r"got \(1, 1\)"),
+    (lambda: over_runs([0.1, np.nan]), "finite values of runs, got"),
+    (lambda: over_runs([0.1, 0.2], level=1.0), r"level in \(0, 1\), got 1.0"),
+    (
+        lambda: difference([0.1, 0.2], [0.1, 0.2, 0.3], paired=True),
+        "expected 2 paired runs, got 3",
+    ),
+    (lambda: band([0.1, 0.2, 0.3]), r"curves of shape \(runs, k\), got \(3,\)"),
+    (lambda: band([[0.1, np.inf]]), "finite curves"),
+    (lambda: band([[0.1, np.nan], [0.2, np.nan]]), "a run with a value at each point"),
+    (lambda: linear(np.zeros((2, 2, 1)), np.mean), "at least 2 episodes a cell, got 1"),
+    (
+        lambda: analysis.generalization_over_episodes(np.zeros((4, 3, 1))),
+        "at least 2 episodes a cell, got 1",
+    ),
+    (lambda: mean([0.5]), "at least 2 episodes, got 1"),
+    (lambda: mean([0.5, 1.0], level=0), r"level in \(0, 1\), got 0"),
+    (
+        lambda: analysis.difference_over_episodes([0.5, 1.5], [0.0, 1.0]),
+        r"got 1.5 at index \(1,\)",
+    ),
+    # Several runs
+    (lambda: check_runs([0.1, 0.2]), r"payoff matrices \(runs, n, m\) .*got shape \(2,\)"),
+    (lambda: middle([0.1]), r"scores of shape \(runs, opponents\), got \(1,\)"),
+    (lambda: middle([[np.nan]]), r"finite scores, got \[nan\]"),
+    (lambda: middle([[0.1]], level=1), r"level in \(0, 1\), got 1"),
+    (lambda: middle(ONE, resamples=9), "resamples: expected at least 100"),
+    (lambda: profile(ONE, [[1]]), r"thresholds of shape \(k,\)"),
+    (lambda: profile(ONE, [1, 0]), "ascending thresholds"),
+    (lambda: profile(ONE, [0, np.inf]), "finite thresholds"),
+    (lambda: analysis.probability_of_improvement(ONE, TASK), "the same 5 opponents, got 1"),
+    (lambda: analysis.race_bands([]), "at least one run, got none"),
+    (lambda: analysis.race_bands([[[0.5, 2.0]]]), "got 2"),
+    # Reports and the judgement
+    (lambda: analysis.report(np.zeros((1, 5))), r"at least 2 x 2 generations, got \(1, 5\)"),
+    (lambda: analysis.report(np.full((3, 3), np.nan)), "got nan at index"),
+    (lambda: analysis.report(np.zeros((3, 3)), level=0.0), r"level in \(0, 1\), got 0.0"),
+    (
+        lambda: analysis.report(np.zeros((2, 3, 3)), cross=np.zeros((2, 3, 3))),
+        r"shape \(2, 2, 3, 3\), got \(2, 3, 3\)",
+    ),
+    (
+        lambda: analysis.MEASURES["swing"].of(SQUARE, "x"),
+        "^window: expected one of whole, first half, last half",
+    ),
+    (lambda: analysis.judge(logistic(8), level=1.5), r"level in \(0, 1\), got 1.5"),
+    (lambda: analysis.judge(logistic(8), episodes=0), "episodes: expected"),
+    (
+        lambda: analysis.judge(np.zeros((8, 8, 3)), per_episode=True, episodes=5),
+        "the 3 episodes of each cell that the payoffs hold, got",
+    ),
+    (lambda: analysis.judge(1.5 * np.ones((8, 8))), "got 1.5"),
+]
+
+
+@pytest.mark.parametrize(("call", "message"), CALLS)
+def test_a_wrong_argument_is_refused(call: Callable[[], object], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        call()
+
+
+def test_episodes_are_a_whole_number() -> None:
+    with pytest.raises(TypeError, match="episodes: expected an integer"):
+        analysis.judge(np.zeros((8, 8, 3)), episodes=True)
