@@ -20,7 +20,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 import matrixworld as mw
-from matrixworld.episodes.display import FPS, Display, Notebook, _window
+from matrixworld.episodes.display import FPS, Notebook, _window, first_place
 from matrixworld.episodes.render import ansi, png, rgb
 from matrixworld.episodes.render.terminal import CLEAR, HOME, WRAP_OFF, WRAP_ON
 from rows import config_of
@@ -73,9 +73,9 @@ def test_a_terminal_is_drawn_in_place(naps: list[float], monkeypatch: pytest.Mon
     monkeypatch.delenv("NO_COLOR", raising=False)
     stream = TerminalStream()
     monkeypatch.setattr(sys, "stdout", stream)
-    shown = Display()
+    shown = first_place()
     for _ in range(3):
-        shown.show(SCENE)
+        shown.follow(SCENE)
     shown.close()
     monkeypatch.undo()
     pieces = stream.getvalue().split(HOME)
@@ -120,9 +120,9 @@ def display(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 @pytest.mark.usefixtures("display")
 def test_a_window_shows_each_picture(naps: list[float]) -> None:
-    shown = Display()
+    shown = first_place()
     for title in ("before", "now"):
-        shown.show(dataclasses.replace(SCENE, title=title), fov=5, viewers=[0])
+        shown.follow(dataclasses.replace(SCENE, title=title), fov=5, viewers=[0])
     (number,) = plt.get_fignums()
     figure = plt.gcf()
     assert figure.number == number
@@ -152,12 +152,12 @@ def test_each_environment_has_a_window_of_its_own() -> None:
 
 @pytest.mark.usefixtures("display")
 def test_a_window_closed_by_its_user_stays_closed_and_nothing_waits(naps: list[float]) -> None:
-    shown = Display()
-    shown.show(SCENE)
+    shown = first_place()
+    shown.follow(SCENE)
     canvas = plt.gcf().canvas
     key_press_handler(KeyEvent("key_press_event", canvas, "q"), canvas)
     assert plt.get_fignums() == []
-    shown.show(SCENE)
+    shown.follow(SCENE)
     assert DisplayCanvas.flushed == len(naps) == 1
     shown.close()
 

@@ -1,4 +1,7 @@
-"""The episode of an environment: recorded, drawn, and shown in a notebook, window or terminal."""
+"""The episode of an environment: recorded, drawn, and shown in a notebook, window or terminal.
+
+A place shows at most `FPS` scenes a second and waits if they come faster.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +40,7 @@ class Drawing:
         self._recorder = Recorder(world)
         self._mode = mode
         self._look: dict[str, Any] = {"fov": world.config.fov, "viewers": viewers}
-        self._display: Display | None = None
+        self._place: Place | None = None
 
     def begin(self) -> None:
         """Start to record an episode; call it after a reset of the world."""
@@ -63,19 +66,19 @@ class Drawing:
     def _show(self) -> None:
         if self._mode != "human":
             return
-        if self._display is None:
-            self._display = Display()
-        self._display.show(self._recorder.scene(), **self._look)
+        if self._place is None:
+            self._place = first_place()
+        self._place.follow(self._recorder.scene(), **self._look)
 
     def close(self) -> None:
-        """Close the display."""
-        if self._display is not None:
-            self._display.close()
-            self._display = None
+        """Close the place, for example a window."""
+        if self._place is not None:
+            self._place.close()
+            self._place = None
 
     def __getstate__(self) -> dict[str, Any]:
         # A window cannot be copied. The copy opens its own when it has something to show.
-        return self.__dict__ | {"_display": None}
+        return self.__dict__ | {"_place": None}
 
 
 class Place:
@@ -85,6 +88,14 @@ class Place:
     """
 
     watched: bool = True
+    _due = 0.0
+
+    def follow(self, scene: Scene, **look: Any) -> None:
+        """Show a scene as soon as the one before has been there for its time."""
+        if self.watched:
+            time.sleep(max(0.0, self._due - time.monotonic()))
+            self._due = time.monotonic() + 1 / FPS
+        self.show(scene, **look)
 
     def show(self, scene: Scene, **look: Any) -> None:
         """Show a scene. `look` holds keyword arguments of `render.rgb`; texts ignore it."""
@@ -92,29 +103,6 @@ class Place:
 
     def close(self) -> None:
         """Remove the place if it would be in the way; by default the last drawing stays."""
-
-
-class Display:
-    """Shows scenes in the first place that exists: a notebook, a window, the terminal.
-
-    It shows at most `FPS` scenes per second and waits if they come faster. If the output is not a
-    terminal but a file or a pipe, it prints every scene as plain text without waiting.
-    """
-
-    def __init__(self) -> None:
-        self._place: Place = _notebook() or _window() or _text(sys.stdout)
-        self._due = time.monotonic()
-
-    def show(self, scene: Scene, **look: Any) -> None:
-        """Replace the scene shown. `look` holds keyword arguments of `render.rgb`."""
-        if self._place.watched:
-            time.sleep(max(0.0, self._due - time.monotonic()))
-            self._due = time.monotonic() + 1 / FPS
-        self._place.show(scene, **look)
-
-    def close(self) -> None:
-        """Close the window, if there is one."""
-        self._place.close()
 
 
 class Notebook(Place):
@@ -211,8 +199,10 @@ class Printout(Place):
         self._stream.write(ansi(scene, color="none") + "\n\n")
 
 
-def _text(stream: TextIO) -> Place:
-    return Terminal(stream) if stream.isatty() else Printout(stream)
+def first_place() -> Place:
+    """Return the first place that exists: a notebook, a window, the terminal, or a file or pipe."""
+    stream = sys.stdout
+    return _notebook() or _window() or (Terminal(stream) if stream.isatty() else Printout(stream))
 
 
 def _notebook() -> Place | None:
