@@ -159,7 +159,8 @@ def _draw(runs: Sequence[Path], selection: Selection, out: Path | None, force: b
     elif runs:
         groups = groups_of(runs)
         _check_races(groups, selection)
-        files = planned(groups, place_of(runs), selection)
+        root = place_of(runs)
+        files = planned([group.inside(root) for group in groups], root, selection)
     else:
         raise click.UsageError(f"expected RUN..., or --figure {' or '.join(OF_GAME)}")
     if out is not None:

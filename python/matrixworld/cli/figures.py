@@ -65,7 +65,7 @@ def planned(groups: Sequence[Group], root: Path, selection: Selection = ALL) -> 
 
     The figures of a run go into its directory, those of several runs into `root`. Races of several
     seeds have figures of all seeds together in place of those of each run; several races of one
-    seed are drawn side by side, too.
+    seed are drawn side by side, too. Names of groups are shown as they are.
     """
     races = [group for group in groups if group.is_race]
     seeds = [group for group in races if group.several]
@@ -77,7 +77,7 @@ def planned(groups: Sequence[Group], root: Path, selection: Selection = ALL) -> 
         for name in [*OF_RUN] if single.is_race else [*OF_RUN][:1]:
             file = single.runs[0].path / f"{name}.{selection.suffix}"
             found[file] = partial(OF_RUN[name], single, selection.baselines)
-    drawn = {group.inside(root).name: group for group in seeds or races}
+    drawn = {group.name: group for group in seeds or races}
     for name in names:
         found[root / f"{name}.{selection.suffix}"] = partial(
             OF_GROUPS[name], drawn, selection.baselines
