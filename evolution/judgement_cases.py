@@ -22,8 +22,8 @@ from judgement_truths import (
     truths_of_group,
 )
 from matrixworld.coevolution import RaceSettings, finish
-from matrixworld.toys import SyntheticRace, play_episodes
-from matrixworld.toys.synthetic_races import Draws, disengagement
+from matrixworld.toys import play_episodes
+from matrixworld.toys.synthetic_races import Draws, SyntheticRace, disengagement
 
 SIZES = (8, 15, 31, 60, 100)
 RUNS = (1, 1, 1, 3, 5, 10)

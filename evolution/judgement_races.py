@@ -14,9 +14,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from matrixworld.toys import SYNTHETIC, SyntheticRace
+from matrixworld.toys import SYNTHETIC
 from matrixworld.toys.synthetic_races import (
     Draws,
+    SyntheticRace,
     additive,
     by_chance,
     constant,

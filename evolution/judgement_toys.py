@@ -16,17 +16,14 @@ from judgement_truths import WINDOWS, Truth, Truths, span_of, truths
 from matrixworld.coevolution.opponents.samplers import Uniform
 from matrixworld.coevolution.types import TEAMS, FloatArray, Indices
 from matrixworld.toys import (
-    History,
-    SyntheticRace,
     alternate,
-    average_strategies,
     capture_probabilities,
     hosts_and_parasites,
     numbers_game,
-    play_together,
 )
-from matrixworld.toys.bit_strings import HOST_BIAS
-from matrixworld.toys.rock_paper_scissors import HandHistory
+from matrixworld.toys.bit_strings import HOST_BIAS, History
+from matrixworld.toys.rock_paper_scissors import HandHistory, average_strategies, play_together
+from matrixworld.toys.synthetic_races import SyntheticRace
 
 GENERATIONS = 31
 """Generations of each race that play against each other."""

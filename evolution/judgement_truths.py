@@ -13,7 +13,7 @@ import numpy as np
 
 from matrixworld.analysis import checkerboards
 from matrixworld.coevolution.types import BoolArray, FloatArray
-from matrixworld.toys import SyntheticRace
+from matrixworld.toys.synthetic_races import SyntheticRace
 
 WINDOWS: Mapping[str, tuple[float, float]] = {
     "whole": (0.0, 1.0),

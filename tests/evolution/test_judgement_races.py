@@ -13,7 +13,9 @@ from judgement_truths import CONDITIONS, WINDOWS, Truths, truths, truths_of_grou
 from matrixworld import toys
 from matrixworld.coevolution.opponents import Uniform
 from matrixworld.coevolution.types import TEAMS
-from matrixworld.toys import SyntheticRace
+from matrixworld.toys.bit_strings import History
+from matrixworld.toys.rock_paper_scissors import play_together
+from matrixworld.toys.synthetic_races import SyntheticRace
 
 
 def held(found: Truths) -> dict[str, bool | None]:
@@ -156,7 +158,7 @@ def test_later_generations_are_never_worse_where_skill_is_transitive() -> None:
 
 def test_averages_are_near_the_equilibrium_from_the_start() -> None:
     for seed in range(3):
-        hands = toys.play_together({team: Uniform(None) for team in TEAMS}, 400, seed)
+        hands = play_together({team: Uniform(None) for team in TEAMS}, 400, seed)
         for rounds in (100, 250, 400):
             so_far = {team: hands[team][: rounds + 1] for team in TEAMS}
             assert toys.exploitability(so_far) < 0.15
@@ -181,10 +183,10 @@ def test_chances_are_the_means_of_many_matches(game: str) -> None:
     np.testing.assert_allclose(scores.mean(axis=2), chances, atol=0.04)
 
 
-def a_history(game: str, totals: np.ndarray) -> toys.History:
+def a_history(game: str, totals: np.ndarray) -> History:
     """Return a history of pairs of individuals with `totals` ones, (k, dimensions)."""
     ones = np.repeat(np.repeat(totals[:, None, None, :], 2, axis=1), 2, axis=2)
-    return toys.History(toys.GAMES[game], ones.astype(int), np.zeros((len(totals) - 1, 2, 2)))
+    return History(toys.GAMES[game], ones.astype(int), np.zeros((len(totals) - 1, 2, 2)))
 
 
 def test_truths_of_histories_by_hand() -> None:

@@ -9,6 +9,7 @@ from matrixworld import toys
 from matrixworld.coevolution.opponents import HallOfFame, Latest, Prioritized, Uniform
 from matrixworld.toys import bit_strings
 from matrixworld.toys.bit_strings import (
+    History,
     Side,
     beats_in_sum,
     beats_where_farthest,
@@ -17,7 +18,13 @@ from matrixworld.toys.bit_strings import (
     mutate_biased,
     select_proportionate,
 )
-from matrixworld.toys.rock_paper_scissors import PAPER, ROCK, SCISSORS
+from matrixworld.toys.rock_paper_scissors import (
+    PAPER,
+    ROCK,
+    SCISSORS,
+    average_strategies,
+    play_together,
+)
 
 # Rock-paper-scissors
 
@@ -35,7 +42,7 @@ def test_specialists_cycle_with_period_three():
 
 
 def test_specialists_that_learn_at_the_same_time_cycle_as_well():
-    hands = toys.play_together({"pursuer": Latest(), "evader": Latest()}, 30)
+    hands = play_together({"pursuer": Latest(), "evader": Latest()}, 30)
     assert hands["pursuer"] == hands["evader"] == [ROCK, PAPER, SCISSORS] * 10 + [ROCK]
 
 
@@ -43,7 +50,7 @@ def test_responding_to_all_past_hands_is_fictitious_play():
     exploitabilities = []
     for seed in range(5):
         samplers = {"pursuer": Uniform(None), "evader": Uniform(None)}
-        hands = toys.play_together(samplers, 3000, seed, draw=0.0)
+        hands = play_together(samplers, 3000, seed, draw=0.0)
         exploitabilities.append(
             [
                 toys.exploitability({team: h[: n + 1] for team, h in hands.items()}, draw=0.0)
@@ -70,7 +77,7 @@ def test_chances_of_hands_and_of_averages() -> None:
     )
     lucky = toys.capture_probabilities(pure, pure, luck=0.1)
     np.testing.assert_allclose(lucky[0], [0.5, 0.1, 0.9])
-    np.testing.assert_allclose(toys.average_strategies([0, 1, 1, 2])[-1], [0.25, 0.5, 0.25])
+    np.testing.assert_allclose(average_strategies([0, 1, 1, 2])[-1], [0.25, 0.5, 0.25])
     np.testing.assert_allclose(
         toys.capture_probabilities(np.full((1, 3), 1 / 3), pure), [[0.5] * 3]
     )
@@ -207,7 +214,7 @@ def test_unknown_game_is_refused():
 
 def test_scores_of_a_history_by_hand() -> None:
     ones = np.array([[[[3], [3]], [[1], [1]]], [[[2], [2]], [[2], [2]]]])
-    history = toys.History(toys.GAMES["scalar"], ones, np.zeros((1, 2, 2)))
+    history = History(toys.GAMES["scalar"], ones, np.zeros((1, 2, 2)))
     scores = history.scores([0, 1], 3, np.random.default_rng(0))
     assert scores.shape == (2, 2, 3)
     # 3 against 1 and 2; 2 against 1 and 2.
@@ -217,7 +224,7 @@ def test_scores_of_a_history_by_hand() -> None:
 
 def test_scores_draw_individuals_at_random() -> None:
     ones = np.array([[[[0], [2]], [[1], [1]]]])  # one of two wins
-    history = toys.History(toys.GAMES["scalar"], ones, np.zeros((0, 2, 2)))
+    history = History(toys.GAMES["scalar"], ones, np.zeros((0, 2, 2)))
     scores = history.scores([0], 2000, np.random.default_rng(0))
     assert scores.mean() == pytest.approx(0.5, abs=0.05)
 

@@ -24,7 +24,7 @@ from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.coevolution.settings import RaceSettings
 from matrixworld.coevolution.storage.saved_run import SavedRun
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.world.policy import Network, Population, TeamPolicy
+from matrixworld.world.policy import Population, TeamPolicy
 
 MOST_POINTS = 6000
 """The most points of a training curve; a longer one has means of neighbouring epochs."""
@@ -44,7 +44,8 @@ def run_data(
     ``"evaders"``. A race without `judgement` is judged here.
     """
     settings, payoff = run.settings, run.payoff()
-    shape = tuple(generations_of(run.teams[team]) for team in TEAMS)
+    teams = [run.teams[team] for team in TEAMS]
+    shape = tuple(1 if isinstance(team, str) else len(team.genomes) for team in teams)
     race = settings.is_race
     return {
         "name": name,
@@ -158,6 +159,7 @@ BOARDS = 12
 def findings(payoff: Payoff, judgement: analysis.Judgement | None = None) -> dict[str, Any]:
     """Return judgement, headline numbers and curves of a race of at least 2 x 2 generations."""
     matrix = payoff.capture_rate
+    ratings = analysis.elo(matrix)
     judgement = judgement or analysis.judge(payoff.capture_rates, per_episode=True)
     return {
         "headline": analysis.headline(judgement),
@@ -168,8 +170,21 @@ def findings(payoff: Payoff, judgement: analysis.Judgement | None = None) -> dic
         "noise": _noise(payoff),
         "generalization": _generalization(payoff),
         "lags": plain_values(analysis.lag_profile(matrix)),
-        "ciao": _ciao(payoff),
-        "ratings": _ratings(payoff),
+        # The triangles are the two halves of the payoff, which the page has.
+        "ciao": {
+            team: {
+                "by_age": plain_values(triangle.by_age),
+                "fading": plain_values(triangle.fading),
+                "stripes": triangle.stripes,
+                "period": triangle.period,
+            }
+            for team, triangle in zip(("pursuers", "evaders"), analysis.ciao(matrix), strict=True)
+        },
+        "ratings": {
+            "pursuers": plain_values(ratings.pursuers * analysis.ELO_POINTS),
+            "evaders": plain_values(ratings.evaders * analysis.ELO_POINTS),
+            "offset": ratings.offset * analysis.ELO_POINTS,
+        },
         "checkerboards": plain_values(strongest_checkerboards(matrix, count=BOARDS, margin=MARGIN)),
         "margin": MARGIN,
     }
@@ -206,29 +221,6 @@ def _generalization(payoff: Payoff) -> dict[str, Any]:
     return curves
 
 
-def _ciao(payoff: Payoff) -> dict[str, Any]:
-    # The triangles are the two halves of the payoff, which the page has.
-    both = analysis.ciao(payoff.capture_rate)
-    return {
-        team: {
-            "by_age": plain_values(triangle.by_age),
-            "fading": plain_values(triangle.fading),
-            "stripes": triangle.stripes,
-            "period": triangle.period,
-        }
-        for team, triangle in zip(("pursuers", "evaders"), both, strict=True)
-    }
-
-
-def _ratings(payoff: Payoff) -> dict[str, Any]:
-    ratings = analysis.elo(payoff.capture_rate)
-    return {
-        "pursuers": plain_values(ratings.pursuers * analysis.ELO_POINTS),
-        "evaders": plain_values(ratings.evaders * analysis.ELO_POINTS),
-        "offset": ratings.offset * analysis.ELO_POINTS,
-    }
-
-
 def too_few_episodes(payoff: Payoff) -> str:
     """Return what a small number of episodes means for the judgement; empty if they are enough."""
     episodes = payoff.capture_rates.shape[2]
@@ -263,9 +255,18 @@ def archives_of(runs: Sequence[SavedRun], most: int = MOST_BYTES) -> Archives:
 
     The first and the last generation of each team are always there.
     """
+    learned = [team for run in runs for team in run.teams.values() if isinstance(team, Population)]
+    longest = max(len(team.genomes) for team in learned)
+
+    def size(step: int) -> int:
+        return sum(
+            len(kept_generations(len(team.genomes), step)) * team.genomes[0].nbytes
+            for team in learned
+        )
+
     step = 1
     # The step is the same for all runs, so that linked generations exist everywhere.
-    while _size(runs, step) > most and step < _longest(runs):
+    while size(step) > most and step < longest:
         step += 1
     blobs: dict[str, bytes] = {}
     teams = tuple(
@@ -280,51 +281,25 @@ def kept_generations(count: int, step: int) -> list[int]:
     return sorted({*range(0, count, step), count - 1})
 
 
-def _size(runs: Sequence[SavedRun], step: int) -> int:
-    return sum(
-        len(kept_generations(len(team.genomes), step)) * team.genomes[0].nbytes
-        for team in _learned(runs)
-    )
-
-
-def _longest(runs: Sequence[SavedRun]) -> int:
-    return max(len(team.genomes) for team in _learned(runs))
-
-
-def _learned(runs: Sequence[SavedRun]) -> list[Population]:
-    """Return the archives of all runs; teams that are scripts have none."""
-    return [team for run in runs for team in run.teams.values() if isinstance(team, Population)]
-
-
-def generations_of(team: TeamPolicy) -> int:
-    """Return the number of generations in an archive; 1 for a script."""
-    return 1 if isinstance(team, str) else len(team.genomes)
-
-
 def _plain_team(
     team: TeamPolicy, identifier: str, step: int, blobs: dict[str, bytes]
 ) -> dict[str, Any]:
     """Return a team as plain values, and add its genomes to the blobs."""
     if isinstance(team, str):
         return {"script": team, "network": None, "generations": 1, "kept": [0], "genomes": ""}
-    kept = kept_generations(len(team.genomes), step)
+    network, kept = team.network, kept_generations(len(team.genomes), step)
     blobs[identifier] = np.ascontiguousarray(team.genomes[kept], dtype="<f4").tobytes()
     return {
         "script": None,
-        "network": plain_network(team.network),
+        "network": {
+            "hidden": list(network.hidden),
+            "activation": network.activation,
+            "fov": network.fov,
+            "n_actions": network.n_actions,
+            "sampled": network.sampled,
+            "genome_size": network.genome_size,
+        },
         "generations": len(team.genomes),
         "kept": kept,
         "genomes": identifier,
-    }
-
-
-def plain_network(network: Network) -> dict[str, Any]:
-    """Return the shape of a network as plain values."""
-    return {
-        "hidden": list(network.hidden),
-        "activation": network.activation,
-        "fov": network.fov,
-        "n_actions": network.n_actions,
-        "sampled": network.sampled,
-        "genome_size": network.genome_size,
     }

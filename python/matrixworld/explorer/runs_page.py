@@ -85,24 +85,17 @@ def explore(*runs: Path_, file: Path_ | None = None, force: bool = False) -> Exp
     if not 1 <= len(runs) <= MOST_RUNS:
         raise ValueError(f"runs: expected 1 to {MOST_RUNS} run directories, got {len(runs)}")
     paths = [Path(run) for run in runs]
-    page = page_file(paths) if file is None else Path(file)
+    # By default beside what it shows.
+    common = Path(os.path.commonpath([path.absolute() for path in paths]))
+    page = common / PAGE if file is None else Path(file)
     if page.exists() and not force:
         raise FileExistsError(f"{page}: exists; force=True replaces it")
     saved = [open_run(path) for path in paths]
     write_page(page, explorer_page(saved))
-    return Explorer(page, _last_match(saved[0]))
-
-
-def _last_match(run: SavedRun) -> bytes:
-    """Return three moments of the match of the last generations, as a PNG file."""
-    file = io.BytesIO()
-    replay.contact_sheet(run.record(), rows=1).save(file, "PNG")
-    return file.getvalue()
-
-
-def page_file(paths: Sequence[Path]) -> Path:
-    """Return where the page of runs goes by default: beside what it shows."""
-    return Path(os.path.commonpath([path.absolute() for path in paths])) / PAGE
+    # Three moments of the match of the last generations.
+    picture = io.BytesIO()
+    replay.contact_sheet(saved[0].record(), rows=1).save(picture, "PNG")
+    return Explorer(page, picture.getvalue())
 
 
 def explorer_page(
@@ -120,7 +113,8 @@ def explorer_page(
     """
     paths = [run.files.path.absolute() for run in runs]
     common = Path(os.path.commonpath(paths))
-    names = [_name(path, common) for path in paths]
+    # Each by its path below the directory that holds all of them.
+    names = [path.name if path == common else path.relative_to(common).as_posix() for path in paths]
     archives = archives_of(runs)
     scores, known = held_out or {}, judgements or {}
     plain = [
@@ -142,8 +136,3 @@ def explorer_page(
     playground = without_engine(Playground().html()).encode()
     blobs = {**archives.blobs, "playground": playground}
     return render_page("explorer", f"{title} - matrixworld", data, blobs, opens=["playground"])
-
-
-def _name(path: Path, common: Path) -> str:
-    """Return the name of a run: its path below the directory that holds all of them."""
-    return path.name if path == common else path.relative_to(common).as_posix()

@@ -10,33 +10,18 @@ array([99., 99.])
 
 from __future__ import annotations
 
-from matrixworld.toys.bit_strings import GAMES, History, hosts_and_parasites, numbers_game
-from matrixworld.toys.rock_paper_scissors import (
-    alternate,
-    average_strategies,
-    capture_probabilities,
-    exploitability,
-    play_together,
-)
-from matrixworld.toys.synthetic_races import (
-    SYNTHETIC,
-    SyntheticRace,
-    play_episodes,
-    synthetic_race,
-)
+from matrixworld.toys.bit_strings import GAMES, hosts_and_parasites, numbers_game
+from matrixworld.toys.rock_paper_scissors import alternate, capture_probabilities, exploitability
+from matrixworld.toys.synthetic_races import SYNTHETIC, play_episodes, synthetic_race
 
 __all__ = [
     "GAMES",
     "SYNTHETIC",
-    "History",
-    "SyntheticRace",
     "alternate",
-    "average_strategies",
     "capture_probabilities",
     "exploitability",
     "hosts_and_parasites",
     "numbers_game",
     "play_episodes",
-    "play_together",
     "synthetic_race",
 ]

@@ -144,21 +144,11 @@ def mutate_biased(
 
 @dataclass(frozen=True)
 class History:
-    """G generations of two populations of n individuals.
-
-    Parameters
-    ----------
-    game : Game
-        The game that was played.
-    ones : ndarray of int64, shape (G + 1, 2, n, dimensions)
-        Ones of each individual in each dimension, from the start to the end.
-    wins : ndarray of float64, shape (G, 2, n)
-        Matches that each individual won.
-    """
+    """G generations of two populations of n individuals."""
 
     game: Game
-    ones: IntArray
-    wins: FloatArray
+    ones: IntArray  # of each individual, (G + 1, 2, n, dimensions), from the start to the end
+    wins: FloatArray  # matches that each individual won, (G, 2, n)
 
     @property
     def objective(self) -> IntArray:
@@ -176,22 +166,10 @@ class History:
         return np.asarray((np.ptp(self.wins, axis=2) > 0.0).all(axis=1))
 
     def scores(self, generations: ArrayLike, episodes: int, rng: np.random.Generator) -> FloatArray:
-        """Play matches between generations.
+        """Play matches between k generations, each of two individuals drawn with replacement.
 
-        Parameters
-        ----------
-        generations : array_like of int, shape (k,)
-            Generations to play.
-        episodes : int
-            Matches of each pair, between two individuals drawn at random with replacement.
-        rng : numpy.random.Generator
-            Draws the individuals.
-
-        Returns
-        -------
-        ndarray of float64, shape (k, k, episodes)
-            Scores of side 0 (rows) against side 1 (columns): 1 for a win, 1/2 for a draw, 0 for a
-            loss.
+        Returns the scores (k, k, episodes) of side 0 (rows) against side 1 (columns): 1 for a win,
+        1/2 for a draw, 0 for a loss.
         """
         picked = np.asarray(generations)
         shape = (len(picked), len(picked), episodes)

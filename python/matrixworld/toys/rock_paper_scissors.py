@@ -35,18 +35,7 @@ def payoff_matrix(draw: float = DRAW) -> FloatArray:
 
 
 def average_strategies(played: ArrayLike) -> FloatArray:
-    """Return the average strategy up to each generation.
-
-    Parameters
-    ----------
-    played : array_like of int, shape (k,)
-        Hand of each generation.
-
-    Returns
-    -------
-    ndarray of float64, shape (k, 3)
-        Share of each hand among the hands so far.
-    """
+    """Return the average strategy up to each of k generations, (k, 3), from their hands (k,)."""
     hands = np.eye(3)[np.asarray(played)]
     return np.asarray(hands.cumsum(axis=0) / np.arange(1, len(hands) + 1)[:, np.newaxis])
 
@@ -131,23 +120,8 @@ def play_together(
 ) -> HandHistory:
     """Play a race in which both teams respond at the same time. Both start with rock.
 
-    With ``Uniform(None)``, which chooses all past hands, this is fictitious play.
-
-    Parameters
-    ----------
-    samplers : dict of Team to OpponentSampler
-        Per team, chooses among the other team's past hands.
-    rounds : int
-        Rounds; in each both teams add a hand.
-    seed : int, optional
-        Seed of all random numbers.
-    draw : float, optional
-        Payoff of a draw to the pursuers.
-
-    Returns
-    -------
-    dict
-        Hands of both teams, the first ones included.
+    Each team's sampler chooses among the other team's past hands. With ``Uniform(None)``, which
+    chooses all of them, this is fictitious play.
     """
     rng, matrix = np.random.default_rng(seed), payoff_matrix(draw)
     hands: HandHistory = {"pursuer": [ROCK], "evader": [ROCK]}

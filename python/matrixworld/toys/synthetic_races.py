@@ -19,20 +19,14 @@ from matrixworld.coevolution.types import FloatArray
 
 @dataclass(frozen=True)
 class SyntheticRace:
-    """A race of known capture rates.
+    """A race of known capture rates, and the strength *by design* of each generation, in any unit.
 
-    Parameters
-    ----------
-    rates : ndarray of float64, shape (n, n)
-        Probability that pursuers of generation g capture an evader of generation h.
-    pursuers, evaders : ndarray of float64, shape (n,)
-        Strength *by design* of each generation, in any unit. Chance is left out: the strength is
-        constant where it drifts.
+    Chance is left out: the strength is constant where it drifts.
     """
 
-    rates: FloatArray
-    pursuers: FloatArray
-    evaders: FloatArray
+    rates: FloatArray  # that pursuers of generation g capture an evader of generation h, (n, n)
+    pursuers: FloatArray  # (n,)
+    evaders: FloatArray  # (n,)
 
 
 class Draws:

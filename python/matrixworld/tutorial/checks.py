@@ -209,22 +209,9 @@ def function(
 ) -> Check:
     """Return the check of a function that gives what `reference` gives in all cases.
 
-    Parameters
-    ----------
-    kind : Kind
-        What it returns.
-    reference : callable
-        The right function.
-    cases : callable
-        Returns the arguments of each case.
-    otherwise : str or callable
-        What to say to a wrong result; a function of the result, the right one, and the arguments.
-    case : str, optional
-        Begin of the reply, in which ``{name}`` stands for an argument of `reference`.
-    clues : sequence, optional
-        Typical wrong functions, and what to say where the result is theirs.
-    within : float, optional
-        How far a number may be off.
+    `case` begins the reply, and ``{name}`` in it stands for an argument of `reference`. `clues` are
+    typical wrong functions, and what to say where the result is theirs; `otherwise` is for all
+    other results, and may be a function of the result, the right one, and the arguments.
     """
     names = list(signature(reference).parameters)
 
