@@ -10,7 +10,6 @@ import pytest
 import matrixworld as mw
 from matrixworld import Action
 from matrixworld.explorer.scenes import drawn_world
-from matrixworld.tutorial import hint
 from matrixworld.tutorial.boards import pack, random_pack
 from matrixworld.tutorial.chapter_1 import MAZE, SHORTEST, true_conflicts
 from student_functions import conflicts
@@ -75,9 +74,3 @@ def test_packs_have_no_room_outside_their_square(agents: int) -> None:
         world.step([*np.random.default_rng(0).integers(5, size=agents), WEST])
     assert (world.positions[:-1] < 4).all()
     assert world.positions[-1].tolist() == [0, 5]
-
-
-def test_hints_go_from_small_to_large() -> None:
-    first = hint("1.4").text
-    assert first.startswith("Hint 1 of 3: ")
-    assert hint("1.4").text != first

@@ -1,4 +1,4 @@
-"""Notebook 3: its match in plain Python, and hints."""
+"""Notebook 3: its match in plain Python."""
 
 from __future__ import annotations
 
@@ -6,13 +6,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.tutorial import hint
 from notebooks import NOTEBOOKS, cells, source
-
-
-def test_hints_get_more_explicit() -> None:
-    assert hint("3.1").text.startswith("Hint 1 of 3")
-    assert "bias" in [hint("3.1").text for _ in range(2)][-1]
 
 
 @pytest.mark.parametrize("seed", range(3))

@@ -6,6 +6,7 @@ count for no one.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, closing, nullcontext
 from dataclasses import dataclass, field
@@ -223,7 +224,7 @@ class _RoundRobin:
         }
         self._limits = limits
         self._played: dict[tuple[int, int], Played] = {}
-        self._seconds: dict[Entry, float] = {}
+        self._seconds: defaultdict[Entry, float] = defaultdict(float)  # of processor time
         self.failed: dict[Entry, str] = {}
 
     def play(self, pool: MatchPool, episodes: int, report: Report) -> None:
@@ -253,15 +254,12 @@ class _RoundRobin:
             self.failed.setdefault(entry, reason)
         elif found is not None:
             self._played[pair[0], pair[1]] = found
+            most = self._limits.in_all
             for team, seconds in found.seconds.items():
-                self._count(entries[team], seconds)
-
-    def _count(self, entry: Entry, seconds: float) -> None:
-        """Add up the processor time of an entry."""
-        self._seconds[entry] = self._seconds.get(entry, 0.0) + seconds
-        if self._seconds[entry] > self._limits.in_all:
-            limit = f"more than {self._limits.in_all:g} seconds of processor time in all matches"
-            self.failed.setdefault(entry, limit)
+                self._seconds[entries[team]] += seconds
+                if self._seconds[entries[team]] > most:
+                    limit = f"more than {most:g} seconds of processor time in all matches"
+                    self.failed.setdefault(entries[team], limit)
 
     def result(self, config: WorldConfig, seed: int, refusals: Sequence[Refusal]) -> ClassResult:
         """Return the results of the entries that broke no rule."""

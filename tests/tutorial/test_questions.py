@@ -1,4 +1,4 @@
-"""Predictions: the options in the text of a notebook are those that `check` knows."""
+"""Predictions have the options in the text of their notebook, and hints get more explicit."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from matrixworld.tutorial import hint
 from matrixworld.tutorial.course import Prediction, exercises
 from notebooks import NOTEBOOKS, cells, source
 
@@ -20,3 +21,11 @@ def test_options_are_written_out(chapter: int) -> None:
     ]
     known = [each for each in exercises(chapter).values() if isinstance(each, Prediction)]
     assert offered == [(list(each.options), list(each.options)) for each in known]
+
+
+@pytest.mark.parametrize("name", ["1.4", "3.1"])
+def test_hints_get_more_explicit(name: str) -> None:
+    *hints, again = (hint(name).text for _ in range(4))
+    assert [text[:13] for text in hints] == [f"Hint {number} of 3: " for number in (1, 2, 3)]
+    assert len(set(hints)) == 3
+    assert again == hints[-1]
