@@ -132,11 +132,6 @@ def test_many_seeds_have_cells_without_words() -> None:
     assert figure.get_figwidth() <= 16
 
 
-def test_a_strip_needs_a_seed_for_each_run() -> None:
-    with pytest.raises(ValueError, match="seeds: expected 3 of a, got 2"):
-        plots.verdict_strip({"a": judged(3)}, {"a": (0, 1)})
-
-
 def test_scores_show_profiles_and_interquartile_means() -> None:
     scores = {"a": {"pursuer": RNG.random((7, 5)), "evader": RNG.random((7, 5))},
               "b": {"pursuer": RNG.random((3, 5)), "evader": RNG.random((3, 5))}}  # fmt: skip
@@ -162,21 +157,6 @@ def test_scores_show_profiles_and_interquartile_means() -> None:
         "escape rate",
     )
     saved(figure)
-
-
-@pytest.mark.parametrize(
-    ("draw", "message"),
-    [
-        (lambda: plots.seed_bands({}), "at least one group of runs to draw, got none"),
-        (lambda: plots.verdict_strip({}, {}), "at least one group of runs to draw, got none"),
-        (lambda: plots.seed_scores({}), "at least one group of runs to draw, got none"),
-        (lambda: plots.seed_bands({"a": []}), "at least one run, got none"),
-        (lambda: plots.seed_scores({"a": {"pursuer": [0.5]}}), "scores of a with 2 dimension"),
-    ],
-)
-def test_bad_input_is_refused(draw, message: str) -> None:  # type: ignore[no-untyped-def]
-    with pytest.raises(ValueError, match=message):
-        draw()
 
 
 # ---- Dots, curves and CIAO plots -----------------------------------------------------------------
@@ -232,9 +212,3 @@ def test_triangles_are_those_of_ciao() -> None:
         np.testing.assert_allclose(drawn, triangle.payoff.T)
         assert axes.get_xlabel() == f"generation of {name}"
     saved(figure)
-
-
-@pytest.mark.parametrize("draw", [plots.run_dots, plots.run_curves])
-def test_no_groups_are_refused(draw) -> None:
-    with pytest.raises(ValueError, match="expected at least one group of runs to draw, got none"):
-        draw({}, label="score")

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld.analysis.intervals import Estimate
-from matrixworld.analysis.payoffs import Rates, check_rates, require
+from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
 
 PURSUERS_WIN, EVADERS_WIN = 0.97, 0.03
 """Capture rates above which the pursuers, and below which the evaders have won; races with too few
@@ -144,10 +144,7 @@ def fitness_variance(fitness: ArrayLike) -> NDArray[np.float64]:
     ----------
     Watson and Pollack (2001), "Coevolutionary dynamics in a minimal substrate": loss of gradient.
     """
-    array = np.asarray(fitness, dtype=np.float64)
-    require(array.ndim == 2 and array.size > 0, "fitness (generations, individuals)", array.shape)
-    bad = array[~np.isfinite(array)]
-    require(not len(bad), "finite fitness", bad[:1])
+    array = check_finite(fitness, "fitness", "(generations, individuals)", ndim=2)
     # The variance of these individuals, not an estimate for a larger population: divided by n.
     variance: NDArray[np.float64] = array.var(axis=1)
     return variance

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld._util.short_repr import short_repr
-from matrixworld.analysis.payoffs import Rates, check_rates, require
+from matrixworld.analysis.payoffs import Rates, check_finite, check_rates, require
 
 LEVEL = 0.95
 """Default confidence level: share of intervals that should contain the true value."""
@@ -498,11 +498,7 @@ def _no_variation(values: Rates) -> str:
 
 
 def _check_values(values: ArrayLike) -> Rates:
-    array = np.asarray(values, dtype=np.float64)
-    require(array.ndim == 1 and array.size > 0, "values of runs of shape (k,), k >= 1", array.shape)
-    bad = array[~np.isfinite(array)]
-    require(not len(bad), "finite values of runs", bad[:1])
-    return array
+    return check_finite(values, "values of runs", "of shape (k,), k >= 1", ndim=1)
 
 
 def _rounded(value: float) -> str:

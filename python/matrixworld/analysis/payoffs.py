@@ -166,14 +166,21 @@ def check_rates(values: ArrayLike, *, ndim: int, what: str = "an array of rates"
     # Booleans count as rates of 0 and 1: single matches are stored this way.
     if array.dtype.kind not in "biuf":
         raise TypeError(f"expected {what} of real numbers, got dtype {array.dtype}")
-    if array.ndim != ndim or array.size == 0:
-        raise ValueError(
-            f"expected {what} with {ndim} dimension(s), none of them empty, got shape {array.shape}"
-        )
+    expected = f"{what} with {ndim} dimension(s), none of them empty"
+    require(array.ndim == ndim and array.size > 0, expected, f"shape {array.shape}")
     # float32 rates are widened: sums over many cells would lose digits.
     rates = array.astype(np.float64, copy=False)
     _require_unit_interval(rates, what)
     return rates
+
+
+def check_finite(values: ArrayLike, name: str, shape: str, *, ndim: int) -> Rates:
+    """Return finite numbers, which need not be rates, as float64, or raise a ValueError."""
+    array = np.asarray(values, dtype=np.float64)
+    require(array.ndim == ndim and array.size > 0, f"{name} {shape}", array.shape)
+    bad = array[~np.isfinite(array)]
+    require(not len(bad), f"finite {name}", bad[:1])
+    return array
 
 
 def check_runs(payoffs: ArrayLike) -> Rates:
@@ -373,8 +380,7 @@ def _payoffs(values: Any, per_episode: bool) -> Payoffs:
     array = np.asarray(values)
     if array.ndim == 3:  # a single run
         array = array[None]
-    what = "scores ([runs,] n, m, episodes)"
-    scores = check_rates(array, ndim=4, what=what)
+    scores = check_rates(array, ndim=4, what="scores ([runs,] n, m, episodes)")
     return Payoffs(scores.mean(axis=3), scores, scores.shape[3])
 
 

@@ -23,7 +23,7 @@ from matrixworld.analysis.intervals import (
     does_not_vary,
     t_quantile,
 )
-from matrixworld.analysis.payoffs import Rates, check_payoff, require
+from matrixworld.analysis.payoffs import Rates, check_finite, check_payoff, require
 from matrixworld.analysis.progress import generalization, lag_profile
 from matrixworld.analysis.ratings import ELO_POINTS, elo
 
@@ -189,11 +189,7 @@ def _middle_mean(scores: Rates) -> float:
 
 
 def _check_scores(scores: ArrayLike) -> Rates:
-    array = np.asarray(scores, dtype=np.float64)
-    require(array.ndim == 2 and array.size > 0, "scores of shape (runs, opponents)", array.shape)
-    bad = array[~np.isfinite(array)]
-    require(not len(bad), "finite scores", bad[:1])
-    return array
+    return check_finite(scores, "scores", "of shape (runs, opponents)", ndim=2)
 
 
 def _too_few(runs: int, level: float) -> str:

@@ -119,21 +119,17 @@ def _draw_collisions(axes: Axes, rates: NDArray[np.float64], team: str, color: s
     plain_axis(axes)
 
 
-def _learners(learners: ArrayLike, length: int) -> NDArray[np.int64]:
+def _shades(learners: ArrayLike | None, length: int) -> list[str]:
+    """Return the colour of each point: that of the team that learns."""
+    if learners is None:
+        return [colors.INK] * length
     teams = np.asarray(learners)
     if teams.shape != (length,) or not np.isin(teams, (0, 1)).all():
         raise ValueError(
             f"expected learners of shape ({length},), 0 for pursuers and 1 for evaders, "
             f"got shape {teams.shape} with values {np.unique(teams)[:5].tolist()}"
         )
-    return teams.astype(np.int64)
-
-
-def _shades(learners: ArrayLike | None, length: int) -> list[str]:
-    """Return the colour of each point: that of the team that learns."""
-    if learners is None:
-        return [colors.INK] * length
-    return [colors.TEAMS[team] for team in _learners(learners, length)]
+    return [colors.TEAMS[team] for team in teams.astype(np.int64)]
 
 
 def _in_pieces(values: NDArray[np.float64], shades: list[str], **style: Any) -> LineCollection:
