@@ -17,7 +17,8 @@ from made_up_episode import made_up_episode
 from matrixworld import VARIANTS, Episode, WorldConfig, record
 from matrixworld.cli.figures import collisions_per_1000, planned, run_title
 from matrixworld.cli.groups import groups_of
-from matrixworld.coevolution import evaluation_seed, open_run, start
+from matrixworld.coevolution import open_run, start
+from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.episodes import render, replay
 from matrixworld.play.rollout import Matches, rollout
 from tiny_race import StopAt, tiny_race

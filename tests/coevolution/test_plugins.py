@@ -17,10 +17,10 @@ from matrixworld.coevolution import (
     PluginError,
     RaceSettings,
     check_learner,
-    check_own_code,
     check_sampler,
 )
 from matrixworld.coevolution.own_code import LEARNER, OPPONENT, Interface, find, installed
+from matrixworld.coevolution.runs.start import check_own_code
 from matrixworld.coevolution.sections import OwnSettings
 from tiny_race import tiny_race
 

@@ -7,8 +7,8 @@ import itertools
 import numpy as np
 import pytest
 
-from matrixworld.coevolution import evaluation_seed, training_seeds
-from matrixworld.coevolution.seeding import Phase
+from matrixworld.coevolution import training_seeds
+from matrixworld.coevolution.seeding import Phase, evaluation_seed
 
 LARGEST = 2**64 - 1
 

@@ -259,7 +259,7 @@ def _of_runs(directory: Path) -> Iterator[Any]:
     yield tiny_race(obstacles=("......",) * 6)
     for name, settings in (
         ("single", tiny_single()),
-        ("joint", tiny_race(schedule=coevolution.HALL_OF_FAME)),
+        ("joint", tiny_race(schedule="hall-of-fame")),
         ("race", tiny_race()),
     ):
         run = coevolution.start(settings, directory / name, threads=1)

@@ -8,8 +8,8 @@ from typing import Any
 
 from matrixworld.analysis import Judgement
 from matrixworld.cli.setting_options import option_of
-from matrixworld.coevolution import HALL_OF_FAME, Alternating, RaceSettings
-from matrixworld.coevolution.schedules import RaceSchedule
+from matrixworld.coevolution import Alternating, RaceSettings
+from matrixworld.coevolution.schedules import HALL_OF_FAME, RaceSchedule
 from matrixworld.coevolution.sections import leaves
 from matrixworld.coevolution.types import TEAMS
 

@@ -20,8 +20,9 @@ import click
 
 from matrixworld.cli.arguments import opponent_of
 from matrixworld.cli.options import SEED, SettingOption, option_name
-from matrixworld.coevolution import ALTERNATING, HALL_OF_FAME, SCHEDULES, RaceSettings
+from matrixworld.coevolution import SCHEDULES, RaceSettings
 from matrixworld.coevolution.own_code import LEARNER, OPPONENT, installed
+from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME
 from matrixworld.coevolution.sections import (
     WORLD_HELP,
     Section,

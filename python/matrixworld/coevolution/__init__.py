@@ -49,11 +49,9 @@ from matrixworld.coevolution.evaluation.scores import (
     score,
     score_policy,
     score_population,
-    scores_in_race,
 )
 from matrixworld.coevolution.evaluation.tournament import tournament
 from matrixworld.coevolution.fitness import (
-    FITNESS,
     competitive_sharing,
     fitness,
     reduced_virulence,
@@ -61,41 +59,34 @@ from matrixworld.coevolution.fitness import (
 from matrixworld.coevolution.jobs.best_responses import best_responses
 from matrixworld.coevolution.jobs.evolve import FailedRunsError, evolve
 from matrixworld.coevolution.jobs.worker import StoppedError, WorkerDiedError
-from matrixworld.coevolution.learners import (
-    ActorCriticSettings,
-    Adam,
-    Candidates,
-    CmaEs,
-    CmaEsSettings,
+from matrixworld.coevolution.learners.actor_critic import ActorCriticSettings
+from matrixworld.coevolution.learners.cma_es import CmaEs, CmaEsSettings
+from matrixworld.coevolution.learners.evolution_strategy import (
     EvolutionStrategy,
     EvolutionStrategySettings,
+)
+from matrixworld.coevolution.learners.genetic_algorithm import (
     GeneticAlgorithm,
     GeneticAlgorithmSettings,
+)
+from matrixworld.coevolution.learners.learner import Learner, LearnerSettings
+from matrixworld.coevolution.learners.noise import NoiseTable
+from matrixworld.coevolution.learners.optimizers import Adam, Momentum
+from matrixworld.coevolution.learners.toolbox import (
+    Candidates,
     Individual,
-    Learner,
-    LearnerSettings,
-    Momentum,
-    NoiseTable,
-    centred_ranks,
     generate_update_toolbox,
-    mate_uniform,
-    mutate_from_table,
-    mutate_gaussian,
-    select_tournament,
-    select_truncation,
 )
 from matrixworld.coevolution.own_code import PluginError
 from matrixworld.coevolution.payoff import Payoff
-from matrixworld.coevolution.progress import Progress, ProgressBar, Report
+from matrixworld.coevolution.progress import Progress, ProgressBar
 from matrixworld.coevolution.runs.alternating import DisengagementWarning, Race
 from matrixworld.coevolution.runs.best_response import BestResponse, best_response
 from matrixworld.coevolution.runs.hall_of_fame import HallOfFameRace
 from matrixworld.coevolution.runs.run import Run
 from matrixworld.coevolution.runs.single import SingleTeam
-from matrixworld.coevolution.runs.start import check_own_code, finish, resume, start
+from matrixworld.coevolution.runs.start import finish, resume, start
 from matrixworld.coevolution.schedules import (
-    ALTERNATING,
-    HALL_OF_FAME,
     SCHEDULES,
     Against,
     Alternating,
@@ -105,7 +96,7 @@ from matrixworld.coevolution.schedules import (
     OwnOpponents,
     available,
 )
-from matrixworld.coevolution.seeding import evaluation_seed, training_seeds
+from matrixworld.coevolution.seeding import training_seeds
 from matrixworld.coevolution.settings import (
     FitnessSettings,
     OwnLearnerSettings,
@@ -115,17 +106,12 @@ from matrixworld.coevolution.settings import (
 from matrixworld.coevolution.storage.run_directory import OtherVersionError, RunDirectory
 from matrixworld.coevolution.storage.saved_run import (
     SavedRun,
-    last_generation,
     open_run,
     open_runs,
 )
 from matrixworld.coevolution.types import TEAMS, Team
-from matrixworld.play.rollout import Rollout
 
 __all__ = [
-    "ALTERNATING",
-    "FITNESS",
-    "HALL_OF_FAME",
     "SCHEDULES",
     "TEAMS",
     "ActorCriticSettings",
@@ -165,8 +151,6 @@ __all__ = [
     "ProgressBar",
     "Race",
     "RaceSettings",
-    "Report",
-    "Rollout",
     "Run",
     "RunDirectory",
     "SavedRun",
@@ -177,21 +161,14 @@ __all__ = [
     "available",
     "best_response",
     "best_responses",
-    "centred_ranks",
     "check_learner",
-    "check_own_code",
     "check_sampler",
     "competitive_sharing",
-    "evaluation_seed",
     "evolve",
     "finish",
     "fitness",
     "generate_update_toolbox",
     "held_out",
-    "last_generation",
-    "mate_uniform",
-    "mutate_from_table",
-    "mutate_gaussian",
     "open_run",
     "open_runs",
     "opponents",
@@ -200,9 +177,6 @@ __all__ = [
     "score",
     "score_policy",
     "score_population",
-    "scores_in_race",
-    "select_tournament",
-    "select_truncation",
     "start",
     "tournament",
     "training_seeds",

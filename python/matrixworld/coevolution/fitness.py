@@ -96,26 +96,12 @@ def collisions(scores: EpisodeStatistics, team: Team) -> FloatArray:
 
 
 def feasible_first(fitness: ArrayLike, violation: ArrayLike) -> FloatArray:
-    """Return a fitness that ranks candidates within a limit before all others.
+    """Return a fitness (n,) that ranks candidates within a limit before all others.
 
-    Of two candidates within the limit, the fitter one is better. Of two beyond it, the one with the
-    smaller violation is better.
+    `violation` (n,) is by how much each exceeds the limit; within it 0 or less. Of two candidates
+    within the limit, the fitter one is better; of two beyond it, the one with the smaller
+    violation.
 
-    Parameters
-    ----------
-    fitness : array_like of float, shape (n,)
-        Fitness of each candidate; higher is better.
-    violation : array_like of float, shape (n,)
-        By how much each candidate exceeds the limit; within it 0 or less.
-
-    Returns
-    -------
-    ndarray of float64, shape (n,)
-        The fitness of candidates within the limit. For the others, the lowest fitness within the
-        limit minus the violation; if no candidate is within it, minus the violation.
-
-    References
-    ----------
     Deb 2000, "An efficient constraint handling method for genetic algorithms", Computer Methods in
     Applied Mechanics and Engineering 186, equation 5.
     """
@@ -140,28 +126,12 @@ def mean_over_opponents(values: FloatArray) -> FloatArray:
 def shared_fitness(
     fitness: FloatArray, payoff: FloatArray, *, sharing: str, virulence: float | None
 ) -> FloatArray:
-    """Return the fitness of individuals from their results against several opponents.
+    """Return the fitness (n,) of individuals from results (n, m) against several opponents.
 
-    Parameters
-    ----------
-    fitness, payoff : ndarray of float64, shape (n, m)
-        Results of individual i against opponent j, with penalties and without them. NaN where i did
-        not meet j.
-    sharing : str
-        One of `SHARING`.
-    virulence : float or None
-        Virulence of the team, from 0.5 to 1. None: no reduction.
-
-    Returns
-    -------
-    ndarray of float64, shape (n,)
-        `competitive_sharing` or `reduced_virulence` of the payoffs, minus the mean penalty
-        ``payoff - fitness``. With neither, the mean fitness over opponents.
-
-    Notes
-    -----
-    Competitive sharing is scaled by n / m: a population that beats every opponent then has a mean
-    fitness of 1, whatever its size.
+    `fitness` has the penalties, `payoff` has not; NaN marks opponents that were not met. The result
+    is `competitive_sharing` or `reduced_virulence` of the payoffs, minus the mean penalty; with
+    neither, the mean fitness over opponents. Sharing is scaled by n / m: a population that beats
+    every opponent then has a mean fitness of 1, whatever its size.
     """
     if sharing == "competitive":
         n, m = len(payoff), np.count_nonzero(~np.isnan(payoff).all(axis=0))

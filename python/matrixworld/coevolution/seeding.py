@@ -59,22 +59,7 @@ def learning_phase(team: Team) -> Phase:
 
 
 def keyed_generator(seed: int, purpose: Purpose, *key: int) -> np.random.Generator:
-    """Return the generator of one purpose at one position of a run.
-
-    Parameters
-    ----------
-    seed : int
-        Seed of the run.
-    purpose : Purpose
-        What the numbers are for.
-    *key : int
-        Position: non-negative integers, such as (team index, generation, epoch).
-
-    Returns
-    -------
-    numpy.random.Generator
-        A new SFC64 generator.
-    """
+    """Return a new generator for one purpose at one position, such as (team, generation, epoch)."""
     # A spawn key keeps these generators apart from match seeds, which have plain keys.
     sequence = np.random.SeedSequence(seed, spawn_key=(int(purpose), *key))
     return np.random.Generator(np.random.SFC64(sequence))
@@ -83,24 +68,7 @@ def keyed_generator(seed: int, purpose: Purpose, *key: int) -> np.random.Generat
 def evaluation_seed(run_seed: int, pursuer_generation: int, evader_generation: int) -> int:
     """Return the match seed of one cell of a run's payoff matrix.
 
-    Parameters
-    ----------
-    run_seed : int
-        Seed of the run.
-    pursuer_generation, evader_generation : int
-        Row and column of the cell.
-
-    Returns
-    -------
-    int
-        Seed of the match. World `j` of the match is episode `j` of the cell.
-
-    Examples
-    --------
-    To play episode `j` of cell (g, h) again::
-
-        record(config, pursuers, evaders, seed=evaluation_seed(s, g, h), pursuer=g, evader=h,
-               episode=j)
+    World `j` of the match is episode `j` of the cell.
     """
     return match_seed(run_seed, pursuer_generation, evader_generation)
 

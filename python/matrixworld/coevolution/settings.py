@@ -13,15 +13,11 @@ import numpy as np
 
 from matrixworld._util.memory import EPISODE_BYTES
 from matrixworld.coevolution.fitness import FITNESS, LEAST_VIRULENCE, SHARING
-from matrixworld.coevolution.learners import (
-    ActorCriticSettings,
-    CmaEsSettings,
-    EvolutionStrategySettings,
-    GeneticAlgorithmSettings,
-    Learner,
-    LearnerSettings,
-)
-from matrixworld.coevolution.learners.actor_critic import orthogonal
+from matrixworld.coevolution.learners.actor_critic import ActorCriticSettings, orthogonal
+from matrixworld.coevolution.learners.cma_es import CmaEsSettings
+from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
+from matrixworld.coevolution.learners.genetic_algorithm import GeneticAlgorithmSettings
+from matrixworld.coevolution.learners.learner import Learner, LearnerSettings
 from matrixworld.coevolution.learners.masked_network import (
     MASKS,
     FixedWeights,

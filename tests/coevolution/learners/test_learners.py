@@ -17,10 +17,10 @@ from matrixworld.coevolution import (
     GeneticAlgorithm,
     Momentum,
     NoiseTable,
-    centred_ranks,
     generate_update_toolbox,
 )
 from matrixworld.coevolution.learners.cma_es import MOST_GENES, check_genes
+from matrixworld.coevolution.learners.evolution_strategy import centred_ranks
 
 SIZE = 20
 TARGET = np.linspace(-1.0, 1.0, SIZE)

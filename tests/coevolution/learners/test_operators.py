@@ -7,9 +7,8 @@ from functools import partial
 import numpy as np
 import pytest
 
-from matrixworld.coevolution import (
-    GeneticAlgorithm,
-    NoiseTable,
+from matrixworld.coevolution import GeneticAlgorithm, NoiseTable
+from matrixworld.coevolution.learners.genetic_algorithm import (
     mate_uniform,
     mutate_from_table,
     mutate_gaussian,

@@ -15,10 +15,9 @@ from matrixworld.coevolution.opponents import (
     Generalist,
     Latest,
     MaxSolve,
-    layers_of,
-    maximally_different,
     swapped,
 )
+from matrixworld.coevolution.opponents.archives import layers_of, maximally_different
 
 ARCHIVES = {
     "MaxSolve": lambda: MaxSolve(3),

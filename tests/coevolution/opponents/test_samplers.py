@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from matrixworld._util.files import load_arrays, save_arrays
 from matrixworld.coevolution import opponents
+from matrixworld.coevolution.opponents.samplers import shared_sample
 
 SAMPLERS = {
     "latest": lambda: opponents.Latest(2),
@@ -125,11 +126,11 @@ def test_shared_sample_by_hand():
     # Opponent 0 beats individuals 0, 1, 2; 1 beats 0, 1; 2 beats 3; 3 beats none.
     beats = [[1, 1, 1, 0], [1, 1, 0, 0], [0, 0, 0, 1], [0, 0, 0, 0]]
     # First 0, worth 3. Then 0, 1, 2 are covered once: 1 is worth 1/2 + 1/2, and so is 2, worth 1.
-    orders = {tuple(opponents.shared_sample(beats, 4, rng(seed))) for seed in range(30)}
+    orders = {tuple(shared_sample(beats, 4, rng(seed))) for seed in range(30)}
     assert orders == {(0, 1, 2, 3), (0, 2, 1, 3)}
     # Had 1 beaten one individual only, it would be worth 1/2, and 2 would come before it.
     beats[1] = [1, 0, 0, 0]
-    orders = {tuple(opponents.shared_sample(beats, 3, rng(seed))) for seed in range(30)}
+    orders = {tuple(shared_sample(beats, 3, rng(seed))) for seed in range(30)}
     assert orders == {(0, 2, 1)}
 
 
@@ -207,7 +208,7 @@ def test_swapped_teams_get_swapped_samples(make):
         (lambda: opponents.SharedSampling(0), "count: expected at least 1, got 0"),
         (lambda: opponents.SharedSampling().tell([0], [[2.0]]), "scores: expected numbers in"),
         (lambda: opponents.Prioritized().tell([0, 1], [[0.5]]), "scores: expected shape (n, 2)"),
-        (lambda: opponents.shared_sample([[2.0]], 1, rng()), "beats: expected (m, n) numbers in"),
+        (lambda: shared_sample([[2.0]], 1, rng()), "beats: expected (m, n) numbers in"),
     ],
 )
 def test_bad_values_are_refused(call, message):

@@ -15,9 +15,9 @@ from matrixworld.coevolution import (
     Payoff,
     Race,
     RunDirectory,
-    evaluation_seed,
     open_run,
 )
+from matrixworld.coevolution.seeding import evaluation_seed
 from matrixworld.play.rollout import Matches, rollout
 from matrixworld.world.policy import Population
 from tiny_race import constant_scores, hall_of_fame, tiny_race

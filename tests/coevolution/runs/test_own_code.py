@@ -12,8 +12,6 @@ import pytest
 
 import own_code
 from matrixworld.coevolution import (
-    ALTERNATING,
-    HALL_OF_FAME,
     ArchivedOpponents,
     OwnOpponents,
     PluginError,
@@ -21,7 +19,7 @@ from matrixworld.coevolution import (
     resume,
     start,
 )
-from matrixworld.coevolution.schedules import ALL_SCHEDULES
+from matrixworld.coevolution.schedules import ALL_SCHEDULES, ALTERNATING, HALL_OF_FAME
 from tiny_race import StopAt, check_resumes, directory_in_memory, tiny_race, tiny_single
 
 LEARNER = {"learner": "own_code:HillClimber", "settings": {"sigma": 0.2}}

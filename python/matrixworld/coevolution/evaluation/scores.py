@@ -483,35 +483,10 @@ def scores_in_race(
     episodes: int | None = None,
     threads: int | None = None,
 ) -> NDArray[np.float64]:
-    """Return the scores of a policy against each generation of a race's other team.
+    """Return the mean scores (generations,) of a policy against a race's other team.
 
-    Parameters
-    ----------
-    race : SavedRun
-        A race.
-    team : {"pursuer", "evader"}
-        The team that the policy plays.
-    policy : Population or str
-        A population of one genome, or the name of a script.
-    episodes : int, optional
-        Episodes of each pair. By default as in the evaluation of the race.
-    threads : int, optional
-        Threads that play. By default all cores.
-
-    Returns
-    -------
-    ndarray of float64, shape (generations,)
-        Mean scores in [0, 1]: the capture rate for pursuers, 1 minus the capture rate for evaders.
-
-    Raises
-    ------
-    ValueError
-        If there is no such team, or the run is not a race.
-
-    References
-    ----------
-    Sun et al. (2023), "MatrixWorld", arXiv:2307.14854: the baselines of its figure on
-    generalization.
+    Capture rates, or for evaders 1 minus them; `policy` is one genome or a script. `episodes` of
+    each pair are by default those of the race's evaluation. ValueError if the run is not a race.
     """
     check_choice("team", team, TEAMS)
     settings = race.settings

@@ -62,39 +62,25 @@ class Experience:
 
     The n transitions of all agents are in the order of (step, episode, agent). An agent has one in
     each step at whose begin it is alive.
-
-    Parameters
-    ----------
-    acted : ndarray of bool, shape (T, W, A)
-        Which agents of the team acted in each step.
-    views : ndarray of uint8, shape (n, 3 * fov * fov)
-        What each one saw before.
-    actions : ndarray of int64, shape (n,)
-        What it did.
-    rewards : ndarray of float32, shape (n,)
-        Its reward.
-    costs : ndarray of float32, shape (n,)
-        Number of kinds of collision in which it was at fault.
-    last : ndarray of bool, shape (T, W, A)
-        Agents that were alive when `max_steps` ended their episode, in its last step. What they
-        would have earned later has to be estimated from their last views.
-    last_views : ndarray of uint8, shape (m, 3 * fov * fov)
-        What these saw after that step, in the same order.
-    states : ndarray of uint8, shape (T, W, 3 * rows * cols), or None
-        The worlds before each step, if they were asked for.
-    last_states : ndarray of uint8, shape (W, 3 * rows * cols), or None
-        The worlds after the last step.
     """
 
     acted: BoolArray
+    """(T, W, A): which agents of the team acted in each step."""
     views: Views
+    """(n, 3 * fov * fov): what each one saw before."""
     actions: IntArray
     rewards: Reals
     costs: Reals
+    """(n,): number of kinds of collision in which the agent was at fault."""
     last: BoolArray
+    """(T, W, A): agents alive when `max_steps` ended their episode, in its last step. What they
+    would have earned later has to be estimated from their last views."""
     last_views: Views
+    """(m, 3 * fov * fov): what these saw after that step, in the same order."""
     states: Views | None = None
+    """(T, W, 3 * rows * cols): the worlds before each step, if they were asked for."""
     last_states: Views | None = None
+    """(W, 3 * rows * cols): the worlds after the last step."""
 
     __repr__ = short_repr
 
@@ -109,34 +95,16 @@ SMALL = 1e-8
 def advantages(
     acted: BoolArray, rewards: Reals, values: Reals, discount: float, trace: float
 ) -> Reals:
-    """Return generalized advantage estimates.
+    """Return generalized advantage estimates (T, W, A), 0 where no agent acted.
 
     ::
 
         d_t = r_t + discount * V(s_{t+1}) - V(s_t)
         A_t = d_t + discount * trace * A_{t+1}
 
-    Parameters
-    ----------
-    acted : ndarray of bool, shape (T, W, A)
-        Which agents acted in each step. An agent that stops acting does not begin again.
-    rewards : ndarray of float32, shape (T, W, A)
-        Their rewards; 0 elsewhere.
-    values : ndarray of float32, shape (T + 1, W, A)
-        Values of what agents saw before each step, also of agents whose time was over after the
-        step before; 0 elsewhere, that is, of agents that are gone and of worlds that have
-        terminated.
-    discount, trace : float
-        Discount factor of rewards (gamma), and of advantages beside it (lambda).
-
-    Returns
-    -------
-    ndarray of float32, shape (T, W, A)
-        The estimates; 0 where no agent acted.
-
-    References
-    ----------
-    Schulman et al. 2016, equations 11 and 16.
+    These are equations 11 and 16 of Schulman et al. 2016. `values` (T + 1, W, A) are those of what
+    agents saw before each step, and after the last one if only their time was over; 0 for agents
+    that are gone. An agent that stops acting does not begin again.
     """
     found = np.zeros_like(rewards)
     following = np.zeros_like(rewards[0])
@@ -149,24 +117,16 @@ def advantages(
 
 @dataclass(frozen=True)
 class CriticRows:
-    """What a critic sees, and where its values belong.
-
-    Parameters
-    ----------
-    inputs : ndarray of uint8, shape (n, inputs)
-        Its inputs, those of the ends of episodes included.
-    learned : ndarray of uint8, shape (k, inputs)
-        Those that it learns from.
-    dense : callable
-        Arranges its values (n,) as (T + 1, W, A).
-    targets : callable
-        Takes returns (T, W, A), gives those of `learned`, (k,).
-    """
+    """What a critic sees, and where its values belong."""
 
     inputs: NDArray[np.uint8]
+    """(n, inputs), those of the ends of episodes included."""
     learned: NDArray[np.uint8]
+    """(k, inputs): those that it learns from."""
     dense: Callable[[Reals], Reals]
+    """Arranges its values (n,) as (T + 1, W, A)."""
     targets: Callable[[Reals], Reals]
+    """Takes returns (T, W, A), gives those of `learned`, (k,)."""
 
 
 def critic_rows(e: Experience, *, central: bool) -> CriticRows:
@@ -228,21 +188,7 @@ Tensor: TypeAlias = Any
 
 
 class Perceptron:
-    """A network whose weights are one vector, in the layout of a genome, and which learns by Adam.
-
-    Parameters
-    ----------
-    weights : ndarray of float32, shape (genes,)
-        Weights to start from.
-    sizes : tuple of int
-        Sizes of the layers, inputs and outputs included.
-    activation : str
-        Activation of the hidden layers: relu or tanh.
-    rate : float
-        Learning rate.
-    fixed : ndarray of bool, shape (genes,), optional
-        Weights that do not change. By default none.
-    """
+    """A network that learns by Adam; its weights are one vector, in the layout of a genome."""
 
     def __init__(
         self,
@@ -276,26 +222,10 @@ class Perceptron:
 
 
 def orthogonal(sizes: tuple[int, ...], rng: np.random.Generator, *, head: float = 1.0) -> Genome:
-    """Return untrained weights: orthogonal matrices, and biases of 0.
+    """Return untrained weights in the layout of a genome: orthogonal matrices, and biases of 0.
 
-    Parameters
-    ----------
-    sizes : tuple of int
-        Sizes of the layers, inputs and outputs included.
-    rng : numpy.random.Generator
-        Draws the matrices.
-    head : float, optional
-        Scale of the last layer; that of the others is the square root of 2.
-
-    Returns
-    -------
-    ndarray of float32, shape (genes,)
-        The weights, in the layout of a genome.
-
-    References
-    ----------
-    Saxe, A., McClelland, J. and Ganguli, S. (2014). Exact solutions to the nonlinear dynamics of
-    learning in deep linear neural networks. ICLR.
+    The last layer is scaled by `head`, the others by the square root of 2 (Saxe et al. 2014, "Exact
+    solutions to the nonlinear dynamics of learning in deep linear neural networks").
     """
     parts = []
     for number, (n_in, n_out) in enumerate(pairwise(sizes)):

@@ -26,21 +26,9 @@ ANNEALED_RATE = 0.1
 
 
 def centred_ranks(fitness: FloatArray) -> FloatArray:
-    """Return the ranks of fitness values, scaled to [-0.5, 0.5].
+    """Return the ranks of fitness values (n,), scaled to [-0.5, 0.5]; equal values share one.
 
-    Parameters
-    ----------
-    fitness : ndarray of float64, shape (n,)
-        Fitness of each candidate.
-
-    Returns
-    -------
-    ndarray of float64, shape (n,)
-        Ranks. Equal values share their mean rank; if all are equal, all ranks are 0.
-
-    References
-    ----------
-    Salimans et al. 2017, arXiv:1703.03864, section 2.1 (there "fitness shaping").
+    This is the fitness shaping of Salimans et al. 2017, section 2.1.
     """
     n = len(fitness)
     if n < 2:

@@ -32,24 +32,7 @@ TOURNAMENT = 5
 def select_tournament(
     fitness: FloatArray, k: int, rng: np.random.Generator, *, size: int
 ) -> Indices:
-    """Select parents by tournaments.
-
-    Parameters
-    ----------
-    fitness : ndarray of float64, shape (n,)
-        Fitness of the population.
-    k : int
-        Number of parents to select.
-    rng : numpy.random.Generator
-        Draws the entrants, with replacement.
-    size : int
-        Individuals in a tournament; 1 selects at random.
-
-    Returns
-    -------
-    ndarray of intp, shape (k,)
-        Indices of the winners, the fittest of each tournament.
-    """
+    """Return the parents (k,): each the fittest of `size` random entrants; size 1 is random."""
     entrants = rng.integers(0, len(fitness), size=(k, size))
     # Rows are tournaments; of equal fitness the first entrant wins, and their order is random.
     winners = np.argmax(fitness[entrants], axis=1)
@@ -60,24 +43,7 @@ def select_tournament(
 def select_truncation(
     fitness: FloatArray, k: int, rng: np.random.Generator, *, fraction: float
 ) -> Indices:
-    """Select parents evenly among the fittest part of the population.
-
-    Parameters
-    ----------
-    fitness : ndarray of float64, shape (n,)
-        Fitness of the population.
-    k : int
-        Number of parents to select.
-    rng : numpy.random.Generator
-        Draws the parents, with replacement.
-    fraction : float
-        Share of the population to draw from, in (0, 1]; at least one individual.
-
-    Returns
-    -------
-    ndarray of intp, shape (k,)
-        Indices of the parents.
-    """
+    """Return k parents drawn evenly from the fittest `fraction` of the population, in (0, 1]."""
     # Stable: individuals of equal fitness keep their order on every machine.
     best_first = np.argsort(-fitness, kind="stable")
     survivors = best_first[: max(1, round(fraction * len(fitness)))]
@@ -92,25 +58,10 @@ def mate_uniform(
     *,
     probability: float,
 ) -> Genomes:
-    """Turn genomes into children by uniform crossover, in place.
+    """Turn genomes (n, genes) into children by uniform crossover, in place, and return them.
 
-    Parameters
-    ----------
-    genomes : ndarray of float32, shape (n, genes)
-        The first parent of each child; overwritten with the children.
-    population : ndarray of float32, shape (m, genes)
-        Individuals to mate with.
-    mates : ndarray of int, shape (n,)
-        The second parent of each child, as an index into `population`.
-    rng : numpy.random.Generator
-        Draws which children mix, and which genes come from the second parent.
-    probability : float
-        Probability that a child mixes both parents. Other children are their first parent.
-
-    Returns
-    -------
-    ndarray of float32, shape (n, genes)
-        `genomes`.
+    A child mixes with that probability: each gene is that of its row, or of its mate in
+    `population`, which `mates` (n,) indexes.
     """
     mixed = rng.random(len(genomes)) < probability
     # Without crossover, the default, no random number for each gene is drawn.
@@ -124,24 +75,7 @@ def mate_uniform(
 def mutate_gaussian(
     genomes: Genomes, rng: np.random.Generator, *, sigma: float, probability: float
 ) -> Genomes:
-    """Mutate genomes by Gaussian noise, in place.
-
-    Parameters
-    ----------
-    genomes : ndarray of float32, shape (n, genes)
-        Genomes to mutate; overwritten with the mutants.
-    rng : numpy.random.Generator
-        Draws the noise.
-    sigma : float
-        Standard deviation of the noise.
-    probability : float
-        Probability that a gene mutates.
-
-    Returns
-    -------
-    ndarray of float32, shape (n, genes)
-        `genomes`.
-    """
+    """Add Gaussian noise to each gene with some probability, in place; return the genomes."""
     noise = rng.standard_normal(genomes.shape, dtype=np.float32)
     noise *= np.float32(sigma)
     if probability < 1.0:
@@ -153,24 +87,7 @@ def mutate_gaussian(
 def mutate_from_table(
     genomes: Genomes, rng: np.random.Generator, *, noise: NoiseTable, probability: float
 ) -> Genomes:
-    """Mutate genomes by noise from a table, in place; many times as fast as `mutate_gaussian`.
-
-    Parameters
-    ----------
-    genomes : ndarray of float32, shape (n, genes)
-        Genomes to mutate; overwritten with the mutants.
-    rng : numpy.random.Generator
-        Draws the places in the table.
-    noise : NoiseTable
-        Table for the same number of genes; its `sigma` is the standard deviation of the noise.
-    probability : float
-        Probability that a gene mutates.
-
-    Returns
-    -------
-    ndarray of float32, shape (n, genes)
-        `genomes`.
-    """
+    """Mutate as `mutate_gaussian`, by noise from a table: many times as fast."""
     # Row by row: each window starts at another place, and no array holds all of them.
     for genome, change in zip(genomes, noise.draw(len(genomes), rng), strict=True):
         if probability < 1.0:

@@ -32,15 +32,7 @@ and other outputs are smaller than this number by far."""
 
 @dataclass(frozen=True, eq=False)
 class FixedWeights:
-    """Weights of a network that no learner changes.
-
-    Parameters
-    ----------
-    fixed : ndarray of bool, shape (genes,)
-        Which genes are fixed.
-    values : ndarray of float32, shape (genes,)
-        Their values; 0 elsewhere.
-    """
+    """Weights (genes,) of a network that no learner changes, and their values; 0 elsewhere."""
 
     fixed: BoolArray
     values: Genome
@@ -53,46 +45,19 @@ class FixedWeights:
 
 
 def masked_network(network: Network, mask: str) -> Network:
-    """Return a network with room for a mask: one more unit for each move in each hidden layer.
-
-    Parameters
-    ----------
-    network : Network
-        The network without the mask.
-    mask : str
-        Key of `MASKS`.
-    """
+    """Return a network with room for a mask: one more unit for each move in each hidden layer."""
     if not MASKS[mask]:
         return network
     return replace(network, hidden=tuple(size + network.n_actions - 1 for size in network.hidden))
 
 
 def mask_weights(network: Network, mask: str, team: Team) -> FixedWeights | None:
-    """Return the weights of a mask, None for the mask "none".
+    """Return the weights of a mask of `MASKS` in a `masked_network` with a fov of at least 3.
 
-    Parameters
-    ----------
-    network : Network
-        Network that `masked_network` returned, with a fov of at least 3.
-    mask : str
-        Key of `MASKS`.
-    team : {"pursuer", "evader"}
-        Team whose network it is: it tells teammates from adversaries.
-
-    Returns
-    -------
-    FixedWeights or None
-        The weights. Staying is never forbidden.
-
-    Notes
-    -----
-    Without hidden layers, the weights from the cells to the outputs are fixed. With tanh, a unit of
-    the mask is not 1 but at least tanh(tanh(...(1))), which is enough.
-
-    References
-    ----------
-    Huang, S. and Ontañón, S. (2022). A closer look at invalid action masking in policy gradient
-    algorithms. FLAIRS.
+    None for the mask "none". Staying is never forbidden. Without hidden layers, the weights from
+    the cells to the outputs are fixed. With tanh, a unit of the mask is not 1 but at least
+    tanh(tanh(...(1))), which is enough. On masks in learning: Huang & Ontañón 2022, "A closer look
+    at invalid action masking in policy gradient algorithms".
     """
     if not MASKS[mask]:
         return None

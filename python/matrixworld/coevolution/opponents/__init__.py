@@ -27,10 +27,6 @@ from matrixworld.coevolution.opponents.archives import (
     ArchiveSampler,
     Generalist,
     MaxSolve,
-    PayoffFunction,
-    layers_of,
-    maximally_different,
-    read_only,
     swapped,
 )
 from matrixworld.coevolution.opponents.samplers import (
@@ -42,10 +38,8 @@ from matrixworld.coevolution.opponents.samplers import (
     SharedSampling,
     Stateless,
     Uniform,
-    Weighting,
     even,
     hard,
-    shared_sample,
 )
 
 __all__ = [
@@ -58,18 +52,12 @@ __all__ = [
     "Latest",
     "MaxSolve",
     "OpponentSampler",
-    "PayoffFunction",
     "Prioritized",
     "RoundRobin",
     "SharedSampling",
     "Stateless",
     "Uniform",
-    "Weighting",
     "even",
     "hard",
-    "layers_of",
-    "maximally_different",
-    "read_only",
-    "shared_sample",
     "swapped",
 ]

@@ -44,23 +44,7 @@ def swapped(payoff: PayoffFunction) -> PayoffFunction:
 
 
 def read_only(rows: ArrayLike) -> Members:
-    """Return a read-only copy of an array of members.
-
-    Parameters
-    ----------
-    rows : array_like, shape (n, ...)
-        One member per row.
-
-    Returns
-    -------
-    ndarray, shape (n, ...)
-        The copy.
-
-    Raises
-    ------
-    ValueError
-        If the array has no axis.
-    """
+    """Return a read-only copy of an array of members (n, ...); ValueError if it has no axis."""
     members = np.array(rows)
     if members.ndim == 0:
         raise ValueError("members: expected an array of rows, got a single number")
@@ -303,17 +287,9 @@ class LAPCA(Archive):
 
 
 def layers_of(payoffs: FloatArray) -> Indices:
-    """Return the Pareto layer of each candidate.
+    """Return the Pareto layer of each candidate of payoffs (n, m), 0 the best.
 
-    Parameters
-    ----------
-    payoffs : ndarray of float64, shape (n, m)
-        Payoffs of n candidates on m tests.
-
-    Returns
-    -------
-    ndarray of intp, shape (n,)
-        Layer, 0 the best. -1 for a candidate whose payoffs equal those of an earlier one.
+    -1 stands for a candidate whose payoffs equal those of an earlier one.
     """
     layer = np.full(len(payoffs), -1, dtype=np.intp)
     # `unique` returns the first row of each kind, in the order of the values; sort by age again.
@@ -368,30 +344,13 @@ def _fewest_tests(needed: BoolArray) -> list[int]:
 
 
 def maximally_different(payoffs: ArrayLike, count: int) -> Indices:
-    """Return opponents whose payoffs differ as much as possible.
+    """Return opponents, in the order chosen, whose payoffs (m, n) differ as much as possible.
 
     ::
 
         first: the opponent with the highest mean payoff
         next:  the opponent farthest from the nearest chosen one, by the mean absolute difference
                of payoffs; of equals the first
-
-    Parameters
-    ----------
-    payoffs : array_like of float, shape (m, n)
-        Payoffs of m opponents against n members of the team that learns.
-    count : int
-        Opponents to choose; all, if there are fewer.
-
-    Returns
-    -------
-    ndarray of intp, shape (min(count, m),)
-        Opponents in the order chosen.
-
-    Raises
-    ------
-    ValueError
-        If `payoffs` has another number of axes.
     """
     values = np.asarray(payoffs, dtype=np.float64)
     if values.ndim != 2:

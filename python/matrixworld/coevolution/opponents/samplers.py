@@ -186,13 +186,7 @@ def check_available(available: int) -> None:
 
 
 def checked_scores(opponents: ArrayLike, scores: ArrayLike) -> tuple[Indices, FloatArray]:
-    """Return opponents (c,) and scores (n, c) as arrays.
-
-    Raises
-    ------
-    ValueError
-        If the shapes do not fit, there is no score, or a score lies outside [0, 1].
-    """
+    """Return opponents (c,) and scores (n, c); ValueError unless they fit and are in [0, 1]."""
     index, values = np.asarray(opponents, dtype=np.intp), np.asarray(scores, dtype=np.float64)
     if values.ndim != 2 or index.shape != values.shape[1:] or not values.size:
         raise ValueError(
@@ -358,27 +352,8 @@ def shared_sample(beats: ArrayLike, count: int, rng: np.random.Generator) -> Ind
             decide ties at random
             covered[k] += beats[j, k]
 
-    Parameters
-    ----------
-    beats : array_like of float, shape (m, n)
-        How surely opponent j beats individual k of the last epoch, in [0, 1].
-    count : int
-        Opponents to choose; all, if there are fewer.
-    rng : numpy.random.Generator
-        Decides ties.
+    `beats` (m, n) says how surely opponent j beats individual k of the last epoch, in [0, 1].
 
-    Returns
-    -------
-    ndarray of intp, shape (min(count, m),)
-        Opponents in the order chosen.
-
-    Raises
-    ------
-    ValueError
-        If `beats` has another number of axes or a value outside [0, 1].
-
-    References
-    ----------
     Rosin & Belew 1997, "New methods for competitive coevolution", Evolutionary Computation 5(1).
     """
     matrix = np.asarray(beats, dtype=np.float64)

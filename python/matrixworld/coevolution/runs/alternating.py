@@ -15,7 +15,8 @@ from matrixworld.analysis import disengagements, judge, measure_all, read_payoff
 from matrixworld.analysis.engagement import PATIENCE, Disengagement
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.coevolution.opponents import OpponentSampler, PayoffFunction
+from matrixworld.coevolution.opponents import OpponentSampler
+from matrixworld.coevolution.opponents.archives import PayoffFunction
 from matrixworld.coevolution.payoff import Payoff
 from matrixworld.coevolution.runs.run import Run, TeamPhase
 from matrixworld.coevolution.schedules import (

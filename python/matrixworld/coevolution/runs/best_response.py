@@ -14,7 +14,7 @@ from matrixworld._util.short_repr import short_repr
 from matrixworld.analysis import response_gain
 from matrixworld.analysis.games import ResponseGain
 from matrixworld.coevolution.evaluation.tournament import tournament
-from matrixworld.coevolution.learners import EvolutionStrategySettings
+from matrixworld.coevolution.learners.evolution_strategy import EvolutionStrategySettings
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.runs.single import SingleTeam
 from matrixworld.coevolution.runs.start import resume

@@ -60,20 +60,7 @@ def start(
 
 
 def check_own_code(settings: RaceSettings) -> None:
-    """Make the learners and opponent samplers of a run once, and nothing else.
-
-    Parameters
-    ----------
-    settings : RaceSettings
-        Settings of the run.
-
-    Raises
-    ------
-    ValueError
-        If a learner or sampler cannot be imported, or refuses its settings.
-    PluginError
-        If its code fails.
-    """
+    """Make the learners and samplers of a run once; ValueError or PluginError if one fails."""
     genomes, schedule = settings.learner.starting_genomes, settings.schedule
     for team in settings.learning_teams:
         settings.new_learner(team, settings.untrained(team, genomes))

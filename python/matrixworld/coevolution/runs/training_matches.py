@@ -57,15 +57,7 @@ COUNTERS = ("matches", "steps", "agent_steps")
 
 
 class TrainingMatches:
-    """Plays matches in the training world of a run, counts them, and keeps the log of its epochs.
-
-    Attributes
-    ----------
-    matches, steps, agent_steps : int
-        Episodes, world steps, and steps of living agents played so far.
-    rows : list of dict
-        Rows of the log, one per epoch, since the last stage was saved.
-    """
+    """Plays matches in the training world of a run, counts them, and keeps the log of epochs."""
 
     def __init__(self, settings: RaceSettings, play: Rollout, threads: int | None) -> None:
         self.settings: RaceSettings = settings

@@ -30,25 +30,7 @@ def script_of(name: str) -> Script:
 
 
 def last_generation(directory: str | Path, team: Team) -> Population:
-    """Return the last genome of a team in a run directory, as a population of one.
-
-    Parameters
-    ----------
-    directory : str or Path
-        The run directory.
-    team : {"pursuer", "evader"}
-        The team.
-
-    Returns
-    -------
-    Population
-        One genome and its network.
-
-    Raises
-    ------
-    ValueError
-        If the archive has no genomes of that team.
-    """
+    """Return the last genome of a team in a run directory; ValueError if there is none."""
     files = RunDirectory.open(directory)
     genomes = files.archive()[team]
     if not len(genomes):
