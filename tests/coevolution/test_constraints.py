@@ -11,12 +11,7 @@ import pytest
 import matrixworld as mw
 from matrixworld import coevolution
 from matrixworld.coevolution.fitness import collisions, feasible_first
-from matrixworld.coevolution.learners.actor_critic import (
-    ActorCritic,
-    ActorCriticSettings,
-    orthogonal,
-)
-from matrixworld.coevolution.runs.training_matches import TrainingMatches, experience
+from matrixworld.coevolution.runs.training_matches import TrainingMatches
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.world.policy import Population
 from tiny_race import tiny_single
@@ -81,32 +76,3 @@ def test_a_limit_makes_evolution_collide_less(tmp_path: Path) -> None:
         return float(collisions(scores, "pursuer")[0])
 
     assert rate("limited", 20.0) < 0.5 * rate("free", None)
-
-
-def test_the_multiplier_rises_above_the_limit_and_falls_below_it() -> None:
-    pytest.importorskip("torch")
-    config = mw.WorldConfig("S", rows=5, cols=5, n_pursuers=3, n_evaders=2, fov=5, max_steps=10)
-    network = mw.Network.for_config(config, hidden=(6,))
-    rng = np.random.default_rng(0)
-    learner = ActorCritic(
-        orthogonal(network.sizes, rng),
-        network,
-        rng,
-        ActorCriticSettings(population=2, cost_limit=100.0),
-    )
-    seen = experience(
-        config, "pursuer", Population(learner.genome, network), "random", np.zeros(4, int),
-        np.arange(4, dtype=np.uint64), threads=1,
-    )  # fmt: skip
-
-    def after(collisions_per_1000: float) -> float:
-        costs = np.zeros(len(seen), np.float32)
-        costs[: round(len(seen) * collisions_per_1000 / 1000)] = 1
-        learner.learn(replace(seen, costs=costs))
-        return learner.multiplier
-
-    multipliers = [after(rate) for rate in (0.0, 200.0, 200.0, 50.0, 50.0, 0.0, 0.0, 0.0)]
-    assert multipliers[0] == 0.0
-    assert 0.0 < multipliers[1] < multipliers[2]
-    assert multipliers[2] > multipliers[3] > multipliers[4] > multipliers[5]
-    assert multipliers[-1] == 0.0

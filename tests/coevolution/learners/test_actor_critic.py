@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -97,7 +98,7 @@ def numeric_gradient(value, weights: np.ndarray, places: np.ndarray) -> np.ndarr
 
 def smooth(network: Network) -> Network:
     # The corners of ReLU have no derivative.
-    return network.changed({"policy.activation": "tanh"})
+    return replace(network, activation="tanh")
 
 
 @pytest.mark.parametrize(("clip", "entropy"), [(0.0, 0.0), (0.0, 0.1), (0.2, 0.05)])
@@ -233,15 +234,17 @@ def test_an_archived_genome_does_not_change() -> None:
 
 def test_the_multiplier_rises_above_the_limit_and_falls_below_it() -> None:
     one = learner(cost_limit=10.0, cost_rate=0.5)
-    one._weigh(18.0)
-    assert one.multiplier == pytest.approx(0.4)
-    one._weigh(300.0)  # by the rate at most
-    assert one.multiplier == pytest.approx(0.9)
-    one._weigh(5.0)
-    assert one.multiplier == pytest.approx(0.65)
-    for _ in range(9):
-        one._weigh(0.0)
-    assert one.multiplier == 0.0
+    seen = played(one)
+
+    def after(collisions_per_1000: float) -> float:
+        costs = np.full(len(seen), collisions_per_1000 / 1000, np.float32)
+        one.learn(replace(seen, costs=costs))
+        return one.multiplier
+
+    # By the rate at most; and never below 0.
+    rates = (0.0, 18.0, 300.0, 5.0, 0.0, 0.0)
+    expected = [0.0, 0.4, 0.9, 0.65, 0.15, 0.0]
+    assert [after(rate) for rate in rates] == pytest.approx(expected, abs=1e-5)
 
 
 @pytest.mark.parametrize("sizes", [(75, 6, 5), (4, 9, 2)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from itertools import count
 
 import numpy as np
@@ -19,7 +20,7 @@ from matrixworld.coevolution import (
     NoiseTable,
     generate_update_toolbox,
 )
-from matrixworld.coevolution.learners.cma_es import MOST_GENES, check_genes
+from matrixworld.coevolution.learners.cma_es import MOST_GENES
 from matrixworld.coevolution.learners.evolution_strategy import centred_ranks
 
 SIZE = 20
@@ -126,47 +127,43 @@ def test_evolution_strategy_samples_mirrored_pairs_on_shared_matches():
     assert learner.seed_groups.tolist() == [*range(8), *range(8)]
 
 
-def test_evolution_strategy_finds_the_target():
-    learner = teach(strategy(anneal_over=400), 400)
-    assert closeness(learner.genome) > -0.01 > closeness(np.zeros(SIZE))
-
-
-def test_evolution_strategy_follows_the_published_update():
-    learner = strategy()
-    candidates = learner.ask(generator())
-    fitness = closeness(candidates)
-    noise = candidates / 0.05
+def gradient_of(learner, epoch):
+    """Teach an epoch, and return the gradient that Salimans et al. 2017 define for it."""
+    candidates = learner.ask(generator(epoch))
+    fitness, noise = closeness(candidates), (candidates - learner.genome) / 0.05
     ranks = np.argsort(np.argsort(fitness)) / 15 - 0.5
-    gradient = (ranks[:, None] * noise).sum(axis=0) / (16 * 0.05)
     learner.tell(fitness)
-    assert np.allclose(learner.genome, 0.05 * np.sign(gradient), atol=1e-4)  # Adam's first step
+    return (ranks[:, None] * noise).sum(axis=0) / (16 * 0.05)
 
 
-def test_momentum_follows_the_published_update():
+def test_evolution_strategies_follow_the_published_update():
+    learner = strategy()
+    first = gradient_of(learner, 0)
+    assert np.allclose(learner.genome, 0.05 * np.sign(first), atol=1e-4)  # Adam's first step
     learner = momentum(momentum=0.5)
-    rates, gradients = [], []
-    for epoch in range(2):
-        candidates = learner.ask(generator(epoch))
-        noise = (candidates - learner.genome) / 0.05
-        fitness = closeness(candidates)
-        ranks = np.argsort(np.argsort(fitness)) / 15 - 0.5
-        gradients.append((ranks[:, None] * noise).sum(axis=0) / (16 * 0.05))
-        rates.append(learner.rate)
-        learner.tell(fitness)
-    assert rates == [0.01, 0.01]
-    expected = 0.01 * gradients[0] + (0.01 * gradients[1] + 0.5 * 0.01 * gradients[0])
+    first, second = gradient_of(learner, 0), gradient_of(learner, 1)
+    expected = 0.01 * first + (0.01 * second + 0.5 * 0.01 * first)
     assert np.allclose(learner.genome, expected, atol=1e-5)
 
 
-def test_momentum_finds_the_target():
-    learner = teach(momentum(anneal_over=400), 400)
-    assert closeness(learner.genome) > -0.01
+@pytest.mark.parametrize("make", [strategy, momentum])
+def test_evolution_strategies_find_the_target(make):
+    learner = teach(make(anneal_over=400), 400)
+    assert closeness(learner.genome) > -0.01 > closeness(np.zeros(SIZE))
 
 
-def test_momentum_anneals_as_adam_does():
-    learner = momentum(anneal_over=10)
-    assert learner.rate == 0.01
-    assert teach(learner, 12).rate == pytest.approx(0.001)
+@pytest.mark.parametrize("make", [strategy, momentum])
+def test_annealed_rate_falls_to_a_tenth(make):
+    learner = make(anneal_over=10, learning_rate=1.0)
+    rates = []
+    for epoch in range(12):
+        rates.append(learner.rate)
+        teach(learner, 1, first=epoch)
+    assert rates[0] == 1.0
+    assert rates[5] == pytest.approx(0.55)
+    assert rates[10:] == pytest.approx([0.1, 0.1])
+    constant = make(learning_rate=0.05)
+    assert constant.rate == teach(constant, 3).rate == 0.05
 
 
 def ellipsoid(size, condition):
@@ -270,18 +267,6 @@ def test_equal_fitness_teaches_nothing():
     assert not learner.genome.any()
 
 
-def test_annealed_rate_falls_to_a_tenth():
-    learner = strategy(anneal_over=10, learning_rate=1.0)
-    rates = []
-    for epoch in range(12):
-        rates.append(learner.rate)
-        teach(learner, 1, first=epoch)
-    assert rates[0] == 1.0
-    assert rates[5] == pytest.approx(0.55)
-    assert rates[10:] == pytest.approx([0.1, 0.1])
-    assert strategy().rate == teach(strategy(), 3).rate == 0.05
-
-
 @pytest.mark.parametrize("make", LEARNERS)
 def test_restored_learner_goes_on_bit_for_bit(make):
     straight = teach(make(), 8)
@@ -314,37 +299,35 @@ def test_bad_fitness_is_refused(make, fitness):
         learner.tell(fitness)
 
 
-def test_bad_learners_are_refused():
-    with pytest.raises(ValueError, match=r"samples: expected an even number.*got 5"):
-        strategy(samples=5)
-    with pytest.raises(ValueError, match="genome: expected shape"):
-        EvolutionStrategy(np.zeros(SIZE + 1), noise_table())
-    with pytest.raises(ValueError, match="truncation: expected a number above 0 and at most 1"):
-        algorithm(truncation=2.0)
-    with pytest.raises(ValueError, match="population: expected"):
-        algorithm(elites=40)
-    with pytest.raises(
-        ValueError, match=f"noise: expected a table for {SIZE} genes, got one for 3"
-    ):
-        GeneticAlgorithm(np.zeros((40, SIZE)), noise_table(3))
-    with pytest.raises(ValueError, match=r"sigma: expected .*got 0"):
-        noise_table(sigma=0)
-    for share in (1.0, -0.1, math.nan):
-        with pytest.raises(ValueError, match="momentum: expected a number"):
-            momentum(momentum=share)
-
-
-def test_bad_cma_is_refused():
-    expected = r"learner: expected at most 1000 genes .* got 1001; a smaller view"
-    with pytest.raises(ValueError, match=expected):
-        CmaEs(np.zeros(MOST_GENES + 1), sigma=0.1)
-    check_genes(MOST_GENES)
-    with pytest.raises(ValueError, match=r"genome: expected shape \(genes,\), got \(2, 3\)"):
-        CmaEs(np.zeros((2, 3)), sigma=0.1)
-    with pytest.raises(ValueError, match="samples: expected at least 2, got 1"):
-        covariance(samples=1)
-    with pytest.raises(ValueError, match=r"sigma: expected .*got -1"):
-        covariance(sigma=-1)
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: strategy(samples=5), "samples: expected an even number.*got 5"),
+        (lambda: EvolutionStrategy(np.zeros(SIZE + 1), noise_table()), "genome: expected shape"),
+        (lambda: algorithm(truncation=2.0), "truncation: expected a number above 0 and at most 1"),
+        (lambda: algorithm(elites=40), "population: expected"),
+        (
+            lambda: GeneticAlgorithm(np.zeros((40, SIZE)), noise_table(3)),
+            f"noise: expected a table for {SIZE} genes, got one for 3",
+        ),
+        (lambda: noise_table(sigma=0), "sigma: expected .*got 0"),
+        *((partial(momentum, momentum=share), "momentum: expected a number")
+          for share in (1.0, -0.1, math.nan)),
+        (
+            lambda: CmaEs(np.zeros(MOST_GENES + 1), sigma=0.1),
+            "learner: expected at most 1000 genes .* got 1001; a smaller view",
+        ),
+        (
+            lambda: CmaEs(np.zeros((2, 3)), sigma=0.1),
+            r"genome: expected shape \(genes,\), got \(2, 3\)",
+        ),
+        (lambda: covariance(samples=1), "samples: expected at least 2, got 1"),
+        (lambda: covariance(sigma=-1), "sigma: expected .*got -1"),
+    ],
+)  # fmt: skip
+def test_bad_learners_are_refused(call, message):
+    with pytest.raises(ValueError, match=f"^{message}"):
+        call()
 
 
 @pytest.mark.parametrize(

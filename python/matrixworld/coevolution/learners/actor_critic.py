@@ -313,34 +313,9 @@ class ActorCritic:
     estimates advantages C of costs, and the actor follows (A - m C) / (1 + m), where the multiplier
     m >= 0 rises while there are more collisions than the limit.
 
-    Parameters
-    ----------
-    genome : array_like of float32, shape (genes,)
-        Weights of the actor to start from.
-    network : Network
-        The actor.
-    rng : numpy.random.Generator
-        Draws the first weights of the critics.
-    chosen : ActorCriticSettings, optional
-        All other settings, with the matches of an epoch.
-    state_size : int, optional
-        Numbers in a state of the world, which a central critic sees.
-    fixed : ndarray of bool, shape (genes,), optional
-        Weights of the actor that do not change, such as those of a mask. By default none.
-
-    Attributes
-    ----------
-    genome : ndarray of float32, shape (genes,)
-        Weights of the actor.
-    multiplier : float
-        The Lagrangian multiplier.
-
-    Raises
-    ------
-    MissingExtraError
-        If PyTorch is not installed.
-    ValueError
-        If PyTorch cannot use the device.
+    `genome` and `network` are the actor to start from, and `rng` draws the first weights of the
+    critics. A central critic sees states of `state_size` numbers. Weights of the actor that are
+    `fixed` (genes,), such as those of a mask, do not change.
     """
 
     def __init__(
