@@ -64,7 +64,7 @@ def test_each_interruption_is_resumed_bit_for_bit(kind, tmp_path):
 def test_the_learner_learns_by_its_own_rule(kind, tmp_path):
     run = start(RUNS[kind], tmp_path / "run", threads=1)
     run.run()
-    for team in run.learning_teams():
+    for team in run.settings.learning_teams:
         assert isinstance(run.learners[team].made, own_code.HillClimber)
         genomes = run.genomes(team)
         assert np.isfinite(genomes).all()

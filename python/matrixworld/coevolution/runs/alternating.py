@@ -103,10 +103,6 @@ class Race(Run):
         """The number of team phases in the run."""
         return self.stages_per_generation * self.schedule.generations
 
-    def learning_teams(self) -> tuple[Team, ...]:
-        """Return both teams."""
-        return TEAMS
-
     def learn(self, stage: int) -> None:
         """Let one team learn for the epochs of a generation, and archive its genome."""
         # Pursuers in even stages, evaders in odd ones; generation 0 is untrained.
@@ -169,7 +165,8 @@ class Race(Run):
         """
         # Retention compares two genomes.
         retention = 2 * archived * self.schedule.retention_episodes
-        return (self.training.champion_matches(met) + retention) * self.settings.match_episodes
+        champion = self.settings.learner.elite_matches * met
+        return (champion + retention) * self.settings.match_episodes
 
     def total_matches(self) -> int:
         """Return the episodes of the training and of the payoff matrix."""

@@ -121,7 +121,7 @@ class Run(ABC):
         count = settings.learner.starting_genomes
         self.learners: dict[Team, Learner] = {
             team: settings.new_learner(team, self.first_population(team, count))
-            for team in self.learning_teams()
+            for team in settings.learning_teams
         }
         self.archive: dict[Team, list[Genome]] = self.first_archive()
         self.set_up()
@@ -143,10 +143,6 @@ class Run(ABC):
     @abstractmethod
     def n_stages(self) -> int:
         """The number of stages."""
-
-    @abstractmethod
-    def learning_teams(self) -> tuple[Team, ...]:
-        """Return the teams that learn."""
 
     @abstractmethod
     def learn(self, stage: int) -> None:

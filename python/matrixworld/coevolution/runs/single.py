@@ -103,10 +103,6 @@ class SingleTeam(Run):
         """The number of entries that the run adds to the archive."""
         return ceil(self.schedule.epochs / self.schedule.archive_every)
 
-    def learning_teams(self) -> tuple[Team, ...]:
-        """Return the one team that learns."""
-        return (self.schedule.team,)
-
     def first_population(self, team: Team, count: int) -> Genomes:
         """Return untrained genomes, or the genome to start from and mutants of it."""
         if self._start is None:
@@ -158,7 +154,7 @@ class SingleTeam(Run):
         settings = self.settings
         opponents = 1 if isinstance(self.opponents, str) else len(self.opponents.genomes)
         # One opponent an epoch.
-        champions = self.n_stages * self.training.champion_matches(1)
+        champions = self.n_stages * settings.learner.elite_matches
         per_run = self.schedule.epochs * settings.learner.population + champions
         training = per_run * settings.match_episodes
         return training + opponents * settings.evaluation_episodes

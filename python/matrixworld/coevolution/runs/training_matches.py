@@ -242,10 +242,6 @@ class TrainingMatches:
             )  # fmt: skip
             learner.choose_champion(again)
 
-    def champion_matches(self, met: int) -> int:
-        """Return the matches of `choose_champion` against `met` opponents."""
-        return self.settings.learner.elite_matches * met
-
     def keeps(
         self,
         team: Team,
