@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, ClassVar, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.sections import Section, documented, setting
+from matrixworld.coevolution.sections import Section, setting
 from matrixworld.coevolution.types import FloatArray, Genome, Genomes, Indices, State, Team
 
 if TYPE_CHECKING:  # both import this module
@@ -94,7 +94,6 @@ class GradientLearner(Protocol):
         """Learn from the transitions of an epoch."""
 
 
-@documented
 @dataclass(frozen=True)
 class LearnerSettings(Section):
     """Base of the settings of a learner; each has a class in the file of its learner.
