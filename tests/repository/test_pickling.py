@@ -34,12 +34,9 @@ from tiny_race import results, tiny_race, tiny_single
 INTERFACE = "an interface or a base class, which has no instances"
 NOT_COPIED = {
     "Archive": INTERFACE,
-    "ActorCritic": "needs PyTorch",
-    "GradientLearner": INTERFACE,
     "Learner": INTERFACE,
     "LearnerSettings": INTERFACE,
     "OpponentSampler": INTERFACE,
-    "Optimizer": INTERFACE,
     "Run": INTERFACE,
     "Stateless": INTERFACE,
     "Batch": "its buffers belong to the caller",
