@@ -21,7 +21,7 @@ from typing import Any
 import click
 
 from matrixworld import Matches, Population, _core
-from matrixworld.cli.jobs import new_job, play_runs
+from matrixworld.cli.evolve import new_job, play_runs
 from matrixworld.cli.report import report
 from matrixworld.coevolution import (
     EvolutionStrategy,

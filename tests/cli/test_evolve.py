@@ -31,7 +31,8 @@ from command_line import (
     words,
 )
 from matrixworld._util.files import json_digest, load_json, locked, save_json
-from matrixworld.cli import held_out, report
+from matrixworld.cli import report
+from matrixworld.cli import score as score_module
 from matrixworld.cli.arguments import find_runs
 from matrixworld.cli.setting_options import Asked
 from matrixworld.coevolution import (
@@ -279,7 +280,7 @@ def test_a_job_reads_and_scores_each_run_once(undrawn, monkeypatch):
 
     monkeypatch.setattr(Race, "__init__", counted("built", Race.__init__))
     monkeypatch.setattr(RunDirectory, "payoff", counted("read", RunDirectory.payoff))
-    monkeypatch.setattr(held_out, "score", counted("scored", held_out.score))
+    monkeypatch.setattr(score_module, "score", counted("scored", score_module.score))
     matrixworld_command("evolve", "out", *words(JOB))
     # Runs are played by worker processes, and only their files are read here.
     assert counts == {"built": 0, "read": jobs, "scored": jobs}

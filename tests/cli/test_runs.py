@@ -40,7 +40,7 @@ def copy(job: Path, tmp_path: Path) -> Path:
 
 
 def test_variants_prints_a_row_for_each():
-    lines = matrixworld_command("variants").output.splitlines()
+    lines = matrixworld_command("evolve", "--variants").output.splitlines()
     rows = {line.split()[0]: line for line in lines[1 : 1 + len(VARIANTS)]}
     assert rows.keys() == VARIANTS.keys()
     shown = rows["SDB"].split()
@@ -240,7 +240,7 @@ def test_titles_name_the_run_and_its_seed(job):
     shutil.copytree(job / MAIN_JOB[0], renamed)
     groups = groups_of([renamed])
     [race] = groups[0].runs
-    schedule, seed = race.settings.schedule, race.settings.seed
+    schedule, seed = race.settings.schedule.name, race.settings.seed
     assert run_title(job / MAIN_JOB[0], race.settings) == f"{schedule}, seed {seed}"
     assert run_title(Path(f"{schedule}/seed-5"), race.settings) == f"{schedule}, seed {seed}"
     assert run_title(renamed, race.settings) == f"my-race ({schedule}), seed {seed}"

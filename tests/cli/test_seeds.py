@@ -15,7 +15,7 @@ import pytest
 
 from command_line import MAIN_JOB, RACE, WORLD, matrixworld_command, words
 from matrixworld.cli.arguments import find_runs
-from matrixworld.cli.seeds import seeds_of
+from matrixworld.cli.options import seeds_of
 from matrixworld.coevolution import finish, open_run
 from matrixworld.coevolution.jobs.job import open_job
 from tiny_race import results, tiny_race, tiny_single
@@ -198,5 +198,5 @@ def test_the_file_of_a_job_is_plain_json():
     matrixworld_command("evolve", "out", "--seeds", "3", "--schedule", MAIN_JOB[0], *words(ONE))
     [group] = json.loads(Path("out/job.json").read_text())["groups"]
     assert group["seeds"] == {f"{MAIN_JOB[0]}/seed-3": 3}
-    assert group["settings"]["schedule"] == MAIN_JOB[0]
+    assert group["settings"]["schedule"]["kind"] == "alternating"
     assert "seed" not in group["settings"]

@@ -16,7 +16,7 @@ import pytest
 
 from command_line import RACE, matrixworld_command, run_together, words
 from dask_cluster import DaskCluster, dask_cluster, group_lives, kill_group, wait_until
-from matrixworld.cli import clusters
+from matrixworld.cli import options
 from matrixworld.coevolution import RaceSettings, evolve, finish, open_run
 from tiny_race import results, tiny_race
 
@@ -151,6 +151,6 @@ def test_some_learners_want_like_processors(
         asked.append(like_processors)
         yield
 
-    monkeypatch.setattr(clusters, "cluster", recorded)
-    with clusters.on_cluster("auto", None, settings=[tiny_race(), tiny_race(learner=learner)]):
+    monkeypatch.setattr(options, "cluster", recorded)
+    with options.on_cluster("auto", None, settings=[tiny_race(), tiny_race(learner=learner)]):
         assert asked == [alike]

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 import platform
+import re
 import statistics
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -27,14 +28,21 @@ from matrixworld._util.checks import check_threads, processor_name, usable_cores
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import INTERRUPTED, note, print_table, print_wrapped, progress
 from matrixworld.cli.options import (
+    cols_option,
+    diagonal_option,
     force_option,
+    fov_option,
     given_options,
     json_option,
+    n_evaders_option,
+    n_pursuers_option,
+    obstacles_option,
     refuse_existing,
+    rows_option,
     threads_option,
     write_json,
 )
-from matrixworld.cli.setting_options import Asked, sizes_of, world_options
+from matrixworld.cli.setting_options import Asked
 from matrixworld.coevolution import TEAMS, RaceSettings
 from matrixworld.envs.vector import VectorEnv
 from matrixworld.play.rollout import EpisodeStatistics, Matches, rollout
@@ -272,6 +280,13 @@ def _variant(ctx: click.Context, param: click.Parameter, value: str) -> str:
     return value.upper()
 
 
+def _sizes_of(value: str) -> tuple[int, ...]:
+    """Return layer sizes such as 32 or 64,64; none: no layer."""
+    if not re.fullmatch(r"none|\d{1,9}(,\d{1,9})*", value):
+        raise click.BadParameter(f"expected sizes such as 32 or 64,64, or none, got {value!r}")
+    return () if value == "none" else tuple(map(int, value.split(",")))
+
+
 def _seconds(ctx: click.Context, param: click.Parameter, value: float) -> float:
     # Not click.FloatRange, which lets nan pass.
     if not 0 < value <= LONGEST:
@@ -283,7 +298,7 @@ def _seconds(ctx: click.Context, param: click.Parameter, value: float) -> float:
 @click.argument("variant", default="O", callback=_variant)
 @click.option(
     "--hidden",
-    type=sizes_of,
+    type=_sizes_of,
     multiple=True,
     default=HIDDEN,
     metavar="SIZES",
@@ -302,7 +317,13 @@ def _seconds(ctx: click.Context, param: click.Parameter, value: float) -> float:
 @threads_option
 @json_option
 @force_option
-@world_options()
+@rows_option
+@cols_option
+@n_pursuers_option
+@n_evaders_option
+@obstacles_option
+@fov_option
+@diagonal_option
 def bench_command(
     variant: str,
     hidden: tuple[tuple[int, ...], ...],

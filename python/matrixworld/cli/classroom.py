@@ -18,44 +18,46 @@ from matrixworld.cli.arguments import failures, run_of
 from matrixworld.cli.console import TERMS, note, print_table, print_wrapped, progress
 from matrixworld.cli.explore import open_option, open_page
 from matrixworld.cli.options import (
-    SectionedCommand,
-    SettingOption,
+    diagonal_option,
     force_option,
+    fov_option,
     json_option,
+    obstacles_option,
     option_name,
     out_option,
     refuse_existing,
     seed_option,
     threads_option,
+    variant_option,
     write_json,
 )
-from matrixworld.cli.setting_options import in_options, world_options
+from matrixworld.cli.setting_options import in_options
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.explorer.page import write_page
 from matrixworld.world.config import WorldConfig
 
-DEFAULTS = Limits()
 VARIANT = "O"
 SIZE = 16
 """Rows and columns of the grid, if no map gives them."""
 SIZE_DEFAULT = f"[default: {SIZE}, or that of the map]"
 
 
-def _world(*names: str, **attributes: Any) -> Callable[[Any], Any]:
-    return click.option(*names, cls=SettingOption, section="World", show_default=True, **attributes)
+def _world(name: str, help: str, default: int | None = None) -> Callable[[Any], Any]:
+    return click.option(
+        name, type=int, default=default, show_default=True, metavar="INTEGER", help=help
+    )
 
 
-def _limit(name: str, **attributes: Any) -> Callable[[Any], Any]:
-    default = getattr(DEFAULTS, name.removeprefix("--").replace("-", "_"))
+def _limit(name: str, help: str) -> Callable[[Any], Any]:
+    default = getattr(Limits(), name.removeprefix("--").replace("-", "_"))
     return click.option(
         name,
-        cls=SettingOption,
-        section="Limits of programs",
+        type=type(default),
         default=default,
         show_default=True,
         metavar="NUMBER",
-        **attributes,
+        help=f"limit of programs: {help}",
     )
 
 
@@ -77,7 +79,7 @@ def class_command() -> None:
     """
 
 
-@class_command.command("play", cls=SectionedCommand)
+@class_command.command("play")
 @click.argument(
     "directory", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path)
 )
@@ -95,21 +97,22 @@ def class_command() -> None:
 @json_option
 @force_option
 @threads_option
-@world_options("variant", "obstacles", "fov", "diagonal")
-@_world("--rows", type=int, metavar="INTEGER", help=f"rows of the grid  {SIZE_DEFAULT}")
-@_world("--cols", type=int, metavar="INTEGER", help=f"columns of the grid  {SIZE_DEFAULT}")
-@_world("--n-pursuers", default=4, type=int, metavar="INTEGER", help="number of pursuers")
-@_world("--n-evaders", default=4, type=int, metavar="INTEGER", help="number of evaders")
-@_world("--steps", default=100, type=int, metavar="INTEGER", help="most steps of an episode")
-@_limit("--seconds", type=int, help="processor time of a match, in seconds")
-@_limit("--wait", type=float, help="time by the clock of one answer, in seconds")
-@_limit("--in-all", type=float, help="processor time of all matches of a policy, in seconds")
-@_limit("--memory", type=int, help="memory in MiB")
+@variant_option
+@obstacles_option
+@fov_option
+@diagonal_option
+@_world("--rows", f"rows of the grid  {SIZE_DEFAULT}")
+@_world("--cols", f"columns of the grid  {SIZE_DEFAULT}")
+@_world("--n-pursuers", "number of pursuers", 4)
+@_world("--n-evaders", "number of evaders", 4)
+@_world("--steps", "most steps of an episode", 100)
+@_limit("--seconds", "processor time of a match, in seconds")
+@_limit("--wait", "time by the clock of one answer, in seconds")
+@_limit("--in-all", "processor time of all matches of a policy, in seconds")
+@_limit("--memory", "memory in MiB")
 @click.option(
     "--trust",
     is_flag=True,
-    cls=SettingOption,
-    section="Limits of programs",
     help="run programs with the rights of your own: only if you have read all of them",
 )
 def play_command(

@@ -1,36 +1,61 @@
-"""``matrixworld evolve``: start runs, or continue them."""
+"""``matrixworld evolve``: start the runs of a job, or continue them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import traceback
+from collections.abc import Iterator, Sequence
 from concurrent.futures import BrokenExecutor, Executor
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import click
 
-from matrixworld.cli.arguments import can_resume, failures, resume_command, resumed_of
-from matrixworld.cli.clusters import cluster_option, on_cluster, refuse_threads
-from matrixworld.cli.console import INTERRUPTED, note, warnings_as_notes
-from matrixworld.cli.jobs import default_directory, found_job, new_job, play_runs
+from matrixworld.cli.arguments import (
+    can_resume,
+    failures,
+    find_runs,
+    opponent_of,
+    place_in_job,
+    resume_command,
+    resumed_of,
+)
+from matrixworld.cli.console import INTERRUPTED, note, print_table, progress, warnings_as_notes
+from matrixworld.cli.groups import Result, open_result
 from matrixworld.cli.options import (
-    SectionedCommand,
+    cluster_option,
+    cols_option,
     given_options,
+    n_evaders_option,
+    n_pursuers_option,
+    on_cluster,
     option_name,
+    refuse_threads,
+    rows_option,
+    seed_option,
+    seeds_option,
     threads_option,
+    variant_option,
 )
 from matrixworld.cli.report import report
-from matrixworld.cli.seeds import seeds_option
-from matrixworld.cli.setting_options import asked, help_all, setting_options, usage_errors
-from matrixworld.cli.variants import variants_option
+from matrixworld.cli.setting_options import ALL, HINTS, MAIN_JOB, asked, help_all, usage_errors
 from matrixworld.coevolution import (
+    SCHEDULES,
+    TEAMS,
     PluginError,
     RaceSettings,
     RunDirectory,
 )
-from matrixworld.coevolution.jobs.evolve import check_job
-from matrixworld.coevolution.jobs.job import Job
+from matrixworld.coevolution.jobs.evolve import BAD_FILES, check_job, described, play_job
+from matrixworld.coevolution.jobs.job import Job, job_of, open_job
+from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME
+from matrixworld.coevolution.sections import kinds_in
+from matrixworld.world.policy import SCRIPTS
+from matrixworld.world.rules import CAPTURE_TEXTS, INTERACTION_TEXTS, OUTCOME_TEXTS, VARIANTS, Rules
+
+RUNS = Path("runs")
+"""Parent directory of runs for which no directory is given."""
 
 # \b keeps click from wrapping the lines.
 EXAMPLES = """\b
@@ -45,10 +70,90 @@ Examples:
 """
 
 
-@click.command(
-    "evolve", cls=SectionedCommand, epilog=EXAMPLES, short_help="Start races, or continue them."
+# The table of variants:
+
+VARIANT_HEADS = (
+    "variant",
+    "moves",
+    "obstacle",
+    "teammate",
+    "adversary: evader / pursuer",
+    "capture by",
+    "the captured",
 )
+OUTCOMES = {outcome: text.split()[0] for outcome, text in OUTCOME_TEXTS.items()}
+VARIANT_LEGEND = """\
+Obstacle, teammate, adversary: what happens to an agent that collides with an obstacle or the
+border, with a teammate, with an adversary. It reaches the cell, bounces back to its own cell, or
+disappears.
+Occupation: a pursuer captures an evader by reaching its cell. Surrounding: pursuers, obstacles and
+the border on all four sides capture an evader.
+Other rules can be made in Python: matrixworld.Rules(...)."""
+
+
+def _print_variants(ctx: click.Context, param: click.Parameter, value: bool) -> None:
+    if value:
+        rows = [VARIANT_HEADS, *(_variant_row(name, rules) for name, rules in VARIANTS.items())]
+        print_table(rows, "<" * len(VARIANT_HEADS))
+        click.echo(f"\n{VARIANT_LEGEND}")
+        ctx.exit()
+
+
+def _variant_row(name: str, rules: Rules) -> tuple[str, ...]:
+    return (
+        name,
+        INTERACTION_TEXTS[rules.interaction],
+        OUTCOMES[rules.obstacle],
+        OUTCOMES[rules.teammate],
+        f"{OUTCOMES[rules.evader]} / {OUTCOMES[rules.pursuer]}",
+        CAPTURE_TEXTS[rules.capture],
+        "disappear" if rules.removes_captured else "stay",
+    )
+
+
+@click.command("evolve", epilog=EXAMPLES, short_help="Start races, or continue them.")
 @click.argument("output", required=False, type=click.Path(path_type=Path, file_okay=False))
+@variant_option
+@rows_option
+@cols_option
+@n_pursuers_option
+@n_evaders_option
+@click.option(
+    "--schedule",
+    type=click.Choice([*SCHEDULES, ALTERNATING, HALL_OF_FAME, ALL]),
+    multiple=True,
+    metavar="NAME",
+    help=f"opponents of each team: {', '.join([*SCHEDULES, ALTERNATING])}, {HALL_OF_FAME}; may be "
+    f"given several times; {ALL}: the first three  [default: {', '.join(MAIN_JOB)}]",
+)
+@click.option(
+    "--learner",
+    metavar="NAME",
+    help=f"{', '.join(kinds_in(HINTS['learner']))}, or one of your own, as module:object  "
+    "[default: es]",
+)
+@click.option(
+    "--generations",
+    type=int,
+    metavar="INTEGER",
+    help="generations of a race  [default: 30]",
+)
+@click.option(
+    "--against",
+    callback=opponent_of,
+    metavar="SCRIPT|RUN",
+    help=f"evolve one team alone against {', '.join(SCRIPTS)}, or the last generation of a run",
+)
+@click.option(
+    "--team",
+    type=click.Choice(TEAMS),
+    metavar="TEAM",
+    help="with --against: the team that learns  [default: pursuer]",
+)
+@seed_option
+@seeds_option
+@threads_option
+@cluster_option
 @click.option(
     "--resume",
     "resumed",
@@ -56,10 +161,28 @@ Examples:
     callback=resumed_of,
     help="continue the run, or all runs, in this directory",
 )
-@seeds_option
-@threads_option
-@cluster_option
-@setting_options
+@click.option(
+    "--set",
+    "sets",
+    multiple=True,
+    metavar="PATH=VALUE",
+    help="any other setting, such as learner.sigma=0.1; --help-all lists them; may be given "
+    "several times",
+)
+@click.option(
+    "--config",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="settings from a .toml file, or the config.json of a run; options replace them",
+)
+@click.option(
+    "--variants",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_print_variants,
+    help="print the nine variants of the game as a table of rules",
+)
 @click.option(
     "--help-all",
     is_flag=True,
@@ -68,7 +191,6 @@ Examples:
     callback=help_all,
     help="print this page and all settings",
 )
-@variants_option
 def evolve_command(
     output: Path | None,
     resumed: Path | None,
@@ -120,7 +242,7 @@ def _play_new(
 ) -> None:
     job = new_job(settings, seeds)
     elsewhere = _elsewhere(job, where, threads)
-    root = _new_directory(output, default_directory(job))
+    root = _new_directory(output, _default_directory(job))
     # Some settings can be checked only when opponents and start genomes have been read.
     with usage_errors():
         check_job(job, root, elsewhere, threads)
@@ -143,7 +265,7 @@ def _elsewhere(job: Job, where: str | None, threads: int | None) -> Executor | N
 def _play_old(root: Path, threads: int | None, where: str | None) -> None:
     # The job is read inside the block: reading it may fail or take some time.
     with _resumable(root):
-        job = found_job(root)
+        job = _found_job(root)
         elsewhere = _elsewhere(job, where, threads)
         try:
             check_job(job, root, elsewhere, threads)
@@ -216,3 +338,65 @@ def _check_free(root: Path) -> None:
         raise click.UsageError(
             f"OUTPUT: expected a new or empty directory, got {str(root)!r}{hint}"
         ) from error
+
+
+# Jobs:
+
+
+def _default_directory(job: Job) -> Path:
+    """Return the directory named after a job's variant and seeds, such as ``runs/O-seed0``."""
+    settings = next(iter(job.runs.values()))
+    seeds = [each.seed for each in job.runs.values()]
+    named = f"seeds{seeds[0]}-{seeds[-1]}" if len({*seeds}) > 1 else f"seed{seeds[0]}"
+    what = "" if settings.is_race else f"-{settings.schedule.name}"
+    return RUNS / f"{settings.variant}{what}-{named}"
+
+
+def new_job(settings: Sequence[RaceSettings], seeds: Sequence[int] | None) -> Job:
+    """Return the job of runs that options ask for: settings of different schedules, and seeds."""
+    # The order in which find_runs finds them, so that --resume prints and draws the same.
+    ordered = sorted(settings, key=lambda each: place_in_job(each.schedule.name))
+    if seeds is None:
+        return job_of(ordered)
+    return job_of([replace(each, seed=seed) for each in ordered for seed in seeds])
+
+
+def _found_job(root: Path) -> Job:
+    """Return the job in a directory; a run's directory is a job of one."""
+    job = open_job(root)
+    if job is not None:
+        return job
+    runs = find_runs(root)
+    if runs != [root] and open_job(root.parent) is not None:
+        hint = resume_command(root.parent)
+        raise click.UsageError(f"--resume: expected a whole job, got a part of it; {hint}")
+    # Runs that were put together by hand.
+    return Job({run.relative_to(root).as_posix(): RunDirectory(run).settings() for run in runs})
+
+
+def play_runs(
+    job: Job, root: Path, threads: int | None, executor: Executor | None = None, *, new: bool
+) -> tuple[list[Result], dict[Path, str]]:
+    """Play the runs of a job; return the finished ones, and why the others failed.
+
+    The error of a single run is raised.
+    """
+    with progress() as bar:
+        names, errors = play_job(
+            job, root, keep=new, executor=executor, threads=threads, report=bar.show
+        )
+    for error in errors.values():
+        if len(job.runs) == 1:
+            raise error  # as it is: one sentence, or the traceback of the user's own code
+        if isinstance(error, PluginError):  # the user's own code: the traceback is wanted
+            note("".join(traceback.format_exception(error)))
+    failed = {root / name: described(root / name, error) for name, error in errors.items()}
+    results = []
+    for path in (root / name for name in names):
+        try:
+            result = open_result(path)
+            _ = result.payoff, result.numbers  # read now: damaged ones are named below
+            results.append(result)
+        except BAD_FILES as error:  # noqa: PERF203, of one run: the others are shown
+            failed[path] = described(path, error)
+    return results, failed

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from matrixworld.analysis import headline
 from matrixworld.cli.arguments import run_name
 from matrixworld.cli.groups import Group, Result
-from matrixworld.cli.held_out import play_held_out
+from matrixworld.cli.score import play_held_out
 from matrixworld.cli.tables import held_out
 from matrixworld.coevolution import Against, SavedRun, open_run, open_runs
 from matrixworld.coevolution.evaluation.scores import scores_in_race, trained_team

@@ -16,6 +16,7 @@ from typing import Any
 import click
 import numpy as np
 
+from matrixworld._util.files import DamagedFileError, json_digest, load_json
 from matrixworld.analysis import (
     Judgement,
     judge,
@@ -25,11 +26,19 @@ from matrixworld.analysis.cycles import MARGIN, NoiseReference, noise_reference
 from matrixworld.analysis.payoffs import Payoffs
 from matrixworld.cli.arguments import SEED, all_of, find_runs, resume_command
 from matrixworld.cli.console import note
-from matrixworld.cli.held_out import Scores, kept_scores
 from matrixworld.coevolution import Payoff, RaceSettings, RunDirectory
 from matrixworld.coevolution.jobs.job import JOB, open_job
+from matrixworld.version import __version__
 
 FILES = (".csv", ".npz")
+SCORES = "scores.json"
+"""File in the run directory: scores against held-out opponents, played once and kept."""
+SCORED_EPISODES = 100
+"""Episodes of each pair. They and the seed are the defaults of ``matrixworld score``."""
+SCORED_SEED = 0
+
+Scores = dict[str, Any]
+"""``HeldOutScores.to_json()`` of the last ``"pursuers"`` and of the last ``"evaders"``."""
 
 
 @dataclass(frozen=True)
@@ -64,6 +73,22 @@ class Result:
     def held_out(self) -> Scores:
         """Scores of the last generations against held-out opponents; `play_held_out` plays them."""
         return kept_scores(self.files) or {}
+
+
+def kept_scores(files: RunDirectory) -> Scores | None:
+    """Return the scores in the run directory; None if none are kept there, or other ones."""
+    try:
+        kept = load_json(files.path / SCORES, owner=owner_of_scores(files))
+    except (FileNotFoundError, DamagedFileError):
+        return None
+    # Other versions may have other held-out opponents.
+    played = kept.get("matrixworld"), kept.get("episodes"), kept.get("seed")
+    return kept if played == (__version__, SCORED_EPISODES, SCORED_SEED) else None
+
+
+def owner_of_scores(files: RunDirectory) -> str:
+    """Return what seals the file: scores of another run are not taken for those of this one."""
+    return f"{json_digest(files.config())}/{SCORES}"
 
 
 def open_result(path: Path) -> Result:

@@ -1,14 +1,15 @@
-"""Options that several commands share, each declared once, and old names of options.
-
-The options of a run's settings are in `setting_options`.
-"""
+"""Options that several commands share, each declared once, and the group of all commands."""
 
 from __future__ import annotations
 
+import re
 import shlex
-from collections.abc import Callable, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import Executor
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import click
 from click.core import ParameterSource
@@ -17,10 +18,21 @@ from matrixworld._util.checks import INT_MAX, MOST_THREADS
 from matrixworld._util.files import check_replaceable, save_json
 from matrixworld.cli.arguments import failures
 from matrixworld.cli.console import INTERRUPTED, note
+from matrixworld.cluster import UnfitWorkerError, check_where, cluster
+from matrixworld.coevolution import RaceSettings
+from matrixworld.coevolution.sections import WORLD_HELP
 from matrixworld.coevolution.settings import MOST_SEED
+from matrixworld.world.rules import VARIANTS
+
+AnyFunction = TypeVar("AnyFunction", bound=Callable[..., Any])
 
 TYPED = "matrixworld.typed"
 """Key of the words after ``matrixworld`` in the group's context."""
+
+
+def option_name(field_name: str) -> str:
+    """Return the option of a settings field."""
+    return "--" + field_name.replace("_", "-")
 
 
 def _seed(ctx: click.Context, param: click.Parameter, value: int) -> int:
@@ -30,16 +42,15 @@ def _seed(ctx: click.Context, param: click.Parameter, value: int) -> int:
     return value
 
 
-# A dictionary, because --seed of `evolve` is a setting and is declared among the settings.
-SEED: dict[str, Any] = {
-    "type": int,
-    "callback": _seed,
-    "default": 0,
-    "show_default": True,
-    "metavar": "INTEGER",
-    "help": "seed of all random numbers; equal seeds give equal results",
-}
-seed_option = click.option("--seed", **SEED)
+seed_option = click.option(
+    "--seed",
+    type=int,
+    callback=_seed,
+    default=0,
+    show_default=True,
+    metavar="INTEGER",
+    help="seed of all random numbers; equal seeds give equal results",
+)
 
 # At least 2: intervals over episodes do not exist for one. 100 episodes bring the interval of a
 # mean capture rate to about +-0.1 at worst, and are what `coevolution.score` plays by default.
@@ -86,9 +97,143 @@ def out_option(help: str, **attributes: Any) -> Callable[[Any], Any]:
     )
 
 
-def option_name(field_name: str) -> str:
-    """Return the option of a settings field."""
-    return "--" + field_name.replace("_", "-")
+# Several seeds:
+
+MOST_SEEDS = 100_000
+"""Most seeds of a job. Each is a directory."""
+RANGE = r"\d{1,19}(-\d{1,19})?"
+
+
+def seeds_of(
+    ctx: click.Context, param: click.Parameter, value: str | None
+) -> tuple[int, ...] | None:
+    """Return the seeds that a text names, in its order."""
+    if value is None:
+        return None
+    if not re.fullmatch(f"{RANGE}(,{RANGE})*", value):
+        raise click.BadParameter(f"expected seeds such as 0-9 or 0,3,5-7, got {value!r}")
+    ends = [[int(end) for end in part.split("-")] for part in value.split(",")]
+    _check_ends([(part[0], part[-1]) for part in ends])
+    seeds = Counter(seed for part in ends for seed in range(part[0], part[-1] + 1))
+    [(seed, times)] = seeds.most_common(1)
+    if times > 1:
+        raise click.BadParameter(f"expected each seed once, got {seed} several times")
+    return tuple(seeds)
+
+
+def _check_ends(ends: list[tuple[int, int]]) -> None:
+    for first, last in ends:
+        if first > last:
+            raise click.BadParameter(f"expected the lower seed first, got {first}-{last}")
+        if last > MOST_SEED:
+            raise click.BadParameter(f"expected seeds from 0 to {MOST_SEED}, got {last}")
+    count = sum(last - first + 1 for first, last in ends)
+    # Before any list is made: 0-9999999999 would fill the memory.
+    if count > MOST_SEEDS:
+        raise click.BadParameter(f"expected at most {MOST_SEEDS:,} seeds, got {count:,}")
+
+
+seeds_option = click.option(
+    "--seeds",
+    callback=seeds_of,
+    metavar="SEEDS",
+    help="a run of each seed, side by side: such as 0-9 or 0,3,5-7, in place of --seed",
+)
+
+
+# Clusters:
+
+
+def _where(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
+    if value is not None:
+        try:
+            check_where(value)
+        except ValueError as error:
+            raise click.BadParameter(str(error).removeprefix("cluster: ")) from error
+    return value
+
+
+cluster_option = click.option(
+    "--cluster",
+    "where",
+    metavar="auto|ADDRESS|FILE",
+    callback=_where,
+    help="play on a Dask cluster: auto (this machine), tcp://HOST:8786, or a scheduler file",
+)
+
+
+def refuse_threads(where: str | None, threads: int | None) -> None:
+    """Raise click.UsageError if ``--threads`` is given beside ``--cluster``."""
+    if where is not None and threads is not None:
+        raise click.UsageError("--threads: expected it without --cluster, got both")
+
+
+@contextmanager
+def on_cluster(
+    where: str | None,
+    threads: int | None,
+    directory: Path | None = None,
+    settings: Iterable[RaceSettings] = (),
+) -> Iterator[Executor | None]:
+    """Yield the executor that ``--cluster`` asks for, or None without it.
+
+    `directory` is what the work reads and writes, `settings` are those of the runs to play.
+    """
+    if where is None:
+        yield None
+        return
+    refuse_threads(where, threads)
+    alike = any(each.learner.rounds_by_processor for each in settings)
+    try:
+        with cluster(where, directory=directory, like_processors=alike, tell=note) as executor:
+            yield executor
+    except (ImportError, UnfitWorkerError) as error:
+        raise click.ClickException(str(error)) from error
+
+
+# Worlds:
+
+
+def _obstacles(ctx: click.Context, param: click.Parameter, value: str | None) -> Any:
+    """Return a density, or the path of a map."""
+    if value is None:
+        return None
+    # A file that is named like a number can be given as ./0.1.
+    try:
+        return float(value)
+    except ValueError:
+        if Path(value).is_file():
+            return value
+    raise click.BadParameter(f"expected a density in [0, 1) or a .map file, got {value!r}")
+
+
+variant_option = click.option(
+    "--variant",
+    type=click.types.FuncParamType(str.upper),
+    metavar="NAME",
+    help=f"game variant: {', '.join(VARIANTS)}; --variants of evolve explains them",
+)
+
+
+def _integer(name: str) -> Callable[[AnyFunction], AnyFunction]:
+    return click.option(option_name(name), type=int, metavar="INTEGER", help=WORLD_HELP[name])
+
+
+rows_option, cols_option = _integer("rows"), _integer("cols")
+n_pursuers_option, n_evaders_option = _integer("n_pursuers"), _integer("n_evaders")
+obstacles_option = click.option(
+    "--obstacles",
+    callback=_obstacles,
+    metavar="DENSITY|FILE",
+    help="density of obstacles in [0, 1), or a MovingAI .map file",
+)
+fov_option = _integer("fov")
+diagonal_option = click.option(
+    "--diagonal/--no-diagonal", default=None, help=WORLD_HELP["diagonal"]
+)
+
+
+# Values:
 
 
 def given_options(options: Mapping[str, Any]) -> dict[str, Any]:
@@ -147,26 +292,3 @@ class Commands(click.Group):
             again = shlex.join(["matrixworld", *ctx.meta.get(TYPED, [])])
             note(f"\nStopped. No file is half written. To start again:\n  {again}")
             raise click.exceptions.Exit(INTERRUPTED) from None
-
-
-class SettingOption(click.Option):
-    """An option that belongs to a section of the help page."""
-
-    def __init__(self, *args: Any, section: str, **attributes: Any) -> None:
-        super().__init__(*args, **attributes)
-        self.section = section
-
-
-class SectionedCommand(click.Command):
-    """A command whose help page lists the options by section."""
-
-    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the options, those without a section first."""
-        sections: dict[str, list[tuple[str, str]]] = {"Options": []}
-        for param in self.get_params(ctx):
-            record = param.get_help_record(ctx) if isinstance(param, click.Option) else None
-            if record is not None:
-                sections.setdefault(getattr(param, "section", "Options"), []).append(record)
-        for title, records in sections.items():
-            with formatter.section(title):
-                formatter.write_dl(records)

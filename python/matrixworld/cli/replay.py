@@ -11,15 +11,16 @@ import click
 from matrixworld._util.checks import INT_MAX, SEED_MAX
 from matrixworld.cli.arguments import failures, find_runs, run_of
 from matrixworld.cli.options import (
-    SectionedCommand,
+    cols_option,
     force_option,
     given_options,
+    obstacles_option,
     option_name,
     refuse_existing,
+    rows_option,
     seed_option,
     steps_option,
 )
-from matrixworld.cli.setting_options import world_options
 from matrixworld.coevolution import open_run
 from matrixworld.episodes import replay
 from matrixworld.episodes.episode import Episode, step_number
@@ -75,12 +76,7 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
         ) from None
 
 
-@click.command(
-    "replay",
-    cls=SectionedCommand,
-    epilog=EXAMPLES,
-    short_help="Watch an episode, or write it to files.",
-)
+@click.command("replay", epilog=EXAMPLES, short_help="Watch an episode, or write it to files.")
 @click.argument("source", metavar="RUN|FILE|VARIANT", callback=_source)
 @click.option(
     "--pursuer",
@@ -151,7 +147,9 @@ def _source(ctx: click.Context, param: click.Parameter, value: str) -> Path | Ru
     metavar="AGENT",
     help="outline in pictures what this agent sees: pursuer_0, ...; may be given several times",
 )
-@world_options("rows", "cols", "obstacles")
+@rows_option
+@cols_option
+@obstacles_option
 def replay_command(
     source: Path | Rules,
     out: tuple[Path, ...],

@@ -15,7 +15,7 @@ from matrixworld.cli.console import TERMS, command, print_wrapped
 from matrixworld.cli.explore import write_explorer
 from matrixworld.cli.figures import draw, planned
 from matrixworld.cli.groups import Group, Result, grouped
-from matrixworld.cli.held_out import play_held_out
+from matrixworld.cli.score import play_held_out
 from matrixworld.cli.tables import (
     measured,
     measured_of_one_team,

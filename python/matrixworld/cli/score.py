@@ -2,24 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import click
 import numpy as np
 
+from matrixworld._util.files import save_json
 from matrixworld.analysis import Estimate, fewest_runs, interquartile_mean
 from matrixworld.analysis.plain_values import plain_values
 from matrixworld.cli.arguments import failures
-from matrixworld.cli.clusters import cluster_option, on_cluster
-from matrixworld.cli.console import print_wrapped
-from matrixworld.cli.groups import Group, groups_of, runs_argument
-from matrixworld.cli.held_out import score_all
+from matrixworld.cli.console import print_wrapped, progress
+from matrixworld.cli.groups import (
+    SCORED_EPISODES,
+    SCORED_SEED,
+    SCORES,
+    Group,
+    Result,
+    groups_of,
+    kept_scores,
+    owner_of_scores,
+    runs_argument,
+)
 from matrixworld.cli.options import (
+    cluster_option,
     episodes_option,
     force_option,
     json_option,
+    on_cluster,
     refuse_existing,
     seed_option,
     steps_option,
@@ -27,7 +38,8 @@ from matrixworld.cli.options import (
     write_json,
 )
 from matrixworld.cli.tables import over_seeds, print_head, print_missing, shown
-from matrixworld.coevolution import HeldOutScores
+from matrixworld.coevolution import HeldOutScores, Team, open_run, score
+from matrixworld.version import __version__
 
 ALL = "all"
 LAST = -1
@@ -111,11 +123,11 @@ def score_command(
         write_json(json_file, {"seed": options["seed"], "groups": plain})
 
 
-Scores = Sequence[HeldOutScores]
+TeamScores = Sequence[HeldOutScores]
 """Scores of one team, of each seed."""
 
 
-def estimates_of(scores: Scores, row: int) -> dict[str, Estimate]:
+def estimates_of(scores: TeamScores, row: int) -> dict[str, Estimate]:
     """Return the estimates of one generation against each opponent, and over all of them."""
     first, opponents = scores[0], scores[0].opponents
     if len(scores) == 1:
@@ -128,7 +140,7 @@ def estimates_of(scores: Scores, row: int) -> dict[str, Estimate]:
     return {**known, "interquartile mean": interquartile_mean(rates)}
 
 
-def _print(group: Group, teams: Sequence[Scores]) -> None:
+def _print(group: Group, teams: Sequence[TeamScores]) -> None:
     several = f": {group.finished_of_asked()} seeds finished" if group.several else ""
     print_head(f"{group.name}{several}")
     for scores in teams:
@@ -150,7 +162,7 @@ def _print(group: Group, teams: Sequence[Scores]) -> None:
     print_missing(group)
 
 
-def _plain(group: Group, teams: Sequence[Scores]) -> dict[str, Any]:
+def _plain(group: Group, teams: Sequence[TeamScores]) -> dict[str, Any]:
     """Return the scores of a group as plain values: by generation, and of each seed."""
     return {
         "seeds": list(group.seeds),
@@ -170,3 +182,40 @@ def _plain(group: Group, teams: Sequence[Scores]) -> dict[str, Any]:
             for scores in teams
         },
     }
+
+
+# Playing, also at the end of ``evolve``:
+
+
+def score_all(paths: Sequence[Path], **options: Any) -> dict[Path, Mapping[Team, HeldOutScores]]:
+    """Score runs one after the other, with one progress for all; options as those of `score`."""
+    found: dict[Path, Mapping[Team, HeldOutScores]] = {}
+    with progress() as report:
+        for number, path in enumerate(paths):
+            # Runs of a job play about equally many matches.
+            def part(what: str, done: int, total: int, number: int = number) -> None:
+                place = f"[{number + 1}/{len(paths)}] " if len(paths) > 1 else ""
+                report(place + what, number * total + done, len(paths) * total)
+
+            found[path] = score(open_run(path), report=part, **options)
+    return found
+
+
+def play_held_out(races: Sequence[Result], threads: int | None) -> None:
+    """Play the scores of the last generations of races that have none, and keep them.
+
+    They are those of ``matrixworld score`` without options.
+    """
+    missing = {race.path: race.files for race in races if kept_scores(race.files) is None}
+    if not missing:
+        return
+    played = score_all([*missing], episodes=SCORED_EPISODES, seed=SCORED_SEED, threads=threads)
+    for path, files in missing.items():
+        teams = {f"{team}s": each.to_json() for team, each in played[path].items()}
+        values = {
+            "matrixworld": __version__,
+            "episodes": SCORED_EPISODES,
+            "seed": SCORED_SEED,
+            **teams,
+        }
+        save_json(path / SCORES, values, owner=owner_of_scores(files))

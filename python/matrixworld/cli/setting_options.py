@@ -9,44 +9,36 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import Field, dataclass, field, fields
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any, TypeVar, get_args
+from typing import Any, get_args
 
 import click
 
-from matrixworld.cli.arguments import opponent_of
-from matrixworld.cli.options import SEED, SettingOption, option_name
+from matrixworld.cli.options import option_name
 from matrixworld.coevolution import SCHEDULES, RaceSettings
 from matrixworld.coevolution.own_code import LEARNER, OPPONENT, installed
-from matrixworld.coevolution.schedules import ALTERNATING, HALL_OF_FAME
 from matrixworld.coevolution.sections import (
     WORLD_HELP,
     Section,
     hints_of,
-    kinds_in,
     merged,
     put,
     sections_in,
 )
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import SCRIPTS
-from matrixworld.world.rules import VARIANTS
 
 if sys.version_info >= (3, 11):
     import tomllib
 else:
     import tomli as tomllib
 
-AnyFunction = TypeVar("AnyFunction", bound=Callable[..., Any])
-
 MAIN_JOB = ("specialist-specialist", "hall-of-fame", "generalist-generalist")
 ALL = "all"
 HINTS = hints_of(RaceSettings)
-INTEGER = {"type": int, "metavar": "INTEGER"}
 
 PATHS = {
     "variant": "world.rules",
@@ -59,132 +51,6 @@ PATHS = {
     "seed": "seed",
 }
 """Options of their own, and the settings that they set."""
-
-
-# Options:
-
-
-def obstacles_of(ctx: click.Context, param: click.Parameter, value: str | None) -> Any:
-    """Return a density, or the path of a map."""
-    if value is None:
-        return None
-    # A file that is named like a number can be given as ./0.1.
-    try:
-        return float(value)
-    except ValueError:
-        if Path(value).is_file():
-            return value
-    raise click.BadParameter(f"expected a density in [0, 1) or a .map file, got {value!r}")
-
-
-def sizes_of(value: str) -> tuple[int, ...]:
-    """Return layer sizes such as 32 or 64,64; none: no layer."""
-    if not re.fullmatch(r"none|\d{1,9}(,\d{1,9})*", value):
-        raise click.BadParameter(f"expected sizes such as 32 or 64,64, or none, got {value!r}")
-    return () if value == "none" else tuple(map(int, value.split(",")))
-
-
-WORLD_OPTIONS: dict[str, dict[str, Any]] = {
-    "variant": {
-        "type": click.types.FuncParamType(str.upper),
-        "metavar": "NAME",
-        "help": f"game variant: {', '.join(VARIANTS)}; --variants of evolve explains them",
-    },
-    "rows": {**INTEGER, "help": WORLD_HELP["rows"]},
-    "cols": {**INTEGER, "help": WORLD_HELP["cols"]},
-    "n_pursuers": {**INTEGER, "help": WORLD_HELP["n_pursuers"]},
-    "n_evaders": {**INTEGER, "help": WORLD_HELP["n_evaders"]},
-    "obstacles": {
-        "callback": obstacles_of,
-        "metavar": "DENSITY|FILE",
-        "help": "density of obstacles in [0, 1), or a MovingAI .map file",
-    },
-    "fov": {**INTEGER, "help": WORLD_HELP["fov"]},
-    "diagonal": {"default": None, "help": WORLD_HELP["diagonal"]},
-}
-
-
-def world_options(*names: str) -> Callable[[AnyFunction], AnyFunction]:
-    """Return a decorator that gives a command the named options of a world, or all but variant."""
-
-    def decorate(function: AnyFunction) -> AnyFunction:
-        for name in reversed(names or [*WORLD_OPTIONS][1:]):
-            flag = option_name(name)
-            flag = f"{flag}/--no-{name}" if name == "diagonal" else flag
-            function = click.option(
-                flag, name, cls=SettingOption, section="World", **WORLD_OPTIONS[name]
-            )(function)
-        return function
-
-    return decorate
-
-
-def setting_options(function: AnyFunction) -> AnyFunction:
-    """Give a command the options of settings; their values reach it as one `Asked`."""
-    options: Sequence[tuple[str, dict[str, Any]]] = (
-        (
-            "schedule",
-            {
-                "type": click.Choice([*SCHEDULES, ALTERNATING, HALL_OF_FAME, ALL]),
-                "multiple": True,
-                "metavar": "NAME",
-                "help": f"opponents of each team: {', '.join([*SCHEDULES, ALTERNATING])}, "
-                f"{HALL_OF_FAME}; may be given several times; {ALL}: the first three  "
-                f"[default: {', '.join(MAIN_JOB)}]",
-            },
-        ),
-        (
-            "learner",
-            {
-                "metavar": "NAME",
-                "help": f"{', '.join(kinds_in(HINTS['learner']))}, or one of your own, as "
-                "module:object  [default: es]",
-            },
-        ),
-        ("generations", {**INTEGER, "help": "generations of a race  [default: 30]"}),
-        (
-            "against",
-            {
-                "callback": opponent_of,
-                "metavar": "SCRIPT|RUN",
-                "help": f"evolve one team alone against {', '.join(SCRIPTS)}, or the last "
-                "generation of a run",
-            },
-        ),
-        (
-            "team",
-            {
-                "type": click.Choice(["pursuer", "evader"]),
-                "metavar": "TEAM",
-                "help": "with --against: the team that learns  [default: pursuer]",
-            },
-        ),
-        ("seed", SEED),
-        (
-            "set",
-            {
-                "multiple": True,
-                "metavar": "PATH=VALUE",
-                "help": "any other setting, such as learner.sigma=0.1; --help-all lists them; may "
-                "be given several times",
-            },
-        ),
-        (
-            "config",
-            {
-                "type": click.Path(exists=True, dir_okay=False, path_type=Path),
-                "metavar": "FILE",
-                "help": "settings from a .toml file, or the config.json of a run; options replace "
-                "them",
-            },
-        ),
-    )
-    for name, attributes in reversed(options):
-        named = name if name != "set" else "sets"
-        function = click.option(
-            option_name(name), named, cls=SettingOption, section="Settings", **attributes
-        )(function)
-    return world_options("variant", "rows", "cols", "n_pursuers", "n_evaders")(function)
 
 
 # Values:

@@ -25,8 +25,7 @@ from matrixworld.analysis import (
 from matrixworld.analysis.judge import ABSENT, CANNOT_TELL, PRESENT
 from matrixworld.analysis.payoffs import EPISODES_TO_JUDGE, GENERATIONS_TO_JUDGE
 from matrixworld.cli.console import WIDEST, print_table, print_wrapped
-from matrixworld.cli.groups import Group, Result
-from matrixworld.cli.held_out import EPISODES
+from matrixworld.cli.groups import SCORED_EPISODES, Group, Result
 from matrixworld.coevolution import Against
 from matrixworld.coevolution.types import TEAMS, Team
 
@@ -223,7 +222,7 @@ def _held_out_mean(group: Group, team: Team) -> Estimate | None:
     if len(group.runs) > 1:
         return over_seeds(held_out(group, team).mean(axis=1))
     [mean] = group.runs[0].held_out[f"{team}s"]["mean"]
-    return Estimate(**mean, across="episodes", samples=EPISODES)
+    return Estimate(**mean, across="episodes", samples=SCORED_EPISODES)
 
 
 def held_out(group: Group, team: Team) -> NDArray[np.float64]:
