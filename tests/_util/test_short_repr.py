@@ -36,7 +36,7 @@ def test_a_run_says_what_it_is(tmp_path):
         f"SavedRun('{tmp_path / 'race'}', generalist-generalist, seed 5, pursuers: 3, evaders: 3)"
     )
     finish(tiny_single(), tmp_path / "one")
-    assert "one team, seed" in repr(open_run(tmp_path / "one"))
+    assert "pursuer-against-random, seed" in repr(open_run(tmp_path / "one"))
 
 
 def test_arrays_appear_as_dtype_and_shape():

@@ -1,4 +1,4 @@
-"""The commands that work on runs: variants, tournament, replay, figures."""
+"""The table of variants, and the commands that work on runs: tournament, replay, figures."""
 
 from __future__ import annotations
 
