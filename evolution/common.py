@@ -73,7 +73,7 @@ def on_cluster(
         yield None
         return
     alike = any(each.learner.rounds_by_processor for each in settings)
-    with cluster(where, directory=directory, like_processors=alike, tell=print) as executor:
+    with cluster(where, directory=directory, same_processors=alike, tell=print) as executor:
         yield executor
 
 

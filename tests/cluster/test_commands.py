@@ -141,14 +141,14 @@ def test_a_cluster_of_this_machine_stops_at_ctrl_c_and_continues(tmp_path: Path)
 @pytest.mark.parametrize(
     ("learner", "alike"), [("cma", True), ("actor-critic", True), ("es", False)]
 )
-def test_some_learners_want_like_processors(
+def test_some_learners_want_same_processors(
     monkeypatch: pytest.MonkeyPatch, learner: str, alike: bool
 ) -> None:
     asked: list[bool] = []
 
     @contextmanager
-    def recorded(where: str, *, like_processors: bool, **options: object) -> Iterator[None]:
-        asked.append(like_processors)
+    def recorded(where: str, *, same_processors: bool, **options: object) -> Iterator[None]:
+        asked.append(same_processors)
         yield
 
     monkeypatch.setattr(options, "cluster", recorded)

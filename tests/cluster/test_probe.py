@@ -21,9 +21,9 @@ def answer(asked: Probe) -> str:
 
 
 def test_a_process_like_this_one_is_fit(tmp_path: Path) -> None:
-    with posted(None, like_processors=True) as asked:
+    with posted(None, same_processors=True) as asked:
         assert asked.problem() == ""
-    with posted(tmp_path, like_processors=True) as asked:
+    with posted(tmp_path, same_processors=True) as asked:
         assert answer(asked) == ""
 
 
@@ -44,7 +44,7 @@ def test_other_traits_are_named(trait: str, problem: str) -> None:
 def test_processors_matter_only_where_results_depend_on_them() -> None:
     traits = {**traits_here(), "algebra": "openblas 0.3.7 Z80"}
     assert Probe(traits).problem() == ""
-    assert "CMA-ES" in Probe(traits, like_processors=True).problem()
+    assert "CMA-ES" in Probe(traits, same_processors=True).problem()
 
 
 def test_the_fingerprint_changes_with_what_the_engine_does(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -241,16 +241,16 @@ def _play_new(
     where: str | None,
 ) -> None:
     job = new_job(settings, seeds)
-    elsewhere = _elsewhere(job, where, threads)
+    remote = _remote(job, where, threads)
     root = _new_directory(output, _default_directory(job))
     # Some settings can be checked only when opponents and start genomes have been read.
     with usage_errors():
-        check_job(job, root, elsewhere, threads)
+        check_job(job, root, remote, threads)
     with _resumable(root):
         _play(job, root, threads, where, new=True)
 
 
-def _elsewhere(job: Job, where: str | None, threads: int | None) -> Executor | None:
+def _remote(job: Job, where: str | None, threads: int | None) -> Executor | None:
     """Return an executor for checks if runs play on other machines; a single run cannot."""
     if where is None:
         return None
@@ -266,9 +266,9 @@ def _play_old(root: Path, threads: int | None, where: str | None) -> None:
     # The job is read inside the block: reading it may fail or take some time.
     with _resumable(root):
         job = _found_job(root)
-        elsewhere = _elsewhere(job, where, threads)
+        remote = _remote(job, where, threads)
         try:
-            check_job(job, root, elsewhere, threads)
+            check_job(job, root, remote, threads)
         except ValueError as error:
             # The package of a learner of the user's own may be missing, or have changed.
             raise click.ClickException(str(error)) from error

@@ -185,7 +185,7 @@ def on_cluster(
     refuse_threads(where, threads)
     alike = any(each.learner.rounds_by_processor for each in settings)
     try:
-        with cluster(where, directory=directory, like_processors=alike, tell=note) as executor:
+        with cluster(where, directory=directory, same_processors=alike, tell=note) as executor:
             yield executor
     except (ImportError, UnfitWorkerError) as error:
         raise click.ClickException(str(error)) from error

@@ -29,7 +29,7 @@ def cluster(
     where: str,
     *,
     directory: Path | None = None,
-    like_processors: bool = False,
+    same_processors: bool = False,
     tell: Callable[[str], None] = warnings.warn,
 ) -> Iterator[Executor]:
     """Yield an executor whose work is done on a Dask cluster.
@@ -41,7 +41,7 @@ def cluster(
         scheduler, such as ``"tcp://host:8786"``; or the path of a scheduler file.
     directory : Path, optional
         Directory that the work reads and writes: all workers must see it, and its locks.
-    like_processors : bool, optional
+    same_processors : bool, optional
         Whether the workers' linear algebra must be the same as here: CMA-ES needs it.
     tell : callable, optional
         Called with each sentence for the user, about workers that join or are missing.
@@ -66,7 +66,7 @@ def cluster(
     """
     with ExitStack() as stack:
         client = stack.enter_context(_connected(where))
-        probe = stack.enter_context(posted(directory, like_processors=like_processors))
+        probe = stack.enter_context(posted(directory, same_processors=same_processors))
         executor = ClusterExecutor(client, probe, tell=tell)
         stack.callback(executor.close)
         executor.start()

@@ -96,7 +96,7 @@ class Probe:
     """What another process must have to share work."""
 
     traits: dict[str, str]
-    like_processors: bool = False
+    same_processors: bool = False
     """Whether the linear algebra must be the same, too."""
     sign: Path | None = None
     """A locked file in the directory that both must see; None if the work needs no files."""
@@ -108,7 +108,7 @@ class Probe:
         here = traits_here()
         for name, different in DIFFERENT.items():
             expected, found = self.traits[name], here[name]
-            if found != expected and (self.like_processors or name != "algebra"):
+            if found != expected and (self.same_processors or name != "algebra"):
                 return f"it has {different} (expected {expected}, got {found})"
         return "" if self.sign is None else self._problem_of_files(self.sign)
 
@@ -129,7 +129,7 @@ class Probe:
 
 
 @contextmanager
-def posted(directory: Path | None, *, like_processors: bool = False) -> Iterator[Probe]:
+def posted(directory: Path | None, *, same_processors: bool = False) -> Iterator[Probe]:
     """Yield a probe for work on files in a directory; None if the work needs no files.
 
     The directory is made if it does not exist, and removed again if it stays empty. The probe can
@@ -137,7 +137,7 @@ def posted(directory: Path | None, *, like_processors: bool = False) -> Iterator
     """
     traits = traits_here()
     if directory is None:
-        yield Probe(traits, like_processors)
+        yield Probe(traits, same_processors)
         return
     # Absolute: another process may have another working directory.
     place = directory.resolve()
@@ -149,7 +149,7 @@ def posted(directory: Path | None, *, like_processors: bool = False) -> Iterator
     try:
         sign.write_text(token, encoding="ascii")
         with locked(sign):
-            yield Probe(traits, like_processors, sign, token)
+            yield Probe(traits, same_processors, sign, token)
     finally:
         sign.unlink(missing_ok=True)
         # The directories that this made, unless they are used by now.

@@ -17,7 +17,7 @@ from matrixworld.play.rollout import Rollout, rollout
 
 AnyRun = Race | HallOfFameRace | SingleTeam
 
-KINDS: dict[str, type[Race] | type[HallOfFameRace] | type[SingleTeam]] = {
+RUN_CLASSES: dict[str, type[Race] | type[HallOfFameRace] | type[SingleTeam]] = {
     run.schedule_class.kind: run for run in (Race, HallOfFameRace, SingleTeam)
 }
 
@@ -56,7 +56,7 @@ def start(
     """
     if not isinstance(settings, RaceSettings):
         raise TypeError(f"settings: expected RaceSettings, got {shown(settings)}")
-    return KINDS[settings.schedule.kind](settings, directory, threads=threads, play=play)
+    return RUN_CLASSES[settings.schedule.kind](settings, directory, threads=threads, play=play)
 
 
 def check_own_code(settings: RaceSettings) -> None:
