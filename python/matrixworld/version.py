@@ -15,16 +15,5 @@ class MissingExtraError(ImportError):
 
 
 def install_hint(extra: str) -> str:
-    """Return the command that installs what an optional part of the package needs.
-
-    Parameters
-    ----------
-    extra : str
-        One of the extras in ``pyproject.toml``, for example ``"video"``.
-
-    Returns
-    -------
-    str
-        A command for a shell.
-    """
+    """Return the shell command that installs an extra of ``pyproject.toml``, such as "video"."""
     return f"pip install '{DISTRIBUTION}[{extra}]'"

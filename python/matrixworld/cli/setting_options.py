@@ -85,14 +85,8 @@ def configured(path: Path) -> dict[str, Any]:
 class Asked:
     """Settings that a command line asks for.
 
-    Parameters
-    ----------
-    options : mapping of str to object
-        Options that were given, by their names in `PATHS`, and perhaps ``schedule``.
-    sets : iterable of tuple of str and object
-        Paths of settings and their values.
-    config : Path, optional
-        A file of settings.
+    `options` has those that were given, by their names in `PATHS`, and perhaps ``schedule``; `sets`
+    has paths of settings and their values.
     """
 
     options: Mapping[str, Any] = field(default_factory=dict)

@@ -47,16 +47,8 @@ class UnfitWorkerError(RuntimeError):
 class ClusterExecutor(Executor):
     """An executor on a connected Dask client; see `cluster`.
 
-    One thread talks to Dask. It is woken by new work, by finished work, and once a second.
-
-    Parameters
-    ----------
-    client : distributed.Client
-        The client.
-    probe : Probe
-        What a worker must have.
-    tell : callable, optional
-        Called with each sentence for the user.
+    One thread talks to Dask. It is woken by new work, by finished work, and once a second. The
+    probe says what a worker must have; `tell` gets each sentence for the user.
     """
 
     def __init__(

@@ -47,14 +47,8 @@ class PluginError(RuntimeError):
 class Interface:
     """What a class from outside the package has to be.
 
-    Parameters
-    ----------
-    what : str
-        What messages call it.
-    group : str
-        Group of entry points that name such classes.
-    attributes : tuple of str
-        What the class must have; its methods last.
+    Entry points of `group` name such classes; of the `attributes` that it must have, methods are
+    last. Messages call it `what`.
     """
 
     what: str
@@ -107,17 +101,7 @@ def check_known(field: str, name: str, kinds: Collection[str], interface: Interf
 
 @dataclass(frozen=True)
 class Plugin:
-    """A class from outside the package, or a function that returns an instance.
-
-    Parameters
-    ----------
-    interface : Interface
-        What it has to be.
-    name : str
-        Its name, for messages.
-    factory : callable
-        The class or function.
-    """
+    """A class from outside the package, or a function that returns an instance, and its name."""
 
     interface: Interface
     name: str
