@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from matrixworld.play.matches import capture_rates
 from matrixworld.play.network_policy import NetworkPolicy
 
-__all__ = ["NetworkPolicy"]
+__all__ = ["NetworkPolicy", "capture_rates"]

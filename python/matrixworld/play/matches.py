@@ -59,9 +59,23 @@ def ask(
 def capture_rates(
     config: WorldConfig, pursuers: Plays, evaders: Plays, *, seed: int, episodes: int
 ) -> NDArray[np.float64]:
-    """Play the episodes 0, 1, ... of a seed side by side and return their capture rates.
+    """Play the episodes of a match side by side and return their capture rates.
 
-    They are those of `matrixworld.rollout`, which knows no functions.
+    Parameters
+    ----------
+    config : WorldConfig
+        The settings of the worlds.
+    pursuers, evaders : Population, str or callable
+        What plays for the teams; a population has one genome.
+    seed : int
+        The seed of the match. Episode j is the seed's episode j, as in `matrixworld.rollout`.
+    episodes : int
+        Number of episodes.
+
+    Returns
+    -------
+    ndarray of float64, shape (episodes,)
+        The capture rates, as in `matrixworld.EpisodeStatistics`.
     """
     deciders = []
     for name, policy in (("pursuers", pursuers), ("evaders", evaders)):
