@@ -359,6 +359,14 @@ def test_a_change_keeps_what_the_kind_of_section_still_has():
     assert worlds.world.rewards == mw.Rewards(evader_step=0.5)
 
 
+def test_rules_and_rewards_of_python_are_values_of_their_paths():
+    changes = {"world.rules": mw.VARIANTS["SB"], "world.rewards": mw.Rewards(evader_step=0.5)}
+    world = RaceSettings().changed({**changes, "fitness.measure": "rewards"}).world
+    assert {"world.rules": world.rules, "world.rewards": world.rewards} == changes
+    with pytest.raises(ValueError, match=r"^world\.rewards: expected one of paper, published, got 5"):
+        RaceSettings.of({"world.rewards": 5})
+
+
 def test_every_setting_has_a_help_text():
     for settings in EVERY:
         assert all(leaf.help for leaf in leaves(settings))

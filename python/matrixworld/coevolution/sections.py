@@ -342,8 +342,8 @@ def _world(plain: Mapping[str, Any], path: str) -> WorldConfig:
         parts = dict(rules)
         base = WorldConfig(parts.pop("kind", "O")).to_json()
         rules = WorldConfig.from_json({**base, "rules": {**base["rules"], **parts}}).rules
-    if "rewards" in values:
-        parts = {"kind": rewards} if isinstance(rewards, str) else dict(rewards)
+    if "rewards" in values and not isinstance(rewards, Rewards):
+        parts = dict(rewards) if isinstance(rewards, Mapping) else {"kind": rewards}
         kind = parts.pop("kind", "paper")
         check_choice(f"{path}rewards", kind, REWARDS)
         base = WorldConfig(rewards=REWARDS[kind]()).to_json()
