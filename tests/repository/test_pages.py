@@ -103,7 +103,7 @@ def run_python(parts: Sequence[str], directory: Path, *options: str) -> list[str
     return done.stdout.split(f"{mark}\n")
 
 
-def check_same(printed: str, shown: str) -> None:
+def check_nearly_same(printed: str, shown: str) -> None:
     """Compare text exactly and numbers nearly: another SciPy may resample differently."""
     assert re.sub(NUMBER, "#", printed.strip()) == re.sub(NUMBER, "#", shown.strip())
     ours, theirs = ([*map(float, re.findall(NUMBER, text))] for text in (printed, shown))
@@ -123,8 +123,10 @@ def test_examples_run_and_print_what_is_shown(page: str, tmp_path: Path) -> None
     examples = [example for example, modules in missing.items() if not modules]
     told = run_python([example.code for example in examples], tmp_path, *strict)
     for printed, example in zip(told, examples, strict=True):
-        if example.shown:
-            check_same(printed, example.shown)
+        if example.shown and page == "docs/analysis.md":
+            check_nearly_same(printed, example.shown)
+        elif example.shown:
+            assert printed.strip() == example.shown.strip()
     if patterns := RUN[page]:
         assert re.fullmatch("\n".join(patterns), "".join(told).strip())
     # `.ci/run` installs torch and onnx and runs this again.
