@@ -13,8 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from judgement_truths import WINDOWS, Truth, Truths, span_of, truths
-from matrixworld.coevolution.opponents.samplers import Uniform
-from matrixworld.coevolution.types import TEAMS, FloatArray, Indices
+from matrixworld.coevolution.types import TEAMS, FloatArray, Indices, other
 from matrixworld.toys import (
     alternate,
     capture_probabilities,
@@ -22,7 +21,7 @@ from matrixworld.toys import (
     numbers_game,
 )
 from matrixworld.toys.bit_strings import HOST_BIAS, History
-from matrixworld.toys.rock_paper_scissors import HandHistory, average_strategies, play_together
+from matrixworld.toys.rock_paper_scissors import ROCK, HandHistory, best_response
 from matrixworld.toys.synthetic_races import SyntheticRace
 
 GENERATIONS = 31
@@ -76,19 +75,29 @@ def _scheduled_race(schedule: str, seed: int) -> LabelledRace:
 
 
 def _fictitious_play_race(seed: int) -> LabelledRace:
-    return _race_of_hands(_fictitious_play(GENERATIONS - 1, seed), seed)
+    return _race_of_hands(fictitious_play(GENERATIONS - 1, seed), seed)
 
 
 def _averages_race(seed: int) -> LabelledRace:
     """Play generations that are averages of fictitious play, which has nearly converged."""
-    hands = _fictitious_play(100 + 10 * (GENERATIONS - 1), seed)
+    hands = fictitious_play(100 + 10 * (GENERATIONS - 1), seed)
+    counts = (np.eye(3)[hands[team]].cumsum(axis=0) for team in TEAMS)
+    averages = (count / np.arange(1, len(count) + 1)[:, np.newaxis] for count in counts)
     # The first 100 rounds are left out, in which the averages still move.
-    pursuers, evaders = (average_strategies(hands[team])[100::10] for team in TEAMS)
+    pursuers, evaders = (each[100::10] for each in averages)
     return _race_of_strategies(pursuers, evaders, seed)
 
 
-def _fictitious_play(rounds: int, seed: int) -> HandHistory:
-    return play_together({team: Uniform(None) for team in TEAMS}, rounds, seed)
+def fictitious_play(rounds: int, seed: int) -> HandHistory:
+    """Play a race in which both teams respond to all past hands of the other, at the same time."""
+    rng = np.random.default_rng(seed)
+    hands: HandHistory = {"pursuer": [ROCK], "evader": [ROCK]}
+    for _ in range(rounds):
+        # Both answers first, so that neither team sees the hand of this round.
+        answers = {team: best_response(team, hands[other(team)], rng) for team in TEAMS}
+        for team in TEAMS:
+            hands[team].append(answers[team])
+    return hands
 
 
 # ---- Populations of bits -------------------------------------------------------------------------

@@ -8,13 +8,12 @@ import numpy as np
 import pytest
 
 from judgement_races import KINDS, synthetic_races
-from judgement_toys import RACES, chances_of_history, truths_of_history
+from judgement_toys import RACES, chances_of_history, fictitious_play, truths_of_history
 from judgement_truths import CONDITIONS, WINDOWS, Truths, truths, truths_of_group
-from matrixworld import toys
-from matrixworld.coevolution.opponents import Uniform
+from matrices import ROCK_PAPER_SCISSORS
+from matrixworld import analysis, toys
 from matrixworld.coevolution.types import TEAMS
 from matrixworld.toys.bit_strings import History
-from matrixworld.toys.rock_paper_scissors import play_together
 from matrixworld.toys.synthetic_races import SyntheticRace
 
 
@@ -158,10 +157,10 @@ def test_later_generations_are_never_worse_where_skill_is_transitive() -> None:
 
 def test_averages_are_near_the_equilibrium_from_the_start() -> None:
     for seed in range(3):
-        hands = play_together({team: Uniform(None) for team in TEAMS}, 400, seed)
+        hands = fictitious_play(400, seed)
         for rounds in (100, 250, 400):
-            so_far = {team: hands[team][: rounds + 1] for team in TEAMS}
-            assert toys.exploitability(so_far) < 0.15
+            x, y = (np.bincount(hands[team][: rounds + 1]) / (rounds + 1) for team in TEAMS)
+            assert analysis.exploitability(ROCK_PAPER_SCISSORS, x, y).total < 0.15
         truth = RACES["rock-paper-scissors, its averages"](seed).truths["last half"]
         assert [name for name, one in truth.items() if one.holds] == ["stagnation"]
 

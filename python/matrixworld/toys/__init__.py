@@ -11,7 +11,7 @@ array([99., 99.])
 from __future__ import annotations
 
 from matrixworld.toys.bit_strings import GAMES, hosts_and_parasites, numbers_game
-from matrixworld.toys.rock_paper_scissors import alternate, capture_probabilities, exploitability
+from matrixworld.toys.rock_paper_scissors import alternate, capture_probabilities
 from matrixworld.toys.synthetic_races import SYNTHETIC, play_episodes, synthetic_race
 
 __all__ = [
@@ -19,7 +19,6 @@ __all__ = [
     "SYNTHETIC",
     "alternate",
     "capture_probabilities",
-    "exploitability",
     "hosts_and_parasites",
     "numbers_game",
     "play_episodes",

@@ -12,14 +12,7 @@ objective, is only observed.
 A mutation rate of 0.005 a bit can be read in two ways: flip the bit, or redraw it (0 or 1 with
 equal chance). A redrawn bit changes in half of the cases, so redrawing at 0.005 is flipping at
 0.0025. This toy flips, so that the rate is the probability of a change; ``flips=0.0025`` is the
-other reading. Mean final objective and its standard deviation over 20 seeds:
-
-=========  ===========  ===========  ============
-reading    scalar       focusing     intransitive
-=========  ===========  ===========  ============
-flip       99.3 +- 0.2  85.6 +- 2.8  53.2 +- 20.4
-redraw     99.7 +- 0.1  90.2 +- 3.0  39.3 +- 26.1
-=========  ===========  ===========  ============
+other reading, and `docs/coevolution.md` has the results of both.
 
 *Hosts and parasites* (Cartlidge & Bullock 2004, "Combating coevolutionary disengagement by reducing
 parasite virulence", Evolutionary Computation 12(2)): the scalar game, but a bit that mutates
@@ -27,9 +20,6 @@ becomes a one with the probability of its side's *bias*. Parasites, with the hig
 hosts: then all hosts lose all matches, selection among them stops, and they drift back. Parasites
 of reduced virulence are rewarded for winning less than the most; they keep the hosts in the race
 and climb with them.
-
-Individuals are paired by the races' own `pairings`, and past champions are chosen by the races' own
-opponent samplers.
 """
 
 from __future__ import annotations
@@ -51,6 +41,12 @@ Samplers = tuple[OpponentSampler, OpponentSampler]
 
 BITS = 100
 """Bits of an individual, over all dimensions."""
+POPULATION = 25
+"""Individuals of each population."""
+REDRAWN = 0.03
+"""Probability that a mutation of hosts and parasites redraws a bit."""
+NOBODY = np.zeros(0, dtype=np.intp)
+"""A choice of no champions."""
 HOST_BIAS, PARASITE_BIAS = 0.5, 0.75
 """Probability that a redrawn bit is a one."""
 
@@ -75,25 +71,16 @@ def beats_in_sum(a: IntArray, b: IntArray) -> BoolArray:
     return np.asarray(a.sum(axis=1) > b.sum(axis=1))
 
 
-def beats_where_farthest(a: IntArray, b: IntArray) -> BoolArray:
-    """Return (M,) whether a has more ones in the dimension, of (M, d), where they differ most."""
-    return _beats_at(np.argmax(np.abs(a - b), axis=1), a, b)
-
-
-def beats_where_nearest(a: IntArray, b: IntArray) -> BoolArray:
-    """Return (M,) whether a has more ones in the dimension, of (M, d), where they differ least."""
-    return _beats_at(np.argmin(np.abs(a - b), axis=1), a, b)
-
-
-def _beats_at(dimension: Indices, a: IntArray, b: IntArray) -> BoolArray:
-    each = np.arange(len(a))
+def beats_where(a: IntArray, b: IntArray, *, extreme: Callable[..., Indices]) -> BoolArray:
+    """Return (M,) whether a has more ones in the dimension with the `extreme` difference."""
+    each, dimension = np.arange(len(a)), extreme(np.abs(a - b), axis=1)
     return np.asarray(a[each, dimension] > b[each, dimension])
 
 
 GAMES = {
     "scalar": Game((1, BITS), beats_in_sum),
-    "focusing": Game((10, BITS // 10), beats_where_farthest),
-    "intransitive": Game((2, BITS // 2), beats_where_nearest),
+    "focusing": Game((10, BITS // 10), partial(beats_where, extreme=np.argmax)),
+    "intransitive": Game((2, BITS // 2), partial(beats_where, extreme=np.argmin)),
 }
 """Numbers games by name."""
 
@@ -112,11 +99,6 @@ class Side:
     fitness: Callable[[FloatArray], FloatArray]
     select: Callable[[FloatArray, int, np.random.Generator], Indices]
     mutate: Callable[[BoolArray, np.random.Generator], BoolArray]
-
-    def breed(self, bits: BoolArray, wins: FloatArray, rng: np.random.Generator) -> BoolArray:
-        """Return the next population, of the same size."""
-        parents = self.select(self.fitness(wins), len(bits), rng)
-        return self.mutate(bits[parents], rng)
 
 
 def select_proportionate(fitness: FloatArray, k: int, rng: np.random.Generator) -> Indices:
@@ -186,7 +168,6 @@ def evolve(
     sides: tuple[Side, Side],
     rng: np.random.Generator,
     *,
-    population: int,
     generations: int,
     opponents: int,
     samplers: Samplers | None = None,
@@ -200,60 +181,51 @@ def evolve(
             of the other side's past champions that its sampler chooses
             both sides breed by their wins; the individual with the most wins is the new champion
     """
-    bits = [np.zeros((population, *game.shape), dtype=np.bool_) for _ in sides]
+    bits = [np.zeros((POPULATION, *game.shape), dtype=np.bool_) for _ in sides]
     champions: tuple[list[BoolArray], list[BoolArray]] = ([], [])
     ones, wins = [_ones(bits)], []
     for generation in range(generations):
-        chosen = [_sample(samplers, s, len(champions[1 - s]), generation, rng) for s in (0, 1)]
+        chosen = [NOBODY, NOBODY]
+        if samplers is not None and generation:
+            # There is a champion of each earlier generation.
+            chosen = [sampler.sample(generation, generation, rng) for sampler in samplers]
         playing = [[champions[s][i] for i in chosen[1 - s]] for s in (0, 1)]
         matches = _play(game, bits, playing, opponents, rng)
-        won = [matches.wins(side) for side in (0, 1)]
-        for side in (0, 1):
-            if samplers is not None and len(chosen[side]):
-                samplers[side].tell(chosen[side], matches.scores_on_champions(side))
+        won = [matches.wins(s) for s in (0, 1)]
+        for s, side in enumerate(sides):
+            if samplers is not None and len(chosen[s]):
+                samplers[s].tell(chosen[s], matches.scores_on_champions(s))
             # After the matches, so that the champions of a generation are past ones in the next.
-            champions[side].append(bits[side][np.argmax(won[side])])
-            bits[side] = sides[side].breed(bits[side], won[side], rng)
+            champions[s].append(bits[s][np.argmax(won[s])])
+            parents = side.select(side.fitness(won[s]), POPULATION, rng)
+            bits[s] = side.mutate(bits[s][parents], rng)
         ones.append(_ones(bits))
         wins.append(won)
     return History(game, np.array(ones), np.array(wins))
 
 
-def _sample(
-    samplers: Samplers | None,
-    side: int,
-    available: int,
-    generation: int,
-    rng: np.random.Generator,
-) -> Indices:
-    """Return the past champions of the other side that this side plays against."""
-    if samplers is None or not available:
-        return np.zeros(0, dtype=np.intp)
-    return samplers[side].sample(available, generation, rng)
-
-
 @dataclass(frozen=True)
 class _Matches:
-    """The matches of one generation of two populations of n; champions have indices from n on.
+    """The matches of one generation.
 
-    `index` holds the players of each side in each match, `won` whether that side won it.
+    `index` holds the players of each side in each match, champions from `POPULATION` on; `won`
+    whether that side won it.
     """
 
-    n: int
     index: tuple[Indices, Indices]
     won: tuple[BoolArray, BoolArray]
 
     def wins(self, side: int) -> FloatArray:
         """Return the wins (n,) of a population."""
-        # Indices from n on are champions, whose wins count for no individual.
-        totals = np.bincount(self.index[side], weights=self.won[side], minlength=self.n)
-        return np.asarray(totals[: self.n], dtype=np.float64)
+        # The wins of champions count for no individual.
+        totals = np.bincount(self.index[side], weights=self.won[side], minlength=POPULATION)
+        return np.asarray(totals[:POPULATION], dtype=np.float64)
 
     def scores_on_champions(self, side: int) -> FloatArray:
         """Return the scores (n, c) of a population against c champions; a draw is 1/2."""
         # `pairings` lists each champion's matches in the order of the population.
-        champion = self.index[1 - side] >= self.n
-        won, lost = (self.won[s][champion].reshape(-1, self.n).T for s in (side, 1 - side))
+        champion = self.index[1 - side] >= POPULATION
+        won, lost = (self.won[s][champion].reshape(-1, POPULATION).T for s in (side, 1 - side))
         return np.asarray((1.0 + won - lost) / 2.0)
 
 
@@ -265,12 +237,11 @@ def _play(
     rng: np.random.Generator,
 ) -> _Matches:
     """Play all matches of a generation, those with some champions of each side included."""
-    n = len(bits[0])
-    one_group = np.zeros(n, dtype=np.intp)
+    one_group = np.zeros(POPULATION, dtype=np.intp)
     pairs = pairings(one_group, opponents, (len(champions[0]), len(champions[1])), rng)
     index = (pairs.pursuer, pairs.evader)
     ones = [np.array([*bits[side], *champions[side]]).sum(axis=2)[index[side]] for side in (0, 1)]
-    return _Matches(n, index, (game.beats(ones[0], ones[1]), game.beats(ones[1], ones[0])))
+    return _Matches(index, (game.beats(ones[0], ones[1]), game.beats(ones[1], ones[0])))
 
 
 def _ones(bits: list[BoolArray]) -> IntArray:
@@ -284,7 +255,6 @@ def numbers_game(
     name: str,
     seed: int,
     *,
-    population: int = 25,
     generations: int = 600,
     opponents: int = 15,
     flips: float = 0.005,
@@ -298,8 +268,8 @@ def numbers_game(
         Name in `GAMES`.
     seed : int
         Seed of all random numbers.
-    population, generations : int, optional
-        Individuals of each population, and generations that both breed.
+    generations : int, optional
+        Generations that both populations of `POPULATION` individuals breed.
     opponents : int, optional
         Living opponents of each individual.
     flips : float, optional
@@ -330,7 +300,6 @@ def numbers_game(
         GAMES[name],
         (side, side),
         np.random.default_rng(seed),
-        population=population,
         generations=generations,
         opponents=opponents,
         samplers=samplers,
@@ -341,14 +310,11 @@ def hosts_and_parasites(
     virulence: float | Callable[[FloatArray], FloatArray],
     seed: int,
     *,
-    population: int = 25,
     generations: int = 600,
-    opponents: int = 5,
     tournament: int = 5,
-    mutation: float = 0.03,
     biases: tuple[float, float] = (HOST_BIAS, PARASITE_BIAS),
 ) -> History:
-    """Evolve hosts (side 0, of virulence 1) and parasites (side 1) against each other.
+    """Evolve hosts (side 0, of virulence 1) and parasites (side 1), which meet 5 opponents each.
 
     Parameters
     ----------
@@ -356,14 +322,10 @@ def hosts_and_parasites(
         Virulence of the parasites, from 0.5 to 1; or their fitness, as a function of the wins (n,).
     seed : int
         Seed of all random numbers.
-    population, generations : int, optional
-        Individuals of each population, and generations that both breed.
-    opponents : int, optional
-        Opponents of each individual.
+    generations : int, optional
+        Generations that both populations of `POPULATION` individuals breed.
     tournament : int, optional
         Individuals in a tournament.
-    mutation : float, optional
-        Probability that a bit is redrawn.
     biases : tuple of float, optional
         Probability that a redrawn bit is a one, of the hosts and of the parasites.
 
@@ -377,7 +339,7 @@ def hosts_and_parasites(
         Side(
             fitness=own if callable(own) else partial(reduced_virulence, virulence=own),
             select=select,
-            mutate=partial(mutate_biased, probability=mutation, bias=bias),
+            mutate=partial(mutate_biased, probability=REDRAWN, bias=bias),
         )
         for own, bias in zip((1.0, virulence), biases, strict=True)
     )
@@ -385,7 +347,6 @@ def hosts_and_parasites(
         GAMES["scalar"],
         (hosts, parasites),
         np.random.default_rng(seed),
-        population=population,
         generations=generations,
-        opponents=opponents,
+        opponents=5,
     )

@@ -10,7 +10,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from matrixworld.coevolution.opponents.samplers import OpponentSampler
 from matrixworld.coevolution.schedules import SCHEDULES, available
 from matrixworld.coevolution.types import TEAMS, FloatArray, Team, other
 
@@ -18,26 +17,10 @@ HandHistory = dict[Team, list[int]]
 """Team -> its hand in each generation: `ROCK`, `PAPER` or `SCISSORS`."""
 
 ROCK, PAPER, SCISSORS = range(3)
-DRAW = 0.5
+PAYOFF = np.array([[0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 1.0, 0.5]])
+"""Of the pursuers' hands (rows) against the evaders', whose own payoff is one minus it."""
 ROUNDING = 1e-9
 """Sums of payoffs that differ by less are equal."""
-
-
-def payoff_matrix(draw: float = DRAW) -> FloatArray:
-    """Return the payoffs (3, 3) of the pursuers' hands (rows) against the evaders'.
-
-    A win is 1, a draw `draw`, a loss 0. The evaders' payoff is one minus it. With ``draw=0`` a
-    pursuer captures only by a win.
-    """
-    if not 0.0 <= draw <= 1.0:
-        raise ValueError(f"draw: expected a number in [0, 1], got {draw}")
-    return np.array([[draw, 0.0, 1.0], [1.0, draw, 0.0], [0.0, 1.0, draw]])
-
-
-def average_strategies(played: ArrayLike) -> FloatArray:
-    """Return the average strategy up to each of k generations, (k, 3), from their hands (k,)."""
-    hands = np.eye(3)[np.asarray(played)]
-    return np.asarray(hands.cumsum(axis=0) / np.arange(1, len(hands) + 1)[:, np.newaxis])
 
 
 def capture_probabilities(
@@ -64,18 +47,16 @@ def capture_probabilities(
     """
     if not 0.0 <= luck <= 0.5:
         raise ValueError(f"luck: expected a number in [0, 0.5], got {luck}")
-    return np.asarray(luck + (1.0 - 2.0 * luck) * (pursuers @ payoff_matrix() @ evaders.T))
+    return np.asarray(luck + (1.0 - 2.0 * luck) * (pursuers @ PAYOFF @ evaders.T))
 
 
-def best_response(
-    team: Team, opponents: ArrayLike, matrix: FloatArray, rng: np.random.Generator
-) -> int:
+def best_response(team: Team, opponents: ArrayLike, rng: np.random.Generator) -> int:
     """Return the hand with the highest mean payoff to a team against hands (c,).
 
     Ties are decided at random.
     """
     counts = np.bincount(np.asarray(opponents), minlength=3)
-    payoffs = matrix @ counts if team == "pursuer" else -(counts @ matrix)
+    payoffs = PAYOFF @ counts if team == "pursuer" else -(counts @ PAYOFF)
     # Equal sums may differ in their last bits, and a tie must stay a tie.
     best = np.flatnonzero(payoffs > payoffs.max() - ROUNDING)
     return int(rng.choice(best))
@@ -103,7 +84,7 @@ def alternate(schedule: str, generations: int, epochs: int, seed: int = 0) -> Ha
     dict
         Hands of all generations of both teams, generation 0 included.
     """
-    rng, matrix = np.random.default_rng(seed), payoff_matrix()
+    rng = np.random.default_rng(seed)
     samplers = {team: SCHEDULES[schedule].new_sampler(team) for team in TEAMS}
     hands: HandHistory = {"pursuer": [ROCK], "evader": [ROCK]}
     for k in range(1, generations + 1):
@@ -111,59 +92,5 @@ def alternate(schedule: str, generations: int, epochs: int, seed: int = 0) -> Ha
             count = available(team, k)
             chosen = [int(samplers[team].sample(count, i, rng)[0]) for i in range(epochs)]
             opponents = [hands[other(team)][index] for index in chosen]
-            hands[team].append(best_response(team, opponents, matrix, rng))
+            hands[team].append(best_response(team, opponents, rng))
     return hands
-
-
-def play_together(
-    samplers: dict[Team, OpponentSampler], rounds: int, seed: int = 0, *, draw: float = DRAW
-) -> HandHistory:
-    """Play a race in which both teams respond at the same time. Both start with rock.
-
-    Each team's sampler chooses among the other team's past hands. With ``Uniform(None)``, which
-    chooses all of them, this is fictitious play.
-    """
-    rng, matrix = np.random.default_rng(seed), payoff_matrix(draw)
-    hands: HandHistory = {"pursuer": [ROCK], "evader": [ROCK]}
-    for epoch in range(rounds):
-        # Both answers first, so that neither team sees the hand of this round.
-        answers = {team: _answer(team, hands, samplers[team], epoch, matrix, rng) for team in TEAMS}
-        for team in TEAMS:
-            hands[team].append(answers[team])
-    return hands
-
-
-def _answer(
-    team: Team,
-    hands: HandHistory,
-    sampler: OpponentSampler,
-    epoch: int,
-    matrix: FloatArray,
-    rng: np.random.Generator,
-) -> int:
-    past = np.array(hands[other(team)])
-    chosen = sampler.sample(len(past), epoch, rng)
-    hand = best_response(team, past[chosen], matrix, rng)
-    own = matrix[hand, past[chosen]] if team == "pursuer" else 1.0 - matrix[past[chosen], hand]
-    sampler.tell(chosen, own[np.newaxis])
-    return hand
-
-
-def exploitability(hands: HandHistory, *, draw: float = DRAW) -> float:
-    """Return what best responses to both teams' average strategies gain together.
-
-    Parameters
-    ----------
-    hands : dict
-        Hands of both teams, see `HandHistory`.
-    draw : float, optional
-        Payoff of a draw to the pursuers.
-
-    Returns
-    -------
-    float
-        ``max_i (M y)_i - min_j (x M)_j`` with the average strategies x and y; 0 in equilibrium.
-    """
-    matrix = payoff_matrix(draw)
-    x, y = (np.bincount(hands[team], minlength=3) / len(hands[team]) for team in TEAMS)
-    return float((matrix @ y).max() - (x @ matrix).min())
