@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from interval_ends import ends
 from matrices import circular, logistic
 from matrixworld import analysis
 from matrixworld.analysis.cycles import _sums_without_noise
@@ -33,13 +32,13 @@ def test_win_or_loss_has_the_interval_of_clopper_and_pearson(wins: int, episodes
     scores = np.arange(episodes) < wins
     expected = stats.binomtest(wins, episodes).proportion_ci(method="exact")
     found = analysis.mean_over_episodes(scores)
-    assert ends(found) == pytest.approx(tuple(expected), abs=0.006)
+    assert found.ends == pytest.approx(tuple(expected), abs=0.006)
     assert (found.value, found.across, found.samples) == (wins / episodes, "episodes", episodes)
 
 
 def test_scores_that_vary_little_have_narrower_intervals() -> None:
-    steady = ends(analysis.mean_over_episodes([0.5, 0.45, 0.55, 0.5] * 25))
-    win_or_loss = ends(analysis.mean_over_episodes([0.0, 1.0] * 50))
+    steady = analysis.mean_over_episodes([0.5, 0.45, 0.55, 0.5] * 25).ends
+    win_or_loss = analysis.mean_over_episodes([0.0, 1.0] * 50).ends
     assert win_or_loss[0] < steady[0] < 0.5 < steady[1] < win_or_loss[1]
 
 
@@ -48,10 +47,10 @@ def test_differences_cover_and_lie_within_their_bounds() -> None:
     covered = []
     for _ in range(300):
         found = analysis.difference_over_episodes(rng.random(10) < 0.9, rng.random(20) < 0.6)
-        low, high = ends(found)
+        low, high = found.ends
         covered.append(low <= 0.3 <= high)
     assert np.mean(covered) > 0.94
-    low, high = ends(analysis.difference_over_episodes(np.ones(5), np.zeros(5)))
+    low, high = analysis.difference_over_episodes(np.ones(5), np.zeros(5)).ends
     assert 0.2 < low < high == 1.0
 
 
@@ -60,7 +59,7 @@ def test_linear_measures_cover_the_noise_free_measure() -> None:
     covered = []
     for _ in range(300):
         scores = rng.random((8, 8, 5)) < truth[:, :, None]
-        low, high = ends(analysis.linear_over_episodes(scores, lag_rise))
+        low, high = analysis.linear_over_episodes(scores, lag_rise).ends
         covered.append(low <= lag_rise(truth) <= high)
     assert 0.91 < np.mean(covered) < 0.99
 
@@ -76,7 +75,7 @@ def test_generalization_has_the_interval_of_each_mean() -> None:
         np.testing.assert_allclose(band.mean, curve)
         for g in range(len(curve)):
             one = analysis.linear_over_episodes(cells[g : g + 1], np.mean, level=0.9)
-            assert (band.low[g], band.high[g]) == pytest.approx(ends(one))
+            assert (band.low[g], band.high[g]) == pytest.approx(one.ends)
     sure = analysis.generalization_over_episodes(np.eye(2)[..., None] * [1.0, 1.0, 0.9])[0]
     assert sure.high.max() < 1
 
@@ -84,7 +83,7 @@ def test_generalization_has_the_interval_of_each_mean() -> None:
 def test_cells_may_share_their_episodes() -> None:
     rng = np.random.default_rng(4)
     shared = rng.random((300, 1, 1, 6)) * np.ones((1, 4, 4, 1))
-    found = [ends(analysis.linear_over_episodes(each, np.mean)) for each in shared]
+    found = [analysis.linear_over_episodes(each, np.mean).ends for each in shared]
     assert 0.91 < np.mean([low <= 0.5 <= high for low, high in found]) < 0.98
 
 
@@ -105,7 +104,7 @@ def test_the_transitive_share_is_freed_from_noise(truth: np.ndarray, name: str) 
     for _ in range(100):
         scores = rng.random((15, 15, 10)) < truth[:, :, None]
         found = analysis.transitive_share_over_episodes(scores)
-        low, high = ends(found)
+        low, high = found.ends
         covered.append(low <= share <= high)
         values.append(found.value)
         measured.append(analysis.transitive_share(scores.mean(axis=2)))

@@ -8,7 +8,6 @@ from hypothesis import given
 
 from matrices import circular, logistic, payoffs, staircase
 from matrixworld import analysis
-from matrixworld.analysis.payoffs import swap_teams
 from matrixworld.analysis.progress import autocorrelation
 
 MATRIX = np.array([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 0.8, 1.0]])
@@ -102,18 +101,6 @@ def test_local_and_historical_progress_agree_with_their_definition(matrix: np.nd
             scores, gains = written_out(own, met)
             np.testing.assert_allclose(team.scores, scores)
             np.testing.assert_allclose(team.gains, gains, atol=1e-15)
-
-
-@given(payoffs(most=7))
-def test_swapping_the_teams_swaps_ciao_and_progress(matrix: np.ndarray) -> None:
-    swapped = swap_teams(matrix)
-    for function in (analysis.local_progress, analysis.historical_progress):
-        for one, other in zip(function(matrix), list(function(swapped))[::-1], strict=True):
-            np.testing.assert_array_equal(one.scores, other.scores)
-            np.testing.assert_array_equal(one.gains, other.gains)
-    for one, other in zip(analysis.ciao(matrix), list(analysis.ciao(swapped))[::-1], strict=True):
-        np.testing.assert_array_equal(one.payoff, other.payoff)
-        assert (one.stripes, one.period) == (other.stripes, other.period)
 
 
 def test_a_race_that_only_cycles_has_local_progress_and_no_other() -> None:

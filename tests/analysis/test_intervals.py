@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from interval_ends import ends
 from matrixworld import analysis
 
 
@@ -14,7 +13,7 @@ from matrixworld import analysis
 def test_intervals_over_runs_cover_95_percent_of_normal_means(runs: int) -> None:
     rng = np.random.default_rng(runs)
     samples = rng.normal(0.4, 0.1, (4000, runs))
-    found = np.array([ends(analysis.interval_over_runs(values)) for values in samples])
+    found = np.array([analysis.interval_over_runs(values).ends for values in samples])
     covered = (found[:, 0] <= 0.4) & (found[:, 1] >= 0.4)
     assert 0.93 < covered.mean() < 0.97
 
@@ -24,7 +23,7 @@ def test_intervals_of_differences_cover_95_percent_of_normal_differences() -> No
     covered = []
     for _ in range(2000):
         one, other = rng.normal(0.5, 0.3, 5), rng.normal(0.2, 0.05, 12)
-        low, high = ends(analysis.difference_of_runs(one, other))
+        low, high = analysis.difference_of_runs(one, other).ends
         covered.append(low <= 0.3 <= high)
     assert 0.93 < np.mean(covered) < 0.97
 
@@ -33,17 +32,17 @@ def test_intervals_are_those_of_scipy() -> None:
     rng = np.random.default_rng(2)
     one, other = rng.random(7), rng.random(7)
     expected = stats.ttest_1samp(one, 0).confidence_interval(0.9)
-    np.testing.assert_allclose(ends(analysis.interval_over_runs(one, level=0.9)), expected)
+    np.testing.assert_allclose(analysis.interval_over_runs(one, level=0.9).ends, expected)
     welch = stats.ttest_ind(one, other[:4], equal_var=False).confidence_interval()
-    np.testing.assert_allclose(ends(analysis.difference_of_runs(one, other[:4])), welch)
+    np.testing.assert_allclose(analysis.difference_of_runs(one, other[:4]).ends, welch)
     paired = analysis.difference_of_runs(one, other, paired=True)
-    np.testing.assert_allclose(ends(paired), stats.ttest_rel(one, other).confidence_interval())
+    np.testing.assert_allclose(paired.ends, stats.ttest_rel(one, other).confidence_interval())
 
 
 def test_levels_widen_intervals() -> None:
     values = np.random.default_rng(1).random(12)
     narrow, wide = (analysis.interval_over_runs(values, level=level) for level in (0.5, 0.99))
-    assert ends(wide)[0] < ends(narrow)[0] < values.mean()
+    assert wide.ends[0] < narrow.ends[0] < values.mean()
     assert narrow.value == pytest.approx(values.mean())
     assert (narrow.across, narrow.samples, narrow.note) == ("runs", 12, "")
 
@@ -61,27 +60,24 @@ def test_equal_runs_have_no_interval() -> None:
     assert (same.low, same.high) == (None, None)
     assert same.note == "no interval: all 3 runs are equal"
     assert analysis.difference_of_runs([0.3, 0.3], [0.2, 0.2]).low is None
-    low, high = ends(analysis.difference_of_runs([0.3, 0.3], [0.1, 0.2, 0.3]))
+    low, high = analysis.difference_of_runs([0.3, 0.3], [0.1, 0.2, 0.3]).ends
     assert low < 0.1 < high
 
 
 def test_few_runs_and_bounds() -> None:
     found = analysis.interval_over_runs([0.1, 0.2], bounds=(0.0, 1.0))
     assert found.note == "2 runs only: the interval is wide"
-    assert ends(found) == (0.0, pytest.approx(0.15 + 12.706 * 0.05, abs=1e-3))
+    assert found.ends == (0.0, pytest.approx(0.15 + 12.706 * 0.05, abs=1e-3))
 
 
 def test_bands_are_pointwise() -> None:
     curves = np.random.default_rng(5).normal(0, 1, (30, 1)) + np.arange(4)
     band = analysis.band_over_runs(curves)
-    assert band.low is not None
-    assert band.high is not None
     for k in range(4):
         estimate = analysis.interval_over_runs(curves[:, k])
-        assert (band.low[k], band.high[k]) == pytest.approx(ends(estimate))
+        assert (band.low[k], band.high[k]) == pytest.approx(estimate.ends)
         assert band.mean[k] == pytest.approx(estimate.value)
     clipped = analysis.band_over_runs(curves, bounds=(0.0, 3.0))
-    assert clipped.low is not None
     assert clipped.low.min() == 0.0
     single = analysis.band_over_runs(curves[:1])
     assert single.low is None

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import combinations
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -90,14 +88,6 @@ def test_copies_change_nothing_but_share_their_weight(
     np.testing.assert_allclose(copied.evaders, found.evaders, atol=1e-5)
 
 
-def test_copies_of_rock() -> None:
-    found = analysis.nash_averaging(ROCK_PAPER_SCISSORS[[0, 0, 0, 1, 2]])
-    np.testing.assert_allclose(found.pursuers, [1 / 9, 1 / 9, 1 / 9, 1 / 3, 1 / 3], atol=1e-9)
-    # Row means now prefer the victim of paper; averages against the equilibrium do not.
-    np.testing.assert_allclose(found.pursuer_averages, 0.5)
-    np.testing.assert_allclose(found.evader_averages, 0.5)
-
-
 @given(payoffs(parts=8))
 def test_no_other_equilibrium_has_more_entropy(matrix: np.ndarray) -> None:
     """Compare with a general optimiser over the optimal mixtures, from two starts."""
@@ -119,23 +109,6 @@ def test_no_other_equilibrium_has_more_entropy(matrix: np.ndarray) -> None:
         p = np.maximum(other.x, 0)
         if abs(p.sum() - 1) < 1e-6 and (p @ matrix).min() > found.value - 1e-6:
             assert entropy(p) < entropy(found.pursuers) + 1e-3
-
-
-def test_value_against_all_square_subgames() -> None:
-    """Shapley and Snow (1950): some square subgame solved by equalising gives the value."""
-    rng = np.random.default_rng(0)
-    for _ in range(10):
-        matrix = rng.random((4, 4))
-        bounds = []
-        for size in range(1, 5):
-            for rows in combinations(range(4), size):
-                for columns in combinations(range(4), size):
-                    inverse = np.linalg.inv(matrix[np.ix_(rows, columns)])
-                    p = np.zeros(4)
-                    p[list(rows)] = inverse.sum(axis=0) / inverse.sum()
-                    if (p >= -1e-12).all():
-                        bounds.append((p @ matrix).min())
-        assert game_value(matrix) == pytest.approx(max(bounds))
 
 
 @pytest.mark.parametrize("levels", [1, 2, 8, 60])
@@ -162,7 +135,5 @@ def test_the_gain_of_an_evolved_response() -> None:
     rng = np.random.default_rng(0)
     found = analysis.response_gain(rng.random(200) / 2, rng.random(200), budget=5000)
     assert found.gain.value == pytest.approx(0.25, abs=0.06)
-    assert found.gain.low is not None
-    assert found.gain.high is not None
     assert 0.15 < found.gain.low < found.gain.value < found.gain.high < 0.35
     assert str(found).startswith("a best response evolved for 5,000 matches gains 0.2")

@@ -78,13 +78,6 @@ def test_bad_csv_files_are_refused(tmp_path: Path, text: str, message: str) -> N
     assert str(caught.value).startswith(str(path))
 
 
-def test_a_csv_file_has_to_be_text(tmp_path: Path) -> None:
-    path = tmp_path / "payoff.csv"
-    path.write_bytes(b"\xff\xfe0,1\n")
-    with pytest.raises(ValueError, match="payoff.csv: expected a CSV file of text"):
-        analysis.read_payoffs(path)
-
-
 def test_npz_files(tmp_path: Path) -> None:
     path = tmp_path / "payoff.npz"
     scores = np.random.default_rng(1).random((3, 4, 5), dtype=np.float32)
@@ -95,38 +88,6 @@ def test_npz_files(tmp_path: Path) -> None:
     np.testing.assert_array_equal(analysis.read_payoffs(path).matrices, MATRIX[None])
     np.savez_compressed(path, anything=np.stack([MATRIX, MATRIX]))
     assert analysis.read_payoffs(path).matrices.shape == (2, 2, 3)
-
-
-def damaged(folder: Path, how: str) -> Path:
-    path = folder / "payoff.npz"
-    if how == "objects":
-        np.savez(path, payoff=np.array([[None]]))
-    elif how == "pickle":
-        import pickle
-
-        path.write_bytes(pickle.dumps(MATRIX))
-    elif how == "npy":
-        with path.open("wb") as file:
-            np.save(file, MATRIX)
-    elif how == "empty":
-        path.touch()
-    else:
-        np.savez(path, payoff=np.random.default_rng(0).random((40, 40)))
-        content = bytearray(path.read_bytes())
-        if how == "cut":
-            content = content[: len(content) // 2]
-        else:
-            content[len(content) // 2] ^= 0xFF
-        path.write_bytes(content)
-    return path
-
-
-@pytest.mark.parametrize("how", ["objects", "pickle", "npy", "empty", "cut", "altered"])
-def test_damaged_npz_files_are_refused_and_nothing_is_unpickled(tmp_path: Path, how: str) -> None:
-    path = damaged(tmp_path, how)
-    with pytest.raises(ValueError, match="cut, altered or not an npz file") as caught:
-        analysis.read_payoffs(path)
-    assert str(caught.value).startswith(str(path))
 
 
 def test_files_with_other_contents_are_refused(tmp_path: Path) -> None:
@@ -171,7 +132,6 @@ def test_arrays() -> None:
     assert analysis.read_payoffs(np.zeros((4, 2, 3))).matrices.shape == (4, 2, 3)
     for shape in ((2, 3, 5), (1, 2, 3, 5)):
         found = analysis.read_payoffs(np.zeros(shape), per_episode=True)
-        assert found.scores is not None
         assert found.scores.shape == (1, 2, 3, 5)
     for bad, per_episode in ((np.zeros(3), False), (np.zeros((2,) * 4), False), (MATRIX, True)):
         with pytest.raises(ValueError, match="none of them empty, got shape"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 import pytest
@@ -18,7 +19,6 @@ from rliable_numbers import ONE, TASK
 OPEN = (0.7, 0.3)
 PENNIES = np.eye(2)
 SQUARE = np.full((2, 2), 0.5)
-THIRDS = [1 / 3] * 3
 
 MATRICES = [
     ([0.1, 0.2], ValueError, r"2 dimension.*got shape \(2,\)"),
@@ -54,68 +54,32 @@ def test_bad_matrices_are_refused(
         function(bad)
 
 
-def test_bad_matrices_of_a_report_are_refused() -> None:
-    for bad, error, message in (
-        (np.zeros(4), ValueError, r"got shape \(4,\)"),
-        ([], ValueError, r"got shape \(0,\)"),
-        (np.full((2, 3, 3), 1.25), ValueError, r"got 1.25 at index \(0, 0, 0\)"),
-        ([["a", "b"], ["c", "d"]], TypeError, "real numbers, got dtype <U1"),
-        (np.full((3, 3), None), TypeError, "real numbers, got dtype object"),
-    ):
-        with pytest.raises(error, match=message):
-            analysis.report(bad)  # type: ignore[arg-type]
-
-
-def alpha_rank(**settings: float) -> object:
-    return analysis.alpha_rank(ROCK_PAPER_SCISSORS, **settings)  # type: ignore[arg-type]
-
-
-def elo(**settings: float) -> object:
-    return analysis.elo(ROCK_PAPER_SCISSORS, **settings)  # type: ignore[arg-type]
-
-
-def boards(**settings: float) -> object:
-    return analysis.checkerboards(PENNIES, **settings)
-
-
-def strongest(**settings: float) -> object:
-    return strongest_checkerboards(staircase(3), **settings)  # type: ignore[arg-type]
-
-
-def dominance(scores: np.ndarray, level: float = 0.05) -> object:
-    return analysis.dominance_tournament(scores, level=level)
-
-
-def exploit(pursuers: list[float]) -> object:
-    return analysis.exploitability(ROCK_PAPER_SCISSORS, pursuers, THIRDS)
-
-
-def share_on_logits(shrinkage: float) -> object:
-    return analysis.transitive_share(PENNIES, logits=True, shrinkage=shrinkage)
-
-
 counts, stretches = analysis.dominance_of_counts, analysis.disengagements
 undecided, variance = analysis.undecided_opponents, analysis.fitness_variance
-over_runs, difference, band = (
-    analysis.interval_over_runs,
-    analysis.difference_of_runs,
+over_runs, difference = analysis.interval_over_runs, analysis.difference_of_runs
+band, mean, linear = (
     analysis.band_over_runs,
+    analysis.mean_over_episodes,
+    analysis.linear_over_episodes,
 )
-mean, linear = analysis.mean_over_episodes, analysis.linear_over_episodes
 middle, profile = analysis.interquartile_mean, analysis.performance_profile
+dominance, cross = analysis.dominance_tournament, analysis.global_progress
+alpha_rank = partial(analysis.alpha_rank, ROCK_PAPER_SCISSORS)
+elo = partial(analysis.elo, ROCK_PAPER_SCISSORS)
+boards = partial(analysis.checkerboards, PENNIES)
+strongest = partial(strongest_checkerboards, staircase(3))
+exploit = partial(analysis.exploitability, ROCK_PAPER_SCISSORS, evaders=[1 / 3] * 3)
+share_on_logits = partial(analysis.transitive_share, PENNIES, logits=True)
 
 CALLS: list[tuple[Callable[[], object], str]] = [
     # Cycles
     (lambda: boards(margin=-0.1), r"margin in \[0, 1\), got -0.1"),
-    (lambda: boards(margin=1.0), r"margin in \[0, 1\), got 1.0"),
     (lambda: boards(margin=math.nan), r"margin in \[0, 1\), got nan"),
     (lambda: boards(level=1.1), r"level in \[0, 1\] or None, got 1.1"),
     (lambda: strongest(count=-1), "expected a count"),
     (lambda: strongest(margin=1.0), "expected a margin"),
-    (lambda: strongest(margin=-0.1), "expected a margin"),
-    (lambda: share_on_logits(0.0), r"shrinkage in \(0, 0.5\), got 0.0"),
-    (lambda: share_on_logits(0.5), r"shrinkage in \(0, 0.5\), got 0.5"),
-    (lambda: share_on_logits(math.nan), r"shrinkage in \(0, 0.5\), got nan"),
+    (lambda: share_on_logits(shrinkage=0.0), r"shrinkage in \(0, 0.5\), got 0.0"),
+    (lambda: share_on_logits(shrinkage=0.5), r"shrinkage in \(0, 0.5\), got 0.5"),
     (
         lambda: cyclic_amplitude(np.zeros((2, 5)), np.zeros((2, 5))),
         r"at least 3 x 3 generations, got \(2, 5\)",
@@ -129,31 +93,24 @@ CALLS: list[tuple[Callable[[], object], str]] = [
     (lambda: alpha_rank(alpha=math.nan), "alpha above 0, got nan"),
     (lambda: alpha_rank(population=1), "population of at least 2, got 1"),
     (lambda: analysis.alpha_rank(np.zeros((65, 65))), "at most 4096 pairs .*, got 4225"),
+    (lambda: exploit([1.5, -0.5, 0.0]), r"\[0, 1\], got 1.5"),
     (lambda: exploit([0.5, 0.5]), "3 weights of the pursuers, got 2"),
     (lambda: exploit([0.5, 0.5, 0.5]), "weights of the pursuers with sum 1, got 1.5"),
-    (lambda: exploit([1.5, -0.5, 0.0]), r"\[0, 1\], got 1.5"),
     (
         lambda: analysis.response_gain([0.1, 0.2], [0.3, 0.4], budget=0),
         "budget of at least 1 match, got 0",
     ),
-    (
-        lambda: analysis.response_gain([0.1], [0.3, 0.4], budget=1),
-        "at least 2 episodes, got 1",
-    ),
     # Progress, dominance
     (
-        lambda: analysis.global_progress(np.zeros((2, 3, 4, 4))),
+        lambda: cross(np.zeros((2, 3, 4, 4))),
         r"shape \(runs, runs, n, m\), got \(2, 3, 4, 4\)",
     ),
-    (lambda: analysis.global_progress(np.zeros((2, 4, 4))), r"got \(2, 4, 4\)"),
-    (lambda: analysis.global_progress(np.zeros((1, 1, 4, 4))), "at least 2 runs, got 1"),
-    (lambda: analysis.global_progress(np.full((2, 2, 3, 3), np.nan)), r"\[0, 1\], got nan"),
-    (lambda: analysis.global_progress(np.zeros((2, 2, 0, 3))), "none of them empty"),
+    (lambda: cross(np.zeros((1, 1, 4, 4))), "at least 2 runs, got 1"),
+    (lambda: cross(np.full((2, 2, 3, 3), np.nan)), r"\[0, 1\], got nan"),
+    (lambda: cross(np.zeros((2, 2, 0, 3))), "none of them empty"),
     (lambda: dominance(np.zeros((2, 2, 1))), "at least 2 episodes a cell, got 1"),
     (lambda: dominance(np.zeros((2, 2))), "3 dimension"),
-    (lambda: dominance(np.full((2, 2, 2), 1.5)), r"\[0, 1\], got 1.5"),
-    (lambda: dominance(np.zeros((2, 2, 2)), 0.0), r"level in \(0, 0.5\], got 0.0"),
-    (lambda: dominance(np.zeros((2, 2, 2)), 0.6), "got 0.6"),
+    (lambda: dominance(np.zeros((2, 2, 2)), level=0.6), "got 0.6"),
     (lambda: counts([[3]], 2), r"got 3 of 2 at index \(0, 0\)"),
     (lambda: counts([[0, -1]], 2), "got -1 of 2"),
     (lambda: counts([[0.5]], 2), "whole numbers"),
@@ -162,7 +119,6 @@ CALLS: list[tuple[Callable[[], object], str]] = [
     # Engagement
     (lambda: stretches([[0.5, 0.5, 0.5]]), r"shape \(K, 2\), got \(1, 3\)"),
     (lambda: stretches([0.5, 0.5]), r"got shape \(2,\)"),
-    (lambda: stretches([[0.5, 1.5]]), "got 1.5"),
     (lambda: stretches([[0.5, np.nan]]), "got nan"),
     (lambda: stretches([OPEN], high=0.1, low=0.2), "low < high, got low 0.2 and high 0.1"),
     (lambda: stretches([OPEN], patience=0), "patience of at least 1 generation, got 0"),
@@ -170,49 +126,33 @@ CALLS: list[tuple[Callable[[], object], str]] = [
     (lambda: variance(np.empty((0, 3))), r"got \(0, 3\)"),
     (lambda: variance([[1.0, np.inf]]), "finite fitness, got"),
     (lambda: undecided([0.5]), "3 dimension"),
-    (lambda: undecided([[1.5]]), r"\[0, 1\], got 1.5"),
     (lambda: undecided([[0.5]], level=2), r"level in \[0, 1\], got 2"),
     # Strength, ratings
     (lambda: strength_gain(np.zeros(3), np.zeros(3)), "at least 4 generations, got 3"),
     (lambda: strength_gain(np.zeros(5), np.zeros(6)), "scores and noise of shape"),
     (lambda: strength_change(np.zeros(3), np.zeros(3)), "at least 4 generations, got 3"),
-    (lambda: strength_change(np.zeros(5), np.zeros(6)), "scores and noise of shape"),
     (
-        lambda: analysis.forgetting(np.zeros((3, 1)), np.zeros((1, 3))),
-        r"two matrices of shape \(3, 1\), got \(1, 3\)",
+        lambda: analysis.forgetting(PENNIES, [[0.5]]),
+        r"matrices of shape \(2, 2\), got \(1, 1\)",
     ),
     (lambda: elo(ridge=-1.0), "ridge of at least 0, got -1.0"),
     (lambda: elo(ridge=np.inf), "finite ridge"),
-    (lambda: elo(shrinkage=0.0), r"shrinkage in \(0, 0.5\), got 0.0"),
     (lambda: elo(cycles=2), r"cycles from 0 to 1 for a matrix of \(3, 3\), got 2"),
     (lambda: elo(cycles=-1), "got -1"),
-    (
-        lambda: analysis.log_loss([[0.5, 0.5]], [[0.5], [0.5]]),
-        r"predictions of shape \(1, 2\), got \(2, 1\)",
-    ),
+    (lambda: analysis.log_loss([[0.5, 0.5]], [[0.5]]), r"of shape \(1, 2\), got \(1, 1\)"),
     # Intervals
     (lambda: over_runs([]), r"values of runs of shape \(k,\), k >= 1, got \(0,\)"),
-    (lambda: over_runs([[0.1]]), r"got \(1, 1\)"),
     (lambda: over_runs([0.1, np.nan]), "finite values of runs, got"),
     (lambda: over_runs([0.1, 0.2], level=1.0), r"level in \(0, 1\), got 1.0"),
-    (
-        lambda: difference([0.1, 0.2], [0.1, 0.2, 0.3], paired=True),
-        "expected 2 paired runs, got 3",
-    ),
+    (lambda: difference([0.1], [0.1, 0.2], paired=True), "expected 1 paired runs, got 2"),
     (lambda: band([0.1, 0.2, 0.3]), r"curves of shape \(runs, k\), got \(3,\)"),
     (lambda: band([[0.1, np.inf]]), "finite curves"),
     (lambda: band([[0.1, np.nan], [0.2, np.nan]]), "a run with a value at each point"),
     (lambda: linear(np.zeros((2, 2, 1)), np.mean), "at least 2 episodes a cell, got 1"),
-    (
-        lambda: analysis.generalization_over_episodes(np.zeros((4, 3, 1))),
-        "at least 2 episodes a cell, got 1",
-    ),
+    (lambda: analysis.generalization_over_episodes(np.zeros((4, 3, 1))), "2 episodes a cell"),
+    (lambda: analysis.difference_over_episodes([0.5, 1.5], [0.0, 1.0]), "got 1.5 at index"),
     (lambda: mean([0.5]), "at least 2 episodes, got 1"),
     (lambda: mean([0.5, 1.0], level=0), r"level in \(0, 1\), got 0"),
-    (
-        lambda: analysis.difference_over_episodes([0.5, 1.5], [0.0, 1.0]),
-        r"got 1.5 at index \(1,\)",
-    ),
     # Several runs
     (lambda: check_runs([0.1, 0.2]), r"payoff matrices \(runs, n, m\) .*got shape \(2,\)"),
     (lambda: middle([0.1]), r"scores of shape \(runs, opponents\), got \(1,\)"),
@@ -227,7 +167,6 @@ CALLS: list[tuple[Callable[[], object], str]] = [
     (lambda: analysis.race_bands([[[0.5, 2.0]]]), "got 2"),
     # Reports and the judgement
     (lambda: analysis.report(np.zeros((1, 5))), r"at least 2 x 2 generations, got \(1, 5\)"),
-    (lambda: analysis.report(np.full((3, 3), np.nan)), "got nan at index"),
     (lambda: analysis.report(np.zeros((3, 3)), level=0.0), r"level in \(0, 1\), got 0.0"),
     (
         lambda: analysis.report(np.zeros((2, 3, 3)), cross=np.zeros((2, 3, 3))),

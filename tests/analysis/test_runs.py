@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from interval_ends import ends
 from matrixworld import analysis
 from matrixworld.analysis.runs import expanded_tail
 from rliable_numbers import LEVEL, NUMBERS, ONE, OTHER, TASK, THRESHOLDS
@@ -29,7 +28,7 @@ def test_the_bootstrap_of_one_task_is_that_of_rliable() -> None:
     assert 1.0 - 2.0 * expanded_tail(len(TASK), 0.95) == pytest.approx(LEVEL)
     found = analysis.interquartile_mean(TASK, resamples=20_000)
     # The scores have two decimals, so the ends move in steps of 1/600.
-    np.testing.assert_allclose(ends(found), NUMBERS["iqm_ends"], atol=0.01)
+    np.testing.assert_allclose(found.ends, NUMBERS["iqm_ends"], atol=0.01)
 
 
 def test_the_interquartile_mean_is_a_trimmed_mean() -> None:
@@ -43,8 +42,8 @@ def test_the_interquartile_mean_is_a_trimmed_mean() -> None:
 def test_scores_of_one_run_are_resampled_together() -> None:
     # All tasks of a run have the same score: ten tasks say no more than one.
     one = np.random.default_rng(1).random((8, 1))
-    low, high = ends(analysis.interquartile_mean(one))
-    lows, highs = ends(analysis.interquartile_mean(np.repeat(one, 10, axis=1)))
+    low, high = analysis.interquartile_mean(one).ends
+    lows, highs = analysis.interquartile_mean(np.repeat(one, 10, axis=1)).ends
     assert highs - lows == pytest.approx(high - low, rel=0.2)
 
 
@@ -80,8 +79,6 @@ def test_a_profile_is_the_mean_over_runs_of_their_shares() -> None:
         assert profile.mean[k] == pytest.approx(np.mean(shares))
         expected = analysis.interval_over_runs(shares, bounds=(0.0, 1.0))
         if expected.low is not None:
-            assert profile.low is not None
-            assert profile.high is not None
             got = profile.low[k], profile.high[k]
             assert got == pytest.approx((expected.low, expected.high))
     assert len(analysis.performance_profile(ONE).places) == 101
@@ -92,9 +89,9 @@ def test_the_probability_of_improvement_has_the_interval_of_brunner_and_munzel()
     found = analysis.probability_of_improvement(one, other)
     test = stats.brunnermunzel(other.ravel(), one.ravel())
     # The level at which the interval ends at 1/2 is one minus the p value.
-    at = ends(analysis.probability_of_improvement(one, other, level=1.0 - float(test.pvalue)))
+    at = analysis.probability_of_improvement(one, other, level=1.0 - float(test.pvalue)).ends
     assert min(abs(end - 0.5) for end in at) < 1e-9
-    assert ends(found)[0] < found.value < ends(found)[1]
+    assert found.ends[0] < found.value < found.ends[1]
 
 
 def test_groups_that_do_not_overlap_have_no_interval() -> None:
@@ -128,7 +125,6 @@ def test_bands_are_those_of_the_curves(payoffs: list[np.ndarray]) -> None:
     np.testing.assert_array_equal(bands["lag_profile"].places, profiles[0].lags)
     ratings = [analysis.ELO_POINTS * analysis.elo(payoff).evaders for payoff in payoffs]
     np.testing.assert_allclose(bands["evader_ratings"].mean, np.mean(ratings, axis=0))
-    assert bands["evader_ratings"].low is not None
     assert bands["evader_ratings"].low.min() < -20  # ratings have no bounds
 
 
@@ -145,13 +141,11 @@ def test_runs_that_lack_generations_count_where_they_are(payoffs: list[np.ndarra
         expected = analysis.interval_over_runs(values, bounds=(0.0, 1.0))
         place = lag + 4
         assert bands["lag_profile"].mean[place] == pytest.approx(expected.value)
-        assert bands["lag_profile"].low is not None
         assert bands["lag_profile"].low[place] == pytest.approx(expected.low)
 
 
 def test_a_point_of_one_run_has_no_interval(payoffs: list[np.ndarray]) -> None:
     bands = analysis.race_bands([payoffs[0], payoffs[1][:4, :3]])
-    assert bands["pursuer_generalization"].low is not None
     np.testing.assert_array_equal(
         np.isnan(bands["pursuer_generalization"].low), [False] * 4 + [True] * 3
     )

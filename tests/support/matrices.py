@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import combinations, permutations
+
 import numpy as np
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
@@ -37,3 +40,16 @@ def logistic(size: int, slope: float = 0.15) -> np.ndarray:
     """Return a matrix where later generations of both teams are steadily stronger."""
     generation = np.arange(size)
     return 1 / (1 + np.exp(-slope * (generation[:, None] - generation[None, :])))
+
+
+Pair = tuple[float, float]
+
+
+def quadruples(matrix: np.ndarray) -> Iterator[tuple[Pair, Pair, tuple[Pair, Pair]]]:
+    """Yield all that could be checkerboards: both winning and both losing cells, and their place.
+
+    The place is two pursuers, ascending, and the evaders that the first and the second one beat.
+    """
+    for p, q in combinations(range(len(matrix)), 2):
+        for a, b in permutations(range(matrix.shape[1]), 2):
+            yield (matrix[p, a], matrix[q, b]), (matrix[p, b], matrix[q, a]), ((p, q), (a, b))
