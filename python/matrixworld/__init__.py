@@ -18,8 +18,7 @@ from typing import TYPE_CHECKING, Any
 from matrixworld._core import Autoreset, Blame, Capture, Interaction, Outcome
 from matrixworld._util import colors
 from matrixworld.envs import aec_env, parallel_env
-from matrixworld.envs.agent_vector import AgentVectorEnv
-from matrixworld.envs.vector import VectorEnv
+from matrixworld.envs.vector import AgentVectorEnv, VectorEnv
 from matrixworld.episodes import render, replay
 from matrixworld.episodes.episode import Episode
 from matrixworld.episodes.record import Recorder, record, record_actions

@@ -10,7 +10,7 @@ import pytest
 from pettingzoo.utils.conversions import aec_to_parallel
 
 import matrixworld as mw
-from matrixworld.envs import raw_aec_env
+from matrixworld.envs import MatrixWorldAEC
 from rows import NAMES, config_of, random_actions
 
 
@@ -53,7 +53,7 @@ def test_an_episode_agrees_with_the_world(name: str) -> None:
 def test_agents_see_what_was_done_before_their_turn() -> None:
     """Cops and robbers: every action is a turn."""
     config = config_of("TO", obstacles=0.1, max_steps=30)
-    env, world = raw_aec_env(config), mw.World(config)
+    env, world = MatrixWorldAEC(config), mw.World(config)
     env.reset(seed=2)
     world.reset(2)
     rng = np.random.default_rng(0)
@@ -79,7 +79,7 @@ def test_agents_see_what_was_done_before_their_turn() -> None:
 
 def test_agents_of_a_team_choose_one_by_one_and_move_at_once() -> None:
     config = config_of("swarm-S")
-    env = raw_aec_env(config)
+    env = MatrixWorldAEC(config)
     env.reset(seed=1)
     start = env.state()
     for agent in env.possible_agents[: config.n_pursuers]:
@@ -97,7 +97,7 @@ def test_agents_of_a_team_choose_one_by_one_and_move_at_once() -> None:
 
 
 def test_all_agents_observe_the_start_of_a_simultaneous_round() -> None:
-    env = raw_aec_env(config_of("R"))
+    env = MatrixWorldAEC(config_of("R"))
     env.reset(seed=1)
     start = {agent: env.observe(agent) for agent in env.agents}
     for agent in env.possible_agents[:-1]:
@@ -112,7 +112,7 @@ def test_all_agents_observe_the_start_of_a_simultaneous_round() -> None:
 
 def test_order_of_turns() -> None:
     config = config_of("TO", rows=9, cols=9, max_steps=3)
-    env = raw_aec_env(config)
+    env = MatrixWorldAEC(config)
     env.reset(
         seed=0,
         options={"pursuers": [[0, 0], [0, 4], [0, 8]], "evaders": [[8, 0], [8, 2], [8, 6], [8, 8]]},
@@ -123,7 +123,7 @@ def test_order_of_turns() -> None:
 
 def test_an_evader_caught_in_a_turn_does_not_act() -> None:
     config = mw.WorldConfig("TO", rows=1, cols=6, n_pursuers=2, n_evaders=2)
-    env = raw_aec_env(config)
+    env = MatrixWorldAEC(config)
     env.reset(seed=0, options={"pursuers": [[0, 0], [0, 5]], "evaders": [[0, 1], [0, 3]]})
     env.step(int(mw.Action.EAST))
     assert env.agent_selection == "evader_0"
@@ -145,7 +145,7 @@ def test_an_evader_caught_in_a_turn_does_not_act() -> None:
     assert all(env.terminations.values())
 
 
-@pytest.mark.parametrize("make", [raw_aec_env, mw.aec_env])
+@pytest.mark.parametrize("make", [MatrixWorldAEC, mw.aec_env])
 @pytest.mark.parametrize("name", ["O", "TO", "swarm-D"])
 def test_a_copy_in_the_middle_of_a_round(name: str, make: Any) -> None:
     env = make(config_of(name))
@@ -186,7 +186,7 @@ def test_only_simultaneous_rules_are_parallelizable(name: str) -> None:
 
 
 def test_refused() -> None:
-    env = raw_aec_env(config_of("O"))
+    env = MatrixWorldAEC(config_of("O"))
     with pytest.raises(RuntimeError, match="call reset"):
         env.step(0)
     env.reset(seed=1)

@@ -85,7 +85,7 @@ def test_an_aec_episode_is_the_engine_s(name: str, team: str) -> None:
     for seed, (mine, theirs) in enumerate(
         [("random", "hunter"), (random_team(config, 1), random_team(config, 2))]
     ):
-        env = mw.envs.raw_aec_env(config, record=True, **{f"{team}s": theirs})
+        env = mw.envs.MatrixWorldAEC(config, record=True, **{f"{team}s": theirs})
         sides = (theirs, mine) if team == "pursuer" else (mine, theirs)
         recorded = mw.record(config, *sides, seed=seed, episode=2)
         played, paid = play_aec(env, mine, seed, 2)
@@ -100,7 +100,7 @@ def test_an_aec_episode_is_the_engine_s(name: str, team: str) -> None:
 def test_an_info_tells_of_the_agent_s_own_turn(team: str) -> None:
     """Also where the built-in team plays the next round before it is told."""
     config = config_of("swarm-S", obstacles=0.3)
-    env = mw.envs.raw_aec_env(config, record=True, **{f"{team}s": "still"})
+    env = mw.envs.MatrixWorldAEC(config, record=True, **{f"{team}s": "still"})
     env.reset(seed=1)
     faults = 0
     for _ in range(40):
@@ -118,7 +118,7 @@ def test_an_info_tells_of_the_agent_s_own_turn(team: str) -> None:
 def test_an_agent_can_be_gone_before_its_first_turn(evaders: list[list[int]], gone: int) -> None:
     """The built-in pursuer captures an evader in the first turn, and disappears with it."""
     settings = {"rows": 5, "cols": 5, "n_pursuers": 1, "n_evaders": len(evaders), "fov": 5}
-    env = mw.envs.raw_aec_env(CUSTOM["swarm-D"], pursuers="chaser", record=True, **settings)
+    env = mw.envs.MatrixWorldAEC(CUSTOM["swarm-D"], pursuers="chaser", record=True, **settings)
     env.reset(seed=1, options={"pursuers": [[0, 0]], "evaders": evaders})
     told = {}
     for agent in env.agent_iter():

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import matrixworld as mw
-from matrixworld.envs import raw_aec_env
+from matrixworld.envs import MatrixWorldAEC
 from pettingzoo_tests import (
     api_test,
     max_cycles_test,
@@ -86,7 +86,7 @@ def test_observations_are_in_their_spaces(name: str) -> None:
 
 
 def test_each_agent_s_action_space_has_its_own_seed() -> None:
-    env = raw_aec_env("O")
+    env = MatrixWorldAEC("O")
     first, second = (env.action_space(agent) for agent in env.possible_agents[:2])
     second.seed(1)
     expected = [int(second.sample()) for _ in range(20)]

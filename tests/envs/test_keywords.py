@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 import matrixworld as mw
-from matrixworld.envs.base import EnvSettings, MatrixWorldBase
+from matrixworld.envs.single import EnvSettings, MatrixWorldBase
 from matrixworld.world.config import WorldSettings
 
 DOORS = {

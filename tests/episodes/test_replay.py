@@ -302,8 +302,6 @@ def test_a_moment_in_a_terminal_or_a_file() -> None:
     file = io.StringIO()
     print_moment(EPISODE, file, step=-3)
     assert file.getvalue() == render.ansi(scene(EPISODE, 28), color="none") + "\n"
-    print_moment(EPISODE, file, color="256")
-    assert "\x1b[38;5;" in file.getvalue()
 
 
 def test_a_field_of_view_is_as_large_as_the_world_says(tmp_path: Path) -> None:

@@ -43,7 +43,6 @@ NOT_COPIED = {
     "VectorEnv": "it holds a batch",
     "AgentVectorEnv": "it holds a `VectorEnv`",
     "ProgressBar": "it holds a terminal",
-    "VariantModule": "a module",
 }
 """Public classes without a copy, each with the reason."""
 

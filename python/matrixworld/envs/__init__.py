@@ -70,10 +70,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from matrixworld.envs.aec import MatrixWorldAEC
-from matrixworld.envs.base import INFO_KEYS, OPTIONS, RENDER_MODES, Status
-from matrixworld.envs.parallel import MatrixWorldParallel
-from matrixworld.envs.variants import VariantModule, add_module, aec_env, parallel_env, raw_aec_env
+from matrixworld.envs.single import (
+    INFO_KEYS,
+    OPTIONS,
+    RENDER_MODES,
+    MatrixWorldAEC,
+    MatrixWorldParallel,
+)
+from matrixworld.envs.variants import VariantModule, add_module, aec_env, parallel_env
 from matrixworld.world.rules import VARIANTS
 
 __all__ = [
@@ -82,11 +86,8 @@ __all__ = [
     "RENDER_MODES",
     "MatrixWorldAEC",
     "MatrixWorldParallel",
-    "Status",
-    "VariantModule",
     "aec_env",
     "parallel_env",
-    "raw_aec_env",
 ]
 
 if TYPE_CHECKING:

@@ -71,16 +71,12 @@ class BuiltInTeam:
             raise ValueError(f"{name}: expected at least one opponent, got none")
         return tuple(found)
 
-    def begin(
-        self, seed: ArrayLike, episode: ArrayLike, worlds: NDArray[np.bool_] | None = None
-    ) -> None:
-        """Draw the opponents of episodes that begin in all worlds, or in those of a mask (W,)."""
-        seeds, episodes = (np.atleast_1d(np.asarray(key, np.uint64)) for key in (seed, episode))
-        begun = np.arange(len(seeds)) if worlds is None else np.flatnonzero(worlds)
-        for world in begun:
-            place = _drawn(int(seeds[world]), int(episodes[world]), len(self.opponents))
-            self.chosen[world] = place
-            self.playing[world] = self.opponents[place]
+    def draw(self, world: int, seed: int, episode: int) -> None:
+        """Draw the opponent of an episode that begins in a world, all equally likely."""
+        word = _core.philox([0, 0, _PURPOSE, 0], [seed, episode])[0]
+        # The upper half of the product, as the engine draws integers below n.
+        self.chosen[world] = word * len(self.opponents) >> 64
+        self.playing[world] = self.opponents[self.chosen[world]]
 
     def decide(self, world: World, agents: range, actions: NDArray[np.int64]) -> None:
         """Write the actions (A,) of the team's agents among `agents` in the only world."""
@@ -96,101 +92,81 @@ class BuiltInTeam:
         ask(policy, world.views()[None], asked, actions[None], self._config.n_actions)
 
 
-class BuiltInWorlds:
+class BuiltInWorlds(BuiltInTeam):
     """A built-in team in all worlds of a batch, against an opponent for each.
 
     The batch writes at least views, alive, seed, episode, terminated, truncated and ended. `waits`:
     whether a world whose episode has ended waits for the next step or for a reset. `last`, int64
-    (W,), is the place in ``team.opponents`` of the opponent in each world's last ended episode.
+    (W,), is the place in `opponents` of the opponent in each world's last ended episode.
     """
 
-    def __init__(self, team: BuiltInTeam, batch: Batch, waits: bool) -> None:
-        self.team = team
-        self.last = np.zeros_like(team.chosen)
-        self._batch, self._waits = batch, waits
-        self._actions: NDArray[np.int64] = np.zeros(batch.buffers["alive"].shape, np.int64)
+    def __init__(self, team: Team, opponents: Opponents, batch: Batch, waits: bool) -> None:
+        super().__init__(team, opponents, batch.config, batch.n_worlds)
+        self.last = np.zeros_like(self.chosen)
+        self._buffers, self._batch, self._waits = batch.buffers, batch, waits
+        self._actions: NDArray[np.int64] = np.zeros(self._buffers["alive"].shape, np.int64)
+        self.begin(np.zeros(batch.n_worlds, np.bool_))
+
+    def begin(self, worlds: NDArray[np.bool_]) -> None:
+        """Draw the opponents of the worlds of a mask (W,), whose episodes have begun."""
         self._episodes = self._keys()
-        self._group_worlds()
+        for world in np.flatnonzero(worlds).tolist():
+            self.draw(world, *self._episodes[:, world].tolist())
+        # The policies that play, and the place in this list of each world's policy. By identity:
+        # equality of functions of the user may be anything.
+        places: dict[int, int] = {}
+        numbers = [places.setdefault(id(policy), len(places)) for policy in self.playing]
+        self._numbers = np.array(numbers, np.int32)
+        self._policies: list[Plays] = list({id(policy): policy for policy in self.playing}.values())
 
     def _keys(self) -> NDArray[np.uint64]:
         """Return a copy of seed and episode of every world, (2, W)."""
-        return np.stack([self._batch.buffers["seed"], self._batch.buffers["episode"]])
-
-    def _draw(self, worlds: NDArray[np.bool_] | None) -> None:
-        """Draw the opponents of worlds whose episodes have begun."""
-        self._episodes = self._keys()
-        self.team.begin(self._episodes[0], self._episodes[1], worlds)
-        self._group_worlds()
-
-    def _group_worlds(self) -> None:
-        """List the policies that play, and the place in this list of each world's policy."""
-        # By identity: equality of functions of the user may be anything.
-        places: dict[int, int] = {}
-        playing = self.team.playing
-        numbers = [places.setdefault(id(policy), len(places)) for policy in playing]
-        self._chosen = np.array(numbers, np.int32)
-        self._policies: list[Plays] = list({id(policy): policy for policy in playing}.values())
-
-    def begin(self, worlds: ArrayLike | None) -> None:
-        """Draw opponents after a reset, of all worlds or of those of a mask (W,)."""
-        self._draw(None if worlds is None else np.asarray(worlds))
+        return np.stack([self._buffers["seed"], self._buffers["episode"]])
 
     def actions(self, given: ArrayLike) -> NDArray[np.int64]:
         """Return the actions of all agents, (W, A), with those of the caller's agents given."""
         chosen = integers("actions", given)
-        learners = self.team.learners
-        expected = (len(self._actions), len(learners))
+        expected = (len(self._actions), len(self.learners))
         if chosen.shape != expected:
             raise ValueError(f"actions: expected shape {expected}, got {chosen.shape}")
-        self._actions[:, learners.start : learners.stop] = chosen
+        self._actions[:, self.learners.start : self.learners.stop] = chosen
         engine = [None if callable(policy) else policy for policy in self._policies]
-        self._batch.decide(engine, self._chosen, self.team.agents, self._actions)
+        self._batch.decide(engine, self._numbers, self.agents, self._actions)
         for number, policy in enumerate(self._policies):
             if callable(policy):
-                asked = self._acting() & (self._chosen == number)[:, None]
-                views = self._batch.buffers["views"]
-                ask(policy, views, asked, self._actions, self._batch.config.n_actions)
+                asked = self._acting() & (self._numbers == number)[:, None]
+                ask(policy, self._buffers["views"], asked, self._actions, self._config.n_actions)
         return self._actions
 
     def _acting(self) -> NDArray[np.bool_]:
         """Return which agents of the team act now, bool (W, A)."""
-        buffers = self._batch.buffers
-        acting = np.zeros_like(buffers["alive"])
-        acting[:, self.team.agents] = buffers["alive"][:, self.team.agents]
+        acting = np.zeros_like(self._buffers["alive"])
+        acting[:, self.agents] = self._buffers["alive"][:, self.agents]
         if self._waits:
-            acting[buffers["terminated"] | buffers["truncated"]] = False
+            acting[self._buffers["terminated"] | self._buffers["truncated"]] = False
         return acting
 
     def note_step(self) -> None:
         """Draw opponents of the episodes that the batch began by itself; call it after a step."""
-        ended = self._batch.buffers["ended"]
-        self.last[ended] = self.team.chosen[ended]
+        ended = self._buffers["ended"]
+        self.last[ended] = self.chosen[ended]
         begun = (self._keys() != self._episodes).any(axis=0)
         if begun.any():
-            self._draw(begun)
+            self.begin(begun)
 
 
-def _drawn(seed: int, episode: int, n: int) -> int:
-    """Return the place of an episode's opponent among n, all equally likely."""
-    word = _core.philox([0, 0, _PURPOSE, 0], [seed, episode])[0]
-    return word * n >> 64  # the upper half of the product, as the engine draws integers below n
-
-
-def built_in_team(
-    config: WorldConfig,
-    pursuers: Opponents | None,
-    evaders: Opponents | None,
-    n_worlds: int = 1,
-) -> BuiltInTeam | None:
-    """Return the team that an environment plays itself; None if the caller plays both."""
+def one_team(
+    pursuers: Opponents | None, evaders: Opponents | None
+) -> tuple[Team, Opponents] | None:
+    """Return the team that an environment plays itself, and its opponents, if there is one."""
     if pursuers is not None and evaders is not None:
         raise ValueError(
             "pursuers, evaders: expected one team that the environment plays, got both; "
             "matrixworld.rollout plays matches of both"
         )
     if pursuers is not None:
-        return BuiltInTeam("pursuer", pursuers, config, n_worlds)
-    return None if evaders is None else BuiltInTeam("evader", evaders, config, n_worlds)
+        return "pursuer", pursuers
+    return None if evaders is None else ("evader", evaders)
 
 
 class HasOpponents:

@@ -19,9 +19,7 @@ from pettingzoo.env_registry.registration import register
 from pettingzoo.utils.wrappers import AssertOutOfBoundsWrapper, OrderEnforcingWrapper
 from typing_extensions import Unpack
 
-from matrixworld.envs.aec import MatrixWorldAEC
-from matrixworld.envs.base import EnvSettings
-from matrixworld.envs.parallel import MatrixWorldParallel
+from matrixworld.envs.single import EnvSettings, MatrixWorldAEC, MatrixWorldParallel
 from matrixworld.envs.vector import VectorEnv
 from matrixworld.world.config import WorldConfig
 from matrixworld.world.rules import OUTCOME_TEXTS, Capture, Interaction, Rules
@@ -66,19 +64,6 @@ def parallel_env(
     return MatrixWorldParallel(config, **settings)
 
 
-def raw_aec_env(
-    config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
-) -> MatrixWorldAEC:
-    """Make an AEC environment without PettingZoo's wrappers.
-
-    Parameters
-    ----------
-    config, **settings
-        As for `parallel_env`.
-    """
-    return MatrixWorldAEC(config, **settings)
-
-
 def aec_env(config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]) -> AECWrapper:
     """Make an environment of PettingZoo's AEC API: one agent acts after the other.
 
@@ -92,7 +77,7 @@ def aec_env(config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSetti
     config, **settings
         As for `parallel_env`.
     """
-    return OrderEnforcingWrapper(AssertOutOfBoundsWrapper(raw_aec_env(config, **settings)))
+    return OrderEnforcingWrapper(AssertOutOfBoundsWrapper(MatrixWorldAEC(config, **settings)))
 
 
 class VariantText(NamedTuple):
@@ -245,14 +230,9 @@ VARIANT_TEXTS: Mapping[str, VariantText] = MappingProxyType(dict(_texts()))
 class VariantModule(ModuleType):
     """A module with the environments of one variant, as PettingZoo's own modules have them.
 
-    `env`, `raw_env` and `parallel_env` are `aec_env`, `raw_aec_env` and `parallel_env` with the
+    `env`, `raw_env` and `parallel_env` are `aec_env`, `MatrixWorldAEC` and `parallel_env` with the
     rules of the variant; they take the other arguments. So does `vector_env`, a
     `matrixworld.VectorEnv` of ``num_envs`` worlds.
-
-    Parameters
-    ----------
-    variant : str
-        A name of `matrixworld.VARIANTS`.
     """
 
     __all__: list[str]
@@ -267,31 +247,26 @@ class VariantModule(ModuleType):
         # `import` and `importlib.util.find_spec` ask modules for it; there is nothing to load.
         self.__spec__ = ModuleSpec(self.__name__, loader=None, origin=__name__)
         self.__package__ = "matrixworld.envs"
-        self.__all__ = ["env", "parallel_env", "raw_env", "vector_env"]
+        self.__all__ = []
+        self._add("env", aec_env, variant)
+        self._add("raw_env", MatrixWorldAEC, variant)
+        self._add("parallel_env", parallel_env, variant)
+        self._add("vector_env", _vector_env, variant)
 
-        def env(**settings: Unpack[EnvSettings]) -> AECWrapper:
-            """Make the AEC environment, in PettingZoo's wrappers; see `matrixworld.aec_env`."""
-            return aec_env(variant, **settings)
+    def _add(self, name: str, make: Callable[..., Any], variant: str) -> None:
+        def made(*args: Any, **settings: Any) -> Any:
+            return make(variant, *args, **settings)
 
-        def raw_env(**settings: Unpack[EnvSettings]) -> MatrixWorldAEC:
-            """Make the AEC environment without wrappers; see `matrixworld.aec_env`."""
-            return raw_aec_env(variant, **settings)
+        # With these names pickle finds the function in another process.
+        made.__module__, made.__name__, made.__qualname__ = self.__name__, name, name
+        made.__doc__ = (make.__doc__ or "").partition("\n")[0]
+        setattr(self, name, made)
+        self.__all__.append(name)
 
-        def parallel(**settings: Unpack[EnvSettings]) -> MatrixWorldParallel:
-            """Make the parallel environment; see `matrixworld.parallel_env`."""
-            return parallel_env(variant, **settings)
 
-        def vector(num_envs: int = 1, **settings: Any) -> VectorEnv:
-            """Make many worlds with Gymnasium's interface; see `matrixworld.VectorEnv`."""
-            return VectorEnv(variant, num_envs, **settings)
-
-        self._add(env=env, raw_env=raw_env, parallel_env=parallel, vector_env=vector)
-
-    def _add(self, **makers: Callable[..., Any]) -> None:
-        for name, maker in makers.items():
-            # With these names pickle finds the function in another process.
-            maker.__module__, maker.__name__, maker.__qualname__ = self.__name__, name, name
-            setattr(self, name, maker)
+def _vector_env(variant: str, num_envs: int = 1, **settings: Any) -> VectorEnv:
+    """Make many worlds with Gymnasium's interface; see `matrixworld.VectorEnv`."""
+    return VectorEnv(variant, num_envs, **settings)
 
 
 def add_module(variant: str, package: str) -> VariantModule:

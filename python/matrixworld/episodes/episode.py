@@ -268,24 +268,16 @@ def _check_conflicts(
     table: NDArray[np.int32], steps: int, shape: tuple[int, ...], agents: int
 ) -> None:
     """Raise ValueError unless every number of the table is in its range."""
-    names = ("step", *CONFLICT_COLUMNS)
-    least = {"step": 1, "second": -1, "row": -1, "col": -1}
-    most = {
-        "step": steps,
-        "turn": agents - 1,
-        "kind": len(COLLISION_KINDS) - 1,
-        "form": len(FORMS) - 1,
-    }
-    most |= {"first": agents - 1, "second": agents - 1, "row": shape[0], "col": shape[1]}
-    low = [least.get(name, 0) for name in names]
-    high = [most.get(name, BOTH_AGENTS) for name in names]
-    bad = (table < low) | (table > high)
-    if bad.any():
-        row, column = np.argwhere(bad)[0]
-        raise ValueError(
-            f"conflict_table, {names[column]}: expected {low[column]} to {high[column]}, "
-            f"got {table[row, column]}"
-        )
+    last, (rows, cols) = agents - 1, shape
+    ranges = {"step": (1, steps), "turn": (0, last), "first": (0, last), "second": (-1, last)}
+    ranges |= {"row": (-1, rows), "col": (-1, cols)}
+    ranges |= {"kind": (0, len(COLLISION_KINDS) - 1), "form": (0, len(FORMS) - 1)}
+    for name, numbers in zip(("step", *CONFLICT_COLUMNS), table.T, strict=True):
+        low, high = ranges.get(name, (0, BOTH_AGENTS))
+        outside = numbers[(numbers < low) | (numbers > high)]
+        if outside.size:
+            problem = f"expected {low} to {high}, got {outside[0]}"
+            raise ValueError(f"conflict_table, {name}: {problem}")
 
 
 def scene(episode: Episode, step: int = -1, *, trail: int = 6, title: str | None = None) -> Scene:

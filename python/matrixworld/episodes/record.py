@@ -121,11 +121,8 @@ class Recorder:
 
 def _numbered(tables: list[NDArray[np.int32]]) -> NDArray[np.int32]:
     """Return the conflicts of all steps as one table that begins with the number of the step."""
-    steps = np.repeat(np.arange(1, len(tables) + 1, dtype=np.int32), [len(t) for t in tables])
-    return np.column_stack([steps, np.concatenate([_NO_CONFLICTS, *tables])])
-
-
-_NO_CONFLICTS = np.empty((0, len(CONFLICT_COLUMNS)), np.int32)
+    numbered = [np.insert(table, 0, step, axis=1) for step, table in enumerate(tables, 1)]
+    return np.concatenate([np.empty((0, 1 + len(CONFLICT_COLUMNS)), np.int32), *numbered])
 
 
 def record_actions(

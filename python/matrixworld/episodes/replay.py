@@ -65,7 +65,6 @@ def animate_terminal(
     *,
     fps: float = 10.0,
     every: int = 1,
-    color: str | None = None,
 ) -> None:
     """Show an episode in a terminal, in place, until its end or Ctrl-C.
 
@@ -76,23 +75,21 @@ def animate_terminal(
     times = _times(episode, every)
     out = sys.stdout if stream is None else stream
     if not out.isatty():
-        print_moment(episode, out, color="none")
+        print_moment(episode, out)
         return
-    look = _text_look(episode, out, color)
+    look = _text_look(episode, out)
     play((ansi(scene(episode, t), **look) for t in times), out, fps=fps)
 
 
-def print_moment(
-    episode: Episode, stream: TextIO | None = None, *, step: int = -1, color: str | None = None
-) -> None:
+def print_moment(episode: Episode, stream: TextIO | None = None, *, step: int = -1) -> None:
     """Print one moment of an episode, as `scene` counts them, in the colors of the stream."""
     out = sys.stdout if stream is None else stream
-    out.write(ansi(scene(episode, step), **_text_look(episode, out, color)) + "\n")
+    out.write(ansi(scene(episode, step), **_text_look(episode, out)) + "\n")
 
 
-def _text_look(episode: Episode, stream: TextIO, color: str | None) -> dict[str, Any]:
+def _text_look(episode: Episode, stream: TextIO) -> dict[str, Any]:
     """Return the keyword arguments of `render.ansi` that suit a stream."""
-    mode = color_mode(stream) if color is None else color
+    mode = color_mode(stream)
     return {"color": mode, "compact": mode != "none" and not fits(episode.map.shape, stream)}
 
 
@@ -274,7 +271,7 @@ class _Pictures:
 
     def check_frames(self, times: list[int], *, fps: float, hold: float) -> None:
         """Raise ValueError or TypeError before a file is begun."""
-        check_timing(times, fps=fps, hold=hold)
+        check_timing(fps=fps, hold=hold)
         check_pixels("animation", len(times) * self.pixels, MOST_ANIMATED)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import ClassVar
 
 from PIL import Image, ImageDraw, ImageFont
@@ -144,12 +144,8 @@ def _disc(draw: ImageDraw.ImageDraw, size: int) -> None:
     draw.ellipse((0, 0, size - 1, size - 1), fill=255)
 
 
-def _ring(draw: ImageDraw.ImageDraw, size: int) -> None:
-    draw.ellipse((0, 0, size - 1, size - 1), outline=255, width=max(1, round(size * 0.11)))
-
-
-def _thick_ring(draw: ImageDraw.ImageDraw, size: int) -> None:
-    draw.ellipse((0, 0, size - 1, size - 1), outline=255, width=max(1, round(size * 0.2)))
+def _ring(draw: ImageDraw.ImageDraw, size: int, thickness: float = 0.11) -> None:
+    draw.ellipse((0, 0, size - 1, size - 1), outline=255, width=max(1, round(size * thickness)))
 
 
 def _triangle(draw: ImageDraw.ImageDraw, size: int) -> None:
@@ -199,7 +195,7 @@ def _burst_corners(size: int) -> list[Point]:
 _SHAPES: dict[str, Callable[[ImageDraw.ImageDraw, int], None]] = {
     "disc": _disc,
     "ring": _ring,
-    "thick ring": _thick_ring,
+    "thick ring": partial(_ring, thickness=0.2),
     "triangle": _triangle,
     "cross": _cross,
     "burst": _burst,

@@ -57,10 +57,8 @@ def write_gif(file: BinaryIO, draw: Draw, times: Sequence[int], *, fps: float, h
     file.write(TRAILER)
 
 
-def check_timing(times: Sequence[int], *, fps: float, hold: float) -> None:
-    """Raise ValueError if there are no times, or if fps or hold is out of range."""
-    if len(times) == 0:
-        raise ValueError("times: expected at least one, got none")
+def check_timing(*, fps: float, hold: float) -> None:
+    """Raise ValueError if fps or hold is out of range."""
     if not SLOWEST <= check_real("fps", fps) <= FASTEST:
         raise ValueError(f"fps: expected {SLOWEST:g} to {FASTEST:g} a second, got {fps}")
     if not 0 <= check_real("hold", hold) <= LONGEST_HOLD:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import pairwise
@@ -141,12 +141,6 @@ class Scene:
         """Return the picture that a notebook shows."""
         return png(self)
 
-    def agents(self) -> Iterator[tuple[int, Cell, bool]]:
-        """Yield the index of every living agent, its cell, and whether it is a pursuer."""
-        for agent in np.flatnonzero(self.alive).tolist():
-            row, col = self.positions[agent].tolist()
-            yield agent, (row, col), agent < self.n_pursuers
-
     def agent(self, who: int | str) -> int:
         """Return the number of an agent given by number or name; ValueError if there is none."""
         n_agents = len(self.alive)
@@ -163,9 +157,10 @@ class Scene:
     def occupied_cells(self) -> dict[Cell, CellContents]:
         """Return what is on each cell that has living agents."""
         cells: dict[Cell, CellContents] = {}
-        for agent, cell, is_pursuer in self.agents():
-            contents = cells.setdefault(cell, CellContents())
-            if is_pursuer:
+        for agent in np.flatnonzero(self.alive).tolist():
+            row, col = self.positions[agent].tolist()
+            contents = cells.setdefault((row, col), CellContents())
+            if agent < self.n_pursuers:
                 contents.pursuers.append(agent)
             else:
                 contents.evaders.append(agent - self.n_pursuers)
@@ -340,14 +335,10 @@ class _Picture:
         ):
             size = max(7, round(self.layout.cell * scale))
             for row, col, age in [] if marks is None else marks.tolist():
-                if age < MARK_STEPS:
-                    self._draw_mark(name, colour, self.layout.centre(row, col), size, age)
-
-    def _draw_mark(self, name: str, colour: str, at: Point, size: int, age: int) -> None:
-        opacity = 1 - age / MARK_STEPS
-        stamp(self.canvas, name, colour, at, size, opacity)
-        if colour == colors.CAPTURE:  # too light for white paper without an outline
-            stamp(self.canvas, "burst outline", colors.INK, at, size, opacity)
+                at, opacity = self.layout.centre(row, col), max(0, 1 - age / MARK_STEPS)
+                stamp(self.canvas, name, colour, at, size, opacity)
+                if colour == colors.CAPTURE:  # too light for white paper without an outline
+                    stamp(self.canvas, "burst outline", colors.INK, at, size, opacity)
 
     def draw_agents(self) -> None:
         """Draw the living agents; two teams on one cell are smaller and side by side."""

@@ -1,0 +1,544 @@
+"""One world as a PettingZoo environment: all agents act at once, or one after the other."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+from numpy.typing import NDArray
+from pettingzoo import AECEnv, ParallelEnv
+from typing_extensions import Unpack
+
+from matrixworld._util.checks import check_bool, check_integer, check_keywords
+from matrixworld.envs.opponents import BuiltInTeam, HasOpponents, Opponents, one_team
+from matrixworld.episodes.display import Drawing
+from matrixworld.episodes.episode import Episode
+from matrixworld.world.arrays import (
+    WORLD_FIELDS,
+    OutputField,
+    WorldArrays,
+    action_masks,
+    check_maskable,
+    python_value,
+)
+from matrixworld.world.config import WorldConfig, WorldSettings
+from matrixworld.world.rules import COLLISION_KINDS, VARIANTS, Rules
+from matrixworld.world.world import World
+
+
+class EnvSettings(WorldSettings, total=False):
+    """Keyword arguments of an environment, for type checkers; see `MatrixWorldParallel`."""
+
+    render_mode: str | None
+    fields_of_view: bool | Iterable[str]
+    record: bool
+    action_mask: bool
+    max_cycles: int | None
+    pursuers: Opponents | None
+    evaders: Opponents | None
+
+
+View = NDArray[np.uint8]
+
+RENDER_MODES = ("human", "rgb_array", "ansi")
+
+OPTIONS = ("episode", "pursuers", "evaders", "obstacles")
+"""The keys that ``options`` of a reset may hold; each is an argument of `World.reset`.
+
+An environment that plays a team itself knows ``opponents``, too.
+"""
+
+# World arrays that infos leave out: `step` returns them, or they are attributes of `Status` only.
+_NOT_IN_INFOS = {
+    *("rewards", "terminations", "truncations", "terminated", "truncated", "views", "state"),
+    *("positions", "last_positions", "alive", "ever_captured", "seed", "episode"),
+}
+_INFO_FIELDS = [output for name, output in WORLD_FIELDS.items() if name not in _NOT_IN_INFOS]
+
+
+def _keys(output: OutputField) -> list[str]:
+    if output.axes == ("agents", "kinds"):
+        return [f"{output.name}_{kind}" for kind in COLLISION_KINDS]
+    if output.axes == ("teams",):
+        return [f"{team}_{output.name}" for team in ("pursuer", "evader")]
+    return ["step" if output.name == "steps" else output.name]
+
+
+INFO_KEYS = (
+    *(key for output in _INFO_FIELDS for key in _keys(output)),
+    *(f"cost_{kind}" for kind in COLLISION_KINDS),
+)
+"""The keys of every agent's info, at every step."""
+
+
+class Status(WorldArrays):
+    """Results of the last step for all agents at once, as fresh arrays: see `array_specs`.
+
+    Pursuers come before evaders. An agent keeps its index when others are gone. `World.reset`
+    accepts `seed` and `episode`.
+    """
+
+    def __init__(self, world: World) -> None:
+        arrays = world.read(*(WORLD_FIELDS.keys() - {"views", "state"}))
+        vars(self).update({name: python_value(array) for name, array in arrays.items()})
+
+    def add_collisions(self, earlier: Status) -> None:
+        """Add the collisions and captors of an earlier round, for a report of several rounds."""
+        np.logical_or(self.involved, earlier.involved, out=self.involved)
+        np.logical_or(self.fault, earlier.fault, out=self.fault)
+        np.maximum(self.captors, earlier.captors, out=self.captors)
+        self.cost[:] = self.fault.sum(axis=1)
+
+    def infos(self) -> list[dict[str, Any]]:
+        """Return the info of each agent: a dict of `INFO_KEYS` with plain values."""
+        n_agents = len(self.alive)
+        columns = [
+            column
+            for output in _INFO_FIELDS
+            for column in _columns(output, vars(self)[output.name], n_agents)
+        ]
+        columns += self.fault.T.astype(float).tolist()
+        return [dict(zip(INFO_KEYS, row, strict=True)) for row in zip(*columns, strict=True)]
+
+
+def _columns(output: OutputField, value: Any, n_agents: int) -> list[list[Any]]:
+    """Return, for each info key of an output, the values of all agents."""
+    if output.axes == ("agents", "kinds"):
+        return list(value.T.tolist())
+    if output.axes[:1] == ("agents",):
+        return [value.tolist()]
+    if output.axes[:1] == ("evaders",):  # a pursuer has the zero of the dtype
+        return [[value.dtype.type(0).item()] * (n_agents - len(value)) + value.tolist()]
+    return [[each] * n_agents for each in np.ravel(value).tolist()]
+
+
+class MatrixWorldBase(HasOpponents):
+    """What both environments share; `MatrixWorldParallel` tells its arguments and attributes."""
+
+    world: World
+    possible_agents: list[str]
+    render_mode: str | None
+
+    def __init__(
+        self,
+        config: WorldConfig | Rules | str = "O",
+        *,
+        render_mode: str | None = None,
+        fields_of_view: bool | Iterable[str] = False,
+        record: bool = False,
+        action_mask: bool = False,
+        max_cycles: int | None = None,
+        pursuers: Opponents | None = None,
+        evaders: Opponents | None = None,
+        **changes: Unpack[WorldSettings],
+    ) -> None:
+        check_keywords(changes, WorldSettings.__annotations__, MatrixWorldBase)
+        if max_cycles is not None:
+            changes["max_steps"] = max_cycles
+        if render_mode not in (None, *RENDER_MODES):
+            raise ValueError(
+                f"render_mode: expected None or one of {RENDER_MODES}, got {render_mode!r}"
+            )
+        self.config: WorldConfig = WorldConfig.of(config, **changes)
+        self._has_masks = check_bool("action_mask", action_mask)
+        if self._has_masks:
+            check_maskable(self.config)
+        self.world = World(self.config)
+        self.render_mode = render_mode
+        names = [name.lower() for name, rules in VARIANTS.items() if rules == self.config.rules]
+        self.metadata: dict[str, Any] = {
+            "name": f"pursuit_evasion_{names[0] if names else 'custom'}_v0",
+            "render_modes": list(RENDER_MODES),
+            "render_fps": 10,
+            "is_parallelizable": True,
+        }
+        built_in = one_team(pursuers, evaders)
+        self._team = None if built_in is None else BuiltInTeam(*built_in, self.config)
+        played = range(self.config.n_agents) if self._team is None else self._team.learners
+        self._names = {agent: self.config.agent_name(agent) for agent in played}
+        self._index = {name: agent for agent, name in self._names.items()}
+        self.possible_agents = list(self._index)
+        self.agents: list[str] = []
+        viewers = self._viewers(fields_of_view)
+        kept = check_bool("record", record) or render_mode is not None
+        self._drawing = Drawing(self.world, render_mode, viewers) if kept else None
+        self._make_spaces()
+        self._seeded = False
+
+    def _viewers(self, fields_of_view: bool | Iterable[str]) -> list[int]:
+        if isinstance(fields_of_view, bool):
+            return list(self._index.values()) if fields_of_view else []
+        named = list(fields_of_view)
+        unknown = [name for name in named if name not in self._index]
+        if unknown:
+            raise ValueError(f"fields_of_view: expected names of agents, got {unknown}")
+        return [self._index[name] for name in named]
+
+    def _make_spaces(self) -> None:
+        config = self.config
+        view, whole = (3, config.fov, config.fov), (3, config.rows, config.cols)
+        self.observation_spaces: dict[str, spaces.Box] = {
+            name: spaces.Box(0, 1, view, np.uint8)  # not shared: each has a generator of its own
+            for name in self.possible_agents
+        }
+        self.action_spaces: dict[str, spaces.Discrete] = {
+            name: spaces.Discrete(config.n_actions) for name in self.possible_agents
+        }
+        self.state_space: spaces.Box = spaces.Box(0, 1, whole, np.uint8)
+
+    def observation_space(self, agent: str) -> spaces.Box:
+        """Return ``Box(0, 1, (3, fov, fov), uint8)``: evaders, pursuers, obstacles in view."""
+        return self.observation_spaces[agent]
+
+    def action_space(self, agent: str) -> spaces.Discrete:
+        """Return ``Discrete(5)``, or 9 with diagonal moves; see `matrixworld.Action`."""
+        return self.action_spaces[agent]
+
+    def state(self) -> NDArray[np.uint8]:
+        """Return the whole world, uint8 of shape (3, rows, cols): evaders, pursuers, obstacles."""
+        return self.world.state()
+
+    @property
+    def status(self) -> Status:
+        """The last step for all agents at once, in arrays in which an agent keeps its index."""
+        return Status(self.world)
+
+    def _infos(self, status: Status, views: NDArray[np.uint8]) -> list[dict[str, Any]]:
+        """Return the info of each agent, in which `views` are what the agents see now."""
+        infos = status.infos()
+        if self._has_masks:
+            masks = action_masks(views, self.config.n_actions)
+            infos = [info | {"action_mask": mask} for info, mask in zip(infos, masks, strict=True)]
+        return infos
+
+    def _by_agent(self, agents: list[str], values: Any) -> dict[str, Any]:
+        return {agent: values[self._index[agent]] for agent in agents}
+
+    def _reset_world(self, seed: int | None, options: Mapping[str, Any] | None) -> None:
+        given = dict(options or {})
+        known = self._known_options(OPTIONS)
+        for unknown in set(given) - set(known):
+            warnings.warn(f"options: expected some of {known}, ignored {unknown!r}", stacklevel=3)
+            del given[unknown]
+        opponents = self._take_opponents(given)
+        if seed is None and not self._seeded:
+            # The first episode without a seed is a random one; later ones continue its seed.
+            seed = int(np.random.SeedSequence().generate_state(1, np.uint64)[0])
+        self.world.reset(seed, **given)
+        if self._team is not None:
+            self._team.opponents = opponents
+            self._team.draw(0, self.world.seed, self.world.episode)
+        self._seeded = True
+        self.agents = self.possible_agents[:]
+        if self._drawing is not None:
+            self._drawing.begin()
+
+    def _decide(self, actions: NDArray[np.int64], agents: range) -> None:
+        """Write the actions of the team that the environment plays itself, if it plays one."""
+        if self._team is not None:
+            self._team.decide(self.world, agents, actions)
+
+    @property
+    def opponent(self) -> int | None:
+        """The place in `opponents` of this episode's opponent, when it began; None without one."""
+        return None if self._team is None else int(self._team.chosen[0])
+
+    def render(self) -> NDArray[np.uint8] | str | None:
+        """Draw the present moment: pixels (height, width, 3) uint8 or a text; None for "human".
+
+        ValueError if the environment has no render mode, RuntimeError before the first reset.
+        """
+        if self.render_mode is None or self._drawing is None:
+            raise ValueError(
+                f"render: expected a render_mode of {RENDER_MODES} when the environment was made"
+            )
+        self._require_begun()
+        return self._drawing.render()
+
+    def _require_begun(self) -> None:
+        if not self._seeded:
+            raise RuntimeError("call reset() first")
+
+    @property
+    def recorded(self) -> Episode:
+        """The episode so far, to `replay` or save.
+
+        RuntimeError before the first reset, and if steps are not kept (see ``record``).
+        """
+        if self._drawing is None:
+            raise RuntimeError("no episode was kept: make the environment with record=True")
+        self._require_begun()
+        return self._drawing.episode()
+
+    def close(self) -> None:
+        """Close the window, if there is one."""
+        if self._drawing is not None:
+            self._drawing.close()
+
+
+class MatrixWorldParallel(MatrixWorldBase, ParallelEnv[str, View, int]):  # type: ignore[misc]
+    """An environment in which all agents act at once.
+
+    Parameters
+    ----------
+    config : WorldConfig, Rules or str, optional
+        The settings, the rules, or the name of a variant. The default is ``"O"``.
+    render_mode : {None, "human", "rgb_array", "ansi"}, optional
+        "human" shows every step in a window, a notebook's output or the terminal. "rgb_array"
+        returns pictures, uint8 of shape (height, width, 3); "ansi" returns text.
+    fields_of_view : bool or iterable of str, optional
+        The agents whose fields of view pictures outline: True for all, or their names.
+    record : bool, optional
+        Whether to keep every step for `recorded`. With a render mode steps are always kept.
+    action_mask : bool, optional
+        Whether infos have an ``action_mask``, int8 of shape (n_actions,): 1 for the moves that run
+        into neither an obstacle nor the border. Needs a `fov` of at least 3. The default is False.
+    max_cycles : int, optional
+        Another name for ``max_steps`` of the config, as other PettingZoo environments call it.
+    pursuers, evaders : Opponents, optional
+        What plays for one of the teams, if the environment plays it itself; see
+        `matrixworld.envs.opponents`. Each episode draws one of several. Agents of that team are not
+        in `possible_agents`. By default the caller plays both teams.
+    **changes
+        Fields of `WorldConfig` to change.
+
+    Attributes
+    ----------
+    world : World
+        The world that is played.
+    config : WorldConfig
+        Its settings.
+    possible_agents : list of str
+        Names of the caller's agents: ``pursuer_0`` and so on, then ``evader_0`` and so on.
+    agents : list of str
+        Names of the agents that still play; empty before the first reset and after the end.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As `WorldConfig` does, and for an unknown render mode or agent.
+
+    Notes
+    -----
+    A copy (`copy.deepcopy`, `pickle`) is at the same moment of the same episode, and goes on
+    independently. A window is not copied.
+
+    Examples
+    --------
+    >>> from matrixworld import parallel_env
+    >>> env = parallel_env("SB", rows=8, cols=8, n_pursuers=4, n_evaders=1)
+    >>> observations, infos = env.reset(seed=0)
+    >>> while env.agents:
+    ...     actions = {agent: env.action_space(agent).sample() for agent in env.agents}
+    ...     observations, rewards, terminations, truncations, infos = env.step(actions)
+    """
+
+    def reset(
+        self, seed: int | None = None, options: Mapping[str, Any] | None = None
+    ) -> tuple[dict[str, View], dict[str, dict[str, Any]]]:
+        """Start an episode, and return observations and infos by the name of the agent.
+
+        Parameters
+        ----------
+        seed : int, optional
+            Seed of the episode, 0 to 2**64 - 1. Without it the next episode of the present seed
+            starts. The first seed is drawn from the operating system.
+        options : mapping, optional
+            Arguments of `World.reset` under the keys of `OPTIONS`: ``pursuers`` and ``evaders``
+            (cells, shape (n, 2)), ``obstacles`` (a map), ``episode`` (a number). With a built-in
+            team also ``opponents``: what plays for it from now on. Other keys are ignored with a
+            warning.
+
+        Raises
+        ------
+        ValueError, TypeError
+            As `World.reset` does. The environment then stays as it was.
+        """
+        self._reset_world(seed, options)
+        views = self.world.views()
+        infos = self._infos(self.status, views)
+        return self._by_agent(self.agents, views), self._by_agent(self.agents, infos)
+
+    def step(
+        self, actions: Mapping[str, Any]
+    ) -> tuple[
+        dict[str, View],
+        dict[str, float],
+        dict[str, bool],
+        dict[str, bool],
+        dict[str, dict[str, Any]],
+    ]:
+        """Play a round.
+
+        Parameters
+        ----------
+        actions : mapping of str to int
+            An action for each of `agents`. Those of agents that are gone are ignored.
+
+        Returns
+        -------
+        observations, rewards, terminations, truncations, infos : dict
+            By the name of the agent, for all that acted. An agent that disappears in this step
+            observes zeros, terminates, and leaves `agents`.
+
+        Raises
+        ------
+        RuntimeError
+            If there are actions although the episode has ended. A step without actions then returns
+            five empty dicts, because wrappers of PettingZoo rely on it.
+        ValueError, TypeError
+            If an action is missing, out of range or no integer, or an agent is unknown. Nothing has
+            changed then.
+        """
+        if not self.agents:
+            if actions or not self._seeded:
+                raise RuntimeError("the episode has ended, or never began: call reset()")
+            return {}, {}, {}, {}, {}
+        acting = self.agents
+        committed = self._committed(actions)
+        self._decide(committed, range(self.config.n_agents))
+        self.world.step(committed)
+        if self._drawing is not None:
+            self._drawing.note(self._actions)
+        status, views = Status(self.world), self.world.views()
+        observations = self._by_agent(acting, views)
+        rewards = self._by_agent(acting, status.rewards.tolist())
+        terminations = self._by_agent(acting, status.terminations.tolist())
+        truncations = self._by_agent(acting, status.truncations.tolist())
+        infos = self._by_agent(acting, self._infos(status, views))
+        # All that acted get their last results; agents that ended leave only now.
+        self.agents: list[str] = [a for a in acting if not (terminations[a] or truncations[a])]
+        return observations, rewards, terminations, truncations, infos
+
+    def _committed(self, actions: Mapping[str, Any]) -> NDArray[np.int64]:
+        missing = [agent for agent in self.agents if agent not in actions]
+        if missing:
+            raise ValueError(f"actions: expected one for each of agents, none came for {missing}")
+        unknown = [agent for agent in actions if agent not in self._index]
+        if unknown:
+            raise ValueError(f"actions: expected names of agents, got {unknown}")
+        given = np.array([actions[agent] for agent in self.agents])
+        if given.dtype.kind not in "iu" or given.ndim != 1:
+            kinds = sorted({type(actions[agent]).__name__ for agent in self.agents})
+            raise TypeError(f"actions: expected an int for each agent, got {', '.join(kinds)}")
+        self._actions = np.zeros(self.config.n_agents, np.int64)
+        self._actions[[self._index[agent] for agent in self.agents]] = given
+        return self._actions
+
+
+class MatrixWorldAEC(MatrixWorldBase, AECEnv[str, View, int]):  # type: ignore[misc]
+    """An environment in which one agent acts after the other.
+
+    Actions are collected until all agents of a turn have chosen; then the turn is played.
+
+    Parameters
+    ----------
+    config, **settings
+        As for `MatrixWorldParallel`.
+    """
+
+    agent_selection: str
+    _to_commit: list[str]  # agents of this turn that have not chosen yet
+
+    def __init__(
+        self, config: WorldConfig | Rules | str = "O", **settings: Unpack[EnvSettings]
+    ) -> None:
+        super().__init__(config, **settings)
+        # Where teams or agents take turns, they see what earlier ones did: that game is not the one
+        # in which all choose at once.
+        self.metadata["is_parallelizable"] = self.world.n_turns == 1
+
+    def reset(self, seed: int | None = None, options: Mapping[str, Any] | None = None) -> None:
+        """Start an episode; see `MatrixWorldParallel.reset`."""
+        self._reset_world(seed, options)
+        self._actions = np.zeros(self.config.n_agents, np.int64)
+        self.agent_selection, self._to_commit = self.agents[0], []
+        self.rewards: dict[str, float] = dict.fromkeys(self.agents, 0.0)
+        self._cumulative_rewards = dict.fromkeys(self.agents, 0.0)
+        self.terminations: dict[str, bool] = dict.fromkeys(self.agents, False)
+        self.truncations: dict[str, bool] = dict.fromkeys(self.agents, False)
+        self.infos: dict[str, dict[str, Any]] = {}
+        self._skip_agent_selection: str | None = None
+        self._play_until_actors()
+        self._accumulate_rewards()
+        self._deads_step_first()
+
+    def observe(self, agent: str) -> View:
+        """Return what an agent sees after the last played turn, uint8 of shape (3, fov, fov)."""
+        view: View = self._views[self._index[agent]]
+        return view
+
+    def step(self, action: Any) -> None:
+        """Choose the action of `agent_selection`; the last choice of a turn plays the turn.
+
+        The action of an agent that has terminated or is truncated is None. If an action is refused
+        (ValueError out of range, TypeError if it is no integer), nothing has changed. RuntimeError
+        if the episode has ended.
+        """
+        if not self.agents:
+            raise RuntimeError("the episode has ended, or never began: call reset()")
+        agent = self.agent_selection
+        if self.terminations[agent] or self.truncations[agent]:
+            self._was_dead_step(action)
+            return
+        self._actions[self._index[agent]] = check_integer(
+            "action", action, 0, self.config.n_actions - 1
+        )
+        self._cumulative_rewards[agent] = 0.0
+        self._clear_rewards()
+        if self._to_commit:
+            self.agent_selection = self._to_commit.pop(0)
+            return
+        self._play_turn()
+        self._play_until_actors()
+        self._accumulate_rewards()
+        self._deads_step_first()
+
+    def _play_turn(self) -> None:
+        """Play a turn and pay it."""
+        # Rewards accumulate over a round in the world; an AEC step pays the difference of its turn.
+        before = self.world.rewards.astype(float) if self.world.turn else 0.0
+        self._decide(self._actions, self.world.actors)
+        self.world.play_turn(self._actions)
+        paid = (self.world.rewards.astype(float) - before).tolist()
+        for agent in self.agents:
+            self.rewards[agent] += paid[self._index[agent]]
+        if self.world.turn == 0 and self._drawing is not None:
+            self._drawing.note(self._actions)
+
+    def _play_until_actors(self) -> None:
+        """Play turns in which no living agent of the caller acts, and select those that act next.
+
+        They are turns of agents that are gone, which PettingZoo never asks to act, and of the team
+        that the environment plays itself.
+        """
+        ended: list[Status] = []
+        while not (actors := self._living_actors()):
+            if self.world.turn == 0 and (self.world.terminated or self.world.truncated):
+                break
+            if self.world.turn == 0:  # the next turn forgets the collisions of this round
+                ended.append(self.status)
+            self._play_turn()
+        self._report(ended)
+        if actors:
+            self.agent_selection, *self._to_commit = actors
+
+    def _report(self, ended: list[Status]) -> None:
+        """Tell all agents the results of this round, and of rounds that ended before it."""
+        status = self.status
+        for earlier in ended:
+            status.add_collisions(earlier)
+        self._views = self.world.views()
+        self.terminations |= self._by_agent(self.agents, status.terminations.tolist())
+        self.truncations |= self._by_agent(self.agents, status.truncations.tolist())
+        self.infos |= self._by_agent(self.agents, self._infos(status, self._views))
+
+    def _living_actors(self) -> list[str]:
+        """Return the caller's living agents of the next turn; none when the world is terminated."""
+        if self.world.terminated:
+            return []
+        alive, actors = self.world.alive, self.world.actors
+        return [self._names[i] for i in actors if i in self._names and alive[i]]
