@@ -14,7 +14,7 @@ from matrixworld import WorldConfig
 from matrixworld.classroom import play_class
 from matrixworld.classroom.policy_server import MODULES
 from matrixworld.classroom.sandbox import ALLOWED
-from matrixworld.classroom.untrusted import MOST_BYTES
+from matrixworld.classroom.submissions import MOST_BYTES
 from matrixworld.cli.classroom import play_command
 
 PAGE = (Path(__file__).parents[2] / "docs" / "class.md").read_text(encoding="utf-8")

@@ -20,11 +20,10 @@ from class_submissions import (
 )
 from matrixworld import WorldConfig
 from matrixworld.classroom import Limits
-from matrixworld.classroom.match import MatchPool
 from matrixworld.classroom.policy_process import CAN_FORK
 from matrixworld.classroom.policy_server import NOT_CONFINED
 from matrixworld.classroom.submissions import Entry, Refusal, Submission
-from matrixworld.classroom.tournament import admit
+from matrixworld.classroom.tournament import MatchPool, admit
 
 pytestmark = pytest.mark.skipif(not CAN_FORK, reason="programs need fork")
 

@@ -10,7 +10,7 @@ import pytest
 
 from class_submissions import honest_programs, problem_here, write_genomes, write_programs
 from command_line import RACE, matrixworld_command, run_together, words
-from matrixworld.classroom.submissions import load_genome
+from matrixworld.classroom.submissions import read_genome
 from matrixworld.coevolution import open_run
 from matrixworld.coevolution.storage.saved_run import run_directories
 
@@ -96,7 +96,7 @@ def test_a_champion_is_exported_and_plays(tmp_path: Path) -> None:
     for team in ("pursuer", "evader"):
         target = folder / f"{team}.npz"
         matrixworld_command("class", "export", run, "--team", team, "-o", target)
-        found, population = load_genome(target)
+        found, population = read_genome(target, target.read_bytes())
         policy = open_run(run_directories(run)[0]).policy(team)
         assert found == team
         np.testing.assert_array_equal(population.genomes[0], policy.genome)

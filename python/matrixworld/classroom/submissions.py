@@ -1,26 +1,33 @@
 """What students hand in: programs and genomes in the directory of a class, and what is neither.
 
 A submission is ``NAME.py``, ``NAME.npz``, or a file of these kinds in a directory ``NAME/``, as
-learning platforms pack them. Files are read here and never run; links are not followed.
+learning platforms pack them. A file from a stranger may be no regular file, of any size, and hold
+anything: limits are checked before it is read or expanded. Nothing is run or unpickled here, links
+are not followed, and nothing is allocated that a file merely claims to hold.
 """
 
 from __future__ import annotations
 
 import hashlib
+import io
+import math
 import os
+import stat
 import sys
 import unicodedata
+import zipfile
+import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Literal, NamedTuple, TypeAlias
+from typing import IO, Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_choice
 from matrixworld._util.files import DamagedFileError, one_line, save_arrays
-from matrixworld.classroom.untrusted import Form, kind_of_file, read_arrays, read_content
 from matrixworld.coevolution.types import TEAMS, Team
 from matrixworld.play import NetworkPolicy
 from matrixworld.world.policy import Network, Population, TeamPolicy
@@ -35,8 +42,8 @@ MOST_FILES = 1000
 """The most files of a class."""
 LONGEST_NAME = 60
 """The most characters of a name on the page."""
-MOST_LAYERS = 16
-"""The most hidden layers: a million layers of one unit would fit into a file, and take hours."""
+MOST_BYTES = {"genome": 8 * 2**20, "program": 2**18}
+"""Most bytes of a file: a default genome has 48 kB, one with the published layers 1 MB."""
 
 
 class Submission(NamedTuple):
@@ -45,8 +52,8 @@ class Submission(NamedTuple):
     name: str  # of the student
     file: str  # in the directory
     kind: FileKind
-    path: Path
     content: bytes
+    path: Path
 
 
 @dataclass(frozen=True)
@@ -100,18 +107,12 @@ def read_submissions(directory: Path) -> tuple[list[Submission], list[Refusal]]:
         if number == MOST_FILES:
             raise ValueError(f"{directory}: expected at most {MOST_FILES} files, got more")
         file, shown = one_line(path.relative_to(directory)), _display_name(name)
-        problem = _problem(path)
-        if not problem:
-            kind = FILE_KINDS[path.suffix.lower()]
-            try:
-                content = read_content(path, kind)
-                submissions.append(Submission(shown, file, kind, path, content))
-                continue
-            except DamagedFileError as error:
-                problem = without_path(error)
-            except OSError as error:
-                problem = f"cannot be read: {error.strerror}"
-        refusals.append(Refusal(shown, file, problem))
+        try:
+            submissions.append(Submission(shown, file, *read_file(path), path))
+        except DamagedFileError as error:
+            refusals.append(Refusal(shown, file, without_path(error)))
+        except OSError as error:
+            refusals.append(Refusal(shown, file, f"cannot be read: {error.strerror}"))
     return submissions, refusals
 
 
@@ -131,16 +132,6 @@ def _listed(directory: Path) -> list[Path]:
         for path in directory.iterdir()
         if not path.name.startswith(".") and path.name not in IGNORED
     )
-
-
-def _problem(path: Path) -> str:
-    """Return why a path is no submission; empty if it may be one."""
-    found = kind_of_file(path.lstat().st_mode)
-    if found:
-        return f"expected a file, got {found}"
-    if path.suffix.lower() not in FILE_KINDS:
-        return f"expected a file that ends in {' or '.join(FILE_KINDS)}"
-    return ""
 
 
 def without_path(error: DamagedFileError) -> str:
@@ -178,9 +169,51 @@ def _student_and_team(entry: Entry) -> tuple[str, Team]:
     return unicodedata.normalize("NFKC", entry.name).casefold().strip(), entry.team
 
 
+# ---- Reading a file ------------------------------------------------------------------------------
+
+_NOT_REGULAR = {
+    stat.S_IFDIR: "a directory",
+    stat.S_IFLNK: "a symbolic link",
+    stat.S_IFIFO: "a FIFO",
+    stat.S_IFSOCK: "a socket",
+    stat.S_IFCHR: "a device",
+    stat.S_IFBLK: "a device",
+}
+
+
+def read_file(path: Path) -> tuple[FileKind, bytes]:
+    """Return kind and content of a submission.
+
+    DamagedFileError if it is not regular, of another kind or too large, OSError if it cannot be
+    opened.
+    """
+    # Before it is opened, too: a socket cannot be opened, and opening a device can have effects.
+    _check_regular(path, path.lstat())
+    if path.suffix.lower() not in FILE_KINDS:
+        expected = f"expected a file that ends in {' or '.join(FILE_KINDS)}"
+        raise DamagedFileError(path, expected)
+    kind = FILE_KINDS[path.suffix.lower()]
+    # Another file may take the name in between, and opening a FIFO must not wait for its writer.
+    flags = ("O_NONBLOCK", "O_NOFOLLOW", "O_BINARY")
+    handle = os.open(path, os.O_RDONLY | sum(getattr(os, flag, 0) for flag in flags))
+    with open(handle, "rb") as file:
+        status = os.fstat(handle)
+        _check_regular(path, status)
+        if status.st_size > MOST_BYTES[kind]:
+            expected = f"expected at most {MOST_BYTES[kind]:,} bytes ({kind})"
+            raise DamagedFileError(path, f"{expected}, got {status.st_size:,}")
+        return kind, file.read(status.st_size)
+
+
+def _check_regular(path: Path, status: os.stat_result) -> None:
+    if not stat.S_ISREG(status.st_mode):
+        found = _NOT_REGULAR.get(stat.S_IFMT(status.st_mode), "something else")
+        raise DamagedFileError(path, f"expected a file, got {found}")
+
+
 # ---- A genome as a file --------------------------------------------------------------------------
 
-GENOME_FORMS: dict[str, Form] = {
+GENOME_FORMS = {
     "genome": ("f", 1),
     "hidden": ("iuf", 1),  # an empty list is an array of floats
     "activation": ("U", 0),
@@ -189,6 +222,35 @@ GENOME_FORMS: dict[str, Form] = {
     "sampled": ("b", 0),
     "team": ("U", 0),
 }
+"""Kinds of dtypes, as ``dtype.kind``, and number of dimensions of each array."""
+MOST_LAYERS = 16
+"""The most hidden layers: a million layers of one unit would fit into a file, and take hours."""
+MOST_UNPACKED = 256 * 2**20
+"""Most bytes of the arrays in a compressed file."""
+MOST_MEMBERS = 100
+"""Most arrays in a file; a genome's has seven."""
+
+_COMPRESSIONS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # others may need any memory
+_ENTRY = b"PK\x01\x02"  # begin of an entry in the directory of a zip archive
+_HEADERS: dict[tuple[int, int], Any] = {
+    (1, 0): np.lib.format.read_array_header_1_0,
+    (2, 0): np.lib.format.read_array_header_2_0,
+}
+_UNREADABLE = (
+    AttributeError,  # another format of NumPy, up to Python 3.10
+    EOFError,
+    KeyError,
+    NotImplementedError,  # another version of the zip format
+    OSError,
+    OverflowError,
+    RecursionError,
+    RuntimeError,  # an altered flag of the zip archive
+    TypeError,  # another format of NumPy, from Python 3.11 on
+    ValueError,
+    zipfile.BadZipFile,
+    zlib.error,
+)
+"""What zipfile and NumPy raise while they read a damaged file."""
 
 
 def save_genome(path: str | os.PathLike[str], team: Team, policy: NetworkPolicy) -> None:
@@ -224,19 +286,16 @@ def save_genome(path: str | os.PathLike[str], team: Team, policy: NetworkPolicy)
     )
 
 
-def load_genome(path: str | os.PathLike[str]) -> tuple[Team, Population]:
+def read_genome(path: Path, content: bytes) -> tuple[Team, Population]:
     """Return the team of a genome's file, and the genome as a population of one.
 
     `save_genome` writes such files, and ``numpy.savez`` with the same keys. DamagedFileError if the
-    file is damaged, too large, or not of this form; OSError if it cannot be read.
+    content is damaged, too large, or not of this form.
     """
-    file = Path(path)
-    return genome_of(file, read_content(file, "genome"))
-
-
-def genome_of(path: Path, content: bytes) -> tuple[Team, Population]:
-    """Return team and genome in the content of a file, as `load_genome`."""
-    arrays = read_arrays(path, content, GENOME_FORMS)
+    try:
+        arrays = _arrays(content)
+    except _UNREADABLE as error:
+        raise DamagedFileError(path, f"cut, altered or not an npz file ({error})") from error
     team, layers = str(arrays["team"]), len(arrays["hidden"])
     if layers > MOST_LAYERS:
         raise DamagedFileError(path, f"hidden: expected at most {MOST_LAYERS} layers, got {layers}")
@@ -252,3 +311,49 @@ def genome_of(path: Path, content: bytes) -> tuple[Team, Population]:
         return team, Population(arrays["genome"], network)  # type: ignore[return-value]
     except (OverflowError, TypeError, ValueError) as error:
         raise DamagedFileError(path, str(error)) from error
+
+
+def _arrays(content: bytes) -> dict[str, NDArray[Any]]:
+    """Return the arrays of a genome in the content of an npz file."""
+    if content.count(_ENTRY) > MOST_MEMBERS:
+        raise ValueError(f"expected at most {MOST_MEMBERS} arrays, got more")
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        # The archive's directory tells the sizes, and zipfile expands no more than it tells.
+        size = sum(member.file_size for member in archive.infolist())
+        if size > MOST_UNPACKED:
+            raise ValueError(f"expected arrays of at most {MOST_UNPACKED:,} bytes, got {size:,}")
+        return {name: _array(archive, name, *form) for name, form in GENOME_FORMS.items()}
+
+
+def _array(archive: zipfile.ZipFile, name: str, kinds: str, ndim: int) -> NDArray[Any]:
+    """Return an array, whose header is checked first."""
+    if f"{name}.npy" not in archive.namelist():
+        there = ", ".join(each.removesuffix(".npy") for each in archive.namelist())
+        raise ValueError(f"expected an array {name!r}, got {there}")
+    member = archive.getinfo(f"{name}.npy")
+    if member.compress_type not in _COMPRESSIONS:
+        raise ValueError(f"{name}: expected deflate or no compression")
+    with archive.open(member) as file:
+        shape, dtype = _header(file)
+        if dtype.kind not in kinds or len(shape) != ndim:
+            expected = f"expected dtype of kind {kinds} and {ndim} dimensions"
+            raise ValueError(f"{name}: {expected}, got dtype {dtype} and shape {shape}")
+        # A header may claim any shape: NumPy would allocate it before it reads the numbers.
+        claimed, held = math.prod(shape) * dtype.itemsize, member.file_size - file.tell()
+        if claimed != held:
+            raise ValueError(f"{name}: expected {claimed:,} bytes, got {held:,}")
+        file.seek(0)
+        array: NDArray[Any] = np.lib.format.read_array(file, allow_pickle=False)
+        return array
+
+
+def _header(file: IO[bytes]) -> tuple[tuple[int, ...], np.dtype[Any]]:
+    """Return shape and dtype of an array from its header."""
+    version = np.lib.format.read_magic(file)
+    if version not in _HEADERS:
+        raise ValueError(f"expected an array of version 1.0 or 2.0, got {version}")
+    try:
+        shape, _, dtype = _HEADERS[version](file)
+    except MemoryError:  # of Python's parser, in which the header is deeper than its stack
+        raise ValueError("expected the header of an array, got deeper nested text") from None
+    return shape, dtype

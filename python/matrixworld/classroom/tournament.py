@@ -1,42 +1,53 @@
 """The tournament: every pursuer of a class against every evader.
 
 Every submission is read, loaded and tried first. What breaks a rule is left out, and its matches
-count for no one.
+count for no one. The world is played here: a program gets the views of its agents and returns
+actions, whatever it does in its own process.
 """
 
 from __future__ import annotations
 
+import queue
 from collections import defaultdict
-from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager, closing, nullcontext
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import AbstractContextManager, ExitStack, closing, contextmanager, nullcontext
 from dataclasses import dataclass, field
 from itertools import product
 from pathlib import Path
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from matrixworld._util.checks import check_integer, check_threads
 from matrixworld._util.files import DamagedFileError
-from matrixworld.classroom.match import MatchPool, Played
-from matrixworld.classroom.policy_process import RefusedError
+from matrixworld.classroom.policy_process import (
+    CAN_FORK,
+    NO_FORK,
+    PolicyProcess,
+    PolicyServer,
+    RefusedError,
+)
 from matrixworld.classroom.policy_server import FUNCTIONS
 from matrixworld.classroom.sandbox import Limits
 from matrixworld.classroom.submissions import (
     Entry,
     Refusal,
     Submission,
-    genome_of,
+    read_genome,
     read_submissions,
     without_path,
     without_rivals,
 )
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.types import TEAMS, Team, other
+from matrixworld.episodes.record import record
+from matrixworld.play.matches import Decide, Episodes, asked_agents, decide_by, play_episodes
 from matrixworld.play.network_policy import check_fits
-from matrixworld.play.rollout import match_seed
+from matrixworld.play.rollout import Matches, match_seed, rollout
 from matrixworld.world.config import WorldConfig
-from matrixworld.world.policy import Script
+from matrixworld.world.policy import Script, TeamPolicy
 
 SCRIPTS: dict[Team, tuple[Script, ...]] = {
     "pursuer": ("random", "chaser", "hunter"),
@@ -110,12 +121,11 @@ def play_class(
     """
     check_integer("episodes", episodes, 2)
     check_integer("seed", seed, 0)
-    limits = limits or Limits()
     submissions, unreadable = read_submissions(directory)
     pool = MatchPool(
         config,
         seed=match_seed(seed),
-        limits=limits,
+        limits=limits or Limits(),
         trust=trust,
         threads=check_threads(threads),
         programs=any(each.kind == "program" for each in submissions),
@@ -126,11 +136,25 @@ def play_class(
         refusals = [*unreadable, *refused]
         _require(students, refusals, directory)
         with progress("episodes") as report:
-            played = _RoundRobin(students, limits)
-            played.play(pool, episodes, report)
-    refusals += [Refusal(each.name, each.file, reason) for each, reason in played.failed.items()]
-    _require([each for each in students if each not in played.failed], refusals, directory)
-    return played.result(config, seed, refusals)
+            teams = _with_scripts(students)
+            played, failed = _round_robin(teams, pool, episodes, report)
+    refusals += [Refusal(each.name, each.file, reason) for each, reason in failed.items()]
+    _require([each for each in students if each not in failed], refusals, directory)
+    pursuers, evaders = (
+        tuple(each for each in teams[team] if each not in failed) for team in TEAMS
+    )
+    results = [played[pair] for pair in product(pursuers, evaders)]
+    shape = len(pursuers), len(evaders)
+    cells = product(range(shape[0]), range(shape[1]))
+    return ClassResult(
+        config,
+        seed,
+        {"pursuer": pursuers, "evader": evaders},
+        tuple(sorted(refusals, key=lambda each: (each.file, each.reason))),
+        np.stack([each.capture_rates for each in results]).reshape(*shape, -1),
+        np.stack([each.lengths for each in results]).reshape(*shape, -1),
+        {cell: each.actions for cell, each in zip(cells, results, strict=True)},
+    )
 
 
 def _require(students: Sequence[Entry], refusals: Sequence[Refusal], directory: Path) -> None:
@@ -138,6 +162,158 @@ def _require(students: Sequence[Entry], refusals: Sequence[Refusal], directory: 
     if not students:
         reasons = "".join(f"\n  {each.file}: {each.reason}" for each in refusals)
         raise ValueError(f"{directory}: expected a submission that can play, got none{reasons}")
+
+
+# ---- Matches -------------------------------------------------------------------------------------
+
+Servers: TypeAlias = dict[Team, PolicyServer]
+"""Where the programs of the teams run; empty if there are no programs."""
+
+
+class Played(NamedTuple):
+    """The result of a match."""
+
+    capture_rates: NDArray[np.float64]  # (episodes,)
+    lengths: NDArray[np.int64]  # (episodes,), in steps
+    actions: NDArray[np.uint8]  # (steps, A), of the first episode
+    seconds: dict[Team, float]  # processor time of each program
+
+
+class MatchPool:
+    """Plays matches, several side by side, each with servers of its own.
+
+    All pairs play the same starts, those of the seed, so that differences between entries are
+    differences in play. The threads of `executor` wait for programs and for the engine, which both
+    work outside of Python's lock. `problem` says why programs cannot play here.
+    """
+
+    def __init__(
+        self,
+        config: WorldConfig,
+        *,
+        seed: int,
+        limits: Limits,
+        trust: bool,
+        threads: int,
+        programs: bool,
+    ) -> None:
+        self.config, self.limits, self._seed = config, limits, seed
+        self.executor = ThreadPoolExecutor(threads)
+        self._all: list[PolicyServer] = []
+        self._free: queue.SimpleQueue[Servers] = queue.SimpleQueue()
+        self.problem = "" if CAN_FORK else NO_FORK
+        if programs and CAN_FORK:
+            for _ in range(threads):
+                servers = {team: PolicyServer(limits, trust) for team in TEAMS}
+                self._all += servers.values()
+                self._free.put(servers)
+            # All of them start at the same time, and find the same.
+            self.problem = "".join({server.ready() for server in self._all})
+
+    def close(self) -> None:
+        """End all that was started, also where a match is played."""
+        # The servers first: a thread that waits for a program gets the end of the connection.
+        for server in self._all:
+            server.close()
+        self.executor.shutdown(cancel_futures=True)
+
+    @contextmanager
+    def _servers(self) -> Iterator[Servers]:
+        """Hold a server of each team; there are as many as threads, so no thread waits."""
+        if not self._all:
+            yield {}
+            return
+        servers = self._free.get()
+        try:
+            yield servers
+        finally:
+            self._free.put(servers)
+
+    def functions(self, code: bytes) -> tuple[bool, bool]:
+        """Return whether a program has a function for pursuers, and one for evaders.
+
+        RefusedError if it fails while it is loaded.
+        """
+        with self._servers() as servers:
+            settings = self._settings("pursuer", (), ())
+            program = PolicyProcess(servers["pursuer"], code, settings)
+            program.close()
+            return program.functions
+
+    def play(self, pursuers: Entry, evaders: Entry, episodes: int) -> Played:
+        """Play a match; RefusedError if a program fails or breaks a limit.
+
+        The result depends on entries, seed and world only, as long as programs do so, too.
+        """
+        if isinstance(pursuers.policy, bytes) or isinstance(evaders.policy, bytes):
+            with self._servers() as servers:
+                return self._play_programs(pursuers, evaders, episodes, servers)
+        return self._play_in_engine(pursuers.policy, evaders.policy, episodes)
+
+    def _play_programs(
+        self, pursuers: Entry, evaders: Entry, episodes: int, servers: Servers
+    ) -> Played:
+        lengths, steps = np.zeros(episodes, np.int64), []
+
+        def record_round(actions: NDArray[np.int64], running: NDArray[np.bool_]) -> None:
+            lengths[running] += 1
+            if running[0]:
+                steps.append(actions[0].astype(np.uint8))
+
+        programs: dict[Team, PolicyProcess] = {}
+        deciders: list[Decide] = []
+        with ExitStack() as stack:
+            for team, entry in zip(TEAMS, (pursuers, evaders), strict=True):
+                if not isinstance(entry.policy, bytes):
+                    deciders.append(decide_by(entry.policy))
+                    continue
+                settings = self._settings(team, pursuers.key, evaders.key)
+                programs[team] = PolicyProcess(servers[team], entry.policy, settings)
+                stack.callback(programs[team].close)
+                deciders.append(_asking(programs[team]))
+            rates = play_episodes(
+                self.config, *deciders, seed=self._seed, episodes=episodes, on_round=record_round
+            )
+        seconds = {team: program.seconds for team, program in programs.items()}
+        return Played(rates, lengths, np.stack(steps), seconds)
+
+    def _play_in_engine(self, pursuers: TeamPolicy, evaders: TeamPolicy, episodes: int) -> Played:
+        """Play a match without programs."""
+        matches = Matches.of(0, 0, [self._seed])
+        found = rollout(self.config, pursuers, evaders, matches, episodes=episodes, threads=1)
+        first = record(self.config, pursuers, evaders, seed=self._seed)
+        return Played(
+            found.capture_rate[0].astype(np.float64),
+            found.length[0].astype(np.int64),
+            first.actions.astype(np.uint8),
+            {},
+        )
+
+    def _settings(
+        self, team: Team, pursuers: tuple[int, ...], evaders: tuple[int, ...]
+    ) -> dict[str, object]:
+        """Return what a program's process is told: its team, the form of views, its own seed."""
+        return {
+            "team": team,
+            "fov": self.config.fov,
+            "n_actions": self.config.n_actions,
+            # Of what plays, not of its place in the class: it stays the same if others join.
+            "seed": [
+                TEAMS.index(team), self._seed % 2**32, self._seed >> 32, *pursuers, *evaders
+            ],
+        }  # fmt: skip
+
+
+def _asking(program: PolicyProcess) -> Decide:
+    """Return a program as what decides for a team."""
+
+    def decide(played: Episodes, agents: range, actions: NDArray[np.int64]) -> None:
+        arrays = played.arrays()
+        asked = asked_agents(arrays, agents)
+        if asked.any():
+            actions[asked] = program.actions(np.flatnonzero(asked), arrays["views"][asked])
+
+    return decide
 
 
 # ---- Who may play --------------------------------------------------------------------------------
@@ -171,7 +347,7 @@ def _entries_of(submission: Submission, pool: MatchPool) -> Admitted:
 def _genome(submission: Submission, config: WorldConfig) -> Entry:
     """Read a genome; RefusedError if it is damaged or does not fit the world."""
     try:
-        team, population = genome_of(submission.path, submission.content)
+        team, population = read_genome(submission.path, submission.content)
         check_fits("genome", population.network, config)
     except DamagedFileError as error:
         raise RefusedError(without_path(error)) from error
@@ -210,75 +386,56 @@ def _reason(entry: Entry, error: RefusedError) -> str:
 
 # ---- All pairs -----------------------------------------------------------------------------------
 
+Teams = dict[Team, tuple[Entry, ...]]
+Pair = tuple[Entry, Entry]
 
-class _RoundRobin:
-    """The results of all pairs, and the entries that broke a rule while they played."""
 
-    def __init__(self, students: Sequence[Entry], limits: Limits) -> None:
-        self._entries: dict[Team, list[Entry]] = {
-            team: [
-                *(entry for entry in students if entry.team == team),
-                *(Entry(name, team, "script", "", name) for name in SCRIPTS[team]),
-            ]
-            for team in TEAMS
-        }
-        self._limits = limits
-        self._played: dict[tuple[int, int], Played] = {}
-        self._seconds: defaultdict[Entry, float] = defaultdict(float)  # of processor time
-        self.failed: dict[Entry, str] = {}
+def _with_scripts(students: Sequence[Entry]) -> Teams:
+    return {
+        team: (
+            *(entry for entry in students if entry.team == team),
+            *(Entry(name, team, "script", "", name) for name in SCRIPTS[team]),
+        )
+        for team in TEAMS
+    }
 
-    def play(self, pool: MatchPool, episodes: int, report: Report) -> None:
-        """Play all pairs; those of an entry that broke a rule are left out from then on."""
 
-        def play(entries: tuple[Entry, ...]) -> Played | RefusedError | None:
-            if any(entry in self.failed for entry in entries):
-                return None
-            try:
-                return pool.play(entries[0], entries[1], episodes)
-            except RefusedError as error:
-                return error
+def _round_robin(
+    teams: Teams, pool: MatchPool, episodes: int, report: Report
+) -> tuple[dict[Pair, Played], dict[Entry, str]]:
+    """Play all pairs; return the results, and by entry why it broke a rule while it played.
 
-        teams = [self._entries[team] for team in TEAMS]
-        pairs = list(product(*(range(len(entries)) for entries in teams)))
-        # In the order of the pairs: the first failure of an entry is the same with any threads.
-        for number, found in enumerate(pool.executor.map(play, product(*teams))):
-            self._add(pairs[number], found)
-            report("round robin", (number + 1) * episodes, len(pairs) * episodes)
+    Pairs of an entry that broke a rule are left out from then on.
+    """
+    played: dict[Pair, Played] = {}
+    failed: dict[Entry, str] = {}
+    seconds: defaultdict[Entry, float] = defaultdict(float)  # of processor time
 
-    def _add(self, pair: tuple[int, ...], found: Played | RefusedError | None) -> None:
-        entries = {team: self._entries[team][n] for team, n in zip(TEAMS, pair, strict=True)}
+    def play(pair: Pair) -> Played | RefusedError | None:
+        if any(entry in failed for entry in pair):
+            return None
+        try:
+            return pool.play(*pair, episodes)
+        except RefusedError as error:
+            return error
+
+    pairs = list(product(teams["pursuer"], teams["evader"]))
+    # In the order of the pairs: the first failure of an entry is the same with any threads.
+    results = zip(pairs, pool.executor.map(play, pairs), strict=True)
+    for number, (pair, found) in enumerate(results, 1):
+        entries = dict(zip(TEAMS, pair, strict=True))
         if isinstance(found, RefusedError):
             assert found.team is not None
             entry, rival = entries[found.team], entries[other(found.team)]
             reason = f"{_reason(entry, found)} (in the match against {rival.name})"
-            self.failed.setdefault(entry, reason)
+            failed.setdefault(entry, reason)
         elif found is not None:
-            self._played[pair[0], pair[1]] = found
-            most = self._limits.in_all
-            for team, seconds in found.seconds.items():
-                self._seconds[entries[team]] += seconds
-                if self._seconds[entries[team]] > most:
+            played[pair] = found
+            most = pool.limits.in_all
+            for team, taken in found.seconds.items():
+                seconds[entries[team]] += taken
+                if seconds[entries[team]] > most:
                     limit = f"more than {most:g} seconds of processor time in all matches"
-                    self.failed.setdefault(entries[team], limit)
-
-    def result(self, config: WorldConfig, seed: int, refusals: Sequence[Refusal]) -> ClassResult:
-        """Return the results of the entries that broke no rule."""
-        kept = {
-            team: [n for n, entry in enumerate(entries) if entry not in self.failed]
-            for team, entries in self._entries.items()
-        }
-        played = {
-            (row, column): self._played[g, h]
-            for row, g in enumerate(kept["pursuer"])
-            for column, h in enumerate(kept["evader"])
-        }
-        shape = len(kept["pursuer"]), len(kept["evader"]), -1
-        return ClassResult(
-            config,
-            seed,
-            {team: tuple(self._entries[team][n] for n in kept[team]) for team in TEAMS},
-            tuple(sorted(refusals, key=lambda each: (each.file, each.reason))),
-            np.stack([each.capture_rates for each in played.values()]).reshape(shape),
-            np.stack([each.lengths for each in played.values()]).reshape(shape),
-            {pair: each.actions for pair, each in played.items()},
-        )
+                    failed.setdefault(entries[team], limit)
+        report("round robin", number * episodes, len(pairs) * episodes)
+    return played, failed

@@ -16,36 +16,31 @@ genome_size = function(
     lambda side, hidden, moves: Network((hidden,), fov=side, n_actions=moves).genome_size,
     lambda: ((5, 8, 5), (11, 32, 5), (3, 4, 9)),
     case="For a view of {side} x {side}, {hidden} hidden units and {moves} moves",
-    clues=(
-        (
-            lambda side, hidden, moves: 3 * side * side * hidden + hidden * moves,
-            "It counts the weights. What else does each unit have?",
+    clues={
+        "It counts the weights. What else does each unit have?": (
+            lambda side, hidden, moves: 3 * side * side * hidden + hidden * moves
         ),
-        (
-            lambda side, hidden, moves: (side * side + 1) * hidden + (hidden + 1) * moves,
-            "How many layers does a view have?",
+        "How many layers does a view have?": (
+            lambda side, hidden, moves: (side * side + 1) * hidden + (hidden + 1) * moves
         ),
-    ),
+    },
     otherwise="Expected another number.",
 )
 
 
 def _why_matches(found: float, right: int, spread: float, error: float) -> str:
+    if math.isclose(found, spread / error) or found == math.ceil(spread / error):
+        return "It is too few. Half the error takes more than twice the matches."
     if abs(found - right) <= 1:
         return "It must be a whole number, and the smallest one that is enough."
     return "Expected another number."
 
 
-TOO_FEW = "It is too few. Half the error takes more than twice the matches."
 matches_needed = function(
     NUMBER,
     lambda spread, error: math.ceil(round((spread / error) ** 2, 6)),
     lambda: ((0.2, 0.1), (0.17, 0.01), (0.3, 0.05), (0.2, 0.03)),
     case="For a spread of {spread} and an error of {error}",
-    clues=(
-        (lambda spread, error: spread / error, TOO_FEW),
-        (lambda spread, error: math.ceil(spread / error), TOO_FEW),
-    ),
     otherwise=_why_matches,
 )
 
@@ -63,16 +58,14 @@ overlap = function(
     lambda cells, team: (len(cells) - len(set(cells))) / team,
     lambda: ((cells, TEAM) for cells in CROWDS),
     case="For the cells {cells} and a team of {team}",
-    clues=(
-        (
-            lambda cells, team: sum(cells.count(cell) > 1 for cell in cells) / team,
-            "It counts all agents on shared cells; the first on each is not counted.",
+    clues={
+        "It counts all agents on shared cells; the first on each is not counted.": (
+            lambda cells, team: sum(cells.count(cell) > 1 for cell in cells) / team
         ),
-        (
-            lambda cells, team: (len(cells) - len(set(cells))) / (len(cells) or team),
-            "It is a share of the living; expected a share of the whole team.",
+        "It is a share of the living; expected a share of the whole team.": (
+            lambda cells, team: (len(cells) - len(set(cells))) / (len(cells) or team)
         ),
-    ),
+    },
     otherwise="Expected another number. How many different cells are there?",
 )
 

@@ -55,17 +55,15 @@ ancestors = function(
     lambda payoff, g: payoff[g, :g].mean(),
     lambda: ((matrix, g) for matrix in _matrices()[:2] for g in range(1, len(matrix))),
     case="For generation {g}",
-    clues=(
-        (
-            lambda payoff, g: payoff[g, : g + 1].mean(),
-            "It contains the current evaders; only earlier ones were asked for.",
+    clues={
+        "It contains the current evaders; only earlier ones were asked for.": (
+            lambda payoff, g: payoff[g, : g + 1].mean()
         ),
-        (
-            lambda payoff, g: payoff[:g, g].mean(),
-            "These are earlier pursuers against evaders of this generation: a column.",
+        "These are earlier pursuers against evaders of this generation: a column.": (
+            lambda payoff, g: payoff[:g, g].mean()
         ),
-        (lambda payoff, g: payoff[g].mean(), "It contains later evaders, too."),
-    ),
+        "It contains later evaders, too.": lambda payoff, g: payoff[g].mean(),
+    },
     otherwise="Expected another number: the pursuers of this generation are one row.",
 )
 
@@ -111,16 +109,14 @@ held_out = function(
     _share_of_wins,
     _games,
     case="For 7 individuals and 5 opponents",
-    clues=(
-        (
-            lambda beats, one, many: _share_of_wins(beats, many, one),
-            "That is the share of pairs that the opponents win.",
+    clues={
+        "That is the share of pairs that the opponents win.": (
+            lambda beats, one, many: _share_of_wins(beats, many, one)
         ),
-        (
-            lambda beats, one, many: beats(one[: len(many)], many).mean(),
-            "That is one opponent for each individual; expected every individual against all.",
+        "That is one opponent for each individual; expected every individual against all.": (
+            lambda beats, one, many: beats(one[: len(many)], many).mean()
         ),
-    ),
+    },
     otherwise=lambda found, *_: (
         "Expected a share, between 0 and 1."
         if found > 1

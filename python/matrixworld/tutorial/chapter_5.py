@@ -51,17 +51,13 @@ opponent = function(
     lambda k, i: i % (k + 1),
     lambda: ((k, i) for k in (3, 1, 2, 7, 30) for i in range(2 * k + 3)),
     case="For k = {k} and i = {i}",
-    clues=(
-        (
-            lambda k, i: i % k,
-            "This is the rule of the pursuers. When the evaders of generation k begin to learn, "
-            "the pursuers of generation k are ready. How many generations of pursuers are there?",
+    clues={
+        "This is the rule of the pursuers. When the evaders of generation k begin to learn, the "
+        "pursuers of generation k are ready. How many generations of pursuers are there?": (
+            lambda k, i: i % k
         ),
-        (
-            lambda k, i: k,
-            "These evaders meet the newest pursuers only: they are specialists.",
-        ),
-    ),
+        "These evaders meet the newest pursuers only: they are specialists.": lambda k, i: k,
+    },
     otherwise="This is not the opponent.",
 )
 

@@ -60,17 +60,13 @@ share = function(
     lambda matrix: analysis.transitive_share(matrix),
     _unseen_matrices,
     case=OF_A_MATRIX,
-    clues=(
-        (
-            lambda matrix: 1.0 - analysis.transitive_share(matrix),
-            "This is the share of the rest. What is one minus it?",
+    clues={
+        "This is the share of the rest. What is one minus it?": (
+            lambda matrix: 1.0 - analysis.transitive_share(matrix)
         ),
-        (
-            _mean_subtracted_twice,
-            "Row means and column means both contain the mean of the matrix, so you subtract it "
-            "twice. All rows and columns of the rest must have the sum 0.",
-        ),
-    ),
+        "Row means and column means both contain the mean of the matrix, so you subtract it "
+        "twice. All rows and columns of the rest must have the sum 0.": _mean_subtracted_twice,
+    },
     otherwise="Check first that all rows and columns of your rest have the sum 0.",
     within=1e-6,
 )

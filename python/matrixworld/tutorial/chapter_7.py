@@ -95,19 +95,15 @@ def _virulence_of(share: FloatArray, virulence: float) -> FloatArray:
 
 restraint = function(
     array("a fitness for each of 25 parasites", 25),
-    lambda wins, virulence: reduced_virulence(wins, virulence),
+    reduced_virulence,
     _wins_of_parasites,
-    clues=(
-        (
-            lambda wins, virulence: _virulence_of(wins, virulence),
-            "x is not the number of wins: it is the wins divided by the largest number of wins in "
-            "the population.",
+    clues={
+        "x is not the number of wins: it is the wins divided by the largest number of wins in the "
+        "population.": _virulence_of,
+        "x is relative to the best parasite of the population, which need not win all five.": (
+            lambda wins, virulence: _virulence_of(wins / 5.0, virulence)
         ),
-        (
-            lambda wins, virulence: _virulence_of(wins / 5.0, virulence),
-            "x is relative to the best parasite of the population, which need not win all five.",
-        ),
-    ),
+    },
     otherwise=lambda found, right, wins, virulence: (
         f"With v = {virulence} and wins {wins[:3]}... the fitness is another one."
         if wins.any()
@@ -153,19 +149,15 @@ def _why_not_shared(found: FloatArray, right: FloatArray, wins: FloatArray) -> s
 
 sharing = function(
     array("6 numbers, one for each individual (row) of a table of 6 x 4 wins", 6),
-    lambda wins: competitive_sharing(wins),
+    competitive_sharing,
     _tables_of_wins,
-    clues=(
-        (
-            lambda wins: wins.sum(axis=1),
-            "That is the number of wins. Each opponent is worth 1 in total, however many beat it.",
+    clues={
+        "That is the number of wins. Each opponent is worth 1 in total, however many beat it.": (
+            lambda wins: wins.sum(axis=1)
         ),
-        (
-            lambda wins: (wins > 0).any(axis=1).astype(float),
-            "You divide by the wins of the individual. Divide by the number of individuals that "
-            "beat the opponent.",
-        ),
-    ),
+        "You divide by the wins of the individual. Divide by the number of individuals that beat "
+        "the opponent.": lambda wins: (wins > 0).any(axis=1).astype(float),
+    },
     otherwise=_why_not_shared,
 )
 

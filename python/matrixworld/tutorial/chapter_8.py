@@ -79,18 +79,16 @@ strangers = function(
     array("one number for each of 6 seeds", 6),
     lambda rates: _without_own(rates).sum(axis=1) / 5.0,
     lambda: [(np.random.default_rng(83).random((6, 6)),)],
-    clues=(
-        (lambda rates: rates.mean(1), "That is the mean over all races, the own one included."),
-        (np.diag, "These are the scores in the own race: those to leave out."),
-        (
-            lambda rates: _without_own(rates).mean(axis=1),
-            "You divide by 6, but only 5 numbers are left in each row.",
+    clues={
+        "That is the mean over all races, the own one included.": lambda rates: rates.mean(axis=1),
+        "These are the scores in the own race: those to leave out.": np.diag,
+        "You divide by 6, but only 5 numbers are left in each row.": (
+            lambda rates: _without_own(rates).mean(axis=1)
         ),
-        (
-            lambda rates: _without_own(rates).sum(axis=0) / 5.0,
-            "These are the means of the columns. Rows are the seeds of your team.",
+        "These are the means of the columns. Rows are the seeds of your team.": (
+            lambda rates: _without_own(rates).sum(axis=0) / 5.0
         ),
-    ),
+    },
     otherwise="Row i without its i-th number; then the mean.",
 )
 

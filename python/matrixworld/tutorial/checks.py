@@ -204,16 +204,16 @@ def function(
     *,
     otherwise: Words,
     case: str = "",
-    clues: Sequence[tuple[Callable[..., Any], str]] = (),
+    clues: Mapping[str, Callable[..., Any]] | None = None,
     within: float = 1e-9,
 ) -> Check:
     """Return the check of a function that gives what `reference` gives in all cases.
 
-    `case` begins the reply, and ``{name}`` in it stands for an argument of `reference`. `clues` are
-    typical wrong functions, and what to say where the result is theirs; `otherwise` is for all
-    other results, and may be a function of the result, the right one, and the arguments.
+    `case` begins the reply, and ``{name}`` in it stands for an argument of `reference`. `clues` has
+    what to say where the result is that of a typical wrong function; `otherwise` is for all other
+    results, and may be a function of the result, the right one, and the arguments.
     """
-    names = list(signature(reference).parameters)
+    names, wrongs = list(signature(reference).parameters), list((clues or {}).items())
 
     def mistake_in(given: tuple[Any, ...], answer: Callable[..., Any]) -> str | None:
         result = answer(*(copy(each) for each in given))  # it may change its arguments
@@ -225,8 +225,8 @@ def function(
         expected = reference(*given)
         if _same(found, expected, within):
             return None
-        known = (text for wrong, text in clues if _same(found, wrong(*given), within))
-        told = next(known, "") or _said(otherwise, found, expected, *given)
+        near = (text for text, wrong in wrongs if _same(found, wrong(*given), within))
+        told = next(near, "") or _said(otherwise, found, expected, *given)
         where = case.format(**dict(zip(names, given, strict=True)))
         short = f"{found:.6g}" if isinstance(found, float | np.floating) else shown(found)
         return f"{where} your function returns {short}. {told}" if case else told
