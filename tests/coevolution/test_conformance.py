@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-import own_code
 from matrixworld.coevolution import (
     CmaEs,
     EvolutionStrategy,
@@ -16,6 +15,7 @@ from matrixworld.coevolution import (
     check_sampler,
     opponents,
 )
+from own_code import Crash, Fails, Fixed, Hardest, HillClimber, ReturnsViews
 
 
 def strategy(genome, samples, rng, epochs):
@@ -28,13 +28,21 @@ def algorithm(genomes, rng, *, elites=2, mutation=0.05):
     return GeneticAlgorithm(genomes, noise, elites=elites)
 
 
+def climber(base=HillClimber, **methods):
+    return type("Changed", (base,), methods)
+
+
+def tell_in_place(self, fitness):
+    self.genome[:] = self.candidates[int(np.argmax(fitness))]
+
+
 @pytest.mark.parametrize(
     ("learner", "settings"),
     [
-        (own_code.HillClimber, {}),
+        (HillClimber, {}),
         ("own_code:HillClimber", {"sigma": 0.3, "shrink": 0.5}),
-        (own_code.InPlace, {}),
-        (own_code.ReturnsViews, {}),
+        (climber(tell=tell_in_place), {}),
+        (ReturnsViews, {}),
         (CmaEs, {"sigma": 0.1}),
         (strategy, {}),
         (algorithm, {"elites": 1}),
@@ -47,7 +55,7 @@ def test_a_learner_that_keeps_all_promises(learner, settings):
 @pytest.mark.parametrize(
     ("sampler", "settings"),
     [
-        (own_code.Hardest, {"forget": 0.2}),
+        (Hardest, {"forget": 0.2}),
         ("own_code:Fixed", {}),
         (opponents.Latest, {}),
         (opponents.Uniform, {}),
@@ -62,61 +70,101 @@ def test_a_sampler_that_keeps_all_promises(sampler, settings, count):
     check_sampler(sampler, settings, count=count)
 
 
-@pytest.mark.parametrize(
-    ("name", "message"),
-    [
-        ("GlobalNoise", "expected equal results from equal generators and results, got others i"),
-        ("ForgetsSigma", "expected equal results after restore in a (new|used) one, got others i"),
-        ("Float64", r"ask: expected an array of float32 \(8, 20\), got float64 \(8, 20\)"),
-        ("TooMany", r"ask: expected an array of float32 \(8, 20\), got float32 \(16, 20\)"),
-        ("Infinite", "ask: expected finite numbers, got NaN or infinity"),
-        ("Pickles", "state: expected an array of numbers or text as self, got array"),
-        ("Dotted", "state: expected names such as sigma, got 'adam.mean'"),
-        ("RestoresHalf", "state: expected an equal one after restore in a used one, got another"),
-        ("Regroups", "seed_groups: expected equal groups in all epochs, got others after"),
-        ("Uneven", r"seed_groups: expected 8 numbers of groups from 0, all of one size, go"),
-        ("NoTell", "expected genome, seed_groups, ask, tell, state, restore, got no tell"),
-        ("Fails", "tell: ZeroDivisionError: no luck"),
-    ],
+def asks(change):
+    return climber(ask=lambda self, rng: change(HillClimber.ask(self, rng)))
+
+
+def states(change):
+    return climber(state=lambda self: HillClimber.state(self) | change(self))
+
+
+def tell_and_regroup(self, fitness):
+    HillClimber.tell(self, fitness)
+    self.seed_groups = np.arange(len(fitness))
+
+
+def begin_unevenly(self, genome, samples):
+    HillClimber.__init__(self, genome, samples)
+    self.seed_groups[0] = 1
+
+
+class NoTell:
+    genome, seed_groups = np.zeros(20, np.float32), np.zeros(8, np.intp)
+    ask = HillClimber.ask
+
+
+OTHER_NOISE = climber(ask=lambda self, rng: HillClimber.ask(self, np.random.default_rng()))
+FORGETS_SIGMA = climber(
+    state=lambda self: {"genome": self.genome},
+    restore=lambda self, state: setattr(self, "genome", state["genome"]),
 )
-def test_a_broken_promise_of_a_learner_is_named(name, message):
-    with pytest.raises(PluginError, match=f"^learner own_code:{name}: ({message})"):
-        check_learner(getattr(own_code, name))
+# It continues equally, but its state is that of before.
+RESTORES_HALF = climber(ReturnsViews, restore=HillClimber.restore)
 
 
 @pytest.mark.parametrize(
-    ("name", "message"),
+    ("learner", "message"),
     [
-        ("Beyond", r"sample: expected 1 to 1 different opponents from 0 to 0, got \[1\]"),
-        ("Twice", r"sample: expected 1 to 1 different opponents from 0 to 0, got \[0, 0\]"),
-        ("Nothing", r"sample: expected .* got \[\]"),
-        ("Unsaved", "expected equal results after restore in a (new|used) one"),
-        ("Crash", "sample: KeyError: 'generation'"),
+        (OTHER_NOISE, "expected equal results from equal generators and results"),
+        (FORGETS_SIGMA, "expected equal results after restore in a (new|used) one"),
+        (RESTORES_HALF, "state: expected an equal one after restore in a used one"),
+        (asks(lambda asked: asked.astype(float)), r"ask: .*, got float64 \(8, 20\)"),
+        (asks(lambda asked: asked.repeat(2, axis=0)), r"ask: .*, got float32 \(16, 20\)"),
+        (asks(lambda asked: asked + np.float32(np.inf)), "ask: expected finite numbers"),
+        (states(lambda self: {"self": np.array([self])}), "state: expected an array of numbers"),
+        (states(lambda self: {"a.mean": np.zeros(1)}), "state: expected names such as sigma"),
+        (climber(tell=tell_and_regroup), "seed_groups: expected equal groups in all epochs"),
+        (climber(__init__=begin_unevenly), "seed_groups: expected 8 numbers of groups from 0"),
+        (NoTell, "expected genome, seed_groups, ask, .*, got no tell"),
+        (Fails, "tell: ZeroDivisionError: no luck"),
     ],
 )
-def test_a_broken_promise_of_a_sampler_is_named(name, message):
-    with pytest.raises(PluginError, match=f"own_code:{name}: {message}"):
-        check_sampler(getattr(own_code, name))
+def test_a_broken_promise_of_a_learner_is_named(learner, message):
+    with pytest.raises(PluginError, match=rf"^learner [\w.]+:{learner.__name__}: {message}"):
+        check_learner(learner)
+
+
+def samples(*chosen):
+    return type("Chosen", (Fixed,), {"sample": lambda *_: np.array(chosen, np.intp)})
+
+
+UNSAVED = type("Unsaved", (Hardest,), {"state": lambda _: {}, "restore": lambda *_: None})
+
+
+@pytest.mark.parametrize(
+    ("sampler", "message"),
+    [
+        (samples(1), r"sample: expected 1 to 1 different opponents from 0 to 0, got \[1\]"),
+        (samples(0, 0), r"sample: expected 1 to 1 different opponents from 0 to 0, got \[0, 0\]"),
+        (samples(), r"sample: expected .* got \[\]"),
+        (UNSAVED, "expected equal results after restore in a (new|used) one"),
+        (Crash, "sample: KeyError: 'generation'"),
+    ],
+)
+def test_a_broken_promise_of_a_sampler_is_named(sampler, message):
+    with pytest.raises(PluginError, match=f":{sampler.__name__}: {message}"):
+        check_sampler(sampler)
 
 
 def test_settings_are_those_of_the_signature():
     with pytest.raises(ValueError, match=r"HillClimber: expected its settings \(sigma, shrink\)"):
-        check_learner(own_code.HillClimber, {"sgima": 0.1})
+        check_learner(HillClimber, {"sgima": 0.1})
     with pytest.raises(ValueError, match="got 'samples'"):
-        check_learner(own_code.HillClimber, {"samples": 9})
+        check_learner(HillClimber, {"samples": 9})
     with pytest.raises(
         ValueError, match="expected a value of the setting sigma, which has no default"
     ):
         check_learner(CmaEs)
     with pytest.raises(ValueError, match=r"HillClimber: expected settings that it accepts, got"):
-        check_learner(own_code.HillClimber, {"sigma": -1})
-    check_learner(lambda genome, samples, **more: own_code.HillClimber(genome, samples, **more),
-                  {"sigma": 0.2})  # fmt: skip
+        check_learner(HillClimber, {"sigma": -1})
+    check_learner(
+        lambda genome, samples, **more: HillClimber(genome, samples, **more), {"sigma": 0.2}
+    )
 
 
 def test_the_cause_is_kept():
     with pytest.raises(PluginError) as caught:
-        check_learner(own_code.Fails)
+        check_learner(Fails)
     cause = caught.value.__cause__
     assert isinstance(cause, ZeroDivisionError)
     assert cause.__traceback__ is not None
@@ -124,6 +172,6 @@ def test_the_cause_is_kept():
 
 def test_nothing_is_drawn_from_the_global_generator():
     before = np.random.get_state()[1].copy()  # noqa: NPY002
-    check_learner(own_code.HillClimber)
-    check_sampler(own_code.Hardest)
+    check_learner(HillClimber)
+    check_sampler(Hardest)
     assert np.array_equal(np.random.get_state()[1], before)  # noqa: NPY002

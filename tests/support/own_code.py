@@ -1,4 +1,4 @@
-"""A learner and an opponent sampler as users write them, and others that break a promise."""
+"""Learners and opponent samplers as users write them, and some that fail."""
 
 from __future__ import annotations
 
@@ -75,15 +75,9 @@ class Fixed(Stateless):
         return np.arange(min(self.count, available))
 
 
-# Learners that change their arrays in place, which the package copies
-
-
-class InPlace(HillClimber):
-    def tell(self, fitness):
-        self.genome[:] = self.candidates[int(np.argmax(fitness))]
-
-
 class ReturnsViews(HillClimber):
+    """It changes the arrays that it returned, which the package copies."""
+
     def __init__(self, genome, samples, **settings):
         super().__init__(genome, samples, **settings)
         self.arrays = {"genome": genome, "sigma": np.array(self.sigma)}
@@ -100,74 +94,6 @@ class ReturnsViews(HillClimber):
         self.arrays = state
 
 
-class RestoresHalf(ReturnsViews):
-    """It continues equally, but returns an old state after `restore`."""
-
-    def restore(self, state):
-        HillClimber.restore(self, state)
-
-
-# Learners that break a promise
-
-
-class GlobalNoise(HillClimber):
-    def ask(self, rng):
-        return super().ask(np.random.default_rng())
-
-
-class ForgetsSigma(HillClimber):
-    def state(self):
-        return {"genome": self.genome}
-
-    def restore(self, state):
-        self.genome = state["genome"]
-
-
-class Float64(HillClimber):
-    def ask(self, rng):
-        return super().ask(rng).astype(np.float64)
-
-
-class TooMany(HillClimber):
-    def ask(self, rng):
-        return np.concatenate([super().ask(rng)] * 2)
-
-
-class Infinite(HillClimber):
-    def ask(self, rng):
-        return np.full_like(super().ask(rng), np.inf)
-
-
-class Pickles(HillClimber):
-    def state(self):
-        return {**super().state(), "self": np.array([self], dtype=object)}
-
-
-class Dotted(HillClimber):
-    def state(self):
-        return {**super().state(), "adam.mean": np.zeros(1)}
-
-
-class Regroups(HillClimber):
-    def tell(self, fitness):
-        super().tell(fitness)
-        self.seed_groups = np.arange(len(fitness))
-
-
-class Uneven(HillClimber):
-    def __init__(self, genome, samples):
-        super().__init__(genome, samples)
-        self.seed_groups[0] = 1
-
-
-class NoTell:
-    genome = np.zeros(20, np.float32)
-    seed_groups = np.zeros(8, np.intp)
-
-    def ask(self, rng):
-        """Return nothing."""
-
-
 class Fails(HillClimber):
     """It fails in the second call of tell."""
 
@@ -180,33 +106,9 @@ class Fails(HillClimber):
         super().tell(fitness)
 
 
-# Samplers that break a promise
-
-
-class Beyond(Fixed):
-    def sample(self, available, epoch, rng):
-        return np.array([available])
-
-
-class Twice(Fixed):
-    def sample(self, available, epoch, rng):
-        return np.array([0, 0])[: self.count]
-
-
-class Nothing(Fixed):
-    def sample(self, available, epoch, rng):
-        return np.zeros(0, np.intp)
-
-
-class Unsaved(Hardest):
-    def state(self):
-        return {}
-
-    def restore(self, state):
-        """Restore nothing."""
-
-
 class Crash(Fixed):
+    """It fails in every call of sample."""
+
     def sample(self, available, epoch, rng):
         raise KeyError("generation")
 
