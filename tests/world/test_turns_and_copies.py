@@ -119,7 +119,7 @@ CONFIG = mw.WorldConfig.of("TO", rows=4, cols=5, n_pursuers=2, n_evaders=3, max_
 
 
 def snapshot_of(world: mw.World) -> dict[str, Any]:
-    return world.__getstate__()["moment"]
+    return world._core.snapshot()
 
 
 def test_fields_and_types() -> None:

@@ -43,7 +43,7 @@ from matrixworld.classroom.submissions import (
 from matrixworld.coevolution.progress import Report, silent
 from matrixworld.coevolution.types import TEAMS, Team, other
 from matrixworld.episodes.record import record
-from matrixworld.play.matches import Decide, Episodes, asked_agents, decide_by, play_episodes
+from matrixworld.play.matches import Chooser, play_episodes
 from matrixworld.play.network_policy import check_fits
 from matrixworld.play.rollout import Matches, match_seed, rollout
 from matrixworld.world.config import WorldConfig
@@ -261,18 +261,18 @@ class MatchPool:
                 steps.append(actions[0].astype(np.uint8))
 
         programs: dict[Team, PolicyProcess] = {}
-        deciders: list[Decide] = []
+        choosers: list[TeamPolicy | Chooser] = []
         with ExitStack() as stack:
             for team, entry in zip(TEAMS, (pursuers, evaders), strict=True):
                 if not isinstance(entry.policy, bytes):
-                    deciders.append(decide_by(entry.policy))
+                    choosers.append(entry.policy)
                     continue
                 settings = self._settings(team, pursuers.key, evaders.key)
                 programs[team] = PolicyProcess(servers[team], entry.policy, settings)
                 stack.callback(programs[team].close)
-                deciders.append(_asking(programs[team]))
+                choosers.append(_asking(programs[team]))
             rates = play_episodes(
-                self.config, *deciders, seed=self._seed, episodes=episodes, on_round=record_round
+                self.config, *choosers, seed=self._seed, episodes=episodes, on_round=record_round
             )
         seconds = {team: program.seconds for team, program in programs.items()}
         return Played(rates, lengths, np.stack(steps), seconds)
@@ -304,16 +304,8 @@ class MatchPool:
         }  # fmt: skip
 
 
-def _asking(program: PolicyProcess) -> Decide:
-    """Return a program as what decides for a team."""
-
-    def decide(played: Episodes, agents: range, actions: NDArray[np.int64]) -> None:
-        arrays = played.arrays()
-        asked = asked_agents(arrays, agents)
-        if asked.any():
-            actions[asked] = program.actions(np.flatnonzero(asked), arrays["views"][asked])
-
-    return decide
+def _asking(program: PolicyProcess) -> Chooser:
+    return lambda asked, views: program.actions(np.flatnonzero(asked), views)
 
 
 # ---- Who may play --------------------------------------------------------------------------------

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from matrixworld import _core
-from matrixworld.play.matches import Callback, Plays, ask
+from matrixworld.play.matches import Callback, Plays, checked_actions
 from matrixworld.play.network_policy import NetworkPolicy, check_fits
 from matrixworld.world.arrays import integers
 from matrixworld.world.batch import Batch
@@ -87,9 +87,10 @@ class BuiltInTeam:
         if not callable(policy):
             world.decide(policy, acting, actions)
             return
-        asked = np.zeros((1, len(actions)), np.bool_)
-        asked[0, acting] = world.alive[acting]
-        ask(policy, world.views()[None], asked, actions[None], self._config.n_actions)
+        living = np.array(acting)[world.alive[acting]]
+        if living.size:
+            views = world.views()[living]
+            actions[living] = checked_actions(policy, views, self._config.n_actions)
 
 
 class BuiltInWorlds(BuiltInTeam):
@@ -135,7 +136,10 @@ class BuiltInWorlds(BuiltInTeam):
         for number, policy in enumerate(self._policies):
             if callable(policy):
                 asked = self._acting() & (self._numbers == number)[:, None]
-                ask(policy, self._buffers["views"], asked, self._actions, self._config.n_actions)
+                if asked.any():
+                    views = self._buffers["views"][asked]
+                    n_actions = self._config.n_actions
+                    self._actions[asked] = checked_actions(policy, views, n_actions)
         return self._actions
 
     def _acting(self) -> NDArray[np.bool_]:

@@ -22,38 +22,30 @@ actions (n,), integers."""
 Plays: TypeAlias = TeamPolicy | Callback
 """What chooses a team's actions: a population of one genome, the name of a script, a function."""
 
+Chooser: TypeAlias = Callable[[NDArray[np.bool_], NDArray[np.uint8]], ArrayLike]
+"""A `Callback` that is also told who asks: bool (episodes, A) with n agents that have to act."""
+
+OnRound: TypeAlias = Callable[[NDArray[np.int64], NDArray[np.bool_]], None]
+"""What is called after each round: with the actions, int64 (episodes, A), and with the episodes
+that played it, bool (episodes,). Both change in the next round."""
+
 Arrays: TypeAlias = Mapping[str, NDArray[Any]]
 """The arrays `_READ` of the present moment, each with a leading axis of worlds."""
 
 _READ = ("views", "alive", "terminated", "truncated", "capture_rate")
 
 
-def ask(
-    policy: Callback,
-    views: NDArray[Any],
-    asked: NDArray[np.bool_],
-    actions: NDArray[np.int64],
-    n_actions: int,
-) -> None:
-    """Write the actions that a function chooses for some agents of W worlds.
-
-    `views` (W, A, 3, fov, fov) are what the agents see, `asked` (W, A) those that act: living
-    agents of one team. Entries of other agents in `actions` (W, A) stay as they are. The function
-    is not called for nobody. ValueError or TypeError if it returns something else than one legal
-    action for each agent.
-    """
-    if not asked.any():
-        return
-    seen = views[asked].astype(np.uint8, copy=False)
-    chosen = integers("actions of the policy", policy(seen))
-    if chosen.shape != (len(seen),):
+def checked_actions(policy: Callback, views: NDArray[Any], n_actions: int) -> NDArray[np.int64]:
+    """Return the actions (n,) of a function; ValueError or TypeError if they are not legal."""
+    chosen = integers("actions of the policy", policy(views.astype(np.uint8, copy=False)))
+    if chosen.shape != (len(views),):
         raise ValueError(
-            f"actions of the policy: expected shape {(len(seen),)}, got {chosen.shape}"
+            f"actions of the policy: expected shape {(len(views),)}, got {chosen.shape}"
         )
     if chosen.min() < 0 or chosen.max() >= n_actions:
         wrong = chosen[(chosen < 0) | (chosen >= n_actions)][0]
         raise ValueError(f"actions of the policy: expected 0 to {n_actions - 1}, got {wrong}")
-    actions[asked] = chosen
+    return chosen
 
 
 def capture_rates(
@@ -77,13 +69,17 @@ def capture_rates(
     ndarray of float64, shape (episodes,)
         The capture rates, as in `matrixworld.EpisodeStatistics`.
     """
-    deciders = []
-    for name, policy in (("pursuers", pursuers), ("evaders", evaders)):
-        if isinstance(policy, Population):
-            check_fits(name, policy.network, config)
-        decide = _asking(policy, config.n_actions) if callable(policy) else decide_by(policy)
-        deciders.append(decide)
-    return play_episodes(config, *deciders, seed=seed, episodes=episodes)
+    first = _chooser("pursuers", pursuers, config)
+    second = _chooser("evaders", evaders, config)
+    return play_episodes(config, first, second, seed=seed, episodes=episodes)
+
+
+def _chooser(name: str, policy: Plays, config: WorldConfig) -> TeamPolicy | Chooser:
+    if callable(policy):
+        return lambda asked, views: checked_actions(policy, views, config.n_actions)
+    if isinstance(policy, Population):
+        check_fits(name, policy.network, config)
+    return policy
 
 
 class _Together:
@@ -142,22 +138,10 @@ class _InTurns:
             self._worlds[number].play_turn(actions[number])
 
 
-Episodes: TypeAlias = _Together | _InTurns
-"""The episodes of a match, played side by side."""
-
-Decide: TypeAlias = Callable[[Episodes, range, NDArray[np.int64]], None]
-"""What decides for a team: called with the episodes, the team's agents whose turn it is, and the
-actions (episodes, A), in which it writes those of the agents that have to act."""
-
-OnRound: TypeAlias = Callable[[NDArray[np.int64], NDArray[np.bool_]], None]
-"""What is called after each round: with the actions, int64 (episodes, A), and with the episodes
-that played it, bool (episodes,). Both change in the next round."""
-
-
 def play_episodes(
     config: WorldConfig,
-    pursuers: Decide,
-    evaders: Decide,
+    pursuers: TeamPolicy | Chooser,
+    evaders: TeamPolicy | Chooser,
     *,
     seed: int,
     episodes: int,
@@ -169,38 +153,30 @@ def play_episodes(
         range(config.n_pursuers, config.n_agents): evaders,
     }
     simultaneous = World(config).n_turns == 1
-    played: Episodes = (_Together if simultaneous else _InTurns)(config, seed, episodes)
+    played = (_Together if simultaneous else _InTurns)(config, seed, episodes)
     actions = np.zeros((episodes, config.n_agents), np.int64)
     while (running := _running(played.arrays())).any():
         for turn in played.turns():
-            for team, decide in teams.items():
+            for team, policy in teams.items():
                 acting = range(max(team.start, turn.start), min(team.stop, turn.stop))
-                if acting:
-                    decide(played, acting, actions)
+                if not acting:
+                    continue
+                if callable(policy):
+                    _ask(policy, played.arrays(), acting, actions)
+                else:
+                    played.decide(policy, acting, actions)
             played.play(actions, running)
         if on_round is not None:
             on_round(actions, running)
     return np.asarray(played.arrays()["capture_rate"], np.float64)
 
 
-def asked_agents(arrays: Arrays, agents: range) -> NDArray[np.bool_]:
-    """Return which of some agents, of all episodes, have to act: bool (episodes, A)."""
-    asked = np.zeros(arrays["alive"].shape, np.bool_)
+def _ask(policy: Chooser, arrays: Arrays, agents: range, actions: NDArray[np.int64]) -> None:
+    """Write what a function chooses for the living agents among `agents`; it may be for none."""
+    asked = np.zeros(actions.shape, np.bool_)
     asked[:, agents] = arrays["alive"][:, agents] & _running(arrays)[:, None]
-    return asked
-
-
-def decide_by(policy: TeamPolicy) -> Decide:
-    """Return a population of one genome, or a script, as what decides for a team."""
-    return lambda played, agents, actions: played.decide(policy, agents, actions)
-
-
-def _asking(function: Callback, n_actions: int) -> Decide:
-    def decide(played: Episodes, agents: range, actions: NDArray[np.int64]) -> None:
-        arrays = played.arrays()
-        ask(function, arrays["views"], asked_agents(arrays, agents), actions, n_actions)
-
-    return decide
+    if asked.any():
+        actions[asked] = policy(asked, arrays["views"][asked])
 
 
 def _running(arrays: Arrays) -> NDArray[np.bool_]:

@@ -21,9 +21,8 @@ if TYPE_CHECKING:
 Layers: TypeAlias = list[tuple[NDArray[np.float32], NDArray[np.float32]]]
 """Weights (inputs, outputs) and biases (outputs,) of each layer."""
 
-OPSET = 13
-"""The ONNX operators' version, of 2020: enough for a perceptron, and read by old runtimes."""
-_IR_VERSION = 8
+# Versions of ONNX, of 2020: enough for a perceptron, and read by old runtimes.
+_OPSET, _IR_VERSION = 13, 8
 
 
 def check_fits(name: str, network: Network, config: WorldConfig) -> None:
@@ -33,22 +32,6 @@ def check_fits(name: str, network: Network, config: WorldConfig) -> None:
             f"{name}: expected a network for fov {config.fov} and {config.n_actions} actions, "
             f"got fov {network.fov} and {network.n_actions} actions"
         )
-
-
-def network_actions(
-    network: Network,
-    genome: NDArray[np.float32],
-    views: NDArray[np.uint8],
-    units: NDArray[np.floating[Any]],
-) -> NDArray[np.int64]:
-    """Return the actions of a network, (n,); `units` are numbers in [0, 1), one for each view."""
-    logits = network.logits(genome, views)
-    if not network.sampled:
-        return np.asarray(np.argmax(logits, axis=1))
-    # The action is the number of cumulated weights that do not exceed unit * total.
-    cumulated = np.exp(logits - logits.max(axis=1, keepdims=True)).cumsum(axis=1)
-    threshold = units * cumulated[:, -1]
-    return np.asarray((cumulated[:, :-1] <= threshold[:, None]).sum(axis=1))
 
 
 class NetworkPolicy:
@@ -74,7 +57,7 @@ class NetworkPolicy:
     network : Network
         The network, with `sampled` as given.
     genome : ndarray of float32, shape (genome_size,)
-        A copy of the weights and biases.
+        A copy.
 
     Raises
     ------
@@ -121,8 +104,14 @@ class NetworkPolicy:
         An observation is (3, fov, fov) or flattened; further axes may stand in front of it.
         """
         views, leading = self._views(observations)
-        units = self._rng.random(len(views), np.float32)
-        actions = network_actions(self.network, self.genome, views, units)
+        logits = self.network.logits(self.genome, views)
+        if self.network.sampled:
+            # The action is the number of cumulated weights that do not exceed unit * total.
+            cumulated = np.exp(logits - logits.max(axis=1, keepdims=True)).cumsum(axis=1)
+            threshold = self._rng.random(len(views), np.float32) * cumulated[:, -1]
+            actions = (cumulated[:, :-1] <= threshold[:, None]).sum(axis=1)
+        else:
+            actions = logits.argmax(axis=1)
         return actions.reshape(leading) if leading else int(actions[0])
 
     def logits(self, observations: ArrayLike) -> NDArray[np.float32]:
@@ -172,7 +161,22 @@ class NetworkPolicy:
         It is Flatten, then Linear and activation in turn. Inputs are float32; the softmax of the
         outputs are the probabilities. It can be trained. Raises ImportError without PyTorch.
         """
-        return _torch_module(self.network, self.layers())
+        try:
+            import torch
+        except ImportError as error:
+            raise ImportError(
+                "to_torch: expected PyTorch, install it: pip install torch"
+            ) from error
+        activation = torch.nn.ReLU if self.network.activation == "relu" else torch.nn.Tanh
+        modules: list[torch.nn.Module] = [torch.nn.Flatten()]
+        for weights, bias in self.layers():
+            linear = torch.nn.Linear(*weights.shape)
+            # PyTorch keeps weights as (outputs, inputs).
+            linear.load_state_dict(
+                {"weight": torch.from_numpy(weights.T.copy()), "bias": torch.from_numpy(bias)}
+            )
+            modules += [linear, activation()]
+        return torch.nn.Sequential(*modules[:-1])
 
     def to_onnx(self) -> onnx.ModelProto:
         """Return the network as an ONNX model, for example to save with ``onnx.save``.
@@ -180,37 +184,28 @@ class NetworkPolicy:
         Its input is ``observations``, float32 (n, 3, fov, fov); outputs are ``logits`` and
         ``probabilities``, float32 (n, n_actions). Raises ImportError without the package onnx.
         """
-        return _onnx_model(self.network, self.layers())
-
-
-def _torch_module(network: Network, layers: Layers) -> torch.nn.Sequential:
-    """Return a perceptron of PyTorch with these weights, without a softmax at its end."""
-    try:
-        import torch
-    except ImportError as error:
-        raise ImportError("to_torch: expected PyTorch, install it: pip install torch") from error
-    activation = torch.nn.ReLU if network.activation == "relu" else torch.nn.Tanh
-    modules: list[torch.nn.Module] = [torch.nn.Flatten()]
-    for weights, bias in layers:
-        linear = torch.nn.Linear(*weights.shape)
-        # PyTorch keeps weights as (outputs, inputs).
-        linear.load_state_dict(
-            {"weight": torch.from_numpy(weights.T.copy()), "bias": torch.from_numpy(bias)}
+        try:
+            import onnx
+        except ImportError as error:
+            raise ImportError(
+                "to_onnx: expected the package onnx, install it: pip install onnx"
+            ) from error
+        model = onnx.helper.make_model(
+            _onnx_graph(self.network, self.layers()),
+            opset_imports=[onnx.helper.make_opsetid("", _OPSET)],
+            ir_version=_IR_VERSION,
+            producer_name="matrixworld",
+            producer_version=__version__,
         )
-        modules += [linear, activation()]
-    return torch.nn.Sequential(*modules[:-1])
+        onnx.checker.check_model(model, full_check=True)
+        return model
 
 
-def _onnx_model(network: Network, layers: Layers) -> onnx.ModelProto:
-    """Return an ONNX model with these weights and the outputs logits and probabilities."""
-    try:
-        import onnx
-    except ImportError as error:
-        raise ImportError("to_onnx: expected the package onnx, install it: pip install onnx") from (
-            error
-        )
-    helper, real = onnx.helper, onnx.TensorProto.FLOAT
-    view = [CHANNELS, network.fov, network.fov]
+def _onnx_graph(network: Network, layers: Layers) -> onnx.GraphProto:
+    """Return the network's nodes, and the softmax of its logits, with these weights."""
+    import onnx
+
+    helper = onnx.helper
     activation = "Relu" if network.activation == "relu" else "Tanh"
     nodes: list[Any] = [helper.make_node("Flatten", ["observations"], ["hidden_0"], axis=1)]
     weights: list[Any] = []
@@ -224,22 +219,13 @@ def _onnx_model(network: Network, layers: Layers) -> onnx.ModelProto:
         nodes.append(helper.make_node("Gemm", inputs, [f"sum_{number}"]))
         nodes.append(helper.make_node(activation, [f"sum_{number}"], [f"hidden_{number + 1}"]))
     nodes.append(helper.make_node("Softmax", ["logits"], ["probabilities"], axis=1))
-    graph = helper.make_graph(
-        nodes,
-        "policy",
-        [helper.make_tensor_value_info("observations", real, ["n", *view])],
-        [
-            helper.make_tensor_value_info(name, real, ["n", network.n_actions])
-            for name in ("logits", "probabilities")
-        ],
-        weights,
+    shapes: dict[str, list[str | int]] = {
+        "observations": ["n", CHANNELS, network.fov, network.fov],
+        "logits": ["n", network.n_actions],
+        "probabilities": ["n", network.n_actions],
+    }
+    first, *outputs = (
+        helper.make_tensor_value_info(name, onnx.TensorProto.FLOAT, shape)
+        for name, shape in shapes.items()
     )
-    model = helper.make_model(
-        graph,
-        opset_imports=[helper.make_opsetid("", OPSET)],
-        ir_version=_IR_VERSION,
-        producer_name="matrixworld",
-        producer_version=__version__,
-    )
-    onnx.checker.check_model(model, full_check=True)
-    return model
+    return helper.make_graph(nodes, "policy", [first], outputs, weights)

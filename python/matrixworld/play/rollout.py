@@ -158,7 +158,7 @@ def rollout(
     """
     config, n_threads = WorldConfig.of(config), check_threads(threads)
     teams = check_team("pursuers", pursuers), check_team("evaders", evaders)
-    columns = matches if _converted(matches) else Matches.of(*matches)
+    columns = Matches.of(*matches)
     each = check_integer("episodes", episodes, 1)
     total = len(columns.seed) * each
     # A thread copies the genomes that it plays, beside tables that are as large.
@@ -175,19 +175,6 @@ def rollout(
         n_threads=n_threads,
     )
     return EpisodeStatistics(**arrays)
-
-
-def _converted(matches: Matches) -> bool:
-    """Whether matches are arrays as `Matches.of` returns them; the engine checks the indices."""
-    if not isinstance(matches, Matches) or len({np.shape(part) for part in matches}) != 1:
-        return False
-    return all(
-        isinstance(part, np.ndarray)
-        and part.dtype == dtype
-        and part.ndim == 1
-        and part.flags.c_contiguous
-        for part, dtype in zip(matches, (np.int32, np.int32, np.uint64), strict=True)
-    )
 
 
 def match_seed(run_seed: int, *key: int) -> int:

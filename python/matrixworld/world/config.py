@@ -175,22 +175,22 @@ class WorldConfig:
         pursuers, evaders = _TEAM_SIZES[row.capture]
         if rewards is not None and not isinstance(rewards, Rewards):
             raise TypeError(f"rewards: expected Rewards, got {rewards!r}")
-        values: dict[str, Any] = {
-            "rules": row,
+        numbers = {
             "rows": height if rows is None else rows,
             "cols": width if cols is None else cols,
             "n_pursuers": pursuers if n_pursuers is None else n_pursuers,
             "n_evaders": evaders if n_evaders is None else n_evaders,
             "fov": fov,
-            "diagonal": check_bool("diagonal", diagonal),
             "max_steps": max_steps,
-            "obstacles": terrain,
-            "rewards": Rewards() if rewards is None else rewards,
         }
-        for name in ("rows", "cols", "n_pursuers", "n_evaders", "fov", "max_steps"):
-            values[name] = check_integer(name, values[name])
-        for name, value in values.items():
-            object.__setattr__(self, name, value)
+        # A frozen dataclass lets its fields be set in this way only.
+        vars(self).update(
+            {name: check_integer(name, number) for name, number in numbers.items()},
+            rules=row,
+            diagonal=check_bool("diagonal", diagonal),
+            obstacles=terrain,
+            rewards=Rewards() if rewards is None else rewards,
+        )
         self.check_map(self.map)
         # Building the engine's form checks the ranges, so a bad config fails here and not later.
         self.setup  # noqa: B018

@@ -96,13 +96,16 @@ class World(WorldArrays):
     def __init__(
         self, config: WorldConfig | Rules | str = "O", **changes: Unpack[WorldSettings]
     ) -> None:
-        self.config = WorldConfig.of(config, **changes)
-        check_memory("world", cells=workspace_bytes(self.config))
-        self._specs = array_specs(self.config)
-        self._core = _core.World(self.config.setup)
-        self._explained = False
-        self.keeps_conflicts = False
+        own_config = WorldConfig.of(config, **changes)
+        check_memory("world", cells=workspace_bytes(own_config))
+        self._begin(own_config)
         self.reset(0)
+
+    def _begin(self, config: WorldConfig, keeps_conflicts: bool = False) -> None:
+        self.config, self.keeps_conflicts = config, keeps_conflicts
+        self._specs = array_specs(config)
+        self._core = _core.World(config.setup)
+        self._explained = False
 
     def reset(
         self,
@@ -320,26 +323,17 @@ class World(WorldArrays):
         picture[(counts > 0).all(axis=0)] = "X"
         return "\n".join("".join(row) for row in picture)
 
-    def __getstate__(self) -> dict[str, Any]:
-        """Return all that the future of the world depends on, without the list of conflicts."""
-        return {
-            "config": self.config,
-            "moment": self._core.snapshot(),
-            "keeps_conflicts": self.keeps_conflicts,
-        }
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Keep all that the future depends on, but not the list of conflicts."""
+        return type(self).at, (self.config, self._core.snapshot(), self.keeps_conflicts)
 
     @classmethod
-    def at(cls, config: WorldConfig, moment: dict[str, Any]) -> World:
+    def at(
+        cls, config: WorldConfig, moment: dict[str, Any], keeps_conflicts: bool = False
+    ) -> World:
         """Return a world that continues from a snapshot of the engine."""
         world = cls.__new__(cls)
-        world.__setstate__({"config": config, "moment": moment, "keeps_conflicts": False})
-        return world
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.config = state["config"]
-        self.keeps_conflicts = state["keeps_conflicts"]
-        self._specs = array_specs(self.config)
-        self._core = _core.World(self.config.setup)
+        world._begin(config, keeps_conflicts)
         # The engine's world starts anew with the same settings and is then set to the moment.
-        self._core.restore(state["moment"])
-        self._explained = False
+        world._core.restore(moment)
+        return world
